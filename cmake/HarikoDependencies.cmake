@@ -1,0 +1,36 @@
+# Libraries from the distribution; nothing is vendored.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(TBB REQUIRED)
+
+# OpenSubdiv's own CMake package names static libraries that Debian does not ship, so it is looked up by hand.
+find_path(OSD_INCLUDE opensubdiv/version.h REQUIRED)
+find_library(OSD_CPU_LIB osdCPU REQUIRED)
+add_library(osd::cpu UNKNOWN IMPORTED)
+set_target_properties(osd::cpu PROPERTIES IMPORTED_LOCATION "${OSD_CPU_LIB}"
+  INTERFACE_INCLUDE_DIRECTORIES "${OSD_INCLUDE}")
+
+if(HARIKO_WINDOW)
+  find_package(glfw3 3.3 REQUIRED)
+  find_package(glm REQUIRED)
+  find_package(PNG REQUIRED)
+  find_package(Freetype REQUIRED)
+  find_package(CLI11 REQUIRED)
+  pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+  # imgui.pc does not name FreeType, and the static library needs its link order: an own target.
+  pkg_check_modules(IMGUI REQUIRED imgui)
+  find_library(IMGUI_LIB imgui REQUIRED)
+  find_library(STB_LIB stb REQUIRED)
+  add_library(imgui::imgui STATIC IMPORTED)
+  set_target_properties(imgui::imgui PROPERTIES IMPORTED_LOCATION "${IMGUI_LIB}"
+    INTERFACE_INCLUDE_DIRECTORIES "${IMGUI_INCLUDE_DIRS}"
+    INTERFACE_LINK_LIBRARIES "${STB_LIB};Freetype::Freetype;glfw;${CMAKE_DL_LIBS}")
+endif()
+if(HARIKO_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(HARIKO_BENCH)
+  find_package(benchmark REQUIRED)
+endif()

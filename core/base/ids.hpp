@@ -1,0 +1,64 @@
+#pragma once
+
+// Stable names of elements: they survive edits, saving and reloading, unlike dense indices.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "core/base/message.hpp"
+
+namespace hariko {
+
+struct VertexId {
+  std::uint32_t value = 0xffffffffU;
+  friend auto operator<=>(const VertexId&, const VertexId&) = default;
+};
+
+struct FaceId {
+  std::uint32_t value = 0xffffffffU;
+  friend auto operator<=>(const FaceId&, const FaceId&) = default;
+};
+
+/// An edge is named by its two vertices: on a manifold no two edges join the same pair, so the pair is as stable
+/// as the vertices are. Always low < high.
+struct EdgeId {
+  VertexId low, high;
+
+  static EdgeId of(VertexId a, VertexId b) { return a < b ? EdgeId{a, b} : EdgeId{b, a}; }
+  static EdgeId from_packed(std::uint64_t packed) {
+    return {{static_cast<std::uint32_t>(packed >> 32)}, {static_cast<std::uint32_t>(packed)}};
+  }
+  std::uint64_t packed() const { return (std::uint64_t(low.value) << 32) | high.value; }
+  friend auto operator<=>(const EdgeId&, const EdgeId&) = default;
+};
+
+struct ObjectId {
+  std::uint32_t value = 0xffffffffU;
+  friend auto operator<=>(const ObjectId&, const ObjectId&) = default;
+};
+
+/// "12-13"
+inline std::string to_string(const EdgeId& id) {
+  return std::to_string(id.low.value) + "-" + std::to_string(id.high.value);
+}
+
+inline Element element_of(VertexId id) { return {Element::Kind::vertex, id.value}; }
+inline Element element_of(FaceId id) { return {Element::Kind::face, id.value}; }
+inline Element element_of(EdgeId id) { return {Element::Kind::edge, id.packed()}; }
+inline Element element_of(ObjectId id) { return {Element::Kind::object, id.value}; }
+
+}  // namespace hariko
+
+template <>
+struct std::hash<hariko::VertexId> {
+  std::size_t operator()(hariko::VertexId id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
+};
+template <>
+struct std::hash<hariko::FaceId> {
+  std::size_t operator()(hariko::FaceId id) const noexcept { return std::hash<std::uint32_t>{}(id.value); }
+};
+template <>
+struct std::hash<hariko::EdgeId> {
+  std::size_t operator()(hariko::EdgeId id) const noexcept { return std::hash<std::uint64_t>{}(id.packed()); }
+};

@@ -1,0 +1,35 @@
+#include "core/base/message.hpp"
+
+#include "core/base/ids.hpp"
+
+namespace hariko {
+
+std::string to_string(const Element& element) {
+  switch (element.kind) {
+    case Element::Kind::none: return {};
+    case Element::Kind::vertex: return "vertex " + std::to_string(element.id);
+    case Element::Kind::edge: return "edge " + to_string(EdgeId::from_packed(element.id));
+    case Element::Kind::face: return "face " + std::to_string(element.id);
+    case Element::Kind::object: return "object " + std::to_string(element.id);
+    case Element::Kind::line: return "line " + std::to_string(element.id);
+  }
+  return {};
+}
+
+std::string to_string(const Message& message) {
+  std::string out(message.code.name);
+  if (message.element.kind != Element::Kind::none) out += " (" + to_string(message.element) + ")";
+  out += ": " + message.text;
+  if (!message.remedy.empty()) out += " " + message.remedy;
+  return out;
+}
+
+Message make_error(Code code, std::string text, std::string remedy, Element element) {
+  return {Severity::error, code, element, std::move(text), std::move(remedy)};
+}
+
+Message make_warning(Code code, std::string text, std::string remedy, Element element) {
+  return {Severity::warning, code, element, std::move(text), std::move(remedy)};
+}
+
+}  // namespace hariko

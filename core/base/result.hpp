@@ -1,0 +1,51 @@
+#pragma once
+
+// Result<T>: a value, or the error message that says why there is none. For what a user can cause; what only a
+// programmer can cause is an assertion.
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "core/base/assert.hpp"
+#include "core/base/message.hpp"
+
+namespace hariko {
+
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}        // NOLINT: implicit on purpose
+  Result(Message error) : state_(std::in_place_index<1>, std::move(error)) {}  // NOLINT: implicit on purpose
+
+  bool ok() const { return state_.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  const T& value() const& {
+    HARIKO_ASSERT(ok(), "value() of a failed result");
+    return std::get<0>(state_);
+  }
+  T& value() & {
+    HARIKO_ASSERT(ok(), "value() of a failed result");
+    return std::get<0>(state_);
+  }
+  T&& value() && {
+    HARIKO_ASSERT(ok(), "value() of a failed result");
+    return std::get<0>(std::move(state_));
+  }
+  const Message& error() const {
+    HARIKO_ASSERT(!ok(), "error() of a good result");
+    return std::get<1>(state_);
+  }
+  const T& operator*() const& { return value(); }
+  T&& operator*() && { return std::move(*this).value(); }
+  const T* operator->() const { return &value(); }
+
+ private:
+  std::variant<T, Message> state_;
+};
+
+/// For functions that either do their work or say why not.
+struct Done {};
+
+}  // namespace hariko

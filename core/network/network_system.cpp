@@ -1,0 +1,311 @@
+#include "core/network/network_system.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/parallel.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::size_t grain = 2048;  ///< vertices a task: about 0.1 ms of a step
+constexpr int max_steps = 30;        ///< 0.268^30 is below any tolerance that makes sense
+
+std::string name_of(VertexId id) { return "Vertex " + std::to_string(id.value); }
+
+}  // namespace
+
+Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, const Shaping& shaping) {
+  NetworkSystem system;
+  system.mesh_ = polyhedron.shared_topology();
+  if (auto failed = system.read_tensions(polyhedron, shaping)) return *failed;
+  auto frames = build_vertex_frames(polyhedron, shaping);
+  if (!frames) return frames.error();
+  system.frames_ = std::move(frames).value();
+
+  const HalfEdgeMesh& mesh = *system.mesh_;
+  system.all_vertices_.resize(mesh.vertex_count());
+  std::iota(system.all_vertices_.begin(), system.all_vertices_.end(), Index(0));
+  system.edge_ends_.resize(2 * std::size_t(mesh.edge_count()));
+  system.incident_begin_.assign(mesh.vertex_count() + 1, 0);
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e);
+    system.edge_ends_[2 * e] = system.frames_.ends[2 * h];
+    system.edge_ends_[2 * e + 1] = system.frames_.ends[2 * h + 1];
+    ++system.incident_begin_[mesh.origin(h) + 1];
+    ++system.incident_begin_[mesh.target(h) + 1];
+  }
+  std::partial_sum(system.incident_begin_.begin(), system.incident_begin_.end(), system.incident_begin_.begin());
+  system.incident_ends_.resize(2 * std::size_t(mesh.edge_count()));
+  std::vector<Index> cursor(system.incident_begin_.begin(), system.incident_begin_.end() - 1);
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e);
+    system.incident_ends_[cursor[mesh.origin(h)]++] = 2 * e;
+    system.incident_ends_[cursor[mesh.target(h)]++] = 2 * e + 1;
+  }
+  if (auto failed = system.read_pins(polyhedron, shaping)) return *failed;
+  if (auto failed = system.factor_blocks(polyhedron)) return *failed;
+  return system;
+}
+
+std::optional<Message> NetworkSystem::read_tensions(const Polyhedron& polyhedron, const Shaping& shaping) {
+  const auto check = [](double value, const std::string& what, Element element) -> std::optional<Message> {
+    if (!std::isfinite(value))
+      return make_error(e_tension_nonfinite, what + " is not a number.", "Set it to a finite value.", element);
+    if (value < 0)
+      return make_error(e_tension_negative, what + " is negative.", "Set it to zero or more.", element);
+    return std::nullopt;
+  };
+  alpha_.assign(polyhedron.vertex_count(), 0.0);
+  for (const auto& [id, value] : shaping.alpha) {
+    if (auto failed = check(value, "The tension of vertex " + std::to_string(id.value), element_of(id))) return failed;
+    if (const Index v = polyhedron.find(id); v != no_index) alpha_[v] = value;
+  }
+  beta_.assign(polyhedron.edge_count(), 1.0);
+  for (const auto& [id, value] : shaping.beta) {
+    if (auto failed = check(value, "The tension of edge " + to_string(id), element_of(id))) return failed;
+    if (const Index e = polyhedron.find(id); e != no_index) beta_[e] = value;
+  }
+  return std::nullopt;
+}
+
+std::optional<Message> NetworkSystem::read_pins(const Polyhedron& polyhedron, const Shaping& shaping) {
+  for (const auto& [id, pin] : shaping.pin) {
+    const Index v = polyhedron.find(id);
+    if (v == no_index) continue;
+    const Index count = frames_.basis_begin[v + 1] - frames_.basis_begin[v];
+    const bool right_size = pin.kind == Pin::Kind::normal ? pin.vectors.size() == 1 : pin.vectors.size() == count;
+    bool usable = right_size && count > 0;
+    for (const Vector3& vector : pin.vectors) usable = usable && vector.allFinite();
+    if (usable && pin.kind == Pin::Kind::normal) usable = pin.vectors[0].stableNorm() > 0;
+    if (!usable)
+      return make_error(e_pin_mismatch,
+                        "The pin at vertex " + std::to_string(id.value) + " does not fit the vertex: " +
+                            (pin.kind == Pin::Kind::normal
+                                 ? "it needs one normal that is not zero."
+                                 : "it needs " + std::to_string(count) + " finite tangent vectors."),
+                        "Release the pin and set it again.", element_of(id));
+    if (pin_state_.empty()) {
+      pin_state_.assign(polyhedron.vertex_count(), PinState::none);
+      pin_normal_.assign(polyhedron.vertex_count(), Vector3::Zero());
+      pinned_basis_.assign(frames_.basis_count(), Vector3::Zero());
+    }
+    if (pin.kind == Pin::Kind::normal) {
+      pin_state_[v] = PinState::normal;
+      pin_normal_[v] = pin.vectors[0].stableNormalized();
+      couples_coordinates_ = true;
+    } else {
+      pin_state_[v] = PinState::fixed;
+      for (Index b = 0; b < count; ++b) pinned_basis_[frames_.basis_begin[v] + b] = pin.vectors[b];
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron) {
+  block_begin_.reserve(polyhedron.vertex_count() + 1);
+  std::size_t begin = 0;
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
+    block_begin_.push_back(begin);
+    const Index first = frames_.basis_begin[v];
+    const Index count = frames_.basis_begin[v + 1] - first;
+    begin += std::size_t(count) * count;
+  }
+  block_begin_.push_back(begin);
+  block_inverse_.resize(begin);
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
+    const Index first = frames_.basis_begin[v];
+    const Index count = frames_.basis_begin[v + 1] - first;
+    if (count == 0) continue;
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(count, count);
+    for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
+      const TangentCoefficients& end = edge_ends_[incident_ends_[i]];
+      const double weight = 2 * (beta_[incident_ends_[i] / 2] + alpha_[v]);
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b)
+          if (end.basis[a] != no_index && end.basis[b] != no_index)
+            block(end.basis[a] - first, end.basis[b] - first) += weight * end.c[a] * end.c[b];
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(block, Eigen::EigenvaluesOnly);
+    const double largest = eigen.eigenvalues().maxCoeff();
+    const bool fixed = !pin_state_.empty() && pin_state_[v] == PinState::fixed;
+    if (!fixed && !(eigen.eigenvalues().minCoeff() > 1e-12 * largest))
+      return make_error(e_singular_vertex,
+                        name_of(polyhedron.vertex_id(v)) +
+                            " has no tension in some direction, so its tangents are not determined.",
+                        "Raise the tension of one of its edges above zero.", element_of(polyhedron.vertex_id(v)));
+    const Eigen::MatrixXd inverse = fixed ? Eigen::MatrixXd::Zero(count, count) : Eigen::MatrixXd(block.inverse());
+    for (Index i = 0; i < count; ++i)
+      for (Index j = 0; j < count; ++j) block_inverse_[block_begin_[v] + i * count + j] = inverse(i, j);
+  }
+  return std::nullopt;
+}
+
+void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vector3>& x,
+                          std::vector<Vector3>& end_tangents, std::vector<Vector3>& y) const {
+  parallel_for(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      for (Index i = incident_begin_[vertices[k]]; i < incident_begin_[vertices[k] + 1]; ++i) {
+        const TangentCoefficients& tangent = edge_ends_[incident_ends_[i]];
+        Vector3 t = tangent.c[0] * x[tangent.basis[0]];
+        if (tangent.basis[1] != no_index) t += tangent.c[1] * x[tangent.basis[1]];
+        end_tangents[incident_ends_[i]] = t;
+      }
+  });
+  parallel_for(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index v = vertices[k];
+      for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b) y[b].setZero();
+      for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
+        const Index at = incident_ends_[i];
+        const TangentCoefficients& tangent = edge_ends_[at];
+        const double beta = beta_[at / 2];
+        const Vector3 gradient = 2 * (beta + alpha_[v]) * end_tangents[at] - beta * end_tangents[at ^ 1U];
+        y[tangent.basis[0]] += tangent.c[0] * gradient;
+        if (tangent.basis[1] != no_index) y[tangent.basis[1]] += tangent.c[1] * gradient;
+      }
+    }
+  });
+}
+
+void NetworkSystem::precondition(std::span<const Index> vertices, const std::vector<Vector3>& r,
+                                 std::vector<Vector3>& z) const {
+  parallel_for(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index v = vertices[k], first = frames_.basis_begin[v], count = frames_.basis_begin[v + 1] - first;
+      const double* inverse = block_inverse_.data() + block_begin_[v];
+      for (Index i = 0; i < count; ++i) {
+        Vector3 sum = Vector3::Zero();
+        for (Index j = 0; j < count; ++j) sum += inverse[i * count + j] * r[first + j];
+        z[first + i] = sum;
+      }
+    }
+  });
+}
+
+void NetworkSystem::project(std::span<const Index> vertices, std::vector<Vector3>& r) const {
+  if (pin_state_.empty()) return;
+  for (const Index v : vertices) {
+    if (pin_state_[v] == PinState::none) continue;
+    for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b) {
+      if (pin_state_[v] == PinState::fixed)
+        r[b].setZero();
+      else
+        r[b] -= pin_normal_[v] * pin_normal_[v].dot(r[b]);
+    }
+  }
+}
+
+NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions, const SolveOptions& options) const {
+  const std::vector<Index>& vertices = options.active_vertices ? *options.active_vertices : all_vertices_;
+  const std::size_t count = frames_.basis_count();
+  const auto dot = [&](const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
+    return parallel_sum(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t k = begin; k < end; ++k)
+        for (Index i = frames_.basis_begin[vertices[k]]; i < frames_.basis_begin[vertices[k] + 1]; ++i)
+          sum += a[i].dot(b[i]);
+      return sum;
+    });
+  };
+
+  std::vector<Vector3> b(count, Vector3::Zero()), z(count, Vector3::Zero()), q(count, Vector3::Zero());
+  std::vector<Vector3> end_tangents(edge_ends_.size(), Vector3::Zero());
+  for (const Index v : vertices)
+    for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
+      const Index at = incident_ends_[i], h = mesh_->half_edge_of_edge(at / 2);
+      const Index other = at & 1U ? mesh_->origin(h) : mesh_->target(h);
+      const Vector3 pull = beta_[at / 2] * (positions[other] - positions[v]);
+      const TangentCoefficients& tangent = edge_ends_[at];
+      b[tangent.basis[0]] += tangent.c[0] * pull;
+      if (tangent.basis[1] != no_index) b[tangent.basis[1]] += tangent.c[1] * pull;
+    }
+
+  Solution solution;
+  std::vector<Vector3>& x = solution.basis;
+  const bool warm = options.start && options.start->size() == count;
+  x = warm ? *options.start : std::vector<Vector3>(count, Vector3::Zero());
+  project(vertices, x);
+  if (!pin_state_.empty() && !options.homogeneous)
+    for (const Index v : vertices)
+      if (pin_state_[v] == PinState::fixed)
+        for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) x[i] = pinned_basis_[i];
+
+  apply(vertices, x, end_tangents, q);
+  std::vector<Vector3> r(count, Vector3::Zero());
+  for (std::size_t i = 0; i < count; ++i) r[i] = b[i] - q[i];
+  project(vertices, r);
+  project(vertices, b);
+  precondition(vertices, b, z);
+  const double goal = options.tolerance * options.tolerance * dot(b, z);
+  precondition(vertices, r, z);
+  std::vector<Vector3> p = z;
+  double rz = dot(r, z);
+  while (rz > goal && solution.iterations < max_steps) {
+    apply(vertices, p, end_tangents, q);
+    project(vertices, q);
+    const double step = rz / dot(p, q);
+    for (const Index v : vertices)
+      for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) {
+        x[i] += step * p[i];
+        r[i] -= step * q[i];
+      }
+    precondition(vertices, r, z);
+    const double next = dot(r, z);
+    const double ratio = next / rz;
+    for (const Index v : vertices)
+      for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) p[i] = z[i] + ratio * p[i];
+    rz = next;
+    ++solution.iterations;
+  }
+  return solution;
+}
+
+std::pair<Vector3, Vector3> NetworkSystem::tangents(Index half_edge, std::span<const Vector3> basis) const {
+  const auto at = [&](Index end) {
+    const TangentCoefficients& tangent = frames_.ends[end];
+    Vector3 t = tangent.c[0] * basis[tangent.basis[0]];
+    if (tangent.basis[1] != no_index) t += tangent.c[1] * basis[tangent.basis[1]];
+    return t;
+  };
+  return {at(2 * half_edge), at(2 * half_edge + 1)};
+}
+
+Network NetworkSystem::network(const Solution& solution, std::span<const Vector3> positions) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  Network network;
+  network.iterations = solution.iterations;
+  network.start.resize(mesh.half_edge_count());
+  network.end.resize(mesh.half_edge_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    std::tie(network.start[h], network.end[h]) = tangents(h, solution.basis);
+
+  network.normal.assign(mesh.vertex_count(), Vector3::Zero());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Index first = frames_.basis_begin[v];
+    const Vector3* x = solution.basis.data() + first;
+    const bool one_sector = mesh.is_border_vertex(v) && frames_.basis_begin[v + 1] - first == 2;
+    Vector3 normal = Vector3::Zero();
+    if (frames_.kind[v] == FrameKind::smooth)
+      normal = x[1].cross(x[0]);
+    else if (one_sector)  // Tc, Ts of a border line; Xa, Xb of a border corner
+      normal = x[0].cross(x[1]);
+    network.normal[v] = normal.stableNormalized();
+  }
+
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e), a = mesh.origin(h), b = mesh.target(h);
+    const Vector3 d = positions[b] - positions[a];
+    const Vector3 bend_a = d + network.end[h] - 2 * network.start[h];
+    const Vector3 bend_b = -d + network.start[h] - 2 * network.end[h];
+    network.energy +=
+        beta_[e] / 3 * (bend_a.squaredNorm() + bend_a.dot(bend_b) + bend_b.squaredNorm()) +
+        alpha_[a] * network.start[h].squaredNorm() + alpha_[b] * network.end[h].squaredNorm();
+  }
+  return network;
+}
+
+}  // namespace hariko

@@ -1,0 +1,78 @@
+#pragma once
+
+// NetworkSystem: the linear system of the minimum-norm network, assembled once per connectivity, tags, tensions and
+// pins, solved for any positions (Kuriyama 1991, equation (5); kuriyama.md section 2.2).
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/network/network.hpp"
+#include "core/network/vertex_frames.hpp"
+
+namespace hariko {
+
+/// The matrix is applied edge by edge and never stored. With the block-Jacobi preconditioner its spectrum lies in
+/// [1/2, 3/2] for every mesh and every tension >= 0, so conjugate gradients gain a factor 0.268 a step and need no
+/// factorisation; a pin is a projection, which keeps that bound.
+class NetworkSystem {
+ public:
+  /// Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_CORNER_NEEDS_CREASE, E_PIN_MISMATCH, E_SINGULAR_VERTEX.
+  /// Settings of elements that the polyhedron does not have are ignored. O(edges).
+  static Result<NetworkSystem> assemble(const Polyhedron& polyhedron, const Shaping& shaping);
+
+  const VertexFrames& frames() const { return frames_; }
+  /// Dense copies of the tensions: beta per edge, alpha per vertex.
+  const std::vector<double>& beta() const { return beta_; }
+  const std::vector<double>& alpha() const { return alpha_; }
+  /// True when some vertex has a `normal` pin: then x, y and z depend on each other.
+  bool couples_coordinates() const { return couples_coordinates_; }
+
+  struct Solution {
+    std::vector<Vector3> basis;  ///< X, one per basis vector of the frames
+    int iterations = 0;
+  };
+  struct SolveOptions {
+    /// Start from these basis vectors (the last frame's) instead of zero.
+    const std::vector<Vector3>* start = nullptr;
+    /// Solve at these vertices only, all others held at zero; for the response to a local displacement.
+    const std::vector<Index>* active_vertices = nullptr;
+    /// Relative residual in the preconditioner's norm.
+    double tolerance = 1e-14;
+    /// Pinned tangents are replaced by zero: the answer to a displacement instead of to positions.
+    bool homogeneous = false;
+  };
+  /// positions: one per vertex. O(edges) a step, at most 30 steps.
+  Solution solve(std::span<const Vector3> positions, const SolveOptions& options) const;
+
+  /// Tangents, plane normals and energy of a solution.
+  Network network(const Solution& solution, std::span<const Vector3> positions) const;
+  /// Tangents at both ends of half-edge h: (T(a -> b), T(b -> a)).
+  std::pair<Vector3, Vector3> tangents(Index half_edge, std::span<const Vector3> basis) const;
+
+ private:
+  enum class PinState : std::uint8_t { none, normal, fixed };
+
+  std::optional<Message> read_tensions(const Polyhedron& polyhedron, const Shaping& shaping);
+  std::optional<Message> read_pins(const Polyhedron& polyhedron, const Shaping& shaping);
+  std::optional<Message> factor_blocks(const Polyhedron& polyhedron);
+  void apply(std::span<const Index> vertices, const std::vector<Vector3>& x, std::vector<Vector3>& end_tangents,
+             std::vector<Vector3>& y) const;
+  void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r, std::vector<Vector3>& z) const;
+  void project(std::span<const Index> vertices, std::vector<Vector3>& r) const;
+
+  std::shared_ptr<const HalfEdgeMesh> mesh_;
+  VertexFrames frames_;
+  std::vector<double> beta_, alpha_;
+  std::vector<Index> all_vertices_;
+  std::vector<TangentCoefficients> edge_ends_;  ///< end 2e: origin of the edge's first half-edge; 2e + 1: its target
+  std::vector<Index> incident_begin_, incident_ends_;  ///< ends at each vertex
+  std::vector<std::size_t> block_begin_;
+  std::vector<double> block_inverse_;  ///< row-major inverse of each vertex's diagonal block
+  bool couples_coordinates_ = false;
+  std::vector<PinState> pin_state_;  ///< empty when there are no pins
+  std::vector<Vector3> pin_normal_, pinned_basis_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,138 @@
+#include "core/patching/drag_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/patching/rings.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Rings of faces to solve in: 0.27^12 is 1.5e-7.
+constexpr int ring_count = 12;
+/// Patches whose control points all move by less than this share of the displacement are left alone.
+constexpr double negligible_share = 2e-7;
+constexpr double response_tolerance = 1e-8;
+
+struct Neighbourhood {
+  std::vector<Index> faces, vertices;  ///< ascending
+};
+
+Neighbourhood neighbourhood(const HalfEdgeMesh& mesh, const std::vector<Index>& moved) {
+  std::vector<bool> face_in(mesh.face_count(), false), vertex_in(mesh.vertex_count(), false);
+  std::vector<Index> front = moved;
+  for (const Index v : moved) vertex_in[v] = true;
+  for (int ring = 0; ring < ring_count && !front.empty(); ++ring) {
+    std::vector<Index> next;
+    for (const Index v : front) {
+      const Index first = mesh.outgoing(v);
+      for (Index h = first; h != no_index;) {
+        const Index f = mesh.face(h);
+        if (!face_in[f]) {
+          face_in[f] = true;
+          for (const Index w : mesh.face_vertices(f))
+            if (!vertex_in[w]) {
+              vertex_in[w] = true;
+              next.push_back(w);
+            }
+        }
+        h = mesh.rotate(h);
+        if (h == first) break;
+      }
+    }
+    front = std::move(next);
+  }
+  Neighbourhood out;
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (face_in[f]) out.faces.push_back(f);
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (vertex_in[v] && mesh.outgoing(v) != no_index) out.vertices.push_back(v);
+  return out;
+}
+
+}  // namespace
+
+DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, const CancelToken& cancel) {
+  HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
+  const HalfEdgeMesh& mesh = *system.mesh;
+  DragResponse response;
+  response.moved = std::move(moved);
+  const Neighbourhood near = neighbourhood(mesh, response.moved);
+
+  // A unit displacement along x; the other coordinates stay zero.
+  std::vector<Vector3> positions(mesh.vertex_count(), Vector3::Zero());
+  for (const Index v : response.moved) positions[v] = Vector3::UnitX();
+  NetworkSystem::SolveOptions network_options;
+  network_options.active_vertices = &near.vertices;
+  network_options.tolerance = response_tolerance;
+  network_options.homogeneous = true;
+  const auto solution = system.network.solve(positions, network_options);
+  Network network;
+  network.start.assign(mesh.half_edge_count(), Vector3::Zero());
+  network.end.assign(mesh.half_edge_count(), Vector3::Zero());
+  const auto set_tangents = [&](Index h) {
+    std::tie(network.start[h], network.end[h]) = system.network.tangents(h, solution.basis);
+  };
+  for (const Index f : near.faces)
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+      set_tangents(h);
+      if (mesh.twin(h) != no_index) set_tangents(mesh.twin(h));
+    }
+
+  PatchNetwork split;
+  split.split_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
+  split.centre.assign(mesh.face_count(), Vector3::Zero());
+  split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
+  fill_split_tangents(mesh, system.network.frames(), system.constants, positions, network, near.faces, split);
+
+  QuarticPatch still;
+  still.control.fill(Vector3::Zero());
+  std::vector<QuarticPatch> patches(mesh.half_edge_count(), still);
+  const PatchBuilder builder(mesh, system.constants, positions, network, split);
+  const auto build_base = [&] {
+    for (const Index f : near.faces)
+      for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) patches[h] = builder.base_patch(h);
+  };
+  if (system.mode == Mode::fair) {
+    build_base();
+    FairSystem::SolveOptions options;
+    options.active_faces = &near.faces;
+    options.tolerance = response_tolerance;
+    const auto fair = system.fair->solve(patches, options, cancel);
+    system.fair->fill_split_points(fair.unknowns, near.faces, split);
+    build_base();
+    system.fair->add_free_parts(fair.unknowns, near.faces, patches);
+  } else {
+    fill_split_points(mesh, positions, near.faces, split);
+    build_base();
+    solve_rings(mesh, system.constants, system.mode, near.vertices, near.faces, patches);
+  }
+
+  auto felt = std::make_shared<std::vector<Index>>();
+  for (const Index f : near.faces)
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+      std::array<double, quartic_control_count> share;
+      double largest = 0;
+      for (std::size_t i = 0; i < quartic_control_count; ++i) {
+        share[i] = patches[h].control[i].x();
+        largest = std::max(largest, std::abs(share[i]));
+      }
+      if (largest < negligible_share) continue;
+      felt->push_back(h);
+      response.share.push_back(share);
+    }
+  response.patches = std::move(felt);
+  return response;
+}
+
+QuarticPatchArray displaced(const QuarticPatchArray& base, const DragResponse& response, const Vector3& displacement) {
+  QuarticPatchArray out = base;
+  for (std::size_t k = 0; k < response.share.size(); ++k) {
+    QuarticPatch& patch = out.edit((*response.patches)[k]);
+    for (std::size_t i = 0; i < quartic_control_count; ++i) patch.control[i] += response.share[k][i] * displacement;
+  }
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,442 @@
+#include "core/patching/fair_system.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "core/base/parallel.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::size_t face_grain = 64;   ///< faces a task: about 0.1 ms of a step
+constexpr std::size_t edge_grain = 128;
+constexpr std::size_t dot_grain = 4096;
+
+/// Local vectors are column-major, three columns.
+using LocalMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>>;
+using ConstLocalMap = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>>;
+using Array3 = Eigen::Array3d;
+
+void multiply(const Eigen::MatrixXd& matrix, const double* x, double* y) {
+  const Eigen::Index n = matrix.rows();
+  ConstLocalMap from(x, n, 3);
+  LocalMap to(y, n, 3);
+  to.noalias() = matrix.lazyProduct(from);
+}
+
+}  // namespace
+
+/// What one solve needs beside the unknowns.
+struct FairSystem::Workspace {
+  std::vector<Index> faces;         ///< active faces
+  std::vector<Index> edges;         ///< smooth edges with an active face
+  std::vector<Index> inner_edges;   ///< edges whose z are active: smooth with both faces active, or sharp
+  std::vector<bool> active;         ///< per face
+  std::vector<double> local_in, local_out;          ///< per face, 3 x local size
+  std::vector<Eigen::Matrix<double, 6, 3>> jump;    ///< per edge
+  std::vector<Vector3> unscaled;
+};
+
+FairSystem::FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
+                       const PatchConstants& constants, const FairWeights& weights)
+    : mesh_(std::move(mesh)), elements_(std::make_shared<FairElements>(weights)) {
+  number_unknowns();
+  build_elements(network, constants, weights);
+  build_preconditioner();
+}
+
+void FairSystem::number_unknowns() {
+  std::size_t next = 0, local = 0;
+  for (Index f = 0; f < mesh_->face_count(); ++f) {
+    face_begin_.push_back(next);
+    local_begin_.push_back(local);
+    next += 3 + 2 * mesh_->side_count(f);
+    local += static_cast<std::size_t>(local_size(f));
+  }
+  local_begin_.push_back(local);
+  unknown_count_ = next;
+}
+
+void FairSystem::build_elements(const NetworkSystem& network, const PatchConstants& constants,
+                                const FairWeights& weights) {
+  const HalfEdgeMesh& mesh = *mesh_;
+  side_origin_.resize(mesh.half_edge_count());
+  side_target_.resize(mesh.half_edge_count());
+  side_scale_.assign(mesh.half_edge_count(), 1.0);
+  std::size_t next = unknown_count_;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
+    side_origin_[h] = next;
+    side_target_[h] = next + 1;
+    next += 2;
+    if (twin == no_index) continue;
+    if (constants.smooth[h]) {  // the condition is a_own G_own + a_other G_other = R: z moves along its null space
+      side_origin_[twin] = side_target_[h];
+      side_target_[twin] = side_origin_[h];
+      side_scale_[h] = constants.own[twin];
+      side_scale_[twin] = -constants.own[h];
+    } else {
+      side_origin_[twin] = next;
+      side_target_[twin] = next + 1;
+      next += 2;
+    }
+  }
+  unknown_count_ = next;
+
+  face_element_.resize(mesh.face_count());
+  std::vector<bool> free_corner;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    double excess = 0, alpha = 0;
+    free_corner.clear();
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+      excess += std::max(network.beta()[mesh.edge(h)] - 1, 0.0);
+      alpha += network.alpha()[mesh.origin(h)];
+      free_corner.push_back(constants.free_split[h]);
+    }
+    const double tau = weights.tension * (excess + alpha) / double(mesh.side_count(f));
+    face_element_[f] = elements_->face(mesh.side_count(f), free_corner, tau);
+  }
+  edge_element_.assign(mesh.edge_count(), nullptr);
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
+    if (!constants.smooth[h]) continue;
+    const Index first = mesh.face(h), second = mesh.face(twin);
+    edge_element_[e] =
+        elements_->edge(face_element_[first], h - mesh.face_begin(first), face_element_[second],
+                        twin - mesh.face_begin(second), constants.c_origin[h], constants.c_target[h]);
+  }
+}
+
+void FairSystem::build_preconditioner() {
+  const HalfEdgeMesh& mesh = *mesh_;
+  std::map<std::vector<const void*>, std::shared_ptr<const Block>> known;
+  block_.resize(mesh.face_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    // Equal elements all round mean an equal block; the neighbour's element decides the scale of shared z as well.
+    std::vector<const void*> key{face_element_[f]};
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+      const Index e = mesh.edge(h);
+      key.push_back(edge_element_[e]);
+      const bool smooth = edge_element_[e] != nullptr;
+      key.push_back(smooth ? face_element_[mesh.face(mesh.twin(h))] : nullptr);
+      key.push_back(mesh.half_edge_of_edge(e) == h ? this : nullptr);
+    }
+    auto& block = known[key];
+    if (!block) block = std::make_shared<const Block>(make_block(f));
+    block_[f] = block;
+  }
+}
+
+FairSystem::Block FairSystem::make_block(Index face) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  const FaceElement& element = *face_element_[face];
+  const Eigen::Index n = Eigen::Index(element.sides), size = local_size(face);
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(size), weight = Eigen::VectorXd::Ones(size);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Index h = mesh.face_begin(face) + Index(j);
+    scale.segment<2>(3 + 2 * n + 2 * j).setConstant(side_scale_[h]);
+    if (edge_element_[mesh.edge(h)]) weight.segment<2>(3 + 2 * n + 2 * j).setConstant(std::sqrt(0.5));
+  }
+  Eigen::MatrixXd matrix = scale.asDiagonal() * element.matrix * scale.asDiagonal();
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Index h = mesh.face_begin(face) + Index(j), e = mesh.edge(h);
+    const EdgeElement* edge = edge_element_[e];
+    if (!edge) continue;
+    const bool first = mesh.half_edge_of_edge(e) == h;
+    const JumpColumns& own = first ? edge->first_columns : edge->second_columns;
+    const JumpColumns& other = first ? edge->second_columns : edge->first_columns;
+    const Index twin = mesh.twin(h);
+    const auto columns = element.columns(Index(j));
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(6, size);
+    for (int a = 0; a < patch_unknown_count; ++a) rows.col(columns[std::size_t(a)]) += scale[columns[std::size_t(a)]] * own.col(a);
+    // The neighbour's z at its origin is ours at the target.
+    rows.col(columns[8]) += side_scale_[twin] * other.col(7);
+    rows.col(columns[7]) += side_scale_[twin] * other.col(8);
+    matrix += rows.transpose() * rows;
+    // The neighbour's own element also sees the shared z.
+    const FaceElement& neighbour = *face_element_[mesh.face(twin)];
+    const auto theirs = neighbour.columns(twin - mesh.face_begin(mesh.face(twin)));
+    const double square = side_scale_[twin] * side_scale_[twin];
+    const int mine[2] = {columns[7], columns[8]}, their[2] = {theirs[8], theirs[7]};
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) matrix(mine[a], mine[b]) += square * neighbour.matrix(their[a], their[b]);
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  HARIKO_ASSERT(factor.info() == Eigen::Success, "the fairness energy of a face is positive definite");
+  return weight.asDiagonal() * factor.solve(Eigen::MatrixXd::Identity(size, size)) * weight.asDiagonal();
+}
+
+void FairSystem::gather(Index face, const std::vector<Vector3>& x, bool scaled, double* local) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  const Eigen::Index n = Eigen::Index(mesh.side_count(face)), size = local_size(face);
+  LocalMap out(local, size, 3);
+  const std::size_t first = face_begin_[face];
+  for (Eigen::Index i = 0; i < 3 + 2 * n; ++i) out.row(i) = x[first + std::size_t(i)];
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Index h = mesh.face_begin(face) + Index(j);
+    const double scale = scaled ? side_scale_[h] : 1.0;
+    out.row(3 + 2 * n + 2 * j) = scale * x[side_origin_[h]];
+    out.row(4 + 2 * n + 2 * j) = scale * x[side_target_[h]];
+  }
+}
+
+void FairSystem::scatter_interior(Index face, const double* local, std::vector<Vector3>& y) const {
+  const Eigen::Index n = Eigen::Index(mesh_->side_count(face));
+  ConstLocalMap in(local, local_size(face), 3);
+  for (Eigen::Index i = 0; i < 3 + 2 * n; ++i) y[face_begin_[face] + std::size_t(i)] = in.row(i);
+}
+
+void FairSystem::collect_sides(const Workspace& work, bool scaled, std::vector<Vector3>& y) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  const auto share = [&](Index h, int end) -> Vector3 {
+    const Index f = mesh.face(h);
+    const Eigen::Index n = Eigen::Index(mesh.side_count(f)), j = Eigen::Index(h - mesh.face_begin(f));
+    ConstLocalMap local(work.local_out.data() + 3 * local_begin_[f], local_size(f), 3);
+    return (scaled ? side_scale_[h] : 1.0) * local.row(3 + 2 * n + 2 * j + end).transpose();
+  };
+  parallel_for(work.inner_edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index e = work.inner_edges[k], h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
+      if (edge_element_[e]) {
+        y[side_origin_[h]] = share(h, 0) + share(twin, 1);
+        y[side_target_[h]] = share(h, 1) + share(twin, 0);
+        continue;
+      }
+      for (const Index side : {h, twin}) {
+        if (side == no_index || !work.active[mesh.face(side)]) continue;
+        y[side_origin_[side]] = share(side, 0);
+        y[side_target_[side]] = share(side, 1);
+      }
+    }
+  });
+}
+
+void FairSystem::apply(Workspace& work, const std::vector<Vector3>& x, std::vector<Vector3>& y) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      gather(work.faces[k], x, true, work.local_in.data() + 3 * local_begin_[work.faces[k]]);
+  });
+  const auto side_values = [&](Index h) {
+    const Index f = mesh.face(h);
+    const auto columns = face_element_[f]->columns(h - mesh.face_begin(f));
+    ConstLocalMap local(work.local_in.data() + 3 * local_begin_[f], local_size(f), 3);
+    Eigen::Matrix<double, patch_unknown_count, 3> values;
+    for (int a = 0; a < patch_unknown_count; ++a) values.row(a) = local.row(columns[std::size_t(a)]);
+    return values;
+  };
+  parallel_for(work.edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index e = work.edges[k], h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
+      auto& jump = work.jump[e];
+      jump.setZero();
+      if (work.active[mesh.face(h)]) jump += edge_element_[e]->first_columns.lazyProduct(side_values(h));
+      if (work.active[mesh.face(twin)]) jump += edge_element_[e]->second_columns.lazyProduct(side_values(twin));
+    }
+  });
+  parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = work.faces[k];
+      double* out = work.local_out.data() + 3 * local_begin_[f];
+      multiply(face_element_[f]->matrix, work.local_in.data() + 3 * local_begin_[f], out);
+      LocalMap local(out, local_size(f), 3);
+      for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+        const Index e = mesh.edge(h);
+        if (!edge_element_[e]) continue;
+        const bool first = mesh.half_edge_of_edge(e) == h;
+        const JumpColumns& own = first ? edge_element_[e]->first_columns : edge_element_[e]->second_columns;
+        const Eigen::Matrix<double, patch_unknown_count, 3> values = own.transpose().lazyProduct(work.jump[e]);
+        const auto columns = face_element_[f]->columns(h - mesh.face_begin(f));
+        for (int a = 0; a < patch_unknown_count; ++a) local.row(columns[std::size_t(a)]) += values.row(a);
+      }
+      scatter_interior(f, out, y);
+    }
+  });
+  collect_sides(work, true, y);
+}
+
+void FairSystem::precondition(Workspace& work, const std::vector<Vector3>& r, std::vector<Vector3>& z) const {
+  parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = work.faces[k];
+      double* in = work.local_in.data() + 3 * local_begin_[f];
+      double* out = work.local_out.data() + 3 * local_begin_[f];
+      gather(f, r, false, in);
+      multiply(*block_[f], in, out);
+      scatter_interior(f, out, z);
+    }
+  });
+  collect_sides(work, false, z);
+}
+
+void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base, std::vector<Vector3>& b) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  using Controls = Eigen::Matrix<double, quartic_control_count, 3, Eigen::RowMajor>;
+  const auto controls = [&](Index h) { return Eigen::Map<const Controls>(base[h].control[0].data()); };
+  parallel_for(work.edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index e = work.edges[k], h = mesh.half_edge_of_edge(e);
+      work.jump[e] = edge_element_[e]->first_rows.lazyProduct(controls(h)) +
+                     edge_element_[e]->second_rows.lazyProduct(controls(mesh.twin(h)));
+    }
+  });
+  parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = work.faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);
+      const FaceElement& element = *face_element_[f];
+      double* out = work.local_out.data() + 3 * local_begin_[f];
+      LocalMap local(out, local_size(f), 3);
+      local.setZero();
+      for (Index j = 0; j < n; ++j) {
+        const Index following = (j + 1) % n, behind = (j + n - 1) % n, e = mesh.edge(first + j);
+        // The patch takes part in the jumps over its two split edges and over its side.
+        const Eigen::Matrix<double, 6, 3> before = element.split_left[j].lazyProduct(controls(first + j)) +
+                                                   element.split_right[j].lazyProduct(controls(first + behind));
+        const Eigen::Matrix<double, 6, 3> after =
+            element.split_left[following].lazyProduct(controls(first + following)) +
+            element.split_right[following].lazyProduct(controls(first + j));
+        Eigen::Matrix<double, quartic_control_count, 3> gradient = element.energy.lazyProduct(controls(first + j));
+        gradient += element.split_left[j].transpose().lazyProduct(before);
+        gradient += element.split_right[following].transpose().lazyProduct(after);
+        if (edge_element_[e]) {
+          const bool first_side = mesh.half_edge_of_edge(e) == first + j;
+          const JumpRows& rows = first_side ? edge_element_[e]->first_rows : edge_element_[e]->second_rows;
+          gradient += rows.transpose().lazyProduct(work.jump[e]);
+        }
+        const Eigen::Matrix<double, patch_unknown_count, 3> values =
+            element.dependence[j].transpose().lazyProduct(gradient);
+        const auto columns = element.columns(j);
+        for (int a = 0; a < patch_unknown_count; ++a) local.row(columns[std::size_t(a)]) -= values.row(a);
+      }
+      scatter_interior(f, out, b);
+    }
+  });
+  collect_sides(work, true, b);
+}
+
+FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const SolveOptions& options,
+                                       const CancelToken& cancel) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  Workspace work;
+  if (options.active_faces) {
+    work.faces = *options.active_faces;
+  } else {
+    work.faces.resize(mesh.face_count());
+    std::iota(work.faces.begin(), work.faces.end(), Index(0));
+  }
+  work.active.assign(mesh.face_count(), false);
+  for (const Index f : work.faces) work.active[f] = true;
+  for (const Index f : work.faces)
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+      const Index e = mesh.edge(h), twin = mesh.twin(h);
+      const bool both = twin != no_index && work.active[mesh.face(twin)];
+      if (both && mesh.half_edge_of_edge(e) != h) continue;  // taken from the other side
+      if (edge_element_[e]) work.edges.push_back(e);
+      if (both || !edge_element_[e]) work.inner_edges.push_back(e);
+    }
+  work.local_in.resize(3 * local_begin_.back());
+  work.local_out.resize(3 * local_begin_.back());
+  work.jump.resize(mesh.edge_count());
+
+  const std::size_t count = unknown_count_;
+  const auto dot = [&](const std::vector<Vector3>& a, const std::vector<Vector3>& c) {
+    Array3 sum;
+    for (int axis = 0; axis < 3; ++axis)
+      sum[axis] = parallel_sum(count, dot_grain, [&](std::size_t begin, std::size_t end) {
+        double part = 0;
+        for (std::size_t i = begin; i < end; ++i) part += a[i][axis] * c[i][axis];
+        return part;
+      });
+    return sum;
+  };
+  const auto combine = [&](std::vector<Vector3>& y, const Array3& factor, const std::vector<Vector3>& x) {
+    parallel_for(count, dot_grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) y[i].array() += factor * x[i].array();
+    });
+  };
+  const auto ratio = [](const Array3& a, const Array3& c) {
+    return Array3((c.abs() > 0).select(a / (c.abs() > 0).select(c, 1.0), 0.0));
+  };
+
+  const std::vector<Vector3> zero(count, Vector3::Zero());
+  std::vector<Vector3> r = zero, z = zero, q = zero;
+  Solution solution;
+  solution.unknowns = options.start ? *options.start : zero;
+  right_side(work, base, r);
+  precondition(work, r, z);
+  const Array3 goal = options.tolerance * options.tolerance * dot(r, z);
+  if (options.start) {
+    apply(work, solution.unknowns, q);
+    combine(r, Array3::Constant(-1), q);
+    precondition(work, r, z);
+  }
+  std::vector<Vector3> p = z;
+  Array3 rz = dot(r, z);
+  // A coordinate that is flat (all of it below the largest by 1e-30 in energy) needs no digits of its own.
+  const Array3 enough = goal.max(1e-30 * goal.maxCoeff());
+  while ((rz > enough).any()) {
+    if (solution.iterations == options.max_steps) {
+      solution.converged = false;
+      break;
+    }
+    if (cancel.cancelled()) {
+      solution.cancelled = true;
+      break;
+    }
+    apply(work, p, q);
+    const Array3 step = ratio(rz, dot(p, q));
+    combine(solution.unknowns, step, p);
+    combine(r, -step, q);
+    precondition(work, r, z);
+    const Array3 next = dot(r, z);
+    const Array3 turn = ratio(next, rz);
+    parallel_for(count, dot_grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) p[i] = z[i].array() + turn * p[i].array();
+    });
+    rz = next;
+    ++solution.iterations;
+  }
+  return solution;
+}
+
+void FairSystem::fill_split_points(std::span<const Vector3> unknowns, std::span<const Index> faces,
+                                   PatchNetwork& out) const {
+  for (const Index f : faces) {
+    const Vector3* y = unknowns.data() + face_begin_[f];
+    const Index first = mesh_->face_begin(f), n = mesh_->side_count(f);
+    out.centre[f] = y[0];
+    for (Index j = 0; j < n; ++j) {
+      const double angle = 2 * std::numbers::pi * double(j) / double(n);
+      out.centre_tangent[first + j] = std::sin(angle) * y[1] + std::cos(angle) * y[2];
+    }
+  }
+}
+
+void FairSystem::add_free_parts(std::span<const Vector3> unknowns, std::span<const Index> faces,
+                                std::span<QuarticPatch> patches) const {
+  using namespace quartic;
+  const HalfEdgeMesh& mesh = *mesh_;
+  parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);
+      const Vector3* split = unknowns.data() + face_begin_[f] + 3;
+      for (Index j = 0; j < n; ++j) {
+        auto& d = patches[first + j].control;
+        const Index h = first + j, following = (j + 1) % n;
+        // Both patches beside a split edge have weight 1/2 in its condition, so z moves them in opposite directions.
+        d[d211w] += 0.5 * split[2 * j];
+        d[d121w] -= 0.5 * split[2 * j + 1];
+        d[d211v] -= 0.5 * split[2 * following];
+        d[d112v] += 0.5 * split[2 * following + 1];
+        d[d121u] += side_scale_[h] * unknowns[side_origin_[h]];
+        d[d112u] += side_scale_[h] * unknowns[side_target_[h]];
+      }
+    }
+  });
+}
+
+}  // namespace hariko

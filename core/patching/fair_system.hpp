@@ -1,0 +1,84 @@
+#pragma once
+
+// FairSystem: the linear system of mode FAIR, assembled once per connectivity and tensions, solved for any positions
+// (kuriyama.md section 6).
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/cancellation.hpp"
+#include "core/network/network_system.hpp"
+#include "core/patching/fair_elements.hpp"
+#include "core/patching/patch_network.hpp"
+
+namespace hariko {
+
+/// Unknowns per face: O, Ys, Yc, then z at both ends of each split edge. Per inner smooth edge: z at both ends, shared
+/// by its faces. Per side on a sharp edge: z at both ends, the side's own. The matrix is kept as shared dense elements
+/// and applied face by face; conjugate gradients precondition with the exact inverses of overlapping face blocks.
+class FairSystem {
+ public:
+  FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network, const PatchConstants& constants,
+             const FairWeights& weights = {});
+
+  std::size_t unknown_count() const { return unknown_count_; }
+  const HalfEdgeMesh& mesh() const { return *mesh_; }
+
+  struct SolveOptions {
+    const std::vector<Vector3>* start = nullptr;  ///< begin here instead of at zero
+    /// Solve in these faces (ascending) only; unknowns of other faces and of edges on the rim are held at zero.
+    const std::vector<Index>* active_faces = nullptr;
+    double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
+    int max_steps = 600;
+  };
+  struct Solution {
+    std::vector<Vector3> unknowns;
+    int iterations = 0;
+    bool converged = true;
+    bool cancelled = false;
+  };
+
+  /// `base[h]`: control points of patch h with all unknowns zero (PatchBuilder::base_patch with O and Y zero), for the
+  /// half-edges of the active faces and of their neighbours across edges. O(faces) a step.
+  Solution solve(std::span<const QuarticPatch> base, const SolveOptions& options, const CancelToken& cancel = {}) const;
+
+  /// Split points and their tangents from the unknowns, for the given faces.
+  void fill_split_points(std::span<const Vector3> unknowns, std::span<const Index> faces, PatchNetwork& out) const;
+  /// Adds the z of the given faces to base patches that were made with these split points.
+  void add_free_parts(std::span<const Vector3> unknowns, std::span<const Index> faces,
+                      std::span<QuarticPatch> patches) const;
+
+ private:
+  /// Inverse of the matrix restricted to one face's unknowns, weighted for their overlap; shared among equal faces.
+  using Block = Eigen::MatrixXd;
+  struct Workspace;
+
+  void number_unknowns();
+  void build_elements(const NetworkSystem& network, const PatchConstants& constants, const FairWeights& weights);
+  void build_preconditioner();
+  Block make_block(Index face) const;
+  Eigen::Index local_size(Index face) const { return 3 + 4 * Eigen::Index(mesh_->side_count(face)); }
+  /// The face's unknowns in the element's order, z scaled as the element expects (or not, for the preconditioner).
+  void gather(Index face, const std::vector<Vector3>& x, bool scaled, double* local) const;
+  void scatter_interior(Index face, const double* local, std::vector<Vector3>& y) const;
+  /// Adds up the faces' shares of the z unknowns of the active edges, sides of sharp edges included.
+  void collect_sides(const Workspace& work, bool scaled, std::vector<Vector3>& y) const;
+  void apply(Workspace& work, const std::vector<Vector3>& x, std::vector<Vector3>& y) const;
+  void precondition(Workspace& work, const std::vector<Vector3>& r, std::vector<Vector3>& z) const;
+  void right_side(Workspace& work, std::span<const QuarticPatch> base, std::vector<Vector3>& b) const;
+
+  std::shared_ptr<const HalfEdgeMesh> mesh_;
+  std::size_t unknown_count_ = 0;
+  std::vector<std::size_t> face_begin_;   ///< first unknown of each face
+  std::vector<std::size_t> local_begin_;  ///< place of each face's local vector in workspaces, in unknowns
+  std::vector<std::size_t> side_origin_;  ///< per half-edge: unknown z at its origin
+  std::vector<std::size_t> side_target_;
+  std::vector<double> side_scale_;  ///< per half-edge: factor of the shared z in the own face's point
+  std::shared_ptr<FairElements> elements_;
+  std::vector<const FaceElement*> face_element_;
+  std::vector<const EdgeElement*> edge_element_;  ///< null on sharp edges
+  std::vector<std::shared_ptr<const Block>> block_;
+};
+
+}  // namespace hariko

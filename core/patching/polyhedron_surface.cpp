@@ -1,0 +1,187 @@
+#include "core/patching/polyhedron_surface.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/parallel.hpp"
+#include "core/patching/drag_response.hpp"
+#include "core/patching/rings.hpp"
+#include "core/patching/surface_parts.hpp"
+#include "core/patching/surface_warnings.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
+constexpr std::size_t patch_grain = 256;
+
+}  // namespace
+
+struct PolyhedronSurfacer::State {
+  // What the systems were built for.
+  std::optional<Polyhedron> polyhedron;
+  Shaping shaping;
+  std::optional<SurfaceSystem> system;
+  Surface::Parts parts;
+  std::shared_ptr<const QuarticTables> tables = std::make_shared<QuarticTables>();
+
+  // Warm starts for quality `drag`; `final` never reads them.
+  std::vector<Vector3> last_basis, last_unknowns;
+
+  // The last `final` result, the base of a drag.
+  struct Base {
+    std::vector<Vector3> positions;
+    QuarticPatchArray patches;
+    Surface surface;
+    std::uint64_t revision = 0;
+  };
+  std::optional<Base> base;
+  std::optional<DragResponse> response;
+  std::uint64_t revision = 0;
+
+  std::optional<Message> prepare(const PolyhedronSurfaceInput& input);
+  std::optional<PolyhedronSurface> drag(const PolyhedronSurfaceInput& input, const CancelToken& cancel);
+  Result<PolyhedronSurface> solve(const PolyhedronSurfaceInput& input, Quality quality, const CancelToken& cancel);
+};
+
+std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input) {
+  const bool same_mesh = polyhedron && polyhedron->shared_topology() == input.polyhedron.shared_topology();
+  const bool same = same_mesh && system && shaping == input.shaping && system->mode == input.mode;
+  polyhedron = input.polyhedron;
+  if (same) return std::nullopt;
+  system.reset();
+  base.reset();
+  response.reset();
+  if (!same_mesh) {
+    last_basis.clear();
+    last_unknowns.clear();
+  }
+  auto network = NetworkSystem::assemble(input.polyhedron, input.shaping);
+  if (!network) return network.error();
+  shaping = input.shaping;
+  const auto& mesh = input.polyhedron.shared_topology();
+  SurfaceSystem fresh{mesh, std::move(network).value(), {}, input.mode, nullptr};
+  fresh.constants = patch_constants(*mesh, fresh.network.frames());
+  if (input.mode == Mode::fair) fresh.fair = std::make_unique<FairSystem>(mesh, fresh.network, fresh.constants);
+  parts = polyhedron_surface_parts(input.polyhedron, fresh.network.frames());
+  system = std::move(fresh);
+  return std::nullopt;
+}
+
+/// The fast path: only a few vertices moved, all by one displacement, since the last final result.
+std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const PolyhedronSurfaceInput& input,
+                                                                 const CancelToken& cancel) {
+  if (!base || system->network.couples_coordinates() || base->surface.origin() != input.origin) return std::nullopt;
+  std::vector<Index> moved;
+  Vector3 displacement = Vector3::Zero();
+  for (Index v = 0; v < input.polyhedron.vertex_count(); ++v) {
+    const Vector3 move = input.polyhedron.position(v) - base->positions[v];
+    if (move.isZero(0)) continue;
+    if (moved.empty()) displacement = move;
+    if ((move - displacement).norm() > 1e-9 * displacement.norm()) return std::nullopt;
+    moved.push_back(v);
+  }
+  if (!response || (!moved.empty() && response->moved != moved)) {
+    if (moved.empty()) return std::nullopt;
+    response = drag_response(*system, std::move(moved), cancel);
+    if (cancel.cancelled()) {
+      response.reset();
+      return std::nullopt;
+    }
+  }
+  QuarticPatchArray patches = displaced(base->patches, *response, displacement);
+  auto normals = std::make_shared<std::vector<Vector3>>(base->surface.node_count());
+  for (Index n = 0; n < base->surface.node_count(); ++n) (*normals)[n] = base->surface.node_normal(n);
+  update_node_normals(*system->mesh, system->network.frames(), parts, patches, *response->patches, *normals);
+
+  PolyhedronSurface out;
+  out.surface = base->surface.with_patches(std::make_shared<QuarticPatchSet>(std::move(patches), tables), normals);
+  out.revision = ++revision;
+  out.base_revision = base->revision;
+  out.changed = response->patches;
+  return out;
+}
+
+Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfaceInput& input, Quality quality,
+                                                           const CancelToken& cancel) {
+  const HalfEdgeMesh& mesh = *system->mesh;
+  const std::vector<Vector3> positions = input.polyhedron.positions();
+  const bool warm = quality == Quality::drag;
+  const auto cancelled = [] { return make_error(e_cancelled, "The surface was not finished."); };
+
+  NetworkSystem::SolveOptions network_options;
+  if (warm && !last_basis.empty()) network_options.start = &last_basis;
+  auto solution = system->network.solve(positions, network_options);
+  PolyhedronSurface out;
+  out.report.network_iterations = solution.iterations;
+  auto network = std::make_shared<Network>(system->network.network(solution, positions));
+  last_basis = std::move(solution.basis);
+  if (cancel.cancelled()) return cancelled();
+
+  std::vector<Index> faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  PatchNetwork split;
+  split.split_tangent.resize(mesh.half_edge_count());
+  split.centre.assign(mesh.face_count(), Vector3::Zero());
+  split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
+  fill_split_tangents(mesh, system->network.frames(), system->constants, positions, *network, faces, split);
+
+  std::vector<QuarticPatch> patches(mesh.half_edge_count());
+  const PatchBuilder builder(mesh, system->constants, positions, *network, split);
+  const auto build_base = [&] {
+    parallel_for(patches.size(), patch_grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t h = begin; h < end; ++h) patches[h] = builder.base_patch(static_cast<Index>(h));
+    });
+  };
+  if (input.mode == Mode::fair) {
+    build_base();
+    FairSystem::SolveOptions options;
+    if (warm) options.tolerance = drag_tolerance;
+    if (warm && last_unknowns.size() == system->fair->unknown_count()) options.start = &last_unknowns;
+    auto fair = system->fair->solve(patches, options, cancel);
+    if (fair.cancelled) return cancelled();
+    out.report.fair_iterations = fair.iterations;
+    out.report.fair_converged = fair.converged;
+    system->fair->fill_split_points(fair.unknowns, faces, split);
+    build_base();
+    system->fair->add_free_parts(fair.unknowns, faces, patches);
+    last_unknowns = std::move(fair.unknowns);
+  } else {
+    fill_split_points(mesh, positions, faces, split);
+    build_base();
+    solve_rings(mesh, system->constants, input.mode, patches);
+  }
+  if (cancel.cancelled()) return cancelled();
+
+  QuarticPatchArray array(patches);
+  Surface::Parts full = parts;
+  full.origin = input.origin;
+  full.node_normals =
+      std::make_shared<std::vector<Vector3>>(node_normals(mesh, system->network.frames(), parts, array));
+  full.patches = std::make_shared<QuarticPatchSet>(array, tables);
+  out.surface = Surface(std::move(full));
+  out.revision = out.base_revision = ++revision;
+  if (quality == Quality::final) {
+    out.warnings = surface_warnings(input.polyhedron, *network, out.surface);
+    base = Base{positions, std::move(array), out.surface, out.revision};
+    response.reset();
+  }
+  out.network = std::move(network);
+  return out;
+}
+
+PolyhedronSurfacer::PolyhedronSurfacer() : state_(std::make_unique<State>()) {}
+PolyhedronSurfacer::~PolyhedronSurfacer() = default;
+PolyhedronSurfacer::PolyhedronSurfacer(PolyhedronSurfacer&&) noexcept = default;
+PolyhedronSurfacer& PolyhedronSurfacer::operator=(PolyhedronSurfacer&&) noexcept = default;
+
+Result<PolyhedronSurface> PolyhedronSurfacer::rebuild(const PolyhedronSurfaceInput& input, Quality quality,
+                                                      const CancelToken& cancel) {
+  if (auto failed = state_->prepare(input)) return *failed;
+  if (quality == Quality::drag)
+    if (auto fast = state_->drag(input, cancel)) return std::move(*fast);
+  return state_->solve(input, quality, cancel);
+}
+
+}  // namespace hariko

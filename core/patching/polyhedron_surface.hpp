@@ -1,0 +1,73 @@
+#pragma once
+
+// A polyhedron with its shaping becomes a Surface: the producer that the rest of the program calls.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/result.hpp"
+#include "core/network/network.hpp"
+#include "core/network/shaping.hpp"
+#include "core/polyhedron/polyhedron.hpp"
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_cancelled{"E_CANCELLED"};
+inline constexpr Code w_long_tangent{"W_LONG_TANGENT"};
+inline constexpr Code w_fold{"W_FOLD"};
+
+/// How a surface was made: what a reproducible file of it records.
+struct SolveReport {
+  int network_iterations = 0;
+  int fair_iterations = 0;
+  bool fair_converged = true;
+};
+
+/// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where only a few
+/// vertices moved by one common displacement since the last `final` result, it differs from `final` by less than 1e-6
+/// of the displacement and touches only the patches that feel it.
+enum class Quality { drag, final };
+
+struct PolyhedronSurfaceInput {
+  Polyhedron polyhedron;
+  Shaping shaping;
+  Mode mode = Mode::fair;
+  Vector3 origin = Vector3::Zero();  ///< what the polyhedron's positions are relative to
+};
+
+struct PolyhedronSurface {
+  Surface surface;
+  /// Curves along the polyhedron's edges; null where only some patches were updated (`changed` is set).
+  std::shared_ptr<const Network> network;
+  /// W_LONG_TANGENT and W_FOLD; filled at quality `final` only.
+  std::vector<Message> warnings;
+  SolveReport report;
+
+  /// Every result of a surfacer has its own revision. When `changed` is set, all patches but these are equal to those
+  /// of the result with revision `base_revision`; results of one drag share that base.
+  std::uint64_t revision = 0, base_revision = 0;
+  std::shared_ptr<const std::vector<Index>> changed;
+};
+
+/// Keeps what depends on connectivity and tensions only (assembled systems, factorisations, responses) between calls.
+/// One per object; calls must not overlap. The result of a `final` call does not depend on earlier calls.
+class PolyhedronSurfacer {
+ public:
+  PolyhedronSurfacer();
+  ~PolyhedronSurfacer();
+  PolyhedronSurfacer(PolyhedronSurfacer&&) noexcept;
+  PolyhedronSurfacer& operator=(PolyhedronSurfacer&&) noexcept;
+
+  /// Errors: those of `NetworkSystem::assemble`, and E_CANCELLED.
+  Result<PolyhedronSurface> rebuild(const PolyhedronSurfaceInput& input, Quality quality = Quality::final,
+                                    const CancelToken& cancel = {});
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,20 @@
+#pragma once
+
+// The inner loop of grid evaluation, for the processor at hand. All variants do the same additions and
+// multiplications in the same order: results do not depend on the processor.
+
+#include "core/patching/quartic_patch.hpp"
+
+namespace hariko {
+
+struct QuarticKernel {
+  /// Positions and unit normals; a normal is zero where the derivatives are parallel (then returns true).
+  bool (*position_normal)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
+                          Vector3* positions, Vector3* normals);
+  void (*second_order)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points, PatchPoint* out);
+};
+
+/// The fastest variant that this processor runs.
+QuarticKernel quartic_kernel();
+
+}  // namespace hariko

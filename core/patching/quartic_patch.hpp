@@ -1,0 +1,74 @@
+#pragma once
+
+// Extended quartic triangles as a PatchSet: polynomial quartic boundaries, rational inner points, G1 across edges
+// (Kuriyama 1991, section 3).
+
+#include <array>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "core/base/chunked_array.hpp"
+#include "core/patching/quartic_basis.hpp"
+#include "core/surface/patch.hpp"
+
+namespace hariko {
+
+struct QuarticPatch {
+  std::array<Vector3, quartic_control_count> control;
+};
+
+/// Basis functions at the points of a grid, in the layout of the evaluation kernel: for each block of four points and
+/// each table (value, d/ds, d/dt, then d2/ds2, d2/dsdt, d2/dt2), 18 groups of four doubles.
+struct QuarticGridTable {
+  static constexpr std::size_t width = 4;
+  GridPattern pattern{Domain::triangle, 1};
+  std::size_t blocks = 0;
+  std::vector<double> first;   ///< blocks * 18 * 3 * width
+  std::vector<double> second;  ///< blocks * 18 * 3 * width
+};
+
+/// Tables by density, made once and shared by all patch sets of a producer. Thread-safe.
+class QuarticTables {
+ public:
+  std::shared_ptr<const QuarticGridTable> table(int density) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::map<int, std::shared_ptr<const QuarticGridTable>> tables_;
+};
+
+/// Copies of the patch array share memory four patches at a time (a quad's).
+using QuarticPatchArray = ChunkedArray<QuarticPatch, 4>;
+
+class QuarticPatchSet final : public PatchSet {
+ public:
+  QuarticPatchSet(QuarticPatchArray patches, std::shared_ptr<const QuarticTables> tables);
+
+  const QuarticPatchArray& array() const { return patches_; }
+  const QuarticPatch& patch(Index i) const { return patches_[i]; }
+  const std::shared_ptr<const QuarticTables>& tables() const { return tables_; }
+
+  Domain domain() const override { return Domain::triangle; }
+  Index patch_count() const override { return static_cast<Index>(patches_.size()); }
+  PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
+                     std::span<Vector3> normals) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                     std::span<PatchPoint> points) const override;
+  /// Exact where the corner's two inner points coincide (to 1e-12 of the patch's size): the patch is an ordinary
+  /// quartic there.
+  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
+
+ private:
+  QuarticPatchArray patches_;
+  std::shared_ptr<const QuarticTables> tables_;
+};
+
+/// A point of one patch by the scalar form.
+PatchPoint evaluate_patch(const QuarticPatch& patch, const Vector2& parameter, Order order);
+
+/// Point at fraction x of a side; the arithmetic is symmetric under reversal, so both neighbours get the same bits.
+Vector3 evaluate_side(const QuarticPatch& patch, int side, double x, double one_minus_x);
+
+}  // namespace hariko

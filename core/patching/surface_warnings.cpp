@@ -1,0 +1,71 @@
+#include "core/patching/surface_warnings.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/parallel.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::size_t message_limit = 100;
+constexpr int sample_density = 4;
+
+void add_long_tangents(const Polyhedron& polyhedron, const Network& network, std::vector<Message>& out) {
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  std::size_t count = 0;
+  for (Index e = 0; e < mesh.edge_count() && count < message_limit; ++e) {
+    const Index h = mesh.half_edge_of_edge(e);
+    const double length = (polyhedron.position(mesh.target(h)) - polyhedron.position(mesh.origin(h))).norm();
+    if (std::max(network.start[h].norm(), network.end[h].norm()) <= length) continue;
+    ++count;
+    const EdgeId id = polyhedron.edge_id(e);
+    out.push_back(make_warning(w_long_tangent,
+                               "The tangents of edge " + to_string(id) +
+                                   " are longer than the edge, so its curve may loop.",
+                               "Raise the tension of this edge or of its long neighbours, or add an edge loop.",
+                               element_of(id)));
+  }
+}
+
+bool folds(const Surface& surface, const GridPattern& pattern, Index patch, std::vector<PatchPoint>& points) {
+  points.resize(static_cast<std::size_t>(pattern.point_count()));
+  surface.patches().evaluate_grid(std::span(&patch, 1), pattern, std::span(points));
+  Vector3 mean = Vector3::Zero();
+  for (const PatchPoint& point : points) mean += point.ds.cross(point.dt);
+  return std::any_of(points.begin(), points.end(),
+                     [&](const PatchPoint& point) { return point.ds.cross(point.dt).dot(mean) < 0; });
+}
+
+}  // namespace
+
+std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Network& network, const Surface& surface) {
+  std::vector<Message> out;
+  add_long_tangents(polyhedron, network, out);
+
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  const GridPattern pattern{Domain::triangle, sample_density};
+  std::vector<std::uint8_t> folded(mesh.face_count(), 0);
+  parallel_for(mesh.face_count(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<PatchPoint> points;
+    for (Index f = static_cast<Index>(begin); f < end; ++f)
+      for (Index h = mesh.face_begin(f); h < mesh.face_end(f) && !folded[f]; ++h)
+        folded[f] = folds(surface, pattern, h, points);
+  });
+  std::size_t count = 0;
+  for (Index f = 0; f < mesh.face_count() && count < message_limit; ++f) {
+    if (!folded[f]) continue;
+    ++count;
+    const FaceId id = polyhedron.face_id(f);
+    out.push_back(make_warning(w_fold, "The surface folds over itself in face " + std::to_string(id.value) + ".",
+                               "Split the face into convex parts, or raise the tension of its edges.",
+                               element_of(id)));
+  }
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,110 @@
+#include "core/polyhedron/face_shape.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace hariko {
+
+namespace {
+
+double cross(const Vector2& a, const Vector2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// A normal for polygons whose Newell normal vanishes (symmetric bow ties): of the longest diagonal from
+/// corner 0 and the corner farthest from it. Zero for polygons within a line.
+Vector3 widest_normal(std::span<const Vector3> corners) {
+  Vector3 diagonal = Vector3::Zero();
+  for (const Vector3& p : corners)
+    if ((p - corners[0]).squaredNorm() > diagonal.squaredNorm()) diagonal = p - corners[0];
+  Vector3 normal = Vector3::Zero();
+  for (const Vector3& p : corners) {
+    const Vector3 candidate = diagonal.cross(p - corners[0]);
+    if (candidate.squaredNorm() > normal.squaredNorm()) normal = candidate;
+  }
+  return normal.norm() > 1e-12 * diagonal.squaredNorm() ? normal : Vector3::Zero();
+}
+
+std::vector<Vector2> project(std::span<const Vector3> corners, const Vector3& normal) {
+  const Vector3 n = normal.normalized();
+  const Vector3 x = n.unitOrthogonal(), y = n.cross(x);
+  std::vector<Vector2> out;
+  out.reserve(corners.size());
+  for (const Vector3& p : corners) out.emplace_back(x.dot(p - corners[0]), y.dot(p - corners[0]));
+  return out;
+}
+
+/// True when the open segments ab and cd cross in a single inner point.
+bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
+  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+  return ((c_side > 0 && d_side < 0) || (c_side < 0 && d_side > 0)) &&
+         ((a_side > 0 && b_side < 0) || (a_side < 0 && b_side > 0));
+}
+
+/// Sides sorted by their left ends; each is compared with those that begin before it ends.
+bool crosses_itself(const std::vector<Vector2>& corners) {
+  const std::size_t n = corners.size();
+  const auto end_of = [&](std::size_t side) -> const Vector2& { return corners[(side + 1) % n]; };
+  const auto left = [&](std::size_t side) { return std::min(corners[side].x(), end_of(side).x()); };
+  const auto right = [&](std::size_t side) { return std::max(corners[side].x(), end_of(side).x()); };
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return left(a) < left(b); });
+  std::size_t budget = 2'000'000;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t a = order[i];
+    for (std::size_t j = i + 1; j < n && left(order[j]) <= right(a); ++j) {
+      const std::size_t b = order[j];
+      if (segments_cross(corners[a], end_of(a), corners[b], end_of(b))) return true;
+      if (--budget == 0) return false;
+    }
+  }
+  return false;
+}
+
+/// Least triangle area at a corner (negative where it turns inwards) and the polygon's area, both doubled and
+/// signed.
+struct Turning {
+  double least_triangle, area;
+};
+Turning turning_of(const std::vector<Vector2>& corners) {
+  const std::size_t n = corners.size();
+  Turning out{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2 &p = corners[(i + n - 1) % n], &q = corners[i], &r = corners[(i + 1) % n];
+    out.least_triangle = std::min(out.least_triangle, cross(q - p, r - q));
+    out.area += cross(q, r);
+  }
+  return out;
+}
+
+}  // namespace
+
+Vector3 newell_normal(std::span<const Vector3> corners) {
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    sum += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+  return sum;
+}
+
+FaceShape classify_face(std::span<const Vector3> corners) {
+  if (corners.size() <= 3) return FaceShape::convex;
+  Vector3 normal = newell_normal(corners);
+  double extent = 0;
+  for (const Vector3& p : corners) extent = std::max(extent, (p - corners[0]).squaredNorm());
+  if (normal.norm() <= 1e-12 * extent) normal = widest_normal(corners);
+  if (normal.isZero(0)) return FaceShape::convex;
+
+  const std::vector<Vector2> flat = project(corners, normal);
+  const Turning turning = turning_of(flat);
+  // Without an inward turn a polygon of one turn crosses nowhere; stars turn more than once, so they are
+  // searched too.
+  if (crosses_itself(flat)) return FaceShape::self_crossing;
+  return turning.least_triangle < -1e-4 * turning.area ? FaceShape::concave : FaceShape::convex;
+}
+
+}  // namespace hariko

@@ -1,0 +1,82 @@
+#pragma once
+
+// HalfEdgeMesh: the connectivity of a manifold polygon mesh, without positions. Immutable.
+
+#include <span>
+#include <vector>
+
+#include "core/base/ids.hpp"
+#include "core/base/result.hpp"
+#include "core/base/vector.hpp"
+#include "core/polyhedron/polygon_mesh.hpp"
+
+namespace hariko {
+
+/// Half-edge h is corner h of the face list: it runs from the corner's vertex to the next vertex of its face,
+/// with the face on its left. Borders have no half-edges of their own: a border edge has one half-edge whose
+/// twin is no_index.
+///
+/// Fan of vertex v (kuriyama.md section 0): outgoing edges e_0 .. e_{n-1} counter-clockwise, corner k between
+/// e_k and e_{k+1}. A closed fan has n corners; an open fan has n-1, e_0 is the border edge with no face on
+/// its right. The corners of the fan, in order, are the half-edges outgoing(v), rotate(outgoing(v)), ...
+class HalfEdgeMesh {
+ public:
+  /// Builds from polygons. Errors: E_NO_FACES, E_INDEX_RANGE, E_FACE_TOO_SMALL, E_FACE_REPEATED_VERTEX,
+  /// E_EDGE_NONMANIFOLD_OR_FLIPPED, E_VERTEX_NONMANIFOLD; elements are dense indices. O(corners).
+  static Result<HalfEdgeMesh> build(const PolygonMesh& mesh);
+
+  Index vertex_count() const { return static_cast<Index>(outgoing_.size()); }
+  Index face_count() const { return static_cast<Index>(face_offsets_.size() - 1); }
+  Index edge_count() const { return static_cast<Index>(edge_half_edge_.size()); }
+  Index half_edge_count() const { return static_cast<Index>(origin_.size()); }
+
+  Index origin(Index h) const { return origin_[h]; }
+  Index target(Index h) const { return origin_[next(h)]; }
+  Index face(Index h) const { return face_[h]; }
+  Index edge(Index h) const { return edge_[h]; }
+  Index twin(Index h) const { return twin_[h]; }  ///< no_index on a border
+  Index next(Index h) const { return h + 1 == face_offsets_[face_[h] + 1] ? face_offsets_[face_[h]] : h + 1; }
+  Index previous(Index h) const {
+    return h == face_offsets_[face_[h]] ? face_offsets_[face_[h] + 1] - 1 : h - 1;
+  }
+
+  /// Half-edges (= corners) of face f, in order.
+  Index face_begin(Index f) const { return face_offsets_[f]; }
+  Index face_end(Index f) const { return face_offsets_[f + 1]; }
+  Index side_count(Index f) const { return face_offsets_[f + 1] - face_offsets_[f]; }
+  std::span<const Index> face_vertices(Index f) const {
+    return {origin_.data() + face_offsets_[f], origin_.data() + face_offsets_[f + 1]};
+  }
+
+  /// First half-edge of v's fan; no_index for an isolated vertex.
+  Index outgoing(Index v) const { return outgoing_[v]; }
+  /// The next outgoing half-edge counter-clockwise, no_index at the end of an open fan.
+  Index rotate(Index h) const { return twin_[previous(h)]; }
+  bool is_border_vertex(Index v) const { return outgoing_[v] != no_index && twin_[outgoing_[v]] == no_index; }
+  Index corner_count(Index v) const { return corner_count_[v]; }
+  /// Number of edges at v: corners, plus one on an open fan.
+  Index valence(Index v) const { return corner_count_[v] + (is_border_vertex(v) ? 1 : 0); }
+
+  /// One half-edge of edge e (the one with the smaller index). The other one, if any, is its twin.
+  Index half_edge_of_edge(Index e) const { return edge_half_edge_[e]; }
+  bool is_border_edge(Index e) const { return twin_[edge_half_edge_[e]] == no_index; }
+  /// The half-edge from a to b, or no_index. O(valence of a).
+  Index find_half_edge(Index a, Index b) const;
+
+  /// Connected components (isolated vertices not counted): component of each face, numbered from 0.
+  std::vector<Index> face_components() const;
+  /// Number of closed border loops.
+  Index border_loop_count() const;
+
+  /// Equal vertex counts and equal polygons in the same order: all else follows from them.
+  friend bool operator==(const HalfEdgeMesh& a, const HalfEdgeMesh& b);
+
+ private:
+  HalfEdgeMesh() = default;
+  bool link_twins(const PolygonMesh& mesh);
+  void number_faces_and_edges();
+  bool find_fans(Index vertex_count);
+  std::vector<Index> face_offsets_, origin_, face_, edge_, twin_, outgoing_, corner_count_, edge_half_edge_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,20 @@
+#pragma once
+
+// The warnings of a manifold mesh, each with its element.
+
+#include <span>
+#include <vector>
+
+#include "core/base/message.hpp"
+#include "core/base/vector.hpp"
+#include "core/polyhedron/element_names.hpp"
+#include "core/polyhedron/half_edge_mesh.hpp"
+
+namespace hariko {
+
+/// All warnings of validation.hpp, in the order of the codes there. At most `limit` of each. Positions are
+/// finite.
+std::vector<Message> mesh_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
+                                   const ElementNames& names, std::size_t limit);
+
+}  // namespace hariko

@@ -1,0 +1,31 @@
+#pragma once
+
+// PolygonMesh: what files hold. Positions and polygons, nothing checked.
+
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+/// Polygons as vertex cycles, counter-clockwise seen from outside. No invariant beyond the offsets: indices
+/// may be out of range, faces degenerate. `Polyhedron::build` is where that is checked.
+struct PolygonMesh {
+  std::vector<Vector3> positions;
+  std::vector<Index> face_offsets{0};  ///< face f has corners [face_offsets[f], face_offsets[f + 1])
+  std::vector<Index> face_vertices;    ///< vertex of each corner
+
+  std::size_t face_count() const { return face_offsets.size() - 1; }
+  std::span<const Index> face(std::size_t f) const {
+    return {face_vertices.data() + face_offsets[f], face_vertices.data() + face_offsets[f + 1]};
+  }
+  void add_face(std::span<const Index> vertices) {
+    face_vertices.insert(face_vertices.end(), vertices.begin(), vertices.end());
+    face_offsets.push_back(static_cast<Index>(face_vertices.size()));
+  }
+  void add_face(std::initializer_list<Index> vertices) { add_face({vertices.begin(), vertices.size()}); }
+};
+
+}  // namespace hariko

@@ -1,0 +1,36 @@
+#pragma once
+
+// Adjacency: which seams a side of a patch has, and what is boundary. Derived from a surface's seams.
+
+#include <span>
+#include <vector>
+
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+class Adjacency {
+ public:
+  /// O(patches + seams).
+  explicit Adjacency(const Surface& surface);
+
+  /// Indices of the seams on a side, ascending. A seam between two parts of one side is listed twice.
+  std::span<const Index> seams(PatchSide side) const;
+  /// The one seam that covers the whole side; no_index when there is none.
+  Index full_seam(PatchSide side) const;
+  /// Sides that seams do not cover wholly, in order of patch and side.
+  const std::vector<PatchSide>& boundary() const { return boundary_; }
+  bool closed() const { return boundary_.empty(); }
+
+ private:
+  std::size_t slot(PatchSide side) const { return std::size_t{side.patch} * corners_ + side.side; }
+  std::size_t corners_;
+  std::vector<Index> offsets_, seams_;
+  std::vector<PatchSide> boundary_;
+  std::vector<Index> full_;
+};
+
+/// True when the seam joins two whole sides, in opposite directions.
+bool is_full(const Seam& seam);
+
+}  // namespace hariko

@@ -1,0 +1,88 @@
+#include "core/surface/patch.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+Vector2 corner_parameter(Domain domain, int corner) {
+  HARIKO_ASSERT(corner >= 0 && corner < corner_count(domain), "no such corner");
+  if (domain == Domain::triangle) return {corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0};
+  return {corner == 1 || corner == 2 ? 1.0 : 0.0, corner >= 2 ? 1.0 : 0.0};
+}
+
+Vector2 side_parameter(Domain domain, int side, double x) {
+  HARIKO_ASSERT(side >= 0 && side < corner_count(domain), "no such side");
+  if (side == 0) return {x, 0.0};
+  if (domain == Domain::triangle) return side == 1 ? Vector2(1.0 - x, x) : Vector2(0.0, 1.0 - x);
+  if (side == 1) return {1.0, x};
+  return side == 2 ? Vector2(1.0 - x, 1.0) : Vector2(0.0, 1.0 - x);
+}
+
+double grid_fraction(int i, int density) {
+  HARIKO_ASSERT(density >= 1 && i >= 0 && i <= density, "grid index out of range");
+  // The half near 1 is a multiple of 2^-53, and so is its exact distance from 1: the half near 0 is that
+  // distance.
+  const int far = std::max(i, density - i);
+  const double upper = 1.0 - double(density - far) / density;
+  return i == far ? upper : 1.0 - upper;
+}
+
+std::vector<Vector2> GridPattern::parameters() const {
+  std::vector<Vector2> out;
+  out.reserve(static_cast<std::size_t>(point_count()));
+  std::vector<double> fractions(static_cast<std::size_t>(density) + 1);
+  for (int i = 0; i <= density; ++i) fractions[static_cast<std::size_t>(i)] = grid_fraction(i, density);
+  for (int j = 0; j <= density; ++j) {
+    const int end = domain == Domain::triangle ? density - j : density;
+    for (int i = 0; i <= end; ++i)
+      out.emplace_back(fractions[static_cast<std::size_t>(i)], fractions[static_cast<std::size_t>(j)]);
+  }
+  return out;
+}
+
+std::vector<std::array<int, 3>> GridPattern::triangles() const {
+  std::vector<std::array<int, 3>> out;
+  out.reserve(static_cast<std::size_t>(density * density * (domain == Domain::triangle ? 1 : 2)));
+  for (int j = 0; j < density; ++j) {
+    const int end = domain == Domain::triangle ? density - j : density;
+    for (int i = 0; i < end; ++i) {
+      out.push_back({index(i, j), index(i + 1, j), index(i, j + 1)});
+      if (domain == Domain::square || i + 1 < end)
+        out.push_back({index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
+    }
+  }
+  return out;
+}
+
+std::vector<int> GridPattern::side(int side) const {
+  HARIKO_ASSERT(side >= 0 && side < corner_count(domain), "no such side");
+  std::vector<int> out(static_cast<std::size_t>(density) + 1);
+  for (int k = 0; k <= density; ++k) {
+    const int back = density - k;
+    int point = 0;
+    if (side == 0) {
+      point = index(k, 0);
+    } else if (domain == Domain::triangle) {
+      point = side == 1 ? index(back, k) : index(0, back);
+    } else {
+      point = side == 1 ? index(density, k) : side == 2 ? index(back, density) : index(0, back);
+    }
+    out[static_cast<std::size_t>(k)] = point;
+  }
+  return out;
+}
+
+Vector3 unit_normal(const PatchPoint& point) {
+  // Scaled first: derivatives may be as small or large as doubles go.
+  const double s = point.ds.stableNorm(), t = point.dt.stableNorm();
+  if (!(s > 0) || !(t > 0)) return Vector3::Zero();
+  const Vector3 cross = (point.ds / s).cross(point.dt / t);
+  const double length = cross.norm();
+  if (!(length > 1e-12)) return Vector3::Zero();
+  return cross / length;
+}
+
+}  // namespace hariko

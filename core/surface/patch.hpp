@@ -1,0 +1,91 @@
+#pragma once
+
+// Vocabulary of patches: parameters, evaluated points, and sets of patches of one type.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+/// A triangle has parameters s, t >= 0, s + t <= 1 and corners (0,0), (1,0), (0,1); with barycentric (u, v,
+/// w) of the papers: s = v, t = w, u = 1 - s - t. A square has 0 <= s, t <= 1 and corners (0,0), (1,0),
+/// (1,1), (0,1). Corners and sides are numbered counter-clockwise; side i runs from corner i to corner i + 1.
+enum class Domain : std::uint8_t { triangle, square };
+
+inline int corner_count(Domain domain) {
+  return domain == Domain::triangle ? 3 : 4;
+}
+Vector2 corner_parameter(Domain domain, int corner);
+/// Parameter of the point at fraction x in [0, 1] along a side.
+Vector2 side_parameter(Domain domain, int side, double x);
+
+/// i / density to within 1.2e-16, made exactly symmetric: grid_fraction(i, n) + grid_fraction(n - i, n) is 1
+/// and one minus the other is the other, bit for bit. So both sides of a seam ask for the same point of their
+/// common curve. 0 <= i <= density.
+double grid_fraction(int i, int density);
+
+/// Position and derivatives with respect to (s, t).
+struct PatchPoint {
+  Vector3 position = Vector3::Zero(), ds = Vector3::Zero(), dt = Vector3::Zero();
+  /// Zero when only first order was asked for.
+  Vector3 dss = Vector3::Zero(), dst = Vector3::Zero(), dtt = Vector3::Zero();
+};
+
+enum class Order { first, second };
+
+/// What second order means at a patch's corner (maps show grey and statistics skip where it is not exact).
+enum class CornerSecondOrder : std::uint8_t { exact, direction_dependent, undefined };
+
+/// Points of a uniform triangular (or square) grid with n >= 1 intervals a side, in a fixed order. Triangle:
+/// for j = 0..n, i = 0..n-j: s = i/n, t = j/n (as `grid_fraction`; s + t is exactly 1 on side 1). Square: for
+/// j = 0..n, i = 0..n.
+struct GridPattern {
+  Domain domain;
+  int density;
+  int point_count() const {
+    return domain == Domain::triangle ? (density + 1) * (density + 2) / 2 : (density + 1) * (density + 1);
+  }
+  /// Index of grid point (i, j).
+  int index(int i, int j) const {
+    return domain == Domain::triangle ? j * (density + 1) - j * (j - 1) / 2 + i : j * (density + 1) + i;
+  }
+  std::vector<Vector2> parameters() const;
+  /// Triangles of the grid as point indices, counter-clockwise.
+  std::vector<std::array<int, 3>> triangles() const;
+  /// Point indices along a side, from its first corner to its last (density + 1 of them).
+  std::vector<int> side(int side) const;
+};
+
+/// Patches of one type, immutable. Implementations are values behind a shared pointer; all calls are
+/// thread-safe.
+class PatchSet {
+ public:
+  virtual ~PatchSet() = default;
+  virtual Domain domain() const = 0;
+  virtual Index patch_count() const = 0;
+
+  /// One point, any parameter of the domain. Points on a side depend, bit for bit, only on that side's curve
+  /// and on min(x, 1-x)-symmetric arithmetic, so two patches that share a curve agree exactly.
+  virtual PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const = 0;
+
+  /// All points of a grid for each of `patches`: positions[k * n + i] and unit outward normals for point i of
+  /// patches[k], n = pattern.point_count(). Positions on sides as in `evaluate`. This is the fast path.
+  virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                             std::span<Vector3> positions, std::span<Vector3> normals) const = 0;
+  /// The same with both orders of derivatives.
+  virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                             std::span<PatchPoint> points) const = 0;
+
+  virtual CornerSecondOrder second_order_at_corner(Index patch, int corner) const = 0;
+};
+
+/// Unit vector along ds x dt; zero where the two are parallel to within 1e-12 of their lengths' product, or
+/// zero.
+Vector3 unit_normal(const PatchPoint& point);
+
+}  // namespace hariko
