@@ -12,7 +12,7 @@
 namespace hariko {
 
 /// W_LONG_TANGENT per edge whose Bezier tangent is longer than the edge (the curve may loop), W_FOLD per face where the
-/// normal at a sample point turns against the patch's mean normal. At most 100 of each. O(patches).
+/// normal at a sample point turns by more than 107 degrees from the patch's mean normal. At most 100 of each. O(patches).
 std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Network& network, const Surface& surface);
 
 }  // namespace hariko

@@ -124,7 +124,7 @@ Vector3 origin_for(std::span<const Vector3> positions) {
   }
   if (!(low.array() <= high.array()).all()) return Vector3::Zero();
   // Halves first, so that boxes of nearly the largest numbers do not overflow.
-  const Vector3 centre = low / 2 + high / 2;
+  Vector3 centre = low / 2 + high / 2;
   const double half_extent = (high / 2 - low / 2).maxCoeff();
   if (half_extent == 0) return centre;
   int exponent = 0;

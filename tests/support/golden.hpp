@@ -57,11 +57,14 @@ inline EdgeId golden_edge(const std::string& key) {
 inline Shaping golden_tension(const std::string& name) {
   const nlohmann::json json = golden_json(name);
   Shaping shaping;
-  for (const auto& [key, value] : json.value("beta", nlohmann::json::object()).items())
+  const auto beta = json.value("beta", nlohmann::json::object());
+  const auto alpha = json.value("alpha", nlohmann::json::object());
+  const auto crease = json.value("crease", nlohmann::json::array());
+  for (const auto& [key, value] : beta.items())
     shaping.beta.set(golden_edge(key), value.get<double>());
-  for (const auto& [key, value] : json.value("alpha", nlohmann::json::object()).items())
+  for (const auto& [key, value] : alpha.items())
     shaping.alpha.set({static_cast<std::uint32_t>(std::stoul(key))}, value.get<double>());
-  for (const auto& edge : json.value("crease", nlohmann::json::array()))
+  for (const auto& edge : crease)
     shaping.crease.set(EdgeId::of({edge[0].get<std::uint32_t>()}, {edge[1].get<std::uint32_t>()}), true);
   return shaping;
 }
