@@ -8,7 +8,8 @@ namespace hariko {
 std::vector<GaussPoint> gauss_legendre_unit(int count) {
   std::vector<GaussPoint> points(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    // Newton on the Legendre polynomial from Chebyshev's estimate; converges to full precision in a few steps.
+    // Newton on the Legendre polynomial from Chebyshev's estimate; converges to full precision in a few
+    // steps.
     double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5));
     double slope = 0;
     for (int step = 0; step < 100; ++step) {

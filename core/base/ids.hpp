@@ -20,8 +20,8 @@ struct FaceId {
   friend auto operator<=>(const FaceId&, const FaceId&) = default;
 };
 
-/// An edge is named by its two vertices: on a manifold no two edges join the same pair, so the pair is as stable
-/// as the vertices are. Always low < high.
+/// An edge is named by its two vertices: on a manifold no two edges join the same pair, so the pair is as
+/// stable as the vertices are. Always low < high.
 struct EdgeId {
   VertexId low, high;
 
@@ -43,10 +43,18 @@ inline std::string to_string(const EdgeId& id) {
   return std::to_string(id.low.value) + "-" + std::to_string(id.high.value);
 }
 
-inline Element element_of(VertexId id) { return {Element::Kind::vertex, id.value}; }
-inline Element element_of(FaceId id) { return {Element::Kind::face, id.value}; }
-inline Element element_of(EdgeId id) { return {Element::Kind::edge, id.packed()}; }
-inline Element element_of(ObjectId id) { return {Element::Kind::object, id.value}; }
+inline Element element_of(VertexId id) {
+  return {Element::Kind::vertex, id.value};
+}
+inline Element element_of(FaceId id) {
+  return {Element::Kind::face, id.value};
+}
+inline Element element_of(EdgeId id) {
+  return {Element::Kind::edge, id.packed()};
+}
+inline Element element_of(ObjectId id) {
+  return {Element::Kind::object, id.value};
+}
 
 }  // namespace hariko
 

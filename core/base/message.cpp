@@ -6,12 +6,18 @@ namespace hariko {
 
 std::string to_string(const Element& element) {
   switch (element.kind) {
-    case Element::Kind::none: return {};
-    case Element::Kind::vertex: return "vertex " + std::to_string(element.id);
-    case Element::Kind::edge: return "edge " + to_string(EdgeId::from_packed(element.id));
-    case Element::Kind::face: return "face " + std::to_string(element.id);
-    case Element::Kind::object: return "object " + std::to_string(element.id);
-    case Element::Kind::line: return "line " + std::to_string(element.id);
+    case Element::Kind::none:
+      return {};
+    case Element::Kind::vertex:
+      return "vertex " + std::to_string(element.id);
+    case Element::Kind::edge:
+      return "edge " + to_string(EdgeId::from_packed(element.id));
+    case Element::Kind::face:
+      return "face " + std::to_string(element.id);
+    case Element::Kind::object:
+      return "object " + std::to_string(element.id);
+    case Element::Kind::line:
+      return "line " + std::to_string(element.id);
   }
   return {};
 }

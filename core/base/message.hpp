@@ -1,6 +1,7 @@
 #pragma once
 
-// What the program tells a designer about an input: a code, the element it is about, a sentence, and a way out.
+// What the program tells a designer about an input: a code, the element it is about, a sentence, and a way
+// out.
 
 #include <cstdint>
 #include <string>
@@ -17,7 +18,8 @@ struct Code {
 
 enum class Severity { warning, error };
 
-/// The element a message is about. Ids are the stable ids of the polyhedron, or line numbers of a file (from 1).
+/// The element a message is about. Ids are the stable ids of the polyhedron, or line numbers of a file (from
+/// 1).
 struct Element {
   enum class Kind { none, vertex, edge, face, object, line };
   Kind kind = Kind::none;

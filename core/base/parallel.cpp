@@ -13,7 +13,9 @@
 namespace hariko {
 
 namespace {
-std::size_t range_count(std::size_t count, std::size_t grain) { return (count + grain - 1) / grain; }
+std::size_t range_count(std::size_t count, std::size_t grain) {
+  return (count + grain - 1) / grain;
+}
 }  // namespace
 
 void parallel_for(std::size_t count, std::size_t grain,

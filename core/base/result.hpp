@@ -1,7 +1,7 @@
 #pragma once
 
-// Result<T>: a value, or the error message that says why there is none. For what a user can cause; what only a
-// programmer can cause is an assertion.
+// Result<T>: a value, or the error message that says why there is none. For what a user can cause; what only
+// a programmer can cause is an assertion.
 
 #include <optional>
 #include <utility>

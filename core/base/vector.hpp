@@ -11,7 +11,8 @@ using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
-/// Dense position of an element in an array; valid only for the value it was taken from (stable names are ids).
+/// Dense position of an element in an array; valid only for the value it was taken from (stable names are
+/// ids).
 using Index = std::uint32_t;
 inline constexpr Index no_index = 0xffffffffU;
 

@@ -165,15 +165,16 @@ const FaceElement* FairElements::face(Index sides, const std::vector<bool>& free
     for (int a = 0; a < patch_unknown_count; ++a)
       for (int b = 0; b < patch_unknown_count; ++b) element.matrix(columns[a], columns[b]) += local(a, b);
     const Index behind = (j + sides - 1) % sides;
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(jump_points, size);
-    const JumpColumns left = element.split_left[j] * element.dependence[j];
-    const JumpColumns right = element.split_right[j] * element.dependence[behind];
+    // A split edge's jump touches the unknowns of the two patches beside it only.
     const auto behind_columns = element.columns(behind);
-    for (int a = 0; a < patch_unknown_count; ++a) {
-      rows.col(columns[a]) += left.col(a);
-      rows.col(behind_columns[a]) += right.col(a);
-    }
-    element.matrix += rows.transpose() * rows;
+    Eigen::Matrix<double, jump_points, 2 * patch_unknown_count> rows;
+    rows << element.split_left[j] * element.dependence[j], element.split_right[j] * element.dependence[behind];
+    const auto square = (rows.transpose() * rows).eval();
+    const auto column = [&](int a) {
+      return a < patch_unknown_count ? columns[std::size_t(a)] : behind_columns[std::size_t(a - patch_unknown_count)];
+    };
+    for (int a = 0; a < 2 * patch_unknown_count; ++a)
+      for (int b = 0; b < 2 * patch_unknown_count; ++b) element.matrix(column(a), column(b)) += square(a, b);
   }
   return slot.get();
 }

@@ -16,6 +16,19 @@ namespace {
 constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
 constexpr std::size_t patch_grain = 256;
 
+std::optional<Message> check_sides(const Polyhedron& polyhedron) {
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    const Index sides = polyhedron.topology().side_count(f);
+    if (sides <= largest_fair_side_count) continue;
+    const FaceId id = polyhedron.face_id(f);
+    return make_error(e_too_many_sides,
+                      "Face " + std::to_string(id.value) + " has " + std::to_string(sides) + " sides; mode FAIR takes " +
+                          std::to_string(largest_fair_side_count) + " at the most.",
+                      "Split the face, or use mode TARGET.", element_of(id));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 struct PolyhedronSurfacer::State {
@@ -57,6 +70,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
     last_basis.clear();
     last_unknowns.clear();
   }
+  if (input.mode == Mode::fair)
+    if (auto failed = check_sides(input.polyhedron)) return failed;
   auto network = NetworkSystem::assemble(input.polyhedron, input.shaping);
   if (!network) return network.error();
   shaping = input.shaping;

@@ -16,6 +16,7 @@
 namespace hariko {
 
 inline constexpr Code e_cancelled{"E_CANCELLED"};
+inline constexpr Code e_too_many_sides{"E_TOO_MANY_SIDES"};
 inline constexpr Code w_long_tangent{"W_LONG_TANGENT"};
 inline constexpr Code w_fold{"W_FOLD"};
 
@@ -30,6 +31,9 @@ struct SolveReport {
 /// vertices moved by one common displacement since the last `final` result, it differs from `final` by less than 1e-6
 /// of the displacement and touches only the patches that feel it.
 enum class Quality { drag, final };
+
+/// Mode FAIR keeps a dense matrix of (4n)^2 numbers for an n-sided face; more sides than this are refused.
+inline constexpr Index largest_fair_side_count = 128;
 
 struct PolyhedronSurfaceInput {
   Polyhedron polyhedron;
@@ -61,7 +65,7 @@ class PolyhedronSurfacer {
   PolyhedronSurfacer(PolyhedronSurfacer&&) noexcept;
   PolyhedronSurfacer& operator=(PolyhedronSurfacer&&) noexcept;
 
-  /// Errors: those of `NetworkSystem::assemble`, and E_CANCELLED.
+  /// Errors: those of `NetworkSystem::assemble`, E_TOO_MANY_SIDES in mode FAIR, and E_CANCELLED.
   Result<PolyhedronSurface> rebuild(const PolyhedronSurfaceInput& input, Quality quality = Quality::final,
                                     const CancelToken& cancel = {});
 

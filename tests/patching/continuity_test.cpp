@@ -70,6 +70,23 @@ TEST(Continuity, RandomPolyhedraWithRandomTensions) {
   });
 }
 
+TEST(Continuity, FacesWithManySidesWorkUpToTheLimit) {
+  for (const int sides : {64, 128, 129}) {
+    const Polyhedron polyhedron = Polyhedron::build(prism(sides)).value();
+    for (const Mode mode : modes) {
+      PolyhedronSurfacer surfacer;
+      const auto result = surfacer.rebuild({polyhedron, {}, mode, Vector3::Zero()});
+      if (mode == Mode::fair && sides > 128) {
+        ASSERT_FALSE(result.ok());
+        EXPECT_EQ(result.error().code.name, e_too_many_sides.name);
+        continue;
+      }
+      ASSERT_TRUE(result.ok());
+      EXPECT_LE(*continuity(result->surface).largest_normal_jump, 1e-10) << sides << " mode " << int(mode);
+    }
+  }
+}
+
 TEST(Continuity, SidesAgreeBitForBit) {
   for_random(12, 20, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing, as root or with sudo; does nothing when all are there.
+#   scripts/dependencies.sh [build] [test] [full] [bench]      (default: build)
+set -euo pipefail
+
+build_packages=(build-essential cmake ninja-build pkg-config ccache
+  libglfw3-dev libimgui-dev libstb-dev libepoxy-dev libglm-dev libeigen3-dev libosd-dev nlohmann-json3-dev libtbb-dev
+  libcli11-dev libpng-dev libfreetype-dev zlib1g-dev
+  fonts-inter fonts-font-awesome libegl1 libgl1 libgl1-mesa-dri)
+test_packages=(libgtest-dev libgmock-dev xvfb xauth xdotool x11-utils imagemagick python3 git)
+full_packages=(clang-14 libclang-rt-14-dev clang-tidy clang-format valgrind)
+bench_packages=(libbenchmark-dev)
+
+wanted=()
+for group in "${@:-build}"; do
+  case "$group" in
+    build) wanted+=("${build_packages[@]}") ;;
+    test) wanted+=("${test_packages[@]}") ;;
+    full) wanted+=("${full_packages[@]}") ;;
+    bench) wanted+=("${bench_packages[@]}") ;;
+    *) echo "dependencies.sh: unknown group '$group' (build, test, full, bench)" >&2; exit 2 ;;
+  esac
+done
+
+missing=()
+for package in "${wanted[@]}"; do
+  status=$(dpkg-query -W -f='${db:Status-Status} ' "$package" 2>/dev/null || true)
+  [[ "$status" == *installed\ * && "$status" != *not-installed* ]] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then exit 0; fi
+
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=(env DEBIAN_FRONTEND=noninteractive)
+elif command -v sudo >/dev/null; then
+  as_root=(sudo env DEBIAN_FRONTEND=noninteractive)
+else
+  echo "These packages are missing, and installing them needs root or sudo:" >&2
+  echo "  apt-get install ${missing[*]}" >&2
+  exit 1
+fi
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"

@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds and tests.
+#   ./test.sh          one optimised build with assertions; the tests labelled core and window
+#   ./test.sh --full   also: formatting, the sanitizer build, a minute of every fuzzer, long random runs with a fresh
+#                      seed (set HARIKO_SEED to repeat one), and the tests labelled full
+# Stops at the first step that fails. Window tests start an X server of their own.
+set -euo pipefail
+
+full=no
+case "${1:-}" in
+  "") ;;
+  --full) full=yes ;;
+  *) echo "usage: ./test.sh [--full]" >&2; exit 2 ;;
+esac
+
+cd "$(dirname "${BASH_SOURCE[0]}")"
+step() { printf '\n== %s\n' "$*"; }
+
+short_tests() {
+  step "Tests"
+  ctest --test-dir build/release -L 'core|window' -LE full --output-on-failure --no-tests=error -j2
+}
+
+check_formatting() {
+  step "Formatting"
+  local folders=()
+  for folder in core render ui app tests bench; do
+    if [ -d "$folder" ]; then folders+=("$folder"); fi
+  done
+  find "${folders[@]}" \( -name '*.cpp' -o -name '*.hpp' \) -print0 | xargs -0 clang-format --dry-run -Werror
+}
+
+sanitizer_tests() {
+  step "Sanitizer build"
+  cmake --preset debug
+  cmake --build --preset debug
+  export UBSAN_OPTIONS=print_stacktrace=1
+  ASAN_OPTIONS=detect_leaks=1 ctest --test-dir build/debug -L core -LE full --output-on-failure --no-tests=error -j2
+  # Graphics drivers keep memory until the end, so leaks are looked for in the core tests only.
+  ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build/debug -L window -LE full --output-on-failure --no-tests=error -j2
+}
+
+fuzz() {
+  step "Fuzzers"
+  cmake --preset fuzz
+  cmake --build --preset fuzz
+  local fuzzers=()
+  mapfile -t fuzzers < <(find build/fuzz/tests/fuzz -maxdepth 1 -type f -executable | sort)
+  if [ ${#fuzzers[@]} -eq 0 ]; then
+    echo "test.sh: the fuzz build has no fuzzers" >&2
+    return 1
+  fi
+  mkdir -p build/fuzz/artifacts
+  for fuzzer in "${fuzzers[@]}"; do
+    local name corpus
+    name=$(basename "$fuzzer")
+    corpus=build/fuzz/corpus/$name
+    mkdir -p "$corpus"
+    step "Fuzzer $name, one minute"
+    "$fuzzer" -max_total_time=60 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
+      "-artifact_prefix=build/fuzz/artifacts/$name-" "$corpus" tests/golden assets/samples 2>&1 | tail -n 25
+  done
+}
+
+long_random_tests() {
+  local seed=${HARIKO_SEED:-$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')}
+  step "Long random runs: HARIKO_SEED=$seed HARIKO_REPEAT_SCALE=10"
+  HARIKO_SEED=$seed HARIKO_REPEAT_SCALE=10 \
+    ctest --test-dir build/release -L 'core|full' --output-on-failure --no-tests=error -j2
+}
+
+if [ $full = yes ]; then scripts/dependencies.sh build test full; else scripts/dependencies.sh build test; fi
+step "Build"
+cmake --preset release
+cmake --build --preset release
+short_tests
+if [ $full = yes ]; then
+  check_formatting
+  sanitizer_tests
+  fuzz
+  long_random_tests
+fi

@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/flat_map.hpp"
+#include "core/base/ids.hpp"
+#include "core/base/message.hpp"
+#include "core/base/result.hpp"
+#include "tests/support/random.hpp"
+
+namespace hariko {
+namespace {
+
+constexpr Code e_test{"E_TEST"};
+
+TEST(Result, HoldsAValueOrAnError) {
+  const Result<int> good = 7;
+  EXPECT_TRUE(good.ok());
+  EXPECT_TRUE(static_cast<bool>(good));
+  EXPECT_EQ(*good, 7);
+  const Result<int> bad = make_error(e_test, "No.");
+  EXPECT_FALSE(bad.ok());
+  EXPECT_EQ(bad.error().code, e_test);
+  EXPECT_EQ(bad.error().severity, Severity::error);
+}
+
+TEST(Result, MovesItsValueOut) {
+  Result<std::unique_ptr<int>> result = std::make_unique<int>(5);
+  const std::unique_ptr<int> value = std::move(result).value();
+  EXPECT_EQ(*value, 5);
+  Result<std::string> text = std::string("abc");
+  text.value() += "d";
+  EXPECT_EQ(text->size(), 4U);
+}
+
+TEST(Result, OfDoneSaysWhetherWorkWasDone) {
+  EXPECT_TRUE(Result<Done>(Done{}).ok());
+  EXPECT_FALSE(Result<Done>(make_error(e_test, "No.")).ok());
+}
+
+TEST(ResultDeathTest, MisuseIsAnAssertion) {
+  const Result<int> bad = make_error(e_test, "No."), good = 1;
+  EXPECT_DEATH(static_cast<void>(bad.value()), "value\\(\\) of a failed result");
+  EXPECT_DEATH(static_cast<void>(good.error()), "error\\(\\) of a good result");
+}
+
+TEST(Message, ElementsAsText) {
+  EXPECT_EQ(to_string(Element{}), "");
+  EXPECT_EQ(to_string(element_of(VertexId{12})), "vertex 12");
+  EXPECT_EQ(to_string(element_of(EdgeId::of(VertexId{13}, VertexId{12}))), "edge 12-13");
+  EXPECT_EQ(to_string(element_of(FaceId{3})), "face 3");
+  EXPECT_EQ(to_string(element_of(ObjectId{4})), "object 4");
+  EXPECT_EQ(to_string(Element{Element::Kind::line, 7}), "line 7");
+}
+
+TEST(Message, AsText) {
+  EXPECT_EQ(to_string(make_error(e_test, "The face has 2 corners.", "Add one.", element_of(FaceId{3}))),
+            "E_TEST (face 3): The face has 2 corners. Add one.");
+  EXPECT_EQ(to_string(make_warning({"W_TEST"}, "Careful.")), "W_TEST: Careful.");
+  EXPECT_EQ(make_warning({"W_TEST"}, "Careful.").severity, Severity::warning);
+}
+
+TEST(Ids, EdgesHaveNoDirection) {
+  const EdgeId edge = EdgeId::of(VertexId{9}, VertexId{2});
+  EXPECT_EQ(edge, EdgeId::of(VertexId{2}, VertexId{9}));
+  EXPECT_EQ(edge.low, VertexId{2});
+  EXPECT_EQ(EdgeId::from_packed(edge.packed()), edge);
+  const EdgeId extreme = EdgeId::of(VertexId{0xfffffffeU}, VertexId{0x80000000U});
+  EXPECT_EQ(EdgeId::from_packed(extreme.packed()), extreme);
+  EXPECT_LT(edge, extreme);
+}
+
+TEST(FlatMap, BehavesLikeAMap) {
+  test::for_random(601, 50, [](std::mt19937_64& rng) {
+    FlatMap<int, double> flat;
+    std::map<int, double> model;
+    for (int step = 0; step < 200; ++step) {
+      const int key = test::uniform_int(rng, 0, 20);
+      if (test::chance(rng, 0.6)) {
+        const double value = test::uniform(rng);
+        flat.set(key, value);
+        model[key] = value;
+      } else {
+        flat.erase(key);
+        model.erase(key);
+      }
+      ASSERT_EQ(flat.size(), model.size());
+      ASSERT_EQ(flat.empty(), model.empty());
+      ASSERT_TRUE(std::equal(flat.begin(), flat.end(), model.begin(), [](const auto& a, const auto& b) {
+        return a.first == b.first && a.second == b.second;
+      }));
+      for (int probe = -1; probe <= 21; ++probe) {
+        const auto found = model.find(probe);
+        ASSERT_EQ(flat.contains(probe), found != model.end());
+        ASSERT_EQ(flat.get_or(probe, -1), found == model.end() ? -1 : found->second);
+      }
+    }
+  });
+}
+
+TEST(FlatMap, ComparesByContent) {
+  FlatMap<int, int> a, b;
+  a.set(1, 10);
+  a.set(2, 20);
+  b.set(2, 20);
+  EXPECT_NE(a, b);
+  b.set(1, 10);
+  EXPECT_EQ(a, b);
+}
+
+TEST(CancelToken, CopiesShareTheFlag) {
+  const CancelToken none;
+  none.cancel();
+  EXPECT_FALSE(none.cancelled());
+  const CancelToken token = CancelToken::make(), copy = token;
+  EXPECT_FALSE(copy.cancelled());
+  token.cancel();
+  EXPECT_TRUE(copy.cancelled());
+}
+
+}  // namespace
+}  // namespace hariko
