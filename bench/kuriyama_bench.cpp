@@ -3,13 +3,12 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <numbers>
 #include <numeric>
 
+#include "bench/models.hpp"
 #include "core/base/parallel.hpp"
 #include "core/network/network_system.hpp"
 #include "core/patching/drag_response.hpp"
@@ -21,37 +20,18 @@ namespace {
 
 constexpr int display_density = 4;  ///< 15 points a patch
 
-PolygonMesh torus(int n, int m) {
-  PolygonMesh mesh;
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j) {
-      const double a = 2 * std::numbers::pi * i / n, b = 2 * std::numbers::pi * j / m;
-      const double r = 2 + std::cos(b) + 0.05 * std::sin(5 * a + 3 * b);
-      mesh.positions.emplace_back(r * std::cos(a), r * std::sin(a), std::sin(b));
-    }
-  const auto at = [&](int i, int j) { return static_cast<Index>((i % n) * m + j % m); };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j) mesh.add_face({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-  return mesh;
-}
-
-Polyhedron model(std::int64_t faces) {
-  const int m = static_cast<int>(std::lround(std::sqrt(double(faces) / 2)));
-  return Polyhedron::build(torus(2 * m, m)).value();
-}
-
 void sizes(benchmark::internal::Benchmark* b) {
   b->Arg(100)->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
 }
 
 void network_assemble(benchmark::State& state) {
-  const Polyhedron polyhedron = model(state.range(0));
+  const Polyhedron polyhedron = bench_torus(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(NetworkSystem::assemble(polyhedron, {}));
 }
 BENCHMARK(network_assemble)->Apply(sizes);
 
 void network_solve(benchmark::State& state) {
-  const Polyhedron polyhedron = model(state.range(0));
+  const Polyhedron polyhedron = bench_torus(state.range(0));
   const NetworkSystem system = NetworkSystem::assemble(polyhedron, {}).value();
   const std::vector<Vector3> positions = polyhedron.positions();
   int iterations = 0;
@@ -61,7 +41,7 @@ void network_solve(benchmark::State& state) {
 BENCHMARK(network_solve)->Apply(sizes);
 
 void surface(benchmark::State& state, Mode mode) {
-  const PolyhedronSurfaceInput input{model(state.range(0)), {}, mode, Vector3::Zero()};
+  const PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, mode, Vector3::Zero()};
   PolyhedronSurfacer surfacer;
   int steps = surfacer.rebuild(input)->report.fair_iterations;
   for (auto _ : state) steps = surfacer.rebuild(input)->report.fair_iterations;
@@ -71,7 +51,7 @@ BENCHMARK_CAPTURE(surface, paper, Mode::paper)->Apply(sizes);
 BENCHMARK_CAPTURE(surface, fair, Mode::fair)->Apply(sizes);
 
 void fair_cold(benchmark::State& state) {
-  const PolyhedronSurfaceInput input{model(state.range(0)), {}, Mode::fair, Vector3::Zero()};
+  const PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, Mode::fair, Vector3::Zero()};
   for (auto _ : state) {
     PolyhedronSurfacer surfacer;
     benchmark::DoNotOptimize(surfacer.rebuild(input));
@@ -81,7 +61,7 @@ BENCHMARK(fair_cold)->Apply(sizes);
 
 void evaluate(benchmark::State& state, bool curvatures) {
   PolyhedronSurfacer surfacer;
-  const auto result = surfacer.rebuild({model(1000), {}, Mode::paper, Vector3::Zero()});
+  const auto result = surfacer.rebuild({bench_torus(1000), {}, Mode::paper, Vector3::Zero()});
   const PatchSet& patches = result->surface.patches();
   const GridPattern pattern{Domain::triangle, static_cast<int>(state.range(0))};
   std::vector<Index> all(64);  // a block that stays in the cache
@@ -104,7 +84,7 @@ BENCHMARK_CAPTURE(evaluate, second_order, true)->Arg(4)->Arg(8)->Arg(16);
 
 /// One vertex moves: document value, surface, and the display points of the patches that changed.
 void drag(benchmark::State& state, Mode mode) {
-  PolyhedronSurfaceInput input{model(state.range(0)), {}, mode, Vector3::Zero()};
+  PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, mode, Vector3::Zero()};
   PolyhedronSurfacer surfacer;
   const auto first = surfacer.rebuild(input);
   const Polyhedron start = input.polyhedron;
@@ -130,7 +110,7 @@ BENCHMARK_CAPTURE(drag, paper, Mode::paper)->Apply(sizes);
 
 /// The first frame of a drag, which solves for the response.
 void drag_start(benchmark::State& state) {
-  PolyhedronSurfaceInput input{model(state.range(0)), {}, Mode::fair, Vector3::Zero()};
+  PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, Mode::fair, Vector3::Zero()};
   SurfaceSystem system{input.polyhedron.shared_topology(), NetworkSystem::assemble(input.polyhedron, {}).value(), {},
                        Mode::fair, nullptr};
   system.constants = patch_constants(*system.mesh, system.network.frames());

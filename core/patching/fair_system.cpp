@@ -1,6 +1,7 @@
 #include "core/patching/fair_system.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -21,7 +22,7 @@ using LocalMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>>;
 using ConstLocalMap = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>>;
 using Array3 = Eigen::Array3d;
 
-void multiply(const Eigen::MatrixXd& matrix, const double* x, double* y) {
+void apply_element(const Eigen::MatrixXd& matrix, const double* x, double* y) {
   const Eigen::Index n = matrix.rows();
   ConstLocalMap from(x, n, 3);
   LocalMap to(y, n, 3);
@@ -30,15 +31,49 @@ void multiply(const Eigen::MatrixXd& matrix, const double* x, double* y) {
 
 }  // namespace
 
-/// What one solve needs beside the unknowns.
+/// What one solve needs beside the unknowns, and the vector operations on the active ones.
 struct FairSystem::Workspace {
-  std::vector<Index> faces;         ///< active faces
-  std::vector<Index> edges;         ///< smooth edges with an active face
-  std::vector<Index> inner_edges;   ///< edges whose z are active: smooth with both faces active, or sharp
-  std::vector<bool> active;         ///< per face
-  std::vector<double> local_in, local_out;          ///< per face, 3 x local size
-  std::vector<Eigen::Matrix<double, 6, 3>> jump;    ///< per edge
-  std::vector<Vector3> unscaled;
+  std::vector<Index> faces;        ///< active faces
+  std::vector<Index> edges;        ///< smooth edges with an active face
+  std::vector<Index> inner_edges;  ///< edges whose z are active: smooth with both faces active, or sharp
+  std::vector<bool> active;        ///< per face
+  std::vector<double> local_in, local_out;        ///< per face, 3 x local size
+  std::vector<Eigen::Matrix<double, 6, 3>> jump;  ///< per edge
+  std::vector<std::pair<std::size_t, std::size_t>> chunks;  ///< ranges of active unknowns, ascending, disjoint
+  std::size_t chunk_grain = 1;                              ///< chunks a task
+
+  /// Consecutive ranges grow together up to one task's worth.
+  void add_chunks(std::size_t begin, std::size_t end) {
+    if (!chunks.empty() && chunks.back().second == begin && end - chunks.back().first <= dot_grain) {
+      chunks.back().second = end;
+      return;
+    }
+    for (; begin < end; begin += dot_grain) chunks.emplace_back(begin, std::min(end, begin + dot_grain));
+  }
+
+  template <class Body>
+  void for_chunks(const Body& body) const {
+    parallel_for(chunks.size(), chunk_grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) body(k, chunks[k].first, chunks[k].second);
+    });
+  }
+  /// Per coordinate; sums a chunk at a time, in order.
+  Array3 dot(const std::vector<Vector3>& a, const std::vector<Vector3>& b) const {
+    std::vector<Array3> parts(chunks.size());
+    for_chunks([&](std::size_t k, std::size_t begin, std::size_t end) {
+      Array3 part = Array3::Zero();
+      for (std::size_t i = begin; i < end; ++i) part += a[i].array() * b[i].array();
+      parts[k] = part;
+    });
+    return std::accumulate(parts.begin(), parts.end(), Array3(Array3::Zero()));
+  }
+  /// y = scale y + factor x
+  void combine(std::vector<Vector3>& y, const Array3& scale, const Array3& factor,
+               const std::vector<Vector3>& x) const {
+    for_chunks([&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) y[i] = scale * y[i].array() + factor * x[i].array();
+    });
+  }
 };
 
 FairSystem::FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
@@ -242,7 +277,7 @@ void FairSystem::apply(Workspace& work, const std::vector<Vector3>& x, std::vect
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = work.faces[k];
       double* out = work.local_out.data() + 3 * local_begin_[f];
-      multiply(face_element_[f]->matrix, work.local_in.data() + 3 * local_begin_[f], out);
+      apply_element(face_element_[f]->matrix, work.local_in.data() + 3 * local_begin_[f], out);
       LocalMap local(out, local_size(f), 3);
       for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
         const Index e = mesh.edge(h);
@@ -266,7 +301,7 @@ void FairSystem::precondition(Workspace& work, const std::vector<Vector3>& r, st
       double* in = work.local_in.data() + 3 * local_begin_[f];
       double* out = work.local_out.data() + 3 * local_begin_[f];
       gather(f, r, false, in);
-      multiply(*block_[f], in, out);
+      apply_element(*block_[f], in, out);
       scatter_interior(f, out, z);
     }
   });
@@ -318,8 +353,7 @@ void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base,
   collect_sides(work, true, b);
 }
 
-FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const SolveOptions& options,
-                                       const CancelToken& cancel) const {
+FairSystem::Workspace FairSystem::make_workspace(const SolveOptions& options) const {
   const HalfEdgeMesh& mesh = *mesh_;
   Workspace work;
   if (options.active_faces) {
@@ -330,54 +364,54 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
   }
   work.active.assign(mesh.face_count(), false);
   for (const Index f : work.faces) work.active[f] = true;
-  for (const Index f : work.faces)
+  std::vector<std::size_t> sides;
+  for (const Index f : work.faces) {
+    work.add_chunks(face_begin_[f], face_begin_[f] + 3 + 2 * std::size_t(mesh.side_count(f)));
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       const Index e = mesh.edge(h), twin = mesh.twin(h);
+      const bool smooth = edge_element_[e] != nullptr;
       const bool both = twin != no_index && work.active[mesh.face(twin)];
+      if (!smooth) sides.push_back(side_origin_[h]);
       if (both && mesh.half_edge_of_edge(e) != h) continue;  // taken from the other side
-      if (edge_element_[e]) work.edges.push_back(e);
-      if (both || !edge_element_[e]) work.inner_edges.push_back(e);
+      if (smooth && both) sides.push_back(side_origin_[mesh.half_edge_of_edge(e)]);
+      if (smooth) work.edges.push_back(e);
+      if (both || !smooth) work.inner_edges.push_back(e);
     }
+  }
+  std::sort(sides.begin(), sides.end());
+  for (const std::size_t first : sides) work.add_chunks(first, first + 2);
+  std::size_t total = 1;
+  for (const auto& [begin, end] : work.chunks) total += end - begin;
+  work.chunk_grain = std::max<std::size_t>(1, dot_grain * work.chunks.size() / total);
   work.local_in.resize(3 * local_begin_.back());
   work.local_out.resize(3 * local_begin_.back());
   work.jump.resize(mesh.edge_count());
+  return work;
+}
 
-  const std::size_t count = unknown_count_;
-  const auto dot = [&](const std::vector<Vector3>& a, const std::vector<Vector3>& c) {
-    Array3 sum;
-    for (int axis = 0; axis < 3; ++axis)
-      sum[axis] = parallel_sum(count, dot_grain, [&](std::size_t begin, std::size_t end) {
-        double part = 0;
-        for (std::size_t i = begin; i < end; ++i) part += a[i][axis] * c[i][axis];
-        return part;
-      });
-    return sum;
+FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const SolveOptions& options,
+                                       const CancelToken& cancel) const {
+  Workspace work = make_workspace(options);
+  const Array3 one = Array3::Ones();
+  const auto ratio = [](const Array3& a, const Array3& b) {
+    return Array3((b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0));
   };
-  const auto combine = [&](std::vector<Vector3>& y, const Array3& factor, const std::vector<Vector3>& x) {
-    parallel_for(count, dot_grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) y[i].array() += factor * x[i].array();
-    });
-  };
-  const auto ratio = [](const Array3& a, const Array3& c) {
-    return Array3((c.abs() > 0).select(a / (c.abs() > 0).select(c, 1.0), 0.0));
-  };
-
-  const std::vector<Vector3> zero(count, Vector3::Zero());
+  const std::vector<Vector3> zero(unknown_count_, Vector3::Zero());
   std::vector<Vector3> r = zero, z = zero, q = zero;
   Solution solution;
   solution.unknowns = options.start ? *options.start : zero;
   right_side(work, base, r);
   precondition(work, r, z);
-  const Array3 goal = options.tolerance * options.tolerance * dot(r, z);
+  const Array3 energy = work.dot(r, z);
+  // A coordinate in which the object is flat needs no digits beyond rounding of the largest one.
+  const Array3 enough = (options.tolerance * options.tolerance * energy).max(1e-32 * energy.maxCoeff());
   if (options.start) {
     apply(work, solution.unknowns, q);
-    combine(r, Array3::Constant(-1), q);
+    work.combine(r, one, -one, q);
     precondition(work, r, z);
   }
   std::vector<Vector3> p = z;
-  Array3 rz = dot(r, z);
-  // A coordinate that is flat (all of it below the largest by 1e-30 in energy) needs no digits of its own.
-  const Array3 enough = goal.max(1e-30 * goal.maxCoeff());
+  Array3 rz = work.dot(r, z);
   while ((rz > enough).any()) {
     if (solution.iterations == options.max_steps) {
       solution.converged = false;
@@ -388,19 +422,23 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
       break;
     }
     apply(work, p, q);
-    const Array3 step = ratio(rz, dot(p, q));
-    combine(solution.unknowns, step, p);
-    combine(r, -step, q);
+    const Array3 step = ratio(rz, work.dot(p, q));
+    work.combine(solution.unknowns, one, step, p);
+    work.combine(r, one, -step, q);
     precondition(work, r, z);
-    const Array3 next = dot(r, z);
-    const Array3 turn = ratio(next, rz);
-    parallel_for(count, dot_grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) p[i] = z[i].array() + turn * p[i].array();
-    });
+    const Array3 next = work.dot(r, z);
+    work.combine(p, ratio(next, rz), one, z);
     rz = next;
     ++solution.iterations;
   }
   return solution;
+}
+
+std::vector<Vector3> FairSystem::multiply(const std::vector<Vector3>& x) const {
+  Workspace work = make_workspace({});
+  std::vector<Vector3> y(unknown_count_, Vector3::Zero());
+  apply(work, x, y);
+  return y;
 }
 
 void FairSystem::fill_split_points(std::span<const Vector3> unknowns, std::span<const Index> faces,

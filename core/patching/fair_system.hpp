@@ -43,6 +43,9 @@ class FairSystem {
   /// half-edges of the active faces and of their neighbours across edges. O(faces) a step.
   Solution solve(std::span<const QuarticPatch> base, const SolveOptions& options, const CancelToken& cancel = {}) const;
 
+  /// The system's matrix times x, per coordinate: for tests and comparisons.
+  std::vector<Vector3> multiply(const std::vector<Vector3>& x) const;
+
   /// Split points and their tangents from the unknowns, for the given faces.
   void fill_split_points(std::span<const Vector3> unknowns, std::span<const Index> faces, PatchNetwork& out) const;
   /// Adds the z of the given faces to base patches that were made with these split points.
@@ -54,6 +57,7 @@ class FairSystem {
   using Block = Eigen::MatrixXd;
   struct Workspace;
 
+  Workspace make_workspace(const SolveOptions& options) const;
   void number_unknowns();
   void build_elements(const NetworkSystem& network, const PatchConstants& constants, const FairWeights& weights);
   void build_preconditioner();

@@ -1,0 +1,74 @@
+#pragma once
+
+// Document: what the designer made, as a value. Objects in order, each with one source.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/ids.hpp"
+#include "core/base/result.hpp"
+#include "core/document/display.hpp"
+#include "core/document/shared.hpp"
+#include "core/document/similarity.hpp"
+#include "core/document/source.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_unknown_object{"E_UNKNOWN_OBJECT"};
+inline constexpr Code e_name_empty{"E_NAME_EMPTY"};
+inline constexpr Code e_name_invalid{"E_NAME_INVALID"};
+inline constexpr Code e_too_many_objects{"E_TOO_MANY_OBJECTS"};
+
+/// The unit of all lengths of a document.
+enum class Unit : std::uint8_t { millimetre, centimetre, metre, inch };
+
+/// "mm", "cm", "m", "in".
+std::string_view to_string(Unit unit);
+double millimetres_per(Unit unit);
+
+/// Invariant: the name is not blank, at most `max_name_length` bytes of UTF-8 without control characters.
+struct Object {
+  ObjectId id;
+  std::string name;
+  bool visible = true;
+  bool locked = false;   ///< shown, but edits of its shape, place and existence are refused (E_LOCKED)
+  Similarity transform;  ///< from object space to the document's space
+  DisplaySettings display;
+  Source source;
+  Shared<KeptMembers> kept;
+
+  static constexpr std::size_t max_name_length = 256;
+
+  const PolyhedronSource* polyhedron() const { return std::get_if<PolyhedronSource>(&source); }
+  const MeshSource* mesh() const { return std::get_if<MeshSource>(&source); }
+
+  friend bool operator==(const Object&, const Object&) = default;
+};
+
+/// Right-handed, z up, front looks along +y. Invariants: object ids are unique and below next_object_id; no
+/// pointer is null. A copy shares its objects; an edit replaces the object it changes. Same pointer means
+/// same object.
+struct Document {
+  Unit unit = Unit::millimetre;
+  std::vector<std::shared_ptr<const Object>> objects;
+  ObjectId next_object_id{1};
+  Shared<KeptMembers> kept;
+
+  static constexpr std::size_t max_objects = 100000;
+
+  /// The object with this id, or nullptr. O(objects).
+  const Object* find(ObjectId id) const;
+  std::shared_ptr<const Object> find_shared(ObjectId id) const;
+
+  friend bool operator==(const Document& a, const Document& b);
+};
+
+/// A new document with one polyhedron, all settings at their defaults. Errors: those of
+/// `PolyhedronSource::from_mesh` and of `check_name`.
+Result<Document> document_from_mesh(PolygonMesh mesh, std::string name);
+
+/// E_NAME_EMPTY, E_NAME_INVALID.
+Result<Done> check_name(std::string_view name);
+
+}  // namespace hariko

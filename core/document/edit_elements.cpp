@@ -1,0 +1,184 @@
+#include "core/document/edit_elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/document/edge_set.hpp"
+#include "core/document/edit_support.hpp"
+
+namespace hariko {
+namespace {
+
+/// Calls change(PolyhedronSource&) -> Result<Done> on a copy of the object's polyhedron.
+template <class Change>
+Result<Document> change_polyhedron(const Document& document, ObjectId id, Change&& change) {
+  return detail::change_object(document, id, true, [&](Object& object) -> Result<Done> {
+    auto* source = std::get_if<PolyhedronSource>(&object.source);
+    if (!source)
+      return make_error(e_wrong_kind, "The object \"" + object.name + "\" is not a polyhedron.",
+                        "Select a polyhedron.", element_of(id));
+    return change(*source);
+  });
+}
+
+Message unknown_element(const Element& element) {
+  return make_error(e_unknown_element, "The object has no such element.", "Select it again.", element);
+}
+
+Result<Done> check_elements(const Polyhedron& polyhedron, std::span<const VertexId> ids) {
+  for (const VertexId id : ids)
+    if (polyhedron.find(id) == no_index) return unknown_element(element_of(id));
+  return Done{};
+}
+
+Result<Done> check_elements(const Polyhedron& polyhedron, std::span<const EdgeId> ids) {
+  if (ids.size() <= 8) {
+    for (const EdgeId id : ids)
+      if (polyhedron.find(id) == no_index) return unknown_element(element_of(id));
+    return Done{};
+  }
+  const detail::EdgeSet edges(polyhedron);
+  for (const EdgeId id : ids)
+    if (!edges.contains(id)) return unknown_element(element_of(id));
+  return Done{};
+}
+
+/// The map with `value` at all ids, or with no entry there when there is no value. One merge, O(n log n) in
+/// the ids: setting one after the other would be quadratic.
+template <class Id, class Value>
+FlatMap<Id, Value> with_entries(const FlatMap<Id, Value>& map, std::span<const Id> ids,
+                                const std::optional<Value>& value) {
+  std::vector<Id> sorted(ids.begin(), ids.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  FlatMap<Id, Value> result;
+  auto next = sorted.begin();
+  const auto add_before = [&](const Id* limit) {
+    for (; next != sorted.end() && (!limit || *next < *limit); ++next)
+      if (value) result.set(*next, *value);
+  };
+  for (const auto& [id, old] : map) {
+    add_before(&id);
+    if (next == sorted.end() || *next != id) result.set(id, old);
+  }
+  add_before(nullptr);
+  return result;
+}
+
+/// The common form of all settings of elements: check, copy the shaping, change one of its maps.
+template <class Id, class Value>
+Result<Document> set_shaping(const Document& document, ObjectId object, std::span<const Id> ids,
+                             FlatMap<Id, Value> Shaping::*member, const Value& value, const Value& by_default,
+                             const Result<Done>& value_check = Done{}) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    if (!value_check) return value_check.error();
+    if (const auto checked = check_elements(source.polyhedron, ids); !checked) return checked.error();
+    Shaping shaping = *source.shaping;
+    const std::optional<Value> entry = value == by_default ? std::nullopt : std::optional<Value>(value);
+    shaping.*member = with_entries(shaping.*member, ids, entry);
+    source.shaping = std::move(shaping);
+    return Done{};
+  });
+}
+
+Result<Done> check_tension(double value, double low, double high, const char* range) {
+  if (!std::isfinite(value))
+    return make_error(e_tension_nonfinite, "The tension is not a finite number.",
+                      std::string("Use ") + range + ".");
+  if (value < 0)
+    return make_error(e_tension_negative, "The tension is negative.", std::string("Use ") + range + ".");
+  if (value < low || value > high)
+    return make_error(e_tension_range, "The tension is out of range.", std::string("Use ") + range + ".");
+  return Done{};
+}
+
+}  // namespace
+
+Result<Document> move_vertices(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                               std::span<const Vector3> positions) {
+  HARIKO_ASSERT(vertices.size() == positions.size(), "one position a vertex");
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    if (const auto checked = check_elements(source.polyhedron, vertices); !checked) return checked.error();
+    std::vector<Index> indices;
+    indices.reserve(vertices.size());
+    for (const VertexId id : vertices) indices.push_back(source.polyhedron.find(id));
+    Result<Polyhedron> moved = source.polyhedron.with_positions(indices, positions);
+    if (!moved) return moved.error();
+    source.polyhedron = *std::move(moved);
+    return Done{};
+  });
+}
+
+Result<Document> set_alpha(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                           double alpha) {
+  return set_shaping(document, object, vertices, &Shaping::alpha, alpha, 0.0, check_alpha(alpha));
+}
+
+Result<Document> set_beta(const Document& document, ObjectId object, std::span<const EdgeId> edges,
+                          double beta) {
+  return set_shaping(document, object, edges, &Shaping::beta, beta, 1.0, check_beta(beta));
+}
+
+Result<Document> set_crease(const Document& document, ObjectId object, std::span<const EdgeId> edges,
+                            bool crease) {
+  return set_shaping(document, object, edges, &Shaping::crease, crease, false);
+}
+
+Result<Document> set_vertex_tag(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                                VertexTag tag) {
+  return set_shaping(document, object, vertices, &Shaping::tag, tag, VertexTag::automatic);
+}
+
+Result<Document> set_pin(const Document& document, ObjectId object, VertexId vertex, Pin pin) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    if (const auto checked = check_pin(pin); !checked) return checked.error();
+    const std::span<const VertexId> one(&vertex, 1);
+    if (const auto checked = check_elements(source.polyhedron, one); !checked) return checked.error();
+    Shaping shaping = *source.shaping;
+    shaping.pin.set(vertex, std::move(pin));
+    source.shaping = std::move(shaping);
+    return Done{};
+  });
+}
+
+Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    if (const auto checked = check_elements(source.polyhedron, vertices); !checked) return checked.error();
+    Shaping shaping = *source.shaping;
+    shaping.pin = with_entries<VertexId, Pin>(shaping.pin, vertices, std::nullopt);
+    source.shaping = std::move(shaping);
+    return Done{};
+  });
+}
+
+Result<Document> set_mode(const Document& document, ObjectId object, Mode mode) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    source.mode = mode;
+    return Done{};
+  });
+}
+
+Result<Done> check_alpha(double alpha) {
+  return check_tension(alpha, 0, max_alpha, "a number from 0 to 1000");
+}
+
+Result<Done> check_beta(double beta) {
+  return check_tension(beta, min_beta, max_beta, "a number from 0.001 to 1000");
+}
+
+Result<Done> check_pin(const Pin& pin) {
+  const auto invalid = [](const char* text) {
+    return make_error(e_pin_invalid, text, "Give a normal that is not zero, or the tangent vectors.");
+  };
+  if (pin.vectors.empty()) return invalid("The pin has no vectors.");
+  if (pin.vectors.size() > max_pin_vectors) return invalid("The pin has too many vectors.");
+  for (const Vector3& vector : pin.vectors)
+    if (!vector.allFinite()) return invalid("The pin has a vector that is not finite.");
+  if (pin.kind == Pin::Kind::normal && (pin.vectors.size() != 1 || pin.vectors[0].cwiseAbs().maxCoeff() == 0))
+    return invalid("The pin's normal must be one vector that is not zero.");
+  return Done{};
+}
+
+}  // namespace hariko

@@ -1,0 +1,58 @@
+#pragma once
+
+// Edits of the elements of one polyhedron object: positions, tensions, creases, tags, pins, mode.
+//
+// All of them may fail with E_UNKNOWN_OBJECT, E_LOCKED and E_WRONG_KIND (the object is not a polyhedron);
+// those that take ids with E_UNKNOWN_ELEMENT. Settings at their default value are not stored.
+
+#include <span>
+
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_unknown_element{"E_UNKNOWN_ELEMENT"};
+inline constexpr Code e_wrong_kind{"E_WRONG_KIND"};
+inline constexpr Code e_tension_range{"E_TENSION_RANGE"};
+inline constexpr Code e_pin_invalid{"E_PIN_INVALID"};
+
+inline constexpr double max_alpha = 1000;
+inline constexpr double min_beta = 0.001, max_beta = 1000;
+/// A bound for files only: the network knows how many tangents a vertex has.
+inline constexpr std::size_t max_pin_vectors = 1000;
+
+/// Puts vertices at positions[i], relative to the source's origin like all positions of the polyhedron (not a
+/// displacement). Both spans have the same size; of repeated ids the last wins. Errors: E_NONFINITE. Copies
+/// 128 positions for each run of moved vertices.
+Result<Document> move_vertices(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                               std::span<const Vector3> positions);
+
+/// Vertex tension, 0 .. 1000. Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_TENSION_RANGE.
+Result<Document> set_alpha(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                           double alpha);
+
+/// Edge tension, 0.001 .. 1000. Errors as for alpha.
+Result<Document> set_beta(const Document& document, ObjectId object, std::span<const EdgeId> edges,
+                          double beta);
+
+/// Makes edges sharp, or smooth again.
+Result<Document> set_crease(const Document& document, ObjectId object, std::span<const EdgeId> edges,
+                            bool crease);
+
+Result<Document> set_vertex_tag(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                                VertexTag tag);
+
+/// Fixes the tangent plane of a vertex. Errors: E_PIN_INVALID (vectors missing, too many, not finite, or a
+/// zero normal). Whether tangents fit the vertex in their number is known to the network only: E_PIN_MISMATCH
+/// on rebuild.
+Result<Document> set_pin(const Document& document, ObjectId object, VertexId vertex, Pin pin);
+Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
+
+Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
+
+/// The checks of the edits above, for those who read values from elsewhere.
+Result<Done> check_alpha(double alpha);
+Result<Done> check_beta(double beta);
+Result<Done> check_pin(const Pin& pin);
+
+}  // namespace hariko

@@ -1,0 +1,186 @@
+#include "core/document/edit_objects.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/edit_support.hpp"
+
+namespace hariko {
+namespace detail {
+
+Message unknown_object(ObjectId id) {
+  return make_error(e_unknown_object, "The document has no such object.", "Select an object of the document.",
+                    element_of(id));
+}
+
+Message locked_object(const Object& object) {
+  return make_error(e_locked, "The object \"" + object.name + "\" is locked.", "Unlock it first.",
+                    element_of(object.id));
+}
+
+Document with_object(const Document& document, Object object) {
+  Document changed = document;
+  for (auto& shared : changed.objects)
+    if (shared->id == object.id) {
+      shared = std::make_shared<const Object>(std::move(object));
+      break;
+    }
+  return changed;
+}
+
+Result<Similarity> checked_transform(const Similarity& transform) {
+  const double norm = transform.rotation.norm();
+  const bool finite =
+      std::isfinite(norm) && std::isfinite(transform.scale) && transform.translation.allFinite();
+  if (!finite || norm < 1e-9 || !(transform.scale >= Similarity::min_scale) ||
+      transform.scale > Similarity::max_scale)
+    return make_error(e_transform_invalid, "The object cannot be placed like this.",
+                      "Use finite numbers, a rotation that is not zero, and a scale from 1e-9 to 1e9.");
+  Similarity result = transform;
+  // Stored numbers come back as they were: only a rotation that is clearly not a unit quaternion is changed.
+  if (std::abs(norm - 1) > 1e-12) result.rotation.normalize();
+  return result;
+}
+
+Result<Done> check_display(const DisplaySettings& display) {
+  if (display.density < DisplaySettings::min_density || display.density > DisplaySettings::max_density)
+    return make_error(e_display_invalid, "The display density is out of range.",
+                      "Use a density from 1 to 64.");
+  return Done{};
+}
+
+}  // namespace detail
+
+namespace {
+
+Message too_many_objects() {
+  return make_error(e_too_many_objects, "The document has no room for more objects.",
+                    "Delete objects first.");
+}
+
+bool has_room(const Document& document, std::size_t count) {
+  return document.objects.size() + count <= Document::max_objects &&
+         document.next_object_id.value <= no_index - count;
+}
+
+/// "Cup copy", with the name cut at a character boundary where that would be too long.
+std::string copy_name(std::string name) {
+  const std::string suffix = " copy";
+  if (name.size() + suffix.size() > Object::max_name_length) {
+    std::size_t size = Object::max_name_length - suffix.size();
+    while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80) --size;
+    name.resize(size);
+  }
+  return name + suffix;
+}
+
+}  // namespace
+
+Result<Added> add_object(const Document& document, std::string name, Source source,
+                         const Similarity& transform, const DisplaySettings& display) {
+  if (!has_room(document, 1)) return too_many_objects();
+  if (const auto checked = check_name(name); !checked) return checked.error();
+  if (const auto checked = detail::check_display(display); !checked) return checked.error();
+  const Result<Similarity> placed = detail::checked_transform(transform);
+  if (!placed) return placed.error();
+  Added added{document, document.next_object_id};
+  added.document.objects.push_back(std::make_shared<const Object>(
+      Object{added.id, std::move(name), true, false, *placed, display, std::move(source), {}}));
+  ++added.document.next_object_id.value;
+  return added;
+}
+
+Result<Document> append_document(const Document& document, const Document& other) {
+  if (!has_room(document, other.objects.size())) return too_many_objects();
+  Document result = document;
+  for (const auto& object : other.objects) {
+    Object copy = *object;
+    copy.id = result.next_object_id;
+    ++result.next_object_id.value;
+    result.objects.push_back(std::make_shared<const Object>(std::move(copy)));
+  }
+  return result;
+}
+
+Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects) {
+  for (const ObjectId id : objects) {
+    const Object* object = document.find(id);
+    if (!object) return detail::unknown_object(id);
+    if (object->locked) return detail::locked_object(*object);
+  }
+  Document result = document;
+  std::erase_if(result.objects, [&](const auto& object) {
+    return std::find(objects.begin(), objects.end(), object->id) != objects.end();
+  });
+  return result;
+}
+
+Result<Added> duplicate_object(const Document& document, ObjectId object) {
+  const auto original = std::find_if(document.objects.begin(), document.objects.end(),
+                                     [&](const auto& candidate) { return candidate->id == object; });
+  if (original == document.objects.end()) return detail::unknown_object(object);
+  if (!has_room(document, 1)) return too_many_objects();
+  Object copy = **original;
+  copy.id = document.next_object_id;
+  copy.name = copy_name(copy.name);
+  copy.locked = false;
+  Added added{document, copy.id};
+  added.document.objects.insert(added.document.objects.begin() + (original - document.objects.begin()) + 1,
+                                std::make_shared<const Object>(std::move(copy)));
+  ++added.document.next_object_id.value;
+  return added;
+}
+
+Result<Document> rename_object(const Document& document, ObjectId object, std::string name) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    if (const auto checked = check_name(name); !checked) return checked.error();
+    changed.name = std::move(name);
+    return Done{};
+  });
+}
+
+Result<Document> set_visible(const Document& document, ObjectId object, bool visible) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    changed.visible = visible;
+    return Done{};
+  });
+}
+
+Result<Document> set_locked(const Document& document, ObjectId object, bool locked) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    changed.locked = locked;
+    return Done{};
+  });
+}
+
+Result<Document> set_transform(const Document& document, ObjectId object, const Similarity& transform) {
+  return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {
+    const Result<Similarity> placed = detail::checked_transform(transform);
+    if (!placed) return placed.error();
+    changed.transform = *placed;
+    return Done{};
+  });
+}
+
+Result<Document> set_display(const Document& document, ObjectId object, const DisplaySettings& display) {
+  return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
+    if (const auto checked = detail::check_display(display); !checked) return checked.error();
+    changed.display = display;
+    return Done{};
+  });
+}
+
+Document set_unit(const Document& document, Unit unit) {
+  Document changed = document;
+  changed.unit = unit;
+  return changed;
+}
+
+Result<Document> set_source(const Document& document, ObjectId object, Source source) {
+  return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {
+    changed.source = std::move(source);
+    return Done{};
+  });
+}
+
+}  // namespace hariko

@@ -1,0 +1,59 @@
+#pragma once
+
+// Edits of whole objects: add, delete, duplicate, rename, show, place.
+
+#include <span>
+#include <string>
+
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_locked{"E_LOCKED"};
+inline constexpr Code e_transform_invalid{"E_TRANSFORM_INVALID"};
+inline constexpr Code e_display_invalid{"E_DISPLAY_INVALID"};
+
+/// A document and the object that the edit made.
+struct Added {
+  Document document;
+  ObjectId id;
+};
+
+/// Appends an object with the next free id. Errors: E_NAME_EMPTY, E_NAME_INVALID, E_TRANSFORM_INVALID,
+/// E_DISPLAY_INVALID, E_TOO_MANY_OBJECTS.
+Result<Added> add_object(const Document& document, std::string name, Source source,
+                         const Similarity& transform = {}, const DisplaySettings& display = {});
+
+/// Appends every object of `other` under new ids (opening a file into the scene). Positions keep their
+/// numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS.
+Result<Document> append_document(const Document& document, const Document& other);
+
+/// Errors: E_UNKNOWN_OBJECT, E_LOCKED.
+Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects);
+
+/// The copy follows its original in order, is called "<name> copy", and is not locked. Errors:
+/// E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
+Result<Added> duplicate_object(const Document& document, ObjectId object);
+
+/// Errors: E_UNKNOWN_OBJECT, E_NAME_EMPTY, E_NAME_INVALID.
+Result<Document> rename_object(const Document& document, ObjectId object, std::string name);
+
+/// Errors: E_UNKNOWN_OBJECT.
+Result<Document> set_visible(const Document& document, ObjectId object, bool visible);
+Result<Document> set_locked(const Document& document, ObjectId object, bool locked);
+
+/// Normalises the rotation unless it is a unit quaternion already. Errors: E_UNKNOWN_OBJECT, E_LOCKED,
+/// E_TRANSFORM_INVALID (not finite, zero rotation, scale outside 1e-9 .. 1e9).
+Result<Document> set_transform(const Document& document, ObjectId object, const Similarity& transform);
+
+/// Errors: E_UNKNOWN_OBJECT, E_DISPLAY_INVALID (density out of range).
+Result<Document> set_display(const Document& document, ObjectId object, const DisplaySettings& display);
+
+/// Changes what lengths mean, not the numbers.
+Document set_unit(const Document& document, Unit unit);
+
+/// Replaces the source (after a repair, a re-import, an edit of connectivity). Errors: E_UNKNOWN_OBJECT,
+/// E_LOCKED.
+Result<Document> set_source(const Document& document, ObjectId object, Source source);
+
+}  // namespace hariko

@@ -1,0 +1,45 @@
+#include "core/document/file.hpp"
+
+#include "core/base/printable.hpp"
+#include "core/document/format.hpp"
+
+namespace hariko {
+namespace {
+
+/// The text of the document, once it has been read back and found equal.
+Result<std::string> verified_text(const Document& document) {
+  std::string text = write_document(document);
+  const Result<Document> again = read_document(text);
+  const auto differs = [](const std::string& why) {
+    return make_error(e_save_verify, "The document was not saved, as its file would not open again: " + why,
+                      "Save under another name, and report this as a defect of the program.");
+  };
+  if (!again) return differs(to_string(again.error()));
+  if (!(*again == document)) return differs("it would hold something else.");
+  return text;
+}
+
+}  // namespace
+
+Result<Document> load_document(const std::filesystem::path& path) {
+  const Result<std::string> text = read_file(path, max_document_bytes);
+  if (!text) return text.error();
+  Result<Document> document = read_document(*text);
+  if (document) return document;
+  Message message = document.error();
+  message.text = printable(path.filename().string(), 200) + ": " + message.text;
+  return message;
+}
+
+Result<Done> save_document(const Document& document, const std::filesystem::path& path) {
+  SystemFileLayer layer;
+  return save_document(document, path, layer);
+}
+
+Result<Done> save_document(const Document& document, const std::filesystem::path& path, FileLayer& layer) {
+  const Result<std::string> text = verified_text(document);
+  if (!text) return text.error();
+  return write_file_atomic(path, *text, layer);
+}
+
+}  // namespace hariko

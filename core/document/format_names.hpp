@@ -1,0 +1,39 @@
+#pragma once
+
+// The words of the file format, in the order of the enumerations: reader and writer use the same lists.
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace hariko::detail {
+
+using namespace std::string_view_literals;
+
+using Names = std::span<const std::string_view>;
+inline constexpr std::array unit_names{"mm"sv, "cm"sv, "m"sv, "in"sv};
+inline constexpr std::array map_names{"shaded"sv, "patches"sv,       "zebra"sv,         "gaussian"sv,
+                                      "mean"sv,   "principal_max"sv, "principal_min"sv, "continuity"sv};
+inline constexpr std::array mode_names{"paper"sv, "target"sv, "fair"sv};
+inline constexpr std::array tag_names{"automatic"sv, "corner"sv, "smooth"sv};
+inline constexpr std::array pin_names{"tangents"sv, "normal"sv};
+
+/// Members that this version knows; all others are kept as they are, or refused where that is not possible.
+inline constexpr std::array document_members{"format"sv, "version"sv, "unit"sv, "next_object_id"sv,
+                                             "objects"sv};
+inline constexpr std::array object_members{"id"sv,        "name"sv,    "visible"sv, "locked"sv,
+                                           "transform"sv, "display"sv, "source"sv};
+inline constexpr std::array transform_members{"rotation"sv, "scale"sv, "translation"sv};
+inline constexpr std::array display_members{"surface"sv, "polyhedron"sv, "network"sv,
+                                            "map"sv,     "density"sv,    "colour"sv};
+inline constexpr std::array polyhedron_members{"kind"sv,  "mode"sv, "origin"sv, "vertices"sv, "faces"sv,
+                                               "alpha"sv, "beta"sv, "crease"sv, "tag"sv,      "pin"sv};
+inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
+inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};
+
+template <class Enum>
+std::string_view name_of(Enum value, Names names) {
+  return names[static_cast<std::size_t>(value)];
+}
+
+}  // namespace hariko::detail

@@ -1,0 +1,88 @@
+#pragma once
+
+// JsonReader and JsonCursor: typed access to a JsonValue, with the path of what is wrong in the message.
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/vector.hpp"
+#include "core/document/json_value.hpp"
+
+namespace hariko::detail {
+
+/// A value and how it was reached. Lives on the stack below its parent; the path is spelled out only for a
+/// message.
+class JsonCursor {
+ public:
+  explicit JsonCursor(const JsonValue& root) : value_(&root) {}
+  JsonCursor(const JsonCursor& parent, const JsonMember& member)
+      : value_(&member.value), member_(&member), parent_(&parent) {}
+  JsonCursor(const JsonCursor& parent, std::size_t index)
+      : value_(&(*parent.value_->array())[index]), parent_(&parent), index_(index) {}
+
+  const JsonValue& value() const { return *value_; }
+  const JsonMember* member() const { return member_; }
+  /// "objects[2].source.vertices[17]"; "the document" for the root.
+  std::string path() const;
+
+ private:
+  const JsonValue* value_;
+  const JsonMember* member_ = nullptr;
+  const JsonCursor* parent_ = nullptr;
+  std::size_t index_ = 0;
+};
+
+/// Reads values and keeps the first error. After an error everything returns a default, so callers check once
+/// at the end of a step; loops over arrays stop by themselves.
+class JsonReader {
+ public:
+  bool failed() const { return error_.has_value(); }
+  const Message& error() const { return *error_; }
+  /// Keeps the first error only.
+  void fail(Message message) {
+    if (!error_) error_ = std::move(message);
+  }
+  /// E_SCHEMA: "objects[2].id: <text>."
+  void fail(const JsonCursor& at, const std::string& text);
+
+  double number(const JsonCursor& at);
+  /// An integer in low .. high.
+  std::uint32_t integer(const JsonCursor& at, std::uint32_t low, std::uint32_t high);
+  bool boolean(const JsonCursor& at);
+  std::string string(const JsonCursor& at);
+  /// An array of three numbers.
+  Vector3 vector(const JsonCursor& at);
+  /// Number of elements, of an array that has between low and high of them.
+  std::size_t array_size(const JsonCursor& at, std::size_t low, std::size_t high);
+  bool is_object(const JsonCursor& at);
+  /// Index of the text among `names`.
+  std::size_t choice(const JsonCursor& at, std::span<const std::string_view> names);
+
+  /// Calls body(const JsonCursor&) for each element, until an error.
+  template <class Body>
+  void for_each(const JsonCursor& at, Body&& body) {
+    const std::size_t size = array_size(at, 0, std::size_t(-1));
+    for (std::size_t i = 0; i < size && !failed(); ++i) body(JsonCursor(at, i));
+  }
+  /// Calls body(const JsonCursor&) for the member, if there is one.
+  template <class Body>
+  void if_member(const JsonCursor& at, std::string_view name, Body&& body) {
+    if (const JsonMember* member = find(at, name); member && !failed()) body(JsonCursor(at, *member));
+  }
+  /// The same, an error where there is none.
+  template <class Body>
+  void member(const JsonCursor& at, std::string_view name, Body&& body) {
+    if (!find(at, name)) fail(at, "the member \"" + std::string(name) + "\" is missing");
+    if_member(at, name, body);
+  }
+
+ private:
+  const JsonMember* find(const JsonCursor& at, std::string_view name) const;
+  std::optional<Message> error_;
+};
+
+}  // namespace hariko::detail

@@ -1,0 +1,117 @@
+#include "core/document/memory.hpp"
+
+namespace hariko {
+namespace {
+
+/// Header of an allocation, control block of a shared pointer, rounding.
+constexpr std::size_t block_overhead = 48;
+
+std::size_t bytes_of(const KeptMembers& kept) {
+  std::size_t bytes = block_overhead + kept.capacity() * sizeof(KeptMember);
+  for (const KeptMember& member : kept) bytes += member.name.capacity() + member.json.capacity();
+  return bytes;
+}
+
+std::size_t bytes_of(const Shaping& shaping) {
+  const auto map = [](const auto& entries) {
+    return entries.empty() ? 0 : entries.size() * sizeof(*entries.begin()) + block_overhead;
+  };
+  std::size_t bytes = block_overhead + sizeof(Shaping) + map(shaping.alpha) + map(shaping.beta) +
+                      map(shaping.crease) + map(shaping.tag) + map(shaping.pin);
+  for (const auto& [vertex, pin] : shaping.pin)
+    bytes += pin.vectors.capacity() * sizeof(Vector3) + block_overhead;
+  return bytes;
+}
+
+std::size_t bytes_of(const PolygonMesh& mesh) {
+  return block_overhead + sizeof(PolygonMesh) + mesh.positions.capacity() * sizeof(Vector3) +
+         (mesh.face_offsets.capacity() + mesh.face_vertices.capacity()) * sizeof(Index);
+}
+
+/// Connectivity and the ids that go with it.
+std::size_t bytes_of(const HalfEdgeMesh& mesh) {
+  return 8 * block_overhead + sizeof(HalfEdgeMesh) +
+         sizeof(Index) * (4 * std::size_t(mesh.half_edge_count()) + 3 * std::size_t(mesh.vertex_count()) +
+                          2 * std::size_t(mesh.face_count()) + mesh.edge_count());
+}
+
+/// Calls visit(address, bytes) for each block of the polyhedron that other values may share. Positions lie in
+/// chunks that are not visible from outside, but where neighbours in the array are not neighbours in memory,
+/// a chunk ends.
+template <class Visit>
+void visit_polyhedron(const Polyhedron& polyhedron, Visit&& visit) {
+  visit(polyhedron.shared_topology().get(), bytes_of(polyhedron.topology()));
+  Index begin = 0;
+  for (Index v = 1; v <= polyhedron.vertex_count(); ++v) {
+    if (v < polyhedron.vertex_count() && &polyhedron.position(v) == &polyhedron.position(v - 1) + 1) continue;
+    visit(&polyhedron.position(begin), (v - begin) * sizeof(Vector3) + 2 * block_overhead);
+    begin = v;
+  }
+}
+
+std::size_t chunk_table_bytes(const Polyhedron& polyhedron) {
+  return (polyhedron.vertex_count() / 128 + 1) * sizeof(std::shared_ptr<void>) + block_overhead;
+}
+
+template <class Visit>
+void visit_object(const Object& object, Visit&& visit) {
+  visit(object.kept.get(), bytes_of(*object.kept));
+  if (const auto* source = object.polyhedron()) {
+    visit(source->shaping.get(), bytes_of(*source->shaping));
+    visit(source->kept.get(), bytes_of(*source->kept));
+    visit_polyhedron(source->polyhedron, visit);
+  } else if (const auto* mesh = object.mesh()) {
+    visit(mesh->mesh.get(), bytes_of(*mesh->mesh));
+    visit(mesh->kept.get(), bytes_of(*mesh->kept));
+  } else {
+    const auto& unknown = std::get<UnknownSource>(object.source);
+    visit(unknown.json.get(), block_overhead + unknown.json->capacity());
+  }
+}
+
+std::size_t own_bytes(const Object& object) {
+  std::size_t bytes = block_overhead + sizeof(Object) + object.name.capacity();
+  if (const auto* source = object.polyhedron()) bytes += chunk_table_bytes(source->polyhedron);
+  return bytes;
+}
+
+std::size_t own_bytes(const Document& document) {
+  return block_overhead + sizeof(Document) + document.objects.size() * sizeof(document.objects[0]);
+}
+
+}  // namespace
+
+bool SharedMemory::enter(const void* address, std::size_t bytes) {
+  Block& block = blocks_[address];
+  if (block.users++ > 0) return false;
+  block.bytes = bytes;
+  bytes_ += bytes;
+  return true;
+}
+
+bool SharedMemory::leave(const void* address) {
+  const auto found = blocks_.find(address);
+  HARIKO_ASSERT(found != blocks_.end(), "memory that was never counted");
+  if (--found->second.users > 0) return false;
+  bytes_ -= found->second.bytes;
+  blocks_.erase(found);
+  return true;
+}
+
+void SharedMemory::add(const Document& document) {
+  bytes_ += own_bytes(document);
+  enter(document.kept.get(), bytes_of(*document.kept));
+  for (const auto& object : document.objects)
+    if (enter(object.get(), own_bytes(*object)))
+      visit_object(*object, [this](const void* address, std::size_t bytes) { enter(address, bytes); });
+}
+
+void SharedMemory::remove(const Document& document) {
+  bytes_ -= own_bytes(document);
+  leave(document.kept.get());
+  for (const auto& object : document.objects)
+    if (leave(object.get()))
+      visit_object(*object, [this](const void* address, std::size_t) { leave(address); });
+}
+
+}  // namespace hariko

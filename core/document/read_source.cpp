@@ -1,0 +1,259 @@
+#include "core/document/read_source.hpp"
+
+#include <algorithm>
+
+#include "core/base/printable.hpp"
+#include "core/document/edge_set.hpp"
+#include "core/document/edit_elements.hpp"
+#include "core/document/format_names.hpp"
+
+namespace hariko::detail {
+namespace {
+
+constexpr std::uint32_t max_id = no_index - 1;
+
+bool is_known(std::string_view name, Names known) {
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+/// Takes the message of a check of a value and says where the value is.
+void take_error(JsonReader& reader, const JsonCursor& at, const Result<Done>& checked) {
+  if (checked) return;
+  Message message = checked.error();
+  message.text = at.path() + ": " + message.text;
+  reader.fail(std::move(message));
+}
+
+/// Ids must ascend, so that each is named once and lists are read in linear time.
+template <class Id>
+bool ascends(JsonReader& reader, const JsonCursor& at, std::optional<Id>& last, Id id) {
+  if (!last || *last < id) {
+    last = id;
+    return true;
+  }
+  reader.fail(at, "entries must be in ascending order, each once");
+  return false;
+}
+
+/// The vertex and face lists of a polyhedron as the file has them.
+struct Lists {
+  PolygonMesh mesh;
+  std::vector<VertexId> vertex_ids;
+  std::vector<FaceId> face_ids;
+};
+
+/// Rows [id, x, y, z].
+void read_vertices(JsonReader& reader, const JsonCursor& at, Lists& lists) {
+  std::optional<VertexId> last;
+  reader.for_each(at, [&](const JsonCursor& row) {
+    if (reader.array_size(row, 4, 4) != 4) return;
+    const VertexId id{reader.integer(JsonCursor(row, 0), 0, max_id)};
+    Vector3 position;
+    for (int i = 0; i < 3; ++i) position[i] = reader.number(JsonCursor(row, static_cast<std::size_t>(i) + 1));
+    if (!ascends(reader, row, last, id)) return;
+    lists.vertex_ids.push_back(id);
+    lists.mesh.positions.push_back(position);
+  });
+}
+
+/// Rows [id, vertex id, vertex id, ...].
+void read_faces(JsonReader& reader, const JsonCursor& at, Lists& lists) {
+  std::optional<FaceId> last;
+  std::vector<Index> corners;
+  reader.for_each(at, [&](const JsonCursor& row) {
+    const std::size_t size = reader.array_size(row, 1, std::size_t(-1));
+    if (size == 0) return;
+    const FaceId id{reader.integer(JsonCursor(row, 0), 0, max_id)};
+    if (!ascends(reader, row, last, id)) return;
+    corners.clear();
+    for (std::size_t i = 1; i < size && !reader.failed(); ++i) {
+      const JsonCursor corner(row, i);
+      const VertexId vertex{reader.integer(corner, 0, max_id)};
+      const auto found = std::lower_bound(lists.vertex_ids.begin(), lists.vertex_ids.end(), vertex);
+      if (found == lists.vertex_ids.end() || *found != vertex)
+        reader.fail(corner, "there is no vertex with this id");
+      corners.push_back(static_cast<Index>(found - lists.vertex_ids.begin()));
+    }
+    lists.face_ids.push_back(id);
+    lists.mesh.add_face(corners);
+  });
+}
+
+/// Reads the settings of elements; each list ascends in its ids.
+class ShapingReader {
+ public:
+  ShapingReader(JsonReader& reader, const Polyhedron& polyhedron)
+      : reader_(reader), polyhedron_(polyhedron) {}
+
+  Shaping read(const JsonCursor& at) {
+    Shaping shaping;
+    reader_.if_member(at, "alpha", [&](const JsonCursor& list) { read_alpha(list, shaping); });
+    reader_.if_member(at, "beta", [&](const JsonCursor& list) { read_beta(list, shaping); });
+    reader_.if_member(at, "crease", [&](const JsonCursor& list) { read_crease(list, shaping); });
+    reader_.if_member(at, "tag", [&](const JsonCursor& list) { read_tags(list, shaping); });
+    reader_.if_member(at, "pin", [&](const JsonCursor& list) { read_pins(list, shaping); });
+    return shaping;
+  }
+
+ private:
+  VertexId vertex(const JsonCursor& at) {
+    const VertexId id{reader_.integer(at, 0, max_id)};
+    if (!reader_.failed() && polyhedron_.find(id) == no_index)
+      reader_.fail(at, "there is no vertex with this id");
+    return id;
+  }
+  EdgeId edge(const JsonCursor& row) {
+    const EdgeId id{{reader_.integer(JsonCursor(row, 0), 0, max_id)},
+                    {reader_.integer(JsonCursor(row, 1), 0, max_id)}};
+    if (!edges_) edges_.emplace(polyhedron_);
+    if (!reader_.failed() && !edges_->contains(id))
+      reader_.fail(row, "there is no edge between these vertices, the smaller id first");
+    return id;
+  }
+
+  void read_alpha(const JsonCursor& list, Shaping& shaping) {
+    std::optional<VertexId> last;
+    reader_.for_each(list, [&](const JsonCursor& row) {
+      if (reader_.array_size(row, 2, 2) != 2) return;
+      const VertexId id = vertex(JsonCursor(row, 0));
+      const double value = reader_.number(JsonCursor(row, 1));
+      take_error(reader_, row, check_alpha(value));
+      if (ascends(reader_, row, last, id)) shaping.alpha.set(id, value);
+    });
+  }
+  void read_beta(const JsonCursor& list, Shaping& shaping) {
+    std::optional<EdgeId> last;
+    reader_.for_each(list, [&](const JsonCursor& row) {
+      if (reader_.array_size(row, 3, 3) != 3) return;
+      const EdgeId id = edge(row);
+      const double value = reader_.number(JsonCursor(row, 2));
+      take_error(reader_, row, check_beta(value));
+      if (ascends(reader_, row, last, id)) shaping.beta.set(id, value);
+    });
+  }
+  void read_crease(const JsonCursor& list, Shaping& shaping) {
+    std::optional<EdgeId> last;
+    reader_.for_each(list, [&](const JsonCursor& row) {
+      if (reader_.array_size(row, 2, 2) != 2) return;
+      const EdgeId id = edge(row);
+      if (ascends(reader_, row, last, id)) shaping.crease.set(id, true);
+    });
+  }
+  void read_tags(const JsonCursor& list, Shaping& shaping) {
+    std::optional<VertexId> last;
+    reader_.for_each(list, [&](const JsonCursor& row) {
+      if (reader_.array_size(row, 2, 2) != 2) return;
+      const VertexId id = vertex(JsonCursor(row, 0));
+      const auto tag = static_cast<VertexTag>(reader_.choice(JsonCursor(row, 1), tag_names));
+      if (ascends(reader_, row, last, id)) shaping.tag.set(id, tag);
+    });
+  }
+  void read_pins(const JsonCursor& list, Shaping& shaping) {
+    std::optional<VertexId> last;
+    reader_.for_each(list, [&](const JsonCursor& row) {
+      if (!reader_.is_object(row)) return;
+      refuse_unknown_members(reader_, row, pin_members);
+      VertexId id;
+      Pin pin;
+      reader_.member(row, "vertex", [&](const JsonCursor& at) { id = vertex(at); });
+      reader_.member(row, "kind", [&](const JsonCursor& at) {
+        pin.kind = static_cast<Pin::Kind>(reader_.choice(at, pin_names));
+      });
+      reader_.member(row, "vectors", [&](const JsonCursor& at) {
+        reader_.for_each(at,
+                         [&](const JsonCursor& vector) { pin.vectors.push_back(reader_.vector(vector)); });
+      });
+      if (reader_.failed()) return;
+      take_error(reader_, row, check_pin(pin));
+      if (ascends(reader_, row, last, id)) shaping.pin.set(id, std::move(pin));
+    });
+  }
+
+  JsonReader& reader_;
+  const Polyhedron& polyhedron_;
+  std::optional<EdgeSet> edges_;  ///< made when the first edge is asked for
+};
+
+Vector3 read_origin(JsonReader& reader, const JsonCursor& at) {
+  Vector3 origin = Vector3::Zero();
+  reader.if_member(at, "origin", [&](const JsonCursor& member) { origin = reader.vector(member); });
+  return origin;
+}
+
+std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, std::string_view text) {
+  Mode mode = Mode::fair;
+  reader.if_member(at, "mode", [&](const JsonCursor& member) {
+    mode = static_cast<Mode>(reader.choice(member, mode_names));
+  });
+  const Vector3 origin = read_origin(reader, at);
+  Lists lists;
+  reader.member(at, "vertices", [&](const JsonCursor& member) { read_vertices(reader, member, lists); });
+  reader.member(at, "faces", [&](const JsonCursor& member) { read_faces(reader, member, lists); });
+  if (reader.failed()) return std::nullopt;
+  Result<Polyhedron> polyhedron =
+      Polyhedron::build(lists.mesh, std::move(lists.vertex_ids), std::move(lists.face_ids));
+  if (!polyhedron) {
+    Message message = polyhedron.error();
+    message.text = at.path() + ": " + message.text;
+    reader.fail(std::move(message));
+    return std::nullopt;
+  }
+  Shaping shaping = ShapingReader(reader, *polyhedron).read(at);
+  if (reader.failed()) return std::nullopt;
+  return PolyhedronSource{origin, *std::move(polyhedron), std::move(shaping), mode,
+                          kept_members(at, polyhedron_members, text)};
+}
+
+std::optional<Source> read_mesh(JsonReader& reader, const JsonCursor& at, std::string_view text) {
+  const Vector3 origin = read_origin(reader, at);
+  PolygonMesh mesh;
+  reader.member(at, "vertices", [&](const JsonCursor& list) {
+    reader.for_each(list, [&](const JsonCursor& row) { mesh.positions.push_back(reader.vector(row)); });
+  });
+  reader.member(at, "faces", [&](const JsonCursor& list) {
+    if (reader.array_size(list, 1, std::size_t(-1)) == 0) return;
+    std::vector<Index> corners;
+    reader.for_each(list, [&](const JsonCursor& row) {
+      const std::size_t size = reader.array_size(row, 3, std::size_t(-1));
+      corners.clear();
+      for (std::size_t i = 0; i < size && !reader.failed(); ++i) {
+        const Index corner = reader.integer(JsonCursor(row, i), 0, max_id);
+        if (corner >= mesh.positions.size())
+          reader.fail(JsonCursor(row, i), "there are not so many vertices");
+        corners.push_back(corner);
+      }
+      mesh.add_face(corners);
+    });
+  });
+  if (reader.failed()) return std::nullopt;
+  return MeshSource{origin, std::move(mesh), kept_members(at, mesh_members, text)};
+}
+
+}  // namespace
+
+std::optional<Source> read_source(JsonReader& reader, const JsonCursor& at, std::string_view text) {
+  if (!reader.is_object(at)) return std::nullopt;
+  std::string kind;
+  reader.member(at, "kind", [&](const JsonCursor& member) { kind = reader.string(member); });
+  if (reader.failed()) return std::nullopt;
+  if (kind == "polyhedron") return read_polyhedron(reader, at, text);
+  if (kind == "mesh") return read_mesh(reader, at, text);
+  const JsonMember& whole = *at.member();
+  return UnknownSource{kind, std::string(text.substr(whole.begin, whole.end - whole.begin))};
+}
+
+KeptMembers kept_members(const JsonCursor& at, Names known, std::string_view text) {
+  KeptMembers kept;
+  for (const JsonMember& member : *at.value().object())
+    if (!is_known(member.name, known))
+      kept.push_back({member.name, std::string(text.substr(member.begin, member.end - member.begin))});
+  return kept;
+}
+
+void refuse_unknown_members(JsonReader& reader, const JsonCursor& at, Names known) {
+  for (const JsonMember& member : *at.value().object())
+    if (!is_known(member.name, known))
+      reader.fail(at, "the member \"" + printable(member.name, 80) + "\" is unknown");
+}
+
+}  // namespace hariko::detail

@@ -1,0 +1,70 @@
+#pragma once
+
+// Sources: what an object is made from. Authored data only, nothing derived.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/base/vector.hpp"
+#include "core/document/shared.hpp"
+#include "core/network/shaping.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+#include "core/polyhedron/polygon_mesh.hpp"
+#include "core/polyhedron/polyhedron.hpp"
+
+namespace hariko {
+
+/// A member of a file that this program does not know: kept, and written back as it was.
+struct KeptMember {
+  std::string name;
+  std::string json;  ///< the text of its value, byte for byte
+  friend bool operator==(const KeptMember&, const KeptMember&) = default;
+};
+using KeptMembers = std::vector<KeptMember>;
+
+/// A polyhedron with tensions, which becomes a surface. A point of the object is origin + position.
+struct PolyhedronSource {
+  Vector3 origin = Vector3::Zero();
+  Polyhedron polyhedron;  ///< positions relative to origin
+  Shared<Shaping> shaping;
+  Mode mode = Mode::fair;
+  Shared<KeptMembers> kept;
+
+  /// Takes a mesh with absolute positions, chooses the origin (`origin_for`) and subtracts it. Errors: those
+  /// of `Polyhedron::build`; elements are dense indices, which are also the new ids.
+  static Result<PolyhedronSource> from_mesh(PolygonMesh mesh);
+
+  /// What `PolyhedronSurfacer::rebuild` takes.
+  PolyhedronSurfaceInput surface_input() const { return {polyhedron, *shaping, mode, origin}; }
+
+  friend bool operator==(const PolyhedronSource& a, const PolyhedronSource& b);
+};
+
+/// An imported mesh kept as reference: facets only, no surface, not necessarily manifold. Positions are
+/// finite and relative to origin; faces have at least three corners with indices in range.
+struct MeshSource {
+  Vector3 origin = Vector3::Zero();
+  Shared<PolygonMesh> mesh;
+  Shared<KeptMembers> kept;
+
+  /// Takes a mesh with absolute positions. Errors: E_NONFINITE, E_NO_FACES, E_INDEX_RANGE, E_FACE_TOO_SMALL.
+  static Result<MeshSource> from_mesh(PolygonMesh mesh);
+
+  friend bool operator==(const MeshSource& a, const MeshSource& b);
+};
+
+/// A kind of object that this version of the program does not know: kept, and written back as it was.
+struct UnknownSource {
+  std::string kind;
+  Shared<std::string> json;  ///< the text of the whole source value, byte for byte
+  friend bool operator==(const UnknownSource&, const UnknownSource&) = default;
+};
+
+using Source = std::variant<PolyhedronSource, MeshSource, UnknownSource>;
+
+/// "polyhedron", "mesh", or the kind's name in the file.
+std::string_view kind_of(const Source& source);
+
+}  // namespace hariko

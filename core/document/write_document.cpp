@@ -1,0 +1,296 @@
+#include <array>
+#include <charconv>
+
+#include "core/document/format.hpp"
+#include "core/document/format_names.hpp"
+
+namespace hariko {
+namespace {
+
+/// Builds JSON text. Lists of numbers stay on one line each, everything else has a line of its own.
+class Writer {
+ public:
+  std::string take() {
+    text_ += '\n';
+    return std::move(text_);
+  }
+
+  void open(char bracket) {
+    text_ += bracket;
+    ++depth_;
+    first_ = true;
+  }
+  void close(char bracket) {
+    --depth_;
+    if (!first_) line();
+    text_ += bracket;
+    first_ = false;
+  }
+  /// Starts the next entry of a list or object on a new line.
+  void next() {
+    if (!first_) text_ += ',';
+    line();
+    first_ = false;
+  }
+  void key(std::string_view name) {
+    next();
+    string(name);
+    text_ += ": ";
+  }
+  void raw(std::string_view json) { text_ += json; }
+  void boolean(bool value) { text_ += value ? "true" : "false"; }
+
+  /// The shortest text that reads back as the same number.
+  void number(double value) {
+    HARIKO_ASSERT(value - value == 0, "JSON has no number that is not finite");
+    if (value == 0) {  // "-0" would read back as a whole number, without its sign
+      text_ += std::signbit(value) ? "-0.0" : "0";
+      return;
+    }
+    append(value);
+  }
+  void number(std::uint32_t value) { append(value); }
+
+  void string(std::string_view value) {
+    text_ += '"';
+    for (const char c : value) {
+      if (c == '"' || c == '\\') {
+        text_ += '\\';
+        text_ += c;
+      } else if (static_cast<unsigned char>(c) < 0x20) {
+        constexpr std::string_view digits = "0123456789abcdef";
+        text_ += "\\u00";
+        text_ += digits[static_cast<unsigned char>(c) / 16];
+        text_ += digits[static_cast<unsigned char>(c) % 16];
+      } else {
+        text_ += c;
+      }
+    }
+    text_ += '"';
+  }
+  /// [a, b, c] on one line; each entry is written by write(i).
+  template <class Write>
+  void row(std::size_t count, Write&& write) {
+    text_ += '[';
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i > 0) text_ += ", ";
+      write(i);
+    }
+    text_ += ']';
+  }
+  void vector(const Vector3& v) {
+    row(3, [&](std::size_t i) { number(v[static_cast<Eigen::Index>(i)]); });
+  }
+  void kept(const KeptMembers& members) {
+    for (const KeptMember& member : members) {
+      key(member.name);
+      raw(member.json);
+    }
+  }
+  /// "name": [ one line for each entry ], or nothing when there are none.
+  template <class Range, class Write>
+  void list(std::string_view name, const Range& range, Write&& write) {
+    if (range.empty()) return;
+    key(name);
+    open('[');
+    for (const auto& entry : range) {
+      next();
+      write(entry);
+    }
+    close(']');
+  }
+
+ private:
+  void line() {
+    text_ += '\n';
+    text_.append(2 * depth_, ' ');
+  }
+  template <class Number>
+  void append(Number value) {
+    std::array<char, 400> buffer;
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    text_.append(buffer.data(), result.ptr);
+  }
+
+  std::string text_;
+  std::size_t depth_ = 0;
+  bool first_ = true;
+};
+
+void write_shaping(Writer& out, const Shaping& shaping) {
+  out.list("alpha", shaping.alpha, [&](const auto& entry) {
+    out.row(2, [&](std::size_t i) { i == 0 ? out.number(entry.first.value) : out.number(entry.second); });
+  });
+  out.list("beta", shaping.beta, [&](const auto& entry) {
+    out.row(3, [&](std::size_t i) {
+      if (i < 2) out.number(i == 0 ? entry.first.low.value : entry.first.high.value);
+      if (i == 2) out.number(entry.second);
+    });
+  });
+  out.list("crease", shaping.crease, [&](const auto& entry) {
+    out.row(2, [&](std::size_t i) { out.number(i == 0 ? entry.first.low.value : entry.first.high.value); });
+  });
+  out.list("tag", shaping.tag, [&](const auto& entry) {
+    out.row(2, [&](std::size_t i) {
+      i == 0 ? out.number(entry.first.value) : out.string(detail::name_of(entry.second, detail::tag_names));
+    });
+  });
+  out.list("pin", shaping.pin, [&](const auto& entry) {
+    out.raw("{\"vertex\": ");
+    out.number(entry.first.value);
+    out.raw(", \"kind\": ");
+    out.string(detail::name_of(entry.second.kind, detail::pin_names));
+    out.raw(", \"vectors\": ");
+    out.row(entry.second.vectors.size(), [&](std::size_t i) { out.vector(entry.second.vectors[i]); });
+    out.raw("}");
+  });
+}
+
+void write_source(Writer& out, const PolyhedronSource& source) {
+  const Polyhedron& polyhedron = source.polyhedron;
+  out.open('{');
+  out.key("kind");
+  out.string("polyhedron");
+  out.key("mode");
+  out.string(detail::name_of(source.mode, detail::mode_names));
+  out.key("origin");
+  out.vector(source.origin);
+  out.key("vertices");
+  out.open('[');
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
+    out.next();
+    out.row(4, [&](std::size_t i) {
+      i == 0 ? out.number(polyhedron.vertex_id(v).value)
+             : out.number(polyhedron.position(v)[static_cast<Eigen::Index>(i) - 1]);
+    });
+  }
+  out.close(']');
+  out.key("faces");
+  out.open('[');
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    const auto corners = polyhedron.topology().face_vertices(f);
+    out.next();
+    out.row(corners.size() + 1, [&](std::size_t i) {
+      out.number(i == 0 ? polyhedron.face_id(f).value : polyhedron.vertex_id(corners[i - 1]).value);
+    });
+  }
+  out.close(']');
+  write_shaping(out, *source.shaping);
+  out.kept(*source.kept);
+  out.close('}');
+}
+
+void write_source(Writer& out, const MeshSource& source) {
+  const PolygonMesh& mesh = *source.mesh;
+  out.open('{');
+  out.key("kind");
+  out.string("mesh");
+  out.key("origin");
+  out.vector(source.origin);
+  out.key("vertices");
+  out.open('[');
+  for (const Vector3& position : mesh.positions) {
+    out.next();
+    out.vector(position);
+  }
+  out.close(']');
+  out.key("faces");
+  out.open('[');
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto corners = mesh.face(f);
+    out.next();
+    out.row(corners.size(), [&](std::size_t i) { out.number(corners[i]); });
+  }
+  out.close(']');
+  out.kept(*source.kept);
+  out.close('}');
+}
+
+void write_source(Writer& out, const UnknownSource& source) {
+  out.raw(*source.json);
+}
+
+void write_transform(Writer& out, const Similarity& transform) {
+  const Eigen::Quaterniond& q = transform.rotation;
+  const std::array<double, 4> rotation{q.w(), q.x(), q.y(), q.z()};
+  out.raw("{\"rotation\": ");
+  out.row(4, [&](std::size_t i) { out.number(rotation[i]); });
+  out.raw(", \"scale\": ");
+  out.number(transform.scale);
+  out.raw(", \"translation\": ");
+  out.vector(transform.translation);
+  out.raw("}");
+}
+
+void write_display(Writer& out, const DisplaySettings& display) {
+  const auto flag = [&](std::string_view name, bool value) {
+    out.string(name);
+    out.raw(": ");
+    out.boolean(value);
+    out.raw(", ");
+  };
+  out.raw("{");
+  flag("surface", display.surface);
+  flag("polyhedron", display.polyhedron);
+  flag("network", display.network);
+  out.raw("\"map\": ");
+  out.string(detail::name_of(display.map, detail::map_names));
+  out.raw(", \"density\": ");
+  out.number(static_cast<std::uint32_t>(display.density));
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string colour = "#";
+  for (const std::uint8_t part : {display.colour.red, display.colour.green, display.colour.blue}) {
+    colour += digits[part / 16];
+    colour += digits[part % 16];
+  }
+  out.raw(", \"colour\": ");
+  out.string(colour);
+  out.raw("}");
+}
+
+void write_object(Writer& out, const Object& object) {
+  out.open('{');
+  out.key("id");
+  out.number(object.id.value);
+  out.key("name");
+  out.string(object.name);
+  out.key("visible");
+  out.boolean(object.visible);
+  out.key("locked");
+  out.boolean(object.locked);
+  out.key("transform");
+  write_transform(out, object.transform);
+  out.key("display");
+  write_display(out, object.display);
+  out.key("source");
+  std::visit([&](const auto& source) { write_source(out, source); }, object.source);
+  out.kept(*object.kept);
+  out.close('}');
+}
+
+}  // namespace
+
+std::string write_document(const Document& document) {
+  Writer out;
+  out.open('{');
+  out.key("format");
+  out.string("hariko");
+  out.key("version");
+  out.number(static_cast<std::uint32_t>(format_version));
+  out.key("unit");
+  out.string(detail::name_of(document.unit, detail::unit_names));
+  out.key("next_object_id");
+  out.number(document.next_object_id.value);
+  out.key("objects");
+  out.open('[');
+  for (const auto& object : document.objects) {
+    out.next();
+    write_object(out, *object);
+  }
+  out.close(']');
+  out.kept(*document.kept);
+  out.close('}');
+  return out.take();
+}
+
+}  // namespace hariko

@@ -1,0 +1,215 @@
+// The file format: what is written comes back, and what is not known is kept.
+
+#include "core/document/format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "core/document/edits.hpp"
+#include "tests/document/random_documents.hpp"
+
+namespace hariko {
+namespace {
+
+std::string file_text(const std::string& path) {
+  std::ifstream file(HARIKO_SOURCE_DIR "/" + path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string message_of(const Result<Document>& result) {
+  return result ? "fine" : to_string(result.error());
+}
+
+/// Equality of values takes -0 for 0; the file must not.
+void expect_same_bits(const PolyhedronSource& a, const PolyhedronSource& b) {
+  for (Index v = 0; v < a.polyhedron.vertex_count(); ++v)
+    for (int i = 0; i < 3; ++i)
+      ASSERT_EQ(std::signbit(a.polyhedron.position(v)[i]), std::signbit(b.polyhedron.position(v)[i]));
+}
+
+TEST(Format, RandomDocumentsComeBackEqual) {
+  test::for_random(1, 200, [](std::mt19937_64& rng) {
+    const Document document = test::any_document(rng);
+    const std::string text = write_document(document);
+    const Result<Document> again = read_document(text);
+    ASSERT_TRUE(again) << message_of(again) << "\n" << text;
+    ASSERT_TRUE(*again == document) << text;
+    ASSERT_EQ(write_document(*again), text);
+    for (std::size_t i = 0; i < document.objects.size(); ++i)
+      if (const auto* source = document.objects[i]->polyhedron())
+        expect_same_bits(*source, *again->objects[i]->polyhedron());
+  });
+}
+
+TEST(Format, EqualityNoticesEveryField) {
+  const Document document = test::cube_document();
+  const auto changed = [&](auto&& change) {
+    Object object = *document.objects[0];
+    change(object);
+    Document other = document;
+    other.objects[0] = std::make_shared<const Object>(std::move(object));
+    EXPECT_FALSE(other == document);
+    const Result<Document> again = read_document(write_document(other));
+    ASSERT_TRUE(again) << message_of(again);
+    EXPECT_TRUE(*again == other);
+  };
+  const auto source_of = [](Object& object) -> PolyhedronSource& {
+    return std::get<PolyhedronSource>(object.source);
+  };
+  const auto shape = [&](auto&& change) {
+    changed([&](Object& object) {
+      Shaping shaping;
+      change(shaping);
+      source_of(object).shaping = shaping;
+    });
+  };
+  changed([](Object& o) { o.id.value = 0; });
+  changed([](Object& o) { o.name = "Other"; });
+  changed([](Object& o) { o.visible = false; });
+  changed([](Object& o) { o.locked = true; });
+  changed([](Object& o) { o.transform.scale = 2; });
+  changed([](Object& o) { o.transform.translation.z() = 1; });
+  changed([](Object& o) { o.transform.rotation = Eigen::Quaterniond(0, 1, 0, 0); });
+  changed([](Object& o) { o.display.surface = false; });
+  changed([](Object& o) { o.display.polyhedron = false; });
+  changed([](Object& o) { o.display.network = false; });
+  changed([](Object& o) { o.display.map = SurfaceMap::zebra; });
+  changed([](Object& o) { o.display.density = 9; });
+  changed([](Object& o) { o.display.colour.blue = 1; });
+  changed([](Object& o) { o.kept = KeptMembers{{"x", "1"}}; });
+  changed([&](Object& o) { source_of(o).mode = Mode::paper; });
+  changed([&](Object& o) { source_of(o).origin.x() = 4; });
+  changed([&](Object& o) { source_of(o).kept = KeptMembers{{"x", "1"}}; });
+  shape([](Shaping& s) { s.alpha.set({3}, 2); });
+  shape([](Shaping& s) { s.beta.set(EdgeId::of({0}, {1}), 2); });
+  shape([](Shaping& s) { s.crease.set(EdgeId::of({0}, {1}), true); });
+  shape([](Shaping& s) { s.tag.set({3}, VertexTag::smooth); });
+  shape([](Shaping& s) { s.pin.set({3}, {Pin::Kind::normal, {{0, 0, 1}}}); });
+  Document other = document;
+  other.unit = Unit::inch;
+  EXPECT_FALSE(other == document);
+  other = document;
+  other.next_object_id.value = 7;
+  EXPECT_FALSE(other == document);
+  other = document;
+  other.kept = KeptMembers{{"x", "1"}};
+  EXPECT_FALSE(other == document);
+}
+
+TEST(Format, FixtureOfVersion1ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v1.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  const Document& document = *read;
+  EXPECT_EQ(document.unit, Unit::centimetre);
+  EXPECT_EQ(document.next_object_id.value, 12U);
+  ASSERT_EQ(document.objects.size(), 3U);
+  EXPECT_EQ(*document.kept, (KeptMembers{{"studies", "[{\"kind\": \"paper\",  \"page\": \"A4\"}]"}}));
+
+  const Object& roof = *document.objects[0];
+  EXPECT_EQ(roof.id, ObjectId{5});
+  EXPECT_EQ(roof.name, "Roof 屋根");
+  EXPECT_FALSE(roof.visible);
+  EXPECT_TRUE(roof.locked);
+  EXPECT_EQ(roof.transform.rotation.coeffs(), Eigen::Vector4d(0.6, 0, 0, 0.8));
+  EXPECT_EQ(roof.transform.scale, 2.5);
+  EXPECT_EQ(roof.transform.translation, Vector3(1, -2, 1e-3));
+  EXPECT_EQ(roof.display, (DisplaySettings{false, true, false, SurfaceMap::zebra, 16, {0xff, 0x80, 0x00}}));
+  EXPECT_EQ(*roof.kept, (KeptMembers{{"note", "\"keep me\""}}));
+  const PolyhedronSource& source = *roof.polyhedron();
+  EXPECT_EQ(source.mode, Mode::target);
+  EXPECT_EQ(source.origin, Vector3(1024, 0, -0.5));
+  EXPECT_EQ(source.polyhedron.vertex_id(4), VertexId{14});
+  EXPECT_EQ(source.polyhedron.face_id(0), FaceId{3});
+  EXPECT_EQ(source.polyhedron.position(4), Vector3(0.1, 0, 1.7976931348623157e308));
+  EXPECT_EQ(source.polyhedron.face_count(), 4U);
+  Shaping shaping;
+  shaping.alpha.set({14}, 10);
+  shaping.beta.set(EdgeId{{10}, {11}}, 0.001);
+  shaping.crease.set(EdgeId{{11}, {14}}, true);
+  shaping.tag.set({10}, VertexTag::corner);
+  shaping.tag.set({12}, VertexTag::smooth);
+  shaping.pin.set({11}, {Pin::Kind::tangents, {{1, 0, 0}, {0, 1, 0}}});
+  shaping.pin.set({14}, {Pin::Kind::normal, {{0, 0, 1}}});
+  EXPECT_EQ(*source.shaping, shaping);
+
+  const MeshSource& mesh = *document.objects[1]->mesh();
+  EXPECT_EQ(mesh.origin, Vector3(0, 0, 8));
+  EXPECT_EQ(mesh.mesh->positions.size(), 4U);
+  EXPECT_EQ(mesh.mesh->face(1)[2], 3U);
+  EXPECT_EQ(document.objects[1]->display, DisplaySettings{});
+
+  const auto& unknown = std::get<UnknownSource>(document.objects[2]->source);
+  EXPECT_EQ(unknown.kind, "envelope");
+  EXPECT_EQ(*unknown.json, "{\"kind\": \"envelope\", \"solids\": [{\"r\": 1.50}, 12345678901234567890123]}");
+
+  EXPECT_EQ(*read_document(write_document(document)), document);
+  EXPECT_EQ(write_document(document), text) << "the fixture is written as this version writes";
+}
+
+TEST(Format, UnknownPartsStayByteForByte) {
+  const std::string source =
+      "{ \"kind\" : \"skin\",\n\"sections\":[ 1.0,1e2 , -0,\t\"\\u00e9\\/\" ] ,\"z\":{}}";
+  const std::string text =
+      R"({"future": [ 1 ,2], "format":"hariko","version":1,"objects":[{"id":3,"name":"Skin","source":)" +
+      source + R"(,"last":12.50}]  ,"end":true})";
+  const Document document = read_document(text).value();
+  EXPECT_EQ(*std::get<UnknownSource>(document.objects[0]->source).json, source);
+  EXPECT_EQ(*document.objects[0]->kept, (KeptMembers{{"last", "12.50"}}));
+  EXPECT_EQ(*document.kept, (KeptMembers{{"future", "[ 1 ,2]"}, {"end", "true"}}));
+  const std::string written = write_document(document);
+  EXPECT_NE(written.find(source), std::string::npos);
+  // Edits of something else leave them alone.
+  const Document renamed = rename_object(document, {3}, "Other").value();
+  EXPECT_EQ(std::get<UnknownSource>(renamed.objects[0]->source),
+            std::get<UnknownSource>(document.objects[0]->source));
+  EXPECT_EQ(renamed.objects[0]->kept, document.objects[0]->kept);
+  EXPECT_EQ(renamed.kept, document.kept);
+}
+
+TEST(Format, OnlyEssentialsAreNeeded) {
+  const Result<Document> read = read_document(
+      "\xef\xbb\xbf{\"format\":\"hariko\",\"version\":1,\"objects\":[{\"id\":7,\"name\":\"T\",\"source\":{"
+      "\"kind\":"
+      "\"polyhedron\",\"vertices\":[[0,0,0,0],[1,1,0,0],[2,0,1,0]],\"faces\":[[0,0,1,2]]}}]}\r\n");
+  ASSERT_TRUE(read) << message_of(read);
+  Document expected;
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.add_face({0, 1, 2});
+  expected.next_object_id = {7};
+  expected = add_object(expected, "T", PolyhedronSource::from_mesh(mesh).value()).value().document;
+  EXPECT_TRUE(*read == expected);
+}
+
+TEST(Format, EmptyDocument) {
+  EXPECT_EQ(
+      write_document({}),
+      "{\n  \"format\": \"hariko\",\n  \"version\": 1,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "\"objects\": []\n}\n");
+}
+
+TEST(Format, NumbersDoNotDependOnTheLocale) {
+  const Document document = test::cube_document();
+  const Document moved = move_vertices(document, test::cube_id, std::vector<VertexId>{{0}},
+                                       std::vector<Vector3>{{0.5, 1.25, 1e-7}})
+                             .value();
+  const std::string text = write_document(moved);
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"}) {
+    if (!std::setlocale(LC_ALL, name)) continue;  // whichever the machine has
+    EXPECT_EQ(write_document(moved), text);
+    EXPECT_TRUE(read_document(text).value() == moved);
+  }
+  std::setlocale(LC_ALL, before.c_str());
+  EXPECT_NE(text.find("[0, 0.5, 1.25, 1e-07]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,145 @@
+#pragma once
+
+// Random documents with every field set, for round trips and for histories.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/document/document.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/random_polyhedra.hpp"
+
+namespace hariko::test {
+
+/// A number of any size a position may have, now and then one that is hard to print.
+inline double any_number(std::mt19937_64& rng) {
+  static constexpr std::array special{
+      0.0,      -0.0, 1.0, -1.0, 0.1, 1e22, 1e23, 5e-324, 1e300, 1e-300, 1.0 / 3, 1e16, 123456789012345678.0,
+      0.1 + 0.2};
+  if (chance(rng, 0.2)) return special[rng() % special.size()];
+  return uniform(rng, -1, 1) * std::exp(uniform(rng, -30, 30));
+}
+
+inline Vector3 any_vector(std::mt19937_64& rng) {
+  const double x = any_number(rng), y = any_number(rng);
+  return {x, y, any_number(rng)};
+}
+
+inline std::string any_name(std::mt19937_64& rng) {
+  static const std::array<std::string, 7> parts{"Cup", "張り子", "\"quoted\"", "back\\slash",
+                                                "a/b", "Größe",  "🏺"};
+  std::string name = parts[rng() % parts.size()];
+  while (chance(rng, 0.5)) name += " " + parts[rng() % parts.size()];
+  return name;
+}
+
+inline KeptMembers any_kept(std::mt19937_64& rng) {
+  if (chance(rng, 0.6)) return {};
+  KeptMembers kept{{"later", "{\"deep\": [1,2 ,  {}], \"n\": 1.50e+1}"}};
+  if (chance(rng, 0.5)) kept.push_back({"\"odd\" name\n", "[ -0, 12345678901234567890, null, \"\\u00e4\"]"});
+  if (chance(rng, 0.5)) kept.push_back({"number", "1.0"});
+  return kept;
+}
+
+inline PolygonMesh any_mesh(std::mt19937_64& rng) {
+  switch (uniform_int(rng, 0, 4)) {
+    case 0:
+      return prism(uniform_int(rng, 3, 20));
+    case 1:
+      return torus(uniform_int(rng, 3, 8), uniform_int(rng, 3, 8));
+    case 2:
+      return grid(uniform_int(rng, 1, 12), uniform_int(rng, 1, 12));
+    case 3:
+      return genus_box(uniform_int(rng, 0, 3));
+    default:
+      return pyramid(uniform_int(rng, 3, 30));
+  }
+}
+
+inline Shaping any_shaping(std::mt19937_64& rng, const Polyhedron& polyhedron) {
+  Shaping shaping;
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
+    const VertexId id = polyhedron.vertex_id(v);
+    if (chance(rng, 0.2)) shaping.alpha.set(id, uniform(rng, 0, 1000));
+    if (chance(rng, 0.1)) shaping.tag.set(id, chance(rng, 0.5) ? VertexTag::corner : VertexTag::smooth);
+    if (chance(rng, 0.1)) shaping.pin.set(id, {Pin::Kind::normal, {random_vector(rng) + Vector3(0, 0, 2)}});
+    if (chance(rng, 0.05)) shaping.pin.set(id, {Pin::Kind::tangents, {any_vector(rng), any_vector(rng)}});
+  }
+  for (Index e = 0; e < polyhedron.edge_count(); ++e) {
+    if (chance(rng, 0.2)) shaping.beta.set(polyhedron.edge_id(e), log_uniform(rng, 0.001, 1000));
+    if (chance(rng, 0.1)) shaping.crease.set(polyhedron.edge_id(e), true);
+  }
+  return shaping;
+}
+
+/// A polyhedron whose ids have gaps, at any origin.
+inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
+  PolygonMesh mesh = any_mesh(rng);
+  for (Vector3& position : mesh.positions)
+    if (chance(rng, 0.5)) position = any_vector(rng);
+  std::vector<VertexId> vertex_ids;
+  std::vector<FaceId> face_ids;
+  std::uint32_t id = 0;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    vertex_ids.push_back({id += static_cast<std::uint32_t>(uniform_int(rng, 1, 3))});
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    face_ids.push_back({id += static_cast<std::uint32_t>(uniform_int(rng, 1, 1000))});
+  Polyhedron polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
+  Shaping shaping = any_shaping(rng, polyhedron);
+  return {any_vector(rng), std::move(polyhedron), std::move(shaping),
+          static_cast<Mode>(uniform_int(rng, 0, 2)), any_kept(rng)};
+}
+
+inline Source any_source(std::mt19937_64& rng) {
+  if (chance(rng, 0.7)) return any_polyhedron(rng);
+  if (chance(rng, 0.6)) return MeshSource{any_vector(rng), any_mesh(rng), any_kept(rng)};
+  return UnknownSource{"envelope",
+                       std::string("{ \"solids\":[1.0, 2e0,\n\n {\"r\": 1}], \"kind\":  \"envelope\" }")};
+}
+
+inline Object any_object(std::mt19937_64& rng, ObjectId id) {
+  Similarity transform;
+  transform.rotation =
+      Eigen::Quaterniond(uniform(rng, 0.1, 1), uniform(rng, -1), uniform(rng, -1), uniform(rng, -1))
+          .normalized();
+  transform.scale = log_uniform(rng, 1e-6, 1e6);
+  transform.translation = any_vector(rng);
+  DisplaySettings display;
+  display.surface = chance(rng, 0.5);
+  display.polyhedron = chance(rng, 0.5);
+  display.network = chance(rng, 0.5);
+  display.map = static_cast<SurfaceMap>(uniform_int(rng, 0, 7));
+  display.density = uniform_int(rng, 1, 64);
+  const auto byte = [&] { return static_cast<std::uint8_t>(uniform_int(rng, 0, 255)); };
+  display.colour = {byte(), byte(), byte()};
+  std::string name = any_name(rng);
+  const bool visible = chance(rng, 0.5), locked = chance(rng, 0.3);
+  return {id, std::move(name), visible, locked, transform, display, any_source(rng), any_kept(rng)};
+}
+
+inline Document any_document(std::mt19937_64& rng) {
+  Document document;
+  document.unit = static_cast<Unit>(uniform_int(rng, 0, 3));
+  const int count = uniform_int(rng, 0, 5);
+  for (int i = 0; i < count; ++i) {
+    document.objects.push_back(std::make_shared<const Object>(any_object(rng, document.next_object_id)));
+    document.next_object_id.value += static_cast<std::uint32_t>(uniform_int(rng, 1, 3));
+  }
+  if (chance(rng, 0.3)) std::reverse(document.objects.begin(), document.objects.end());
+  document.kept = any_kept(rng);
+  return document;
+}
+
+/// One cube named "Cube", id 1.
+inline Document cube_document() {
+  return document_from_mesh(cube(), "Cube").value();
+}
+
+inline constexpr ObjectId cube_id{1};
+
+inline const PolyhedronSource& polyhedron_of(const Document& document, ObjectId id = cube_id) {
+  return *document.find(id)->polyhedron();
+}
+
+}  // namespace hariko::test
