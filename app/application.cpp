@@ -1,0 +1,242 @@
+#include "app/application.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "app/document_files.hpp"
+#include "app/gl_window.hpp"
+#include "app/rebuild_engine.hpp"
+#include "app/samples.hpp"
+#include "app/surface_builder.hpp"
+#include "app/test_log.hpp"
+#include "core/document/file.hpp"
+#include "ui/workbench.hpp"
+
+namespace hariko {
+
+namespace {
+
+bool software_renderer() {
+  return describe_gl().find("llvmpipe") != std::string::npos;
+}
+
+class Application {
+ public:
+  Application(GlWindow& window, Renderer renderer, const WindowOptions& options)
+      : window_(window),
+        renderer_(std::move(renderer)),
+        log_(options.test_log),
+        engine_([] { return std::make_unique<SurfaceBuilder>(); }, &GlWindow::wake,
+                [this](ObjectId id, const SurfaceView& view) { log_.rebuilt(id, view); }),
+        long_(&GlWindow::wake),
+        workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()) {
+    editor_.views = &engine_.views();
+    workbench_.samples() = find_samples(assets_folder());
+    if (const char* missing = window_.missing_fonts()) editor_.notify(Notice::Kind::warning, missing);
+    for (const auto& file : options.files) file == options.files.front() ? open(file) : import_file(file);
+    if (options.files.empty()) picture_samples();
+  }
+
+  void run() {
+    while (!quit_) {
+      if (window_.wait(wait_seconds())) frames_ = frames_after_input;
+      editor_.now = window_.now();
+      if (engine_.publish() + long_.publish() > 0) frames_ = std::max(frames_, 2);
+      take_input();
+      const bool blinking = ImGui::GetIO().WantTextInput;
+      if (frames_ <= 0 && !due() && !blinking) continue;
+      --frames_;
+      frame();
+    }
+  }
+
+ private:
+  /// ImGui settles hovering and sizes over a few frames.
+  static constexpr int frames_after_input = 3;
+
+  FileActions file_actions() {
+    FileActions actions;
+    actions.open = [this](const auto& path) { open(path); };
+    actions.import_file = [this](const auto& path) { import_file(path); };
+    actions.save = [this](const auto& path, auto then) { save(path, std::move(then)); };
+    actions.export_file = [this](const auto& path, int density) { export_file(path, density); };
+    actions.quit = [this] { quit_ = true; };
+    return actions;
+  }
+
+  double wait_seconds() const {
+    if (frames_ > 0) return 0;
+    double seconds = 1;
+    const double next = workbench_.viewport().next_frame_in();
+    if (editor_.has_document && next >= 0) seconds = std::min(seconds, next);
+    if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
+    if (!editor_.notices().empty() || engine_.any_pending()) seconds = std::min(seconds, 0.1);
+    if (editor_.history.in_gesture()) seconds = std::min(seconds, RebuildEngine::rest_seconds / 2);
+    return seconds;
+  }
+
+  /// Whether something changes with time alone.
+  bool due() const {
+    const double next = workbench_.viewport().next_frame_in();
+    return (editor_.has_document && next == 0) || !editor_.notices().empty() || engine_.any_pending() ||
+           editor_.history.in_gesture();
+  }
+
+  void take_input() {
+    for (const KeyChord& chord : window_.take_keys()) workbench_.key(chord);
+    for (const auto& path : window_.take_drops()) {
+      if (path.extension() == ".hariko" || !editor_.has_document)
+        workbench_.open_guarded(path);
+      else
+        import_file(path);
+    }
+    if (window_.take_close()) workbench_.guarded([this] { quit_ = true; });
+  }
+
+  void frame() {
+    editor_.now = window_.now();
+    editor_.stale_since.clear();
+    for (const auto& [id, view] : engine_.views())
+      if (engine_.pending(id)) editor_.stale_since[id] = engine_.pending_since(id);
+    window_.begin_frame();
+    workbench_.frame();
+    window_.end_frame();
+    // Edits of this frame go to the worker at once, so that the next frame may show their surface.
+    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now);
+    const std::string title =
+        editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
+    window_.set_title(title);
+    log_.frame(editor_, workbench_,
+               frames_ <= 0 && !due() && long_.idle() && workbench_.viewport().next_frame_in() < 0);
+  }
+
+  /// Runs work on files off the main thread; `done` gets its result on the main thread.
+  template <class Work, class Done>
+  void in_background(std::string what, Work work, Done done) {
+    editor_.job = std::move(what);
+    long_.submit(
+        next_job_++,
+        [this, work = std::move(work),
+         done = std::move(done)](const CancelToken& cancel) -> WorkLane::Publication {
+          auto result = std::make_shared<decltype(work(cancel))>(work(cancel));
+          return [this, result, done] {
+            editor_.job.clear();
+            done(*result);
+          };
+        },
+        WorkLane::Running::finish);
+  }
+
+  void warn(const std::vector<Message>& warnings) {
+    constexpr std::size_t most = 2;
+    for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) editor_.notify(warnings[i]);
+  }
+
+  void open(const std::filesystem::path& path) {
+    in_background(
+        "Opening " + path.filename().string(), [path](const CancelToken&) { return open_file(path); },
+        [this, path](const Result<OpenedFile>& opened) {
+          if (!opened.ok()) return editor_.notify(opened.error());
+          editor_.notices().clear();
+          editor_.open(opened->document, opened->native ? std::optional(path) : std::nullopt);
+          warn(opened->warnings);
+          log_.file("opened", path);
+        });
+  }
+
+  void import_file(const std::filesystem::path& path) {
+    in_background(
+        "Importing " + path.filename().string(), [path](const CancelToken&) { return open_file(path); },
+        [this, path](const Result<OpenedFile>& opened) {
+          if (!opened.ok()) return editor_.notify(opened.error());
+          if (!editor_.has_document) editor_.open({}, {});
+          if (editor_.history.in_gesture()) editor_.cancel_preview();
+          if (!editor_.commit(append_document(editor_.history.current(), opened->document),
+                              "Import " + path.filename().string()))
+            return;
+          editor_.selection.clear_elements();
+          editor_.selection.active = editor_.document().objects.back()->id;
+          editor_.frame_all();
+          warn(opened->warnings);
+          log_.file("imported", path);
+        });
+  }
+
+  void save(const std::filesystem::path& path, std::function<void()> then) {
+    // The committed value is saved, not what a drag shows; it may change on while this one is written.
+    const std::uint64_t serial = editor_.history.serial();
+    in_background(
+        "Saving " + path.filename().string(),
+        [path, document = editor_.history.current()](const CancelToken&) {
+          return save_document(document, path);
+        },
+        [this, path, serial, then = std::move(then)](const Result<Done>& saved) {
+          if (!saved.ok()) return editor_.notify(saved.error());
+          editor_.path = path;
+          editor_.history.mark_saved(serial);
+          editor_.notify(Notice::Kind::info, "Saved " + path.filename().string() + ".");
+          log_.file("saved", path);
+          if (then) then();
+        });
+  }
+
+  void export_file(const std::filesystem::path& path, int density) {
+    in_background(
+        "Exporting " + path.filename().string(),
+        [path, density, document = editor_.history.current()](const CancelToken& cancel) {
+          return export_surfaces(document, path, density, cancel);
+        },
+        [this, path](const Result<Done>& exported) {
+          if (!exported.ok()) return editor_.notify(exported.error());
+          editor_.notify(Notice::Kind::info, "Exported " + path.filename().string() + ".");
+          log_.file("exported", path);
+        });
+  }
+
+  void picture_samples() {
+    for (std::size_t i = 0; i < workbench_.samples().size(); ++i) {
+      const auto path = workbench_.samples()[i].path;
+      long_.submit(
+          next_job_++,
+          [this, i, path](const CancelToken& cancel) -> WorkLane::Publication {
+            auto scene = std::make_shared<Scene>(sample_scene(path, cancel));
+            return [this, i, scene] { workbench_.samples()[i].picture = sample_picture(renderer_, *scene); };
+          },
+          WorkLane::Running::finish);
+    }
+  }
+
+  GlWindow& window_;
+  Renderer renderer_;
+  TestLog log_;
+  Editor editor_;
+  RebuildEngine engine_;
+  WorkLane long_;
+  Workbench workbench_;
+  WorkLane::Key next_job_ = 0;
+  int frames_ = frames_after_input;
+  bool quit_ = false;
+};
+
+int fail(const Message& error) {
+  std::cerr << error.text << "\n";
+  if (!error.remedy.empty()) std::cerr << error.remedy << "\n";
+  return 1;
+}
+
+}  // namespace
+
+int run_window(const WindowOptions& options) {
+  auto window = GlWindow::open({"Hariko", options.width, options.height});
+  if (!window.ok()) return fail(window.error());
+  auto renderer = Renderer::create();
+  if (!renderer.ok()) return fail(renderer.error());
+  Application application(**window, std::move(renderer).value(), options);
+  application.run();
+  return 0;
+}
+
+}  // namespace hariko

@@ -1,0 +1,45 @@
+#pragma once
+
+// The subcommands, with their arguments already parsed. Each returns its exit code.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/document/display.hpp"
+#include "core/network/shaping.hpp"
+#include "render/camera.hpp"
+
+namespace hariko {
+
+inline constexpr int exit_fine = 0, exit_failed = 1, exit_usage = 2;
+
+struct InfoArguments {
+  std::filesystem::path file;
+  bool json = false;
+};
+int run_info(const InfoArguments& arguments);
+
+struct ExportArguments {
+  std::filesystem::path file, out;
+  int density = 8;  ///< 1 .. 256
+};
+int run_export(const ExportArguments& arguments);
+
+struct RenderArguments {
+  std::filesystem::path file, out;
+  int width = 1280, height = 960;
+  StandardView view = StandardView::iso;
+  SurfaceMap map = SurfaceMap::shaded;
+  bool polyhedron = false, network = false;
+};
+int run_render(const RenderArguments& arguments);
+
+struct EvaluateArguments {
+  std::filesystem::path file;
+  std::optional<Mode> mode;  ///< instead of the document's
+  std::optional<std::filesystem::path> tension;
+};
+int run_evaluate(const EvaluateArguments& arguments);
+
+}  // namespace hariko

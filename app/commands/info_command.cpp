@@ -1,0 +1,34 @@
+#include <algorithm>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/console.hpp"
+#include "app/commands/object_info.hpp"
+
+namespace hariko {
+
+int run_info(const InfoArguments& arguments) {
+  Input input = read_input(arguments.file);
+  std::vector<ObjectInfo> objects;
+  if (input.document)
+    for (const auto& object : input.document->objects) objects.push_back(inspect(*object));
+  else if (input.broken_mesh)
+    objects.push_back(inspect_broken(input));
+
+  // What concerns the file as a whole stands with its one object; with several, or none, it goes to the error
+  // stream.
+  if (objects.size() == 1)
+    objects[0].messages.insert(objects[0].messages.begin(), input.messages.begin(), input.messages.end());
+  else
+    for (const Message& message : input.messages) report(arguments.file.string(), message);
+  for (ObjectInfo& object : objects)
+    object.milliseconds.insert(object.milliseconds.begin(), {"read", input.milliseconds});
+
+  const bool nothing = !input.document && !input.broken_mesh;
+  if (!nothing || arguments.json)
+    if (!print(arguments.json ? info_json(objects) : info_text(objects))) return exit_failed;
+  const bool failed = nothing || std::any_of(objects.begin(), objects.end(),
+                                             [](const ObjectInfo& object) { return object.failed(); });
+  return failed ? exit_failed : exit_fine;
+}
+
+}  // namespace hariko

@@ -1,0 +1,150 @@
+#include "app/commands/object_info.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "app/commands/console.hpp"
+#include "core/analysis/continuity.hpp"
+#include "core/analysis/measures.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+#include "core/polyhedron/half_edge_mesh.hpp"
+#include "core/polyhedron/validation.hpp"
+
+namespace hariko {
+
+namespace {
+
+void count_topology(const HalfEdgeMesh& mesh, ObjectInfo& info) {
+  info.vertices = mesh.vertex_count();
+  info.edges = mesh.edge_count();
+  info.faces = mesh.face_count();
+  const auto of_face = mesh.face_components();
+  const std::size_t components = of_face.empty() ? 0 : *std::max_element(of_face.begin(), of_face.end()) + 1;
+  info.components = components;
+  info.boundary_loops = mesh.border_loop_count();
+  long used = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) used += mesh.outgoing(v) != no_index ? 1 : 0;
+  // Euler: V - E + F = 2 components - 2 genus - loops, summed over the components.
+  const long euler = used - long(mesh.edge_count()) + long(mesh.face_count());
+  info.genus = static_cast<std::size_t>((2 * long(components) - long(*info.boundary_loops) - euler) / 2);
+}
+
+/// Validation names elements by dense indices; outside they are known by their ids.
+Element named(const Polyhedron& polyhedron, const Element& element) {
+  const auto vertex = [&](std::uint64_t v) { return polyhedron.vertex_id(static_cast<Index>(v)); };
+  switch (element.kind) {
+    case Element::Kind::vertex:
+      return element.id < polyhedron.vertex_count() ? element_of(vertex(element.id)) : element;
+    case Element::Kind::face:
+      return element.id < polyhedron.face_count()
+                 ? element_of(polyhedron.face_id(static_cast<Index>(element.id)))
+                 : element;
+    case Element::Kind::edge: {
+      const EdgeId dense = EdgeId::from_packed(element.id);
+      if (dense.high.value >= polyhedron.vertex_count()) return element;
+      return element_of(EdgeId::of(vertex(dense.low.value), vertex(dense.high.value)));
+    }
+    default:
+      return element;
+  }
+}
+
+void inspect_surface(const PolyhedronSource& source, double scale, ObjectInfo& info) {
+  Stopwatch watch;
+  const auto lap = [&](const char* step) { info.milliseconds.emplace_back(step, watch.lap()); };
+  for (Message message : validate(source.polyhedron.to_mesh())) {
+    message.element = named(source.polyhedron, message.element);
+    info.messages.push_back(std::move(message));
+  }
+  lap("validate");
+
+  const auto built = PolyhedronSurfacer().rebuild(source.surface_input());
+  lap("rebuild");
+  if (!built.ok()) {
+    info.messages.push_back(built.error());
+    return;
+  }
+  info.messages.insert(info.messages.end(), built->warnings.begin(), built->warnings.end());
+  const Surface& surface = built->surface;
+  info.patches = surface.patch_count();
+
+  const Measures measures = measure(surface);
+  lap("measures");
+  info.area = measures.area * scale * scale;
+  if (measures.volume) info.volume = *measures.volume * scale * scale * scale;
+  info.bending = measures.bending;
+
+  const ContinuityReport report = continuity(surface);
+  lap("continuity");
+  info.largest_gap = report.largest_gap * scale;
+  info.largest_normal_jump = report.largest_normal_jump;
+  info.rms_curvature_jump = report.rms_curvature_jump;
+  info.degenerate_samples = report.degenerate_samples;
+  info.folded_samples = report.folded_samples;
+
+  const auto statistics = curvature_statistics(surface);
+  lap("statistics");
+  if (statistics) {
+    const double square = scale * scale;
+    info.gauss_range = {statistics->gauss.least / square, statistics->gauss.greatest / square};
+    info.mean_range = {statistics->mean.least / scale, statistics->mean.greatest / scale};
+  }
+}
+
+/// Facets as they are: faces are cut into triangles round the mean of their corners.
+void inspect_facets(const PolygonMesh& mesh, double scale, ObjectInfo& info) {
+  Stopwatch watch;
+  info.vertices = mesh.positions.size();
+  info.faces = mesh.face_count();
+  double area = 0, volume = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    Vector3 centre = Vector3::Zero();
+    for (const Index v : face) centre += mesh.positions[v] / double(face.size());
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Vector3 a = mesh.positions[face[k]], b = mesh.positions[face[(k + 1) % face.size()]];
+      const Vector3 cross = (a - centre).cross(b - centre);
+      area += cross.norm() / 2;
+      volume += centre.dot(cross) / 6;
+    }
+  }
+  info.area = area * scale * scale;
+  const auto topology = HalfEdgeMesh::build(mesh);
+  if (topology.ok()) {
+    count_topology(*topology, info);
+    if (*info.boundary_loops == 0) info.volume = volume * scale * scale * scale;
+  }
+  info.milliseconds.emplace_back("measures", watch.lap());
+}
+
+}  // namespace
+
+bool ObjectInfo::failed() const {
+  return std::any_of(messages.begin(), messages.end(),
+                     [](const Message& message) { return message.severity == Severity::error; });
+}
+
+ObjectInfo inspect(const Object& object) {
+  ObjectInfo info;
+  info.name = object.name;
+  info.kind = kind_of(object.source);
+  const double scale = object.transform.scale;
+  if (const PolyhedronSource* source = object.polyhedron()) {
+    count_topology(source->polyhedron.topology(), info);
+    inspect_surface(*source, scale, info);
+  } else if (const MeshSource* mesh = object.mesh()) {
+    inspect_facets(*mesh->mesh, scale, info);
+  }
+  return info;
+}
+
+ObjectInfo inspect_broken(const Input& input) {
+  ObjectInfo info;
+  info.name = input.name;
+  info.kind = "polyhedron";
+  info.vertices = input.broken_mesh->positions.size();
+  info.faces = input.broken_mesh->face_count();
+  return info;
+}
+
+}  // namespace hariko

@@ -1,0 +1,39 @@
+#pragma once
+
+// What `hariko info` tells about an object.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands/input.hpp"
+#include "core/analysis/statistics.hpp"
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+/// What does not exist, or is not known because of an error, is empty. Lengths are in the document's unit,
+/// after the object's transform.
+struct ObjectInfo {
+  std::string name, kind;
+  std::optional<std::size_t> vertices, edges, faces, patches, components, genus, boundary_loops;
+  std::optional<double> area, volume, bending, largest_gap, largest_normal_jump, rms_curvature_jump;
+  std::optional<CurvatureRange> gauss_range, mean_range;
+  std::optional<std::size_t> degenerate_samples, folded_samples;
+  std::vector<Message> messages;
+  std::vector<std::pair<std::string, double>> milliseconds;  ///< step, time
+
+  bool failed() const;
+};
+
+ObjectInfo inspect(const Object& object);
+/// Of a mesh file that makes no polyhedron.
+ObjectInfo inspect_broken(const Input& input);
+
+/// {"objects": [...]} with the keys of docs/cli.md.
+std::string info_json(const std::vector<ObjectInfo>& objects);
+/// The same for people, one line a value.
+std::string info_text(const std::vector<ObjectInfo>& objects);
+
+}  // namespace hariko

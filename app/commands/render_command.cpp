@@ -1,0 +1,90 @@
+#include <algorithm>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/console.hpp"
+#include "app/commands/input.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+#include "render/picture.hpp"
+#include "render/surface_maps.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr Code e_nothing_to_show{"E_NOTHING_TO_SHOW"};
+
+/// The object as a part of the scene; its surface is drawn at the density that looks smooth.
+Result<SceneObject> scene_object(const Object& object, const RenderArguments& arguments) {
+  const PolyhedronSource& source = *object.polyhedron();
+  const auto built = PolyhedronSurfacer().rebuild(source.surface_input());
+  if (!built.ok()) return built.error();
+  SceneObject out;
+  const int density = display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
+  out.mesh = DisplayMesh::build(built->surface, map_options(arguments.map, density));
+  out.polyhedron = DisplayPolyhedron::build(source.polyhedron, *source.shaping, source.origin);
+  out.transform = matrix_of(object.transform);
+  out.map = arguments.map;
+  out.show_polyhedron = arguments.polyhedron;
+  out.show_network = arguments.network;
+  return out;
+}
+
+/// One range for all objects, so that a colour means the same everywhere.
+void set_ranges(Scene& scene, SurfaceMap map, Legend& legend) {
+  std::vector<float> values;
+  for (const SceneObject& object : scene.objects) {
+    const auto own = values_of(*object.mesh, map);
+    values.insert(values.end(), own.begin(), own.end());
+  }
+  legend.map = map;
+  legend.range = automatic_range(map, values);
+  legend.histogram = histogram(values, legend.range, 64);
+  for (SceneObject& object : scene.objects) object.range = legend.range;
+}
+
+}  // namespace
+
+int run_render(const RenderArguments& arguments) {
+  const std::string file = arguments.file.string();
+  const auto document = read_document_or_report(arguments.file);
+  if (!document) return exit_failed;
+
+  Scene scene;
+  scene.grid.visible = false;
+  for (const auto& object : document->objects) {
+    if (!object->visible || !object->polyhedron()) continue;
+    auto part = scene_object(*object, arguments);
+    if (!part.ok()) {
+      report(file + ": " + object->name, part.error());
+      return exit_failed;
+    }
+    scene.objects.push_back(std::move(part).value());
+  }
+  if (scene.objects.empty()) {
+    report(file, make_error(e_nothing_to_show, "No visible object of the file has a surface.",
+                            "Make an object visible, or add one."));
+    return exit_failed;
+  }
+
+  Legend legend;
+  if (has_values(arguments.map)) set_ranges(scene, arguments.map, legend);
+  const PixelSize size{arguments.width, arguments.height};
+  const Camera camera = Camera::standard(arguments.view).frame(scene.world_box(), size);
+  auto picture = render_picture(scene, camera, size.width, size.height);
+  if (!picture.ok()) {
+    report(file, picture.error());
+    return exit_failed;
+  }
+  Image image = std::move(picture).value();
+  if (has_values(arguments.map)) {
+    legend.unit = unit_of(arguments.map, to_string(document->unit));
+    paint_legend(image, legend);
+  }
+  if (const auto written = write_png(arguments.out, image); !written.ok()) {
+    report(arguments.out.string(), written.error());
+    return exit_failed;
+  }
+  return exit_fine;
+}
+
+}  // namespace hariko

@@ -1,0 +1,57 @@
+#pragma once
+
+// GlWindow: a window of the desktop with an OpenGL context and ImGui in it.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "ui/command_table.hpp"
+#include "ui/theme.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_no_display{"E_NO_DISPLAY"};
+inline constexpr Code e_no_window{"E_NO_WINDOW"};
+
+/// One a process. All calls from the main thread, but for `wake`.
+class GlWindow {
+ public:
+  struct Options {
+    std::string title;
+    int width = 1440, height = 900;  ///< screen coordinates
+  };
+  /// Errors: E_NO_DISPLAY, E_NO_WINDOW (no OpenGL 3.3), both with what to do.
+  static Result<std::unique_ptr<GlWindow>> open(const Options& options);
+  ~GlWindow();
+  GlWindow(const GlWindow&) = delete;
+  GlWindow& operator=(const GlWindow&) = delete;
+
+  /// Waits for input, a `wake` or the time to pass; 0 looks without waiting. True when there was input.
+  bool wait(double seconds);
+  /// Ends the wait. From any thread.
+  static void wake();
+
+  void begin_frame();
+  void end_frame();
+
+  std::vector<KeyChord> take_keys();
+  std::vector<std::filesystem::path> take_drops();
+  /// The user wants to close the window; asked once.
+  bool take_close();
+  void set_title(const std::string& title);
+  const Metrics& metrics() const;
+  /// Seconds of a steady clock.
+  double now() const;
+  /// What of fonts is missing, as a sentence; nullptr when nothing is.
+  const char* missing_fonts() const;
+
+ private:
+  struct State;
+  explicit GlWindow(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,38 @@
+// hariko: subcommands run without a window; files alone, or nothing, open it.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
+
+#include "app/application.hpp"
+#include "app/commands/run_command.hpp"
+
+namespace {
+
+/// Options that only the window has: the subcommands do not know them.
+bool asks_for_window(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+    return argument.starts_with("--test-log") || argument.starts_with("--width") ||
+           argument.starts_with("--height");
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (!asks_for_window(argc, argv))
+    if (const auto exit_code = hariko::run_command(argc, argv)) return *exit_code;
+  hariko::WindowOptions options;
+  CLI::App arguments("A modeler for free-form shapes");
+  arguments.add_option("FILE", options.files, "Files to open");
+  arguments.add_option("--test-log", options.test_log,
+                       "Write what happens to this file, one JSON line an event");
+  arguments.add_option("--width", options.width, "Width of the window");
+  arguments.add_option("--height", options.height, "Height of the window");
+  try {
+    arguments.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return arguments.exit(error) == 0 ? 0 : 2;
+  }
+  return hariko::run_window(options);
+}

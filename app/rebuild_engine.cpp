@@ -1,0 +1,133 @@
+#include "app/rebuild_engine.hpp"
+
+#include <utility>
+
+namespace hariko {
+
+namespace {
+
+WorkLane::Key surface_key(ObjectId id) {
+  return id.value;
+}
+WorkLane::Key measure_key(ObjectId id) {
+  return id.value | (WorkLane::Key{1} << 32);
+}
+
+/// Whether the two need the same view: what the object is called or where it stands does not matter.
+bool same_view(const Object& a, const Object& b) {
+  return a.source == b.source && a.display.map == b.display.map && a.display.density == b.display.density;
+}
+
+}  // namespace
+
+RebuildEngine::RebuildEngine(MakeBuilder make_builder, std::function<void()> wake, OnPublished on_published)
+    : make_builder_(std::move(make_builder)),
+      on_published_(std::move(on_published)),
+      lane_(std::move(wake)) {}
+
+void RebuildEngine::sync(const Document& document, bool in_gesture, double now) {
+  for (const auto& object : document.objects) {
+    if (!object->visible || !object->polyhedron()) continue;
+    Track& track = tracks_[object->id];
+    const bool changed =
+        !track.requested || (track.requested != object && !same_view(*track.requested, *object));
+    if (changed) {
+      // The first surface of an object is final even when it appears within a gesture.
+      request(track, object, in_gesture && track.requested ? Quality::drag : Quality::final, now);
+    } else {
+      track.requested = object;
+      const bool rests = !in_gesture || now - track.requested_at > rest_seconds;
+      if (track.quality == Quality::drag && rests) request(track, object, Quality::final, now);
+    }
+  }
+  for (auto it = tracks_.begin(); it != tracks_.end();) {
+    if (document.find(it->first)) {
+      ++it;
+      continue;
+    }
+    lane_.cancel(surface_key(it->first));
+    lane_.cancel(measure_key(it->first));
+    views_.erase(it->first);
+    it = tracks_.erase(it);
+  }
+}
+
+void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& object, Quality quality,
+                            double now) {
+  // A drag job is short and its result worth showing; a final one that is out of date only delays the next.
+  const auto running =
+      track.quality == Quality::final ? WorkLane::Running::cancel : WorkLane::Running::finish;
+  if (!track.builder) track.builder = make_builder_();
+  if (!track.pending) track.stale_since = now;
+  track.requested = object;
+  track.quality = quality;
+  track.requested_at = now;
+  track.pending = true;
+  lane_.cancel(measure_key(object->id));
+  lane_.submit(
+      surface_key(object->id),
+      [this, object, quality, builder = track.builder](const CancelToken& cancel) -> WorkLane::Publication {
+        auto view = std::make_shared<SurfaceView>(builder->build(object, quality, cancel));
+        if (cancel.cancelled()) return {};
+        return [this, view] { take(view->object->id, std::move(*view)); };
+      },
+      running);
+}
+
+void RebuildEngine::take(ObjectId id, SurfaceView view) {
+  const auto track = tracks_.find(id);
+  if (track == tracks_.end()) return;
+  track->second.pending = lane_.busy(surface_key(id));
+  SurfaceView& shown = views_[id];
+  if (view.error) {
+    // The last good surface stays, with the reason beside it.
+    shown.object = view.object;
+    shown.error = view.error;
+    shown.warnings = std::move(view.warnings);
+    shown.milliseconds = view.milliseconds;
+    shown.quality = view.quality;
+    shown.largest_normal_jump.reset();
+  } else {
+    if (view.quality == Quality::drag) {
+      // Warnings are found at quality `final`; the range of a map rests during a gesture so that colours
+      // compare.
+      view.warnings = std::move(shown.warnings);
+    }
+    shown = std::move(view);
+  }
+  if (on_published_) on_published_(id, shown);
+  if (shown.quality == Quality::final && !shown.error && !track->second.pending) measure(id);
+}
+
+void RebuildEngine::measure(ObjectId id) {
+  lane_.submit(
+      measure_key(id),
+      [this, id, surface = views_[id].surface,
+       builder = tracks_[id].builder](const CancelToken& cancel) -> WorkLane::Publication {
+        const double jump = builder->measure_jump(surface, cancel);
+        return [this, id, jump] {
+          const auto view = views_.find(id);
+          if (view == views_.end()) return;
+          view->second.largest_normal_jump = jump;
+        };
+      },
+      WorkLane::Running::cancel);
+}
+
+bool RebuildEngine::pending(ObjectId id) const {
+  const auto track = tracks_.find(id);
+  return track != tracks_.end() && track->second.pending;
+}
+
+double RebuildEngine::pending_since(ObjectId id) const {
+  const auto track = tracks_.find(id);
+  return track == tracks_.end() ? 0 : track->second.stale_since;
+}
+
+bool RebuildEngine::any_pending() const {
+  for (const auto& [id, track] : tracks_)
+    if (track.pending) return true;
+  return false;
+}
+
+}  // namespace hariko

@@ -1,0 +1,72 @@
+#pragma once
+
+// RebuildEngine: keeps a surface for every visible polyhedron of the document, off the main thread.
+
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "app/work_lane.hpp"
+#include "core/document/document.hpp"
+#include "ui/surface_view.hpp"
+
+namespace hariko {
+
+/// Makes views of one object. One instance per object, called by one thread at a time: may keep what helps
+/// next time.
+class ViewBuilder {
+ public:
+  virtual ~ViewBuilder() = default;
+  /// A view of an object with a PolyhedronSource. A view without mesh and with `error` says why there is
+  /// none.
+  virtual SurfaceView build(const std::shared_ptr<const Object>& object, Quality quality,
+                            const CancelToken& cancel) = 0;
+  /// Largest normal jump of a surface in radians, 0 when cancelled.
+  virtual double measure_jump(const Surface& surface, const CancelToken& cancel) = 0;
+};
+
+/// Everything here runs on the main thread; the builders run on the worker.
+class RebuildEngine {
+ public:
+  using MakeBuilder = std::function<std::unique_ptr<ViewBuilder>()>;
+  using OnPublished = std::function<void(ObjectId, const SurfaceView&)>;
+
+  RebuildEngine(MakeBuilder make_builder, std::function<void()> wake, OnPublished on_published = {});
+
+  /// Asks for what changed since the last call. In a gesture objects are rebuilt at quality `drag`; `final`
+  /// follows when the gesture ends or rests for `rest_seconds`. `now` is any steady clock in seconds.
+  void sync(const Document& document, bool in_gesture, double now);
+  static constexpr double rest_seconds = 0.4;
+
+  /// Takes over finished views. Call at the start of a frame. Returns how many there were.
+  std::size_t publish() { return lane_.publish(); }
+
+  const std::map<ObjectId, SurfaceView>& views() const { return views_; }
+  /// Whether the view shown is older than the document, and since when.
+  bool pending(ObjectId id) const;
+  double pending_since(ObjectId id) const;
+  bool any_pending() const;
+
+  /// Waits for the worker; for tests and for shutting down.
+  void wait() { lane_.wait(); }
+
+ private:
+  struct Track {
+    std::shared_ptr<ViewBuilder> builder;
+    std::shared_ptr<const Object> requested;
+    Quality quality = Quality::final;
+    double requested_at = 0, stale_since = 0;
+    bool pending = false;
+  };
+  void request(Track& track, const std::shared_ptr<const Object>& object, Quality quality, double now);
+  void take(ObjectId id, SurfaceView view);
+  void measure(ObjectId id);
+
+  MakeBuilder make_builder_;
+  OnPublished on_published_;
+  std::map<ObjectId, Track> tracks_;
+  std::map<ObjectId, SurfaceView> views_;
+  WorkLane lane_;  ///< last: its thread stops before what its publications touch goes
+};
+
+}  // namespace hariko

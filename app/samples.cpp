@@ -1,0 +1,117 @@
+#include "app/samples.hpp"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "app/document_files.hpp"
+#include "app/surface_builder.hpp"
+
+namespace hariko {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr PixelSize picture_size{540, 360};
+
+struct Description {
+  const char* stem;
+  const char* title;
+  const char* text;
+};
+constexpr Description descriptions[] = {
+    {"cube", "Cube", "Six quads become a rounded solid"},
+    {"fig2", "Vase body", "Three hexagon rings, closed"},
+    {"fig2_open", "Open vase", "The same without its top: a border"},
+    {"fig5c", "Flattened edges", "Edge tension 10 flattens"},
+    {"fig5d", "Points", "Vertex tension 10 makes points"},
+    {"concave", "Concave faces", "What folds, and the warning for it"},
+    {"concave_split", "Concave, split", "The same with its concave faces decomposed"},
+    {"genus3", "Three holes", "A closed shape of genus 3"},
+    {"torus", "Torus", "Eight by four quads"},
+    {"grid", "Open grid", "A free-form patch with borders"},
+    {"grid3", "Open grid", "A free-form patch with borders"},
+    {"creased", "Creased cube", "Sharp edges among smooth ones"},
+    {"cube_crease", "Creased cube", "Sharp edges among smooth ones"},
+    {"car", "Car body", "Larger model"},
+};
+
+Sample describe(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  for (const Description& known : descriptions)
+    if (stem == known.stem) return {path, known.title, known.text};
+  std::string title = stem;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
+    title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  return {path, title, path.filename().string()};
+}
+
+}  // namespace
+
+fs::path assets_folder() {
+  std::error_code error;
+  if (const char* given = std::getenv("HARIKO_ASSETS")) return given;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = program.parent_path().parent_path() / "share" / "hariko";
+    if (fs::is_directory(installed, error)) return installed;
+  }
+  return HARIKO_ASSETS_FOLDER;
+}
+
+std::vector<Sample> find_samples(const fs::path& assets) {
+  std::vector<Sample> samples;
+  std::error_code error;
+  std::set<fs::path> paths;
+  for (fs::directory_iterator it(assets / "samples", error), end; !error && it != end; it.increment(error))
+    if (const auto extension = it->path().extension(); extension == ".hariko" || extension == ".obj")
+      paths.insert(it->path());
+  for (const fs::path& path : paths) {
+    // A document made from a mesh of the same name stands for both.
+    if (path.extension() == ".obj" && paths.contains(fs::path(path).replace_extension(".hariko"))) continue;
+    samples.push_back(describe(path));
+  }
+  return samples;
+}
+
+Scene sample_scene(const fs::path& path, const CancelToken& cancel) {
+  Scene scene;
+  scene.grid.visible = false;
+  const auto opened = open_file(path);
+  if (!opened.ok()) return scene;
+  for (const auto& object : opened->document.objects) {
+    if (!object->polyhedron() || !object->visible) continue;
+    SurfaceBuilder builder;
+    const SurfaceView view = builder.build(object, Quality::final, cancel);
+    SceneObject out;
+    out.mesh = view.mesh;
+    out.polyhedron = DisplayPolyhedron::build(object->polyhedron()->polyhedron,
+                                              *object->polyhedron()->shaping, object->polyhedron()->origin);
+    out.show_network = true;
+    out.transform = matrix_of(object->transform);
+    scene.objects.push_back(std::move(out));
+  }
+  return scene;
+}
+
+ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {
+  const Camera camera = Camera::standard(StandardView::iso).frame(scene.world_box(), picture_size);
+  if (scene.objects.empty() || !renderer.draw(scene, camera, {picture_size, 4}).ok()) return nullptr;
+  const Image image = renderer.read();
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               image.rgba.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+}  // namespace hariko

@@ -1,0 +1,97 @@
+#include "app/surface_builder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+#include "core/analysis/continuity.hpp"
+#include "render/surface_maps.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr Code e_rebuild_failed{"E_REBUILD_FAILED"};
+constexpr int histogram_bins = 48;
+
+bool same_shape(const Object& a, const Object& b) {
+  return a.source == b.source;
+}
+
+/// The density asked for, less where the whole would exceed what a screen can use.
+int density_of(const Object& object, const Surface& surface) {
+  constexpr double triangle_budget = 2'000'000;
+  return std::min(object.display.density,
+                  std::max(3, display_density(surface.patch_count(), surface.domain(), triangle_budget)));
+}
+
+}  // namespace
+
+SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object, Quality quality,
+                                  const CancelToken& cancel) {
+  const auto start = std::chrono::steady_clock::now();
+  SurfaceView view;
+  view.object = object;
+  view.quality = quality;
+  try {
+    const bool fresh = made_from_ && last_quality_ == Quality::final && same_shape(*made_from_, *object);
+    if (!fresh) {
+      auto made = surface_of(*object, quality, cancel);
+      if (!made.ok()) {
+        view.error = made.error();
+        return view;
+      }
+      last_ = std::move(made).value();
+      made_from_ = object;
+      last_quality_ = quality;
+    }
+    const int density = density_of(*object, last_.surface);
+    const SurfaceMap map = object->display.map;
+    const bool same_look = base_mesh_ && map == map_ && base_mesh_->options().density == density;
+    if (!fresh && quality == Quality::drag && last_.changed && same_look &&
+        last_.base_revision == base_revision_) {
+      view.mesh = base_mesh_->refreshed(last_.surface, *last_.changed);
+    } else if (fresh && same_look && last_.revision == base_revision_) {
+      view.mesh = base_mesh_;
+    } else {
+      view.mesh = DisplayMesh::build(last_.surface, map_options(map, density), cancel);
+      if (!view.mesh) return view;  // cancelled
+      base_mesh_ = view.mesh;
+      base_revision_ = last_.revision;
+    }
+    if (has_values(map) && (quality == Quality::final || map != map_)) {
+      const auto values = values_of(*view.mesh, map);
+      range_ = automatic_range(map, values);
+      histogram_ = histogram(values, range_, histogram_bins);
+    }
+    map_ = map;
+    view.surface = last_.surface;
+    view.range = range_;
+    if (has_values(map)) view.histogram = histogram_;
+    view.warnings = last_.warnings;
+  } catch (const std::exception& failure) {
+    // Out of memory, mostly: the document is untouched and the object says so.
+    made_from_.reset();
+    base_mesh_.reset();
+    view = SurfaceView{};
+    view.object = object;
+    view.quality = quality;
+    view.error = make_error(e_rebuild_failed,
+                            std::string("The surface could not be computed: ") + failure.what() + ".",
+                            "Lower the display density or simplify the object.");
+  }
+  view.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return view;
+}
+
+Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, Quality quality,
+                                                     const CancelToken& cancel) {
+  return surfacer_.rebuild(object.polyhedron()->surface_input(), quality, cancel);
+}
+
+double SurfaceBuilder::measure_jump(const Surface& surface, const CancelToken& cancel) {
+  return continuity(surface, cancel).largest_normal_jump.value_or(0);
+}
+
+}  // namespace hariko

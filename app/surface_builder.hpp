@@ -1,0 +1,32 @@
+#pragma once
+
+// SurfaceBuilder: from a polyhedron object to its surface and what the screen needs of it.
+
+#include <memory>
+
+#include "app/rebuild_engine.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+
+namespace hariko {
+
+class SurfaceBuilder final : public ViewBuilder {
+ public:
+  SurfaceView build(const std::shared_ptr<const Object>& object, Quality quality,
+                    const CancelToken& cancel) override;
+  double measure_jump(const Surface& surface, const CancelToken& cancel) override;
+
+ private:
+  Result<PolyhedronSurface> surface_of(const Object& object, Quality quality, const CancelToken& cancel);
+
+  PolyhedronSurfacer surfacer_;
+  std::shared_ptr<const Object> made_from_;  ///< what last_ was made from
+  PolyhedronSurface last_;
+  Quality last_quality_ = Quality::drag;
+  std::shared_ptr<const DisplayMesh> base_mesh_;  ///< of the whole surface with revision base_revision_
+  std::uint64_t base_revision_ = 0;
+  SurfaceMap map_ = SurfaceMap::shaded;
+  ValueRange range_;
+  std::vector<float> histogram_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,101 @@
+#include "app/test_log.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace hariko {
+
+using Json = nlohmann::ordered_json;
+
+TestLog::TestLog(const std::filesystem::path& path) {
+  if (path.empty()) return;
+  out_.open(path);
+  on_ = out_.is_open();
+}
+
+void TestLog::rebuilt(ObjectId object, const SurfaceView& view) {
+  if (!on_) return;
+  Json line{{"event", "rebuild"},
+            {"object", object.value},
+            {"quality", view.quality == Quality::final ? "final" : "drag"},
+            {"milliseconds", view.milliseconds}};
+  line["error"] = view.error ? Json(std::string(view.error->code.name)) : Json();
+  out_ << line.dump() << std::endl;
+}
+
+void TestLog::file(const char* what, const std::filesystem::path& path) {
+  if (on_) out_ << Json{{"event", what}, {"path", path.string()}}.dump() << std::endl;
+}
+
+void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle) {
+  if (!on_) return;
+  ++frames_;
+  layout(workbench);
+  vertices(editor, workbench);
+  history(editor);
+  notices(editor);
+  pictures_ = workbench.viewport().pictures_drawn();
+  if (idle && !idle_)
+    out_ << Json{{"event", "idle"}, {"frames", frames_}, {"pictures", pictures_}}.dump() << std::endl;
+  idle_ = idle;
+}
+
+void TestLog::layout(const Workbench& workbench) {
+  if (workbench.marks().all() == rects_) return;
+  rects_ = workbench.marks().all();
+  Json rects = Json::object();
+  for (const auto& [name, rect] : rects_) rects[name] = {rect.x, rect.y, rect.width, rect.height};
+  out_ << Json{{"event", "layout"}, {"rects", rects}}.dump() << std::endl;
+}
+
+void TestLog::vertices(const Editor& editor, const Workbench& workbench) {
+  if (!editor.has_document) return;
+  const Projector projector(editor.camera(), editor.viewport);
+  const ImVec2 corner = workbench.viewport().rect().min;
+  Json objects = Json::object();
+  for (const auto& object : editor.document().objects) {
+    const PolyhedronSource* source = object->polyhedron();
+    constexpr Index most = 300;
+    if (!source || source->polyhedron.vertex_count() > most) continue;
+    Json pixels = Json::object();
+    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v) {
+      const Vector3 world = object->transform.apply(source->origin + source->polyhedron.position(v));
+      if (const auto pixel = projector.project(world))
+        pixels[std::to_string(source->polyhedron.vertex_id(v).value)] = {corner.x + pixel->x(),
+                                                                         corner.y + pixel->y(), pixel->z()};
+    }
+    objects[std::to_string(object->id.value)] = std::move(pixels);
+  }
+  std::string line = Json{{"event", "vertices"}, {"objects", objects}}.dump();
+  if (line == vertices_line_) return;
+  vertices_line_ = std::move(line);
+  out_ << vertices_line_ << std::endl;
+}
+
+void TestLog::history(const Editor& editor) {
+  const std::string selection = describe(editor.selection.of_active());
+  if (editor.history.serial() == serial_ && editor.history.in_gesture() == gesture_ &&
+      selection == selection_ && editor.history.dirty() == dirty_)
+    return;
+  serial_ = editor.history.serial();
+  gesture_ = editor.history.in_gesture();
+  dirty_ = editor.history.dirty();
+  selection_ = selection;
+  out_ << Json{{"event", "document"},
+               {"label", editor.history.undo_label()},
+               {"position", editor.history.position()},
+               {"serial", serial_},
+               {"gesture", gesture_},
+               {"dirty", dirty_},
+               {"selection", selection_}}
+              .dump()
+       << std::endl;
+}
+
+void TestLog::notices(const Editor& editor) {
+  const std::string text = editor.notices().empty() ? std::string() : editor.notices().back().text;
+  if (text == last_notice_) return;
+  last_notice_ = text;
+  out_ << Json{{"event", "notice"}, {"text", text}}.dump() << std::endl;
+}
+
+}  // namespace hariko

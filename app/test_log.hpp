@@ -1,0 +1,39 @@
+#pragma once
+
+// TestLog: one JSON line for everything that happened, so that a test which drives the real window can wait
+// for it and find things on the screen without guessing pixels.
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "ui/workbench.hpp"
+
+namespace hariko {
+
+class TestLog {
+ public:
+  /// An empty path logs nothing.
+  explicit TestLog(const std::filesystem::path& path);
+
+  void rebuilt(ObjectId object, const SurfaceView& view);
+  void file(const char* what, const std::filesystem::path& path);
+  /// After a frame: logs what changed since the last one. `idle`: nothing is left to do.
+  void frame(const Editor& editor, const Workbench& workbench, bool idle);
+
+ private:
+  void layout(const Workbench& workbench);
+  void vertices(const Editor& editor, const Workbench& workbench);
+  void history(const Editor& editor);
+  void notices(const Editor& editor);
+
+  std::ofstream out_;
+  bool on_ = false, idle_ = false;
+  std::map<std::string, Marks::Rect> rects_;
+  std::uint64_t serial_ = ~std::uint64_t{0}, pictures_ = 0, frames_ = 0;
+  bool gesture_ = false, dirty_ = false;
+  std::string vertices_line_, selection_, last_notice_;
+};
+
+}  // namespace hariko

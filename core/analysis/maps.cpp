@@ -1,0 +1,103 @@
+#include "core/analysis/maps.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/analysis/curvature.hpp"
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr float undefined = std::numeric_limits<float>::quiet_NaN();
+
+double pick(const Curvature& at, MapKind kind) {
+  switch (kind) {
+    case MapKind::gauss:
+      return at.gauss;
+    case MapKind::mean:
+      return at.mean;
+    case MapKind::k1:
+      return at.k1;
+    case MapKind::k2:
+      return at.k2;
+  }
+  return 0;
+}
+
+/// Calls body(i, first side's point, second side's point) at density + 1 places.
+template <class Body>
+void along(const Surface& surface, Index seam_index, int density, std::span<float> values, Order order,
+           const Body& body) {
+  HARIKO_ASSERT(seam_index < surface.seams().size(), "no such seam");
+  HARIKO_ASSERT(density >= 1 && values.size() == std::size_t(density) + 1, "one value a point");
+  const Seam& seam = surface.seams()[seam_index];
+  const auto at = [&](PatchSide side, double begin, double end, double x) {
+    const Vector2 parameter = side_parameter(surface.domain(), side.side, begin + x * (end - begin));
+    return surface.patches().evaluate(side.patch, parameter, order);
+  };
+  for (int i = 0; i <= density; ++i) {
+    const double x = grid_fraction(i, density);
+    values[static_cast<std::size_t>(i)] = body(at(seam.first, seam.first_begin, seam.first_end, x),
+                                               at(seam.second, seam.second_begin, seam.second_end, x));
+  }
+}
+
+}  // namespace
+
+void map_values(const Surface& surface, MapKind kind, std::span<const Index> patches,
+                const GridPattern& pattern, std::span<float> values) {
+  const auto count = static_cast<std::size_t>(pattern.point_count());
+  HARIKO_ASSERT(values.size() == count * patches.size(), "one value a point");
+  std::vector<PatchPoint> points(count);
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    surface.patches().evaluate_grid(patches.subspan(k, 1), pattern, points);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto at = curvature(points[i]);
+      values[k * count + i] = at ? static_cast<float>(pick(*at, kind)) : undefined;
+    }
+    for (int c = 0; c < corner_count(pattern.domain); ++c)
+      if (surface.patches().second_order_at_corner(patches[k], c) != CornerSecondOrder::exact)
+        values[k * count + static_cast<std::size_t>(pattern.side(c)[0])] = undefined;
+  }
+}
+
+std::vector<float> map_values(const Surface& surface, MapKind kind, const GridPattern& pattern,
+                              std::span<const Index> patches) {
+  std::vector<float> values(static_cast<std::size_t>(pattern.point_count()) * patches.size());
+  map_values(surface, kind, patches, pattern, values);
+  return values;
+}
+
+void seam_angles(const Surface& surface, Index seam, int density, std::span<float> values) {
+  along(surface, seam, density, values, Order::first, [](const PatchPoint& p, const PatchPoint& q) {
+    const Vector3 n = unit_normal(p), m = unit_normal(q);
+    if (n.isZero(0) || m.isZero(0)) return undefined;
+    return static_cast<float>(std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / std::numbers::pi);
+  });
+}
+
+void seam_curvature_jumps(const Surface& surface, Index seam, int density, std::span<float> values) {
+  along(surface, seam, density, values, Order::second, [](const PatchPoint& p, const PatchPoint& q) {
+    const auto a = curvature(p), b = curvature(q);
+    if (!a || !b) return undefined;
+    const double mean = (a->tensor.norm() + b->tensor.norm()) / 2;
+    return mean > 0 ? static_cast<float>((a->tensor - b->tensor).norm() / mean) : undefined;
+  });
+  // At the ends only exact second derivatives can be compared.
+  const Seam& sides = surface.seams()[seam];
+  const auto exact_at = [&](PatchSide side, double fraction) {
+    if (fraction != 0 && fraction != 1) return true;
+    const int corner = (side.side + (fraction == 1 ? 1 : 0)) % corner_count(surface.domain());
+    return surface.patches().second_order_at_corner(side.patch, corner) == CornerSecondOrder::exact;
+  };
+  if (!exact_at(sides.first, sides.first_begin) || !exact_at(sides.second, sides.second_begin))
+    values.front() = undefined;
+  if (!exact_at(sides.first, sides.first_end) || !exact_at(sides.second, sides.second_end))
+    values.back() = undefined;
+}
+
+}  // namespace hariko

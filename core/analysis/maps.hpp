@@ -1,0 +1,31 @@
+#pragma once
+
+// Scalar maps for display: one number a point, or a point of a seam.
+
+#include <span>
+#include <vector>
+
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+enum class MapKind { gauss, mean, k1, k2 };
+
+/// values[k * n + i] for grid point i of patches[k], n = pattern.point_count(). NaN where the curvature is
+/// undefined: at corners where the second derivatives depend on the direction, and where there is no normal.
+/// Signs and units as in `Curvature`. Thread-safe; runs on the calling thread. O(values).
+void map_values(const Surface& surface, MapKind kind, std::span<const Index> patches,
+                const GridPattern& pattern, std::span<float> values);
+std::vector<float> map_values(const Surface& surface, MapKind kind, const GridPattern& pattern,
+                              std::span<const Index> patches);
+
+/// Angle between the two sides' normals in degrees at fractions i / density of a seam, density + 1 values.
+/// NaN where a side has no normal. For maps of continuity along edges. Thread-safe. O(values).
+void seam_angles(const Surface& surface, Index seam, int density, std::span<float> values);
+
+/// The jump of the curvature tensor across a seam, relative to the mean of both sides' norms, at the same
+/// points: 0 is curvature-continuous, 2 is the most. NaN where a side has no curvature, where both are flat,
+/// and at ends where the second derivatives are not exact.
+void seam_curvature_jumps(const Surface& surface, Index seam, int density, std::span<float> values);
+
+}  // namespace hariko

@@ -1,0 +1,56 @@
+#include "core/analysis/measures.hpp"
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/analysis/curvature.hpp"
+#include "core/analysis/quadrature.hpp"
+#include "core/base/parallel.hpp"
+#include "core/surface/adjacency.hpp"
+
+namespace hariko {
+
+namespace {
+
+struct PatchMeasures {
+  double area = 0, volume = 0, bending = 0;
+};
+
+PatchMeasures measure_patch(const PatchSet& patches, Index patch, const DomainRule& rule) {
+  PatchMeasures sum;
+  for (std::size_t k = 0; k < rule.points.size(); ++k) {
+    const PatchPoint point = patches.evaluate(patch, rule.points[k], Order::second);
+    const Vector3 cross = point.ds.cross(point.dt);
+    const double area = rule.weights[k] * cross.norm();
+    sum.area += area;
+    sum.volume += rule.weights[k] * point.position.dot(cross) / 3;
+    if (const auto at = curvature(point)) sum.bending += area * (at->k1 * at->k1 + at->k2 * at->k2);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Measures measure(const Surface& surface, const CancelToken& cancel) {
+  Measures out;
+  if (surface.patch_count() == 0) return out;
+  const DomainRule rule = gauss_rule(surface.domain(), 10);
+  std::vector<PatchMeasures> each(surface.patch_count());
+  parallel_for(each.size(), 8, [&](std::size_t begin, std::size_t end) {
+    if (cancel.cancelled()) return;
+    for (std::size_t p = begin; p < end; ++p)
+      each[p] = measure_patch(surface.patches(), static_cast<Index>(p), rule);
+  });
+  if (cancel.cancelled()) return out;
+
+  double volume = 0;
+  for (const PatchMeasures& patch : each) {
+    out.area += patch.area;
+    out.bending += patch.bending;
+    volume += patch.volume;
+  }
+  if (Adjacency(surface).closed()) out.volume = volume;
+  return out;
+}
+
+}  // namespace hariko

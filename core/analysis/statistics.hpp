@@ -1,0 +1,26 @@
+#pragma once
+
+// Ranges of curvature over a surface.
+
+#include <optional>
+
+#include "core/base/cancellation.hpp"
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+struct CurvatureRange {
+  double least = 0, greatest = 0;
+};
+
+struct CurvatureStatistics {
+  CurvatureRange gauss, mean, k1, k2;
+};
+
+/// Least and greatest values over a grid of 8 intervals a patch side, without corners where the second
+/// derivatives depend on the direction or do not exist, and without points that have no normal. Signs as in
+/// `Curvature`. Nothing when no point is left or the work was cancelled. O(patches).
+std::optional<CurvatureStatistics> curvature_statistics(const Surface& surface,
+                                                        const CancelToken& cancel = {});
+
+}  // namespace hariko

@@ -1,0 +1,20 @@
+#pragma once
+
+// Object File Format (Geomview OFF).
+
+#include <string_view>
+
+#include "core/exchange/imported_mesh.hpp"
+
+namespace hariko {
+
+/// Polygons of an OFF file. Each vertex and each face stands on one line; colours, normals and texture
+/// coordinates (COFF, NOFF, STOFF ...) are ignored. Homogeneous, n-dimensional and binary OFF give
+/// E_FORMAT_UNKNOWN. Other errors, each with its line: E_PARSE, E_INDEX_RANGE, E_TRUNCATED, E_LIMIT, E_EMPTY.
+/// O(bytes), whatever the header promises.
+Result<ImportedMesh> read_off(std::string_view bytes, const ReadLimits& limits = {});
+
+/// True when the first word of the file is a keyword of the OFF family.
+bool looks_like_off(std::string_view bytes);
+
+}  // namespace hariko

@@ -1,0 +1,227 @@
+#include "core/exchange/read_stl.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "core/base/printable.hpp"
+#include "core/exchange/point_welder.hpp"
+#include "core/exchange/text_scanner.hpp"
+
+namespace hariko {
+namespace {
+
+constexpr std::size_t header_size = 80;
+constexpr std::size_t facet_size = 50;  // 12 floats and 2 bytes of attributes
+constexpr const char* remedy_correct = "Correct the file, or export it again.";
+constexpr const char* remedy_reduce = "Reduce the model before importing it.";
+constexpr const char* remedy_cut = "The file was cut off: copy or export it again.";
+
+std::uint32_t little_endian_32(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 0; i < 4; ++i)
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
+  return value;
+}
+
+/// Size of the binary file whose header this is; 0 when there is no whole header.
+std::uint64_t promised_size(std::string_view bytes) {
+  if (bytes.size() < header_size + 4) return 0;
+  return header_size + 4 + facet_size * std::uint64_t{little_endian_32(bytes.data() + header_size)};
+}
+
+bool equals_lower(std::string_view token, std::string_view lower) {
+  return std::equal(token.begin(), token.end(), lower.begin(), lower.end(),
+                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
+bool starts_with_solid(std::string_view bytes) {
+  TextScanner scanner(bytes, {});
+  return scanner.find_content() && equals_lower(scanner.token(), "solid");
+}
+
+bool is_text(std::string_view bytes) {
+  if (promised_size(bytes) == bytes.size() || !starts_with_solid(bytes)) return false;
+  // A binary file that was cut off may start with "solid" as well, but text has no zero bytes.
+  return bytes.substr(0, 4096).find('\0') == std::string_view::npos;
+}
+
+/// Collects triangles; shared by both forms.
+class TriangleCollector {
+ public:
+  TriangleCollector(std::size_t expected_triangles, const ReadLimits& limits)
+      : welder_(expected_triangles / 2), limits_(limits) {
+    out_.mesh.face_offsets.reserve(expected_triangles + 1);
+    out_.mesh.face_vertices.reserve(3 * expected_triangles);
+  }
+  /// False when the limits are reached.
+  bool add(const Vector3 (&corners)[3]) {
+    const Index a = welder_.add(corners[0]), b = welder_.add(corners[1]), c = welder_.add(corners[2]);
+    if (welder_.size() > limits_.vertices || out_.mesh.face_vertices.size() + 3 > limits_.corners)
+      return false;
+    if (a == b || b == c || c == a)
+      ++degenerate_count_;
+    else
+      out_.mesh.add_face({a, b, c});
+    return true;
+  }
+  std::string limit_sentence() const {
+    return "The file has more than " + std::to_string(limits_.vertices) + " vertices or " +
+           std::to_string(limits_.corners) + " corners.";
+  }
+  Result<ImportedMesh> finish(std::string name) {
+    if (out_.mesh.face_count() == 0)
+      return make_error(e_empty,
+                        degenerate_count_ == 0
+                            ? "The file has no triangles."
+                            : "All triangles of the file have two corners at the same place.",
+                        "Export the model again.");
+    if (degenerate_count_ > 0)
+      out_.warnings.push_back(make_warning(
+          w_degenerate_triangles,
+          std::to_string(degenerate_count_) +
+              (degenerate_count_ == 1 ? " triangle with two corners at the same place was left out."
+                                      : " triangles with two corners at the same place were left out.")));
+    out_.mesh.positions = welder_.take_positions();
+    out_.name = std::move(name);
+    return std::move(out_);
+  }
+  ImportedMesh& out() { return out_; }
+
+ private:
+  PointWelder welder_;
+  const ReadLimits& limits_;
+  ImportedMesh out_;
+  std::size_t degenerate_count_ = 0;
+};
+
+Message facet_error(Code code, std::uint64_t facet, const std::string& sentence, const char* remedy) {
+  return make_error(code,
+                    "Triangle " + std::to_string(facet) + ", byte " +
+                        std::to_string(header_size + 4 + facet * facet_size) + ": " + sentence,
+                    remedy);
+}
+
+Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limits) {
+  if (bytes.empty()) return make_error(e_empty, "The file is empty.", "Export the file again.");
+  if (bytes.size() < header_size + 4)
+    return make_error(
+        e_truncated,
+        "Byte " + std::to_string(bytes.size()) + ": The file ends inside the header of a binary STL file.",
+        remedy_cut);
+  const std::uint64_t count = little_endian_32(bytes.data() + header_size);
+  if (promised_size(bytes) > bytes.size())
+    return make_error(e_truncated,
+                      "Byte " + std::to_string(bytes.size()) + ": The file ends after " +
+                          std::to_string((bytes.size() - header_size - 4) / facet_size) + " of " +
+                          std::to_string(count) + " promised triangles.",
+                      remedy_cut);
+  TriangleCollector collector(std::min<std::size_t>(count, limits.corners / 3), limits);
+  for (std::uint64_t facet = 0; facet < count; ++facet) {
+    const char* numbers = bytes.data() + header_size + 4 + facet * facet_size + 12;  // behind the normal
+    Vector3 corners[3];
+    for (int i = 0; i < 9; ++i)
+      corners[i / 3][i % 3] = std::bit_cast<float>(little_endian_32(numbers + 4 * i));
+    for (const Vector3& corner : corners)
+      if (!corner.allFinite())
+        return facet_error(e_mesh_parse, facet, "A coordinate is not finite.", remedy_correct);
+    if (!collector.add(corners))
+      return facet_error(e_limit, facet, collector.limit_sentence(), remedy_reduce);
+  }
+  if (promised_size(bytes) < bytes.size())
+    collector.out().warnings.push_back(
+        make_warning(w_trailing_data, "The last " + std::to_string(bytes.size() - promised_size(bytes)) +
+                                          " bytes of the file were ignored."));
+  return collector.finish({});
+}
+
+class StlTextReader {
+ public:
+  StlTextReader(std::string_view bytes, const ReadLimits& limits)
+      : scanner_(bytes, {}), collector_(bytes.size() / 200, limits) {}  // a facet rarely has fewer characters
+
+  Result<ImportedMesh> read();
+
+ private:
+  /// Words may stand on any lines.
+  std::string_view next_word() { return scanner_.find_content() ? scanner_.token() : std::string_view{}; }
+  std::optional<Message> expect(const char* word);
+  std::optional<Message> wrong_word(std::string_view word, const char* expected) const;
+  std::optional<Message> read_solid();
+  std::optional<Message> read_facet();
+
+  TextScanner scanner_;
+  TriangleCollector collector_;
+  std::string name_;
+};
+
+std::optional<Message> StlTextReader::wrong_word(std::string_view word, const char* expected) const {
+  if (word.empty())
+    return TextScanner::error_at_line(e_truncated, scanner_.line(),
+                                      "The file ends where " + quote(expected) + " should be.", remedy_cut);
+  return scanner_.error_here(
+      e_mesh_parse, "Here should be " + quote(expected) + ", but it is " + quote(word) + ".", remedy_correct);
+}
+
+std::optional<Message> StlTextReader::expect(const char* word) {
+  const std::string_view found = next_word();
+  if (equals_lower(found, word)) return {};
+  return wrong_word(found, word);
+}
+
+/// After the word "facet".
+std::optional<Message> StlTextReader::read_facet() {
+  // The normal follows from the corners; degenerate triangles are often written with one that is not a
+  // number.
+  if (auto error = expect("normal")) return error;
+  scanner_.next_line();
+  for (const char* word : {"outer", "loop"})
+    if (auto error = expect(word)) return error;
+  Vector3 corners[3];
+  for (Vector3& corner : corners) {
+    if (auto error = expect("vertex")) return error;
+    if (auto error = scanner_.read_point("coordinate", corner)) return error;
+  }
+  if (!collector_.add(corners))
+    return scanner_.error_here(e_limit, collector_.limit_sentence(), remedy_reduce);
+  for (const char* word : {"endloop", "endfacet"})
+    if (auto error = expect(word)) return error;
+  return {};
+}
+
+/// After the word "solid".
+std::optional<Message> StlTextReader::read_solid() {
+  const std::string_view name = scanner_.rest_of_line();
+  if (name_.empty()) name_ = printable(name, 200);
+  for (;;) {
+    const std::string_view word = next_word();
+    if (equals_lower(word, "endsolid")) break;
+    if (!equals_lower(word, "facet")) return wrong_word(word, "facet");
+    if (auto error = read_facet()) return error;
+  }
+  scanner_.next_line();  // the name may stand here again
+  return {};
+}
+
+Result<ImportedMesh> StlTextReader::read() {
+  do {
+    if (auto error = expect("solid")) return *error;
+    if (auto error = read_solid()) return *error;
+  } while (scanner_.find_content());
+  return collector_.finish(name_);
+}
+
+}  // namespace
+
+Result<ImportedMesh> read_stl(std::string_view bytes, const ReadLimits& limits) {
+  if (is_text(bytes)) return StlTextReader(bytes, limits).read();
+  return read_binary(bytes, limits);
+}
+
+bool looks_like_stl(std::string_view bytes) {
+  return is_text(bytes) || (bytes.size() >= header_size + 4 && promised_size(bytes) == bytes.size());
+}
+
+}  // namespace hariko

@@ -1,0 +1,19 @@
+#pragma once
+
+// Triangles of a polygon in space.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+/// Triangles over the polygon's own corners (numbers into `corners`), same orientation: ears cut off in the
+/// projection along the polygon's mean normal, so concave faces are right when that projection does not cross
+/// itself. Always corners - 2 triangles. O(n^2); polygons above 1000 corners, and what has no ear left, are
+/// cut as a fan.
+std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> corners);
+
+}  // namespace hariko

@@ -1,0 +1,284 @@
+#include "render/color_map.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+namespace {
+
+struct MapFacts {
+  SurfaceMap map;
+  std::string_view word, title;
+  int length_power;  ///< of the unit; 0 for pure numbers and maps without values
+};
+constexpr std::array<MapFacts, 8> facts{{
+    {SurfaceMap::shaded, "shaded", "Shaded", 0},
+    {SurfaceMap::patches, "patches", "Patches", 0},
+    {SurfaceMap::zebra, "zebra", "Zebra stripes", 0},
+    {SurfaceMap::gaussian, "gauss", "Gaussian curvature", -2},
+    {SurfaceMap::mean, "mean", "Mean curvature", -1},
+    {SurfaceMap::principal_max, "k1", "Greatest curvature", -1},
+    {SurfaceMap::principal_min, "k2", "Least curvature", -1},
+    {SurfaceMap::continuity, "continuity", "Relative curvature jump", 0},
+}};
+
+const MapFacts& facts_of(SurfaceMap map) {
+  for (const MapFacts& fact : facts)
+    if (fact.map == map) return fact;
+  HARIKO_ASSERT(false, "unknown map");
+  return facts[0];
+}
+
+float from_linear(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+}
+
+/// Oklab in polar form (Ottosson 2020): equal steps look equal. Lightness 0..1, chroma about 0..0.3, hue in
+/// degrees.
+struct Polar {
+  double lightness, chroma, hue;
+};
+
+Color from_oklab(double lightness, double a, double b) {
+  const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3);
+  const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3);
+  const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3);
+  return {from_linear(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+          from_linear(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+          from_linear(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s), 1};
+}
+
+Color mix_oklab(const Polar& p, const Polar& q, double x) {
+  const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
+  const double pa = p.chroma * std::cos(radians(p.hue)), pb = p.chroma * std::sin(radians(p.hue));
+  const double qa = q.chroma * std::cos(radians(q.hue)), qb = q.chroma * std::sin(radians(q.hue));
+  return from_oklab(p.lightness + x * (q.lightness - p.lightness), pa + x * (qa - pa), pb + x * (qb - pb));
+}
+
+// Lightness of the sequential stops grows by equal steps; chroma stays inside the sRGB gamut.
+constexpr std::array<Polar, 7> sequential_stops{{{0.26, 0.100, 305},
+                                                 {0.37, 0.125, 282},
+                                                 {0.48, 0.110, 245},
+                                                 {0.59, 0.100, 200},
+                                                 {0.70, 0.135, 158},
+                                                 {0.81, 0.170, 128},
+                                                 {0.92, 0.180, 103}}};
+// Both halves reach the same lightness, so that equal magnitudes look equally strong.
+constexpr Polar blue_end{0.45, 0.165, 262}, white_middle{0.985, 0.0, 0}, red_end{0.45, 0.165, 25};
+constexpr Polar blue_half{0.72, 0.110, 252}, red_half{0.72, 0.120, 35};
+
+std::vector<float> finite_values(std::span<const float> values) {
+  std::vector<float> out;
+  out.reserve(values.size());
+  for (const float value : values)
+    if (std::isfinite(value)) out.push_back(value);
+  return out;
+}
+
+/// Distance of ticks: factor * 10^exponent.
+struct TickStep {
+  double factor = 1;
+  int exponent = 0;
+  double length() const { return factor * std::pow(10.0, exponent); }
+  int decimals() const { return std::max(0, -exponent + (factor == 2.5 ? 1 : 0)); }
+};
+
+/// The largest step that gives at least `count` ticks, or a smaller one that meets both ends of the range
+/// with fewer than twice as many.
+TickStep tick_step(ValueRange range, int count) {
+  const double extent = range.high - range.low, most = extent / (count - 1) * (1 + 1e-9);
+  const auto meets = [](double end, double step) {
+    return std::abs(end / step - std::round(end / step)) < 1e-6;
+  };
+  const int top = static_cast<int>(std::floor(std::log10(most)));
+  std::optional<TickStep> fallback;
+  for (int exponent = top; exponent >= top - 1; --exponent)
+    for (const double factor : {5.0, 2.5, 2.0, 1.0}) {
+      const TickStep step{factor, exponent};
+      if (step.length() > most) continue;
+      if (!fallback && factor != 2.5) fallback = step;
+      if (extent / step.length() + 1 < 2 * count && meets(range.low, step.length()) &&
+          meets(range.high, step.length()))
+        return step;
+    }
+  return *fallback;
+}
+
+/// The least "round" number not below `raw`.
+double nice_end(double raw) {
+  const double power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (raw <= factor * power * (1 + 1e-9)) return factor * power;
+  return 10 * power;
+}
+
+void use_real_minus(std::string& text) {
+  if (!text.empty() && text[0] == '-') text.replace(0, 1, "\u2212");
+}
+
+}  // namespace
+
+Color color_from_hex(std::string_view hex) {
+  HARIKO_ASSERT(hex.size() == 7 || hex.size() == 9, "a colour is #rrggbb or #rrggbbaa");
+  std::array<float, 4> parts{0, 0, 0, 1};
+  for (std::size_t i = 0; 2 * i + 2 < hex.size(); ++i) {
+    unsigned value = 0;
+    const char* begin = hex.data() + 1 + 2 * i;
+    const auto [end, error] = std::from_chars(begin, begin + 2, value, 16);
+    HARIKO_ASSERT(error == std::errc{} && end == begin + 2, "a colour is #rrggbb or #rrggbbaa");
+    parts[i] = static_cast<float>(value) / 255.0F;
+  }
+  return {parts[0], parts[1], parts[2], parts[3]};
+}
+
+std::optional<SurfaceMap> surface_map_from(std::string_view word) {
+  for (const MapFacts& fact : facts)
+    if (fact.word == word) return fact.map;
+  return std::nullopt;
+}
+std::string_view word_of(SurfaceMap map) {
+  return facts_of(map).word;
+}
+std::string_view title_of(SurfaceMap map) {
+  return facts_of(map).title;
+}
+bool has_values(SurfaceMap map) {
+  return map == SurfaceMap::continuity || facts_of(map).length_power != 0;
+}
+
+std::string unit_of(SurfaceMap map, std::string_view length_unit) {
+  const int power = facts_of(map).length_power;
+  if (power == 0 || length_unit.empty()) return {};
+  return "1/" + std::string(length_unit) + (power == -2 ? "\u00b2" : "");
+}
+
+ColorScale scale_of(SurfaceMap map) {
+  return map == SurfaceMap::continuity ? ColorScale::sequential : ColorScale::diverging;
+}
+
+Color color_at(ColorScale scale, double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  if (scale == ColorScale::sequential) {
+    const double at = x * static_cast<double>(sequential_stops.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(at), sequential_stops.size() - 2);
+    return mix_oklab(sequential_stops[i], sequential_stops[i + 1], at - static_cast<double>(i));
+  }
+  const double magnitude = std::abs(2 * x - 1);
+  const Polar& half = x < 0.5 ? blue_half : red_half;
+  if (magnitude <= 0.5) return mix_oklab(white_middle, half, 2 * magnitude);
+  return mix_oklab(half, x < 0.5 ? blue_end : red_end, 2 * magnitude - 1);
+}
+
+std::array<std::uint8_t, 256 * 4> color_table(ColorScale scale) {
+  std::array<std::uint8_t, 256 * 4> out{};
+  const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(x * 255.0F)); };
+  for (std::size_t i = 0; i < 256; ++i) {
+    const Color color = color_at(scale, static_cast<double>(i) / 255);
+    out[4 * i] = byte(color.r);
+    out[4 * i + 1] = byte(color.g);
+    out[4 * i + 2] = byte(color.b);
+    out[4 * i + 3] = 255;
+  }
+  return out;
+}
+
+ValueRange full_range(std::span<const float> values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const float value : values) {
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, static_cast<double>(value));
+    high = std::max(high, static_cast<double>(value));
+  }
+  return low <= high ? ValueRange{low, high} : ValueRange{};
+}
+
+ValueRange percentile_range(std::span<const float> values, double fraction) {
+  HARIKO_ASSERT(fraction >= 0 && fraction < 0.5, "a quantile fraction lies in [0, 0.5)");
+  std::vector<float> finite = finite_values(values);
+  if (finite.empty()) return {};
+  const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(finite.size()));
+  std::nth_element(finite.begin(), finite.begin() + at, finite.end());
+  const double low = finite[static_cast<std::size_t>(at)];
+  std::nth_element(finite.begin(), finite.end() - 1 - at, finite.end());
+  const double high = *(finite.end() - 1 - at);
+  return {low, high};
+}
+
+ValueRange symmetric(ValueRange range) {
+  const double m = std::max(std::abs(range.low), std::abs(range.high));
+  return {-m, m};
+}
+
+ValueRange automatic_range(SurfaceMap map, std::span<const float> values) {
+  const ValueRange inner = percentile_range(values, 0.02);
+  const bool diverging = scale_of(map) == ColorScale::diverging;
+  const double m = std::max(std::abs(inner.low), std::abs(inner.high));
+  // Below this the values are rounding noise of a plane: a full scale of noise would mislead.
+  const double end = m > 1e-12 ? nice_end(m) : 1.0;
+  return diverging ? ValueRange{-end, end} : ValueRange{0, end};
+}
+
+std::vector<Tick> legend_ticks(ValueRange range, int count) {
+  HARIKO_ASSERT(count >= 2, "a legend has at least two ticks");
+  const double extent = range.high - range.low;
+  if (!(extent > 0) || !std::isfinite(extent)) return {{range.low, 0.5, format_number(range.low)}};
+  const TickStep chosen = tick_step(range, count);
+  const double step = chosen.length(), slack = 1e-9 * step;
+  const auto first = std::ceil((range.low - slack) / step), last = std::floor((range.high + slack) / step);
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  const bool scientific = largest >= 1e6 || largest < 1e-3;
+  std::vector<Tick> ticks;
+  for (double i = first; i <= last; ++i) {
+    Tick tick;
+    tick.value = i * step;
+    tick.fraction = std::clamp(range.fraction(tick.value), 0.0, 1.0);
+    if (i == 0) {
+      tick.label = "0";
+    } else if (scientific) {
+      tick.label = format_number(tick.value, 3);
+    } else {
+      std::array<char, 64> buffer{};
+      const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), tick.value,
+                                     std::chars_format::fixed, chosen.decimals());
+      tick.label.assign(buffer.data(), end.ptr);
+      use_real_minus(tick.label);
+    }
+    ticks.push_back(std::move(tick));
+  }
+  return ticks;
+}
+
+std::string format_number(double value, int digits) {
+  if (!std::isfinite(value)) return "\u2013";
+  if (value == 0) return "0";
+  std::array<char, 64> buffer{};
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+  std::string text(buffer.data(), end.ptr);
+  use_real_minus(text);
+  return text;
+}
+
+std::vector<float> histogram(std::span<const float> values, ValueRange range, int bins) {
+  HARIKO_ASSERT(bins >= 1, "a histogram has bins");
+  std::vector<float> out(static_cast<std::size_t>(bins), 0.0F);
+  for (const float value : values) {
+    if (!std::isfinite(value) || value < range.low || value > range.high) continue;
+    const auto bin = static_cast<std::size_t>(range.fraction(value) * bins);
+    out[std::min(bin, out.size() - 1)] += 1.0F;
+  }
+  const float largest = *std::max_element(out.begin(), out.end());
+  if (largest > 0)
+    for (float& share : out) share /= largest;
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,54 @@
+#pragma once
+
+// DisplayPolyhedron: a polyhedron made ready for the screen and for picking. A value without GL.
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/network/shaping.hpp"
+#include "core/polyhedron/polyhedron.hpp"
+#include "render/camera.hpp"
+
+namespace hariko {
+
+enum class EdgeKind : std::uint8_t { plain, crease, boundary };
+inline constexpr int edge_kind_count = 3;
+
+/// Dense indices are those of the polyhedron it was made from.
+struct DisplayPolyhedron {
+  Vector3 origin = Vector3::Zero();
+  std::vector<std::array<float, 3>> positions;  ///< relative to the origin
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<EdgeKind> edge_kinds;
+  std::vector<Index> face_offsets{0}, face_vertices;
+  std::vector<VertexId> vertex_ids;  ///< ascending
+  std::vector<FaceId> face_ids;      ///< ascending
+  Box3 box;                          ///< of the positions, relative to the origin
+
+  std::size_t face_count() const { return face_offsets.size() - 1; }
+  std::span<const Index> face(std::size_t f) const {
+    return {face_vertices.data() + face_offsets[f], face_vertices.data() + face_offsets[f + 1]};
+  }
+  Vector3 position(Index v) const {
+    return {double(positions[v][0]), double(positions[v][1]), double(positions[v][2])};
+  }
+
+  EdgeId edge_id(Index e) const { return EdgeId::of(vertex_ids[edges[e][0]], vertex_ids[edges[e][1]]); }
+
+  static std::shared_ptr<const DisplayPolyhedron> build(const Polyhedron& polyhedron, const Shaping& shaping,
+                                                        const Vector3& origin);
+  /// The same elements at the polyhedron's present positions (its topology must be the one this was built
+  /// from).
+  std::shared_ptr<const DisplayPolyhedron> moved(const Polyhedron& polyhedron) const;
+};
+
+/// Elements to emphasise, dense indices of the polyhedron.
+struct Highlights {
+  std::vector<Index> vertices, edges, faces;
+  bool empty() const { return vertices.empty() && edges.empty() && faces.empty(); }
+  friend bool operator==(const Highlights&, const Highlights&) = default;
+};
+
+}  // namespace hariko

@@ -1,0 +1,12 @@
+# cmake -DFOLDER=shaders -DOUTPUT=file.cpp -P embed_shaders.cmake: writes every .glsl file as a C++ string.
+file(GLOB FILES "${FOLDER}/*.glsl")
+list(SORT FILES)
+set(TEXT "// Generated from shaders/*.glsl. Edit those.\n#include \"render/shader_source.hpp\"\n\nnamespace hariko {\n\n")
+string(APPEND TEXT "std::span<const EmbeddedShader> embedded_shaders() {\n  static constexpr EmbeddedShader table[] = {\n")
+foreach(FILE ${FILES})
+  get_filename_component(NAME "${FILE}" NAME)
+  file(READ "${FILE}" SOURCE)
+  string(APPEND TEXT "      {\"${NAME}\", R\"__glsl__(${SOURCE})__glsl__\"},\n")
+endforeach()
+string(APPEND TEXT "  };\n  return table;\n}\n\n}  // namespace hariko\n")
+file(WRITE "${OUTPUT}" "${TEXT}")

@@ -1,0 +1,47 @@
+#pragma once
+
+// Image: pixels in memory, and PNG files of them.
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "render/color_map.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_image_encode{"E_IMAGE_ENCODE"};
+inline constexpr Code e_image_read{"E_IMAGE_READ"};
+
+/// 8-bit sRGB with straight alpha, rows from top to bottom.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+
+  Image() = default;
+  Image(int columns, int rows)
+      : width(columns),
+        height(rows),
+        rgba(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) * 4) {}
+  std::uint8_t* pixel(int x, int y) { return rgba.data() + offset(x, y); }
+  const std::uint8_t* pixel(int x, int y) const { return rgba.data() + offset(x, y); }
+  /// Paints over a pixel with coverage in [0, 1]; pixels outside are ignored.
+  void blend(int x, int y, Color color, double coverage);
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4;
+  }
+};
+
+/// The file is either the old or the whole new one. Errors: E_FILE_WRITE, E_IMAGE_ENCODE.
+Result<Done> write_png(const std::filesystem::path& path, const Image& image);
+/// Errors: those of read_file, E_IMAGE_READ (also above 64 million pixels).
+Result<Image> read_png(const std::filesystem::path& path);
+
+/// Averages blocks of factor x factor pixels, in linear light. Width and height must be multiples of the
+/// factor.
+Image downsample(const Image& image, int factor);
+
+}  // namespace hariko

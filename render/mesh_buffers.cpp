@@ -1,0 +1,251 @@
+#include "render/mesh_buffers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace hariko::gl {
+
+namespace {
+
+const void* byte_offset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);
+}
+
+GLsizeiptr signed_size(std::size_t bytes) {
+  return static_cast<GLsizeiptr>(bytes);
+}
+
+Buffer filled_buffer(GLenum target, std::size_t bytes, const void* data) {
+  Buffer buffer = Buffer::make();
+  glBindBuffer(target, buffer.name());
+  glBufferData(target, signed_size(bytes), data, GL_STATIC_DRAW);
+  return buffer;
+}
+
+std::vector<std::vector<int>> neighbours_of(const GridPattern& pattern) {
+  std::vector<std::vector<int>> out(static_cast<std::size_t>(pattern.point_count()));
+  for (const auto& triangle : pattern.triangles())
+    for (const int a : triangle)
+      for (const int b : triangle)
+        if (a != b) out[static_cast<std::size_t>(a)].push_back(b);
+  return out;
+}
+
+/// The values of whole patches, undefined ones filled in from their neighbours.
+std::vector<MapPoint> map_points(std::span<const float> values,
+                                 const std::vector<std::vector<int>>& neighbours) {
+  std::vector<MapPoint> out(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) {
+      out[i] = {values[i], 1};
+      continue;
+    }
+    const std::size_t point = i % neighbours.size(), base = i - point;
+    float sum = 0, count = 0;
+    for (const int j : neighbours[point]) {
+      const float value = values[base + static_cast<std::size_t>(j)];
+      if (!std::isfinite(value)) continue;
+      sum += value;
+      count += 1;
+    }
+    out[i] = {count > 0 ? sum / count : 0, 0};
+  }
+  return out;
+}
+
+}  // namespace
+
+void TexturedBuffer::allocate(std::size_t size, const void* data, GLenum format, GLenum usage) {
+  if (!buffer) buffer = Buffer::make();
+  bytes = size;
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer.name());
+  // A buffer texture over nothing is an error; one texel always exists.
+  glBufferData(GL_TEXTURE_BUFFER, signed_size(std::max<std::size_t>(size, 16)), nullptr, usage);
+  if (size > 0 && data) glBufferSubData(GL_TEXTURE_BUFFER, 0, signed_size(size), data);
+  if (!texture) texture = Texture::make();
+  glBindTexture(GL_TEXTURE_BUFFER, texture.name());
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.name());
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+void TexturedBuffer::bind_texture(int unit) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_BUFFER, texture.name());
+}
+
+std::shared_ptr<const PatchIndices> IndexCache::get(const GridPattern& pattern, Index patch_count,
+                                                    std::size_t& uploaded) {
+  std::erase_if(entries_, [](const auto& entry) { return entry.second.expired(); });
+  auto& entry = entries_[{pattern.domain, pattern.density, patch_count}];
+  if (auto found = entry.lock()) return found;
+  const auto triangles = pattern.triangles();
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(triangles.size() * 3 * patch_count);
+  for (Index p = 0; p < patch_count; ++p) {
+    const auto base = p * static_cast<Index>(pattern.point_count());
+    for (const auto& triangle : triangles)
+      for (const int corner : triangle) numbers.push_back(base + static_cast<Index>(corner));
+  }
+  auto indices = std::make_shared<PatchIndices>();
+  // Not through the element array target: that would change the vertex array that happens to be bound.
+  indices->buffer =
+      filled_buffer(GL_COPY_WRITE_BUFFER, numbers.size() * sizeof(std::uint32_t), numbers.data());
+  indices->count = static_cast<GLsizei>(numbers.size());
+  uploaded += numbers.size() * sizeof(std::uint32_t);
+  entry = indices;
+  return indices;
+}
+
+void set_up_line_instances(GLuint segments, GLuint values) {
+  glBindBuffer(GL_ARRAY_BUFFER, segments);
+  glEnableVertexAttribArray(0);
+  glVertexAttribIPointer(0, 4, GL_UNSIGNED_INT, 4 * sizeof(std::uint32_t), nullptr);
+  glVertexAttribDivisor(0, 1);
+  if (values) {
+    glBindBuffer(GL_ARRAY_BUFFER, values);
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, 2 * sizeof(MapPoint), nullptr);
+    glVertexAttribDivisor(1, 1);
+  }
+}
+
+MeshBuffers::MeshBuffers(const DisplayMesh& mesh, IndexCache& indices, std::size_t& uploaded)
+    : vertex_array_(VertexArray::make()),
+      indices_(indices.get(mesh.pattern(), mesh.patch_count(), uploaded)) {
+  const std::size_t count = mesh.vertex_count();
+  vertices_.allocate(count * sizeof(DisplayVertex), nullptr, GL_R32F, GL_DYNAMIC_DRAW);
+  glBindVertexArray(vertex_array_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.buffer.name());
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex), nullptr);
+  glEnableVertexAttribArray(1);
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(DisplayVertex),
+                        byte_offset(offsetof(DisplayVertex, normal)));
+  if (mesh.has_values()) {
+    values_ = Buffer::make();
+    glBindBuffer(GL_ARRAY_BUFFER, values_.name());
+    glBufferData(GL_ARRAY_BUFFER, signed_size(count * sizeof(MapPoint)), nullptr, GL_DYNAMIC_DRAW);
+    glEnableVertexAttribArray(2);
+    glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, sizeof(MapPoint), nullptr);
+    neighbours_ = neighbours_of(mesh.pattern());
+  }
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_->buffer.name());
+  glBindVertexArray(0);
+  upload_curves(mesh, uploaded);
+  update(mesh, uploaded);
+}
+
+void MeshBuffers::update(const DisplayMesh& mesh, std::size_t& uploaded) {
+  const auto& chunks = mesh.chunks();
+  const bool all = chunks_.size() != chunks.size();
+  for (std::size_t begin = 0; begin < chunks.size();) {
+    if (!all && chunks_[begin] == chunks[begin]) {
+      ++begin;
+      continue;
+    }
+    std::size_t end = begin + 1;
+    while (end < chunks.size() && (all || chunks_[end] != chunks[end])) ++end;
+    upload_run(mesh, begin, end, uploaded);
+    begin = end;
+  }
+  chunks_ = chunks;
+  if (seam_values_ != mesh.seam_values()) upload_curves(mesh, uploaded);
+}
+
+/// Uploads chunks [begin, end).
+void MeshBuffers::upload_run(const DisplayMesh& mesh, std::size_t begin, std::size_t end,
+                             std::size_t& uploaded) {
+  const std::size_t per_chunk = std::size_t(DisplayMesh::patches_per_chunk) * mesh.vertices_per_patch();
+  for (std::size_t c = begin; c < end; ++c) {
+    const DisplayMesh::Chunk& chunk = *mesh.chunks()[c];
+    const std::size_t bytes = chunk.vertices.size() * sizeof(DisplayVertex);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.buffer.name());
+    glBufferSubData(GL_ARRAY_BUFFER, signed_size(c * per_chunk * sizeof(DisplayVertex)), signed_size(bytes),
+                    chunk.vertices.data());
+    uploaded += bytes;
+    if (!values_) continue;
+    const std::vector<MapPoint> values = map_points(chunk.values, neighbours_);
+    glBindBuffer(GL_ARRAY_BUFFER, values_.name());
+    glBufferSubData(GL_ARRAY_BUFFER, signed_size(c * per_chunk * sizeof(MapPoint)),
+                    signed_size(values.size() * sizeof(MapPoint)), values.data());
+    uploaded += values.size() * sizeof(MapPoint);
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void MeshBuffers::upload_curves(const DisplayMesh& mesh, std::size_t& uploaded) {
+  seam_values_ = mesh.seam_values();
+  const DisplayMesh::Curves& curves = *mesh.curves();
+  has_curve_values_ = !seam_values_->empty();
+  std::array<std::vector<MapPoint>, curve_kind_count> values;  // two for each segment
+  if (has_curve_values_) {
+    const std::size_t stride = static_cast<std::size_t>(mesh.pattern().density) + 1;
+    for (std::size_t k = 0; k < curves.segments.size(); ++k) values[k].resize(curves.segments[k].size() * 2);
+    for (const DisplayCurve& curve : curves.curves) {
+      if (curve.seam == no_index || curve.segment_count + 1U != stride)
+        continue;  // parts of sides carry no values
+      for (std::size_t i = 0; i < curve.segment_count; ++i)
+        for (std::size_t end = 0; end < 2; ++end) {
+          const float value = (*seam_values_)[curve.seam * stride + i + end];
+          const float other = (*seam_values_)[curve.seam * stride + i + 1 - end];
+          MapPoint& to = values[std::size_t(curve.kind)][2 * (curve.first_segment + i) + end];
+          // The end of a curve with a defined neighbour takes its value: corners have no curvature of their
+          // own.
+          if (std::isfinite(value) || std::isfinite(other)) to = {std::isfinite(value) ? value : other, 1};
+        }
+    }
+  }
+  for (std::size_t k = 0; k < curves.segments.size(); ++k) {
+    const auto& segments = curves.segments[k];
+    curve_counts_[k] = static_cast<GLsizei>(segments.size());
+    if (segments.empty()) continue;
+    curve_arrays_[k] = VertexArray::make();
+    glBindVertexArray(curve_arrays_[k].name());
+    curve_buffers_[k] =
+        filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
+    uploaded += segments.size() * sizeof(CurveSegment);
+    if (has_curve_values_) {
+      curve_values_[k] =
+          filled_buffer(GL_ARRAY_BUFFER, values[k].size() * sizeof(MapPoint), values[k].data());
+      uploaded += values[k].size() * sizeof(MapPoint);
+    }
+    set_up_line_instances(curve_buffers_[k].name(), has_curve_values_ ? curve_values_[k].name() : 0);
+  }
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void MeshBuffers::set_patch_colors(std::vector<std::uint8_t> rgba, std::size_t& uploaded) {
+  if (patch_colors_.buffer && rgba == color_bytes_) return;
+  color_bytes_ = std::move(rgba);
+  patch_colors_.allocate(color_bytes_.size(), color_bytes_.data(), GL_RGBA8, GL_DYNAMIC_DRAW);
+  uploaded += color_bytes_.size();
+}
+
+PolyhedronBuffers::PolyhedronBuffers(const DisplayPolyhedron& polyhedron, std::size_t& uploaded)
+    : point_count_(static_cast<GLsizei>(polyhedron.positions.size())) {
+  const std::size_t bytes = polyhedron.positions.size() * sizeof(polyhedron.positions[0]);
+  positions_.allocate(bytes, polyhedron.positions.data(), GL_R32F, GL_STATIC_DRAW);
+  uploaded += bytes;
+  std::array<std::vector<CurveSegment>, edge_kind_count> segments;
+  for (std::size_t e = 0; e < polyhedron.edges.size(); ++e) {
+    const auto& [a, b] = polyhedron.edges[e];
+    segments[std::size_t(polyhedron.edge_kinds[e])].push_back({{a, a, b, b}});
+  }
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    edge_counts_[k] = static_cast<GLsizei>(segments[k].size());
+    if (segments[k].empty()) continue;
+    edge_arrays_[k] = VertexArray::make();
+    glBindVertexArray(edge_arrays_[k].name());
+    edge_buffers_[k] =
+        filled_buffer(GL_ARRAY_BUFFER, segments[k].size() * sizeof(CurveSegment), segments[k].data());
+    uploaded += segments[k].size() * sizeof(CurveSegment);
+    set_up_line_instances(edge_buffers_[k].name(), 0);
+  }
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+}  // namespace hariko::gl

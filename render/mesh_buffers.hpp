@@ -1,0 +1,110 @@
+#pragma once
+
+// GPU copies of display meshes and polyhedra. Internal to render/.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "render/display_mesh.hpp"
+#include "render/display_polyhedron.hpp"
+#include "render/gl_object.hpp"
+
+namespace hariko::gl {
+
+/// A buffer with a buffer texture over it, so that vertex shaders can read any element.
+struct TexturedBuffer {
+  Buffer buffer;
+  Texture texture;
+  std::size_t bytes = 0;
+  /// Allocates and fills; data may be null.
+  void allocate(std::size_t size, const void* data, GLenum format, GLenum usage);
+  void bind_texture(int unit) const;
+};
+
+/// Triangle indices of patch blocks on one grid: shared by meshes of the same pattern.
+struct PatchIndices {
+  Buffer buffer;
+  GLsizei count = 0;
+};
+
+class IndexCache {
+ public:
+  std::shared_ptr<const PatchIndices> get(const GridPattern& pattern, Index patch_count,
+                                          std::size_t& uploaded);
+
+ private:
+  std::map<std::tuple<Domain, int, Index>, std::weak_ptr<const PatchIndices>> entries_;
+};
+
+/// The GPU copy of a display mesh. Follows refreshed versions by uploading the chunks that differ.
+class MeshBuffers {
+ public:
+  MeshBuffers(const DisplayMesh& mesh, IndexCache& indices, std::size_t& uploaded);
+  /// Brings the copy up to `mesh`, which must have the same adjacency and pattern.
+  void update(const DisplayMesh& mesh, std::size_t& uploaded);
+  /// Colours of the patches with highlights in alpha; ignored when equal to the last ones.
+  void set_patch_colors(std::vector<std::uint8_t> rgba, std::size_t& uploaded);
+
+  void bind_vertex_array() const { glBindVertexArray(vertex_array_.name()); }
+  GLsizei index_count() const { return indices_->count; }
+  const TexturedBuffer& vertices() const { return vertices_; }
+  const TexturedBuffer& patch_colors() const { return patch_colors_; }
+  /// Instanced vertex array over the segments of one kind of curves, and their number.
+  GLuint curve_array(CurveKind kind) const { return curve_arrays_[std::size_t(kind)].name(); }
+  GLsizei curve_count(CurveKind kind) const { return curve_counts_[std::size_t(kind)]; }
+  bool has_curve_values() const { return has_curve_values_; }
+
+ private:
+  void upload_run(const DisplayMesh& mesh, std::size_t begin, std::size_t end, std::size_t& uploaded);
+  void upload_values(const DisplayMesh& mesh, std::size_t& uploaded);
+  void upload_curves(const DisplayMesh& mesh, std::size_t& uploaded);
+
+  VertexArray vertex_array_;
+  TexturedBuffer vertices_, patch_colors_;
+  Buffer values_;
+  std::vector<std::vector<int>> neighbours_;  // of each grid point, for undefined values
+  std::shared_ptr<const PatchIndices> indices_;
+  std::vector<std::shared_ptr<const DisplayMesh::Chunk>>
+      chunks_;  // what was uploaded, kept so that addresses stay unique
+  std::vector<std::uint8_t> color_bytes_;
+  std::array<VertexArray, curve_kind_count> curve_arrays_;
+  std::array<Buffer, curve_kind_count> curve_buffers_, curve_values_;
+  std::array<GLsizei, curve_kind_count> curve_counts_{};
+  std::shared_ptr<const std::vector<float>> seam_values_;
+  bool has_curve_values_ = false;
+};
+
+/// The GPU copy of a polyhedron: positions, and edges sorted by kind.
+class PolyhedronBuffers {
+ public:
+  PolyhedronBuffers(const DisplayPolyhedron& polyhedron, std::size_t& uploaded);
+  const TexturedBuffer& positions() const { return positions_; }
+  GLuint edge_array(EdgeKind kind) const { return edge_arrays_[std::size_t(kind)].name(); }
+  GLsizei edge_count(EdgeKind kind) const { return edge_counts_[std::size_t(kind)]; }
+  GLsizei point_count() const { return point_count_; }
+
+ private:
+  TexturedBuffer positions_;
+  std::array<VertexArray, edge_kind_count> edge_arrays_;
+  std::array<Buffer, edge_kind_count> edge_buffers_;
+  std::array<GLsizei, edge_kind_count> edge_counts_{};
+  GLsizei point_count_ = 0;
+};
+
+/// What value buffers hold: an undefined value has defined = 0 and the mean of its defined neighbours, so
+/// that shaders can draw the grey spot of an undefined corner at a fixed size on the screen instead of whole
+/// triangles.
+struct MapPoint {
+  float value = 0, defined = 0;
+};
+
+/// Sets up the bound vertex array for line instances: points from `segments`, values from `values` when not
+/// 0.
+void set_up_line_instances(GLuint segments, GLuint values);
+
+}  // namespace hariko::gl

@@ -1,0 +1,61 @@
+#pragma once
+
+// Picking by distance on the screen: vertices before edges before faces. Pure mathematics on the CPU.
+
+#include <optional>
+#include <vector>
+
+#include "render/camera.hpp"
+#include "render/scene.hpp"
+
+namespace hariko {
+
+struct PickOptions {
+  double vertex_radius = 9, edge_radius = 6;  ///< framebuffer pixels
+  bool vertices = true, edges = true, faces = true;
+  /// Elements behind the polyhedron's own faces or the surface cannot be picked.
+  bool visible_only = false;
+  /// Surface counts for faces (through provenance) and for hiding, when it is shown.
+  bool use_surface = true;
+};
+
+struct PickHit {
+  std::size_t object = 0;  ///< index into the scene's objects
+  Element::Kind kind = Element::Kind::none;
+  Index index =
+      no_index;     ///< dense index into the display polyhedron; no_index for faces of objects without one
+  Element element;  ///< the stable id
+  Vector3 point = Vector3::Zero();  ///< world point on the element nearest to the cursor
+  double distance = 0;              ///< pixels from the cursor; 0 for faces
+  double depth = 0;                 ///< from the eye's plane
+};
+
+/// What is under a pixel. Of two vertices (or edges) within the radius the nearer to the cursor wins, of
+/// equally near ones (within half a pixel) the nearer to the eye. O(elements).
+std::optional<PickHit> pick(const Scene& scene, const Projector& projector, const Vector2& pixel,
+                            const PickOptions& options = {});
+/// All hits of the best kind within the radius, nearest first: for cycling through overlapping elements.
+std::vector<PickHit> pick_all(const Scene& scene, const Projector& projector, const Vector2& pixel,
+                              const PickOptions& options = {});
+
+struct SurfaceHit {
+  std::size_t object = 0;
+  Index patch = no_index;
+  Vector2 parameter = Vector2::Zero();  ///< of the patch
+  Vector3 point = Vector3::Zero();      ///< world, on the display mesh
+  double value = 0;                     ///< of the map there, NaN when undefined or without a map
+  double t = 0;                         ///< along the ray
+};
+/// The front-most point of the shown surfaces on a ray: for the probe and for zooming to the cursor.
+std::optional<SurfaceHit> pick_surface(const Scene& scene, const Ray& ray);
+
+/// A rectangle in pixels, corners in any order.
+struct PixelBox {
+  Vector2 first, second;
+};
+/// Elements of one object in a rectangle: wholly inside, or also those that it touches (crossing). Faces
+/// touch when an edge of theirs does or a corner lies inside. Points behind the eye are outside.
+Highlights pick_box(const SceneObject& object, const Projector& projector, const PixelBox& box,
+                    bool crossing);
+
+}  // namespace hariko

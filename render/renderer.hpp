@@ -1,0 +1,66 @@
+#pragma once
+
+// Renderer: draws a scene with OpenGL 3.3 core into a texture of its own.
+
+#include <memory>
+
+#include "core/base/result.hpp"
+#include "render/camera.hpp"
+#include "render/image.hpp"
+#include "render/scene.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_gl_version{"E_GL_VERSION"};
+inline constexpr Code e_gl_shader{"E_GL_SHADER"};
+inline constexpr Code e_gl_framebuffer{"E_GL_FRAMEBUFFER"};
+
+struct FrameOptions {
+  PixelSize size;
+  int samples = 4;  ///< 1 (none, for moving views on slow machines) to 4; clamped to what GL offers
+};
+
+struct FrameStatistics {
+  std::size_t uploaded_bytes = 0;
+  std::size_t triangles = 0;
+  int draw_calls = 0;
+};
+
+/// Owns programs, framebuffers and the GPU copies of the meshes it drew last. Every call, construction and
+/// destruction need the same GL context to be current. Leaves framebuffer 0 bound and depth test, blending
+/// and culling off.
+class Renderer {
+ public:
+  /// Errors: E_GL_VERSION below 3.3, E_GL_SHADER.
+  static Result<Renderer> create();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  /// Draws; the picture is then in texture(). Errors: E_GL_FRAMEBUFFER.
+  Result<Done> draw(const Scene& scene, const Camera& camera, const FrameOptions& options);
+
+  /// GL name of the RGBA8 texture with the last picture; rows run upwards, as GL has them (ImGui: uv
+  /// (0,1)..(1,0)).
+  unsigned texture() const;
+  /// Copies the last picture into framebuffer 0 with its lower left corner at (x, y).
+  void blit_to_window(int x, int y) const;
+  /// Reads the last picture back.
+  Image read() const;
+  const FrameStatistics& statistics() const;
+
+  /// True when a shader file on disk (HARIKO_SHADERS) changed since it was compiled; then reload() compiles
+  /// again and keeps the old program where that fails.
+  bool shaders_changed() const;
+  Result<Done> reload();
+
+ private:
+  struct State;
+  explicit Renderer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// "OpenGL 4.5 (llvmpipe)": for the about box and error reports. Needs a current context.
+std::string describe_gl();
+
+}  // namespace hariko

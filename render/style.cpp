@@ -1,0 +1,47 @@
+#include "render/style.hpp"
+
+namespace hariko::gl {
+
+namespace {
+
+Color with_alpha(Color color, float alpha) {
+  color.a = alpha;
+  return color;
+}
+
+}  // namespace
+
+Style style_of(Background background) {
+  const bool light = background == Background::light;
+  const Color accent = color_from_hex("#f29e38"), secondary = color_from_hex("#4aa3df");
+  const Color ink = color_from_hex("#17181a");
+  Style s;
+  s.top = color_from_hex(light ? "#f4f5f7" : "#3a3d42");
+  s.bottom = color_from_hex(light ? "#d9dce1" : "#24262a");
+  s.grid = color_from_hex(light ? "#5b6068" : "#aeb4bc");
+  s.grid_strength = light ? 0.26F : 0.20F;
+  s.axis_x = color_from_hex("#e5484d");
+  s.axis_y = color_from_hex("#46a758");
+  s.clay = color_from_hex("#b9b4ac");
+  s.inside = color_from_hex("#5f7f96");
+  s.undefined = undefined_color;
+  // A pale line with a thin dark casing reads on the clay and on the background.
+  s.polyhedron = {with_alpha(color_from_hex(light ? "#3a3f47" : "#e6e6e6"), 0.60F), 1.2F,
+                  with_alpha(light ? Color{1, 1, 1, 1} : ink, 0.28F), 0.9F};
+  s.network = {with_alpha(color_from_hex("#22252a"), 0.78F), 1.6F, {}, 0};
+  s.zebra_network = {with_alpha(secondary, 0.95F), 1.6F, {}, 0};  // readable on black and on white
+  s.split = {with_alpha(color_from_hex("#22252a"), 0.34F), 1.0F, {}, 0};
+  s.crease = {color_from_hex("#ff5a2b"), 2.4F, with_alpha(ink, 0.30F), 0.6F};
+  s.boundary = {color_from_hex("#3dbb6c"), 2.0F, with_alpha(ink, 0.30F), 0.6F};
+  s.continuity = {Color{1, 1, 1, 1}, 2.6F, with_alpha(ink, 0.55F), 0.9F};
+  s.selected_edge = {accent, 3.0F, with_alpha(ink, 0.55F), 1.0F};
+  s.hovered_edge = {secondary, 2.5F, with_alpha(ink, 0.55F), 1.0F};
+  s.point = {color_from_hex("#f4f4f2"), with_alpha(ink, 0.90F), 7.0F, 1.25F};
+  s.selected_point = {accent, with_alpha(ink, 0.95F), 10.0F, 1.5F};
+  s.hovered_point = {secondary, with_alpha(ink, 0.95F), 9.0F, 1.5F};
+  s.selected_fill = with_alpha(accent, 0.30F);
+  s.hovered_fill = with_alpha(secondary, 0.22F);
+  return s;
+}
+
+}  // namespace hariko::gl

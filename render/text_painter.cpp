@@ -1,0 +1,96 @@
+#include "render/text_painter.hpp"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace hariko {
+
+namespace {
+
+constexpr std::array font_files{"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
+                                "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
+                                "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf"};
+
+/// The code points of UTF-8; malformed bytes become U+FFFD.
+std::u32string decode(std::string_view text) {
+  std::u32string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i++]);
+    const int more = byte < 0x80           ? 0
+                     : (byte >> 5) == 0x6  ? 1
+                     : (byte >> 4) == 0xe  ? 2
+                     : (byte >> 3) == 0x1e ? 3
+                                           : -1;
+    char32_t code = more == 0 ? byte : more == 1 ? byte & 0x1fU : more == 2 ? byte & 0x0fU : byte & 0x07U;
+    int k = 0;
+    for (; k < more && i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0U) == 0x80; ++k)
+      code = (code << 6) | (static_cast<unsigned char>(text[i++]) & 0x3fU);
+    out.push_back(more < 0 || k < more ? U'\ufffd' : code);
+  }
+  return out;
+}
+
+}  // namespace
+
+struct TextPainter::State {
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  ~State() {
+    if (face) FT_Done_Face(face);
+    if (library) FT_Done_FreeType(library);
+  }
+  /// Calls draw(pen position) with each glyph loaded; returns the text's width.
+  template <class Draw>
+  double walk(std::string_view text, double size, FT_Int32 flags, Draw&& draw) {
+    if (!face || FT_Set_Char_Size(face, 0, static_cast<FT_F26Dot6>(std::lround(size * 64)), 72, 72)) return 0;
+    double pen = 0;
+    for (const char32_t code : decode(text)) {
+      if (FT_Load_Char(face, code, flags)) continue;
+      draw(pen);
+      pen += static_cast<double>(face->glyph->linearHoriAdvance) / 65536;
+    }
+    return pen;
+  }
+};
+
+TextPainter::TextPainter() : state_(std::make_unique<State>()) {
+  if (FT_Init_FreeType(&state_->library)) {
+    state_->library = nullptr;
+    return;
+  }
+  for (const char* file : font_files)
+    if (!FT_New_Face(state_->library, file, 0, &state_->face)) return;
+  state_->face = nullptr;
+}
+TextPainter::~TextPainter() = default;
+TextPainter::TextPainter(TextPainter&&) noexcept = default;
+TextPainter& TextPainter::operator=(TextPainter&&) noexcept = default;
+
+bool TextPainter::available() const {
+  return state_->face != nullptr;
+}
+
+double TextPainter::width(std::string_view text, double size) {
+  return state_->walk(text, size, FT_LOAD_NO_HINTING, [](double) {});
+}
+
+void TextPainter::paint(Image& image, std::string_view text, double x, double y, double size, Color color) {
+  const int baseline = static_cast<int>(std::lround(y));
+  state_->walk(text, size, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT, [&](double pen) {
+    const FT_GlyphSlot glyph = state_->face->glyph;
+    const FT_Bitmap& bitmap = glyph->bitmap;
+    const int left = static_cast<int>(std::lround(x + pen)) + glyph->bitmap_left;
+    for (unsigned row = 0; row < bitmap.rows; ++row)
+      for (unsigned column = 0; column < bitmap.width; ++column)
+        image.blend(left + static_cast<int>(column), baseline - glyph->bitmap_top + static_cast<int>(row),
+                    color, bitmap.buffer[static_cast<std::ptrdiff_t>(row) * bitmap.pitch + column] / 255.0);
+  });
+}
+
+}  // namespace hariko

@@ -1,0 +1,24 @@
+// A point as a square on the screen; the fragment shader makes it round.
+layout(location = 0) in uint number;
+
+uniform samplerBuffer coordinates;
+uniform int stride;
+uniform mat4 to_eye;
+uniform mat4 projection;
+uniform vec2 viewport;
+uniform float radius;  // pixels, with the outline
+uniform float bias;
+uniform bool perspective;
+uniform bool numbered;  // the attribute, or the instance's own number
+
+noperspective out vec2 offset;
+
+void main() {
+  int at = (numbered ? int(number) : gl_InstanceID) * stride;
+  vec3 p = vec3(texelFetch(coordinates, at).r, texelFetch(coordinates, at + 1).r, texelFetch(coordinates, at + 2).r);
+  vec3 eye = (to_eye * vec4(p, 1.0)).xyz;
+  vec4 here = projection * vec4(perspective ? eye * (1.0 - bias) : eye + vec3(0.0, 0.0, bias), 1.0);
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
+  offset = corner * (radius + 1.0);
+  gl_Position = here + vec4(offset * 2.0 / viewport * here.w, 0.0, 0.0);
+}

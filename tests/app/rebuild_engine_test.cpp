@@ -1,0 +1,185 @@
+#include "app/rebuild_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "core/document/edits.hpp"
+
+namespace hariko {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// What fake builders saw and are told to do; shared with the worker, hence atomics.
+struct Script {
+  std::atomic<int> builds = 0, drag_builds = 0, running = 0, most_running = 0;
+  std::atomic<bool> fail = false, hold = false, started = false;
+};
+
+class FakeBuilder final : public ViewBuilder {
+ public:
+  explicit FakeBuilder(std::shared_ptr<Script> script) : script_(std::move(script)) {}
+  SurfaceView build(const std::shared_ptr<const Object>& object, Quality quality,
+                    const CancelToken& cancel) override {
+    Script& script = *script_;
+    script.most_running = std::max<int>(script.most_running, ++script.running);
+    ++script.builds;
+    if (quality == Quality::drag) ++script.drag_builds;
+    script.started = true;
+    while (script.hold && !cancel.cancelled()) std::this_thread::sleep_for(1ms);
+    --script.running;
+    SurfaceView view;
+    view.object = object;
+    view.quality = quality;
+    view.milliseconds = object->polyhedron()->polyhedron.position(0).x();  // tells views apart
+    if (script.fail) view.error = make_error(Code{"E_FAKE"}, "It failed.");
+    return view;
+  }
+  double measure_jump(const Surface&, const CancelToken&) override { return 0.25; }
+
+ private:
+  std::shared_ptr<Script> script_;
+};
+
+Document triangle_document() {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.add_face({0, 1, 2});
+  auto document = document_from_mesh(mesh, "triangle");
+  EXPECT_TRUE(document.ok());
+  return document.value();
+}
+
+Document moved(const Document& document, double x) {
+  const VertexId vertex{0};
+  const Vector3 position(x, 0, 0);
+  auto result = move_vertices(document, document.objects[0]->id, {&vertex, 1}, {&position, 1});
+  EXPECT_TRUE(result.ok());
+  return result.value();
+}
+
+struct Rig {
+  std::shared_ptr<Script> script = std::make_shared<Script>();
+  std::vector<std::pair<double, Quality>> published;
+  RebuildEngine engine{
+      [this] { return std::make_unique<FakeBuilder>(script); },
+      {},
+      [this](ObjectId, const SurfaceView& view) { published.emplace_back(view.milliseconds, view.quality); }};
+  void settle() {
+    for (int i = 0; i < 3; ++i) {
+      engine.wait();
+      engine.publish();
+    }
+  }
+};
+
+TEST(RebuildEngine, BuildsOnceAndOnlyWhatChanged) {
+  Rig rig;
+  Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  EXPECT_TRUE(rig.engine.any_pending());
+  rig.settle();
+  EXPECT_FALSE(rig.engine.any_pending());
+  for (int i = 0; i < 5; ++i) rig.engine.sync(document, false, i);
+  document = rename_object(document, document.objects[0]->id, "other").value();
+  document = set_transform(document, document.objects[0]->id, Similarity{{1, 0, 0, 0}, 2, {1, 2, 3}}).value();
+  rig.engine.sync(document, false, 6);
+  rig.settle();
+  EXPECT_EQ(rig.script->builds, 1);
+  rig.engine.sync(moved(document, -1), false, 7);
+  rig.settle();
+  EXPECT_EQ(rig.script->builds, 2);
+  ASSERT_EQ(rig.engine.views().size(), 1U);
+  EXPECT_EQ(rig.engine.views().begin()->second.largest_normal_jump, 0.25);
+}
+
+TEST(RebuildEngine, DragsAtDragQualityAndFinishesAtFinal) {
+  Rig rig;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  rig.published.clear();
+  rig.script->hold = true;
+  rig.script->started = false;
+  rig.engine.sync(moved(document, 1), true, 1.00);
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  for (int i = 2; i <= 9; ++i) rig.engine.sync(moved(document, i), true, 1.0 + 0.01 * i);
+  rig.script->hold = false;
+  rig.settle();
+  // The first was running and is shown; of those that waited only the latest ran.
+  ASSERT_EQ(rig.published.size(), 2U);
+  EXPECT_EQ(rig.published[0], std::pair(1.0, Quality::drag));
+  EXPECT_EQ(rig.published[1], std::pair(9.0, Quality::drag));
+  rig.engine.sync(moved(document, 9), false, 2);
+  rig.settle();
+  ASSERT_EQ(rig.published.size(), 3U);
+  EXPECT_EQ(rig.published[2], std::pair(9.0, Quality::final));
+  EXPECT_EQ(rig.script->most_running, 1);
+}
+
+TEST(RebuildEngine, RestingGestureIsRefinedAndCancelsForTheNextMove) {
+  Rig rig;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  const Document dragged = moved(document, 3);
+  rig.engine.sync(dragged, true, 1);
+  rig.settle();
+  rig.engine.sync(dragged, true, 1.1);
+  EXPECT_FALSE(rig.engine.any_pending());
+  rig.published.clear();
+  rig.script->hold = true;
+  rig.script->started = false;
+  rig.engine.sync(dragged, true, 1 + RebuildEngine::rest_seconds + 0.01);
+  EXPECT_TRUE(rig.engine.any_pending());
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  rig.engine.sync(moved(document, 4), true, 2);  // cancels the held final job: only that lets it end
+  for (int i = 0; i < 2000 && rig.script->drag_builds < 2; ++i) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(rig.script->drag_builds, 2);
+  rig.script->hold = false;
+  rig.settle();
+  ASSERT_EQ(rig.published.size(), 1U);
+  EXPECT_EQ(rig.published[0], std::pair(4.0, Quality::drag));
+}
+
+TEST(RebuildEngine, FailureKeepsTheLastGoodSurfaceAndSaysWhy) {
+  Rig rig;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  rig.script->fail = true;
+  rig.engine.sync(moved(document, 5), false, 1);
+  rig.settle();
+  const SurfaceView& view = rig.engine.views().begin()->second;
+  ASSERT_TRUE(view.error.has_value());
+  EXPECT_EQ(view.error->code.name, "E_FAKE");
+  EXPECT_FALSE(rig.engine.any_pending());
+  rig.script->fail = false;
+  rig.engine.sync(document, false, 2);
+  rig.settle();
+  EXPECT_FALSE(rig.engine.views().begin()->second.error.has_value());
+}
+
+TEST(RebuildEngine, DeletedAndHiddenObjectsArePublishedNoMore) {
+  Rig rig;
+  const Document document = triangle_document();
+  rig.script->hold = true;
+  rig.engine.sync(document, false, 0);
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  const ObjectId id = document.objects[0]->id;
+  rig.engine.sync(delete_objects(document, {&id, 1}).value(), false, 1);
+  rig.settle();
+  EXPECT_TRUE(rig.published.empty());
+  EXPECT_TRUE(rig.engine.views().empty());
+  rig.script->hold = false;
+  Rig other;
+  other.engine.sync(set_visible(document, id, false).value(), false, 0);
+  other.settle();
+  EXPECT_EQ(other.script->builds, 0);
+}
+
+}  // namespace
+}  // namespace hariko

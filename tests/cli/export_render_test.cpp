@@ -1,0 +1,102 @@
+#include <map>
+
+#include "core/exchange/mesh_file.hpp"
+#include "tests/cli/program.hpp"
+
+namespace hariko::test {
+namespace {
+
+class ExportRender : public ProgramTest {};
+
+/// Directed edges without their opposite; a directed edge used twice counts too.
+std::size_t open_edges(const PolygonMesh& mesh) {
+  std::map<std::pair<Index, Index>, int> count;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 0; k < face.size(); ++k) ++count[{face[k], face[(k + 1) % face.size()]}];
+  }
+  std::size_t open = 0;
+  for (const auto& [edge, uses] : count)
+    open += uses != 1 || count.find({edge.second, edge.first}) == count.end() ? 1 : 0;
+  return open;
+}
+
+TEST_F(ExportRender, MeshesAreWholeInEveryFormat) {
+  for (const std::string extension : {"obj", "ply", "stl"})
+    for (const int density : {1, 5}) {
+      const std::string out = path("cube." + extension);
+      const Outcome result =
+          run("export " + golden("cube.obj") + " " + out + " --density " + std::to_string(density));
+      ASSERT_EQ(result.exit_code, 0) << result.error;
+      const auto mesh = read_mesh_file(out);
+      ASSERT_TRUE(mesh.ok()) << mesh.error().text;
+      EXPECT_EQ(mesh->mesh.face_count(), static_cast<std::size_t>(24 * density * density)) << extension;
+      EXPECT_EQ(open_edges(mesh->mesh), 0U) << extension << " " << density;
+    }
+}
+
+TEST_F(ExportRender, DensityIsEightAndEdgesOfOpenSurfacesStayOpen) {
+  const std::string out = path("grid.obj");
+  ASSERT_EQ(run("export " + golden("grid3.obj") + " " + out).exit_code, 0);
+  const auto mesh = read_mesh_file(out);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_EQ(mesh->mesh.face_count(), 36U * 64U);
+  EXPECT_EQ(open_edges(mesh->mesh), 12U * 8U);
+}
+
+TEST_F(ExportRender, OldFileStaysWhenTheInputFails) {
+  write_text(path("out.obj"), "old");
+  EXPECT_EQ(run("export " + path("missing.obj") + " " + path("out.obj")).exit_code, 1);
+  EXPECT_EQ(read_text(path("out.obj")), "old");
+  EXPECT_EQ(run("export " + golden("cube.obj") + " " + path("no/such/folder/out.obj")).exit_code, 1);
+}
+
+TEST_F(ExportRender, TooManyTrianglesAreRefused) {
+  // A grid of 20 x 20 quads has 1,600 patches: 105 million triangles at density 256.
+  std::string obj;
+  for (int j = 0; j <= 20; ++j)
+    for (int i = 0; i <= 20; ++i) obj += "v " + std::to_string(i) + " " + std::to_string(j) + " 0\n";
+  for (int j = 0; j < 20; ++j)
+    for (int i = 1; i <= 20; ++i) {
+      const int a = j * 21 + i;
+      obj += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(a + 22) + " " +
+             std::to_string(a + 21) + "\n";
+    }
+  write_text(path("grid.obj"), obj);
+  const Outcome result = run("export " + path("grid.obj") + " " + path("huge.ply") + " --density 256");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.error.find("E_TOO_MANY_TRIANGLES"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(path("huge.ply")));
+}
+
+std::pair<int, int> png_size(const std::string& bytes) {
+  if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return {0, 0};
+  const auto number = [&](std::size_t at) {
+    int out = 0;
+    for (std::size_t k = 0; k < 4; ++k) out = out * 256 + static_cast<unsigned char>(bytes[at + k]);
+    return out;
+  };
+  return {number(16), number(20)};
+}
+
+TEST_F(ExportRender, PicturesOfEveryMapAndView) {
+  const std::string out = path("picture.png");
+  std::map<std::string, std::string> pictures;
+  for (const std::string map : {"shaded", "patches", "zebra", "gauss", "mean", "k1", "k2", "continuity"}) {
+    const Outcome result = run("render " + golden("fig2.obj") + " " + out + " --size 160x120 --map " + map);
+    ASSERT_EQ(result.exit_code, 0) << result.error;
+    EXPECT_EQ(png_size(read_text(out)), (std::pair<int, int>{160, 120}));
+    EXPECT_TRUE(pictures.emplace(read_text(out), map).second) << map << " looks like another map";
+  }
+  for (const std::string view : {"front", "left", "top"}) {
+    ASSERT_EQ(run("render " + golden("car.obj") + " " + out + " --size 160x120 --view " + view).exit_code, 0);
+    EXPECT_TRUE(pictures.emplace(read_text(out), view).second) << view << " looks like another view";
+  }
+  ASSERT_EQ(
+      run("render " + golden("fig2.obj") + " " + out + " --size 160x120 --show polyhedron,network").exit_code,
+      0);
+  EXPECT_TRUE(pictures.emplace(read_text(out), "lines").second) << "polyhedron and network do not show";
+}
+
+}  // namespace
+}  // namespace hariko::test

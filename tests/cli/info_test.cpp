@@ -1,0 +1,152 @@
+#include <set>
+
+#include "core/document/file.hpp"
+#include "tests/cli/program.hpp"
+
+namespace hariko::test {
+namespace {
+
+class Info : public ProgramTest {
+ protected:
+  Json inspect(const std::string& file, int exit_code = 0) {
+    const Outcome result = run("info '" + file + "' --json");
+    EXPECT_EQ(result.exit_code, exit_code) << result.error;
+    return result.object();
+  }
+};
+
+std::set<std::string> codes(const Json& object) {
+  std::set<std::string> out;
+  for (const Json& message : object["messages"]) out.insert(message["code"].get<std::string>());
+  return out;
+}
+
+TEST_F(Info, HasExactlyTheDocumentedKeys) {
+  const Json cube = inspect(golden("cube.obj"));
+  std::set<std::string> keys;
+  for (const auto& [key, value] : cube.items()) keys.insert(key);
+  EXPECT_EQ(keys, (std::set<std::string>{"name",
+                                         "kind",
+                                         "vertices",
+                                         "edges",
+                                         "faces",
+                                         "patches",
+                                         "components",
+                                         "genus",
+                                         "boundary_loops",
+                                         "area",
+                                         "volume",
+                                         "bending",
+                                         "largest_gap",
+                                         "largest_normal_jump",
+                                         "rms_curvature_jump",
+                                         "gauss_range",
+                                         "mean_range",
+                                         "degenerate_samples",
+                                         "folded_samples",
+                                         "messages",
+                                         "milliseconds"}));
+  for (const char* step : {"read", "validate", "rebuild", "measures", "continuity", "statistics"})
+    EXPECT_GE(cube["milliseconds"][step].get<double>(), 0) << step;
+}
+
+TEST_F(Info, OfAClosedObject) {
+  const Json cube = inspect(golden("cube.obj"));
+  EXPECT_EQ(cube["name"], "cube");
+  EXPECT_EQ(cube["kind"], "polyhedron");
+  EXPECT_EQ(cube["vertices"], 8);
+  EXPECT_EQ(cube["edges"], 12);
+  EXPECT_EQ(cube["faces"], 6);
+  EXPECT_EQ(cube["patches"], 24);
+  EXPECT_EQ(cube["components"], 1);
+  EXPECT_EQ(cube["genus"], 0);
+  EXPECT_EQ(cube["boundary_loops"], 0);
+  EXPECT_NEAR(cube["area"].get<double>(), 36.2953247283, 1e-9);
+  EXPECT_NEAR(cube["bending"].get<double>(), 27.0618627308, 1e-9);
+  const double area = cube["area"], volume = cube["volume"];
+  EXPECT_LT(36 * 3.14159265 * volume * volume, area * area * area);  // isoperimetric
+  EXPECT_GT(volume, 20);
+  EXPECT_LE(cube["largest_gap"].get<double>(), 1e-13);
+  EXPECT_LE(cube["largest_normal_jump"].get<double>(), 1e-10);
+  EXPECT_LT(cube["gauss_range"][0].get<double>(), cube["gauss_range"][1].get<double>());
+  EXPECT_GT(cube["mean_range"][0].get<double>(), 0) << "convex";
+  EXPECT_EQ(cube["degenerate_samples"], 0);
+  EXPECT_EQ(cube["folded_samples"], 0);
+  EXPECT_TRUE(cube["messages"].empty());
+}
+
+TEST_F(Info, OfOpenAndKnottedObjects) {
+  const Json open = inspect(golden("fig2_open.obj"));
+  EXPECT_TRUE(open["volume"].is_null());
+  EXPECT_EQ(open["boundary_loops"], 1);
+  EXPECT_EQ(open["genus"], 0);
+  EXPECT_NEAR(open["rms_curvature_jump"].get<double>(), 0.0215919575, 1e-9);
+  const Json genus3 = inspect(golden("genus3.obj"));
+  EXPECT_EQ(genus3["genus"], 3);
+  EXPECT_NEAR(genus3["bending"].get<double>() / 226.0, 1, 0.02);
+  EXPECT_EQ(inspect(golden("torus.obj"))["genus"], 1);
+}
+
+TEST_F(Info, WarningsAloneGiveZero) {
+  const Json concave = inspect(golden("concave.obj"));
+  EXPECT_TRUE(codes(concave).count("W_CONCAVE_FACE"));
+  EXPECT_TRUE(codes(concave).count("W_FOLD"));
+  const Json message = concave["messages"][0];
+  EXPECT_EQ(message.size(), 4U);
+  EXPECT_EQ(message["severity"], "warning");
+  EXPECT_EQ(message["element"], "face 0");
+  EXPECT_FALSE(message["text"].get<std::string>().empty());
+}
+
+TEST_F(Info, MeshThatMakesNoPolyhedronIsExplained) {
+  // Three faces at one edge.
+  write_text(path("fin.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
+  const Json fin = inspect(path("fin.obj"), 1);
+  EXPECT_TRUE(codes(fin).count("E_EDGE_NONMANIFOLD_OR_FLIPPED")) << fin;
+  EXPECT_EQ(fin["vertices"], 5);
+  EXPECT_TRUE(fin["area"].is_null());
+  const Outcome text = run("info '" + path("fin.obj") + "'");
+  EXPECT_EQ(text.exit_code, 1);
+  EXPECT_NE(text.out.find("E_EDGE_NONMANIFOLD_OR_FLIPPED"), std::string::npos);
+}
+
+TEST_F(Info, FileThatCannotBeReadGivesAnEmptyList) {
+  const Outcome missing = run("info " + path("missing.obj") + " --json");
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_EQ(missing.json()["objects"], Json::array());
+  EXPECT_NE(missing.error.find("E_FILE_OPEN"), std::string::npos);
+}
+
+TEST_F(Info, DocumentInItsOwnUnitAndScale) {
+  PolygonMesh mesh;
+  for (int i = 0; i < 8; ++i) mesh.positions.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+  for (const auto& face : {std::array<Index, 4>{0, 2, 3, 1},
+                           {4, 5, 7, 6},
+                           {0, 1, 5, 4},
+                           {1, 3, 7, 5},
+                           {3, 2, 6, 7},
+                           {2, 0, 4, 6}})
+    mesh.add_face(face);
+  auto document = document_from_mesh(mesh, "block");
+  ASSERT_TRUE(document.ok());
+  Document scaled = *document;
+  Object object = *scaled.objects[0];
+  object.transform.scale = 2;
+  object.transform.translation = {1e6, 0, 0};
+  scaled.objects[0] = std::make_shared<const Object>(object);
+  ASSERT_TRUE(save_document(scaled, path("block.hariko")).ok());
+  const Json block = inspect(path("block.hariko"));
+  EXPECT_EQ(block["name"], "block");
+  EXPECT_NEAR(block["area"].get<double>(), 4 * 36.2953247283, 1e-8);
+  EXPECT_NEAR(block["bending"].get<double>(), 27.0618627308, 1e-9);
+}
+
+TEST_F(Info, TextForPeople) {
+  const Outcome text = run("info " + golden("cube.obj"));
+  EXPECT_EQ(text.exit_code, 0);
+  EXPECT_NE(text.out.find("boundary loops"), std::string::npos);
+  EXPECT_NE(text.out.find("polyhedron"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hariko::test

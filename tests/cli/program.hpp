@@ -1,0 +1,81 @@
+#pragma once
+
+// Runs the program and keeps what it said.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+namespace hariko::test {
+
+using Json = nlohmann::json;
+
+inline std::string read_text(const std::filesystem::path& path) {
+  std::ostringstream out;
+  out << std::ifstream(path, std::ios::binary).rdbuf();
+  return out.str();
+}
+
+inline void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// The model of this name in tests/golden.
+inline std::string golden(const std::string& name) {
+  return std::string(HARIKO_SOURCE_DIR) + "/tests/golden/" + name;
+}
+
+struct Outcome {
+  int exit_code = -1;  ///< -1 when it was killed
+  std::string out, error;
+
+  Json json() const { return Json::parse(out, nullptr, false); }
+  /// The one object of `info --json`.
+  Json object() const {
+    const Json all = json();
+    EXPECT_TRUE(all.is_object() && all.contains("objects") && all["objects"].size() == 1) << out;
+    return all.is_object() && all.contains("objects") && all["objects"].size() == 1 ? all["objects"][0]
+                                                                                    : Json();
+  }
+};
+
+/// A test with a folder of its own, removed afterwards.
+class ProgramTest : public ::testing::Test {
+ protected:
+  ProgramTest() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "hariko-cli-XXXXXX").string();
+    const char* made = mkdtemp(pattern.data());
+    EXPECT_NE(made, nullptr);
+    folder_ = pattern;
+  }
+  ~ProgramTest() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// `arguments` as a shell would split them. Runs without a display.
+  Outcome run(const std::string& arguments) const {
+    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY '" HARIKO_PROGRAM "' " + arguments +
+                                " >'" + path("stdout.txt") + "' 2>'" + path("stderr.txt") + "' </dev/null";
+    const int status = std::system(command.c_str());
+    Outcome out;
+    out.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    out.out = read_text(path("stdout.txt"));
+    out.error = read_text(path("stderr.txt"));
+    return out;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace hariko::test

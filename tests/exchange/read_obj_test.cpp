@@ -1,0 +1,194 @@
+#include "core/exchange/read_obj.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/exchange/mesh_file.hpp"
+#include "tests/exchange/mesh_text.hpp"
+
+namespace hariko {
+namespace {
+
+using test::outcome;
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+TEST(ReadObj, EveryFormOfACorner) {
+  const auto result = read_obj(triangle +
+                               "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 "
+                               "3/1/1\nf -3 -2 -1\nf 1/ 2/ 3/\n");
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  test::expect_sound(result->mesh);
+  ASSERT_EQ(result->mesh.face_count(), 6U);
+  for (std::size_t f = 0; f < 6; ++f) {
+    const auto face = result->mesh.face(f);
+    EXPECT_EQ(std::vector<Index>(face.begin(), face.end()), (std::vector<Index>{0, 1, 2}));
+  }
+  EXPECT_TRUE(result->warnings.empty());
+}
+
+TEST(ReadObj, NegativeIndicesCountFromWhereTheyStand) {
+  const auto result = read_obj(triangle + "f -3 -2 -1\nv 0 0 1\nf -4 -1 -3\n");
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2, 0, 3, 1}));
+}
+
+TEST(ReadObj, FacesMayComeBeforeTheirVertices) {
+  const auto result = read_obj("f 1 2 3\n" + triangle);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2}));
+}
+
+TEST(ReadObj, LineEndsContinuationCommentsAndByteOrderMark) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string text = "\xEF\xBB\xBF# comment \\" + end + "v 0 0 0 # origin" + end + "v 1\t0 \\" + end +
+                             " 0" + end + "v 0 1 0" + end + end + "  f 1 2\\" + end + "\\" + end + " 3" +
+                             end + "bad";
+    const auto result = read_obj(text);
+    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    EXPECT_EQ(result->mesh.positions.size(), 3U);
+    EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2}));
+    ASSERT_EQ(result->warnings.size(), 1U);
+    EXPECT_EQ(result->warnings[0].element, (Element{Element::Kind::line, 10}));
+  }
+}
+
+TEST(ReadObj, WeightsColoursAndNumberForms) {
+  const auto result =
+      read_obj("v +1.5 -.5 2. 1\nv 1e-3 1E+2 0.1 0.2 0.3 0.4\nv 123456789012345678901 1e-400 -0\nf 1 2 3\n");
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  EXPECT_EQ(result->mesh.positions[0], Vector3(1.5, -0.5, 2));
+  EXPECT_EQ(result->mesh.positions[1], Vector3(1e-3, 1e2, 0.1));
+  EXPECT_EQ(result->mesh.positions[2], Vector3(123456789012345678901.0, 0, 0));
+}
+
+TEST(ReadObj, NameIsTheFirstObjectElseTheFirstGroup) {
+  EXPECT_EQ(read_obj(triangle + "g side\no  Car body \no other\nf 1 2 3\n")->name, "Car body");
+  EXPECT_EQ(read_obj(triangle + "g side\nf 1 2 3\n")->name, "side");
+  EXPECT_EQ(read_obj(triangle + "f 1 2 3\n")->name, "");
+  EXPECT_EQ(read_obj(triangle + "o a\xff\x01z 張り子\nf 1 2 3\n")->name, "a??z 張り子");
+}
+
+TEST(ReadObj, IgnoredStatementsAreSilentAndUnknownOnesGiveOneWarning) {
+  const auto result =
+      read_obj("mtllib C:\\a\\b.mtl\n" + triangle +
+               "vt 0 0\nvn 0 0 1\nvp 0\ng a\ns off\nusemtl m\nl 1 2\np 1\nf 1 2 3\nfoo 1\nbar 2\nfoo 3\n");
+  ASSERT_TRUE(result.ok());
+  ASSERT_EQ(result->warnings.size(), 1U);
+  EXPECT_EQ(result->warnings[0].code, w_unknown_statement);
+  EXPECT_EQ(result->warnings[0].element, (Element{Element::Kind::line, 14}));
+  EXPECT_NE(result->warnings[0].text.find("\"foo\" is not"), std::string::npos) << result->warnings[0].text;
+  EXPECT_NE(result->warnings[0].text.find("2 more"), std::string::npos) << result->warnings[0].text;
+}
+
+struct Bad {
+  std::string text;
+  std::string expected;
+};
+
+TEST(ReadObj, EveryMalformationHasItsCodeAndLine) {
+  const std::vector<Bad> cases{
+      {"", "E_EMPTY 1"},
+      {"# only a comment\n", "E_EMPTY 2"},
+      {triangle, "E_EMPTY 4"},
+      {"\x7f"
+       "ELF\x01\x02\nxyz\n",
+       "E_FORMAT_UNKNOWN 1"},
+      {"v 1 2\nf 1 1 1\n", "E_PARSE 1"},
+      {"v 0 0 0\nv 1,5 0 0\n", "E_PARSE 2"},
+      {"v 0 0 0\nv nan 0 0\n", "E_PARSE 2"},
+      {"v 0 inf 0\n", "E_PARSE 1"},
+      {"v 0 0 1e999\n", "E_PARSE 1"},
+      {"v 0 0 0x10\n", "E_PARSE 1"},
+      {"v 0 0 +-1\n", "E_PARSE 1"},
+      {"v 0 0 1e\n", "E_PARSE 1"},
+      {"v 0 0 0 red\n", "E_PARSE 1"},
+      {"v 0 0\n0\n", "E_PARSE 1"},
+      {"v 0 0", "E_TRUNCATED 1"},
+      {triangle + "f\n", "E_PARSE 4"},
+      {triangle + "f 1 2 x\n", "E_PARSE 4"},
+      {triangle + "f 1 2 3/x\n", "E_PARSE 4"},
+      {triangle + "f 1 2 3/1/1/1\n", "E_PARSE 4"},
+      {triangle + "f 1 2 /3\n", "E_PARSE 4"},
+      {triangle + "f 1 2 3.5\n", "E_PARSE 4"},
+      {triangle + "\nf 1 2 0\n", "E_INDEX_RANGE 5"},
+      {triangle + "f 1 2 3\nf 1 2 4\nf 1 2 3\n", "E_INDEX_RANGE 5"},
+      {triangle + "f 1 2 4\nf 1 2 6\nv 0 0 0\n", "E_INDEX_RANGE 5"},
+      {triangle + "f 1 2 -4\n", "E_INDEX_RANGE 4"},
+      {triangle + "f 1 2 99999999999999999999\n", "E_INDEX_RANGE 4"},
+      {triangle + "f 1 2 -99999999999999999999\n", "E_INDEX_RANGE 4"},
+      {triangle + "f 1 2 -9223372036854775808\n", "E_INDEX_RANGE 4"},
+      {triangle + "f 1 2 4294967297\n", "E_INDEX_RANGE 4"},
+      {triangle + "f 1 \\\n 2 \\\n x\n", "E_PARSE 6"},
+  };
+  for (const Bad& bad : cases) EXPECT_EQ(outcome(read_obj(bad.text)), bad.expected) << bad.text;
+}
+
+TEST(ReadObj, MessagesSayColumnAndReason) {
+  const auto result = read_obj("v 0 0 0\nv 0  1,5 0\n");
+  EXPECT_EQ(result.error().text, "Line 2, column 6: The coordinate should be a number, but is \"1,5\".");
+  EXPECT_NE(result.error().remedy.find("decimal point"), std::string::npos);
+}
+
+TEST(ReadObj, LimitsAreErrorsWithALine) {
+  const std::string text = triangle + "f 1 2 3\nf 1 2 3\n";
+  EXPECT_EQ(outcome(read_obj(text, {.vertices = 2, .corners = 100})), "E_LIMIT 3");
+  EXPECT_EQ(outcome(read_obj(text, {.vertices = 3, .corners = 5})), "E_LIMIT 5");
+  EXPECT_EQ(outcome(read_obj(text, {.vertices = 3, .corners = 6})), "ok");
+}
+
+TEST(ReadObj, TruncationAtEveryByteIsHandled) {
+  const std::string text = "o n\\\nme\n" + triangle + "vt 0 0\nf 1/1/1 2//2 \\\r\n -1\nunknown\n";
+  for (std::size_t size = 0; size <= text.size(); ++size) {
+    const std::string copy = text.substr(0, size);
+    const auto result = read_obj(std::string_view(copy.data(), copy.size()));
+    if (result.ok()) test::expect_sound(result->mesh);
+  }
+}
+
+TEST(ReadObj, LongContinuationsAndLongTokensTakeLinearTime) {
+  std::string text = triangle + "f 1 2 ";
+  for (int i = 0; i < 500'000; ++i) text += "\\\n";
+  EXPECT_EQ(outcome(read_obj(text + "3\n")), "ok");
+  EXPECT_EQ(outcome(read_obj("v 0 0 " + std::string(5'000'000, '9') + "\n")), "E_PARSE 1");
+  EXPECT_EQ(outcome(read_obj("v 0 0 0." + std::string(5'000'000, '0') + "1\n")), "E_EMPTY 2");
+}
+
+TEST(ReadObj, GoldenModels) {
+  struct Model {
+    const char* name;
+    std::size_t vertices, faces;
+  };
+  // Euler characteristics of the closed ones are checked too: a reader that lost a line would show.
+  const std::filesystem::path folder = std::filesystem::path(HARIKO_SOURCE_DIR) / "tests" / "golden";
+  for (const auto& [name, vertices, faces] : {Model{"cube.obj", 8, 6}, Model{"octahedron.obj", 6, 8},
+                                              Model{"prism6.obj", 12, 8}, Model{"concave.obj", 16, 10}}) {
+    const auto result = read_mesh_file(folder / name);
+    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    EXPECT_EQ(result->mesh.positions.size(), vertices) << name;
+    EXPECT_EQ(result->mesh.face_count(), faces) << name;
+  }
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".obj") continue;
+    ++count;
+    const std::string text = test::slurp(entry.path());
+    std::size_t vertices = 0, faces = 0;
+    for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1) {
+      vertices += text.compare(begin, 2, "v ") == 0;
+      faces += text.compare(begin, 2, "f ") == 0;
+      if (text.find('\n', begin) == std::string::npos) break;
+    }
+    const auto result = read_mesh_file(entry.path());
+    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    EXPECT_TRUE(result->warnings.empty()) << entry.path();
+    EXPECT_EQ(result->mesh.positions.size(), vertices) << entry.path();
+    EXPECT_EQ(result->mesh.face_count(), faces) << entry.path();
+    EXPECT_TRUE(validate(result->mesh).empty() || validate(result->mesh)[0].severity == Severity::warning);
+  }
+  EXPECT_GE(count, 9U);
+}
+
+}  // namespace
+}  // namespace hariko

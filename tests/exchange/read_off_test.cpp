@@ -1,0 +1,99 @@
+#include "core/exchange/read_off.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/exchange/mesh_text.hpp"
+
+namespace hariko {
+namespace {
+
+using test::outcome;
+
+const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+
+TEST(ReadOff, HeadersOfAllKindsGiveTheSameMesh) {
+  for (const std::string header :
+       {"OFF\n3 2 0\n", "OFF 3 2 0\n", "# made by hand\nOFF # keyword\n\n3 2\n", "3 2 0\n", "COFF\n3 2 0\n",
+        "NOFF 3 2 5\n", "STCNOFF\n3 2 0\n", "\xEF\xBB\xBFOFF\r3 2 0\r"}) {
+    const auto result = read_off(header + points + "3 0 1 2\n4 2 1 0 1 255 0 0\n");
+    ASSERT_TRUE(result.ok()) << header << to_string(result.error());
+    test::expect_sound(result->mesh);
+    EXPECT_EQ(result->mesh.positions[1], Vector3(1, 0, 0));
+    EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2, 2, 1, 0, 1}));
+    EXPECT_EQ(result->mesh.face_count(), 2U);
+    EXPECT_TRUE(result->warnings.empty());
+  }
+}
+
+TEST(ReadOff, ColoursAndNormalsOfVerticesAreIgnored) {
+  const auto result =
+      read_off("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0.5 0.5 0.5 1\n\n0 1 0 # no colour\n3 0 1 2 map\n");
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  EXPECT_EQ(result->mesh.positions[2], Vector3(0, 1, 0));
+}
+
+TEST(ReadOff, DataAfterTheLastFaceGivesAWarning) {
+  const auto result = read_off("OFF\n3 1 0\n" + points + "3 0 1 2\n3 0 1 2\n");
+  ASSERT_TRUE(result.ok());
+  ASSERT_EQ(result->warnings.size(), 1U);
+  EXPECT_EQ(result->warnings[0].code, w_trailing_data);
+  EXPECT_EQ(result->warnings[0].element.id, 7U);
+}
+
+TEST(ReadOff, EveryMalformationHasItsCodeAndLine) {
+  const std::string good = "OFF\n3 1 0\n" + points;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "E_EMPTY 1"},
+      {"# nothing\n", "E_EMPTY 2"},
+      {"OBJ\n", "E_FORMAT_UNKNOWN 1"},
+      {"4OFF\n3 1 0\n", "E_FORMAT_UNKNOWN 1"},
+      {"nOFF\n3\n3 1 0\n", "E_FORMAT_UNKNOWN 1"},
+      {"OFF BINARY\n", "E_FORMAT_UNKNOWN 1"},
+      {"OFF\n", "E_TRUNCATED 2"},
+      {"OFF\nx 1 0\n", "E_PARSE 2"},
+      {"OFF\n3\n", "E_PARSE 2"},
+      {"OFF\n3 y 0\n", "E_PARSE 2"},
+      {"OFF\n3 1 z\n", "E_PARSE 2"},
+      {"OFF\n3 1 0 7\n", "E_PARSE 2"},
+      {"OFF\n-3 1 0\n", "E_PARSE 2"},
+      {"OFF\n3 -1 0\n", "E_PARSE 2"},
+      {"OFF\n3.5 1 0\n", "E_PARSE 2"},
+      {"OFF\n4000000000 1 0\n", "E_LIMIT 2"},
+      {"OFF\n3 4000000000 0\n", "E_LIMIT 2"},
+      {"OFF\n3 99999999999999999999 0\n", "E_LIMIT 2"},
+      {"OFF\n100000000 400000000 0\n0 0 0\n", "E_TRUNCATED 4"},
+      {"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "E_PARSE 4"},
+      {"OFF\n3 1 0\n0 0 0\n1 a 0\n", "E_PARSE 4"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0 blue\n", "E_PARSE 4"},
+      {"OFF\n3 1 0\n0 0 0\n1 nan 0\n", "E_PARSE 4"},
+      {"OFF\n3 1 0\n0 0 0\n1 0 0\n", "E_TRUNCATED 5"},
+      {good, "E_TRUNCATED 6"},
+      {good + "3 0 1\n", "E_PARSE 6"},
+      {good + "3 0 1", "E_TRUNCATED 6"},
+      {good + "-3 0 1 2\n", "E_PARSE 6"},
+      {good + "3 0 1 x\n", "E_PARSE 6"},
+      {good + "3 0 1 3\n", "E_INDEX_RANGE 6"},
+      {good + "3 0 -1 2\n", "E_INDEX_RANGE 6"},
+      {good + "9223372036854775807 0 1 2\n", "E_PARSE 6"},
+      {"OFF\n3 0 0\n" + points, "E_EMPTY 6"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_EQ(outcome(read_off(text)), expected) << text;
+}
+
+TEST(ReadOff, LimitsAreErrors) {
+  const std::string text = "OFF\n3 2 0\n" + points + "3 0 1 2\n3 0 1 2\n";
+  EXPECT_EQ(outcome(read_off(text, {.vertices = 2, .corners = 100})), "E_LIMIT 2");
+  EXPECT_EQ(outcome(read_off(text, {.vertices = 3, .corners = 5})), "E_LIMIT 7");
+}
+
+TEST(ReadOff, TruncationAtEveryByteIsHandled) {
+  const std::string text = "COFF # c\n3 2 0\n0 0 0 1 1 1\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 1\n";
+  for (std::size_t size = 0; size <= text.size(); ++size) {
+    const auto result = read_off(std::string(text, 0, size));
+    if (result.ok()) test::expect_sound(result->mesh);
+    EXPECT_EQ(result.ok(), size >= text.size() - 1) << size;
+  }
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,242 @@
+#include "core/exchange/read_ply.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+
+#include "tests/exchange/mesh_text.hpp"
+
+namespace hariko {
+namespace {
+
+using test::outcome;
+
+const std::string small_header =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";  // 9 lines
+const std::string small_points = "0 0 0\n1 0 0\n0 1 0\n";
+
+/// Writes numbers of any PLY type in either byte order.
+struct Bytes {
+  bool big = false;
+  std::string out;
+  void put(const std::string& type, double value) {
+    if (type == "char" || type == "int8") append(static_cast<std::int8_t>(value));
+    if (type == "uchar" || type == "uint8") append(static_cast<std::uint8_t>(value));
+    if (type == "short" || type == "int16") append(static_cast<std::int16_t>(value));
+    if (type == "ushort" || type == "uint16") append(static_cast<std::uint16_t>(value));
+    if (type == "int" || type == "int32") append(static_cast<std::int32_t>(value));
+    if (type == "uint" || type == "uint32") append(static_cast<std::uint32_t>(value));
+    if (type == "float" || type == "float32") append(static_cast<float>(value));
+    if (type == "double" || type == "float64") append(value);
+  }
+  template <class T>
+  void append(T value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    if (big != (std::endian::native == std::endian::big)) std::reverse(raw, raw + sizeof value);
+    out.append(raw, sizeof value);
+  }
+};
+
+const std::vector<std::string> integer_types{"char",   "int8",   "uchar", "uint8", "short", "int16",
+                                             "ushort", "uint16", "int",   "int32", "uint",  "uint32"};
+const std::vector<std::string> real_types{"float", "float32", "double", "float64"};
+
+TEST(ReadPly, EveryTypeInEveryFormat) {
+  std::vector<std::string> scalars = integer_types;
+  scalars.insert(scalars.end(), real_types.begin(), real_types.end());
+  for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"})
+    for (const std::string& scalar : scalars)
+      for (const std::string& count : integer_types)
+        for (const std::string& index : integer_types) {
+          const std::string header = "ply\nformat " + format +
+                                     " 1.0\ncomment c\nobj_info o\nelement face 1\nproperty list " + count +
+                                     " " + index + " vertex_index\nelement vertex 3\nproperty " + scalar +
+                                     " z\nproperty list uchar float extra\nproperty " + scalar +
+                                     " x\nproperty " + scalar + " y\nend_header\n";
+          Bytes data{format == "binary_big_endian", {}};
+          const std::string text = "3 0 1 2\n3 2 0.5 0.25 1 2\n6 0 4 5\n9 0 7 8\n";
+          data.put(count, 3);
+          for (int i = 0; i < 3; ++i) data.put(index, i);
+          for (int i = 0; i < 3; ++i) {
+            data.put(scalar, 3 * i + 3);
+            data.put("uchar", i == 0 ? 2 : 0);
+            for (int k = 0; k < 2 && i == 0; ++k) data.put("float", 0.5);
+            data.put(scalar, 3 * i + 1);
+            data.put(scalar, 3 * i + 2);
+          }
+          const auto result = read_ply(header + (format == "ascii" ? text : data.out));
+          ASSERT_TRUE(result.ok()) << header << to_string(result.error());
+          test::expect_sound(result->mesh);
+          EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2}));
+          EXPECT_EQ(result->mesh.positions, (std::vector<Vector3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+          EXPECT_TRUE(result->warnings.empty());
+        }
+}
+
+TEST(ReadPly, UnknownElementsAreSkipped) {
+  const auto result = read_ply(
+      "ply\r\nformat ascii 1.0\r\nelement camera 2\r\nproperty float f\r\nproperty list uint8 float "
+      "m\r\nelement vertex 3\r\n"
+      "property double x\r\nproperty uchar red\r\nproperty double y\r\nproperty double z\r\nelement none "
+      "0\r\nelement face 1\r\n"
+      "property list uchar int vertex_indices\r\nproperty list uchar float texcoord\r\nend_header\r\n"
+      "1 2 nan 4\r\n1 0\r\n0 255 0 0\r\n1 255 0 0\r\n0 255 1 0\r\n3 0 1 2 6 0 0 1 0 0 1\r\n");
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  EXPECT_EQ(result->mesh.positions[2], Vector3(0, 1, 0));
+}
+
+TEST(ReadPly, BinaryDataMayStartWithALineFeed) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string header = "ply" + end + "format binary_little_endian 1.0" + end + "element vertex 3" +
+                               end + "property uchar x" + end + "property uchar y" + end +
+                               "property uchar z" + end + "element face 1" + end +
+                               "property list uchar uchar vertex_indices" + end + "end_header" + end;
+    const auto result = read_ply(header + "\n\r\n" + "\r\n\n" + "\n\n\n" + std::string("\3\0\1\2", 4));
+    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    EXPECT_EQ(result->mesh.positions[0], Vector3(10, 13, 10));
+    EXPECT_EQ(result->mesh.positions[2], Vector3(10, 10, 10));
+  }
+}
+
+std::string with_header(const std::string& replaced, const std::string& by) {
+  std::string text = small_header;
+  const std::size_t at = text.find(replaced);
+  EXPECT_NE(at, std::string::npos) << replaced;
+  return text.replace(at, replaced.size(), by) + small_points + "3 0 1 2\n";
+}
+
+TEST(ReadPly, EveryMalformedHeaderHasItsCodeAndLine) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "E_FORMAT_UNKNOWN 1"},
+      {"plyx\n", "E_FORMAT_UNKNOWN 1"},
+      {"ply\n", "E_TRUNCATED 2"},
+      {"ply\nformat ascii 1.0\nelement vertex 3\n", "E_TRUNCATED 4"},
+      {"ply\nend_header\n", "E_FORMAT_UNKNOWN 2"},
+      {with_header("format ascii", "format text"), "E_FORMAT_UNKNOWN 2"},
+      {with_header("1.0", "2.0"), "E_FORMAT_UNKNOWN 2"},
+      {with_header("element vertex 3", "elements vertex 3"), "E_PARSE 3"},
+      {with_header("element vertex 3", "element vertex"), "E_PARSE 3"},
+      {with_header("element vertex 3", "element"), "E_PARSE 3"},
+      {with_header("element vertex 3", "element vertex three"), "E_PARSE 3"},
+      {with_header("element vertex 3", "element vertex -3"), "E_PARSE 3"},
+      {with_header("element vertex 3", "element vertex 3 4"), "E_PARSE 3"},
+      {with_header("element vertex 3", "property float x\nelement vertex 3"), "E_PARSE 3"},
+      {with_header("element vertex 3", "element vertex 99999999999999999999"), "E_LIMIT 3"},
+      {with_header("element vertex 3", "element vertex 4000000000"), "E_LIMIT 3"},
+      {with_header("property float x", "property real x"), "E_PARSE 4"},
+      {with_header("property float x", "property float"), "E_PARSE 4"},
+      {with_header("property float x", "property float y"), "E_PARSE 5"},
+      {with_header("property float x", "property float a"), "E_PARSE 3"},
+      {with_header("property float x", "property list uchar float x"), "E_PARSE 3"},
+      {with_header("element face 1", "element vertex 1"), "E_PARSE 7"},
+      {with_header("element face 1", "element empty 5\nelement face 1"), "E_PARSE 7"},
+      {with_header("list uchar int", "list float int"), "E_PARSE 8"},
+      {with_header("list uchar int", "list uchar"), "E_PARSE 8"},
+      {with_header("list uchar int", "list uchar float"), "E_PARSE 7"},
+      {with_header("list uchar int", "int"), "E_PARSE 7"},
+      {with_header("vertex_indices", "corners"), "E_PARSE 7"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_EQ(outcome(read_ply(text)), expected) << text;
+}
+
+TEST(ReadPly, EveryMalformedTextRowHasItsCodeAndLine) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "E_TRUNCATED 10"},
+      {"0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
+      {"0 0 0\n1 0 0 5\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
+      {"0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
+      {"0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n", "E_PARSE 11"},
+      {"0 0 0\n1 0 0\n", "E_TRUNCATED 12"},
+      {"0 0 0\n1 0 0\n0 1", "E_TRUNCATED 12"},
+      {small_points, "E_TRUNCATED 13"},
+      {small_points + "3 0 1\n", "E_PARSE 13"},
+      {small_points + "3 0 1", "E_TRUNCATED 13"},
+      {small_points + "-3 0 1 2\n", "E_PARSE 13"},
+      {small_points + "3 0 1 2 2\n", "E_PARSE 13"},
+      {small_points + "3 0 1 1.5\n", "E_PARSE 13"},
+      {small_points + "3 0 1 3\n", "E_INDEX_RANGE 13"},
+      {small_points + "3 0 1 -1\n", "E_INDEX_RANGE 13"},
+  };
+  for (const auto& [rows, expected] : cases)
+    EXPECT_EQ(outcome(read_ply(small_header + rows)), expected) << rows;
+  EXPECT_EQ(outcome(read_ply(small_header + small_points + "3 0 1 2\n", {.vertices = 2, .corners = 9})),
+            "E_LIMIT 3");
+  EXPECT_EQ(outcome(read_ply(small_header + small_points + "3 0 1 2\n", {.vertices = 9, .corners = 2})),
+            "E_LIMIT 13");
+  std::string cloud = small_header;
+  cloud.replace(cloud.find("face 1"), 6, "face 0");
+  EXPECT_EQ(outcome(read_ply(cloud + small_points)), "E_EMPTY 0");
+}
+
+std::string binary_header(const std::string& vertices, const std::string& faces) {
+  return "ply\nformat binary_little_endian 1.0\nelement vertex " + vertices +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+         "\nproperty list int int vertex_indices\nend_header\n";
+}
+
+std::string binary_points() {
+  Bytes data;
+  for (const double value : {0, 0, 0, 1, 0, 0, 0, 1, 0}) data.put("float", value);
+  return data.out;
+}
+
+std::string integers(std::initializer_list<double> values) {
+  Bytes data;
+  for (const double value : values) data.put("int", value);
+  return data.out;
+}
+
+TEST(ReadPly, EveryMalformedBinaryFileHasItsCode) {
+  const std::string good = binary_header("3", "1") + binary_points();
+  EXPECT_EQ(outcome(read_ply(good + integers({3, 0, 1, 2}))), "ok");
+  EXPECT_EQ(outcome(read_ply(good)), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_ply(good + integers({3, 0, 1}))), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_ply(good + integers({2000000000, 0, 1, 2}))), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_ply(good + integers({-3, 0, 1, 2}))), "E_PARSE 0");
+  EXPECT_EQ(outcome(read_ply(good + integers({3, 0, 1, 3}))), "E_INDEX_RANGE 0");
+  EXPECT_EQ(outcome(read_ply(good + integers({3, 0, 1, -1}))), "E_INDEX_RANGE 0");
+  EXPECT_EQ(outcome(read_ply(good + integers({3, 0, 1, 2}), {.vertices = 9, .corners = 2})), "E_LIMIT 0");
+  // Headers that lie must not allocate what they promise.
+  EXPECT_EQ(outcome(read_ply(binary_header("100000000", "1") + binary_points())), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_ply(binary_header("3", "400000000") + binary_points())), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_ply(binary_header("3", "9223372036854775807") + binary_points())), "E_LIMIT 7");
+  std::string not_finite = good + integers({3, 0, 1, 2});
+  not_finite.replace(not_finite.find("end_header\n") + 11 + 4, 4, std::string("\0\0\xc0\x7f", 4));
+  const auto result = read_ply(not_finite);
+  EXPECT_EQ(outcome(result), "E_PARSE 0");
+  EXPECT_NE(result.error().text.find("Byte "), std::string::npos);
+  EXPECT_NE(result.error().text.find("vertex 0"), std::string::npos);
+  const auto longer = read_ply(good + integers({3, 0, 1, 2, 9}));
+  ASSERT_TRUE(longer.ok());
+  EXPECT_EQ(longer->warnings.at(0).code, w_trailing_data);
+}
+
+TEST(ReadPly, HugeCountsOfSkippedElementsTakeNoTime) {
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement junk 9223372036854775807\nproperty list uchar int "
+      "a\nend_header\n";
+  EXPECT_EQ(outcome(read_ply(header)), "E_TRUNCATED 0");
+  EXPECT_EQ(
+      outcome(read_ply(
+          "ply\nformat ascii 1.0\nelement junk 9223372036854775807\nproperty int a\nend_header\n1\n2\n")),
+      "E_TRUNCATED 8");
+}
+
+TEST(ReadPly, TruncationAtEveryByteIsHandled) {
+  for (const std::string& text : {small_header + small_points + "3 0 1 2\n",
+                                  binary_header("3", "1") + binary_points() + integers({3, 0, 1, 2})}) {
+    for (std::size_t size = 0; size < text.size(); ++size) {
+      const auto result = read_ply(std::string(text, 0, size));
+      if (size < text.size() - 1) {
+        EXPECT_FALSE(result.ok()) << size;
+      }
+    }
+    EXPECT_TRUE(read_ply(text).ok());
+  }
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,147 @@
+#include "core/exchange/read_stl.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/exchange/point_welder.hpp"
+#include "tests/exchange/mesh_text.hpp"
+
+namespace hariko {
+namespace {
+
+using test::outcome;
+
+std::string facet(const std::string& a, const std::string& b, const std::string& c) {
+  return " facet normal 0 0 1\n  outer loop\n   vertex " + a + "\n   vertex " + b + "\n   vertex " + c +
+         "\n  endloop\n endfacet\n";  // 7 lines
+}
+
+const std::string two_facets = facet("0 0 0", "1 0 0", "0 1 0") + facet("1 0 0", "1 1 0", "0 1 0");
+
+std::string binary(const std::string& header, std::uint32_t count, std::initializer_list<float> corners) {
+  std::string out = header;
+  out.resize(80, ' ');
+  for (int i = 0; i < 4; ++i) out += static_cast<char>(count >> (8 * i));
+  std::size_t i = 0;
+  for (const float value : corners) {
+    if (i % 9 == 0) out.append(12, '\0');
+    char raw[4];
+    std::memcpy(raw, &value, 4);
+    out.append(raw, 4);
+    if (++i % 9 == 0) out.append("\x12\x34");
+  }
+  return out;
+}
+
+std::string two_binary_facets(const std::string& header, std::uint32_t count = 2) {
+  return binary(header, count, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, -0.0F, 0, 1, 1, 0, -0.0F, 1, 0});
+}
+
+TEST(ReadStl, TextAndBinaryAreWelded) {
+  for (const std::string& bytes :
+       {"solid two parts\n" + two_facets + "endsolid two parts\n", "SOLID\r\n" + two_facets + "EndSolid",
+        two_binary_facets("something"), two_binary_facets("solid but binary"),
+        two_binary_facets("solid facet normal 0 0 0 outer loop\n")}) {
+    const auto result = read_stl(bytes);
+    ASSERT_TRUE(result.ok()) << to_string(result.error());
+    test::expect_sound(result->mesh);
+    EXPECT_EQ(result->mesh.positions, (std::vector<Vector3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
+    EXPECT_EQ(result->mesh.face_vertices, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
+    EXPECT_TRUE(result->warnings.empty());
+  }
+}
+
+TEST(ReadStl, NameSeveralSolidsAndNormalsThatAreNotNumbers) {
+  std::string text = "solid first part \n" + facet("0 0 0", "1 0 0", "0 1 0") +
+                     "endsolid first part\n\nsolid\n" + facet("0 0 0", "0 1 0", "0 0 1") + "endsolid\n";
+  text.replace(text.find("0 0 1"), 5, "-nan(ind) nan nan");
+  const auto result = read_stl(text);
+  ASSERT_TRUE(result.ok()) << to_string(result.error());
+  EXPECT_EQ(result->name, "first part");
+  EXPECT_EQ(result->mesh.face_count(), 2U);
+}
+
+TEST(ReadStl, DegenerateTrianglesAreLeftOutWithOneWarning) {
+  const auto result = read_stl("solid\n" + two_facets + facet("0 0 0", "0 0 0", "1 0 0") +
+                               facet("0 0 0", "1 0 0", "-0 0 0") + "endsolid\n");
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->mesh.face_count(), 2U);
+  ASSERT_EQ(result->warnings.size(), 1U);
+  EXPECT_EQ(result->warnings[0].code, w_degenerate_triangles);
+  EXPECT_TRUE(result->warnings[0].text.starts_with("2 triangles"));
+}
+
+TEST(ReadStl, EveryMalformedTextHasItsCodeAndLine) {
+  const std::string one = facet("0 0 0", "1 0 0", "0 1 0");
+  const auto broken = [&](const std::string& what, const std::string& by) {
+    std::string text = one;
+    EXPECT_NE(text.find(what), std::string::npos);
+    return "solid s\n" + text.replace(text.find(what), what.size(), by) + "endsolid s\n";
+  };
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"solid s\n", "E_TRUNCATED 2"},
+      {"solid s\nendsolid s\n", "E_EMPTY 0"},
+      {"solid s\n" + facet("0 0 0", "0 0 0", "0 1 0") + "endsolid s\n", "E_EMPTY 0"},
+      {"solid s\n" + one, "E_TRUNCATED 9"},
+      {"solid s\n" + one + "endsolid s\nmore\n", "E_PARSE 10"},
+      {"solid s\nface\n", "E_PARSE 2"},
+      {broken("normal", "normals"), "E_PARSE 2"},
+      {broken("outer", "inner"), "E_PARSE 3"},
+      {broken("loop", "hoop"), "E_PARSE 3"},
+      {broken("vertex 1 0 0", "vertex 1 0"), "E_PARSE 5"},
+      {broken("vertex 1 0 0", "vertex 1 0,5 0"), "E_PARSE 5"},
+      {broken("vertex 1 0 0", "vertex nan 0 0"), "E_PARSE 5"},
+      {broken("vertex 1 0 0", "vertex 1e400 0 0"), "E_PARSE 5"},
+      {broken("   vertex 1 0 0\n", ""), "E_PARSE 6"},
+      {broken("  endloop", "   vertex 1 1 1\n  endloop"), "E_PARSE 7"},
+      {broken(" endfacet", " endface"), "E_PARSE 8"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_EQ(outcome(read_stl(text)), expected) << text;
+}
+
+TEST(ReadStl, EveryMalformedBinaryFileHasItsCode) {
+  const std::string good = two_binary_facets("x");
+  EXPECT_EQ(outcome(read_stl("")), "E_EMPTY 0");
+  EXPECT_EQ(outcome(read_stl("short")), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_stl(binary("x", 0, {}))), "E_EMPTY 0");
+  EXPECT_EQ(outcome(read_stl(two_binary_facets("x", 3))), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_stl(two_binary_facets("x", 0xffffffffU))), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_stl(two_binary_facets("solid", 0xffffffffU))), "E_TRUNCATED 0");
+  EXPECT_EQ(
+      outcome(read_stl(binary("x", 1, {0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0}))),
+      "E_PARSE 0");
+  EXPECT_EQ(
+      outcome(read_stl(binary("x", 1, {0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::infinity(), 0}))),
+      "E_PARSE 0");
+  EXPECT_EQ(outcome(read_stl(good, {.vertices = 3, .corners = 100})), "E_LIMIT 0");
+  EXPECT_EQ(outcome(read_stl(good, {.vertices = 9, .corners = 5})), "E_LIMIT 0");
+  const auto longer = read_stl(good + "tail");
+  ASSERT_TRUE(longer.ok());
+  EXPECT_EQ(longer->warnings.at(0).code, w_trailing_data);
+}
+
+TEST(ReadStl, TruncationAtEveryByteIsHandled) {
+  for (const std::string& bytes :
+       {"solid s\n" + two_facets + "endsolid", two_binary_facets("x"), two_binary_facets("solid")})
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+      EXPECT_FALSE(read_stl(std::string(bytes, 0, size)).ok()) << size;
+}
+
+TEST(PointWelder, AgreesWithASearchOfAllPoints) {
+  test::for_random(1, 20, [](std::mt19937_64& rng) {
+    PointWelder welder(0);  // grows many times
+    std::vector<Vector3> seen;
+    for (int i = 0; i < 1000; ++i) {
+      const Vector3 p(test::uniform_int(rng, -4, 4), test::uniform_int(rng, -4, 4),
+                      test::uniform_int(rng, -4, 4) * 1e-9);
+      auto at = std::find(seen.begin(), seen.end(), p);
+      if (at == seen.end()) at = seen.insert(seen.end(), p);
+      ASSERT_EQ(welder.add(p), static_cast<Index>(at - seen.begin()));
+    }
+    EXPECT_EQ(welder.add({0.0, -0.0, 0.0}), welder.add({-0.0, 0.0, -0.0}));
+  });
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,11 @@
+#include "core/exchange/read_obj.hpp"
+#include "tests/fuzz/check.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace hariko;
+  const auto read = [](std::string_view bytes) { return read_obj(bytes); };
+  const auto result = read({reinterpret_cast<const char*>(data), size});
+  fuzz::check(result, size);
+  fuzz::check_round_trip(result, read, [](auto meshes) { return write_obj(meshes); });
+  return 0;
+}

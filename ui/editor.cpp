@@ -1,0 +1,132 @@
+#include "ui/editor.hpp"
+
+#include <algorithm>
+
+namespace hariko {
+
+const SurfaceView* Editor::view_of(ObjectId id) const {
+  if (!views) return nullptr;
+  const auto it = views->find(id);
+  return it == views->end() ? nullptr : &it->second;
+}
+
+void Editor::open(Document document, std::optional<std::filesystem::path> file) {
+  history = History(std::move(document));
+  path = std::move(file);
+  selection = {};
+  selection.prune(history.current());
+  hovered.reset();
+  has_document = true;
+  to_ = Camera::standard(StandardView::iso);
+  wants_framing = true;
+}
+
+std::string Editor::title() const {
+  return path ? path->filename().string() : std::string("Untitled");
+}
+
+bool Editor::commit(const Result<Document>& result, const std::string& label) {
+  if (!result.ok()) {
+    notify(result.error());
+    return false;
+  }
+  const bool changed = history.push(result.value(), label);
+  selection.prune(history.current());
+  return changed;
+}
+
+bool Editor::preview(const Result<Document>& result) {
+  if (!result.ok()) {
+    notify(result.error());
+    return false;
+  }
+  history.preview(result.value());
+  return true;
+}
+
+bool Editor::commit_preview(const std::string& label) {
+  const bool changed = history.commit_preview(label);
+  selection.prune(history.current());
+  return changed;
+}
+
+void Editor::undo() {
+  history.undo();
+  selection.prune(history.current());
+}
+
+void Editor::redo() {
+  history.redo();
+  selection.prune(history.current());
+}
+
+void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
+  constexpr std::size_t most = 4;
+  std::erase_if(notices_, [&](const Notice& notice) { return notice.text == text; });
+  notices_.push_back({kind, std::move(text), std::move(remedy), now});
+  if (notices_.size() > most) notices_.pop_front();
+}
+
+void Editor::notify(const Message& message) {
+  notify(message.severity == Severity::error ? Notice::Kind::error : Notice::Kind::warning, message.text,
+         message.remedy);
+}
+
+Camera Editor::camera() const {
+  if (!flying()) return to_;
+  const double x = std::clamp((now - flight_start_) / flight_seconds, 0.0, 1.0);
+  return Camera::mix(from_, to_, 1 - (1 - x) * (1 - x) * (1 - x));
+}
+
+void Editor::set_camera(const Camera& camera) {
+  to_ = camera;
+  flight_start_ = -1;
+}
+
+void Editor::fly_to(const Camera& camera) {
+  from_ = this->camera();
+  to_ = camera;
+  flight_start_ = now;
+}
+
+void Editor::frame_all(bool at_once) {
+  const Camera framed = to_.frame(visible_box(), viewport);
+  at_once ? set_camera(framed) : fly_to(framed);
+}
+
+void Editor::frame_selection() {
+  Box3 box;
+  for (const auto& object : document().objects) {
+    const PolyhedronSource* source = object->polyhedron();
+    if (!source || selection.of(object->id).empty()) continue;
+    for (const VertexId id : touched_vertices(selection.of(object->id), source->polyhedron))
+      box.extend(
+          object->transform.apply(source->origin + source->polyhedron.position(source->polyhedron.find(id))));
+  }
+  if (box.isEmpty()) return frame_all();
+  // A single point has no size: keep a fraction of the scene round it.
+  const double margin = std::max(0.0, 0.1 * visible_box().diagonal().norm() - 0.5 * box.diagonal().norm());
+  box.extend(Vector3(box.min().array() - margin));
+  box.extend(Vector3(box.max().array() + margin));
+  fly_to(to_.frame(box, viewport));
+}
+
+Box3 Editor::visible_box() const {
+  Box3 box;
+  for (const auto& object : document().objects)
+    if (object->visible) box.extend(world_box(*object));
+  return box;
+}
+
+Box3 world_box(const Object& object) {
+  Box3 box;
+  if (const PolyhedronSource* source = object.polyhedron())
+    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v)
+      box.extend(object.transform.apply(source->origin + source->polyhedron.position(v)));
+  if (const MeshSource* source = object.mesh())
+    for (const Vector3& position : source->mesh->positions)
+      box.extend(object.transform.apply(source->origin + position));
+  return box;
+}
+
+}  // namespace hariko

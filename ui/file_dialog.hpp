@@ -1,0 +1,51 @@
+#pragma once
+
+// FileDialog: an own browser on std::filesystem, the same on every desktop and testable by keys alone.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/panels.hpp"
+
+namespace hariko {
+
+class FileDialog {
+ public:
+  struct Request {
+    std::string title;    ///< "Open"
+    std::string action;   ///< text of the button: "Open"
+    bool saving = false;  ///< a new name is fine, an existing file is asked about
+    std::vector<std::string>
+        extensions;                  ///< ".hariko", ...; the first is added to names without one when saving
+    std::filesystem::path proposal;  ///< file or folder to begin with
+    std::function<void(const std::filesystem::path&)> accept;
+    std::function<void()> options = {};  ///< draws further settings above the buttons
+  };
+
+  void open(Request request);
+  bool is_open() const { return open_; }
+  void close() { open_ = false; }
+  void draw(PanelContext& context);
+
+ private:
+  struct Entry {
+    std::string name;
+    bool folder = false;
+    std::uintmax_t size = 0;
+  };
+  void go_to(const std::filesystem::path& folder);
+  void list(PanelContext& context);
+  void footer(PanelContext& context);
+  void submit(bool overwrite);
+  bool matches(const std::filesystem::path& file) const;
+
+  Request request_;
+  bool open_ = false, appearing_ = false, ask_overwrite_ = false;
+  std::filesystem::path folder_;
+  std::vector<Entry> entries_;
+  std::string name_, error_;
+};
+
+}  // namespace hariko

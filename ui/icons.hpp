@@ -1,0 +1,39 @@
+#pragma once
+
+// Icons by name: code points of Font Awesome 4.7 as UTF-8. Without the icon font they show as boxes, so text
+// goes with them wherever there is room.
+
+namespace hariko::icon {
+
+inline constexpr unsigned short first = 0xf000, last = 0xf2e0;
+
+inline constexpr const char* select = "\uf245";       // mouse-pointer
+inline constexpr const char* orbit = "\uf021";        // refresh
+inline constexpr const char* pan = "\uf047";          // arrows
+inline constexpr const char* zoom = "\uf00e";         // search-plus
+inline constexpr const char* frame = "\uf065";        // expand
+inline constexpr const char* vertex = "\uf111";       // circle
+inline constexpr const char* edge = "\uf040";         // pencil
+inline constexpr const char* face = "\uf0c8";         // square
+inline constexpr const char* open = "\uf07c";         // folder-open
+inline constexpr const char* folder = "\uf07b";       // folder
+inline constexpr const char* file = "\uf016";         // file-o
+inline constexpr const char* save = "\uf0c7";         // floppy-o
+inline constexpr const char* import_file = "\uf090";  // sign-in
+inline constexpr const char* export_file = "\uf08b";  // sign-out
+inline constexpr const char* undo = "\uf0e2";
+inline constexpr const char* redo = "\uf01e";
+inline constexpr const char* shown = "\uf06e";   // eye
+inline constexpr const char* hidden = "\uf070";  // eye-slash
+inline constexpr const char* locked = "\uf023";
+inline constexpr const char* unlocked = "\uf09c";
+inline constexpr const char* trash = "\uf1f8";
+inline constexpr const char* warning = "\uf071";  // exclamation-triangle
+inline constexpr const char* error = "\uf06a";    // exclamation-circle
+inline constexpr const char* info = "\uf05a";     // info-circle
+inline constexpr const char* close = "\uf00d";    // times
+inline constexpr const char* up = "\uf062";       // arrow-up
+inline constexpr const char* object = "\uf1b2";   // cube
+inline constexpr const char* reset = "\uf0e2";
+
+}  // namespace hariko::icon

@@ -1,0 +1,31 @@
+#pragma once
+
+// Marks: where named parts of the interface are on the screen, for tests that drive the real window.
+
+#include <imgui.h>
+
+#include <map>
+#include <string>
+
+namespace hariko {
+
+class Marks {
+ public:
+  struct Rect {
+    int x = 0, y = 0, width = 0, height = 0;  ///< window pixels
+    friend bool operator==(const Rect&, const Rect&) = default;
+  };
+  void clear() { rects_.clear(); }
+  /// Names the last item.
+  void item(const std::string& name) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    rects_[name] = {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x - low.x),
+                    static_cast<int>(high.y - low.y)};
+  }
+  const std::map<std::string, Rect>& all() const { return rects_; }
+
+ private:
+  std::map<std::string, Rect> rects_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,70 @@
+#pragma once
+
+// Panels: the fixed parts of the window round the viewport. Each draws itself into the rectangle it is given.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/command_table.hpp"
+#include "ui/editor.hpp"
+#include "ui/marks.hpp"
+#include "ui/theme.hpp"
+
+namespace hariko {
+
+/// Something to begin with, shown on the start page.
+struct Sample {
+  std::filesystem::path path;
+  std::string title, description;
+  ImTextureID picture = nullptr;  ///< null until it is rendered
+  float aspect = 1.5F;            ///< of the picture
+};
+
+/// What panels remember between frames.
+struct PanelState {
+  double typed = 0;        ///< value of the number field being edited
+  std::string typed_text;  ///< contents of the text field being edited
+};
+
+/// What the panels need from the rest.
+struct PanelContext {
+  Editor& editor;
+  const CommandTable& commands;
+  Marks& marks;
+  const Metrics& metrics;
+  PanelState& state;
+  std::vector<Sample>& samples;
+  std::function<void(const std::filesystem::path&)> open;
+  std::string tool_hint;
+
+  /// Runs a command; when it cannot run, its reason becomes a notice.
+  void run(std::string_view id);
+};
+
+struct PanelRect {
+  ImVec2 min, max;
+  float width() const { return max.x - min.x; }
+  float height() const { return max.y - min.y; }
+};
+
+/// Begins a window that fills a rectangle; pair with ImGui::End().
+bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVec2 padding,
+                 ImGuiWindowFlags extra = 0);
+
+float draw_menu_bar(PanelContext& context);  ///< returns its height
+void draw_tool_column(PanelContext& context, const PanelRect& rect);
+void draw_objects(PanelContext& context, const PanelRect& rect);
+void draw_properties(PanelContext& context, const PanelRect& rect);
+void draw_status_line(PanelContext& context, const PanelRect& rect);
+void draw_legend(PanelContext& context, const PanelRect& viewport);
+void draw_notices(PanelContext& context, const PanelRect& viewport);
+void draw_start_page(PanelContext& context, const PanelRect& rect);
+
+/// A small heading with a line below.
+void heading(const PanelContext& context, const char* text);
+/// A borderless button with an icon and a tooltip; `on` tints it.
+bool icon_button(const PanelContext& context, const char* icon, const char* id, const char* tooltip,
+                 bool on = false, float size = 28);
+
+}  // namespace hariko

@@ -1,0 +1,39 @@
+#pragma once
+
+// SceneBuilder: from the editor's state to what the renderer draws. Keeps what did not change between frames.
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "ui/editor.hpp"
+
+namespace hariko {
+
+class SceneBuilder {
+ public:
+  /// Describes the present state.
+  void update(const Editor& editor);
+  const Scene& scene() const { return scene_; }
+  ObjectId object_id(std::size_t scene_object) const { return ids_[scene_object]; }
+  /// Rises whenever the picture would be another one.
+  std::uint64_t version() const { return version_; }
+
+ private:
+  struct Entry {
+    std::shared_ptr<const Object> object;
+    std::shared_ptr<const DisplayPolyhedron> polyhedron;
+  };
+  SceneObject describe(const Editor& editor, const std::shared_ptr<const Object>& object);
+  std::shared_ptr<const DisplayPolyhedron> polyhedron_of(const std::shared_ptr<const Object>& object);
+
+  Scene scene_;
+  std::vector<ObjectId> ids_;
+  std::map<ObjectId, Entry> entries_;
+  std::uint64_t version_ = 0;
+};
+
+/// The element that a hit on the scene means.
+ElementRef element_at(const Document& document, ObjectId object, Element::Kind kind, Index index);
+
+}  // namespace hariko

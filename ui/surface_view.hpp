@@ -1,0 +1,36 @@
+#pragma once
+
+// SurfaceView: what is known of an object's surface right now. Made by workers, read by the panels and the
+// viewport.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/message.hpp"
+#include "core/document/document.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+#include "render/color_map.hpp"
+#include "render/display_mesh.hpp"
+
+namespace hariko {
+
+struct SurfaceView {
+  /// The object this was made from, or failed for.
+  std::shared_ptr<const Object> object;
+  Quality quality = Quality::final;
+
+  Surface surface;                          ///< of the last good rebuild
+  std::shared_ptr<const DisplayMesh> mesh;  ///< of the last good rebuild; null before the first
+  ValueRange range;                         ///< of the map's values
+  std::vector<float> histogram;             ///< of the map's values within the range; empty without a map
+  double milliseconds = 0;                  ///< that the rebuild took, display mesh included
+  std::vector<Message> warnings;
+  std::optional<Message> error;  ///< why there is no newer surface than the one shown
+
+  /// Largest angle between normals on both sides of inner edges that are no creases, radians. Measured when
+  /// idle.
+  std::optional<double> largest_normal_jump;
+};
+
+}  // namespace hariko

@@ -1,0 +1,74 @@
+#pragma once
+
+// Workbench: the whole interface of one window. Owns the panels' state, the commands and the dialogs.
+
+#include <functional>
+#include <memory>
+
+#include "ui/file_dialog.hpp"
+#include "ui/panels.hpp"
+#include "ui/viewport.hpp"
+
+namespace hariko {
+
+/// Work on files, done by the application. None of these blocks.
+struct FileActions {
+  std::function<void(const std::filesystem::path&)> open;         ///< replaces the document
+  std::function<void(const std::filesystem::path&)> import_file;  ///< adds to the document
+  /// Saves the committed document; `then` runs after success.
+  std::function<void(const std::filesystem::path&, std::function<void()> then)> save;
+  std::function<void(const std::filesystem::path&, int density)> export_file;
+  std::function<void()> quit;  ///< at once
+};
+
+class Workbench {
+ public:
+  Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
+            FileActions actions);
+
+  /// Draws everything, within an ImGui frame.
+  void frame();
+  /// A key that was pressed. Fields that take text keep theirs.
+  void key(const KeyChord& chord);
+
+  const CommandTable& commands() const { return commands_; }
+  const Viewport& viewport() const { return viewport_; }
+  const Marks& marks() const { return marks_; }
+  std::vector<Sample>& samples() { return samples_; }
+
+  /// Does something that replaces the document or ends the program, after asking about unsaved work.
+  void guarded(std::function<void()> action);
+  /// Opens a file, whatever kind it is, after asking about unsaved work.
+  void open_guarded(const std::filesystem::path& path);
+  void save(std::function<void()> then);
+  void save_as(std::function<void()> then);
+
+ private:
+  void add_file_commands();
+  void add_edit_commands();
+  void add_select_commands();
+  void add_view_commands();
+  void add_shape_commands();
+  std::optional<std::string> needs_document() const;
+  std::optional<std::string> needs_object() const;
+  void escape();
+  void show_export_dialog();
+  void draw_unsaved_prompt();
+  void layout(PanelContext& context);
+  std::filesystem::path folder_proposal() const;
+
+  Editor& editor_;
+  Viewport viewport_;
+  const Metrics& metrics_;
+  FileActions actions_;
+  CommandTable commands_;
+  Marks marks_;
+  PanelState panel_state_;
+  std::vector<Sample> samples_;
+  FileDialog dialog_;
+  std::function<void()> unsaved_action_;  ///< waits for the answer to the unsaved prompt
+  float side_width_ = 312;                ///< design pixels
+  int export_density_ = 16;
+};
+
+}  // namespace hariko
