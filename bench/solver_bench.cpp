@@ -44,10 +44,10 @@ Matrix network_matrix(const Polyhedron& polyhedron, const NetworkSystem& system)
 Matrix fair_matrix(const FairSystem& system) {
   const std::size_t n = system.unknown_count();
   std::vector<Eigen::Triplet<double>> entries;
-  std::vector<Vector3> x(n, Vector3::Zero());
+  FairSystem::Field x(n);
   for (std::size_t first = 0; first < n; first += 3) {
     for (std::size_t c = 0; c < 3 && first + c < n; ++c) x[first + c][Eigen::Index(c)] = 1;
-    const std::vector<Vector3> y = system.multiply(x);
+    const FairSystem::Field y = system.multiply(x);
     for (std::size_t c = 0; c < 3 && first + c < n; ++c) {
       for (std::size_t i = 0; i < n; ++i)
         if (const double value = y[i][Eigen::Index(c)]; value != 0) entries.emplace_back(int(i), int(first + c), value);

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/file_io.hpp"
 #include "core/document/document.hpp"
 
 namespace hariko {
 
-inline constexpr Code e_parse{"E_PARSE"};
 inline constexpr Code e_schema{"E_SCHEMA"};
 inline constexpr Code e_format{"E_FORMAT"};
 inline constexpr Code e_version_newer{"E_VERSION_NEWER"};

@@ -14,7 +14,6 @@
 
 namespace hariko {
 
-inline constexpr Code e_mesh_parse{"E_PARSE"};     ///< text or header that the format does not allow
 inline constexpr Code e_truncated{"E_TRUNCATED"};  ///< the file ends before what it promises
 inline constexpr Code e_format_unknown{
     "E_FORMAT_UNKNOWN"};                   ///< not a format, or a variant, that is read or written

@@ -44,7 +44,7 @@ class HeaderReader {
   std::optional<Message> check() const;
   void finish_header_line();
   Message wrong(const std::string& sentence) const {
-    return scanner_.error_here(e_mesh_parse, sentence, remedy_header);
+    return scanner_.error_here(e_parse, sentence, remedy_header);
   }
 
   std::string_view bytes_;
@@ -166,7 +166,7 @@ void HeaderReader::finish_header_line() {
 std::optional<Message> HeaderReader::check() const {
   for (const PlyElement& element : out_.elements) {
     const auto wrong_element = [&](const std::string& sentence) {
-      return TextScanner::error_at_line(e_mesh_parse, element.line, sentence, remedy_header);
+      return TextScanner::error_at_line(e_parse, element.line, sentence, remedy_header);
     };
     if (element.properties.empty() && element.count > 0)
       return wrong_element("The element " + quote(element.name) + " has no properties.");

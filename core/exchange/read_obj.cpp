@@ -79,7 +79,7 @@ std::optional<Message> ObjReader::read_vertex() {
   for (std::string_view extra = scanner_.token(); !extra.empty(); extra = scanner_.token()) {
     double ignored = 0;
     if (parse_real(extra, ignored) == NumberStatus::malformed)
-      return scanner_.error_here(e_mesh_parse,
+      return scanner_.error_here(e_parse,
                                  "After a vertex come only numbers, but here is " + quote(extra) + ".",
                                  "Correct the line, or export the file again.");
   }
@@ -96,7 +96,7 @@ std::optional<Message> ObjReader::read_face() {
   for (std::string_view corner = scanner_.token(); !corner.empty(); corner = scanner_.token())
     if (auto error = add_corner(corner)) return error;
   if (out_.mesh.face_vertices.size() == corners_before)
-    return scanner_.error_here(e_mesh_parse, "The face has no corners.",
+    return scanner_.error_here(e_parse, "The face has no corners.",
                                "Delete the line or add its corners.");
   out_.mesh.face_offsets.push_back(static_cast<Index>(out_.mesh.face_vertices.size()));
   return {};
@@ -121,7 +121,7 @@ std::optional<Message> ObjReader::add_corner(std::string_view token) {
   }
   if (!good)
     return scanner_.error_here(
-        e_mesh_parse,
+        e_parse,
         "A corner of a face is written v, v/vt, v//vn or v/vt/vn, but here is " + quote(token) + ".",
         "Correct the line, or export the file again.");
   return add_index(token, index);

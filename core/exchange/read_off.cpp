@@ -84,27 +84,27 @@ std::optional<Message> OffReader::read_header() {
 
 std::optional<Message> OffReader::read_counts(std::string_view first) {
   if (parse_integer(first, vertex_count_) != NumberStatus::ok)
-    return scanner_.error_here(e_mesh_parse,
+    return scanner_.error_here(e_parse,
                                "The number of vertices should stand here, but here is " + quote(first) + ".",
                                remedy_correct);
   if (vertex_count_ < 0)
-    return scanner_.error_here(e_mesh_parse, "The number of vertices is negative.", remedy_correct);
+    return scanner_.error_here(e_parse, "The number of vertices is negative.", remedy_correct);
   if (vertex_count_ > static_cast<std::int64_t>(limits_.vertices))
     return promises_too_much("vertices", vertex_count_);
   if (auto error = scanner_.read_integer("number of faces", face_count_)) return error;
   if (face_count_ < 0)
-    return scanner_.error_here(e_mesh_parse, "The number of faces is negative.", remedy_correct);
+    return scanner_.error_here(e_parse, "The number of faces is negative.", remedy_correct);
   if (face_count_ > static_cast<std::int64_t>(limits_.corners))
     return promises_too_much("faces", face_count_);
   // The number of edges may follow; nobody needs it and many writers put 0.
   const std::string_view edges = scanner_.token();
   std::int64_t ignored = 0;
   if (!edges.empty() && parse_integer(edges, ignored) != NumberStatus::ok)
-    return scanner_.error_here(e_mesh_parse,
+    return scanner_.error_here(e_parse,
                                "The number of edges should stand here, but here is " + quote(edges) + ".",
                                remedy_correct);
   if (!scanner_.token().empty())
-    return scanner_.error_here(e_mesh_parse, "After the three counts stands something else.", remedy_correct);
+    return scanner_.error_here(e_parse, "After the three counts stands something else.", remedy_correct);
   scanner_.next_line();
   return {};
 }
@@ -120,7 +120,7 @@ std::optional<Message> OffReader::read_vertices() {
     for (std::string_view extra = scanner_.token(); !extra.empty(); extra = scanner_.token()) {
       double ignored = 0;
       if (parse_real(extra, ignored) == NumberStatus::malformed)
-        return scanner_.error_here(e_mesh_parse,
+        return scanner_.error_here(e_parse,
                                    "After a vertex come only numbers, but here is " + quote(extra) + ".",
                                    remedy_correct);
     }
@@ -134,7 +134,7 @@ std::optional<Message> OffReader::read_face() {
   std::int64_t corners = 0;
   if (auto error = scanner_.read_integer("number of corners", corners)) return error;
   if (corners < 0)
-    return scanner_.error_here(e_mesh_parse, "The number of corners is negative.", remedy_correct);
+    return scanner_.error_here(e_parse, "The number of corners is negative.", remedy_correct);
   for (std::int64_t c = 0; c < corners; ++c) {
     std::int64_t index = 0;
     if (auto error = scanner_.read_integer("vertex of a corner", index)) return error;

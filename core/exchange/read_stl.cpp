@@ -126,7 +126,7 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
       corners[i / 3][i % 3] = std::bit_cast<float>(little_endian_32(numbers + 4 * i));
     for (const Vector3& corner : corners)
       if (!corner.allFinite())
-        return facet_error(e_mesh_parse, facet, "A coordinate is not finite.", remedy_correct);
+        return facet_error(e_parse, facet, "A coordinate is not finite.", remedy_correct);
     if (!collector.add(corners))
       return facet_error(e_limit, facet, collector.limit_sentence(), remedy_reduce);
   }
@@ -162,7 +162,7 @@ std::optional<Message> StlTextReader::wrong_word(std::string_view word, const ch
     return TextScanner::error_at_line(e_truncated, scanner_.line(),
                                       "The file ends where " + quote(expected) + " should be.", remedy_cut);
   return scanner_.error_here(
-      e_mesh_parse, "Here should be " + quote(expected) + ", but it is " + quote(word) + ".", remedy_correct);
+      e_parse, "Here should be " + quote(expected) + ", but it is " + quote(word) + ".", remedy_correct);
 }
 
 std::optional<Message> StlTextReader::expect(const char* word) {

@@ -108,7 +108,7 @@ std::optional<Message> TextScanner::read_real(const char* what, double& value) {
   const NumberStatus status = parse_real(text, value);
   if (status == NumberStatus::ok) return {};
   if (text.empty() && at_end()) return file_ends(what);
-  return error_here(e_mesh_parse, number_sentence(status, what, text), number_remedy(text));
+  return error_here(e_parse, number_sentence(status, what, text), number_remedy(text));
 }
 
 std::optional<Message> TextScanner::read_point(const char* what, Vector3& point) {
@@ -124,7 +124,7 @@ std::optional<Message> TextScanner::read_integer(const char* what, std::int64_t&
   if (text.empty() && at_end()) return file_ends(what);
   if (status == NumberStatus::too_large)
     return error_here(e_limit, number_sentence(status, what, text), "Reduce the model before importing it.");
-  return error_here(e_mesh_parse, number_sentence(status, what, text), number_remedy(text));
+  return error_here(e_parse, number_sentence(status, what, text), number_remedy(text));
 }
 
 }  // namespace hariko

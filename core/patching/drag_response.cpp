@@ -86,9 +86,7 @@ DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved
   split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
   fill_split_tangents(mesh, system.network.frames(), system.constants, positions, network, near.faces, split);
 
-  QuarticPatch still;
-  still.control.fill(Vector3::Zero());
-  std::vector<QuarticPatch> patches(mesh.half_edge_count(), still);
+  ZeroedArray<QuarticPatch> patches(mesh.half_edge_count());
   const PatchBuilder builder(mesh, system.constants, positions, network, split);
   const auto build_base = [&] {
     for (const Index f : near.faces)
@@ -99,14 +97,14 @@ DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved
     FairSystem::SolveOptions options;
     options.active_faces = &near.faces;
     options.tolerance = response_tolerance;
-    const auto fair = system.fair->solve(patches, options, cancel);
+    const auto fair = system.fair->solve(patches.span(), options, cancel);
     system.fair->fill_split_points(fair.unknowns, near.faces, split);
     build_base();
-    system.fair->add_free_parts(fair.unknowns, near.faces, patches);
+    system.fair->add_free_parts(fair.unknowns, near.faces, patches.span());
   } else {
     fill_split_points(mesh, positions, near.faces, split);
     build_base();
-    solve_rings(mesh, system.constants, system.mode, near.vertices, near.faces, patches);
+    solve_rings(mesh, system.constants, system.mode, near.vertices, near.faces, patches.span());
   }
 
   auto felt = std::make_shared<std::vector<Index>>();

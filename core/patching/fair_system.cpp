@@ -37,8 +37,8 @@ struct FairSystem::Workspace {
   std::vector<Index> edges;        ///< smooth edges with an active face
   std::vector<Index> inner_edges;  ///< edges whose z are active: smooth with both faces active, or sharp
   std::vector<bool> active;        ///< per face
-  std::vector<double> local_in, local_out;        ///< per face, 3 x local size
-  std::vector<Eigen::Matrix<double, 6, 3>> jump;  ///< per edge
+  ZeroedArray<double> local_in, local_out;        ///< per face, 3 x local size
+  ZeroedArray<Eigen::Matrix<double, 6, 3>> jump;  ///< per edge
   std::vector<std::pair<std::size_t, std::size_t>> chunks;  ///< ranges of active unknowns, ascending, disjoint
   std::size_t chunk_grain = 1;                              ///< chunks a task
 
@@ -58,7 +58,7 @@ struct FairSystem::Workspace {
     });
   }
   /// Per coordinate; sums a chunk at a time, in order.
-  Array3 dot(const std::vector<Vector3>& a, const std::vector<Vector3>& b) const {
+  Array3 dot(const Field& a, const Field& b) const {
     std::vector<Array3> parts(chunks.size());
     for_chunks([&](std::size_t k, std::size_t begin, std::size_t end) {
       Array3 part = Array3::Zero();
@@ -68,8 +68,8 @@ struct FairSystem::Workspace {
     return std::accumulate(parts.begin(), parts.end(), Array3(Array3::Zero()));
   }
   /// y = scale y + factor x
-  void combine(std::vector<Vector3>& y, const Array3& scale, const Array3& factor,
-               const std::vector<Vector3>& x) const {
+  void combine(Field& y, const Array3& scale, const Array3& factor,
+               const Field& x) const {
     for_chunks([&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) y[i] = scale * y[i].array() + factor * x[i].array();
     });
@@ -205,7 +205,7 @@ FairSystem::Block FairSystem::make_block(Index face) const {
   return weight.asDiagonal() * factor.solve(Eigen::MatrixXd::Identity(size, size)) * weight.asDiagonal();
 }
 
-void FairSystem::gather(Index face, const std::vector<Vector3>& x, bool scaled, double* local) const {
+void FairSystem::gather(Index face, const Field& x, bool scaled, double* local) const {
   const HalfEdgeMesh& mesh = *mesh_;
   const Eigen::Index n = Eigen::Index(mesh.side_count(face)), size = local_size(face);
   LocalMap out(local, size, 3);
@@ -219,13 +219,13 @@ void FairSystem::gather(Index face, const std::vector<Vector3>& x, bool scaled, 
   }
 }
 
-void FairSystem::scatter_interior(Index face, const double* local, std::vector<Vector3>& y) const {
+void FairSystem::scatter_interior(Index face, const double* local, Field& y) const {
   const Eigen::Index n = Eigen::Index(mesh_->side_count(face));
   ConstLocalMap in(local, local_size(face), 3);
   for (Eigen::Index i = 0; i < 3 + 2 * n; ++i) y[face_begin_[face] + std::size_t(i)] = in.row(i);
 }
 
-void FairSystem::collect_sides(const Workspace& work, bool scaled, std::vector<Vector3>& y) const {
+void FairSystem::collect_sides(const Workspace& work, bool scaled, Field& y) const {
   const HalfEdgeMesh& mesh = *mesh_;
   const auto share = [&](Index h, int end) -> Vector3 {
     const Index f = mesh.face(h);
@@ -250,7 +250,7 @@ void FairSystem::collect_sides(const Workspace& work, bool scaled, std::vector<V
   });
 }
 
-void FairSystem::apply(Workspace& work, const std::vector<Vector3>& x, std::vector<Vector3>& y) const {
+void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
   const HalfEdgeMesh& mesh = *mesh_;
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
@@ -294,7 +294,7 @@ void FairSystem::apply(Workspace& work, const std::vector<Vector3>& x, std::vect
   collect_sides(work, true, y);
 }
 
-void FairSystem::precondition(Workspace& work, const std::vector<Vector3>& r, std::vector<Vector3>& z) const {
+void FairSystem::precondition(Workspace& work, const Field& r, Field& z) const {
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = work.faces[k];
@@ -308,7 +308,7 @@ void FairSystem::precondition(Workspace& work, const std::vector<Vector3>& r, st
   collect_sides(work, false, z);
 }
 
-void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base, std::vector<Vector3>& b) const {
+void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base, Field& b) const {
   const HalfEdgeMesh& mesh = *mesh_;
   using Controls = Eigen::Matrix<double, quartic_control_count, 3, Eigen::RowMajor>;
   const auto controls = [&](Index h) { return Eigen::Map<const Controls>(base[h].control[0].data()); };
@@ -383,9 +383,9 @@ FairSystem::Workspace FairSystem::make_workspace(const SolveOptions& options) co
   std::size_t total = 1;
   for (const auto& [begin, end] : work.chunks) total += end - begin;
   work.chunk_grain = std::max<std::size_t>(1, dot_grain * work.chunks.size() / total);
-  work.local_in.resize(3 * local_begin_.back());
-  work.local_out.resize(3 * local_begin_.back());
-  work.jump.resize(mesh.edge_count());
+  work.local_in = ZeroedArray<double>(3 * local_begin_.back());
+  work.local_out = ZeroedArray<double>(3 * local_begin_.back());
+  work.jump = ZeroedArray<Eigen::Matrix<double, 6, 3>>(mesh.edge_count());
   return work;
 }
 
@@ -396,10 +396,10 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
   const auto ratio = [](const Array3& a, const Array3& b) {
     return Array3((b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0));
   };
-  const std::vector<Vector3> zero(unknown_count_, Vector3::Zero());
-  std::vector<Vector3> r = zero, z = zero, q = zero;
+  Field r(unknown_count_), z(unknown_count_), q(unknown_count_), p(unknown_count_);
   Solution solution;
-  solution.unknowns = options.start ? *options.start : zero;
+  solution.unknowns = Field(unknown_count_);
+  if (options.start) work.combine(solution.unknowns, one, one, *options.start);
   right_side(work, base, r);
   precondition(work, r, z);
   const Array3 energy = work.dot(r, z);
@@ -410,7 +410,7 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
     work.combine(r, one, -one, q);
     precondition(work, r, z);
   }
-  std::vector<Vector3> p = z;
+  work.combine(p, one, one, z);
   Array3 rz = work.dot(r, z);
   while ((rz > enough).any()) {
     if (solution.iterations == options.max_steps) {
@@ -434,14 +434,14 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
   return solution;
 }
 
-std::vector<Vector3> FairSystem::multiply(const std::vector<Vector3>& x) const {
+FairSystem::Field FairSystem::multiply(const Field& x) const {
   Workspace work = make_workspace({});
-  std::vector<Vector3> y(unknown_count_, Vector3::Zero());
+  Field y(unknown_count_);
   apply(work, x, y);
   return y;
 }
 
-void FairSystem::fill_split_points(std::span<const Vector3> unknowns, std::span<const Index> faces,
+void FairSystem::fill_split_points(const Field& unknowns, std::span<const Index> faces,
                                    PatchNetwork& out) const {
   for (const Index f : faces) {
     const Vector3* y = unknowns.data() + face_begin_[f];
@@ -454,7 +454,7 @@ void FairSystem::fill_split_points(std::span<const Vector3> unknowns, std::span<
   }
 }
 
-void FairSystem::add_free_parts(std::span<const Vector3> unknowns, std::span<const Index> faces,
+void FairSystem::add_free_parts(const Field& unknowns, std::span<const Index> faces,
                                 std::span<QuarticPatch> patches) const {
   using namespace quartic;
   const HalfEdgeMesh& mesh = *mesh_;

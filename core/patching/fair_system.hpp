@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
+#include "core/base/zeroed_array.hpp"
 #include "core/network/network_system.hpp"
 #include "core/patching/fair_elements.hpp"
 #include "core/patching/patch_network.hpp"
@@ -25,15 +26,18 @@ class FairSystem {
   std::size_t unknown_count() const { return unknown_count_; }
   const HalfEdgeMesh& mesh() const { return *mesh_; }
 
+  /// One vector per unknown.
+  using Field = ZeroedArray<Vector3>;
+
   struct SolveOptions {
-    const std::vector<Vector3>* start = nullptr;  ///< begin here instead of at zero
+    const Field* start = nullptr;  ///< begin here instead of at zero
     /// Solve in these faces (ascending) only; unknowns of other faces and of edges on the rim are held at zero.
     const std::vector<Index>* active_faces = nullptr;
     double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
     int max_steps = 600;
   };
   struct Solution {
-    std::vector<Vector3> unknowns;
+    Field unknowns;
     int iterations = 0;
     bool converged = true;
     bool cancelled = false;
@@ -44,12 +48,12 @@ class FairSystem {
   Solution solve(std::span<const QuarticPatch> base, const SolveOptions& options, const CancelToken& cancel = {}) const;
 
   /// The system's matrix times x, per coordinate: for tests and comparisons.
-  std::vector<Vector3> multiply(const std::vector<Vector3>& x) const;
+  Field multiply(const Field& x) const;
 
   /// Split points and their tangents from the unknowns, for the given faces.
-  void fill_split_points(std::span<const Vector3> unknowns, std::span<const Index> faces, PatchNetwork& out) const;
+  void fill_split_points(const Field& unknowns, std::span<const Index> faces, PatchNetwork& out) const;
   /// Adds the z of the given faces to base patches that were made with these split points.
-  void add_free_parts(std::span<const Vector3> unknowns, std::span<const Index> faces,
+  void add_free_parts(const Field& unknowns, std::span<const Index> faces,
                       std::span<QuarticPatch> patches) const;
 
  private:
@@ -64,13 +68,13 @@ class FairSystem {
   Block make_block(Index face) const;
   Eigen::Index local_size(Index face) const { return 3 + 4 * Eigen::Index(mesh_->side_count(face)); }
   /// The face's unknowns in the element's order, z scaled as the element expects (or not, for the preconditioner).
-  void gather(Index face, const std::vector<Vector3>& x, bool scaled, double* local) const;
-  void scatter_interior(Index face, const double* local, std::vector<Vector3>& y) const;
+  void gather(Index face, const Field& x, bool scaled, double* local) const;
+  void scatter_interior(Index face, const double* local, Field& y) const;
   /// Adds up the faces' shares of the z unknowns of the active edges, sides of sharp edges included.
-  void collect_sides(const Workspace& work, bool scaled, std::vector<Vector3>& y) const;
-  void apply(Workspace& work, const std::vector<Vector3>& x, std::vector<Vector3>& y) const;
-  void precondition(Workspace& work, const std::vector<Vector3>& r, std::vector<Vector3>& z) const;
-  void right_side(Workspace& work, std::span<const QuarticPatch> base, std::vector<Vector3>& b) const;
+  void collect_sides(const Workspace& work, bool scaled, Field& y) const;
+  void apply(Workspace& work, const Field& x, Field& y) const;
+  void precondition(Workspace& work, const Field& r, Field& z) const;
+  void right_side(Workspace& work, std::span<const QuarticPatch> base, Field& b) const;
 
   std::shared_ptr<const HalfEdgeMesh> mesh_;
   std::size_t unknown_count_ = 0;

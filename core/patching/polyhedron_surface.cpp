@@ -40,7 +40,8 @@ struct PolyhedronSurfacer::State {
   std::shared_ptr<const QuarticTables> tables = std::make_shared<QuarticTables>();
 
   // Warm starts for quality `drag`; `final` never reads them.
-  std::vector<Vector3> last_basis, last_unknowns;
+  std::vector<Vector3> last_basis;
+  FairSystem::Field last_unknowns;
 
   // The last `final` result, the base of a drag.
   struct Base {
@@ -68,7 +69,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   response.reset();
   if (!same_mesh) {
     last_basis.clear();
-    last_unknowns.clear();
+    last_unknowns = {};
   }
   if (input.mode == Mode::fair)
     if (auto failed = check_sides(input.polyhedron)) return failed;

@@ -280,7 +280,7 @@ TEST(WriteMesh, NumbersDoNotDependOnTheLocale) {
   test::expect_same(read_obj(obj)->mesh, mesh);
   test::expect_same(read_ply(ply)->mesh, mesh);
   EXPECT_EQ(read_off("OFF\n3 1 0\n0.5 0 0\n1.25 0 0\n0 1e-1 0\n3 0 1 2\n")->mesh.positions[1].x(), 1.25);
-  EXPECT_EQ(read_obj("v 0,5 0 0\n").error().code, e_mesh_parse);
+  EXPECT_EQ(read_obj("v 0,5 0 0\n").error().code, e_parse);
 }
 
 TEST(MeshFile, FormatsAreToldByExtensionOrContent) {
@@ -316,7 +316,7 @@ TEST(MeshFile, ErrorsNameTheFile) {
     EXPECT_TRUE(result.error().text.starts_with("\"" + (folder.path() / name).native() + "\": "))
         << result.error().text;
   };
-  expect_error("a.obj", "v 1 2\n\n", e_mesh_parse);
+  expect_error("a.obj", "v 1 2\n\n", e_parse);
   expect_error("a.off", "OFF\n", e_truncated);
   expect_error("a.ply", "none", e_format_unknown);
   expect_error("a.stl", "", e_empty);
