@@ -71,9 +71,9 @@ class Application {
     if (frames_ > 0) return 0;
     double seconds = 1;
     const double next = workbench_.viewport().next_frame_in();
-    if (editor_.has_document && next >= 0) seconds = std::min(seconds, next);
+    if (next >= 0) seconds = std::min(seconds, next);
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
-    if (!editor_.notices().empty() || engine_.any_pending()) seconds = std::min(seconds, 0.1);
+    if (editor_.notices_expire() || engine_.any_pending()) seconds = std::min(seconds, 0.1);
     if (editor_.history.in_gesture()) seconds = std::min(seconds, RebuildEngine::rest_seconds / 2);
     return seconds;
   }
@@ -81,8 +81,7 @@ class Application {
   /// Whether something changes with time alone.
   bool due() const {
     const double next = workbench_.viewport().next_frame_in();
-    return (editor_.has_document && next == 0) || !editor_.notices().empty() || engine_.any_pending() ||
-           editor_.history.in_gesture();
+    return next == 0 || editor_.notices_expire() || engine_.any_pending() || editor_.history.in_gesture();
   }
 
   void take_input() {
@@ -141,6 +140,7 @@ class Application {
         [this, path](const Result<OpenedFile>& opened) {
           if (!opened.ok()) return editor_.notify(opened.error());
           editor_.notices().clear();
+          engine_.reset();
           editor_.open(opened->document, opened->native ? std::optional(path) : std::nullopt);
           warn(opened->warnings);
           log_.file("opened", path);

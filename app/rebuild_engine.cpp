@@ -52,6 +52,15 @@ void RebuildEngine::sync(const Document& document, bool in_gesture, double now) 
   }
 }
 
+void RebuildEngine::reset() {
+  for (const auto& [id, track] : tracks_) {
+    lane_.cancel(surface_key(id));
+    lane_.cancel(measure_key(id));
+  }
+  tracks_.clear();
+  views_.clear();
+}
+
 void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& object, Quality quality,
                             double now) {
   // A drag job is short and its result worth showing; a final one that is out of date only delays the next.
@@ -69,7 +78,7 @@ void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& o
       [this, object, quality, builder = track.builder](const CancelToken& cancel) -> WorkLane::Publication {
         auto view = std::make_shared<SurfaceView>(builder->build(object, quality, cancel));
         if (cancel.cancelled()) return {};
-        return [this, view] { take(view->object->id, std::move(*view)); };
+        return [this, id = object->id, view] { take(id, std::move(*view)); };
       },
       running);
 }

@@ -38,6 +38,9 @@ class RebuildEngine {
   void sync(const Document& document, bool in_gesture, double now);
   static constexpr double rest_seconds = 0.4;
 
+  /// Forgets everything: another document is opened, whose objects may have the same ids.
+  void reset();
+
   /// Takes over finished views. Call at the start of a frame. Returns how many there were.
   std::size_t publish() { return lane_.publish(); }
 

@@ -72,6 +72,11 @@ void Editor::notify(const Message& message) {
          message.remedy);
 }
 
+bool Editor::notices_expire() const {
+  return std::any_of(notices_.begin(), notices_.end(),
+                     [](const Notice& notice) { return notice.kind == Notice::Kind::info; });
+}
+
 Camera Editor::camera() const {
   if (!flying()) return to_;
   const double x = std::clamp((now - flight_start_) / flight_seconds, 0.0, 1.0);
@@ -113,8 +118,23 @@ void Editor::frame_selection() {
 
 Box3 Editor::visible_box() const {
   Box3 box;
-  for (const auto& object : document().objects)
-    if (object->visible) box.extend(world_box(*object));
+  for (const auto& object : document().objects) {
+    if (!object->visible) continue;
+    box.extend(world_box(*object));
+    const SurfaceView* shown = view_of(object->id);
+    if (!shown || !shown->mesh) continue;
+    const Matrix4 matrix = matrix_of(object->transform);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3 local =
+          shown->mesh->origin() + shown->mesh->box().corner(static_cast<Box3::CornerType>(corner));
+      box.extend(Vector3((matrix * local.homogeneous()).head<3>()));
+    }
+  }
+  if (!box.isEmpty() && (!views || views->empty())) {
+    // Surfaces that are still to come bulge out of their polyhedra by about this much.
+    const Vector3 bulge = 0.08 * box.sizes();
+    box = Box3(box.min() - bulge, box.max() + bulge);
+  }
   return box;
 }
 

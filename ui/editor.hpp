@@ -74,6 +74,8 @@ class Editor {
   void notify(const Message& message);
   std::deque<Notice>& notices() { return notices_; }
   const std::deque<Notice>& notices() const { return notices_; }
+  /// Whether a notice shows that goes away by itself.
+  bool notices_expire() const;
 
   /// The camera now, eased while a view change is under way.
   Camera camera() const;

@@ -150,7 +150,11 @@ void FileDialog::list(PanelContext& context) {
       }
       ImGui::PopID();
     }
-  if (entries_.empty()) ImGui::TextDisabled("  Nothing here that can be opened.");
+  if (entries_.empty()) {
+    ImGui::SetCursorPos({context.metrics.px(10), context.metrics.px(8)});
+    ImGui::TextDisabled(request_.saving ? "No files of this kind here yet."
+                                        : "Nothing here that can be opened.");
+  }
   ImGui::EndChild();
   ImGui::PopStyleColor();
   if (!enter.empty()) go_to(enter);

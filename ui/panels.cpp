@@ -83,7 +83,7 @@ float draw_menu_bar(PanelContext& context) {
     std::string title = editor.title();
     if (editor.history.dirty()) title += "  \u2022  edited";
     const float width = ImGui::CalcTextSize(title.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - context.metrics.px(16));
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - context.metrics.px(28));
     const TextColour colour(palette().dim_text);
     ImGui::TextUnformatted(title.c_str());
   }

@@ -43,9 +43,9 @@ void draw_start_page(PanelContext& context, const PanelRect& rect) {
   if (begin_panel("Start", rect, palette().window, {0, 0})) {
     ImGui::SetCursorPos({left, m.px(28)});
     ImGui::BeginGroup();
-    ImGui::SetWindowFontScale(1.6F);
+    ImGui::PushFont(title_font());
     ImGui::TextUnformatted("Hariko");
-    ImGui::SetWindowFontScale(1);
+    ImGui::PopFont();
     ImGui::TextDisabled("Stretch a smooth surface over a rough structure.");
     ImGui::Dummy({0, m.px(8)});
     if (ImGui::Button((std::string(icon::open) + "  Open\u2026").c_str())) context.run("file.open");

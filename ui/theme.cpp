@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* inter_path = "/usr/share/fonts/opentype/inter/Inter-Regular.otf";
 constexpr const char* awesome_path = "/usr/share/fonts/truetype/font-awesome/fontawesome-webfont.ttf";
-constexpr float font_size = 15, icon_size = 14;
+constexpr float font_size = 15, icon_size = 14, title_size = 26;
 
 constexpr ImU32 rgb(unsigned value, unsigned alpha = 0xff) {
   return IM_COL32((value >> 16) & 0xff, (value >> 8) & 0xff, value & 0xff, alpha);
@@ -55,6 +55,7 @@ const char* load_fonts(float scale) {
   merged.GlyphMinAdvanceX = 16 * scale;
   merged.GlyphOffset.y = scale;
   atlas.AddFontFromFileTTF(awesome_path, icon_size * scale, &merged, icons);
+  atlas.AddFontFromFileTTF(inter_path, title_size * scale, nullptr, letters);
   return nullptr;
 }
 
@@ -119,6 +120,11 @@ const Palette& palette() {
                             rgb(0x3a3d42), rgb(0xe6e6e6), rgb(0x9aa0a6), rgb(0xf29e38),
                             rgb(0x4aa3df), rgb(0xf0716f), rgb(0xe8bf58), rgb(0x63c174)};
   return dark;
+}
+
+ImFont* title_font() {
+  // Where fonts are missing there is only the one.
+  return ImGui::GetIO().Fonts->Fonts.back();
 }
 
 const char* apply_theme(float scale) {

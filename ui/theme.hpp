@@ -24,6 +24,9 @@ struct Metrics {
 /// pixel.
 const char* apply_theme(float scale);
 
+/// The large font of the start page's title.
+ImFont* title_font();
+
 /// A scoped text colour.
 class TextColour {
  public:

@@ -132,6 +132,7 @@ void Viewport::refresh() {
 }
 
 double Viewport::next_frame_in() const {
+  if (!editor_.has_document) return -1;
   if (editor_.flying()) return 0;
   if (drawn_samples_ >= 4 || tool_) return -1;
   return std::max(0.0, changed_at_ + rest_seconds - editor_.now);

@@ -163,6 +163,25 @@ TEST(RebuildEngine, FailureKeepsTheLastGoodSurfaceAndSaysWhy) {
   EXPECT_FALSE(rig.engine.views().begin()->second.error.has_value());
 }
 
+TEST(RebuildEngine, ResetDropsWhatRunsAndWhatIsShown) {
+  Rig rig;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  rig.published.clear();
+  rig.script->hold = true;
+  rig.script->started = false;
+  rig.engine.sync(moved(document, 1), true, 1);
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  rig.engine.reset();
+  EXPECT_TRUE(rig.engine.views().empty());
+  rig.script->hold = false;
+  rig.engine.sync(moved(document, 2), false, 2);  // the same id in another document
+  rig.settle();
+  ASSERT_EQ(rig.published.size(), 1U);
+  EXPECT_EQ(rig.published[0], std::pair(2.0, Quality::final));
+}
+
 TEST(RebuildEngine, DeletedAndHiddenObjectsArePublishedNoMore) {
   Rig rig;
   const Document document = triangle_document();

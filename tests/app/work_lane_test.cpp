@@ -151,8 +151,8 @@ TEST(WorkLane, DestructionCancelsARunningJob) {
   {
     WorkLane lane;
     lane.submit(1, gated(gate, published, 1), WorkLane::Running::finish);
-    lane.submit(1, quick(published, 2), WorkLane::Running::finish);
     gate->started.wait();
+    lane.submit(1, quick(published, 2), WorkLane::Running::finish);
   }
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s);
   EXPECT_TRUE(published.empty());

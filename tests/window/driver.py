@@ -1,0 +1,187 @@
+"""Drives the real window: starts it on a display of its own, finds things through its test log, and sends real mouse
+and key events. No window manager: the window then sits at 0,0 and its pixels are the screen's."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+# Presses must outlast a frame: software rendering on a loaded machine is slow.
+HOLD = 0.12
+
+
+class Failure(Exception):
+    pass
+
+
+def check(condition, text):
+    if not condition:
+        raise Failure(text)
+
+
+class Window:
+    def __init__(self, program, *files, size=(1280, 800)):
+        self.folder = tempfile.mkdtemp(prefix="hariko-window-")
+        self.log_path = os.path.join(self.folder, "log.jsonl")
+        self.display_server = self.program = None
+        self.events = []
+        self._log = None
+        self._rest = ""
+        try:
+            self._start(program, files, size)
+        except BaseException:
+            self.close()
+            raise
+
+    def _start(self, program, files, size):
+        read_end, write_end = os.pipe()
+        self.display_server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
+            pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read_end) as pipe:
+            number = pipe.readline().strip()
+        check(number, "Xvfb did not start")
+        self.environment = dict(os.environ, DISPLAY=":" + number)
+        self.errors = open(os.path.join(self.folder, "stderr.txt"), "w+")
+        self.program = subprocess.Popen(
+            [program, "--test-log", self.log_path, "--width", str(size[0]), "--height", str(size[1]), *files],
+            env=self.environment, stderr=self.errors, cwd=self.folder)
+        found = self.xdotool("search", "--sync", "--onlyvisible", "--name", "Hariko", timeout=40)
+        self.id = found.split()[0]
+        self.xdotool("windowfocus", "--sync", self.id)
+        self.wait_idle()
+
+    def xdotool(self, *arguments, timeout=20):
+        done = subprocess.run(["xdotool", *arguments], env=self.environment, capture_output=True, text=True,
+                              timeout=timeout)
+        check(done.returncode == 0, f"xdotool {arguments}: {done.stderr}")
+        return done.stdout
+
+    # What the program says.
+    def read(self):
+        if self._log is None:
+            if not os.path.exists(self.log_path):
+                return
+            self._log = open(self.log_path, encoding="utf-8")
+        *lines, self._rest = (self._rest + self._log.read()).split("\n")
+        self.events += [json.loads(line) for line in lines]
+
+    def last(self, event):
+        self.read()
+        return next((e for e in reversed(self.events) if e["event"] == event), None)
+
+    def count(self, event, **values):
+        self.read()
+        return sum(1 for e in self.events if e["event"] == event and all(e.get(k) == v for k, v in values.items()))
+
+    def wait(self, condition, what, seconds=30):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self.read()
+            if condition():
+                return
+            status = self.program.poll()
+            check(status is None, f"the program ended with {status} while waiting for {what}")
+            time.sleep(0.02)
+        recent = [{k: v for k, v in e.items() if k not in ("rects", "objects")} for e in self.events[-12:]]
+        raise Failure(f"timeout waiting for {what}; last events: {recent}")
+
+    def wait_event(self, event, since, **values):
+        self.wait(lambda: self.count(event, **values) > since, f"{event} {values}")
+
+    def wait_idle(self):
+        """Until nothing is left to do: the last event of the log is `idle`, or nothing came after it."""
+        self.wait(lambda: self.events and self.events[-1]["event"] == "idle", "idle")
+
+    def rect(self, name):
+        self.wait(lambda: name in (self.last("layout") or {"rects": {}})["rects"], f"something called {name}")
+        return self.last("layout")["rects"][name]
+
+    def center(self, name):
+        x, y, width, height = self.rect(name)
+        return x + width // 2, y + height // 2
+
+    def vertex(self, vertex, object_id=1):
+        return self.last("vertices")["objects"][str(object_id)][str(vertex)]
+
+    def nearest_vertex(self, object_id=1):
+        """Id of the vertex nearest to the eye: nothing hides it."""
+        pixels = self.last("vertices")["objects"][str(object_id)]
+        return min(pixels, key=lambda v: pixels[v][2])
+
+    # Hands.
+    def move(self, x, y):
+        self.xdotool("mousemove", str(round(x)), str(round(y)))
+        time.sleep(HOLD)
+
+    def press(self, button=1):
+        self.xdotool("mousedown", str(button))
+        time.sleep(HOLD)
+
+    def release(self, button=1):
+        self.xdotool("mouseup", str(button))
+        time.sleep(HOLD)
+
+    def click(self, x, y):
+        self.move(x, y)
+        self.press()
+        self.release()
+        time.sleep(HOLD)
+
+    def click_on(self, name):
+        self.click(*self.center(name))
+
+    def drag(self, start, end, button=1, steps=6, before_release=None):
+        self.move(*start)
+        self.press(button)
+        for i in range(1, steps + 1):
+            self.move(start[0] + (end[0] - start[0]) * i / steps, start[1] + (end[1] - start[1]) * i / steps)
+        if before_release:
+            before_release()
+        self.release(button)
+
+    def key(self, chord):
+        self.xdotool("key", "--delay", "60", chord)
+        time.sleep(HOLD)
+
+    def type(self, text):
+        self.xdotool("type", "--delay", "40", text, timeout=60)
+        time.sleep(HOLD)
+
+    def type_path(self, path):
+        """Fills in the file dialog and accepts it."""
+        self.rect("dialog.name")
+        time.sleep(0.3)
+        self.key("ctrl+a")
+        self.type(path)
+        self.key("Return")
+
+    def screenshot(self, path):
+        subprocess.run(["import", "-window", self.id, path], env=self.environment, check=True, timeout=30)
+
+    def quit(self):
+        """Leaves by the shortcut; the exit code."""
+        self.key("ctrl+q")
+        return self.program.wait(timeout=20)
+
+    def close(self):
+        for process in (self.program, self.display_server):
+            if process and process.poll() is None:
+                process.kill()
+                process.wait()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def run(test):
+    """Calls test(program, source, output) and turns a failure into an exit code."""
+    program, source, output = sys.argv[1:4]
+    try:
+        test(program, source, output)
+    except (Failure, subprocess.SubprocessError, AssertionError) as failure:
+        print("FAILED:", failure)
+        sys.exit(1)
+    print("passed")

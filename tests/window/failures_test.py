@@ -1,0 +1,41 @@
+"""What goes wrong is said and harms nothing: no display, a broken file, a place that cannot be written."""
+
+import os
+import subprocess
+import tempfile
+
+from driver import Window, check, run
+
+
+def session(program, source, output):
+    del output
+    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    done = subprocess.run([program], env=environment, capture_output=True, text=True, timeout=30)
+    check(done.returncode == 1, f"without a display the exit code is {done.returncode}")
+    check("window" in done.stderr and "command line" in done.stderr, "no readable message: " + done.stderr)
+
+    with tempfile.TemporaryDirectory() as folder:
+        broken = os.path.join(folder, "broken.hariko")
+        with open(broken, "w", encoding="ascii") as file:
+            file.write('{"hariko": ')
+        window = Window(program, broken)
+        try:
+            window.wait(lambda: window.last("notice") is not None and window.last("notice")["text"], "the message")
+            check(window.count("opened") == 0, "a broken file was opened")
+            window.key("Escape")
+            window.key("ctrl+s")  # nothing is open: it says so
+            window.wait(lambda: "Nothing is open" in window.last("notice")["text"], "the reason")
+            window.key("ctrl+o")
+            window.type_path(os.path.join(source, "assets", "samples", "cube.hariko"))
+            window.wait_event("opened", 0)
+            window.wait_idle()
+            window.key("ctrl+shift+s")
+            window.type_path("/proc/nowhere.hariko")
+            window.wait(lambda: window.count("notice") >= 3 and window.last("notice")["text"], "the message on saving")
+            check(window.count("saved") == 0, "saved into a place that cannot be written")
+            check(window.quit() == 0, "the program did not end well")
+        finally:
+            window.close()
+
+
+run(session)

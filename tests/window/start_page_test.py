@@ -1,0 +1,54 @@
+"""The start page opens samples; maps, menus and the smallest sensible window work; unsaved work is asked about."""
+
+import os
+
+from driver import Window, check, run
+
+
+def session(program, source, output):
+    del source
+    window = Window(program, size=(1024, 700))
+    try:
+        window.screenshot(os.path.join(output, "start_page.png"))
+        window.click_on("sample.cube_crease.hariko")
+        window.wait_event("opened", 0)
+        window.wait_idle()
+
+        # The Gaussian map, from its combo box.
+        window.click_on("combo.map")
+        window.click_on("choice.map.3")
+        window.wait(lambda: window.last("document")["label"] == "Map Gaussian curvature", "the step of the map")
+        window.wait_idle()
+        window.screenshot(os.path.join(output, "gauss_map.png"))
+
+        # A menu: undo from there.
+        window.click_on("menu.Edit")
+        window.click_on("command.edit.undo")
+        window.wait(lambda: window.last("document")["position"] == 0, "undo from the menu")
+
+        # Orbit and zoom change the picture and not the document.
+        x, y = window.center("viewport")
+        before = window.last("vertices")
+        window.drag((x, y), (x + 90, y + 20), button=2)
+        window.xdotool("click", "4")
+        window.wait_idle()
+        check(window.last("vertices") != before, "neither orbit nor zoom did anything")
+        check(window.last("document")["position"] == 0, "the camera got into the history")
+        window.key("Home")
+
+        # Delete, then try to leave: the question comes; Esc stays, Discard leaves.
+        window.key("Delete")
+        window.wait(lambda: window.last("document")["label"] == "Delete object", "the deletion")
+        window.key("ctrl+q")
+        window.rect("prompt.cancel")
+        window.key("Escape")
+        window.wait(lambda: "prompt.cancel" not in window.last("layout")["rects"], "the prompt to go")
+        check(window.program.poll() is None, "Esc at the prompt ended the program")
+        window.key("ctrl+q")
+        window.click_on("prompt.discard")
+        check(window.program.wait(timeout=20) == 0, "Discard did not end the program well")
+    finally:
+        window.close()
+
+
+run(session)
