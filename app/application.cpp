@@ -6,7 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "app/document_files.hpp"
+#include "app/files/export_surfaces.hpp"
+#include "app/files/open_file.hpp"
 #include "app/gl_window.hpp"
 #include "app/rebuild_engine.hpp"
 #include "app/samples.hpp"
@@ -134,15 +135,23 @@ class Application {
     for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) editor_.notify(warnings[i]);
   }
 
+  /// Why a file did not open. Readers name the file themselves; a mesh that is no polyhedron does not know
+  /// it.
+  void explain(const std::filesystem::path& path, const OpenedFile& opened) {
+    Message error = *opened.error();
+    if (opened.broken_mesh) error.text = path.filename().string() + ": " + error.text;
+    editor_.notify(error);
+  }
+
   void open(const std::filesystem::path& path) {
     in_background(
         "Opening " + path.filename().string(), [path](const CancelToken&) { return open_file(path); },
-        [this, path](const Result<OpenedFile>& opened) {
-          if (!opened.ok()) return editor_.notify(opened.error());
+        [this, path](const OpenedFile& opened) {
+          if (!opened.document) return explain(path, opened);
           editor_.notices().clear();
           engine_.reset();
-          editor_.open(opened->document, opened->native ? std::optional(path) : std::nullopt);
-          warn(opened->warnings);
+          editor_.open(*opened.document, opened.native ? std::optional(path) : std::nullopt);
+          warn(opened.messages);
           log_.file("opened", path);
         });
   }
@@ -150,17 +159,17 @@ class Application {
   void import_file(const std::filesystem::path& path) {
     in_background(
         "Importing " + path.filename().string(), [path](const CancelToken&) { return open_file(path); },
-        [this, path](const Result<OpenedFile>& opened) {
-          if (!opened.ok()) return editor_.notify(opened.error());
+        [this, path](const OpenedFile& opened) {
+          if (!opened.document) return explain(path, opened);
           if (!editor_.has_document) editor_.open({}, {});
           if (editor_.history.in_gesture()) editor_.cancel_preview();
-          if (!editor_.commit(append_document(editor_.history.current(), opened->document),
+          if (!editor_.commit(append_document(editor_.history.current(), *opened.document),
                               "Import " + path.filename().string()))
             return;
           editor_.selection.clear_elements();
           editor_.selection.active = editor_.document().objects.back()->id;
           editor_.frame_all();
-          warn(opened->warnings);
+          warn(opened.messages);
           log_.file("imported", path);
         });
   }

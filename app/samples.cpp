@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "app/document_files.hpp"
+#include "app/files/open_file.hpp"
 #include "app/surface_builder.hpp"
 
 namespace hariko {
@@ -82,8 +82,8 @@ Scene sample_scene(const fs::path& path, const CancelToken& cancel) {
   Scene scene;
   scene.grid.visible = false;
   const auto opened = open_file(path);
-  if (!opened.ok()) return scene;
-  for (const auto& object : opened->document.objects) {
+  if (!opened.document) return scene;
+  for (const auto& object : opened.document->objects) {
     if (!object->polyhedron() || !object->visible) continue;
     SurfaceBuilder builder;
     const SurfaceView view = builder.build(object, Quality::final, cancel);

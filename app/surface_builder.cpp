@@ -18,11 +18,16 @@ bool same_shape(const Object& a, const Object& b) {
   return a.source == b.source;
 }
 
-/// The density asked for, less where the whole would exceed what a screen can use.
+/// The density asked for; more on small models, whose outlines would show corners, and less where the whole
+/// would exceed what a screen can use.
 int density_of(const Object& object, const Surface& surface) {
-  constexpr double triangle_budget = 2'000'000;
-  return std::min(object.display.density,
-                  std::max(3, display_density(surface.patch_count(), surface.domain(), triangle_budget)));
+  constexpr double smooth_budget = 30'000, largest_budget = 2'000'000;  // triangles
+  constexpr int smooth_density = 24;
+  const auto within = [&](double budget) {
+    return display_density(surface.patch_count(), surface.domain(), budget);
+  };
+  const int wanted = std::max(object.display.density, std::min(smooth_density, within(smooth_budget)));
+  return std::min(wanted, std::max(3, within(largest_budget)));
 }
 
 }  // namespace

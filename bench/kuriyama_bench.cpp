@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
-#include <iostream>
+#include <fstream>
 #include <memory>
 #include <numeric>
 
@@ -14,11 +14,12 @@
 #include "core/patching/drag_response.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/patching/quartic_patch.hpp"
+#include "render/display_mesh.hpp"
 
 namespace hariko {
 namespace {
 
-constexpr int display_density = 4;  ///< 15 points a patch
+constexpr int display_density_of_bench = 4;  ///< 15 points a patch
 
 void sizes(benchmark::internal::Benchmark* b) {
   b->Arg(100)->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
@@ -82,16 +83,16 @@ void evaluate(benchmark::State& state, bool curvatures) {
 BENCHMARK_CAPTURE(evaluate, position_normal, false)->Arg(4)->Arg(8)->Arg(16);
 BENCHMARK_CAPTURE(evaluate, second_order, true)->Arg(4)->Arg(8)->Arg(16);
 
-/// One vertex moves: document value, surface, and the display points of the patches that changed.
+/// One vertex moves: polyhedron value, surface, and the display mesh, refreshed where patches changed.
 void drag(benchmark::State& state, Mode mode) {
   PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, mode, Vector3::Zero()};
   PolyhedronSurfacer surfacer;
   const auto first = surfacer.rebuild(input);
   const Polyhedron start = input.polyhedron;
   const Index vertex = 0;
-  const GridPattern pattern{Domain::triangle, display_density};
-  std::vector<Vector3> positions(first->surface.patch_count() * std::size_t(pattern.point_count()));
-  std::vector<Vector3> normals(positions.size());
+  DisplayOptions options;
+  options.density = display_density_of_bench;
+  const auto base = DisplayMesh::build(first->surface, options);
   double step = 0;
   std::size_t changed = 0;
   const auto frame = [&] {
@@ -99,7 +100,7 @@ void drag(benchmark::State& state, Mode mode) {
     input.polyhedron = start.with_positions(std::span(&vertex, 1), std::span(&moved, 1)).value();
     const auto result = surfacer.rebuild(input, Quality::drag);
     changed = result->changed->size();
-    result->surface.patches().evaluate_grid(*result->changed, pattern, positions, normals);
+    benchmark::DoNotOptimize(base->refreshed(result->surface, *result->changed));
   };
   frame();  // the first one solves for the response
   for (auto _ : state) frame();
@@ -111,13 +112,24 @@ BENCHMARK_CAPTURE(drag, paper, Mode::paper)->Apply(sizes);
 /// The first frame of a drag, which solves for the response.
 void drag_start(benchmark::State& state) {
   PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, Mode::fair, Vector3::Zero()};
-  SurfaceSystem system{input.polyhedron.shared_topology(), NetworkSystem::assemble(input.polyhedron, {}).value(), {},
-                       Mode::fair, nullptr};
+  SurfaceSystem system{input.polyhedron.shared_topology(),
+                       NetworkSystem::assemble(input.polyhedron, {}).value(),
+                       {},
+                       Mode::fair,
+                       nullptr};
   system.constants = patch_constants(*system.mesh, system.network.frames());
   system.fair = std::make_unique<FairSystem>(system.mesh, system.network, system.constants);
   for (auto _ : state) benchmark::DoNotOptimize(drag_response(system, {0}));
 }
 BENCHMARK(drag_start)->Apply(sizes);
+
+/// Name of the processor, so that figures can be told apart.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
 
 }  // namespace
 }  // namespace hariko
@@ -126,6 +138,8 @@ int main(int argc, char** argv) {
   const char* threads = std::getenv("HARIKO_BENCH_THREADS");
   const hariko::ParallelLimit limit(threads ? std::atoi(threads) : 1);
   benchmark::Initialize(&argc, argv);
+  benchmark::AddCustomContext("processor", hariko::processor());
+  benchmark::AddCustomContext("threads", threads ? threads : "1");
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -1,5 +1,5 @@
-// Why conjugate gradients: the same systems by sparse factorisation. Factor and back-substitution (three right-hand
-// sides) are timed apart, since a factor may be kept while connectivity and tensions stand.
+// Why conjugate gradients: the same systems by sparse factorisation. Factor and back-substitution (three
+// right-hand sides) are timed apart, since a factor may be kept while connectivity and tensions stand.
 
 #include <benchmark/benchmark.h>
 
@@ -32,7 +32,8 @@ Matrix network_matrix(const Polyhedron& polyhedron, const NetworkSystem& system)
             const Index row = frames.ends[ends[i]].basis[a], column = frames.ends[ends[j]].basis[b];
             if (row == no_index || column == no_index) continue;
             const double weight = i == j ? 2 * (beta + alpha[i]) : -beta;
-            entries.emplace_back(int(row), int(column), weight * frames.ends[ends[i]].c[a] * frames.ends[ends[j]].c[b]);
+            entries.emplace_back(int(row), int(column),
+                                 weight * frames.ends[ends[i]].c[a] * frames.ends[ends[j]].c[b]);
           }
   }
   Matrix matrix(Eigen::Index(frames.basis_count()), Eigen::Index(frames.basis_count()));
@@ -50,7 +51,8 @@ Matrix fair_matrix(const FairSystem& system) {
     const FairSystem::Field y = system.multiply(x);
     for (std::size_t c = 0; c < 3 && first + c < n; ++c) {
       for (std::size_t i = 0; i < n; ++i)
-        if (const double value = y[i][Eigen::Index(c)]; value != 0) entries.emplace_back(int(i), int(first + c), value);
+        if (const double value = y[i][Eigen::Index(c)]; value != 0)
+          entries.emplace_back(int(i), int(first + c), value);
       x[first + c].setZero();
     }
   }
@@ -78,13 +80,22 @@ void network_direct(benchmark::State& state, void (*step)(benchmark::State&, con
   const Polyhedron polyhedron = bench_torus(state.range(0));
   step(state, network_matrix(polyhedron, NetworkSystem::assemble(polyhedron, {}).value()));
 }
-BENCHMARK_CAPTURE(network_direct, factor, factor)->Arg(100)->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(network_direct, solve, solve)->Arg(100)->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(network_direct, factor, factor)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(20000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(network_direct, solve, solve)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(20000)
+    ->Unit(benchmark::kMillisecond);
 
 void fair_direct(benchmark::State& state, void (*step)(benchmark::State&, const Matrix&)) {
   const Polyhedron polyhedron = bench_torus(state.range(0));
   const NetworkSystem network = NetworkSystem::assemble(polyhedron, {}).value();
-  const FairSystem fair(polyhedron.shared_topology(), network, patch_constants(polyhedron.topology(), network.frames()));
+  const FairSystem fair(polyhedron.shared_topology(), network,
+                        patch_constants(polyhedron.topology(), network.frames()));
   step(state, fair_matrix(fair));
 }
 BENCHMARK_CAPTURE(fair_direct, factor, factor)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);

@@ -139,16 +139,17 @@ void object_section(PanelContext& context, const Object& object) {
   }
   if (display.map == SurfaceMap::zebra) zebra_rows(context);
   const ObjectId id = object.id;
-  value_slider(context,
-               {"density", "Density", "Intervals a patch side on the screen", "Display density",
-                DisplaySettings::min_density, DisplaySettings::max_density, false, true},
-               display.density, [id](const Document& document, double value) -> Result<Document> {
-                 const Object* found = document.find(id);
-                 if (!found) return document;
-                 DisplaySettings changed = found->display;
-                 changed.density = static_cast<int>(value);
-                 return set_display(document, id, changed);
-               });
+  value_slider(
+      context,
+      {"density", "Density", "Least intervals a patch side on the screen; small models are drawn finer",
+       "Display density", DisplaySettings::min_density, DisplaySettings::max_density, false, true},
+      display.density, [id](const Document& document, double value) -> Result<Document> {
+        const Object* found = document.find(id);
+        if (!found) return document;
+        DisplaySettings changed = found->display;
+        changed.density = static_cast<int>(value);
+        return set_display(document, id, changed);
+      });
   row_label(context, "Show", "");
   const float start = ImGui::GetCursorPosX();
   show_flag(context, object, "surface", &DisplaySettings::surface);

@@ -1,7 +1,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
+#include "app/commands/document_input.hpp"
 #include "app/commands/evaluation.hpp"
-#include "app/commands/input.hpp"
 #include "app/commands/tension_file.hpp"
 #include "core/base/file_io.hpp"
 

@@ -7,7 +7,9 @@
 namespace hariko {
 
 int run_info(const InfoArguments& arguments) {
-  Input input = read_input(arguments.file);
+  Stopwatch watch;
+  const OpenedFile input = open_file(arguments.file);
+  const double reading = watch.lap();
   std::vector<ObjectInfo> objects;
   if (input.document)
     for (const auto& object : input.document->objects) objects.push_back(inspect(*object));
@@ -21,7 +23,7 @@ int run_info(const InfoArguments& arguments) {
   else
     for (const Message& message : input.messages) report(arguments.file.string(), message);
   for (ObjectInfo& object : objects)
-    object.milliseconds.insert(object.milliseconds.begin(), {"read", input.milliseconds});
+    object.milliseconds.insert(object.milliseconds.begin(), {"read", reading});
 
   const bool nothing = !input.document && !input.broken_mesh;
   if (!nothing || arguments.json)

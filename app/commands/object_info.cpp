@@ -138,7 +138,7 @@ ObjectInfo inspect(const Object& object) {
   return info;
 }
 
-ObjectInfo inspect_broken(const Input& input) {
+ObjectInfo inspect_broken(const OpenedFile& input) {
   ObjectInfo info;
   info.name = input.name;
   info.kind = "polyhedron";

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands/input.hpp"
+#include "app/files/open_file.hpp"
 #include "core/analysis/statistics.hpp"
 #include "core/document/document.hpp"
 
@@ -29,7 +29,7 @@ struct ObjectInfo {
 
 ObjectInfo inspect(const Object& object);
 /// Of a mesh file that makes no polyhedron.
-ObjectInfo inspect_broken(const Input& input);
+ObjectInfo inspect_broken(const OpenedFile& input);
 
 /// {"objects": [...]} with the keys of docs/cli.md.
 std::string info_json(const std::vector<ObjectInfo>& objects);

@@ -2,7 +2,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
-#include "app/commands/input.hpp"
+#include "app/commands/document_input.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"

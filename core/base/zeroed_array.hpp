@@ -13,8 +13,8 @@
 
 namespace hariko {
 
-/// The system hands out zero pages on first touch, so untouched parts cost neither time nor memory; `std::vector`
-/// would write them all. T must be made of numbers for which zero bits mean zero.
+/// The system hands out zero pages on first touch, so untouched parts cost neither time nor memory;
+/// `std::vector` would write them all. T must be made of numbers for which zero bits mean zero.
 template <class T>
 class ZeroedArray {
  public:

@@ -20,7 +20,7 @@ enum class SurfaceMap : std::uint8_t {
   mean,           ///< mean curvature
   principal_max,  ///< larger principal curvature
   principal_min,  ///< smaller principal curvature
-  continuity,     ///< angles between normals across edges
+  continuity,     ///< relative jump of curvature across edges
 };
 
 struct DisplaySettings {
@@ -28,7 +28,8 @@ struct DisplaySettings {
   bool polyhedron = true;
   bool network = true;
   SurfaceMap map = SurfaceMap::shaded;
-  int density = 8;  ///< intervals a patch side when drawn, min_density .. max_density
+  /// Least intervals a patch side when drawn, min_density .. max_density; small models are drawn finer.
+  int density = 8;
   Colour colour{0xb9, 0xb4, 0xac};
 
   static constexpr int min_density = 1, max_density = 64;

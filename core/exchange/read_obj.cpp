@@ -96,8 +96,7 @@ std::optional<Message> ObjReader::read_face() {
   for (std::string_view corner = scanner_.token(); !corner.empty(); corner = scanner_.token())
     if (auto error = add_corner(corner)) return error;
   if (out_.mesh.face_vertices.size() == corners_before)
-    return scanner_.error_here(e_parse, "The face has no corners.",
-                               "Delete the line or add its corners.");
+    return scanner_.error_here(e_parse, "The face has no corners.", "Delete the line or add its corners.");
   out_.mesh.face_offsets.push_back(static_cast<Index>(out_.mesh.face_vertices.size()));
   return {};
 }
@@ -121,8 +120,7 @@ std::optional<Message> ObjReader::add_corner(std::string_view token) {
   }
   if (!good)
     return scanner_.error_here(
-        e_parse,
-        "A corner of a face is written v, v/vt, v//vn or v/vt/vn, but here is " + quote(token) + ".",
+        e_parse, "A corner of a face is written v, v/vt, v//vn or v/vt/vn, but here is " + quote(token) + ".",
         "Correct the line, or export the file again.");
   return add_index(token, index);
 }

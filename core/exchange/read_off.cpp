@@ -100,9 +100,8 @@ std::optional<Message> OffReader::read_counts(std::string_view first) {
   const std::string_view edges = scanner_.token();
   std::int64_t ignored = 0;
   if (!edges.empty() && parse_integer(edges, ignored) != NumberStatus::ok)
-    return scanner_.error_here(e_parse,
-                               "The number of edges should stand here, but here is " + quote(edges) + ".",
-                               remedy_correct);
+    return scanner_.error_here(
+        e_parse, "The number of edges should stand here, but here is " + quote(edges) + ".", remedy_correct);
   if (!scanner_.token().empty())
     return scanner_.error_here(e_parse, "After the three counts stands something else.", remedy_correct);
   scanner_.next_line();
@@ -120,9 +119,8 @@ std::optional<Message> OffReader::read_vertices() {
     for (std::string_view extra = scanner_.token(); !extra.empty(); extra = scanner_.token()) {
       double ignored = 0;
       if (parse_real(extra, ignored) == NumberStatus::malformed)
-        return scanner_.error_here(e_parse,
-                                   "After a vertex come only numbers, but here is " + quote(extra) + ".",
-                                   remedy_correct);
+        return scanner_.error_here(
+            e_parse, "After a vertex come only numbers, but here is " + quote(extra) + ".", remedy_correct);
     }
     out_.mesh.positions.push_back(point);
     scanner_.next_line();
@@ -133,8 +131,7 @@ std::optional<Message> OffReader::read_vertices() {
 std::optional<Message> OffReader::read_face() {
   std::int64_t corners = 0;
   if (auto error = scanner_.read_integer("number of corners", corners)) return error;
-  if (corners < 0)
-    return scanner_.error_here(e_parse, "The number of corners is negative.", remedy_correct);
+  if (corners < 0) return scanner_.error_here(e_parse, "The number of corners is negative.", remedy_correct);
   for (std::int64_t c = 0; c < corners; ++c) {
     std::int64_t index = 0;
     if (auto error = scanner_.read_integer("vertex of a corner", index)) return error;

@@ -153,8 +153,7 @@ std::optional<Message> PlyReader::check_counts() const {
 std::optional<Message> PlyReader::read_text_list(TextScanner& scanner, Role role) {
   std::int64_t count = 0;
   if (auto error = scanner.read_integer("length of a list", count)) return error;
-  if (count < 0)
-    return scanner.error_here(e_parse, "The length of the list is negative.", remedy_correct);
+  if (count < 0) return scanner.error_here(e_parse, "The length of the list is negative.", remedy_correct);
   for (std::int64_t i = 0; i < count; ++i) {
     if (role == Role::skipped) {
       if (scanner.token().empty()) {
@@ -184,15 +183,13 @@ std::optional<Message> PlyReader::read_text_row(TextScanner& scanner, const PlyE
       error = scanner.read_real("coordinate", point_[static_cast<int>(roles[p]) - static_cast<int>(Role::x)]);
     } else if (scanner.token().empty()) {
       if (scanner.at_end()) return scanner.file_ends("rest of the element");
-      return scanner.error_here(e_parse, "The line has fewer numbers than the header says.",
-                                remedy_correct);
+      return scanner.error_here(e_parse, "The line has fewer numbers than the header says.", remedy_correct);
     }
     if (error) return error;
   }
   if (const std::string_view extra = scanner.token(); !extra.empty())
-    return scanner.error_here(e_parse,
-                              "The line has more numbers than the header says: " + quote(extra) + ".",
-                              remedy_correct);
+    return scanner.error_here(
+        e_parse, "The line has more numbers than the header says: " + quote(extra) + ".", remedy_correct);
   if (element.name == "vertex") out_.mesh.positions.push_back(point_);
   return {};
 }
@@ -233,8 +230,7 @@ std::optional<Message> PlyReader::read_binary_list(BinarySource& source, const P
   const std::size_t begin = source.position();
   if (source.remaining() < ply_size(property.count_type)) return binary_end(bytes_.size(), element, row);
   const std::int64_t count = source.integer(property.count_type);
-  if (count < 0)
-    return binary_error(e_parse, begin, "The length of the list is negative.", remedy_correct);
+  if (count < 0) return binary_error(e_parse, begin, "The length of the list is negative.", remedy_correct);
   const std::size_t size = ply_size(property.type);
   if (static_cast<std::uint64_t>(count) > source.remaining() / size)
     return binary_end(bytes_.size(), element, row);
@@ -271,8 +267,7 @@ std::optional<Message> PlyReader::read_binary_row(BinarySource& source, const Pl
     }
     const double value = source.real(property.type);
     if (!std::isfinite(value))
-      return binary_error(e_parse, begin,
-                          "A coordinate of vertex " + std::to_string(row) + " is not finite.",
+      return binary_error(e_parse, begin, "A coordinate of vertex " + std::to_string(row) + " is not finite.",
                           remedy_correct);
     point_[static_cast<int>(roles[p]) - static_cast<int>(Role::x)] = value;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
-// The minimum-norm curve network over a polyhedron's edges (Kuriyama 1991, section 2.1; kuriyama.md section 2).
+// The minimum-norm curve network over a polyhedron's edges (Kuriyama 1991, section 2.1; kuriyama.md section
+// 2).
 
 #include <memory>
 #include <vector>
@@ -21,11 +22,12 @@ inline constexpr Code e_pin_mismatch{"E_PIN_MISMATCH"};
 /// Tangents of the network. The cubic along half-edge h from a to b has Bezier points P_a, P_a + start(h),
 /// P_b + end(h), P_b: tangents are a third of the derivative.
 struct Network {
-  std::vector<Vector3> start;   ///< per half-edge: T(a -> b)
-  std::vector<Vector3> end;     ///< per half-edge: T(b -> a)
-  std::vector<Vector3> normal;  ///< per vertex: unit Tc x Ts of the tangent plane, zero at corners and isolated vertices
-  double energy = 0;            ///< sigma of equation (3), scaled as in kuriyama.md section 1.3
-  int iterations = 0;           ///< conjugate-gradient steps of the solve
+  std::vector<Vector3> start;  ///< per half-edge: T(a -> b)
+  std::vector<Vector3> end;    ///< per half-edge: T(b -> a)
+  std::vector<Vector3>
+      normal;  ///< per vertex: unit Tc x Ts of the tangent plane, zero at corners and isolated vertices
+  double energy = 0;   ///< sigma of equation (3), scaled as in kuriyama.md section 1.3
+  int iterations = 0;  ///< conjugate-gradient steps of the solve
 };
 
 }  // namespace hariko

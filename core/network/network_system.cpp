@@ -14,7 +14,9 @@ namespace {
 constexpr std::size_t grain = 2048;  ///< vertices a task: about 0.1 ms of a step
 constexpr int max_steps = 30;        ///< 0.268^30 is below any tolerance that makes sense
 
-std::string name_of(VertexId id) { return "Vertex " + std::to_string(id.value); }
+std::string name_of(VertexId id) {
+  return "Vertex " + std::to_string(id.value);
+}
 
 }  // namespace
 
@@ -38,7 +40,8 @@ Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, cons
     ++system.incident_begin_[mesh.origin(h) + 1];
     ++system.incident_begin_[mesh.target(h) + 1];
   }
-  std::partial_sum(system.incident_begin_.begin(), system.incident_begin_.end(), system.incident_begin_.begin());
+  std::partial_sum(system.incident_begin_.begin(), system.incident_begin_.end(),
+                   system.incident_begin_.begin());
   system.incident_ends_.resize(2 * std::size_t(mesh.edge_count()));
   std::vector<Index> cursor(system.incident_begin_.begin(), system.incident_begin_.end() - 1);
   for (Index e = 0; e < mesh.edge_count(); ++e) {
@@ -54,14 +57,16 @@ Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, cons
 std::optional<Message> NetworkSystem::read_tensions(const Polyhedron& polyhedron, const Shaping& shaping) {
   const auto check = [](double value, const std::string& what, Element element) -> std::optional<Message> {
     if (!std::isfinite(value))
-      return make_error(e_tension_nonfinite, what + " is not a number.", "Set it to a finite value.", element);
+      return make_error(e_tension_nonfinite, what + " is not a number.", "Set it to a finite value.",
+                        element);
     if (value < 0)
       return make_error(e_tension_negative, what + " is negative.", "Set it to zero or more.", element);
     return std::nullopt;
   };
   alpha_.assign(polyhedron.vertex_count(), 0.0);
   for (const auto& [id, value] : shaping.alpha) {
-    if (auto failed = check(value, "The tension of vertex " + std::to_string(id.value), element_of(id))) return failed;
+    if (auto failed = check(value, "The tension of vertex " + std::to_string(id.value), element_of(id)))
+      return failed;
     if (const Index v = polyhedron.find(id); v != no_index) alpha_[v] = value;
   }
   beta_.assign(polyhedron.edge_count(), 1.0);
@@ -77,7 +82,8 @@ std::optional<Message> NetworkSystem::read_pins(const Polyhedron& polyhedron, co
     const Index v = polyhedron.find(id);
     if (v == no_index) continue;
     const Index count = frames_.basis_begin[v + 1] - frames_.basis_begin[v];
-    const bool right_size = pin.kind == Pin::Kind::normal ? pin.vectors.size() == 1 : pin.vectors.size() == count;
+    const bool right_size =
+        pin.kind == Pin::Kind::normal ? pin.vectors.size() == 1 : pin.vectors.size() == count;
     bool usable = right_size && count > 0;
     for (const Vector3& vector : pin.vectors) usable = usable && vector.allFinite();
     if (usable && pin.kind == Pin::Kind::normal) usable = pin.vectors[0].stableNorm() > 0;
@@ -136,8 +142,10 @@ std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron
       return make_error(e_singular_vertex,
                         name_of(polyhedron.vertex_id(v)) +
                             " has no tension in some direction, so its tangents are not determined.",
-                        "Raise the tension of one of its edges above zero.", element_of(polyhedron.vertex_id(v)));
-    const Eigen::MatrixXd inverse = fixed ? Eigen::MatrixXd::Zero(count, count) : Eigen::MatrixXd(block.inverse());
+                        "Raise the tension of one of its edges above zero.",
+                        element_of(polyhedron.vertex_id(v)));
+    const Eigen::MatrixXd inverse =
+        fixed ? Eigen::MatrixXd::Zero(count, count) : Eigen::MatrixXd(block.inverse());
     for (Index i = 0; i < count; ++i)
       for (Index j = 0; j < count; ++j) block_inverse_[block_begin_[v] + i * count + j] = inverse(i, j);
   }
@@ -199,7 +207,8 @@ void NetworkSystem::project(std::span<const Index> vertices, std::vector<Vector3
   }
 }
 
-NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions, const SolveOptions& options) const {
+NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
+                                             const SolveOptions& options) const {
   const std::vector<Index>& vertices = options.active_vertices ? *options.active_vertices : all_vertices_;
   const std::size_t count = frames_.basis_count();
   const auto dot = [&](const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
@@ -301,9 +310,8 @@ Network NetworkSystem::network(const Solution& solution, std::span<const Vector3
     const Vector3 d = positions[b] - positions[a];
     const Vector3 bend_a = d + network.end[h] - 2 * network.start[h];
     const Vector3 bend_b = -d + network.start[h] - 2 * network.end[h];
-    network.energy +=
-        beta_[e] / 3 * (bend_a.squaredNorm() + bend_a.dot(bend_b) + bend_b.squaredNorm()) +
-        alpha_[a] * network.start[h].squaredNorm() + alpha_[b] * network.end[h].squaredNorm();
+    network.energy += beta_[e] / 3 * (bend_a.squaredNorm() + bend_a.dot(bend_b) + bend_b.squaredNorm()) +
+                      alpha_[a] * network.start[h].squaredNorm() + alpha_[b] * network.end[h].squaredNorm();
   }
   return network;
 }

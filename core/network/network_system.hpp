@@ -1,7 +1,7 @@
 #pragma once
 
-// NetworkSystem: the linear system of the minimum-norm network, assembled once per connectivity, tags, tensions and
-// pins, solved for any positions (Kuriyama 1991, equation (5); kuriyama.md section 2.2).
+// NetworkSystem: the linear system of the minimum-norm network, assembled once per connectivity, tags,
+// tensions and pins, solved for any positions (Kuriyama 1991, equation (5); kuriyama.md section 2.2).
 
 #include <cstdint>
 #include <optional>
@@ -13,13 +13,13 @@
 
 namespace hariko {
 
-/// The matrix is applied edge by edge and never stored. With the block-Jacobi preconditioner its spectrum lies in
-/// [1/2, 3/2] for every mesh and every tension >= 0, so conjugate gradients gain a factor 0.268 a step and need no
-/// factorisation; a pin is a projection, which keeps that bound.
+/// The matrix is applied edge by edge and never stored. With the block-Jacobi preconditioner its spectrum
+/// lies in [1/2, 3/2] for every mesh and every tension >= 0, so conjugate gradients gain a factor 0.268 a
+/// step and need no factorisation; a pin is a projection, which keeps that bound.
 class NetworkSystem {
  public:
-  /// Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_CORNER_NEEDS_CREASE, E_PIN_MISMATCH, E_SINGULAR_VERTEX.
-  /// Settings of elements that the polyhedron does not have are ignored. O(edges).
+  /// Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_CORNER_NEEDS_CREASE, E_PIN_MISMATCH,
+  /// E_SINGULAR_VERTEX. Settings of elements that the polyhedron does not have are ignored. O(edges).
   static Result<NetworkSystem> assemble(const Polyhedron& polyhedron, const Shaping& shaping);
 
   const VertexFrames& frames() const { return frames_; }
@@ -57,16 +57,18 @@ class NetworkSystem {
   std::optional<Message> read_tensions(const Polyhedron& polyhedron, const Shaping& shaping);
   std::optional<Message> read_pins(const Polyhedron& polyhedron, const Shaping& shaping);
   std::optional<Message> factor_blocks(const Polyhedron& polyhedron);
-  void apply(std::span<const Index> vertices, const std::vector<Vector3>& x, std::vector<Vector3>& end_tangents,
-             std::vector<Vector3>& y) const;
-  void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r, std::vector<Vector3>& z) const;
+  void apply(std::span<const Index> vertices, const std::vector<Vector3>& x,
+             std::vector<Vector3>& end_tangents, std::vector<Vector3>& y) const;
+  void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r,
+                    std::vector<Vector3>& z) const;
   void project(std::span<const Index> vertices, std::vector<Vector3>& r) const;
 
   std::shared_ptr<const HalfEdgeMesh> mesh_;
   VertexFrames frames_;
   std::vector<double> beta_, alpha_;
   std::vector<Index> all_vertices_;
-  std::vector<TangentCoefficients> edge_ends_;  ///< end 2e: origin of the edge's first half-edge; 2e + 1: its target
+  std::vector<TangentCoefficients>
+      edge_ends_;  ///< end 2e: origin of the edge's first half-edge; 2e + 1: its target
   std::vector<Index> incident_begin_, incident_ends_;  ///< ends at each vertex
   std::vector<std::size_t> block_begin_;
   std::vector<double> block_inverse_;  ///< row-major inverse of each vertex's diagonal block

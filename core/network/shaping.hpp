@@ -1,6 +1,7 @@
 #pragma once
 
-// Shaping: what a designer sets on the elements of a polyhedron to shape its surface. Sparse, keyed by stable ids.
+// Shaping: what a designer sets on the elements of a polyhedron to shape its surface. Sparse, keyed by stable
+// ids.
 
 #include <vector>
 
@@ -10,12 +11,14 @@
 
 namespace hariko {
 
-/// How the surface treats a vertex on a border or crease (kuriyama.md section 2.1). `automatic`: a border vertex with two edges is
-/// a corner, one with more is smooth; an inner vertex with two creases is smooth, with three or more a corner.
+/// How the surface treats a vertex on a border or crease (kuriyama.md section 2.1). `automatic`: a border
+/// vertex with two edges is a corner, one with more is smooth; an inner vertex with two creases is smooth,
+/// with three or more a corner.
 enum class VertexTag { automatic, corner, smooth };
 
-/// A pin fixes a vertex's tangent plane. `tangents`: the vertex's basis vectors themselves (Ts, Tc of kuriyama.md 2.1;
-/// as many as the vertex has), length units. `normal`: only the plane, by a normal vector of any length.
+/// A pin fixes a vertex's tangent plane. `tangents`: the vertex's basis vectors themselves (Ts, Tc of
+/// kuriyama.md 2.1; as many as the vertex has), length units. `normal`: only the plane, by a normal vector of
+/// any length.
 struct Pin {
   enum class Kind { tangents, normal };
   Kind kind = Kind::normal;
@@ -25,8 +28,9 @@ struct Pin {
 
 struct Shaping {
   FlatMap<VertexId, double> alpha;  ///< vertex tension, 0 .. 1000, default 0
-  FlatMap<EdgeId, double> beta;     ///< edge tension, 0.001 .. 1000 (0 allowed where the system stays regular), default 1
-  FlatMap<EdgeId, bool> crease;     ///< sharp edges (value always true)
+  FlatMap<EdgeId, double>
+      beta;  ///< edge tension, 0.001 .. 1000 (0 allowed where the system stays regular), default 1
+  FlatMap<EdgeId, bool> crease;  ///< sharp edges (value always true)
   FlatMap<VertexId, VertexTag> tag;
   FlatMap<VertexId, Pin> pin;
   friend bool operator==(const Shaping&, const Shaping&) = default;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Vertex frames: how the tangents at a vertex depend on its few basis vectors (Kuriyama 1991, equation (2), extended
-// to borders, creases, darts and corners; kuriyama.md section 2.1).
+// Vertex frames: how the tangents at a vertex depend on its few basis vectors (Kuriyama 1991, equation (2),
+// extended to borders, creases, darts and corners; kuriyama.md section 2.1).
 
 #include <array>
 #include <vector>
@@ -21,14 +21,14 @@ struct TangentCoefficients {
 /// The rows of the table in kuriyama.md 2.1.
 enum class FrameKind : std::uint8_t { isolated, smooth, straight, sharp_line, corner };
 
-/// Depends on connectivity and tags only. "End" 2h is half-edge h at its origin: T(origin -> target); end 2h + 1 is h at
-/// its target: T(target -> origin). Both half-edges of an edge describe the same two tangents.
+/// Depends on connectivity and tags only. "End" 2h is half-edge h at its origin: T(origin -> target); end 2h
+/// + 1 is h at its target: T(target -> origin). Both half-edges of an edge describe the same two tangents.
 struct VertexFrames {
-  std::vector<FrameKind> kind;            ///< per vertex
-  std::vector<Index> basis_begin;         ///< per vertex, plus one: basis vectors of v are [begin[v], begin[v + 1])
+  std::vector<FrameKind> kind;     ///< per vertex
+  std::vector<Index> basis_begin;  ///< per vertex, plus one: basis vectors of v are [begin[v], begin[v + 1])
   std::vector<TangentCoefficients> ends;  ///< per end (2 per half-edge)
-  std::vector<double> step;               ///< per half-edge: angular step of the sector of the corner at its origin
-  std::vector<bool> sharp;                ///< per edge: border or crease
+  std::vector<double> step;  ///< per half-edge: angular step of the sector of the corner at its origin
+  std::vector<bool> sharp;   ///< per edge: border or crease
 
   Index basis_count() const { return basis_begin.back(); }
 };

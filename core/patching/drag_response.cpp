@@ -124,11 +124,13 @@ DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved
   return response;
 }
 
-QuarticPatchArray displaced(const QuarticPatchArray& base, const DragResponse& response, const Vector3& displacement) {
+QuarticPatchArray displaced(const QuarticPatchArray& base, const DragResponse& response,
+                            const Vector3& displacement) {
   QuarticPatchArray out = base;
   for (std::size_t k = 0; k < response.share.size(); ++k) {
     QuarticPatch& patch = out.edit((*response.patches)[k]);
-    for (std::size_t i = 0; i < quartic_control_count; ++i) patch.control[i] += response.share[k][i] * displacement;
+    for (std::size_t i = 0; i < quartic_control_count; ++i)
+      patch.control[i] += response.share[k][i] * displacement;
   }
   return out;
 }

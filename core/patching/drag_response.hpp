@@ -24,16 +24,19 @@ struct SurfaceSystem {
 
 struct DragResponse {
   std::vector<Index> moved;  ///< vertices that move together, ascending
-  /// Patches that feel the move by more than 2e-7 of it, ascending, and the share of each of their control points.
+  /// Patches that feel the move by more than 2e-7 of it, ascending, and the share of each of their control
+  /// points.
   std::shared_ptr<const std::vector<Index>> patches;
   std::vector<std::array<double, quartic_control_count>> share;
 };
 
-/// Requires `!system.network.couples_coordinates()`: x, y and z must not depend on each other. Solves within the rings
-/// of faces that matter: the influence of a vertex fades by about 0.27 a ring.
-DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, const CancelToken& cancel = {});
+/// Requires `!system.network.couples_coordinates()`: x, y and z must not depend on each other. Solves within
+/// the rings of faces that matter: the influence of a vertex fades by about 0.27 a ring.
+DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved,
+                           const CancelToken& cancel = {});
 
 /// base + share * displacement, copying only what changes.
-QuarticPatchArray displaced(const QuarticPatchArray& base, const DragResponse& response, const Vector3& displacement);
+QuarticPatchArray displaced(const QuarticPatchArray& base, const DragResponse& response,
+                            const Vector3& displacement);
 
 }  // namespace hariko

@@ -18,10 +18,11 @@ constexpr int energy_points = 12;
 /// Corner of a patch as a homogeneous variable.
 enum Variable { var_u, var_v, var_w };
 
-/// Second derivative of the 18 functions along the topological transversal of an edge: start and end of the edge and
-/// the third variable, at fraction t (kuriyama.md section 6, J(t)).
-Eigen::Matrix<double, 1, quartic_control_count> transversal_row(Variable start, Variable end, Variable third, double t,
-                                                               double c_start, double c_end, double amount) {
+/// Second derivative of the 18 functions along the topological transversal of an edge: start and end of the
+/// edge and the third variable, at fraction t (kuriyama.md section 6, J(t)).
+Eigen::Matrix<double, 1, quartic_control_count> transversal_row(Variable start, Variable end, Variable third,
+                                                                double t, double c_start, double c_end,
+                                                                double amount) {
   Vector3 point = Vector3::Zero();
   point[start] = 1 - t;
   point[end] = t;
@@ -82,7 +83,9 @@ PatchMatrix patch_dependence(Index sides, Index side, double c_start, double c_e
   return m;
 }
 
-double vertex_constant(Index sides, bool free) { return free ? 0.0 : 3 / (8 * split_factor(sides)); }
+double vertex_constant(Index sides, bool free) {
+  return free ? 0.0 : 3 / (8 * split_factor(sides));
+}
 
 }  // namespace
 
@@ -124,7 +127,15 @@ PatchEnergy patch_energy(Index sides) {
 
 std::array<int, patch_unknown_count> FaceElement::columns(Index side) const {
   const int n = int(sides), j = int(side), following = (j + 1) % n;
-  return {0, 1, 2, 3 + 2 * j, 4 + 2 * j, 3 + 2 * following, 4 + 2 * following, 3 + 2 * n + 2 * j, 4 + 2 * n + 2 * j};
+  return {0,
+          1,
+          2,
+          3 + 2 * j,
+          4 + 2 * j,
+          3 + 2 * following,
+          4 + 2 * following,
+          3 + 2 * n + 2 * j,
+          4 + 2 * n + 2 * j};
 }
 
 const FaceElement* FairElements::face(Index sides, const std::vector<bool>& free_corner, double tau) {
@@ -168,10 +179,12 @@ const FaceElement* FairElements::face(Index sides, const std::vector<bool>& free
     // A split edge's jump touches the unknowns of the two patches beside it only.
     const auto behind_columns = element.columns(behind);
     Eigen::Matrix<double, jump_points, 2 * patch_unknown_count> rows;
-    rows << element.split_left[j] * element.dependence[j], element.split_right[j] * element.dependence[behind];
+    rows << element.split_left[j] * element.dependence[j],
+        element.split_right[j] * element.dependence[behind];
     const auto square = (rows.transpose() * rows).eval();
     const auto column = [&](int a) {
-      return a < patch_unknown_count ? columns[std::size_t(a)] : behind_columns[std::size_t(a - patch_unknown_count)];
+      return a < patch_unknown_count ? columns[std::size_t(a)]
+                                     : behind_columns[std::size_t(a - patch_unknown_count)];
     };
     for (int a = 0; a < 2 * patch_unknown_count; ++a)
       for (int b = 0; b < 2 * patch_unknown_count; ++b) element.matrix(column(a), column(b)) += square(a, b);
@@ -182,8 +195,12 @@ const FaceElement* FairElements::face(Index sides, const std::vector<bool>& free
 const EdgeElement* FairElements::edge(const FaceElement* first, Index first_side, const FaceElement* second,
                                       Index second_side, double c_start, double c_end) {
   // Element addresses are stable for the life of this object, so they stand for what they depend on.
-  std::vector<double> key{double(reinterpret_cast<std::uintptr_t>(first)), double(first_side),
-                          double(reinterpret_cast<std::uintptr_t>(second)), double(second_side), c_start, c_end};
+  std::vector<double> key{double(reinterpret_cast<std::uintptr_t>(first)),
+                          double(first_side),
+                          double(reinterpret_cast<std::uintptr_t>(second)),
+                          double(second_side),
+                          c_start,
+                          c_end};
   auto& slot = edges_[key];
   if (slot) return slot.get();
   slot = std::make_unique<EdgeElement>();

@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t face_grain = 64;   ///< faces a task: about 0.1 ms of a step
+constexpr std::size_t face_grain = 64;  ///< faces a task: about 0.1 ms of a step
 constexpr std::size_t edge_grain = 128;
 constexpr std::size_t dot_grain = 4096;
 
@@ -39,8 +39,9 @@ struct FairSystem::Workspace {
   std::vector<bool> active;        ///< per face
   ZeroedArray<double> local_in, local_out;        ///< per face, 3 x local size
   ZeroedArray<Eigen::Matrix<double, 6, 3>> jump;  ///< per edge
-  std::vector<std::pair<std::size_t, std::size_t>> chunks;  ///< ranges of active unknowns, ascending, disjoint
-  std::size_t chunk_grain = 1;                              ///< chunks a task
+  std::vector<std::pair<std::size_t, std::size_t>>
+      chunks;                   ///< ranges of active unknowns, ascending, disjoint
+  std::size_t chunk_grain = 1;  ///< chunks a task
 
   /// Consecutive ranges grow together up to one task's worth.
   void add_chunks(std::size_t begin, std::size_t end) {
@@ -68,8 +69,7 @@ struct FairSystem::Workspace {
     return std::accumulate(parts.begin(), parts.end(), Array3(Array3::Zero()));
   }
   /// y = scale y + factor x
-  void combine(Field& y, const Array3& scale, const Array3& factor,
-               const Field& x) const {
+  void combine(Field& y, const Array3& scale, const Array3& factor, const Field& x) const {
     for_chunks([&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) y[i] = scale * y[i].array() + factor * x[i].array();
     });
@@ -109,7 +109,8 @@ void FairSystem::build_elements(const NetworkSystem& network, const PatchConstan
     side_target_[h] = next + 1;
     next += 2;
     if (twin == no_index) continue;
-    if (constants.smooth[h]) {  // the condition is a_own G_own + a_other G_other = R: z moves along its null space
+    if (constants
+            .smooth[h]) {  // the condition is a_own G_own + a_other G_other = R: z moves along its null space
       side_origin_[twin] = side_target_[h];
       side_target_[twin] = side_origin_[h];
       side_scale_[h] = constants.own[twin];
@@ -151,7 +152,8 @@ void FairSystem::build_preconditioner() {
   std::map<std::vector<const void*>, std::shared_ptr<const Block>> known;
   block_.resize(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    // Equal elements all round mean an equal block; the neighbour's element decides the scale of shared z as well.
+    // Equal elements all round mean an equal block; the neighbour's element decides the scale of shared z as
+    // well.
     std::vector<const void*> key{face_element_[f]};
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       const Index e = mesh.edge(h);
@@ -187,7 +189,8 @@ FairSystem::Block FairSystem::make_block(Index face) const {
     const Index twin = mesh.twin(h);
     const auto columns = element.columns(Index(j));
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(6, size);
-    for (int a = 0; a < patch_unknown_count; ++a) rows.col(columns[std::size_t(a)]) += scale[columns[std::size_t(a)]] * own.col(a);
+    for (int a = 0; a < patch_unknown_count; ++a)
+      rows.col(columns[std::size_t(a)]) += scale[columns[std::size_t(a)]] * own.col(a);
     // The neighbour's z at its origin is ours at the target.
     rows.col(columns[8]) += side_scale_[twin] * other.col(7);
     rows.col(columns[7]) += side_scale_[twin] * other.col(8);
@@ -270,7 +273,8 @@ void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
       auto& jump = work.jump[e];
       jump.setZero();
       if (work.active[mesh.face(h)]) jump += edge_element_[e]->first_columns.lazyProduct(side_values(h));
-      if (work.active[mesh.face(twin)]) jump += edge_element_[e]->second_columns.lazyProduct(side_values(twin));
+      if (work.active[mesh.face(twin)])
+        jump += edge_element_[e]->second_columns.lazyProduct(side_values(twin));
     }
   });
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
@@ -284,7 +288,8 @@ void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
         if (!edge_element_[e]) continue;
         const bool first = mesh.half_edge_of_edge(e) == h;
         const JumpColumns& own = first ? edge_element_[e]->first_columns : edge_element_[e]->second_columns;
-        const Eigen::Matrix<double, patch_unknown_count, 3> values = own.transpose().lazyProduct(work.jump[e]);
+        const Eigen::Matrix<double, patch_unknown_count, 3> values =
+            own.transpose().lazyProduct(work.jump[e]);
         const auto columns = face_element_[f]->columns(h - mesh.face_begin(f));
         for (int a = 0; a < patch_unknown_count; ++a) local.row(columns[std::size_t(a)]) += values.row(a);
       }
@@ -329,12 +334,14 @@ void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base,
       for (Index j = 0; j < n; ++j) {
         const Index following = (j + 1) % n, behind = (j + n - 1) % n, e = mesh.edge(first + j);
         // The patch takes part in the jumps over its two split edges and over its side.
-        const Eigen::Matrix<double, 6, 3> before = element.split_left[j].lazyProduct(controls(first + j)) +
-                                                   element.split_right[j].lazyProduct(controls(first + behind));
+        const Eigen::Matrix<double, 6, 3> before =
+            element.split_left[j].lazyProduct(controls(first + j)) +
+            element.split_right[j].lazyProduct(controls(first + behind));
         const Eigen::Matrix<double, 6, 3> after =
             element.split_left[following].lazyProduct(controls(first + following)) +
             element.split_right[following].lazyProduct(controls(first + j));
-        Eigen::Matrix<double, quartic_control_count, 3> gradient = element.energy.lazyProduct(controls(first + j));
+        Eigen::Matrix<double, quartic_control_count, 3> gradient =
+            element.energy.lazyProduct(controls(first + j));
         gradient += element.split_left[j].transpose().lazyProduct(before);
         gradient += element.split_right[following].transpose().lazyProduct(after);
         if (edge_element_[e]) {
@@ -465,7 +472,8 @@ void FairSystem::add_free_parts(const Field& unknowns, std::span<const Index> fa
       for (Index j = 0; j < n; ++j) {
         auto& d = patches[first + j].control;
         const Index h = first + j, following = (j + 1) % n;
-        // Both patches beside a split edge have weight 1/2 in its condition, so z moves them in opposite directions.
+        // Both patches beside a split edge have weight 1/2 in its condition, so z moves them in opposite
+        // directions.
         d[d211w] += 0.5 * split[2 * j];
         d[d121w] -= 0.5 * split[2 * j + 1];
         d[d211v] -= 0.5 * split[2 * following];

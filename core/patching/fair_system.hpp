@@ -1,7 +1,7 @@
 #pragma once
 
-// FairSystem: the linear system of mode FAIR, assembled once per connectivity and tensions, solved for any positions
-// (kuriyama.md section 6).
+// FairSystem: the linear system of mode FAIR, assembled once per connectivity and tensions, solved for any
+// positions (kuriyama.md section 6).
 
 #include <memory>
 #include <span>
@@ -15,13 +15,14 @@
 
 namespace hariko {
 
-/// Unknowns per face: O, Ys, Yc, then z at both ends of each split edge. Per inner smooth edge: z at both ends, shared
-/// by its faces. Per side on a sharp edge: z at both ends, the side's own. The matrix is kept as shared dense elements
-/// and applied face by face; conjugate gradients precondition with the exact inverses of overlapping face blocks.
+/// Unknowns per face: O, Ys, Yc, then z at both ends of each split edge. Per inner smooth edge: z at both
+/// ends, shared by its faces. Per side on a sharp edge: z at both ends, the side's own. The matrix is kept as
+/// shared dense elements and applied face by face; conjugate gradients precondition with the exact inverses
+/// of overlapping face blocks.
 class FairSystem {
  public:
-  FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network, const PatchConstants& constants,
-             const FairWeights& weights = {});
+  FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
+             const PatchConstants& constants, const FairWeights& weights = {});
 
   std::size_t unknown_count() const { return unknown_count_; }
   const HalfEdgeMesh& mesh() const { return *mesh_; }
@@ -31,7 +32,8 @@ class FairSystem {
 
   struct SolveOptions {
     const Field* start = nullptr;  ///< begin here instead of at zero
-    /// Solve in these faces (ascending) only; unknowns of other faces and of edges on the rim are held at zero.
+    /// Solve in these faces (ascending) only; unknowns of other faces and of edges on the rim are held at
+    /// zero.
     const std::vector<Index>* active_faces = nullptr;
     double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
     int max_steps = 600;
@@ -43,9 +45,10 @@ class FairSystem {
     bool cancelled = false;
   };
 
-  /// `base[h]`: control points of patch h with all unknowns zero (PatchBuilder::base_patch with O and Y zero), for the
-  /// half-edges of the active faces and of their neighbours across edges. O(faces) a step.
-  Solution solve(std::span<const QuarticPatch> base, const SolveOptions& options, const CancelToken& cancel = {}) const;
+  /// `base[h]`: control points of patch h with all unknowns zero (PatchBuilder::base_patch with O and Y
+  /// zero), for the half-edges of the active faces and of their neighbours across edges. O(faces) a step.
+  Solution solve(std::span<const QuarticPatch> base, const SolveOptions& options,
+                 const CancelToken& cancel = {}) const;
 
   /// The system's matrix times x, per coordinate: for tests and comparisons.
   Field multiply(const Field& x) const;
@@ -57,17 +60,20 @@ class FairSystem {
                       std::span<QuarticPatch> patches) const;
 
  private:
-  /// Inverse of the matrix restricted to one face's unknowns, weighted for their overlap; shared among equal faces.
+  /// Inverse of the matrix restricted to one face's unknowns, weighted for their overlap; shared among equal
+  /// faces.
   using Block = Eigen::MatrixXd;
   struct Workspace;
 
   Workspace make_workspace(const SolveOptions& options) const;
   void number_unknowns();
-  void build_elements(const NetworkSystem& network, const PatchConstants& constants, const FairWeights& weights);
+  void build_elements(const NetworkSystem& network, const PatchConstants& constants,
+                      const FairWeights& weights);
   void build_preconditioner();
   Block make_block(Index face) const;
   Eigen::Index local_size(Index face) const { return 3 + 4 * Eigen::Index(mesh_->side_count(face)); }
-  /// The face's unknowns in the element's order, z scaled as the element expects (or not, for the preconditioner).
+  /// The face's unknowns in the element's order, z scaled as the element expects (or not, for the
+  /// preconditioner).
   void gather(Index face, const Field& x, bool scaled, double* local) const;
   void scatter_interior(Index face, const double* local, Field& y) const;
   /// Adds up the faces' shares of the z unknowns of the active edges, sides of sharp edges included.

@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t face_grain = 512;
 
 /// R - P = [(3 - 2 c_P - c_Q) T_P + 2 c_P (Q - P + T_Q)] / 3
-Vector3 right_side(const Vector3& p, const Vector3& tp, const Vector3& q, const Vector3& tq, double cp, double cq) {
+Vector3 right_side(const Vector3& p, const Vector3& tp, const Vector3& q, const Vector3& tq, double cp,
+                   double cq) {
   return p + ((3 - 2 * cp - cq) * tp + 2 * cp * (q - p + tq)) / 3;
 }
 
@@ -33,13 +34,13 @@ Vector3 face_mean(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, 
 }  // namespace
 
 Vector3 PatchBuilder::right_side_at_origin(Index h) const {
-  return right_side(positions_[mesh_.origin(h)], network_.start[h], positions_[mesh_.target(h)], network_.end[h],
-                    constants_.c_origin[h], constants_.c_target[h]);
+  return right_side(positions_[mesh_.origin(h)], network_.start[h], positions_[mesh_.target(h)],
+                    network_.end[h], constants_.c_origin[h], constants_.c_target[h]);
 }
 
 Vector3 PatchBuilder::right_side_at_target(Index h) const {
-  return right_side(positions_[mesh_.target(h)], network_.end[h], positions_[mesh_.origin(h)], network_.start[h],
-                    constants_.c_target[h], constants_.c_origin[h]);
+  return right_side(positions_[mesh_.target(h)], network_.end[h], positions_[mesh_.origin(h)],
+                    network_.start[h], constants_.c_target[h], constants_.c_origin[h]);
 }
 
 Vector3 PatchBuilder::right_side_at_vertex(Index h) const {
@@ -65,7 +66,8 @@ QuarticPatch PatchBuilder::base_patch(Index h) const {
   d[d004] = b;
   elevate(o, o + split_.centre_tangent[h], a + split_.split_tangent[h], a, d[d310], d[d220], d[d130]);
   elevate(a, a + network_.start[h], b + network_.end[h], b, d[d031], d[d022], d[d013]);
-  elevate(b, b + split_.split_tangent[following], o + split_.centre_tangent[following], o, d[d103], d[d202], d[d301]);
+  elevate(b, b + split_.split_tangent[following], o + split_.centre_tangent[following], o, d[d103], d[d202],
+          d[d301]);
   d[d211w] = right_side_at_centre(h);
   d[d211v] = right_side_at_centre(following);
   d[d121w] = right_side_at_vertex(h);
@@ -75,9 +77,9 @@ QuarticPatch PatchBuilder::base_patch(Index h) const {
   return patch;
 }
 
-void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames, const PatchConstants& constants,
-                         std::span<const Vector3> positions, const Network& network, std::span<const Index> faces,
-                         PatchNetwork& out) {
+void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                         const PatchConstants& constants, std::span<const Vector3> positions,
+                         const Network& network, std::span<const Index> faces, PatchNetwork& out) {
   const auto free_tangent = [&](Index h) -> Vector3 {
     const Index v = mesh.origin(h);
     const Vector3& p = positions[v];
@@ -101,8 +103,8 @@ void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames, c
   });
 }
 
-void fill_split_points(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, std::span<const Index> faces,
-                       PatchNetwork& out) {
+void fill_split_points(const HalfEdgeMesh& mesh, std::span<const Vector3> positions,
+                       std::span<const Index> faces, PatchNetwork& out) {
   parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The whole curve network of a surface: the polyhedron's edges and the split edges of its faces, and from it the
-// boundary points of every patch and the right-hand sides of the G1 conditions.
+// The whole curve network of a surface: the polyhedron's edges and the split edges of its faces, and from it
+// the boundary points of every patch and the right-hand sides of the G1 conditions.
 
 #include <span>
 #include <vector>
@@ -16,7 +16,7 @@ namespace hariko {
 struct PatchNetwork {
   std::vector<Vector3> split_tangent;  ///< per half-edge: tangent at its origin along the corner's split edge
   std::vector<Vector3> centre;         ///< per face: split point O
-  std::vector<Vector3> centre_tangent; ///< per half-edge: tangent at O towards the half-edge's origin
+  std::vector<Vector3> centre_tangent;  ///< per half-edge: tangent at O towards the half-edge's origin
 };
 
 /// Everything a patch is made from, for one half-edge; references into arrays that must outlive it.
@@ -26,9 +26,9 @@ class PatchBuilder {
                const Network& network, const PatchNetwork& split)
       : mesh_(mesh), constants_(constants), positions_(positions), network_(network), split_(split) {}
 
-  /// Boundary points by degree elevation (9); inner points are set to the right-hand sides R of their edge ends:
-  /// the G1 condition a1 G_left + a2 G_right = R holds with them, since a1 + a2 = 1. Across sharp edges, where nothing
-  /// is asked, the edge's cubic point beside the corner takes their place.
+  /// Boundary points by degree elevation (9); inner points are set to the right-hand sides R of their edge
+  /// ends: the G1 condition a1 G_left + a2 G_right = R holds with them, since a1 + a2 = 1. Across sharp
+  /// edges, where nothing is asked, the edge's cubic point beside the corner takes their place.
   QuarticPatch base_patch(Index h) const;
 
   /// R of the edge h at its origin and at its target, as seen from face(h) (kuriyama.md 4.2).
@@ -46,14 +46,15 @@ class PatchBuilder {
   const PatchNetwork& split_;
 };
 
-/// Split tangents Tsp from the network's tangents (correction 6, and kuriyama.md 2.3 for half-turn corners), for the
-/// given faces.
-void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames, const PatchConstants& constants,
-                         std::span<const Vector3> positions, const Network& network, std::span<const Index> faces,
-                         PatchNetwork& out);
+/// Split tangents Tsp from the network's tangents (correction 6, and kuriyama.md 2.3 for half-turn corners),
+/// for the given faces.
+void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                         const PatchConstants& constants, std::span<const Vector3> positions,
+                         const Network& network, std::span<const Index> faces, PatchNetwork& out);
 
-/// Split points and their tangents from the split curves alone: mode PAPER and TARGET (equations (6), (7) in closed form).
-void fill_split_points(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, std::span<const Index> faces,
-                       PatchNetwork& out);
+/// Split points and their tangents from the split curves alone: mode PAPER and TARGET (equations (6), (7) in
+/// closed form).
+void fill_split_points(const HalfEdgeMesh& mesh, std::span<const Vector3> positions,
+                       std::span<const Index> faces, PatchNetwork& out);
 
 }  // namespace hariko

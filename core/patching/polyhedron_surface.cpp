@@ -22,8 +22,9 @@ std::optional<Message> check_sides(const Polyhedron& polyhedron) {
     if (sides <= largest_fair_side_count) continue;
     const FaceId id = polyhedron.face_id(f);
     return make_error(e_too_many_sides,
-                      "Face " + std::to_string(id.value) + " has " + std::to_string(sides) + " sides; mode FAIR takes " +
-                          std::to_string(largest_fair_side_count) + " at the most.",
+                      "Face " + std::to_string(id.value) + " has " + std::to_string(sides) +
+                          " sides; mode FAIR takes " + std::to_string(largest_fair_side_count) +
+                          " at the most.",
                       "Split the face, or use mode TARGET.", element_of(id));
   }
   return std::nullopt;
@@ -56,7 +57,8 @@ struct PolyhedronSurfacer::State {
 
   std::optional<Message> prepare(const PolyhedronSurfaceInput& input);
   std::optional<PolyhedronSurface> drag(const PolyhedronSurfaceInput& input, const CancelToken& cancel);
-  Result<PolyhedronSurface> solve(const PolyhedronSurfaceInput& input, Quality quality, const CancelToken& cancel);
+  Result<PolyhedronSurface> solve(const PolyhedronSurfaceInput& input, Quality quality,
+                                  const CancelToken& cancel);
 };
 
 std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input) {
@@ -79,7 +81,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   const auto& mesh = input.polyhedron.shared_topology();
   SurfaceSystem fresh{mesh, std::move(network).value(), {}, input.mode, nullptr};
   fresh.constants = patch_constants(*mesh, fresh.network.frames());
-  if (input.mode == Mode::fair) fresh.fair = std::make_unique<FairSystem>(mesh, fresh.network, fresh.constants);
+  if (input.mode == Mode::fair)
+    fresh.fair = std::make_unique<FairSystem>(mesh, fresh.network, fresh.constants);
   parts = polyhedron_surface_parts(input.polyhedron, fresh.network.frames());
   system = std::move(fresh);
   return std::nullopt;
@@ -88,7 +91,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
 /// The fast path: only a few vertices moved, all by one displacement, since the last final result.
 std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const PolyhedronSurfaceInput& input,
                                                                  const CancelToken& cancel) {
-  if (!base || system->network.couples_coordinates() || base->surface.origin() != input.origin) return std::nullopt;
+  if (!base || system->network.couples_coordinates() || base->surface.origin() != input.origin)
+    return std::nullopt;
   std::vector<Index> moved;
   Vector3 displacement = Vector3::Zero();
   for (Index v = 0; v < input.polyhedron.vertex_count(); ++v) {
@@ -112,15 +116,16 @@ std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const Polyhedro
   update_node_normals(*system->mesh, system->network.frames(), parts, patches, *response->patches, *normals);
 
   PolyhedronSurface out;
-  out.surface = base->surface.with_patches(std::make_shared<QuarticPatchSet>(std::move(patches), tables), normals);
+  out.surface =
+      base->surface.with_patches(std::make_shared<QuarticPatchSet>(std::move(patches), tables), normals);
   out.revision = ++revision;
   out.base_revision = base->revision;
   out.changed = response->patches;
   return out;
 }
 
-Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfaceInput& input, Quality quality,
-                                                           const CancelToken& cancel) {
+Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfaceInput& input,
+                                                           Quality quality, const CancelToken& cancel) {
   const HalfEdgeMesh& mesh = *system->mesh;
   const std::vector<Vector3> positions = input.polyhedron.positions();
   const bool warm = quality == Quality::drag;

@@ -27,9 +27,9 @@ struct SolveReport {
   bool fair_converged = true;
 };
 
-/// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where only a few
-/// vertices moved by one common displacement since the last `final` result, it differs from `final` by less than 1e-6
-/// of the displacement and touches only the patches that feel it.
+/// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where only a
+/// few vertices moved by one common displacement since the last `final` result, it differs from `final` by
+/// less than 1e-6 of the displacement and touches only the patches that feel it.
 enum class Quality { drag, final };
 
 /// Mode FAIR keeps a dense matrix of (4n)^2 numbers for an n-sided face; more sides than this are refused.
@@ -50,14 +50,15 @@ struct PolyhedronSurface {
   std::vector<Message> warnings;
   SolveReport report;
 
-  /// Every result of a surfacer has its own revision. When `changed` is set, all patches but these are equal to those
-  /// of the result with revision `base_revision`; results of one drag share that base.
+  /// Every result of a surfacer has its own revision. When `changed` is set, all patches but these are equal
+  /// to those of the result with revision `base_revision`; results of one drag share that base.
   std::uint64_t revision = 0, base_revision = 0;
   std::shared_ptr<const std::vector<Index>> changed;
 };
 
-/// Keeps what depends on connectivity and tensions only (assembled systems, factorisations, responses) between calls.
-/// One per object; calls must not overlap. The result of a `final` call does not depend on earlier calls.
+/// Keeps what depends on connectivity and tensions only (assembled systems, factorisations, responses)
+/// between calls. One per object; calls must not overlap. The result of a `final` call does not depend on
+/// earlier calls.
 class PolyhedronSurfacer {
  public:
   PolyhedronSurfacer();

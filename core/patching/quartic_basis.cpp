@@ -9,9 +9,9 @@ struct Monomial {
   int exponent[3];
   double factor;
 };
-constexpr Monomial boundary_monomials[12] = {
-    {{4, 0, 0}, 1}, {{0, 4, 0}, 1}, {{0, 0, 4}, 1}, {{3, 1, 0}, 4}, {{2, 2, 0}, 6}, {{1, 3, 0}, 4},
-    {{0, 3, 1}, 4}, {{0, 2, 2}, 6}, {{0, 1, 3}, 4}, {{1, 0, 3}, 4}, {{2, 0, 2}, 6}, {{3, 0, 1}, 4}};
+constexpr Monomial boundary_monomials[12] = {{{4, 0, 0}, 1}, {{0, 4, 0}, 1}, {{0, 0, 4}, 1}, {{3, 1, 0}, 4},
+                                             {{2, 2, 0}, 6}, {{1, 3, 0}, 4}, {{0, 3, 1}, 4}, {{0, 2, 2}, 6},
+                                             {{0, 1, 3}, 4}, {{1, 0, 3}, 4}, {{2, 0, 2}, 6}, {{3, 0, 1}, 4}};
 
 /// 12 r^2 g(p, q), g = p^2 q / (p + q): the function serves the edge q = 0 at the corner r = 1.
 struct Rational {

@@ -64,8 +64,8 @@ HARIKO_INLINE bool position_normal_body(const QuarticPatch& patch, const Quartic
   return degenerate;
 }
 
-HARIKO_INLINE void second_order_body(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
-                                     PatchPoint* out) {
+HARIKO_INLINE void second_order_body(const QuarticPatch& patch, const QuarticGridTable& table,
+                                     std::size_t points, PatchPoint* out) {
   constexpr std::size_t stride = quartic_control_count * 3 * QuarticGridTable::width;
   for (std::size_t block = 0; block < table.blocks; ++block) {
     Triple a[3], b[3];
@@ -94,12 +94,14 @@ void second_order_base(const QuarticPatch& patch, const QuarticGridTable& table,
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) bool position_normal_avx2(const QuarticPatch& patch, const QuarticGridTable& table,
-                                                          std::size_t points, Vector3* positions, Vector3* normals) {
+__attribute__((target("avx2"))) bool position_normal_avx2(const QuarticPatch& patch,
+                                                          const QuarticGridTable& table, std::size_t points,
+                                                          Vector3* positions, Vector3* normals) {
   return position_normal_body(patch, table, points, positions, normals);
 }
-__attribute__((target("avx2"))) void second_order_avx2(const QuarticPatch& patch, const QuarticGridTable& table,
-                                                       std::size_t points, PatchPoint* out) {
+__attribute__((target("avx2"))) void second_order_avx2(const QuarticPatch& patch,
+                                                       const QuarticGridTable& table, std::size_t points,
+                                                       PatchPoint* out) {
   second_order_body(patch, table, points, out);
 }
 #endif

@@ -11,7 +11,8 @@ struct QuarticKernel {
   /// Positions and unit normals; a normal is zero where the derivatives are parallel (then returns true).
   bool (*position_normal)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
                           Vector3* positions, Vector3* normals);
-  void (*second_order)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points, PatchPoint* out);
+  void (*second_order)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
+                       PatchPoint* out);
 };
 
 /// The fastest variant that this processor runs.

@@ -15,7 +15,8 @@ constexpr std::array<std::array<std::size_t, 5>, 3> side_controls{{
     {quartic::d004, quartic::d103, quartic::d202, quartic::d301, quartic::d400},
 }};
 
-/// Side of the triangle that a parameter lies on, with the fraction along it and its complement; side -1 for inside.
+/// Side of the triangle that a parameter lies on, with the fraction along it and its complement; side -1 for
+/// inside.
 struct OnSide {
   int side = -1;
   double x = 0, one_minus_x = 0;
@@ -128,7 +129,8 @@ void QuarticPatchSet::evaluate_grid(std::span<const Index> patches, const GridPa
     const bool degenerate = kernel.position_normal(patch, *table, points, position, normal);
     for (int side = 0; side < 3; ++side)
       for (std::size_t i = 0; i < sides[std::size_t(side)].size(); ++i)
-        position[sides[std::size_t(side)][i]] = evaluate_side(patch, side, double(i) / n, (n - double(i)) / n);
+        position[sides[std::size_t(side)][i]] =
+            evaluate_side(patch, side, double(i) / n, (n - double(i)) / n);
     if (!degenerate) continue;
     if (parameters.empty()) parameters = pattern.parameters();
     for (std::size_t i = 0; i < points; ++i)

@@ -1,7 +1,7 @@
 #pragma once
 
-// Extended quartic triangles as a PatchSet: polynomial quartic boundaries, rational inner points, G1 across edges
-// (Kuriyama 1991, section 3).
+// Extended quartic triangles as a PatchSet: polynomial quartic boundaries, rational inner points, G1 across
+// edges (Kuriyama 1991, section 3).
 
 #include <array>
 #include <map>
@@ -18,8 +18,8 @@ struct QuarticPatch {
   std::array<Vector3, quartic_control_count> control;
 };
 
-/// Basis functions at the points of a grid, in the layout of the evaluation kernel: for each block of four points and
-/// each table (value, d/ds, d/dt, then d2/ds2, d2/dsdt, d2/dt2), 18 groups of four doubles.
+/// Basis functions at the points of a grid, in the layout of the evaluation kernel: for each block of four
+/// points and each table (value, d/ds, d/dt, then d2/ds2, d2/dsdt, d2/dt2), 18 groups of four doubles.
 struct QuarticGridTable {
   static constexpr std::size_t width = 4;
   GridPattern pattern{Domain::triangle, 1};
@@ -56,8 +56,8 @@ class QuarticPatchSet final : public PatchSet {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Exact where the corner's two inner points coincide (to 1e-12 of the patch's size): the patch is an ordinary
-  /// quartic there.
+  /// Exact where the corner's two inner points coincide (to 1e-12 of the patch's size): the patch is an
+  /// ordinary quartic there.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
  private:
@@ -68,7 +68,8 @@ class QuarticPatchSet final : public PatchSet {
 /// A point of one patch by the scalar form.
 PatchPoint evaluate_patch(const QuarticPatch& patch, const Vector2& parameter, Order order);
 
-/// Point at fraction x of a side; the arithmetic is symmetric under reversal, so both neighbours get the same bits.
+/// Point at fraction x of a side; the arithmetic is symmetric under reversal, so both neighbours get the same
+/// bits.
 Vector3 evaluate_side(const QuarticPatch& patch, int side, double x, double one_minus_x);
 
 }  // namespace hariko

@@ -8,8 +8,9 @@ namespace hariko {
 
 namespace {
 
-/// An edge of a refined ring. Looking outward from the ring's point, `left` and `right` are the inner points of the
-/// two patches beside the edge that serve it; the condition is a1 left + a2 right = r (relative to the point).
+/// An edge of a refined ring. Looking outward from the ring's point, `left` and `right` are the inner points
+/// of the two patches beside the edge that serve it; the condition is a1 left + a2 right = r (relative to the
+/// point).
 struct RingEdge {
   Vector3 r = Vector3::Zero();
   double a1 = 0, a2 = 0;
@@ -17,8 +18,9 @@ struct RingEdge {
   Vector3* right = nullptr;
 };
 
-/// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (f of its face) and target[i].
-/// Closed: as many patches as edges. Open: one fewer, and the first and last edge carry no condition.
+/// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (f of its face) and
+/// target[i]. Closed: as many patches as edges. Open: one fewer, and the first and last edge carry no
+/// condition.
 struct Ring {
   Vector3 point = Vector3::Zero();
   bool closed = true;
@@ -41,13 +43,16 @@ Vector3 target_at(const QuarticPatch& patch, int corner) {
   const auto cubic = [&](Control quartic_point, Control corner_point) -> Vector3 {
     return (4 * d[quartic_point] - d[corner_point]) / 3;
   };
-  const Vector3 oa = cubic(d310, d400), ao = cubic(d130, d040), ab = cubic(d031, d040), ba = cubic(d013, d004),
-                bo = cubic(d103, d004), ob = cubic(d301, d400);
+  const Vector3 oa = cubic(d310, d400), ao = cubic(d130, d040), ab = cubic(d031, d040),
+                ba = cubic(d013, d004), bo = cubic(d103, d004), ob = cubic(d301, d400);
   const Vector3 b111 = (oa + ao + ab + ba + bo + ob) / 4 - (d[d400] + d[d040] + d[d004]) / 6;
   switch (corner) {
-    case 0: return (2 * b111 + oa + ob) / 4;
-    case 1: return (2 * b111 + ao + ab) / 4;
-    default: return (2 * b111 + ba + bo) / 4;
+    case 0:
+      return (2 * b111 + oa + ob) / 4;
+    case 1:
+      return (2 * b111 + ao + ab) / 4;
+    default:
+      return (2 * b111 + ba + bo) / 4;
   }
 }
 
@@ -64,17 +69,21 @@ void solve_closed(Ring& ring, Mode mode) {
   std::vector<Vector3> g(n, Vector3::Zero());
   std::vector<Vector3> r(n);
   for (std::size_t i = 0; i < n; ++i) r[i] = ring.edges[i].r;
-  if (n % 2 == 0) {  // the conditions depend on each other: take the nearest right-hand side that has a solution
+  if (n % 2 ==
+      0) {  // the conditions depend on each other: take the nearest right-hand side that has a solution
     Vector3 defect = Vector3::Zero();
     double square = 0;
-    const auto y = [&](std::size_t i) { return (i % 2 ? -1.0 : 1.0) * (1 / ring.x[before(i)] + 1 / ring.x[i]); };
+    const auto y = [&](std::size_t i) {
+      return (i % 2 ? -1.0 : 1.0) * (1 / ring.x[before(i)] + 1 / ring.x[i]);
+    };
     for (std::size_t i = 0; i < n; ++i) {
       defect += y(i) * r[i];
       square += y(i) * y(i);
     }
     for (std::size_t i = 0; i < n; ++i) r[i] -= y(i) / square * defect;
   }
-  // A particular solution by substitution, from g[n - 1] = 0: a1 and a2 are ratios of neighbouring x, so their products telescope.
+  // A particular solution by substitution, from g[n - 1] = 0: a1 and a2 are ratios of neighbouring x, so
+  // their products telescope.
   Vector3 last = Vector3::Zero();
   for (std::size_t i = 0; i < n; ++i) last = g[i] = (r[i] - ring.edges[i].a2 * last) / ring.edges[i].a1;
   // Null direction of the substitution: (-1)^i x_i, with which g[n - 1] must come out as it went in.
@@ -97,8 +106,8 @@ void solve_closed(Ring& ring, Mode mode) {
   for (std::size_t i = 0; i < n; ++i) write_pair(ring.edges[i], g[i], g[before(i)], ring.point);
 }
 
-/// Nearest to the targets under the conditions of the inner edges: G = Gt + C^T (C C^T)^-1 (R - C Gt). C C^T is
-/// tridiagonal and diagonally dominant enough for elimination without pivots.
+/// Nearest to the targets under the conditions of the inner edges: G = Gt + C^T (C C^T)^-1 (R - C Gt). C C^T
+/// is tridiagonal and diagonally dominant enough for elimination without pivots.
 void solve_open(Ring& ring) {
   const std::size_t n = ring.edges.size(), inner = n - 2;
   std::vector<Vector3> g(n - 1);
@@ -227,7 +236,8 @@ class RingSolver {
 }  // namespace
 
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
-                 std::span<const Index> vertices, std::span<const Index> faces, std::span<QuarticPatch> patches) {
+                 std::span<const Index> vertices, std::span<const Index> faces,
+                 std::span<QuarticPatch> patches) {
   // Rings touch different inner points of a patch, and read only boundary points and their own inner points.
   parallel_for(vertices.size(), 512, [&](std::size_t begin, std::size_t end) {
     RingSolver solver(mesh, constants, mode, patches);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Rings: the G1 conditions round a point, solved locally (Kuriyama 1991, equations (11), (13); kuriyama.md 4.3, 4.4).
+// Rings: the G1 conditions round a point, solved locally (Kuriyama 1991, equations (11), (13);
+// kuriyama.md 4.3, 4.4).
 
 #include <span>
 #include <vector>
@@ -10,13 +11,15 @@
 
 namespace hariko {
 
-/// Sets the six inner points of the patches of all faces for mode PAPER or TARGET. `patches` holds base patches
-/// (PatchBuilder::base_patch) of all half-edges on entry.
+/// Sets the six inner points of the patches of all faces for mode PAPER or TARGET. `patches` holds base
+/// patches (PatchBuilder::base_patch) of all half-edges on entry.
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
                  std::span<QuarticPatch> patches);
 
-/// The same for some vertices and faces only: rings round these vertices, and round the split points of these faces.
+/// The same for some vertices and faces only: rings round these vertices, and round the split points of these
+/// faces.
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
-                 std::span<const Index> vertices, std::span<const Index> faces, std::span<QuarticPatch> patches);
+                 std::span<const Index> vertices, std::span<const Index> faces,
+                 std::span<QuarticPatch> patches);
 
 }  // namespace hariko

@@ -10,10 +10,13 @@ namespace {
 bool has_plane(const HalfEdgeMesh& mesh, const VertexFrames& frames, Index v) {
   switch (frames.kind[v]) {
     case FrameKind::smooth:
-    case FrameKind::straight: return true;
-    case FrameKind::isolated: return false;
+    case FrameKind::straight:
+      return true;
+    case FrameKind::isolated:
+      return false;
     case FrameKind::sharp_line:
-    case FrameKind::corner: break;
+    case FrameKind::corner:
+      break;
   }
   if (!mesh.is_border_vertex(v)) return false;
   Index h = mesh.rotate(mesh.outgoing(v));
@@ -88,8 +91,8 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
   return parts;
 }
 
-std::vector<Vector3> node_normals(const HalfEdgeMesh& mesh, const VertexFrames& frames, const Surface::Parts& parts,
-                                  const QuarticPatchArray& patches) {
+std::vector<Vector3> node_normals(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                                  const Surface::Parts& parts, const QuarticPatchArray& patches) {
   std::vector<Vector3> normals(parts.node_count, Vector3::Zero());
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Index h = mesh.outgoing(v);

@@ -6,21 +6,21 @@
 #include <span>
 #include <vector>
 
-#include "core/patching/quartic_patch.hpp"
 #include "core/network/vertex_frames.hpp"
+#include "core/patching/quartic_patch.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
 
-/// Everything of a Surface but geometry. Patch h is the one at half-edge h. Nodes: the vertices that have faces, in
-/// order, then the split points of the faces.
+/// Everything of a Surface but geometry. Patch h is the one at half-edge h. Nodes: the vertices that have
+/// faces, in order, then the split points of the faces.
 Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const VertexFrames& frames);
 
-/// Normals of the nodes' tangent planes: the corner tangents of one of its patches decide, since all lie in one plane.
-/// Zero where they do not (creases, corners with several sectors).
-std::vector<Vector3> node_normals(const HalfEdgeMesh& mesh, const VertexFrames& frames, const Surface::Parts& parts,
-                                  const QuarticPatchArray& patches);
+/// Normals of the nodes' tangent planes: the corner tangents of one of its patches decide, since all lie in
+/// one plane. Zero where they do not (creases, corners with several sectors).
+std::vector<Vector3> node_normals(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                                  const Surface::Parts& parts, const QuarticPatchArray& patches);
 
 /// The same for the nodes of some patches only; other entries of `normals` stay.
 void update_node_normals(const HalfEdgeMesh& mesh, const VertexFrames& frames, const Surface::Parts& parts,

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t message_limit = 100;
 constexpr int sample_density = 4;
-/// A patch whose normal turns this far (107 degrees) from its mean lies over itself. Sharply curved patches that do not fold
-/// reach 92 degrees (the car's sills), folded ones 129 and more (the concave sample).
+/// A patch whose normal turns this far (107 degrees) from its mean lies over itself. Sharply curved patches
+/// that do not fold reach 92 degrees (the car's sills), folded ones 129 and more (the concave sample).
 constexpr double folded_cosine = -0.3;
 
 void add_long_tangents(const Polyhedron& polyhedron, const Network& network, std::vector<Message>& out) {
@@ -27,11 +27,10 @@ void add_long_tangents(const Polyhedron& polyhedron, const Network& network, std
     if (std::max(network.start[h].norm(), network.end[h].norm()) <= length) continue;
     ++count;
     const EdgeId id = polyhedron.edge_id(e);
-    out.push_back(make_warning(w_long_tangent,
-                               "The tangents of edge " + to_string(id) +
-                                   " are longer than the edge, so its curve may loop.",
-                               "Raise the tension of this edge or of its long neighbours, or add an edge loop.",
-                               element_of(id)));
+    out.push_back(make_warning(
+        w_long_tangent,
+        "The tangents of edge " + to_string(id) + " are longer than the edge, so its curve may loop.",
+        "Raise the tension of this edge or of its long neighbours, or add an edge loop.", element_of(id)));
   }
 }
 
@@ -47,7 +46,8 @@ bool folds(const Surface& surface, const GridPattern& pattern, Index patch, std:
 
 }  // namespace
 
-std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Network& network, const Surface& surface) {
+std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Network& network,
+                                      const Surface& surface) {
   std::vector<Message> out;
   add_long_tangents(polyhedron, network, out);
 
@@ -65,9 +65,9 @@ std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Networ
     if (!folded[f]) continue;
     ++count;
     const FaceId id = polyhedron.face_id(f);
-    out.push_back(make_warning(w_fold, "The surface folds over itself in face " + std::to_string(id.value) + ".",
-                               "Split the face into convex parts, or raise the tension of its edges.",
-                               element_of(id)));
+    out.push_back(
+        make_warning(w_fold, "The surface folds over itself in face " + std::to_string(id.value) + ".",
+                     "Split the face into convex parts, or raise the tension of its edges.", element_of(id)));
   }
   return out;
 }

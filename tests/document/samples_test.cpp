@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "core/analysis/continuity.hpp"
 #include "core/base/file_io.hpp"
 #include "core/document/file.hpp"
 #include "core/document/format.hpp"
@@ -59,16 +61,26 @@ TEST(Samples, OpenWithTheirElements) {
   }
 }
 
-TEST(Samples, BecomeSurfaces) {
-  for (const Expected& sample : samples()) {
-    SCOPED_TRACE(sample.name);
-    const Document document = load_document(path_of(sample.name)).value();
-    const PolyhedronSource& source = *document.objects[0]->polyhedron();
-    PolyhedronSurfacer surfacer;
-    const Result<PolyhedronSurface> result = surfacer.rebuild(source.surface_input());
-    ASSERT_TRUE(result) << to_string(result.error());
-    EXPECT_EQ(result->surface.patch_count(), source.polyhedron.topology().half_edge_count());
-  }
+TEST(Samples, BecomeSmoothSurfacesInEveryMode) {
+  for (const Expected& sample : samples())
+    for (const Mode mode : {Mode::paper, Mode::target, Mode::fair}) {
+      SCOPED_TRACE(sample.name + std::string(" mode ") + std::to_string(int(mode)));
+      const Document document = load_document(path_of(sample.name)).value();
+      PolyhedronSurfaceInput input = document.objects[0]->polyhedron()->surface_input();
+      input.mode = mode;
+      PolyhedronSurfacer surfacer;
+      const Result<PolyhedronSurface> result = surfacer.rebuild(input);
+      ASSERT_TRUE(result) << to_string(result.error());
+      EXPECT_EQ(result->surface.patch_count(), input.polyhedron.topology().half_edge_count());
+      const ContinuityReport report = continuity(result->surface);
+      EXPECT_LE(*report.largest_normal_jump, 1e-10);
+      EXPECT_LE(report.largest_gap, 1e-13);
+      EXPECT_EQ(report.degenerate_samples, 0U);
+      EXPECT_EQ(report.folded_samples, 0U);
+      const bool folds = std::any_of(result->warnings.begin(), result->warnings.end(),
+                                     [](const Message& warning) { return warning.code == w_fold; });
+      EXPECT_EQ(folds, sample.name == std::string("concave"));
+    }
 }
 
 }  // namespace

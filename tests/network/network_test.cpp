@@ -20,7 +20,8 @@ struct DenseSystem {
   Eigen::MatrixXd right;  ///< three columns
 };
 
-/// Gradient of sum beta/3 (A.A + A.B + B.B) + alpha |T|^2 with A = D + Tb - 2 Ta, B = -D + Ta - 2 Tb, per coordinate.
+/// Gradient of sum beta/3 (A.A + A.B + B.B) + alpha |T|^2 with A = D + Tb - 2 Ta, B = -D + Ta - 2 Tb, per
+/// coordinate.
 DenseSystem dense(const Polyhedron& polyhedron, const NetworkSystem& system) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   const auto& frames = system.frames();
@@ -31,11 +32,14 @@ DenseSystem dense(const Polyhedron& polyhedron, const NetworkSystem& system) {
     Eigen::VectorXd ta = Eigen::VectorXd::Zero(n), tb = Eigen::VectorXd::Zero(n);
     for (int i = 0; i < 2; ++i) {
       if (frames.ends[2 * h].basis[i] != no_index) ta[frames.ends[2 * h].basis[i]] += frames.ends[2 * h].c[i];
-      if (frames.ends[2 * h + 1].basis[i] != no_index) tb[frames.ends[2 * h + 1].basis[i]] += frames.ends[2 * h + 1].c[i];
+      if (frames.ends[2 * h + 1].basis[i] != no_index)
+        tb[frames.ends[2 * h + 1].basis[i]] += frames.ends[2 * h + 1].c[i];
     }
     const Eigen::VectorXd ra = tb - 2 * ta, rb = ta - 2 * tb;
     const double beta = system.beta()[e];
-    out.matrix += beta / 3 * (2 * ra * ra.transpose() + ra * rb.transpose() + rb * ra.transpose() + 2 * rb * rb.transpose());
+    out.matrix +=
+        beta / 3 *
+        (2 * ra * ra.transpose() + ra * rb.transpose() + rb * ra.transpose() + 2 * rb * rb.transpose());
     out.matrix += 2 * system.alpha()[a] * ta * ta.transpose() + 2 * system.alpha()[b] * tb * tb.transpose();
     const Eigen::RowVector3d d = (polyhedron.position(b) - polyhedron.position(a)).transpose();
     // d/dX of beta/3 (2 A.D-part ...): A = D + ra X, B = -D + rb X.
@@ -47,7 +51,8 @@ DenseSystem dense(const Polyhedron& polyhedron, const NetworkSystem& system) {
 TEST(Network, SolvesTheMinimumOfTheEnergy) {
   for_random(1, 30, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
-    const auto system = NetworkSystem::assemble(polyhedron, random_shaping(polyhedron, rng, 1000, 0.001, 1000));
+    const auto system =
+        NetworkSystem::assemble(polyhedron, random_shaping(polyhedron, rng, 1000, 0.001, 1000));
     ASSERT_TRUE(system.ok()) << to_string(system.error());
     const auto positions = polyhedron.positions();
     const auto solution = system->solve(positions, {});
@@ -55,7 +60,8 @@ TEST(Network, SolvesTheMinimumOfTheEnergy) {
     const Eigen::MatrixXd x = reference.matrix.ldlt().solve(reference.right);
     const double size = x.lpNorm<Eigen::Infinity>();
     for (Eigen::Index i = 0; i < x.rows(); ++i)
-      ASSERT_LT((solution.basis[std::size_t(i)].transpose() - x.row(i)).norm(), 1e-11 * size) << "basis " << i;
+      ASSERT_LT((solution.basis[std::size_t(i)].transpose() - x.row(i)).norm(), 1e-11 * size)
+          << "basis " << i;
     EXPECT_LE(solution.iterations, 30);
   });
 }
@@ -64,7 +70,8 @@ TEST(Network, SpectrumLiesBetweenOneHalfAndThreeHalves) {
   for_random(2, 20, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     if (polyhedron.vertex_count() > 150) return;
-    const auto system = NetworkSystem::assemble(polyhedron, random_shaping(polyhedron, rng, 1000, 0.001, 1000));
+    const auto system =
+        NetworkSystem::assemble(polyhedron, random_shaping(polyhedron, rng, 1000, 0.001, 1000));
     ASSERT_TRUE(system.ok()) << to_string(system.error());
     const Eigen::MatrixXd matrix = dense(polyhedron, *system).matrix;
     Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(matrix.rows(), matrix.cols());
@@ -73,7 +80,8 @@ TEST(Network, SpectrumLiesBetweenOneHalfAndThreeHalves) {
       const auto at = Eigen::Index(begin[v]), count = Eigen::Index(begin[v + 1] - begin[v]);
       blocks.block(at, at, count, count) = matrix.block(at, at, count, count);
     }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix, blocks, Eigen::EigenvaluesOnly);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix, blocks,
+                                                                          Eigen::EigenvaluesOnly);
     EXPECT_GE(eigen.eigenvalues().minCoeff(), 0.5 - 1e-10);
     EXPECT_LE(eigen.eigenvalues().maxCoeff(), 1.5 + 1e-10);
   });
@@ -166,7 +174,9 @@ TEST(Network, StartsWarm) {
 
 // --- errors ------------------------------------------------------------------------------------------------
 
-Polyhedron cube_polyhedron() { return Polyhedron::build(cube()).value(); }
+Polyhedron cube_polyhedron() {
+  return Polyhedron::build(cube()).value();
+}
 
 void expect_error(const Shaping& shaping, Code code, Element element) {
   const auto system = NetworkSystem::assemble(cube_polyhedron(), shaping);

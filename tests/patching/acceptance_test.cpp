@@ -1,4 +1,5 @@
-// Reference numbers beyond the golden files: element matrices, defects of even rings, sums of energy, further models.
+// Reference numbers beyond the golden files: element matrices, defects of even rings, sums of energy, further
+// models.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -45,7 +46,8 @@ TEST(Acceptance, SumsOfThePlateEnergy) {
   }
 }
 
-/// Largest |y . R| / |y| over the rings round closed, smooth vertices: how far even rings are from being solvable.
+/// Largest |y . R| / |y| over the rings round closed, smooth vertices: how far even rings are from being
+/// solvable.
 double largest_defect(const PolyhedronSurfaceInput& input) {
   const HalfEdgeMesh& mesh = input.polyhedron.topology();
   const auto system = NetworkSystem::assemble(input.polyhedron, input.shaping).value();
@@ -71,7 +73,8 @@ double largest_defect(const PolyhedronSurfaceInput& input) {
       const Index right = mesh.twin(h);
       const double x = constants.f[mesh.face(h)], before = constants.f[mesh.face(right)];
       const double edge = 1 / before + 1 / x, inner = -2 / x;
-      sum += edge * (builder.right_side_at_origin(h) - positions[v]) + inner * (builder.right_side_at_vertex(h) - positions[v]);
+      sum += edge * (builder.right_side_at_origin(h) - positions[v]) +
+             inner * (builder.right_side_at_vertex(h) - positions[v]);
       square += edge * edge + inner * inner;
       h = mesh.rotate(h);
     } while (h != mesh.outgoing(v));
@@ -86,13 +89,14 @@ TEST(Acceptance, DefectsOfEvenRings) {
 }
 
 TEST(Acceptance, NetworkEnergies) {
-  const std::pair<const char*, double> expected[] = {{"cube.obj", 16.0 / 7},        {"octahedron.obj", 2},
-                                                     {"grid3.obj", 0},              {"torus.obj", 6.854421838},
-                                                     {"prism6.obj", 39.0 / 28},     {"fig2.obj", 1.262851305},
-                                                     {"fig2_open.obj", 1.28068399}, {"genus3.obj", 6.506486198}};
+  const std::pair<const char*, double> expected[] = {
+      {"cube.obj", 16.0 / 7},        {"octahedron.obj", 2},      {"grid3.obj", 0},
+      {"torus.obj", 6.854421838},    {"prism6.obj", 39.0 / 28},  {"fig2.obj", 1.262851305},
+      {"fig2_open.obj", 1.28068399}, {"genus3.obj", 6.506486198}};
   for (const auto& [name, energy] : expected) {
     PolyhedronSurfacer surfacer;
-    EXPECT_NEAR(surfacer.rebuild(golden_input(name, Mode::paper))->network->energy, energy, 1e-9 * (1 + energy))
+    EXPECT_NEAR(surfacer.rebuild(golden_input(name, Mode::paper))->network->energy, energy,
+                1e-9 * (1 + energy))
         << name;
   }
   PolyhedronSurfacer surfacer;
@@ -120,7 +124,8 @@ TEST(Acceptance, Torus) {
     return s.surface.patches().evaluate(0, {1.0 / 3, 1.0 / 3}, Order::first);
   };
   expect(paper.network->start[0], 0, 0.783611624891, 0);
-  expect(paper.network->start[mesh.find_half_edge(0, 1) == no_index ? 0 : mesh.find_half_edge(0, 1)], 0, 0, 0.5);
+  expect(paper.network->start[mesh.find_half_edge(0, 1) == no_index ? 0 : mesh.find_half_edge(0, 1)], 0, 0,
+         0.5);
   const auto p = patch(paper);
   expect(p[d400], 2.46708007902, 1.02189802819, 0.6875);
   expect(4 * (p[d310] - p[d400]) / 3, 0.306077677768, -0.253621353491, -0.1875);
@@ -146,7 +151,8 @@ TEST(Acceptance, FairAgainstPaper) {
     const char* obj;
     double paper_bend, paper_jump, target_bend, target_jump, fair_bend, fair_jump;
   };
-  // Jumps of symmetric models are zero up to rounding. The table prints three or four digits; 2 % is asked for.
+  // Jumps of symmetric models are zero up to rounding. The table prints three or four digits; 2 % is asked
+  // for.
   const Row rows[] = {{"cube.obj", 75.27, 0, 75.27, 0, 27.06, 0},
                       {"octahedron.obj", 78.53, 0, 78.53, 0, 25.91, 0},
                       {"prism6.obj", 59.62, 0.478, 50.14, 0.555, 36.98, 0.031},

@@ -1,4 +1,5 @@
-// Tangent continuity on the evaluated surface: samples of the reference models and random polyhedra with random shaping.
+// Tangent continuity on the evaluated surface: samples of the reference models and random polyhedra with
+// random shaping.
 
 #include "core/analysis/continuity.hpp"
 
@@ -25,7 +26,8 @@ double size_of(const Polyhedron& polyhedron) {
 }
 
 TEST(Continuity, ReferenceModelsAreG1WithoutFolds) {
-  for (const char* name : {"cube", "octahedron", "torus", "grid3", "fig2", "fig2_open", "genus3", "car", "prism6"})
+  for (const char* name :
+       {"cube", "octahedron", "torus", "grid3", "fig2", "fig2_open", "genus3", "car", "prism6"})
     for (const Mode mode : modes) {
       SCOPED_TRACE(name);
       const auto input = golden_input(std::string(name) + ".obj", mode);
@@ -38,7 +40,8 @@ TEST(Continuity, ReferenceModelsAreG1WithoutFolds) {
       EXPECT_LE(report.largest_gap, 1e-13 * size_of(input.polyhedron));
       EXPECT_EQ(report.degenerate_samples, 0U);
       EXPECT_EQ(report.folded_samples, 0U);
-      for (const Message& warning : result->warnings) EXPECT_FALSE(warning.code == w_fold) << to_string(warning);
+      for (const Message& warning : result->warnings)
+        EXPECT_FALSE(warning.code == w_fold) << to_string(warning);
     }
 }
 
@@ -98,11 +101,14 @@ TEST(Continuity, SidesAgreeBitForBit) {
       for (const Seam& seam : surface.seams())
         for (const double x : {0.0, 0.125, 0.5, 0.75, 1.0}) {
           const Vector3 a = surface.patches()
-                                .evaluate(seam.first.patch, side_parameter(Domain::triangle, seam.first.side, x), Order::first)
+                                .evaluate(seam.first.patch,
+                                          side_parameter(Domain::triangle, seam.first.side, x), Order::first)
                                 .position;
-          const Vector3 b = surface.patches()
-                                .evaluate(seam.second.patch, side_parameter(Domain::triangle, seam.second.side, 1 - x), Order::first)
-                                .position;
+          const Vector3 b =
+              surface.patches()
+                  .evaluate(seam.second.patch, side_parameter(Domain::triangle, seam.second.side, 1 - x),
+                            Order::first)
+                  .position;
           ASSERT_EQ(a, b);
         }
     }
@@ -153,7 +159,9 @@ TEST(Continuity, DerivativesMatchCentralDifferences) {
       const double a = uniform(rng, 0.1, 0.8), b = uniform(rng, 0.1, 0.9 - a);
       const Vector2 at(a, b);
       const double step = 1e-4;
-      const auto p = [&](double ds, double dt) { return evaluate_patch(patch, at + Vector2(ds, dt), Order::second); };
+      const auto p = [&](double ds, double dt) {
+        return evaluate_patch(patch, at + Vector2(ds, dt), Order::second);
+      };
       const PatchPoint point = p(0, 0);
       EXPECT_LT((point.ds - (p(step, 0).position - p(-step, 0).position) / (2 * step)).norm(), 1e-5);
       EXPECT_LT((point.dt - (p(0, step).position - p(0, -step).position) / (2 * step)).norm(), 1e-5);

@@ -1,4 +1,5 @@
-// A dragged vertex: few patches change, and what is shown differs from the full solution by less than 1e-6 of the move.
+// A dragged vertex: few patches change, and what is shown differs from the full solution by less than 1e-6 of
+// the move.
 
 #include <set>
 
@@ -54,7 +55,8 @@ void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Mode mode
   const auto released = surfacer.rebuild(input, Quality::final);
   for (Index h = 0; h < set_of(*released).patch_count(); ++h)
     for (std::size_t i = 0; i < quartic_control_count; ++i)
-      ASSERT_EQ(set_of(*released).patch(h).control[i], set_of(*full).patch(h).control[i]) << "final depends on history";
+      ASSERT_EQ(set_of(*released).patch(h).control[i], set_of(*full).patch(h).control[i])
+          << "final depends on history";
 }
 
 TEST(Drag, OneVertexOfTwentyThousandFaces) {

@@ -1,4 +1,5 @@
-// The system of mode FAIR: symmetric, positive definite, and its solution the minimum of the energy measured patch by patch.
+// The system of mode FAIR: symmetric, positive definite, and its solution the minimum of the energy measured
+// patch by patch.
 
 #include "core/patching/fair_system.hpp"
 
@@ -28,7 +29,8 @@ double dot(const FairSystem::Field& a, const FairSystem::Field& b) {
 TEST(FairSystem, IsSymmetricAndPositiveDefinite) {
   for_random(41, 20, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
-    const auto network = NetworkSystem::assemble(polyhedron, random_shaping(polyhedron, rng, 100, 0.01, 100)).value();
+    const auto network =
+        NetworkSystem::assemble(polyhedron, random_shaping(polyhedron, rng, 100, 0.01, 100)).value();
     const FairSystem fair(polyhedron.shared_topology(), network,
                           patch_constants(polyhedron.topology(), network.frames()));
     const auto a = random_field(fair.unknown_count(), rng), b = random_field(fair.unknown_count(), rng);
@@ -51,7 +53,8 @@ double plate_and_pairs(const FairSystem& fair, const std::vector<QuarticPatch>& 
 }
 
 TEST(FairSystem, SolutionMinimisesTheEnergy) {
-  // Without the jump term (mu = 0), so that the energy is a sum over patches that this test can add up itself.
+  // Without the jump term (mu = 0), so that the energy is a sum over patches that this test can add up
+  // itself.
   for_random(42, 8, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     const HalfEdgeMesh& mesh = polyhedron.topology();

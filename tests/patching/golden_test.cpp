@@ -42,7 +42,8 @@ TEST_P(Golden, EveryNumber) {
     for (Index j = 0; j < mesh.side_count(static_cast<Index>(f)); ++j) {
       const auto& d = set.patch(first + j).control;
       EXPECT_LT((d[quartic::d400] - vector_of(face["O"])).norm(), printed);
-      EXPECT_LT((4 * (d[quartic::d310] - d[quartic::d400]) / 3 - vector_of(face["Y"][j])).norm(), 2 * printed);
+      EXPECT_LT((4 * (d[quartic::d310] - d[quartic::d400]) / 3 - vector_of(face["Y"][j])).norm(),
+                2 * printed);
       EXPECT_LT((4 * (d[quartic::d130] - d[quartic::d040]) / 3 - vector_of(face["split_tangents"][j])).norm(),
                 2 * printed);
     }

@@ -1,4 +1,5 @@
-// What the construction must not depend on: affine maps, numbering, where a fan starts, where the object stands.
+// What the construction must not depend on: affine maps, numbering, where a fan starts, where the object
+// stands.
 
 #include <Eigen/Geometry>
 #include <numbers>
@@ -65,13 +66,15 @@ TEST(Invariance, NumberingAndFaceRotationDoNotMatter) {
     std::shuffle(face_order.begin(), face_order.end(), rng);
     PolygonMesh shuffled;
     shuffled.positions.resize(mesh.positions.size());
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) shuffled.positions[new_vertex[v]] = mesh.positions[v];
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      shuffled.positions[new_vertex[v]] = mesh.positions[v];
     std::vector<Index> turn(mesh.face_count());
     for (const Index f : face_order) {
       const auto old = mesh.face(f);
       turn[f] = static_cast<Index>(rng() % old.size());
       std::vector<Index> face;
-      for (std::size_t j = 0; j < old.size(); ++j) face.push_back(new_vertex[old[(j + turn[f]) % old.size()]]);
+      for (std::size_t j = 0; j < old.size(); ++j)
+        face.push_back(new_vertex[old[(j + turn[f]) % old.size()]]);
       shuffled.add_face(face);
     }
     const Polyhedron a = Polyhedron::build(mesh).value(), b = Polyhedron::build(shuffled).value();
@@ -163,7 +166,8 @@ TEST(Invariance, ScaleFromAThousandthToAMillion) {
 
 TEST(Invariance, ThreadsDoNotMatter) {
   std::mt19937_64 rng(25);
-  const PolyhedronSurfaceInput input{Polyhedron::build(torus(60, 40)).value(), {}, Mode::fair, Vector3::Zero()};
+  const PolyhedronSurfaceInput input{
+      Polyhedron::build(torus(60, 40)).value(), {}, Mode::fair, Vector3::Zero()};
   std::vector<QuarticPatch> serial;
   {
     const ParallelLimit limit(1);
@@ -171,7 +175,8 @@ TEST(Invariance, ThreadsDoNotMatter) {
   }
   const auto parallel = patches_of(input);
   for (std::size_t h = 0; h < serial.size(); ++h)
-    for (std::size_t i = 0; i < quartic_control_count; ++i) ASSERT_EQ(serial[h].control[i], parallel[h].control[i]);
+    for (std::size_t i = 0; i < quartic_control_count; ++i)
+      ASSERT_EQ(serial[h].control[i], parallel[h].control[i]);
 }
 
 TEST(Properties, FlatRegularPolygonSplitsIntoThirds) {
@@ -189,8 +194,10 @@ TEST(Properties, FlatRegularPolygonSplitsIntoThirds) {
     Shaping shaping;
     for (int i = 0; i < n; ++i) {
       const Vector3 p = mesh.positions[std::size_t(i)];
-      const Vector3 next = mesh.positions[std::size_t((i + 1) % n)], before = mesh.positions[std::size_t((i + n - 1) % n)];
-      shaping.pin.set({static_cast<std::uint32_t>(i)}, {Pin::Kind::tangents, {(next - p) / 3, (before - p) / 3}});
+      const Vector3 next = mesh.positions[std::size_t((i + 1) % n)],
+                    before = mesh.positions[std::size_t((i + n - 1) % n)];
+      shaping.pin.set({static_cast<std::uint32_t>(i)},
+                      {Pin::Kind::tangents, {(next - p) / 3, (before - p) / 3}});
     }
     const auto patches = patches_of({polyhedron, shaping, Mode::paper, Vector3::Zero()});
     for (int j = 0; j < n; ++j) {
@@ -219,7 +226,8 @@ void expect_height_field(Mode mode, double xx, double xy, double yy) {
   const HalfEdgeMesh& topology = polyhedron.topology();
   Shaping shaping;
   for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
-    // The basis of a smooth or border vertex is made of tangents of its own edges: Tc along e_0, Ts a quarter turn on.
+    // The basis of a smooth or border vertex is made of tangents of its own edges: Tc along e_0, Ts a quarter
+    // turn on.
     const Vector3 p = mesh.positions[v];
     const double dx = 2 * xx * p.x() + xy * p.y() + 1, dy = xy * p.x() + 2 * yy * p.y() - 0.4;
     const auto along = [&](const Vector3& q) {
@@ -234,7 +242,8 @@ void expect_height_field(Mode mode, double xx, double xy, double yy) {
       if (next == no_index) tangents.push_back(along(mesh.positions[topology.origin(topology.previous(h))]));
       h = next;
     } while (h != no_index && h != topology.outgoing(v));
-    const bool smooth = frames.kind[v] == FrameKind::smooth;  // basis Ts, Tc; Tc, Ts on a border; Xa, Xb at a corner
+    const bool smooth =
+        frames.kind[v] == FrameKind::smooth;  // basis Ts, Tc; Tc, Ts on a border; Xa, Xb at a corner
     shaping.pin.set(polyhedron.vertex_id(v),
                     {Pin::Kind::tangents, {tangents[smooth ? 1 : 0], tangents[smooth ? 0 : 1]}});
   }
@@ -242,16 +251,17 @@ void expect_height_field(Mode mode, double xx, double xy, double yy) {
   const auto result = surfacer.rebuild({polyhedron, shaping, mode, Vector3::Zero()});
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   for (Index patch = 0; patch < result->surface.patch_count(); ++patch)
-    for (const Vector2& at : {Vector2(1.0 / 3, 1.0 / 3), Vector2(0.1, 0.2), Vector2(0.5, 0.4), Vector2(0.8, 0.1)}) {
+    for (const Vector2& at :
+         {Vector2(1.0 / 3, 1.0 / 3), Vector2(0.1, 0.2), Vector2(0.5, 0.4), Vector2(0.8, 0.1)}) {
       const Vector3 p = result->surface.patches().evaluate(patch, at, Order::first).position;
       EXPECT_NEAR(p.z(), height(p.x(), p.y()), 1e-13);
     }
 }
 
 TEST(Properties, QuadraticHeightFieldsAreReproduced) {
-  // Tangents pinned to the field's own; then TARGET gives the field itself on a 4-valent grid. PAPER gives it only where
-  // x^2 and y^2 have equal weight: round an even ring it takes the inner points whose alternating sum vanishes, and that
-  // sum of the field's own points is proportional to the difference of the two.
+  // Tangents pinned to the field's own; then TARGET gives the field itself on a 4-valent grid. PAPER gives it
+  // only where x^2 and y^2 have equal weight: round an even ring it takes the inner points whose alternating
+  // sum vanishes, and that sum of the field's own points is proportional to the difference of the two.
   for (const auto& [mode, xx, yy] : {std::tuple(Mode::target, 0.3, 0.2), std::tuple(Mode::paper, 0.3, 0.3)})
     expect_height_field(mode, xx, -0.5, yy);
 }

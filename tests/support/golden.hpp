@@ -60,8 +60,7 @@ inline Shaping golden_tension(const std::string& name) {
   const auto beta = json.value("beta", nlohmann::json::object());
   const auto alpha = json.value("alpha", nlohmann::json::object());
   const auto crease = json.value("crease", nlohmann::json::array());
-  for (const auto& [key, value] : beta.items())
-    shaping.beta.set(golden_edge(key), value.get<double>());
+  for (const auto& [key, value] : beta.items()) shaping.beta.set(golden_edge(key), value.get<double>());
   for (const auto& [key, value] : alpha.items())
     shaping.alpha.set({static_cast<std::uint32_t>(std::stoul(key))}, value.get<double>());
   for (const auto& edge : crease)
@@ -92,7 +91,8 @@ inline std::vector<GoldenCase> golden_cases() {
   return cases;
 }
 
-inline PolyhedronSurfaceInput golden_input(const std::string& obj, Mode mode, const std::string& tension = {}) {
+inline PolyhedronSurfaceInput golden_input(const std::string& obj, Mode mode,
+                                           const std::string& tension = {}) {
   PolyhedronSurfaceInput input{Polyhedron::build(golden_obj(obj)).value(), {}, mode, Vector3::Zero()};
   if (!tension.empty()) input.shaping = golden_tension(tension);
   return input;

@@ -8,8 +8,8 @@
 
 namespace hariko::test {
 
-/// About half of the elements get a tension; alpha in [0, largest_alpha] (some exactly 0), beta logarithmically uniform.
-/// One mesh in three has creases, one in five a tagged border vertex.
+/// About half of the elements get a tension; alpha in [0, largest_alpha] (some exactly 0), beta
+/// logarithmically uniform. One mesh in three has creases, one in five a tagged border vertex.
 inline Shaping random_shaping(const Polyhedron& polyhedron, std::mt19937_64& rng, double largest_alpha,
                               double smallest_beta, double largest_beta) {
   Shaping shaping;
@@ -21,7 +21,8 @@ inline Shaping random_shaping(const Polyhedron& polyhedron, std::mt19937_64& rng
       shaping.tag.set(polyhedron.vertex_id(v), chance(rng, 0.5) ? VertexTag::corner : VertexTag::smooth);
   }
   for (Index e = 0; e < polyhedron.edge_count(); ++e) {
-    if (chance(rng, 0.5)) shaping.beta.set(polyhedron.edge_id(e), log_uniform(rng, smallest_beta, largest_beta));
+    if (chance(rng, 0.5))
+      shaping.beta.set(polyhedron.edge_id(e), log_uniform(rng, smallest_beta, largest_beta));
     if (creased && chance(rng, 0.15)) shaping.crease.set(polyhedron.edge_id(e), true);
   }
   return shaping;

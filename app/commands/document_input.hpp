@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/files/open_file.hpp"
+
+namespace hariko {
+
+/// Opens the file of a subcommand; reports all messages on the error stream and gives nothing on an error.
+std::optional<Document> read_document_or_report(const std::filesystem::path& file);
+
+}  // namespace hariko

@@ -1,0 +1,29 @@
+#pragma once
+
+// Reading what a designer opens: a document, or a mesh file as a document with one polyhedron.
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+struct OpenedFile {
+  std::optional<Document> document;  ///< nothing when an error is among the messages
+  std::vector<Message> messages;     ///< of reading and, for a mesh that makes no polyhedron, of validation
+  /// A mesh that was read but makes no polyhedron, for reports and repairs.
+  std::optional<PolygonMesh> broken_mesh;
+  std::string name;     ///< of the object that a mesh file makes: as the file says, else after the file
+  bool native = false;  ///< a *.hariko document, so that saving may go back to the same file
+
+  /// The first error among the messages; null when there is a document.
+  const Message* error() const;
+};
+
+/// The ending of the name decides: .obj .off .ply .stl are meshes, all else is a document. Messages are those
+/// of `load_document`, `read_mesh_file`, `document_from_mesh` and `validate`.
+OpenedFile open_file(const std::filesystem::path& file);
+
+}  // namespace hariko
