@@ -207,22 +207,9 @@ void NetworkSystem::project(std::span<const Index> vertices, std::vector<Vector3
   }
 }
 
-NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
-                                             const SolveOptions& options) const {
-  const std::vector<Index>& vertices = options.active_vertices ? *options.active_vertices : all_vertices_;
-  const std::size_t count = frames_.basis_count();
-  const auto dot = [&](const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
-    return parallel_sum(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t k = begin; k < end; ++k)
-        for (Index i = frames_.basis_begin[vertices[k]]; i < frames_.basis_begin[vertices[k] + 1]; ++i)
-          sum += a[i].dot(b[i]);
-      return sum;
-    });
-  };
-
-  std::vector<Vector3> b(count, Vector3::Zero()), z(count, Vector3::Zero()), q(count, Vector3::Zero());
-  std::vector<Vector3> end_tangents(edge_ends_.size(), Vector3::Zero());
+std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
+                                               std::span<const Vector3> positions) const {
+  std::vector<Vector3> b(frames_.basis_count(), Vector3::Zero());
   for (const Index v : vertices)
     for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
       const Index at = incident_ends_[i], h = mesh_->half_edge_of_edge(at / 2);
@@ -232,41 +219,70 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
       b[tangent.basis[0]] += tangent.c[0] * pull;
       if (tangent.basis[1] != no_index) b[tangent.basis[1]] += tangent.c[1] * pull;
     }
+  return b;
+}
 
+std::vector<Vector3> NetworkSystem::starting_point(std::span<const Index> vertices,
+                                                   const SolveOptions& options) const {
+  const bool warm = options.start && options.start->size() == frames_.basis_count();
+  std::vector<Vector3> x =
+      warm ? *options.start : std::vector<Vector3>(frames_.basis_count(), Vector3::Zero());
+  project(vertices, x);
+  if (pin_state_.empty() || options.homogeneous) return x;
+  for (const Index v : vertices)
+    if (pin_state_[v] == PinState::fixed)
+      for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) x[i] = pinned_basis_[i];
+  return x;
+}
+
+double NetworkSystem::dot(std::span<const Index> vertices, const std::vector<Vector3>& a,
+                          const std::vector<Vector3>& b) const {
+  return parallel_sum(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t k = begin; k < end; ++k)
+      for (Index i = frames_.basis_begin[vertices[k]]; i < frames_.basis_begin[vertices[k] + 1]; ++i)
+        sum += a[i].dot(b[i]);
+    return sum;
+  });
+}
+
+void NetworkSystem::combine(std::span<const Index> vertices, std::vector<Vector3>& y, double scale,
+                            double factor, const std::vector<Vector3>& x) const {
+  parallel_for(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      for (Index i = frames_.basis_begin[vertices[k]]; i < frames_.basis_begin[vertices[k] + 1]; ++i)
+        y[i] = scale * y[i] + factor * x[i];
+  });
+}
+
+NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
+                                             const SolveOptions& options) const {
+  const std::vector<Index>& vertices = options.active_vertices ? *options.active_vertices : all_vertices_;
+  const std::vector<Vector3> zero(frames_.basis_count(), Vector3::Zero());
+  std::vector<Vector3> z = zero, q = zero, end_tangents(edge_ends_.size(), Vector3::Zero());
   Solution solution;
   std::vector<Vector3>& x = solution.basis;
-  const bool warm = options.start && options.start->size() == count;
-  x = warm ? *options.start : std::vector<Vector3>(count, Vector3::Zero());
-  project(vertices, x);
-  if (!pin_state_.empty() && !options.homogeneous)
-    for (const Index v : vertices)
-      if (pin_state_[v] == PinState::fixed)
-        for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) x[i] = pinned_basis_[i];
+  x = starting_point(vertices, options);
 
-  apply(vertices, x, end_tangents, q);
-  std::vector<Vector3> r(count, Vector3::Zero());
-  for (std::size_t i = 0; i < count; ++i) r[i] = b[i] - q[i];
-  project(vertices, r);
+  std::vector<Vector3> r = right_side(vertices, positions), b = r;
   project(vertices, b);
   precondition(vertices, b, z);
-  const double goal = options.tolerance * options.tolerance * dot(b, z);
+  const double goal = options.tolerance * options.tolerance * dot(vertices, b, z);
+  apply(vertices, x, end_tangents, q);
+  combine(vertices, r, 1, -1, q);
+  project(vertices, r);
   precondition(vertices, r, z);
   std::vector<Vector3> p = z;
-  double rz = dot(r, z);
+  double rz = dot(vertices, r, z);
   while (rz > goal && solution.iterations < max_steps) {
     apply(vertices, p, end_tangents, q);
     project(vertices, q);
-    const double step = rz / dot(p, q);
-    for (const Index v : vertices)
-      for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) {
-        x[i] += step * p[i];
-        r[i] -= step * q[i];
-      }
+    const double step = rz / dot(vertices, p, q);
+    combine(vertices, x, 1, step, p);
+    combine(vertices, r, 1, -step, q);
     precondition(vertices, r, z);
-    const double next = dot(r, z);
-    const double ratio = next / rz;
-    for (const Index v : vertices)
-      for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) p[i] = z[i] + ratio * p[i];
+    const double next = dot(vertices, r, z);
+    combine(vertices, p, next / rz, 1, z);
     rz = next;
     ++solution.iterations;
   }

@@ -62,6 +62,13 @@ class NetworkSystem {
   void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r,
                     std::vector<Vector3>& z) const;
   void project(std::span<const Index> vertices, std::vector<Vector3>& r) const;
+  std::vector<Vector3> right_side(std::span<const Index> vertices, std::span<const Vector3> positions) const;
+  std::vector<Vector3> starting_point(std::span<const Index> vertices, const SolveOptions& options) const;
+  double dot(std::span<const Index> vertices, const std::vector<Vector3>& a,
+             const std::vector<Vector3>& b) const;
+  /// y = scale y + factor x at these vertices
+  void combine(std::span<const Index> vertices, std::vector<Vector3>& y, double scale, double factor,
+               const std::vector<Vector3>& x) const;
 
   std::shared_ptr<const HalfEdgeMesh> mesh_;
   VertexFrames frames_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/patching/rings.hpp"
-
 namespace hariko {
 
 namespace {
@@ -51,23 +49,15 @@ Neighbourhood neighbourhood(const HalfEdgeMesh& mesh, const std::vector<Index>& 
   return out;
 }
 
-}  // namespace
-
-DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, const CancelToken& cancel) {
-  HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
+/// Tangents of a displacement field: zero outside the neighbourhood.
+Network local_network(const SurfaceSystem& system, const Neighbourhood& near,
+                      std::span<const Vector3> field) {
   const HalfEdgeMesh& mesh = *system.mesh;
-  DragResponse response;
-  response.moved = std::move(moved);
-  const Neighbourhood near = neighbourhood(mesh, response.moved);
-
-  // A unit displacement along x; the other coordinates stay zero.
-  std::vector<Vector3> positions(mesh.vertex_count(), Vector3::Zero());
-  for (const Index v : response.moved) positions[v] = Vector3::UnitX();
-  NetworkSystem::SolveOptions network_options;
-  network_options.active_vertices = &near.vertices;
-  network_options.tolerance = response_tolerance;
-  network_options.homogeneous = true;
-  const auto solution = system.network.solve(positions, network_options);
+  NetworkSystem::SolveOptions options;
+  options.active_vertices = &near.vertices;
+  options.tolerance = response_tolerance;
+  options.homogeneous = true;
+  const auto solution = system.network.solve(field, options);
   Network network;
   network.start.assign(mesh.half_edge_count(), Vector3::Zero());
   network.end.assign(mesh.half_edge_count(), Vector3::Zero());
@@ -79,33 +69,27 @@ DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved
       set_tangents(h);
       if (mesh.twin(h) != no_index) set_tangents(mesh.twin(h));
     }
+  return network;
+}
 
-  PatchNetwork split;
-  split.split_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
-  split.centre.assign(mesh.face_count(), Vector3::Zero());
-  split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
-  fill_split_tangents(mesh, system.network.frames(), system.constants, positions, network, near.faces, split);
+}  // namespace
 
+DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, const CancelToken& cancel) {
+  HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
+  const HalfEdgeMesh& mesh = *system.mesh;
+  DragResponse response;
+  response.moved = std::move(moved);
+  const Neighbourhood near = neighbourhood(mesh, response.moved);
+
+  // A unit displacement along x; the other coordinates stay zero.
+  std::vector<Vector3> field(mesh.vertex_count(), Vector3::Zero());
+  for (const Index v : response.moved) field[v] = Vector3::UnitX();
+  FairSystem::SolveOptions options;
+  options.active_faces = &near.faces;
+  options.tolerance = response_tolerance;
   ZeroedArray<QuarticPatch> patches(mesh.half_edge_count());
-  const PatchBuilder builder(mesh, system.constants, positions, network, split);
-  const auto build_base = [&] {
-    for (const Index f : near.faces)
-      for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) patches[h] = builder.base_patch(h);
-  };
-  if (system.mode == Mode::fair) {
-    build_base();
-    FairSystem::SolveOptions options;
-    options.active_faces = &near.faces;
-    options.tolerance = response_tolerance;
-    const auto fair = system.fair->solve(patches.span(), options, cancel);
-    system.fair->fill_split_points(fair.unknowns, near.faces, split);
-    build_base();
-    system.fair->add_free_parts(fair.unknowns, near.faces, patches.span());
-  } else {
-    fill_split_points(mesh, positions, near.faces, split);
-    build_base();
-    solve_rings(mesh, system.constants, system.mode, near.vertices, near.faces, patches.span());
-  }
+  build_patches(system, field, local_network(system, near, field), {near.faces, near.vertices}, options,
+                cancel, patches.span());
 
   auto felt = std::make_shared<std::vector<Index>>();
   for (const Index f : near.faces)

@@ -7,20 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/network/network_system.hpp"
-#include "core/patching/fair_system.hpp"
 #include "core/patching/quartic_patch.hpp"
+#include "core/patching/surface_system.hpp"
 
 namespace hariko {
-
-/// What a polyhedron's surface is computed with, for one connectivity, shaping and mode.
-struct SurfaceSystem {
-  std::shared_ptr<const HalfEdgeMesh> mesh;
-  NetworkSystem network;
-  PatchConstants constants;
-  Mode mode = Mode::fair;
-  std::unique_ptr<FairSystem> fair;  ///< mode FAIR only
-};
 
 struct DragResponse {
   std::vector<Index> moved;  ///< vertices that move together, ascending

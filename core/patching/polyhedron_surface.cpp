@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/base/parallel.hpp"
 #include "core/patching/drag_response.hpp"
-#include "core/patching/rings.hpp"
 #include "core/patching/surface_parts.hpp"
+#include "core/patching/surface_system.hpp"
 #include "core/patching/surface_warnings.hpp"
 
 namespace hariko {
@@ -14,7 +13,6 @@ namespace hariko {
 namespace {
 
 constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
-constexpr std::size_t patch_grain = 256;
 
 std::optional<Message> check_sides(const Polyhedron& polyhedron) {
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
@@ -140,40 +138,19 @@ Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfa
   last_basis = std::move(solution.basis);
   if (cancel.cancelled()) return cancelled();
 
-  std::vector<Index> faces(mesh.face_count());
+  std::vector<Index> faces(mesh.face_count()), vertices(mesh.vertex_count());
   std::iota(faces.begin(), faces.end(), Index(0));
-  PatchNetwork split;
-  split.split_tangent.resize(mesh.half_edge_count());
-  split.centre.assign(mesh.face_count(), Vector3::Zero());
-  split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
-  fill_split_tangents(mesh, system->network.frames(), system->constants, positions, *network, faces, split);
-
+  std::iota(vertices.begin(), vertices.end(), Index(0));
+  FairSystem::SolveOptions options;
+  if (warm) options.tolerance = drag_tolerance;
+  if (warm && system->fair && last_unknowns.size() == system->fair->unknown_count())
+    options.start = &last_unknowns;
   std::vector<QuarticPatch> patches(mesh.half_edge_count());
-  const PatchBuilder builder(mesh, system->constants, positions, *network, split);
-  const auto build_base = [&] {
-    parallel_for(patches.size(), patch_grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t h = begin; h < end; ++h) patches[h] = builder.base_patch(static_cast<Index>(h));
-    });
-  };
-  if (input.mode == Mode::fair) {
-    build_base();
-    FairSystem::SolveOptions options;
-    if (warm) options.tolerance = drag_tolerance;
-    if (warm && last_unknowns.size() == system->fair->unknown_count()) options.start = &last_unknowns;
-    auto fair = system->fair->solve(patches, options, cancel);
-    if (fair.cancelled) return cancelled();
-    out.report.fair_iterations = fair.iterations;
-    out.report.fair_converged = fair.converged;
-    system->fair->fill_split_points(fair.unknowns, faces, split);
-    build_base();
-    system->fair->add_free_parts(fair.unknowns, faces, patches);
-    last_unknowns = std::move(fair.unknowns);
-  } else {
-    fill_split_points(mesh, positions, faces, split);
-    build_base();
-    solve_rings(mesh, system->constants, input.mode, patches);
-  }
-  if (cancel.cancelled()) return cancelled();
+  auto fair = build_patches(*system, positions, *network, {faces, vertices}, options, cancel, patches);
+  if (fair.cancelled || cancel.cancelled()) return cancelled();
+  out.report.fair_iterations = fair.iterations;
+  out.report.fair_converged = fair.converged;
+  last_unknowns = std::move(fair.unknowns);
 
   QuarticPatchArray array(patches);
   Surface::Parts full = parts;

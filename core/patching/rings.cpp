@@ -1,7 +1,5 @@
 #include "core/patching/rings.hpp"
 
-#include <numeric>
-
 #include "core/base/parallel.hpp"
 
 namespace hariko {
@@ -247,14 +245,6 @@ void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode
     RingSolver solver(mesh, constants, mode, patches);
     for (std::size_t k = begin; k < end; ++k) solver.centre(faces[k]);
   });
-}
-
-void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
-                 std::span<QuarticPatch> patches) {
-  std::vector<Index> vertices(mesh.vertex_count()), faces(mesh.face_count());
-  std::iota(vertices.begin(), vertices.end(), Index(0));
-  std::iota(faces.begin(), faces.end(), Index(0));
-  solve_rings(mesh, constants, mode, vertices, faces, patches);
 }
 
 }  // namespace hariko

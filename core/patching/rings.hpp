@@ -11,13 +11,9 @@
 
 namespace hariko {
 
-/// Sets the six inner points of the patches of all faces for mode PAPER or TARGET. `patches` holds base
-/// patches (PatchBuilder::base_patch) of all half-edges on entry.
-void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
-                 std::span<QuarticPatch> patches);
-
-/// The same for some vertices and faces only: rings round these vertices, and round the split points of these
-/// faces.
+/// Sets inner points for mode PAPER or TARGET, in the rings round these vertices and round the split points
+/// of these faces. `patches` holds base patches (PatchBuilder::base_patch) of all half-edges concerned on
+/// entry.
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
                  std::span<const Index> vertices, std::span<const Index> faces,
                  std::span<QuarticPatch> patches);

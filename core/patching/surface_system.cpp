@@ -1,0 +1,47 @@
+#include "core/patching/surface_system.hpp"
+
+#include "core/base/parallel.hpp"
+#include "core/patching/rings.hpp"
+
+namespace hariko {
+
+namespace {
+constexpr std::size_t face_grain = 64;
+}
+
+FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const Vector3> positions,
+                                   const Network& network, const PatchRegion& region,
+                                   const FairSystem::SolveOptions& options, const CancelToken& cancel,
+                                   std::span<QuarticPatch> patches) {
+  const HalfEdgeMesh& mesh = *system.mesh;
+  const auto& faces = region.faces;
+  PatchNetwork split;
+  split.split_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
+  split.centre.assign(mesh.face_count(), Vector3::Zero());
+  split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
+  fill_split_tangents(mesh, system.network.frames(), system.constants, positions, network, faces, split);
+
+  const PatchBuilder builder(mesh, system.constants, positions, network, split);
+  const auto build_base = [&] {
+    parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        for (Index h = mesh.face_begin(faces[k]); h < mesh.face_end(faces[k]); ++h)
+          patches[h] = builder.base_patch(h);
+    });
+  };
+  if (system.mode != Mode::fair) {
+    fill_split_points(mesh, positions, faces, split);
+    build_base();
+    solve_rings(mesh, system.constants, system.mode, region.vertices, faces, patches);
+    return {};
+  }
+  build_base();  // with O and Y zero: the part that does not depend on the unknowns
+  FairSystem::Solution solution = system.fair->solve(patches, options, cancel);
+  if (solution.cancelled) return solution;
+  system.fair->fill_split_points(solution.unknowns, faces, split);
+  build_base();
+  system.fair->add_free_parts(solution.unknowns, faces, patches);
+  return solution;
+}
+
+}  // namespace hariko
