@@ -139,7 +139,10 @@ class Application {
   /// it.
   void explain(const std::filesystem::path& path, const OpenedFile& opened) {
     Message error = *opened.error();
-    if (opened.broken_mesh) error.text = path.filename().string() + ": " + error.text;
+    if (opened.broken_mesh) {
+      const std::string element = to_string(error.element);
+      error.text = path.filename().string() + (element.empty() ? "" : ", " + element) + ": " + error.text;
+    }
     editor_.notify(error);
   }
 
@@ -206,6 +209,7 @@ class Application {
   }
 
   void picture_samples() {
+    // NOLINTNEXTLINE(modernize-loop-convert): the pictures come later, the index finds their place then
     for (std::size_t i = 0; i < workbench_.samples().size(); ++i) {
       const auto path = workbench_.samples()[i].path;
       long_.submit(

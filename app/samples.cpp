@@ -111,6 +111,7 @@ ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {
                image.rgba.data());
   glGenerateMipmap(GL_TEXTURE_2D);
   glBindTexture(GL_TEXTURE_2D, 0);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
 }
 

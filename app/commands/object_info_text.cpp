@@ -1,6 +1,8 @@
 // ObjectInfo as JSON and as text.
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/object_info.hpp"
@@ -65,19 +67,26 @@ std::string dump(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+/// Six significant digits are enough to read; the JSON has them all.
+std::string readable(const Json& value) {
+  if (!value.is_number_float()) return value.is_null() ? "-" : dump(value, -1);
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value.get<double>(),
+                                 std::chars_format::general, 6);
+  return {digits.data(), end.ptr};
+}
+
 std::string line(const std::string& key, const Json& value) {
   std::string text;
-  if (value.is_null())
-    text = "-";
-  else if (value.is_string())
+  if (value.is_string())
     text = value.get<std::string>();
   else if (value.is_array())
-    text = dump(value[0], -1) + " .. " + dump(value[1], -1);
+    text = readable(value[0]) + " .. " + readable(value[1]);
   else if (value.is_object())
     for (const auto& [step, time] : value.items())
-      text += (text.empty() ? "" : ", ") + step + " " + dump(time, -1);
+      text += (text.empty() ? "" : ", ") + step + " " + readable(time);
   else
-    text = dump(value, -1);
+    text = readable(value);
   std::string label = key;
   std::replace(label.begin(), label.end(), '_', ' ');
   label.resize(std::max<std::size_t>(label.size() + 2, 22), ' ');
