@@ -9,6 +9,7 @@ namespace hariko::gl {
 namespace {
 
 const void* byte_offset(std::size_t bytes) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): GL takes offsets as pointers
   return reinterpret_cast<const void*>(bytes);
 }
 

@@ -45,7 +45,7 @@ std::optional<KeyChord> KeyChord::parse(std::string_view text) {
     if (take_prefix(text, "Alt+")) chord.alt = more = true;
   }
   if (text.size() == 1 && ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= '0' && text[0] <= '9'))) {
-    chord.key = text[0];
+    chord.key = static_cast<unsigned char>(text[0]);
     return chord;
   }
   for (const KeyName& entry : key_names)

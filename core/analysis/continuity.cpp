@@ -81,6 +81,14 @@ Vector3 normal_above(const PatchPoint& point, double threshold) {
   return cross / length;
 }
 
+/// True where rounding of the control points alone (a few units in the last place of the position) may turn
+/// the normal by more than 1e-11 radians: at vertices of very high tension, whose tangents are tiny.
+bool beyond_resolution(const PatchPoint& point) {
+  constexpr double rounding = 1e-15, resolution = 1e-11;
+  const double turn = rounding * point.position.norm() * (point.ds.norm() + point.dt.norm());
+  return turn > resolution * point.ds.cross(point.dt).norm();
+}
+
 void compare_normals(const SeamSides& sides, double first_threshold, double second_threshold,
                      SeamContinuity& out) {
   for (int k = 0; k < normal_samples; ++k) {
@@ -92,11 +100,11 @@ void compare_normals(const SeamSides& sides, double first_threshold, double seco
     NormalJump jump;
     const bool end = k == 0 || k == normal_samples - 1;
     if (const Vector3 plane = end ? sides.node_normal(k > 0) : Vector3::Zero(); !plane.isZero(0)) {
-      if (n.isZero(0)) n = plane;
-      if (m.isZero(0)) m = plane;
+      if (n.isZero(0) || beyond_resolution(p)) n = plane;
+      if (m.isZero(0) || beyond_resolution(q)) m = plane;
       const NormalJump a = jump_between(n, plane), b = jump_between(m, plane);
       jump = {std::max(a.angle, b.angle), a.folded || b.folded};
-    } else if (n.isZero(0) || m.isZero(0)) {
+    } else if (n.isZero(0) || m.isZero(0) || (end && (beyond_resolution(p) || beyond_resolution(q)))) {
       ++out.degenerate;
       continue;
     } else {

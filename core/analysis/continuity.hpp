@@ -33,8 +33,9 @@ struct ContinuityReport {
   /// Root mean square of the curvature jumps relative to that of the curvature, over the smooth seams;
   /// nothing when there are none, zero where the surface is flat along all of them.
   std::optional<double> rms_curvature_jump;
-  /// Points of smooth seams where |ds x dt| of a side is below 1e-9 of that patch's mean and the node gives
-  /// no normal either. They are left out of the normal jumps.
+  /// Points of smooth seams that are left out of the normal jumps: |ds x dt| of a side is below 1e-9 of that
+  /// patch's mean, or, at an end, rounding of the control points alone turns the normal by more than 1e-11
+  /// radians; and the node gives no normal either.
   std::size_t degenerate_samples = 0;
   /// Points of smooth seams where the normals of the sides are opposite while the tangent planes agree to
   /// 1e-6 radians: the surface folds back. The jump is then the angle between the planes.
@@ -43,8 +44,9 @@ struct ContinuityReport {
 };
 
 /// Angles are atan2(|n x m|, n . m). At the ends of a seam whose node has a tangent plane, each side is
-/// compared with that plane, and a side that is degenerate there takes the plane's normal. In parallel, the
-/// same on any number of threads. O(110 seams).
+/// compared with that plane, and a side that is degenerate there, or whose derivatives are so short
+/// that rounding of the control points turns its normal by more than 1e-11 radians, takes the plane's normal.
+/// In parallel, the same on any number of threads. O(110 seams).
 ContinuityReport continuity(const Surface& surface, const CancelToken& cancel = {});
 
 }  // namespace hariko

@@ -16,11 +16,13 @@ using Json = nlohmann::json;
 /// Walks over the text and tells where the parser is: its events come without a place.
 class TrackingIterator {
  public:
+  // NOLINTBEGIN(readability-identifier-naming): names that iterators must have
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
   using pointer = const char*;
   using reference = const char&;
+  // NOLINTEND(readability-identifier-naming)
 
   TrackingIterator(const char* at, std::size_t* consumed) : at_(at), consumed_(consumed) {}
   reference operator*() const { return *at_; }

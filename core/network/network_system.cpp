@@ -194,17 +194,20 @@ void NetworkSystem::precondition(std::span<const Index> vertices, const std::vec
   });
 }
 
-void NetworkSystem::project(std::span<const Index> vertices, std::vector<Vector3>& r) const {
+void NetworkSystem::keep_in_planes(std::span<const Index> vertices, std::vector<Vector3>& x) const {
   if (pin_state_.empty()) return;
-  for (const Index v : vertices) {
-    if (pin_state_[v] == PinState::none) continue;
-    for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b) {
-      if (pin_state_[v] == PinState::fixed)
-        r[b].setZero();
-      else
-        r[b] -= pin_normal_[v] * pin_normal_[v].dot(r[b]);
-    }
-  }
+  for (const Index v : vertices)
+    if (pin_state_[v] == PinState::normal)
+      for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b)
+        x[b] -= pin_normal_[v] * pin_normal_[v].dot(x[b]);
+}
+
+void NetworkSystem::project(std::span<const Index> vertices, std::vector<Vector3>& r) const {
+  keep_in_planes(vertices, r);
+  if (pin_state_.empty()) return;
+  for (const Index v : vertices)
+    if (pin_state_[v] == PinState::fixed)
+      for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b) r[b].setZero();
 }
 
 std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
@@ -286,6 +289,7 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
     rz = next;
     ++solution.iterations;
   }
+  keep_in_planes(vertices, x);  // rounding of many steps would otherwise leave the pinned planes a little
   return solution;
 }
 

@@ -61,6 +61,9 @@ class NetworkSystem {
              std::vector<Vector3>& end_tangents, std::vector<Vector3>& y) const;
   void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r,
                     std::vector<Vector3>& z) const;
+  /// Takes away what sticks out of pinned planes.
+  void keep_in_planes(std::span<const Index> vertices, std::vector<Vector3>& x) const;
+  /// Projection onto the directions that pins leave free: planes, or nothing.
   void project(std::span<const Index> vertices, std::vector<Vector3>& r) const;
   std::vector<Vector3> right_side(std::span<const Index> vertices, std::span<const Vector3> positions) const;
   std::vector<Vector3> starting_point(std::span<const Index> vertices, const SolveOptions& options) const;
