@@ -66,7 +66,8 @@ void draw_start_page(PanelContext& context, const PanelRect& rect) {
     const std::vector<Sample> samples = context.samples;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const auto column = static_cast<float>(i % static_cast<std::size_t>(columns));
-      const auto row = static_cast<float>(i / static_cast<std::size_t>(columns));
+      const std::size_t whole_rows = i / static_cast<std::size_t>(columns);
+      const auto row = static_cast<float>(whole_rows);
       ImGui::SetCursorPos({left + column * (width + spacing), top + row * (size.y + spacing)});
       if (sample_card(context, samples[i], size)) context.open(samples[i].path);
     }

@@ -35,6 +35,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     scene_.update(editor_);
     refresh();
     ImGui::GetWindowDrawList()->AddImage(
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
         reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.texture())), rect.min, rect.max,
         {0, 1}, {1, 0});
     draw_legend(context, rect);
@@ -83,7 +84,7 @@ void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   tool_->begin(context, press);
 }
 
-void Viewport::feed(PointerEvent event) {
+void Viewport::feed(const PointerEvent& event) {
   ToolContext context{editor_, scene_};
   const ToolState state = tool_->update(context, event);
   if (state == ToolState::stay) return;

@@ -34,7 +34,7 @@ class Viewport {
 
  private:
   void handle_pointer(bool hovered);
-  void feed(PointerEvent event);
+  void feed(const PointerEvent& event);
   void start(std::unique_ptr<Tool> tool, const PointerEvent& press);
   void hover(const Vector2& pixel, bool inside);
   void refresh();
