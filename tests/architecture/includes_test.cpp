@@ -1,5 +1,6 @@
 // The arrows between the folders, checked on every #include line: app -> ui -> render -> core, and inside
-// core document, analysis, exchange -> patching -> network -> polyhedron, surface -> base.
+// core modeling -> document, and document, analysis, exchange -> patching -> network -> polyhedron, surface
+// -> base.
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,7 @@ const std::map<std::string, Names>& core_arrows() {
       {"network", {"network", "polyhedron", "base"}},
       {"patching", {"patching", "network", "polyhedron", "surface", "base"}},
       {"document", {"document", "patching", "network", "polyhedron", "surface", "base"}},
+      {"modeling", {"modeling", "document", "patching", "network", "polyhedron", "surface", "base"}},
       {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "base"}},
       {"exchange", {"exchange", "patching", "network", "polyhedron", "surface", "base"}},
   };

@@ -1,0 +1,24 @@
+#pragma once
+
+// From operations on polyhedra to edits of the document.
+
+#include <functional>
+
+#include "core/base/result.hpp"
+#include "core/document/document.hpp"
+#include "core/modeling/modeled.hpp"
+
+namespace hariko {
+
+struct ModeledDocument {
+  Document document;
+  ElementSet selection;  ///< elements of the object
+};
+
+/// Applies an operation to the polyhedron of one object. An operation that gives an equal polyhedron gives an
+/// equal document. Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND, and those of the operation.
+Result<ModeledDocument> edit_polyhedron(
+    const Document& document, ObjectId object,
+    const std::function<Result<Modeled>(const PolyhedronSource&)>& operation);
+
+}  // namespace hariko

@@ -1,0 +1,22 @@
+#pragma once
+
+// ElementSet: some vertices, edges and faces of one polyhedron, by their stable ids.
+
+#include <cstddef>
+#include <set>
+
+#include "core/base/ids.hpp"
+
+namespace hariko {
+
+struct ElementSet {
+  std::set<VertexId> vertices;
+  std::set<EdgeId> edges;
+  std::set<FaceId> faces;
+
+  bool empty() const { return vertices.empty() && edges.empty() && faces.empty(); }
+  std::size_t size() const { return vertices.size() + edges.size() + faces.size(); }
+  friend bool operator==(const ElementSet&, const ElementSet&) = default;
+};
+
+}  // namespace hariko

@@ -1,0 +1,82 @@
+#pragma once
+
+// MeshDraft: a polyhedron being edited.
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/base/ids.hpp"
+#include "core/base/result.hpp"
+#include "core/document/source.hpp"
+
+namespace hariko {
+
+/// Polygons by stable ids that need not be manifold in between. Ids given to the functions must be those of
+/// vertices and faces in the draft; whether the polygons make a polyhedron is asked by `finish` alone.
+class MeshDraft {
+ public:
+  explicit MeshDraft(const PolyhedronSource& source);
+
+  bool contains(VertexId id) const { return vertices_.contains(id); }
+  bool contains(FaceId id) const { return faces_.contains(id); }
+  /// Whether some face has this side. O(valence).
+  bool contains(EdgeId id) const { return !faces_at(id).empty(); }
+
+  /// Relative to the source's origin.
+  const Vector3& position(VertexId id) const { return at(id).position; }
+  /// Corners counter-clockwise seen from outside; valid until the face changes.
+  std::span<const VertexId> face(FaceId id) const;
+  std::vector<Vector3> corners(FaceId id) const;
+  /// Ascending. Vertices without a face are among them until `finish`.
+  std::vector<VertexId> vertices() const;
+  std::vector<FaceId> faces() const;
+  /// The faces that have this corner or side, ascending.
+  std::vector<FaceId> faces_at(VertexId id) const { return at(id).faces; }
+  std::vector<FaceId> faces_at(EdgeId id) const;
+
+  /// The new id is the greatest so far plus one: none is used twice in a draft.
+  VertexId add_vertex(const Vector3& position);
+  void move_vertex(VertexId id, const Vector3& position) { at(id).position = position; }
+  FaceId add_face(std::vector<VertexId> corners);
+  /// Gives the face other corners; it keeps its id.
+  void set_face(FaceId id, std::vector<VertexId> corners);
+  void remove_face(FaceId id);
+  /// Puts `middle` between the ends of the edge in every face that has it. The halves inherit tension and
+  /// crease. O(valence).
+  void split_edge(EdgeId edge, VertexId middle);
+
+  /// Tensions, creases, tags and pins, carried along. Entries of elements that are gone do no harm.
+  Shaping& shaping() { return shaping_; }
+  const Shaping& shaping() const { return shaping_; }
+  /// Gives `to` the tension and crease of `from` (also where these are the default).
+  void inherit(EdgeId from, EdgeId to);
+  /// Gives `to` the tension and tag of `from`. Pins stay where they are: each fixes one point's tangents.
+  void inherit(VertexId from, VertexId to);
+
+  /// The polyhedron: vertices without a face are dropped and the shaping of elements that are gone is
+  /// forgotten, as are `corner` tags that lost the border or creases they need. Pinned tangents stay where
+  /// the edges round the vertex are the same as before; elsewhere they no longer say which edge they are for,
+  /// and become a pinned tangent plane. Errors: E_WOULD_BE_NONMANIFOLD, E_NO_FACES, E_NONFINITE,
+  /// E_TOO_MANY_ELEMENTS.
+  Result<PolyhedronSource> finish() &&;
+
+ private:
+  struct Vertex {
+    Vector3 position;
+    std::vector<FaceId> faces;  ///< ascending
+  };
+  const Vertex& at(VertexId id) const;
+  Vertex& at(VertexId id);
+  void link(FaceId face, std::span<const VertexId> corners);
+  void unlink(FaceId face, std::span<const VertexId> corners);
+
+  PolyhedronSource source_;
+  std::map<VertexId, Vertex> vertices_;
+  std::map<FaceId, std::vector<VertexId>> faces_;
+  VertexId next_vertex_;
+  FaceId next_face_;
+  Shaping shaping_;
+};
+
+}  // namespace hariko

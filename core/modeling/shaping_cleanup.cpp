@@ -1,0 +1,88 @@
+#include "core/modeling/shaping_cleanup.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/document/edge_set.hpp"
+
+namespace hariko::detail {
+namespace {
+
+/// An edge of a fan as a pin's tangents know it.
+struct FanEdge {
+  VertexId other;
+  bool sharp;
+  friend bool operator==(const FanEdge&, const FanEdge&) = default;
+};
+
+/// The edges at v in the order of its basis (see HalfEdgeMesh); empty where v has no faces.
+std::vector<FanEdge> fan_at(const Polyhedron& polyhedron, const Shaping& shaping, Index v) {
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  std::vector<FanEdge> fan;
+  const auto add = [&](Index h, Index other) {
+    const bool sharp = mesh.twin(h) == no_index || shaping.crease.contains(polyhedron.edge_id(mesh.edge(h)));
+    fan.push_back({polyhedron.vertex_id(other), sharp});
+  };
+  const Index first = mesh.outgoing(v);
+  for (Index h = first; h != no_index;) {
+    add(h, mesh.target(h));
+    const Index following = mesh.rotate(h);
+    if (following == no_index) add(mesh.previous(h), mesh.origin(mesh.previous(h)));
+    h = following == first ? no_index : following;
+  }
+  return fan;
+}
+
+bool corner_tag_fits(const Polyhedron& polyhedron, const Shaping& shaping, Index v) {
+  if (polyhedron.topology().is_border_vertex(v)) return true;
+  const auto fan = fan_at(polyhedron, shaping, v);
+  return std::count_if(fan.begin(), fan.end(), [](const FanEdge& edge) { return edge.sharp; }) >= 2;
+}
+
+template <class Id, class Value, class Keep>
+FlatMap<Id, Value> kept_entries(const FlatMap<Id, Value>& map, Keep&& keep) {
+  FlatMap<Id, Value> out;
+  for (const auto& [id, value] : map)
+    if (keep(id)) out.set(id, value);
+  return out;
+}
+
+}  // namespace
+
+Shaping shaping_on(const Polyhedron& after, const Shaping& shaping, const Polyhedron& before,
+                   const Shaping& shaping_before) {
+  const auto has_vertex = [&](VertexId id) {
+    const Index v = after.find(id);
+    return v != no_index && after.topology().outgoing(v) != no_index;
+  };
+  const EdgeSet edges(after);
+  const auto has_edge = [&](EdgeId id) { return edges.contains(id); };
+
+  Shaping out;
+  out.alpha = kept_entries(shaping.alpha, has_vertex);
+  out.beta = kept_entries(shaping.beta, has_edge);
+  out.crease = kept_entries(shaping.crease, has_edge);
+  for (const auto& [id, tag] : shaping.tag)
+    if (has_vertex(id) && (tag != VertexTag::corner || corner_tag_fits(after, out, after.find(id))))
+      out.tag.set(id, tag);
+  for (const auto& [id, pin] : shaping.pin) {
+    if (!has_vertex(id)) continue;
+    const Index old = before.find(id);
+    const bool same = pin.kind == Pin::Kind::normal ||
+                      (old != no_index &&
+                       shaping.tag.get_or(id, VertexTag::automatic) ==
+                           shaping_before.tag.get_or(id, VertexTag::automatic) &&
+                       fan_at(before, shaping_before, old) == fan_at(after, out, after.find(id)));
+    if (same) {
+      out.pin.set(id, pin);
+    } else if (pin.vectors.size() == 2) {
+      const Vector3 normal = pin.vectors[1].stableNormalized().cross(pin.vectors[0].stableNormalized());
+      if (normal.allFinite() && normal.norm() > 1e-9) out.pin.set(id, {Pin::Kind::normal, {normal}});
+    }
+  }
+  return out;
+}
+
+}  // namespace hariko::detail
