@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/renderer.hpp"
-#include "ui/panels.hpp"
+#include "ui/panels/panels.hpp"
 
 namespace hariko {
 

@@ -1,7 +1,13 @@
-# hariko_library(NAME LINKS target...): a static library of every .cpp in the current folder (not below).
+# hariko_library(NAME FOLDERS folder... LINKS target...): a static library of every .cpp in the current folder and in
+# the folders given, not below.
 function(hariko_library NAME)
-  cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
-  file(GLOB SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.hpp")
+  cmake_parse_arguments(ARG "" "" "FOLDERS;LINKS;PRIVATE_LINKS" ${ARGN})
+  set(SOURCES)
+  foreach(FOLDER . ${ARG_FOLDERS})
+    file(GLOB FOUND CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp"
+      "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.hpp")
+    list(APPEND SOURCES ${FOUND})
+  endforeach()
   add_library(${NAME} STATIC ${SOURCES})
   set_target_properties(${NAME} PROPERTIES LINKER_LANGUAGE CXX)
   target_include_directories(${NAME} PUBLIC "${PROJECT_SOURCE_DIR}")

@@ -11,7 +11,9 @@
 #include "core/document/edits.hpp"
 #include "core/document/history.hpp"
 #include "render/scene.hpp"
+#include "ui/language.hpp"
 #include "ui/selection.hpp"
+#include "ui/settings.hpp"
 #include "ui/surface_view.hpp"
 
 namespace hariko {
@@ -39,6 +41,8 @@ class Editor {
   ElementMode mode = ElementMode::vertex;
   std::optional<ElementRef> hovered;
   ViewSettings view;
+  Settings settings;
+  Language language;  ///< the catalogue of settings.language
 
   /// False while the start page shows.
   bool has_document = false;

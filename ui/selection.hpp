@@ -13,7 +13,7 @@
 namespace hariko {
 
 /// Which elements a click takes.
-enum class ElementMode { vertex, edge, face };
+enum class ElementMode { vertex, edge, face, object };
 
 /// Elements of one object.
 struct ElementSelection {

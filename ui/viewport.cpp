@@ -39,6 +39,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
         reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.texture())), rect.min, rect.max,
         {0, 1}, {1, 0});
     draw_legend(context, rect);
+    if (tool_) tool_->draw({editor_, scene_}, {*ImGui::GetWindowDrawList(), rect.min, context.metrics});
   }
   ImGui::End();
 }
@@ -52,7 +53,18 @@ void Viewport::handle_pointer(bool hovered) {
   event.shift = io.KeyShift;
   event.control = io.KeyCtrl;
   event.alt = io.KeyAlt;
-  if (tool_) {
+  if (tool_ && modal_) {
+    if (pixel != pointer_) {
+      event.kind = PointerEvent::Kind::move;
+      feed(event);
+    }
+    if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+      cancel_tool();
+    } else if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+      event.kind = PointerEvent::Kind::press;
+      feed(event);
+    }
+  } else if (tool_) {
     const auto index = std::find(buttons.begin(), buttons.end(), press_.button) - buttons.begin();
     event.button = press_.button;
     if (pixel != pointer_) {
@@ -78,6 +90,7 @@ void Viewport::handle_pointer(bool hovered) {
 
 void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   tool_ = std::move(tool);
+  modal_ = false;
   press_ = press;
   editor_.hovered.reset();
   ToolContext context{editor_, scene_};
@@ -86,13 +99,35 @@ void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
 
 void Viewport::feed(const PointerEvent& event) {
   ToolContext context{editor_, scene_};
-  const ToolState state = tool_->update(context, event);
+  finish(tool_->update(context, event), event);
+}
+
+void Viewport::finish(ToolState state, const PointerEvent& last) {
   if (state == ToolState::stay) return;
   const std::unique_ptr<Tool> done = std::move(tool_);
   auto next = state == ToolState::commit ? done->successor() : nullptr;
   if (!next) return;
   start(std::move(next), press_);
-  feed(event);
+  feed(last);
+}
+
+void Viewport::start_modal(std::unique_ptr<Tool> tool) {
+  cancel_tool();
+  PointerEvent at;
+  at.pixel = pointer_;
+  start(std::move(tool), at);
+  modal_ = true;
+}
+
+bool Viewport::tool_key(const KeyChord& chord) {
+  if (!tool_) return false;
+  ToolContext context{editor_, scene_};
+  const auto state = tool_->key(context, chord);
+  if (!state) return false;
+  PointerEvent at;
+  at.pixel = pointer_;
+  finish(*state, at);
+  return true;
 }
 
 bool Viewport::cancel_tool() {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "render/renderer.hpp"
-#include "ui/panels.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/scene_builder.hpp"
-#include "ui/tool.hpp"
+#include "ui/tools/tool.hpp"
 
 namespace hariko {
 
@@ -22,6 +22,10 @@ class Viewport {
   void draw(PanelContext& context, const PanelRect& rect);
 
   bool tool_active() const { return tool_ != nullptr; }
+  /// Starts a modal tool: it follows the pointer until it commits or is cancelled. Cancels a running one.
+  void start_modal(std::unique_ptr<Tool> tool);
+  /// Gives a key to the running tool. True when the tool took it.
+  bool tool_key(const KeyChord& chord);
   /// Ends the active tool as if it had never begun. False when there is none.
   bool cancel_tool();
   std::string hint() const;
@@ -35,6 +39,7 @@ class Viewport {
  private:
   void handle_pointer(bool hovered);
   void feed(const PointerEvent& event);
+  void finish(ToolState state, const PointerEvent& last);
   void start(std::unique_ptr<Tool> tool, const PointerEvent& press);
   void hover(const Vector2& pixel, bool inside);
   void refresh();
@@ -44,6 +49,7 @@ class Viewport {
   int quick_samples_;
   SceneBuilder scene_;
   std::unique_ptr<Tool> tool_;
+  bool modal_ = false;
   PointerEvent press_;
   Vector2 pointer_ = Vector2::Constant(-1);
   PanelRect rect_{};

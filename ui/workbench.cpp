@@ -15,12 +15,18 @@ Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, cons
     : editor_(editor),
       viewport_(editor, renderer, quick_samples),
       metrics_(metrics),
-      actions_(std::move(actions)) {
-  add_file_commands();
-  add_edit_commands();
-  add_select_commands();
-  add_shape_commands();
-  add_view_commands();
+      actions_(std::move(actions)),
+      host_{commands_, editor_, viewport_, *this} {
+  add_commands();
+}
+
+void Workbench::add_commands() {
+  // Menus stand in the order of these lines.
+  add_file_commands(host_);
+  add_edit_commands(host_);
+  add_select_commands(host_);
+  add_shape_commands(host_);
+  add_view_commands(host_);
 }
 
 void Workbench::frame() {
@@ -32,10 +38,11 @@ void Workbench::frame() {
                        panel_state_,
                        samples_,
                        [this](const std::filesystem::path& path) { open_guarded(path); },
-                       viewport_.hint()};
+                       viewport_.hint(),
+                       editor_.language};
   layout(context);
   dialog_.draw(context);
-  draw_unsaved_prompt();
+  prompt_.draw(context);
 }
 
 void Workbench::layout(PanelContext& context) {
@@ -48,7 +55,7 @@ void Workbench::layout(PanelContext& context) {
     draw_notices(context, all);
     return;
   }
-  const float side = std::min(metrics_.px(side_width_), screen.x / 2);
+  const float side = std::min(metrics_.px(editor_.settings.side_width), screen.x / 2);
   const PanelRect view{{tools, menu}, {screen.x - side - line, screen.y - status}};
   const float objects_height =
       std::clamp(metrics_.px(48 + 32 * static_cast<float>(editor_.document().objects.size())),
@@ -62,23 +69,26 @@ void Workbench::layout(PanelContext& context) {
   draw_status_line(context, {{0, screen.y - status}, screen});
   draw_notices(context, view);
 
-  // The border of the side panel can be dragged.
-  const PanelRect border{{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}};
-  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);
+  drag_border({{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}});
+}
+
+void Workbench::drag_border(const PanelRect& border) {
   if (begin_panel("##border", border, 0, {0, 0}, ImGuiWindowFlags_NoBackground)) {
     ImGui::InvisibleButton("drag", {border.width(), border.height()});
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive())
-      side_width_ = std::clamp(side_width_ - ImGui::GetIO().MouseDelta.x / metrics_.scale, 260.0F, 480.0F);
+      editor_.settings.side_width = std::clamp(
+          editor_.settings.side_width - ImGui::GetIO().MouseDelta.x / metrics_.scale, 260.0F, 480.0F);
   }
   ImGui::End();
-  ImGui::PopStyleVar();
 }
 
 void Workbench::key(const KeyChord& chord) {
   if (chord.key == GLFW_KEY_ESCAPE) return escape();
   // While a field takes text or a dialog is open the keys are theirs.
-  if (ImGui::GetIO().WantTextInput || dialog_.is_open() || unsaved_action_) return;
+  if (ImGui::GetIO().WantTextInput || dialog_.is_open() || prompt_.is_open()) return;
+  // A running tool takes its own keys first: axes, numbers, Enter.
+  if (viewport_.tool_key(chord)) return;
   const Command* command = commands_.find(chord);
   if (!command) return;
   // In the middle of a drag nothing else may change the document.
@@ -88,10 +98,7 @@ void Workbench::key(const KeyChord& chord) {
 }
 
 void Workbench::escape() {
-  if (unsaved_action_) {
-    unsaved_action_ = nullptr;
-    return;
-  }
+  if (prompt_.is_open()) return prompt_.dismiss();
   if (dialog_.is_open()) return dialog_.close();
   if (viewport_.cancel_tool()) return;
   if (editor_.history.in_gesture()) {
@@ -107,10 +114,13 @@ void Workbench::escape() {
 }
 
 void Workbench::guarded(std::function<void()> action) {
-  if (editor_.has_document && editor_.history.dirty())
-    unsaved_action_ = std::move(action);
-  else
-    action();
+  if (!editor_.has_document || !editor_.history.dirty()) return action();
+  const Language& tr = editor_.language;
+  ask({tr("Unsaved changes"),
+       fill(tr("{0} has changes that are not saved."), {editor_.title()}),
+       {{tr("Save"), "save", [this, action] { save(action); }},
+        {tr("Discard"), "discard", action},
+        {tr("Cancel"), "cancel", {}}}});
 }
 
 void Workbench::open_guarded(const std::filesystem::path& path) {
@@ -124,46 +134,56 @@ void Workbench::save(std::function<void()> then) {
     save_as(std::move(then));
 }
 
-void Workbench::draw_unsaved_prompt() {
-  constexpr const char* id = "Unsaved changes";
-  const bool shown = ImGui::IsPopupOpen(id);
-  if (!unsaved_action_ && !shown) return;
-  if (!shown) ImGui::OpenPopup(id);
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-  if (!ImGui::BeginPopupModal(id, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
-    return;
-  ImGui::Text("%s has changes that are not saved.", editor_.title().c_str());
-  ImGui::Dummy({0, metrics_.px(8)});
-  const ImVec2 button(metrics_.px(110), 0);
-  const bool save_it = ImGui::Button("Save", button);
-  marks_.item("prompt.save");
-  ImGui::SameLine();
-  const bool discard = ImGui::Button("Discard", button);
-  marks_.item("prompt.discard");
-  ImGui::SameLine();
-  const bool cancel = ImGui::Button("Cancel", button);
-  marks_.item("prompt.cancel");
-  if (!unsaved_action_) ImGui::CloseCurrentPopup();  // Esc
-  if (unsaved_action_ && (save_it || discard || cancel)) {
-    ImGui::CloseCurrentPopup();
-    const auto action = std::move(unsaved_action_);
-    unsaved_action_ = nullptr;
-    if (save_it) save(action);
-    if (discard) action();
-  }
-  ImGui::EndPopup();
+void Workbench::save_as(std::function<void()> then) {
+  const std::filesystem::path proposal =
+      editor_.path ? *editor_.path : std::filesystem::path("Untitled.hariko");
+  dialog_.open(
+      {"Save as", "Save", true, {".hariko"}, proposal, [this, then = std::move(then)](const auto& path) {
+         actions_.save(path, then);
+       }});
 }
 
-std::optional<std::string> Workbench::needs_document() const {
-  if (editor_.has_document) return {};
-  return "Nothing is open. Open a file or a sample first.";
+void Workbench::show_export_dialog() {
+  std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
+  proposal += ".obj";
+  dialog_.open({"Export the surfaces as triangles",
+                "Export",
+                true,
+                {".obj", ".stl", ".ply"},
+                proposal,
+                [this](const auto& path) { actions_.export_file(path, export_density_); },
+                [this] {
+                  ImGui::AlignTextToFramePadding();
+                  ImGui::TextUnformatted("Density");
+                  ImGui::SameLine(metrics_.px(80));
+                  ImGui::SetNextItemWidth(metrics_.px(220));
+                  ImGui::SliderInt("intervals a patch side", &export_density_, 1, 64);
+                }});
 }
 
-std::optional<std::string> Workbench::needs_object() const {
-  if (auto reason = needs_document()) return reason;
-  if (editor_.active_object()) return {};
-  return "No object is chosen. Choose one in the list of objects.";
+void Workbench::show_open_dialog() {
+  dialog_.open({"Open",
+                "Open",
+                false,
+                {".hariko", ".obj", ".off", ".ply", ".stl"},
+                folder_proposal(),
+                [this](const auto& path) { open_guarded(path); }});
+}
+
+void Workbench::show_import_dialog() {
+  dialog_.open({"Import a mesh",
+                "Import",
+                false,
+                {".obj", ".off", ".ply", ".stl"},
+                folder_proposal(),
+                [this](const auto& path) { actions_.import_file(path); }});
+}
+
+void Workbench::close_document() {
+  guarded([this] {
+    editor_.open({}, {});
+    editor_.has_document = false;
+  });
 }
 
 std::filesystem::path Workbench::folder_proposal() const {

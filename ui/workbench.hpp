@@ -5,8 +5,10 @@
 #include <functional>
 #include <memory>
 
-#include "ui/file_dialog.hpp"
-#include "ui/panels.hpp"
+#include "ui/commands/command_host.hpp"
+#include "ui/panels/file_dialog.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/prompt.hpp"
 #include "ui/viewport.hpp"
 
 namespace hariko {
@@ -25,6 +27,8 @@ class Workbench {
  public:
   Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
             FileActions actions);
+  Workbench(const Workbench&) = delete;
+  Workbench& operator=(const Workbench&) = delete;
 
   /// Draws everything, within an ImGui frame.
   void frame();
@@ -36,25 +40,25 @@ class Workbench {
   const Marks& marks() const { return marks_; }
   std::vector<Sample>& samples() { return samples_; }
 
+  /// Asks something that cannot be undone.
+  void ask(Prompt::Request request) { prompt_.ask(std::move(request)); }
   /// Does something that replaces the document or ends the program, after asking about unsaved work.
   void guarded(std::function<void()> action);
   /// Opens a file, whatever kind it is, after asking about unsaved work.
   void open_guarded(const std::filesystem::path& path);
   void save(std::function<void()> then);
   void save_as(std::function<void()> then);
+  void show_open_dialog();
+  void show_import_dialog();
+  void show_export_dialog();
+  void close_document();
+  void quit() { guarded(actions_.quit); }
 
  private:
-  void add_file_commands();
-  void add_edit_commands();
-  void add_select_commands();
-  void add_view_commands();
-  void add_shape_commands();
-  std::optional<std::string> needs_document() const;
-  std::optional<std::string> needs_object() const;
+  void add_commands();
   void escape();
-  void show_export_dialog();
-  void draw_unsaved_prompt();
   void layout(PanelContext& context);
+  void drag_border(const PanelRect& border);
   std::filesystem::path folder_proposal() const;
 
   Editor& editor_;
@@ -62,12 +66,12 @@ class Workbench {
   const Metrics& metrics_;
   FileActions actions_;
   CommandTable commands_;
+  CommandHost host_;
   Marks marks_;
   PanelState panel_state_;
   std::vector<Sample> samples_;
   FileDialog dialog_;
-  std::function<void()> unsaved_action_;  ///< waits for the answer to the unsaved prompt
-  float side_width_ = 312;                ///< design pixels
+  Prompt prompt_;
   int export_density_ = 16;
 };
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/tool.hpp"
+#include "ui/tools/tool.hpp"
 
 namespace hariko {
 namespace {

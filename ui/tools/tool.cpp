@@ -1,4 +1,4 @@
-#include "ui/tool.hpp"
+#include "ui/tools/tool.hpp"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "ui/panels.hpp"
+#include "ui/panels/panels.hpp"
 
 namespace hariko {
 

@@ -1,4 +1,4 @@
-#include "ui/value_fields.hpp"
+#include "ui/panels/value_fields.hpp"
 
 #include <cmath>
 

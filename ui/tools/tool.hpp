@@ -1,6 +1,7 @@
 #pragma once
 
-// Tools: what the pointer does in the viewport. Small classes that live from a press to its end.
+// Tools: what the pointer and the keys do in the viewport. Small classes that live from a press, or from the
+// command that started them, to their end.
 
 #include <memory>
 #include <optional>
@@ -8,8 +9,10 @@
 
 #include "render/camera.hpp"
 #include "render/picking.hpp"
+#include "ui/command_table.hpp"
 #include "ui/editor.hpp"
 #include "ui/scene_builder.hpp"
+#include "ui/theme.hpp"
 
 namespace hariko {
 
@@ -33,13 +36,26 @@ struct ToolContext {
 
 enum class ToolState { stay, commit, cancel };
 
+/// Where a tool draws over the picture: ImGui's list and the viewport's upper left corner in window pixels.
+struct ToolOverlay {
+  ImDrawList& list;
+  ImVec2 corner;
+  const Metrics& metrics;
+};
+
+/// A tool is held (from a press to the release of the same button) or modal (started by a command: moves come
+/// without a button, a left press confirms by being passed on, a right press cancels).
 class Tool {
  public:
   virtual ~Tool() = default;
-  /// The press that chose the tool.
+  /// The press that chose the tool; for modal tools a move to where the pointer is.
   virtual void begin(ToolContext& context, const PointerEvent& press) = 0;
-  /// Moves and the release. `commit` and `cancel` end the tool; it has done its work then.
+  /// Moves, presses and the release. `commit` and `cancel` end the tool; it has done its work then.
   virtual ToolState update(ToolContext& context, const PointerEvent& event) = 0;
+  /// A key while the tool runs; nothing when it is none of the tool's. Esc never comes here: it cancels.
+  virtual std::optional<ToolState> key(ToolContext&, const KeyChord&) { return {}; }
+  /// Draws over the picture: the value that is dragged, a rectangle, a gizmo.
+  virtual void draw(const ToolContext&, const ToolOverlay&) const {}
   /// Esc, or the window lost the pointer: everything is as it was before `begin`.
   virtual void cancel(ToolContext& context) = 0;
   /// For the status line.

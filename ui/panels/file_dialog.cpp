@@ -1,4 +1,4 @@
-#include "ui/file_dialog.hpp"
+#include "ui/panels/file_dialog.hpp"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>

@@ -1,6 +1,6 @@
 // Orbit and pan: change the camera only, never the document.
 
-#include "ui/tool.hpp"
+#include "ui/tools/tool.hpp"
 
 namespace hariko {
 

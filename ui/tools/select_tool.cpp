@@ -1,6 +1,6 @@
 // Select: a click chooses what is under the pointer; a drag that begins on an element moves it.
 
-#include "ui/tool.hpp"
+#include "ui/tools/tool.hpp"
 
 namespace hariko {
 

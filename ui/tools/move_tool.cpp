@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/tool.hpp"
+#include "ui/tools/tool.hpp"
 
 namespace hariko {
 

@@ -37,6 +37,7 @@ struct PanelContext {
   std::vector<Sample>& samples;
   std::function<void(const std::filesystem::path&)> open;
   std::string tool_hint;
+  const Language& tr;
 
   /// Runs a command; when it cannot run, its reason becomes a notice.
   void run(std::string_view id);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/panels.hpp"
+#include "ui/panels/panels.hpp"
 
 namespace hariko {
 

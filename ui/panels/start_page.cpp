@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
-#include "ui/panels.hpp"
+#include "ui/panels/panels.hpp"
 
 namespace hariko {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ui/icons.hpp"
-#include "ui/panels.hpp"
-#include "ui/value_fields.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/value_fields.hpp"
 
 namespace hariko {
 

@@ -1,0 +1,44 @@
+#pragma once
+
+// CommandHost: what commands act on, the reasons that many of them share, and the functions that fill the
+// command table, one for each menu or theme.
+
+#include <functional>
+
+#include "ui/command_table.hpp"
+#include "ui/editor.hpp"
+
+namespace hariko {
+
+class Workbench;
+class Viewport;
+
+struct CommandHost {
+  CommandTable& table;
+  Editor& editor;
+  Viewport& viewport;
+  Workbench& workbench;
+};
+
+using Reason = std::optional<std::string>;
+using WhyNot = std::function<Reason()>;
+
+/// Why a command that needs a document, an active object, or an active polyhedron cannot run. The editor must
+/// outlive the function.
+WhyNot needs_document(const Editor& editor);
+WhyNot needs_object(const Editor& editor);
+WhyNot needs_polyhedron(const Editor& editor);
+/// The active polyhedron with something selected of the kinds asked for.
+struct NeededElements {
+  bool vertices = false, edges = false, faces = false;
+};
+WhyNot needs_elements(const Editor& editor, NeededElements kinds);
+
+// Each in a file of its own. The host must outlive the table.
+void add_file_commands(CommandHost& host);
+void add_edit_commands(CommandHost& host);
+void add_select_commands(CommandHost& host);
+void add_shape_commands(CommandHost& host);
+void add_view_commands(CommandHost& host);
+
+}  // namespace hariko

@@ -1,0 +1,46 @@
+// The menu bar: the command table by menus, and the name of the document.
+
+#include <algorithm>
+
+#include "ui/icons.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace hariko {
+
+float draw_menu_bar(PanelContext& context) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(context.metrics.px(10), context.metrics.px(6)));
+  const bool open = ImGui::BeginMainMenuBar();
+  ImGui::PopStyleVar();
+  if (!open) return 0;
+  for (const std::string& menu : context.commands.menus()) {
+    const bool shown = ImGui::BeginMenu(menu.c_str());
+    context.marks.item("menu." + menu);
+    if (!shown) continue;
+    for (const Command& command : context.commands.all()) {
+      if (command.menu != menu) continue;
+      if (command.separator_before) ImGui::Separator();
+      const auto reason = command.why_not ? command.why_not() : std::nullopt;
+      const std::string keys = command.keys.substr(0, command.keys.find(" / "));
+      if (ImGui::MenuItem(command.label.c_str(), keys.c_str(), command.checked && command.checked(), !reason))
+        command.run();
+      context.marks.item("command." + command.id);
+      if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", reason ? reason->c_str() : command.help.c_str());
+    }
+    ImGui::EndMenu();
+  }
+  const Editor& editor = context.editor;
+  if (editor.has_document) {
+    std::string title = editor.title();
+    if (editor.history.dirty()) title += "  \u2022  edited";
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - context.metrics.px(28));
+    const TextColour colour(palette().dim_text);
+    ImGui::TextUnformatted(title.c_str());
+  }
+  const float height = ImGui::GetWindowHeight();
+  ImGui::EndMainMenuBar();
+  return height;
+}
+
+}  // namespace hariko

@@ -1,0 +1,59 @@
+#include "ui/panels/panels.hpp"
+
+#include "ui/icons.hpp"
+
+namespace hariko {
+
+void PanelContext::run(std::string_view id) {
+  const auto outcome = commands.run(id);
+  if (!outcome.ran) editor.notify(Notice::Kind::info, outcome.reason);
+}
+
+bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVec2 padding,
+                 ImGuiWindowFlags extra) {
+  ImGui::SetNextWindowPos(rect.min);
+  ImGui::SetNextWindowSize({rect.width(), rect.height()});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
+  const bool open =
+      ImGui::Begin(name, nullptr,
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar |
+                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                       ImGuiWindowFlags_NoSavedSettings | extra);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  return open;
+}
+
+void heading(const PanelContext& context, const char* text) {
+  ImGui::Dummy({0, context.metrics.px(2)});
+  const TextColour colour(palette().dim_text);
+  ImGui::TextUnformatted(text);
+}
+
+bool icon_button(const PanelContext& context, const char* icon, const char* id, const char* tooltip, bool on,
+                 float size) {
+  const ImVec2 box(context.metrics.px(size), context.metrics.px(size));
+  ImGui::PushID(id);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton("button", box);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 end(at.x + box.x, at.y + box.y);
+  if (on || hovered)
+    draw.AddRectFilled(at, end,
+                       on ? (palette().accent & 0x00ffffff) | (0x40u << IM_COL32_A_SHIFT) : palette().field,
+                       context.metrics.px(4));
+  const ImVec2 text = ImGui::CalcTextSize(icon);
+  draw.AddText({at.x + (box.x - text.x) / 2, at.y + (box.y - text.y) / 2},
+               on        ? palette().accent
+               : hovered ? palette().text
+                         : palette().dim_text,
+               icon);
+  if (hovered && *tooltip) ImGui::SetTooltip("%s", tooltip);
+  ImGui::PopID();
+  return pressed;
+}
+
+}  // namespace hariko

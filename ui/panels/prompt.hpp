@@ -1,0 +1,39 @@
+#pragma once
+
+// Prompt: a question in the middle of the window with a few answers. For what cannot be undone only.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/panels/panels.hpp"
+
+namespace hariko {
+
+class Prompt {
+ public:
+  struct Answer {
+    std::string label;  ///< already translated
+    std::string mark;   ///< "prompt.<mark>"
+    std::function<void()> action = {};
+  };
+  struct Request {
+    std::string title, text;             ///< already translated
+    std::vector<Answer> answers;         ///< the first is the default (Enter); Esc does nothing but close
+    std::function<void()> picture = {};  ///< draws something between text and buttons
+  };
+
+  /// Shows a question; one that is open waits behind it.
+  void ask(Request request) { requests_.push_back(std::move(request)); }
+  bool is_open() const { return !requests_.empty(); }
+  /// Closes the question without an answer.
+  void dismiss() {
+    if (is_open()) requests_.pop_back();
+  }
+  void draw(PanelContext& context);
+
+ private:
+  std::vector<Request> requests_;
+};
+
+}  // namespace hariko

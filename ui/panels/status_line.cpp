@@ -1,0 +1,50 @@
+// The status line: the tool and its keys, counts, the state of the surface.
+
+#include <algorithm>
+
+#include "ui/icons.hpp"
+#include "ui/panels/panels.hpp"
+
+namespace hariko {
+
+void draw_status_line(PanelContext& context, const PanelRect& rect) {
+  const Editor& editor = context.editor;
+  const Metrics& m = context.metrics;
+  if (begin_panel("Status", rect, palette().window, {m.px(12), m.px(5)}, ImGuiWindowFlags_NoScrollbar)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
+    ImGui::TextUnformatted(context.tool_hint.c_str());
+    std::string right;
+    ImU32 colour = palette().dim_text;
+    if (const Object* object = editor.active_object(); object && editor.has_document) {
+      if (const PolyhedronSource* source = object->polyhedron()) {
+        const Polyhedron& p = source->polyhedron;
+        right = std::to_string(p.vertex_count()) + " vertices  " + std::to_string(p.edge_count()) +
+                " edges  " + std::to_string(p.face_count()) + " faces";
+      }
+      const SurfaceView* view = editor.view_of(object->id);
+      if (view && view->error) {
+        right = view->error->text;
+        colour = palette().error;
+      } else if (view) {
+        right += "   \u00b7   " + format_number(view->milliseconds, 3) + " ms";
+        if (view->largest_normal_jump)
+          right += *view->largest_normal_jump < 1e-9
+                       ? std::string("   \u00b7   tangent-continuous")
+                       : "   \u00b7   largest kink " +
+                             format_number(*view->largest_normal_jump * 57.29577951, 3) + "\u00b0";
+      }
+      if (!editor.stale_since.empty()) right = "computing\u2026   " + right;
+    }
+    if (!editor.job.empty()) right = editor.job + "\u2026   " + right;
+    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    const float left_end = ImGui::GetItemRectMax().x - rect.min.x + m.px(16);
+    ImGui::SameLine(std::max(left_end, rect.width() - width - m.px(12)));
+    const TextColour text(colour);
+    ImGui::TextUnformatted(right.c_str());
+    context.marks.item("status.right");
+    ImGui::PopStyleColor();
+  }
+  ImGui::End();
+}
+
+}  // namespace hariko
