@@ -39,7 +39,10 @@ void Workbench::frame() {
                        samples_,
                        [this](const std::filesystem::path& path) { open_guarded(path); },
                        viewport_.hint(),
-                       editor_.language};
+                       editor_.language,
+                       offers_,
+                       actions_.recover,
+                       actions_.discard_recovery};
   layout(context);
   dialog_.draw(context);
   prompt_.draw(context);

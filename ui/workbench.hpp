@@ -20,6 +20,8 @@ struct FileActions {
   /// Saves the committed document; `then` runs after success.
   std::function<void(const std::filesystem::path&, std::function<void()> then)> save;
   std::function<void(const std::filesystem::path&, int density)> export_file;
+  /// Opens work that an earlier session left behind, or throws it away.
+  std::function<void(const std::string&id)> recover, discard_recovery;
   std::function<void()> quit;  ///< at once
 };
 
@@ -39,6 +41,7 @@ class Workbench {
   const Viewport& viewport() const { return viewport_; }
   const Marks& marks() const { return marks_; }
   std::vector<Sample>& samples() { return samples_; }
+  Offers& offers() { return offers_; }
 
   /// Asks something that cannot be undone.
   void ask(Prompt::Request request) { prompt_.ask(std::move(request)); }
@@ -70,6 +73,7 @@ class Workbench {
   Marks marks_;
   PanelState panel_state_;
   std::vector<Sample> samples_;
+  Offers offers_;
   FileDialog dialog_;
   Prompt prompt_;
   int export_density_ = 16;

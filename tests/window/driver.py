@@ -23,13 +23,17 @@ def check(condition, text):
 
 
 class Window:
-    def __init__(self, program, *files, size=(1280, 800)):
+    """`home` is the folder of settings, state and cache; without one each window has its own. Give the same to
+    several windows to restart a session or to run two side by side."""
+
+    def __init__(self, program, *files, size=(1280, 800), home=None):
         self.folder = tempfile.mkdtemp(prefix="hariko-window-")
         self.log_path = os.path.join(self.folder, "log.jsonl")
         self.display_server = self.program = None
         self.events = []
         self._log = None
         self._rest = ""
+        self.home = home or os.path.join(self.folder, "home")
         try:
             self._start(program, files, size)
         except BaseException:
@@ -45,7 +49,9 @@ class Window:
         with os.fdopen(read_end) as pipe:
             number = pipe.readline().strip()
         check(number, "Xvfb did not start")
-        self.environment = dict(os.environ, DISPLAY=":" + number)
+        self.environment = dict(os.environ, DISPLAY=":" + number, XDG_CONFIG_HOME=os.path.join(self.home, "config"),
+                                XDG_STATE_HOME=os.path.join(self.home, "state"),
+                                XDG_CACHE_HOME=os.path.join(self.home, "cache"))
         self.errors = open(os.path.join(self.folder, "stderr.txt"), "w+")
         self.program = subprocess.Popen(
             [program, "--test-log", self.log_path, "--width", str(size[0]), "--height", str(size[1]), *files],

@@ -9,6 +9,7 @@
 #include "ui/command_table.hpp"
 #include "ui/editor.hpp"
 #include "ui/marks.hpp"
+#include "ui/panels/offers.hpp"
 #include "ui/theme.hpp"
 
 namespace hariko {
@@ -38,6 +39,9 @@ struct PanelContext {
   std::function<void(const std::filesystem::path&)> open;
   std::string tool_hint;
   const Language& tr;
+  const Offers& offers;
+  /// Both by the id of a RecoveryOffer.
+  std::function<void(const std::string&id)> recover, discard_recovery;
 
   /// Runs a command; when it cannot run, its reason becomes a notice.
   void run(std::string_view id);

@@ -1,0 +1,39 @@
+#pragma once
+
+// Offers: what the start page proposes from earlier sessions: work to recover, and files to open again.
+// Values that the application fills.
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hariko {
+
+/// Work that a session left behind when it ended without saving.
+struct RecoveryOffer {
+  std::string id;               ///< for PanelContext::recover and discard_recovery
+  std::filesystem::path path;   ///< the file it was opened from; empty when it was never saved
+  std::int64_t written_at = 0;  ///< seconds since 1970, UTC
+  std::size_t objects = 0;
+  bool file_changed = false;      ///< the file was saved or changed after the copy was made
+  bool damaged = false;           ///< nothing of it can be read: it can only be discarded
+  ImTextureID picture = nullptr;  ///< null when there is none (yet)
+  float aspect = 4.0F / 3;        ///< of the picture
+};
+
+struct RecentFile {
+  std::filesystem::path path;
+  std::int64_t used_at = 0;       ///< seconds since 1970, UTC; opened or saved
+  ImTextureID picture = nullptr;  ///< null when there is none (yet)
+  float aspect = 4.0F / 3;
+};
+
+struct Offers {
+  std::vector<RecoveryOffer> recoveries;  ///< latest first
+  std::vector<RecentFile> recent;         ///< latest first; files that are gone are left out
+};
+
+}  // namespace hariko
