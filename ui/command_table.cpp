@@ -110,6 +110,7 @@ CommandTable::Outcome CommandTable::run(std::string_view id) const {
 CommandTable::Outcome CommandTable::run(const Command& command) const {
   if (command.why_not)
     if (auto reason = command.why_not()) return {false, std::move(*reason)};
+  if (before_run_) before_run_(command);
   command.run();
   return {true, {}};
 }

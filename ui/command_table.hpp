@@ -53,6 +53,8 @@ class CommandTable {
     bool ran = false;
     std::string reason;  ///< why not
   };
+  /// Is called before any command runs, from wherever it was chosen.
+  void before_run(std::function<void(const Command&)> hook) { before_run_ = std::move(hook); }
   /// Runs a command, or says why not. The id must exist.
   Outcome run(std::string_view id) const;
   Outcome run(const Command& command) const;
@@ -60,6 +62,7 @@ class CommandTable {
  private:
   std::vector<Command> commands_;
   std::vector<std::pair<KeyChord, std::size_t>> chords_;
+  std::function<void(const Command&)> before_run_;
 };
 
 }  // namespace hariko

@@ -27,6 +27,12 @@ void Workbench::add_commands() {
   add_select_commands(host_);
   add_shape_commands(host_);
   add_view_commands(host_);
+  // A tool works on the document that it found: whatever changes it ends the tool first.
+  commands_.before_run([this](const Command& command) {
+    if (!command.changes_document) return;
+    viewport_.cancel_tool();
+    if (editor_.history.in_gesture()) editor_.cancel_preview();
+  });
 }
 
 void Workbench::frame() {

@@ -22,7 +22,7 @@ float draw_menu_bar(PanelContext& context) {
       const auto reason = command.why_not ? command.why_not() : std::nullopt;
       const std::string keys = command.keys.substr(0, command.keys.find(" / "));
       if (ImGui::MenuItem(command.label.c_str(), keys.c_str(), command.checked && command.checked(), !reason))
-        command.run();
+        context.commands.run(command);
       context.marks.item("command." + command.id);
       if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", reason ? reason->c_str() : command.help.c_str());

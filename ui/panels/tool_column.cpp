@@ -18,7 +18,7 @@ void command_button(PanelContext& context, const char* id) {
   if (reason) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F);
   if (icon_button(context, command.icon, id, tooltip.c_str(), command.checked && command.checked(), 36) &&
       !reason)
-    command.run();
+    context.commands.run(command);
   if (reason) ImGui::PopStyleVar();
   context.marks.item(std::string("button.") + id);
 }

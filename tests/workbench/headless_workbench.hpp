@@ -1,0 +1,106 @@
+#pragma once
+
+// HeadlessWorkbench: the interface of one window without a window. Pointer and keys are given by the test,
+// pictures are drawn off the screen, surfaces are computed by the real engine.
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <memory>
+#include <optional>
+
+#include "app/rebuild_engine.hpp"
+#include "app/surface_builder.hpp"
+#include "render/offscreen.hpp"
+#include "ui/workbench.hpp"
+
+namespace hariko::test {
+
+class HeadlessWorkbench {
+ public:
+  /// Asserts that OpenGL is there: where the tests run it must be.
+  explicit HeadlessWorkbench(Document document, ImVec2 size = {800, 560})
+      : context_(OffscreenContext::create().value()), renderer_(Renderer::create().value()) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = size;
+    metrics_.scale = 1;
+    apply_theme(1);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    FileActions actions;
+    actions.open = [](const auto&) {};
+    actions.import_file = [](const auto&) {};
+    actions.save = [](const auto&, auto) {};
+    actions.export_file = [](const auto&, int) {};
+    actions.quit = [] {};
+    editor_.views = &engine_.views();
+    editor_.open(std::move(document), {});
+    workbench_ = std::make_unique<Workbench>(editor_, renderer_, 1, metrics_, actions);
+    frame();
+    frame();
+  }
+  ~HeadlessWorkbench() {
+    engine_.wait();
+    workbench_.reset();
+    ImGui::DestroyContext();
+  }
+  HeadlessWorkbench(const HeadlessWorkbench&) = delete;
+  HeadlessWorkbench& operator=(const HeadlessWorkbench&) = delete;
+
+  Editor& editor() { return editor_; }
+  Workbench& workbench() { return *workbench_; }
+
+  void frame() {
+    editor_.now += 0.05;
+    engine_.publish();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = 0.05F;
+    ImGui::NewFrame();
+    workbench_->frame();
+    ImGui::Render();
+    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now);
+  }
+
+  void key(const KeyChord& chord) {
+    workbench_->key(chord);
+    frame();
+  }
+  void key(std::string_view chord) { key(KeyChord::parse(chord).value()); }
+
+  void move(double x, double y) {
+    ImGui::GetIO().MousePos = {static_cast<float>(x), static_cast<float>(y)};
+    frame();
+  }
+  void press(int button = 0) {
+    ImGui::GetIO().MouseDown[button] = true;
+    frame();
+  }
+  void release(int button = 0) {
+    ImGui::GetIO().MouseDown[button] = false;
+    frame();
+  }
+  void wheel(double steps) {
+    ImGui::GetIO().MouseWheel = static_cast<float>(steps);
+    frame();
+    ImGui::GetIO().MouseWheel = 0;
+  }
+  void hold(bool shift, bool control, bool alt) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyShift = shift;
+    io.KeyCtrl = control;
+    io.KeyAlt = alt;
+  }
+
+ private:
+  OffscreenContext context_;
+  Renderer renderer_;
+  Metrics metrics_;
+  Editor editor_;
+  RebuildEngine engine_{[] { return std::make_unique<SurfaceBuilder>(); }, [] {}};
+  std::unique_ptr<Workbench> workbench_;
+};
+
+}  // namespace hariko::test
