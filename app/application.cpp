@@ -86,7 +86,7 @@ class Application {
   }
 
   void take_input() {
-    for (const KeyChord& chord : window_.take_keys()) workbench_.key(chord);
+    for (const KeyPress& press : window_.take_keys()) workbench_.key(press);
     for (const auto& path : window_.take_drops()) {
       if (path.extension() == ".hariko" || !editor_.has_document)
         workbench_.open_guarded(path);

@@ -17,7 +17,7 @@ struct GlWindow::State {
   Metrics metrics;
   const char* missing_fonts = nullptr;
   std::string title;
-  std::vector<KeyChord> keys;
+  std::vector<KeyPress> keys;
   std::vector<std::filesystem::path> drops;
   bool close = false, input = false;
 
@@ -55,10 +55,15 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
     chord.control = (mods & GLFW_MOD_CONTROL) != 0;
     chord.shift = (mods & GLFW_MOD_SHIFT) != 0;
     chord.alt = (mods & GLFW_MOD_ALT) != 0;
-    static_cast<State*>(glfwGetWindowUserPointer(w))->keys.push_back(chord);
+    static_cast<State*>(glfwGetWindowUserPointer(w))->keys.push_back({chord});
   });
   // ImGui's backend chains to these, so they must be set before it is initialised.
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { noted(w); });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+    noted(w);
+    // GLFW reports the character of a key right after the key.
+    auto& keys = static_cast<State*>(glfwGetWindowUserPointer(w))->keys;
+    if (!keys.empty() && keys.back().text == 0) keys.back().text = character;
+  });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { noted(w); });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { noted(w); });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { noted(w); });
@@ -152,7 +157,7 @@ void GlWindow::end_frame() {
   glfwSwapBuffers(state_->window);
 }
 
-std::vector<KeyChord> GlWindow::take_keys() {
+std::vector<KeyPress> GlWindow::take_keys() {
   return std::exchange(state_->keys, {});
 }
 std::vector<std::filesystem::path> GlWindow::take_drops() {

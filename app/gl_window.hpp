@@ -37,7 +37,7 @@ class GlWindow {
   void begin_frame();
   void end_frame();
 
-  std::vector<KeyChord> take_keys();
+  std::vector<KeyPress> take_keys();
   std::vector<std::filesystem::path> take_drops();
   /// The user wants to close the window; asked once.
   bool take_close();

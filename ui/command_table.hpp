@@ -22,6 +22,12 @@ struct KeyChord {
   friend bool operator==(const KeyChord&, const KeyChord&) = default;
 };
 
+/// A key going down, and the character it types (0 for none): layouts differ in where digits and signs are.
+struct KeyPress {
+  KeyChord chord;
+  char32_t text = 0;
+};
+
 struct Command {
   std::string id;     ///< "file.open": stable, for tests and key files
   std::string menu;   ///< the menu it stands in: "File"; empty for none

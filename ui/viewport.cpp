@@ -15,6 +15,10 @@ bool same(const Camera& a, const Camera& b) {
 constexpr std::array buttons{PointerButton::left, PointerButton::right,
                              PointerButton::middle};  // as ImGui counts
 
+std::size_t button_index(PointerButton button) {
+  return static_cast<std::size_t>(std::find(buttons.begin(), buttons.end(), button) - buttons.begin());
+}
+
 }  // namespace
 
 void Viewport::draw(PanelContext& context, const PanelRect& rect) {
@@ -53,44 +57,78 @@ void Viewport::handle_pointer(bool hovered) {
   event.shift = io.KeyShift;
   event.control = io.KeyCtrl;
   event.alt = io.KeyAlt;
-  if (tool_ && modal_) {
-    if (pixel != pointer_) {
-      event.kind = PointerEvent::Kind::move;
-      feed(event);
-    }
-    if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-      cancel_tool();
-    } else if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-      event.kind = PointerEvent::Kind::press;
-      feed(event);
-    }
-  } else if (tool_) {
-    const auto index = std::find(buttons.begin(), buttons.end(), press_.button) - buttons.begin();
-    event.button = press_.button;
-    if (pixel != pointer_) {
-      event.kind = PointerEvent::Kind::move;
-      feed(event);
-    }
-    if (tool_ && !io.MouseDown[index]) {
-      event.kind = PointerEvent::Kind::release;
-      feed(event);
-    }
-  } else if (hovered) {
-    for (std::size_t i = 0; i < buttons.size() && !tool_; ++i) {
-      if (!ImGui::IsMouseClicked(static_cast<int>(i))) continue;
-      event.kind = PointerEvent::Kind::press;
-      event.button = buttons[i];
-      start(tool_for(event), event);
-    }
-    if (io.MouseWheel != 0) zoom_at(editor_, static_cast<double>(io.MouseWheel), pixel);
+  if (tool_ && tool_->modal())
+    drive_modal(event, hovered);
+  else if (tool_)
+    drive_held(event);
+  else if (hovered)
+    look_for_press(event);
+  if (hovered && io.MouseWheel != 0) {
+    ToolContext context{editor_, scene_};
+    const double steps = static_cast<double>(io.MouseWheel);
+    if (!tool_ || !tool_->wheel(context, steps, event)) zoom_at(editor_, steps, pixel);
   }
   if (!tool_) hover(pixel, hovered);
   pointer_ = pixel;
 }
 
+void Viewport::look_for_press(PointerEvent event) {
+  event.kind = PointerEvent::Kind::press;
+  for (std::size_t i = 0; i < buttons.size() && !tool_; ++i) {
+    event.clicks = ImGui::GetMouseClickedCount(static_cast<int>(i));
+    if (event.clicks == 0) continue;
+    event.button = buttons[i];
+    start(tool_for(event), event);
+  }
+}
+
+void Viewport::drive_held(PointerEvent event) {
+  event.button = press_.button;
+  if (event.pixel != pointer_) {
+    event.kind = PointerEvent::Kind::move;
+    feed(event);
+  }
+  if (tool_ && !tool_->modal() && !ImGui::GetIO().MouseDown[button_index(press_.button)]) {
+    event.kind = PointerEvent::Kind::release;
+    feed(event);
+  }
+}
+
+void Viewport::drive_modal(PointerEvent event, bool hovered) {
+  if (navigation_) return drive_navigation(event);
+  if (event.pixel != pointer_) {
+    event.kind = PointerEvent::Kind::move;
+    feed(event);
+  }
+  if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    cancel_tool();
+  } else if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
+    event.kind = PointerEvent::Kind::press;
+    event.button = PointerButton::middle;
+    navigation_press_ = event;
+    navigation_ = tool_for(event);
+    ToolContext context{editor_, scene_};
+    navigation_->begin(context, event);
+  } else if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+    event.kind = PointerEvent::Kind::press;
+    event.clicks = ImGui::GetMouseClickedCount(ImGuiMouseButton_Left);
+    feed(event);
+  } else if (tool_ && ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+    event.kind = PointerEvent::Kind::release;
+    feed(event);
+  }
+}
+
+void Viewport::drive_navigation(PointerEvent event) {
+  const bool down = ImGui::GetIO().MouseDown[button_index(navigation_press_.button)];
+  event.kind = down ? PointerEvent::Kind::move : PointerEvent::Kind::release;
+  event.button = navigation_press_.button;
+  ToolContext context{editor_, scene_};
+  if (navigation_->update(context, event) != ToolState::stay) navigation_.reset();
+}
+
 void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   tool_ = std::move(tool);
-  modal_ = false;
   press_ = press;
   editor_.hovered.reset();
   ToolContext context{editor_, scene_};
@@ -104,6 +142,7 @@ void Viewport::feed(const PointerEvent& event) {
 
 void Viewport::finish(ToolState state, const PointerEvent& last) {
   if (state == ToolState::stay) return;
+  navigation_.reset();
   const std::unique_ptr<Tool> done = std::move(tool_);
   auto next = state == ToolState::commit ? done->successor() : nullptr;
   if (!next) return;
@@ -116,13 +155,12 @@ void Viewport::start_modal(std::unique_ptr<Tool> tool) {
   PointerEvent at;
   at.pixel = pointer_;
   start(std::move(tool), at);
-  modal_ = true;
 }
 
-bool Viewport::tool_key(const KeyChord& chord) {
+bool Viewport::tool_key(const KeyPress& press) {
   if (!tool_) return false;
   ToolContext context{editor_, scene_};
-  const auto state = tool_->key(context, chord);
+  const auto state = tool_->key(context, press);
   if (!state) return false;
   PointerEvent at;
   at.pixel = pointer_;
@@ -133,6 +171,7 @@ bool Viewport::tool_key(const KeyChord& chord) {
 bool Viewport::cancel_tool() {
   if (!tool_) return false;
   ToolContext context{editor_, scene_};
+  navigation_.reset();
   tool_->cancel(context);
   tool_.reset();
   return true;
@@ -175,7 +214,7 @@ double Viewport::next_frame_in() const {
 }
 
 std::string Viewport::hint() const {
-  if (tool_) return tool_->hint();
+  if (tool_) return tool_->hint(editor_.language);
   if (editor_.hovered) return "Click selects   Shift adds   Ctrl removes   drag moves";
   return describe(editor_.selection.of_active()) + "   |   middle drag orbits   Shift pans   wheel zooms";
 }

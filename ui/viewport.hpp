@@ -22,10 +22,10 @@ class Viewport {
   void draw(PanelContext& context, const PanelRect& rect);
 
   bool tool_active() const { return tool_ != nullptr; }
-  /// Starts a modal tool: it follows the pointer until it commits or is cancelled. Cancels a running one.
+  /// Starts a tool from a command (see Tool::modal). Cancels a running one.
   void start_modal(std::unique_ptr<Tool> tool);
   /// Gives a key to the running tool. True when the tool took it.
-  bool tool_key(const KeyChord& chord);
+  bool tool_key(const KeyPress& press);
   /// Ends the active tool as if it had never begun. False when there is none.
   bool cancel_tool();
   std::string hint() const;
@@ -38,6 +38,10 @@ class Viewport {
 
  private:
   void handle_pointer(bool hovered);
+  void drive_modal(PointerEvent event, bool hovered);
+  void drive_held(PointerEvent event);
+  void drive_navigation(PointerEvent event);
+  void look_for_press(PointerEvent event);
   void feed(const PointerEvent& event);
   void finish(ToolState state, const PointerEvent& last);
   void start(std::unique_ptr<Tool> tool, const PointerEvent& press);
@@ -49,8 +53,9 @@ class Viewport {
   int quick_samples_;
   SceneBuilder scene_;
   std::unique_ptr<Tool> tool_;
-  bool modal_ = false;
   PointerEvent press_;
+  std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
+  PointerEvent navigation_press_;
   Vector2 pointer_ = Vector2::Constant(-1);
   PanelRect rect_{};
 

@@ -92,15 +92,17 @@ void Workbench::drag_border(const PanelRect& border) {
   ImGui::End();
 }
 
-void Workbench::key(const KeyChord& chord) {
+void Workbench::key(const KeyPress& press) {
+  const KeyChord& chord = press.chord;
   if (chord.key == GLFW_KEY_ESCAPE) return escape();
   // While a field takes text or a dialog is open the keys are theirs.
   if (ImGui::GetIO().WantTextInput || dialog_.is_open() || prompt_.is_open()) return;
   // A running tool takes its own keys first: axes, numbers, Enter.
-  if (viewport_.tool_key(chord)) return;
+  if (viewport_.tool_key(press)) return;
   const Command* command = commands_.find(chord);
   if (!command) return;
-  // In the middle of a drag nothing else may change the document.
+  // In the middle of a drag or a modal tool the view may change, and nothing else.
+  if (viewport_.tool_active() && command->menu != "View") return;
   if (editor_.history.in_gesture() && command->changes_document) return;
   const auto outcome = commands_.run(*command);
   if (!outcome.ran) editor_.notify(Notice::Kind::info, outcome.reason);

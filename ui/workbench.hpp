@@ -35,7 +35,7 @@ class Workbench {
   /// Draws everything, within an ImGui frame.
   void frame();
   /// A key that was pressed. Fields that take text keep theirs.
-  void key(const KeyChord& chord);
+  void key(const KeyPress& press);
 
   const CommandTable& commands() const { return commands_; }
   const Viewport& viewport() const { return viewport_; }

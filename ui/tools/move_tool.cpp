@@ -47,7 +47,7 @@ class MoveTool final : public Tool {
 
   void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
 
-  std::string hint() const override {
+  std::string hint(const Language&) const override {
     return "Move by " + format_number(world_.x(), 3) + "  " + format_number(world_.y(), 3) + "  " +
            format_number(world_.z(), 3) + "   Esc cancels";
   }

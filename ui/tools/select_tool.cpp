@@ -31,7 +31,7 @@ class SelectTool final : public Tool {
   }
 
   void cancel(ToolContext& context) override { context.editor.selection = before_; }
-  std::string hint() const override { return "Release to select, drag to move"; }
+  std::string hint(const Language& tr) const override { return tr("Release to select, drag to move"); }
   std::unique_ptr<Tool> successor() override { return drags_ ? make_move_tool() : nullptr; }
 
  private:

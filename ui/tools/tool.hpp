@@ -24,6 +24,7 @@ struct PointerEvent {
   PointerButton button = PointerButton::left;
   Vector2 pixel = Vector2::Zero();  ///< framebuffer pixels from the viewport's upper left corner
   bool shift = false, control = false, alt = false;
+  int clicks = 1;  ///< of a press: 2 for the second of a double click
 };
 
 /// What a tool may look at and change.
@@ -43,23 +44,27 @@ struct ToolOverlay {
   const Metrics& metrics;
 };
 
-/// A tool is held (from a press to the release of the same button) or modal (started by a command: moves come
-/// without a button, a left press confirms by being passed on, a right press cancels).
+/// A tool is held (from a press to the release of the same button) or modal (moves come without a button,
+/// left presses and releases are passed on, a right press cancels; the view can be turned and zoomed
+/// meanwhile).
 class Tool {
  public:
   virtual ~Tool() = default;
+  virtual bool modal() const { return false; }
   /// The press that chose the tool; for modal tools a move to where the pointer is.
   virtual void begin(ToolContext& context, const PointerEvent& press) = 0;
   /// Moves, presses and the release. `commit` and `cancel` end the tool; it has done its work then.
   virtual ToolState update(ToolContext& context, const PointerEvent& event) = 0;
   /// A key while the tool runs; nothing when it is none of the tool's. Esc never comes here: it cancels.
-  virtual std::optional<ToolState> key(ToolContext&, const KeyChord&) { return {}; }
+  virtual std::optional<ToolState> key(ToolContext&, const KeyPress&) { return {}; }
+  /// The wheel over the viewport; false when it is to zoom.
+  virtual bool wheel(ToolContext&, double /*steps*/, const PointerEvent&) { return false; }
   /// Draws over the picture: the value that is dragged, a rectangle, a gizmo.
   virtual void draw(const ToolContext&, const ToolOverlay&) const {}
   /// Esc, or the window lost the pointer: everything is as it was before `begin`.
   virtual void cancel(ToolContext& context) = 0;
-  /// For the status line.
-  virtual std::string hint() const = 0;
+  /// For the status line: the value and the tool's keys.
+  virtual std::string hint(const Language& tr) const = 0;
   /// The tool that takes over at once after `commit`; it gets the same press and then the present move.
   virtual std::unique_ptr<Tool> successor() { return nullptr; }
 };

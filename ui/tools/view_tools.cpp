@@ -30,7 +30,7 @@ class ViewTool : public Tool {
 
 class OrbitTool final : public ViewTool {
  public:
-  std::string hint() const override { return "Orbit   Esc goes back"; }
+  std::string hint(const Language& tr) const override { return tr("Orbit   Esc goes back"); }
 
  private:
   Camera moved(const Editor& editor, const Vector2& by) const override {
@@ -40,7 +40,7 @@ class OrbitTool final : public ViewTool {
 
 class PanTool final : public ViewTool {
  public:
-  std::string hint() const override { return "Pan   Esc goes back"; }
+  std::string hint(const Language& tr) const override { return tr("Pan   Esc goes back"); }
 
  private:
   Camera moved(const Editor& editor, const Vector2& by) const override {
