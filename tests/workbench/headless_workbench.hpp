@@ -65,7 +65,8 @@ class HeadlessWorkbench {
   }
 
   void key(const KeyChord& chord) {
-    workbench_->key(chord);
+    const bool plain = !chord.control && !chord.alt && chord.key < 128;
+    workbench_->key({chord, plain ? static_cast<char32_t>(chord.key) : char32_t(0)});
     frame();
   }
   void key(std::string_view chord) { key(KeyChord::parse(chord).value()); }
