@@ -9,6 +9,7 @@
 #include "app/files/export_surfaces.hpp"
 #include "app/files/open_file.hpp"
 #include "app/gl_window.hpp"
+#include "app/interface_text.hpp"
 #include "app/rebuild_engine.hpp"
 #include "app/samples.hpp"
 #include "app/surface_builder.hpp"
@@ -36,7 +37,8 @@ class Application {
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()) {
     editor_.views = &engine_.views();
     workbench_.samples() = find_samples(assets_folder());
-    if (const char* missing = window_.missing_fonts()) editor_.notify(Notice::Kind::warning, missing);
+    if (const char* missing = window_.missing_fonts())
+      editor_.notify(Notice::Kind::warning, editor_.language(missing));
     for (const auto& file : options.files) file == options.files.front() ? open(file) : import_file(file);
     if (options.files.empty()) picture_samples();
   }
@@ -101,6 +103,7 @@ class Application {
     editor_.stale_since.clear();
     for (const auto& [id, view] : engine_.views())
       if (engine_.pending(id)) editor_.stale_since[id] = engine_.pending_since(id);
+    text_.update(editor_, window_);
     window_.begin_frame();
     workbench_.frame();
     window_.end_frame();
@@ -148,7 +151,8 @@ class Application {
 
   void open(const std::filesystem::path& path) {
     in_background(
-        "Opening " + path.filename().string(), [path](const CancelToken&) { return open_file(path); },
+        fill(translatable("Opening {0}"), {path.filename().string()}),
+        [path](const CancelToken&) { return open_file(path); },
         [this, path](const OpenedFile& opened) {
           if (!opened.document) return explain(path, opened);
           editor_.notices().clear();
@@ -161,13 +165,14 @@ class Application {
 
   void import_file(const std::filesystem::path& path) {
     in_background(
-        "Importing " + path.filename().string(), [path](const CancelToken&) { return open_file(path); },
+        fill(translatable("Importing {0}"), {path.filename().string()}),
+        [path](const CancelToken&) { return open_file(path); },
         [this, path](const OpenedFile& opened) {
           if (!opened.document) return explain(path, opened);
           if (!editor_.has_document) editor_.open({}, {});
           if (editor_.history.in_gesture()) editor_.cancel_preview();
           if (!editor_.commit(append_document(editor_.history.current(), *opened.document),
-                              "Import " + path.filename().string()))
+                              fill(translatable("Import {0}"), {path.filename().string()})))
             return;
           editor_.selection.clear_elements();
           editor_.selection.active = editor_.document().objects.back()->id;
@@ -181,7 +186,7 @@ class Application {
     // The committed value is saved, not what a drag shows; it may change on while this one is written.
     const std::uint64_t serial = editor_.history.serial();
     in_background(
-        "Saving " + path.filename().string(),
+        fill(translatable("Saving {0}"), {path.filename().string()}),
         [path, document = editor_.history.current()](const CancelToken&) {
           return save_document(document, path);
         },
@@ -189,7 +194,8 @@ class Application {
           if (!saved.ok()) return editor_.notify(saved.error());
           editor_.path = path;
           editor_.history.mark_saved(serial);
-          editor_.notify(Notice::Kind::info, "Saved " + path.filename().string() + ".");
+          editor_.notify(Notice::Kind::info,
+                         fill(editor_.language("Saved {0}."), {path.filename().string()}));
           log_.file("saved", path);
           if (then) then();
         });
@@ -197,13 +203,14 @@ class Application {
 
   void export_file(const std::filesystem::path& path, int density) {
     in_background(
-        "Exporting " + path.filename().string(),
+        fill(translatable("Exporting {0}"), {path.filename().string()}),
         [path, density, document = editor_.history.current()](const CancelToken& cancel) {
           return export_surfaces(document, path, density, cancel);
         },
         [this, path](const Result<Done>& exported) {
           if (!exported.ok()) return editor_.notify(exported.error());
-          editor_.notify(Notice::Kind::info, "Exported " + path.filename().string() + ".");
+          editor_.notify(Notice::Kind::info,
+                         fill(editor_.language("Exported {0}."), {path.filename().string()}));
           log_.file("exported", path);
         });
   }
@@ -225,6 +232,7 @@ class Application {
   GlWindow& window_;
   Renderer renderer_;
   TestLog log_;
+  InterfaceText text_{assets_folder() / "languages"};
   Editor editor_;
   RebuildEngine engine_;
   WorkLane long_;

@@ -15,10 +15,12 @@ namespace hariko {
 struct GlWindow::State {
   GLFWwindow* window = nullptr;
   Metrics metrics;
+  FontRequest fonts;
   const char* missing_fonts = nullptr;
   std::string title;
   std::vector<KeyPress> keys;
   std::vector<std::filesystem::path> drops;
+  std::u32string typed;
   bool close = false, input = false;
 
   ~State() {
@@ -63,6 +65,7 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
     // GLFW reports the character of a key right after the key.
     auto& keys = static_cast<State*>(glfwGetWindowUserPointer(w))->keys;
     if (!keys.empty() && keys.back().text == 0) keys.back().text = character;
+    static_cast<State*>(glfwGetWindowUserPointer(w))->typed += static_cast<char32_t>(character);
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { noted(w); });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { noted(w); });
@@ -88,7 +91,9 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   float scale_x = 1, scale_y = 1;
   glfwGetWindowContentScale(window, &scale_x, &scale_y);
   state_->metrics.scale = std::clamp(scale_x, 1.0F, 4.0F);
-  state_->missing_fonts = apply_theme(state_->metrics.scale);
+  apply_theme(state_->metrics.scale);
+  state_->fonts.scale = state_->metrics.scale;
+  state_->missing_fonts = load_fonts(state_->fonts);
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -162,6 +167,17 @@ std::vector<KeyPress> GlWindow::take_keys() {
 }
 std::vector<std::filesystem::path> GlWindow::take_drops() {
   return std::exchange(state_->drops, {});
+}
+std::u32string GlWindow::take_typed() {
+  return std::exchange(state_->typed, {});
+}
+void GlWindow::set_fonts(FontRequest request) {
+  request.scale = state_->metrics.scale;
+  if (request == state_->fonts) return;
+  state_->fonts = std::move(request);
+  state_->missing_fonts = load_fonts(state_->fonts);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 bool GlWindow::take_close() {
   return std::exchange(state_->close, false);

@@ -9,6 +9,7 @@
 
 #include "core/base/result.hpp"
 #include "ui/command_table.hpp"
+#include "ui/fonts.hpp"
 #include "ui/theme.hpp"
 
 namespace hariko {
@@ -39,12 +40,17 @@ class GlWindow {
 
   std::vector<KeyPress> take_keys();
   std::vector<std::filesystem::path> take_drops();
+  /// Characters that were typed or came from an input method since the last call.
+  std::u32string take_typed();
   /// The user wants to close the window; asked once.
   bool take_close();
   void set_title(const std::string& title);
   const Metrics& metrics() const;
   /// Seconds of a steady clock.
   double now() const;
+  /// Makes the fonts write this from the next frame on; the window knows its own scale. Does nothing when
+  /// they do already. Not within a frame.
+  void set_fonts(FontRequest request);
   /// What of fonts is missing, as a sentence; nullptr when nothing is.
   const char* missing_fonts() const;
 

@@ -68,8 +68,8 @@ void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
 }
 
 void Editor::notify(const Message& message) {
-  notify(message.severity == Severity::error ? Notice::Kind::error : Notice::Kind::warning, message.text,
-         message.remedy);
+  notify(message.severity == Severity::error ? Notice::Kind::error : Notice::Kind::warning,
+         language.text_of(message), language.remedy_of(message));
 }
 
 bool Editor::notices_expire() const {

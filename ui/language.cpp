@@ -1,24 +1,58 @@
 #include "ui/language.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 namespace hariko {
 
-std::string fill(std::string_view pattern, std::initializer_list<std::string> arguments) {
+namespace {
+
+/// The number of a placeholder that stands at i; nothing when there is none.
+std::optional<std::size_t> placeholder_at(std::string_view text, std::size_t i) {
+  if (i + 2 >= text.size() || text[i] != '{' || text[i + 2] != '}') return {};
+  if (text[i + 1] < '0' || text[i + 1] > '9') return {};
+  return static_cast<std::size_t>(text[i + 1] - '0');
+}
+
+}  // namespace
+
+std::u32string code_points(std::string_view utf8) {
+  std::u32string out;
+  for (std::size_t i = 0; i < utf8.size();) {
+    const auto first = static_cast<unsigned char>(utf8[i++]);
+    const int more = first < 0x80 ? 0 : first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : -1;
+    char32_t point = more < 0 ? 0xfffd : more == 0 ? first : first & (0x3fU >> more);
+    for (int k = 0; k < more; ++k) {
+      if (i >= utf8.size() || (static_cast<unsigned char>(utf8[i]) & 0xc0) != 0x80) {
+        point = 0xfffd;
+        break;
+      }
+      point = (point << 6) | (static_cast<unsigned char>(utf8[i++]) & 0x3fU);
+    }
+    out += point;
+  }
+  return out;
+}
+
+std::string fill(std::string_view pattern, std::span<const std::string> arguments) {
   std::string out;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const bool placeholder = i + 2 < pattern.size() && pattern[i] == '{' && pattern[i + 2] == '}' &&
-                             pattern[i + 1] >= '0' && pattern[i + 1] <= '9';
-    const std::size_t number = placeholder ? static_cast<std::size_t>(pattern[i + 1] - '0') : 0;
-    if (!placeholder || number >= arguments.size()) {
+    const auto number = placeholder_at(pattern, i);
+    if (!number || *number >= arguments.size()) {
       out += pattern[i];
       continue;
     }
-    out += arguments.begin()[number];
+    out += arguments[*number];
     i += 2;
   }
   return out;
+}
+
+std::string fill(std::string_view pattern, std::initializer_list<std::string> arguments) {
+  return fill(pattern, std::span(arguments.begin(), arguments.size()));
 }
 
 Result<Language> Language::load(const std::filesystem::path& path) {
@@ -34,8 +68,76 @@ Result<Language> Language::load(const std::filesystem::path& path) {
   for (const auto& [english, translation] : json.items()) {
     if (!translation.is_string()) return failed("has an entry that is not a string: " + english);
     language.translations_.emplace(english, translation.get<std::string>());
+    Pattern pattern = cut(english, translation.get<std::string>());
+    if (!pattern.numbers.empty()) language.patterns_.push_back(std::move(pattern));
   }
+  const auto text_of_pattern = [](const Pattern& pattern) {
+    std::size_t length = 0;
+    for (const std::string& literal : pattern.literals) length += literal.size();
+    return length;
+  };
+  std::stable_sort(
+      language.patterns_.begin(), language.patterns_.end(),
+      [&](const Pattern& a, const Pattern& b) { return text_of_pattern(a) > text_of_pattern(b); });
   return language;
+}
+
+Language::Pattern Language::cut(const std::string& english, const std::string& translation) {
+  Pattern pattern;
+  pattern.translation = translation;
+  std::string literal;
+  for (std::size_t i = 0; i < english.size(); ++i) {
+    const auto number = placeholder_at(english, i);
+    if (!number) {
+      literal += english[i];
+      continue;
+    }
+    pattern.literals.push_back(std::exchange(literal, {}));
+    pattern.numbers.push_back(*number);
+    i += 2;
+  }
+  pattern.literals.push_back(std::move(literal));
+  return pattern;
+}
+
+std::optional<std::vector<std::string>> Language::match(const Pattern& pattern, std::string_view text) {
+  const std::string& front = pattern.literals.front();
+  const std::string& back = pattern.literals.back();
+  if (text.size() < front.size() + back.size() || !text.starts_with(front) || !text.ends_with(back))
+    return {};
+  const std::size_t end = text.size() - back.size();
+  std::vector<std::string> arguments(10);
+  std::size_t from = front.size();
+  for (std::size_t i = 0; i < pattern.numbers.size(); ++i) {
+    std::size_t to = end;
+    const bool last = i + 1 == pattern.numbers.size();
+    if (!last) {
+      to = text.find(pattern.literals[i + 1], from);
+      if (to == std::string_view::npos || to + pattern.literals[i + 1].size() > end) return {};
+    }
+    arguments[pattern.numbers[i]] = std::string(text.substr(from, to - from));
+    if (!last) from = to + pattern.literals[i + 1].size();
+  }
+  return arguments;
+}
+
+std::optional<std::string> Language::find_phrase(std::string_view english) const {
+  const auto it = translations_.find(english);
+  if (it != translations_.end()) return it->second;
+  for (const Pattern& pattern : patterns_)
+    if (const auto arguments = match(pattern, english)) return fill(pattern.translation, *arguments);
+  return {};
+}
+
+std::string Language::phrase(std::string_view english) const {
+  return find_phrase(english).value_or(std::string(english));
+}
+
+std::u32string Language::characters() const {
+  std::set<char32_t> points;
+  for (const auto& [english, translation] : translations_)
+    for (const char32_t point : code_points(translation)) points.insert(point);
+  return {points.begin(), points.end()};
 }
 
 const char* Language::operator()(const char* english) const {
@@ -53,8 +155,9 @@ bool Language::has(std::string_view english) const {
 }
 
 std::string Language::text_of(const Message& message) const {
+  if (auto sentence = find_phrase(message.text)) return *sentence;
   const auto it = translations_.find(message.code.name);
-  if (it == translations_.end()) return (*this)(message.text);
+  if (it == translations_.end()) return message.text;
   if (message.element.kind == Element::Kind::none) return it->second;
   const std::string element = to_string(message.element);
   const std::size_t space = element.find(' ');
@@ -62,9 +165,11 @@ std::string Language::text_of(const Message& message) const {
 }
 
 std::string Language::remedy_of(const Message& message) const {
+  if (message.remedy.empty()) return {};
+  if (auto sentence = find_phrase(message.remedy)) return *sentence;
   const auto it = translations_.find(std::string(message.code.name) + ".remedy");
   if (it != translations_.end()) return it->second;
-  return has(message.code.name) ? std::string() : (*this)(message.remedy);
+  return message.remedy;
 }
 
 }  // namespace hariko

@@ -1,18 +1,8 @@
 #include "ui/theme.hpp"
 
-#include <imgui_freetype.h>
-
-#include <filesystem>
-
-#include "ui/icons.hpp"
-
 namespace hariko {
 
 namespace {
-
-constexpr const char* inter_path = "/usr/share/fonts/opentype/inter/Inter-Regular.otf";
-constexpr const char* awesome_path = "/usr/share/fonts/truetype/font-awesome/fontawesome-webfont.ttf";
-constexpr float font_size = 15, icon_size = 14, title_size = 26;
 
 constexpr ImU32 rgb(unsigned value, unsigned alpha = 0xff) {
   return IM_COL32((value >> 16) & 0xff, (value >> 8) & 0xff, value & 0xff, alpha);
@@ -20,43 +10,6 @@ constexpr ImU32 rgb(unsigned value, unsigned alpha = 0xff) {
 
 ImVec4 colour(ImU32 value) {
   return ImGui::ColorConvertU32ToFloat4(value);
-}
-
-bool exists(const char* path) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(path, error);
-}
-
-/// Returns what is missing, or nullptr.
-const char* load_fonts(float scale) {
-  static const ImWchar digits[] = {0x30, 0x39, 0x2212, 0x2212, 0};
-  static const ImWchar letters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x2044, 0x2070,
-                                    0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff, 0};
-  static const ImWchar icons[] = {icon::first, icon::last, 0};
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  atlas.Clear();
-  atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
-  atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-  if (!exists(inter_path)) {
-    ImFontConfig config;
-    config.SizePixels = 13 * scale;
-    atlas.AddFontDefault(&config);
-    return "The font Inter is not installed (Debian package fonts-inter): a plain font is used.";
-  }
-  // Digits first and with one advance, so that columns of numbers stand still; what is merged later does not
-  // replace.
-  ImFontConfig tabular;
-  tabular.GlyphMinAdvanceX = tabular.GlyphMaxAdvanceX = static_cast<float>(static_cast<int>(9.4F * scale));
-  atlas.AddFontFromFileTTF(inter_path, font_size * scale, &tabular, digits);
-  ImFontConfig merged;
-  merged.MergeMode = true;
-  atlas.AddFontFromFileTTF(inter_path, font_size * scale, &merged, letters);
-  if (!exists(awesome_path)) return "The icon font is not installed (Debian package fonts-font-awesome).";
-  merged.GlyphMinAdvanceX = 16 * scale;
-  merged.GlyphOffset.y = scale;
-  atlas.AddFontFromFileTTF(awesome_path, icon_size * scale, &merged, icons);
-  atlas.AddFontFromFileTTF(inter_path, title_size * scale, nullptr, letters);
-  return nullptr;
 }
 
 void set_sizes(ImGuiStyle& style, float scale) {
@@ -122,18 +75,11 @@ const Palette& palette() {
   return dark;
 }
 
-ImFont* title_font() {
-  // Where fonts are missing there is only the one.
-  return ImGui::GetIO().Fonts->Fonts.back();
-}
-
-const char* apply_theme(float scale) {
-  const char* missing = load_fonts(scale);
+void apply_theme(float scale) {
   ImGuiStyle style;
   set_sizes(style, scale);
   set_colours(style);
   ImGui::GetStyle() = style;
-  return missing;
 }
 
 }  // namespace hariko

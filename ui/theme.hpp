@@ -1,6 +1,6 @@
 #pragma once
 
-// Theme: colours by role, fonts and spacing of the interface.
+// Theme: colours by role and spacing of the interface.
 
 #include <imgui.h>
 
@@ -19,13 +19,8 @@ struct Metrics {
   float px(float design_pixels) const { return design_pixels * scale; }
 };
 
-/// Loads Inter and the icon font (or the built-in font where files are missing: the result then says which)
-/// and sets the style. Call once, after the ImGui context exists. `scale` is framebuffer pixels per design
-/// pixel.
-const char* apply_theme(float scale);
-
-/// The large font of the start page's title.
-ImFont* title_font();
+/// Sets the style. `scale` is framebuffer pixels per design pixel.
+void apply_theme(float scale);
 
 /// A scoped text colour.
 class TextColour {

@@ -27,6 +27,7 @@ void Workbench::add_commands() {
   add_select_commands(host_);
   add_shape_commands(host_);
   add_view_commands(host_);
+  add_language_commands(host_);
   // A tool works on the document that it found: whatever changes it ends the tool first.
   commands_.before_run([this](const Command& command) {
     if (!command.changes_document) return;
@@ -105,7 +106,7 @@ void Workbench::key(const KeyPress& press) {
   if (viewport_.tool_active() && command->menu != "View") return;
   if (editor_.history.in_gesture() && command->changes_document) return;
   const auto outcome = commands_.run(*command);
-  if (!outcome.ran) editor_.notify(Notice::Kind::info, outcome.reason);
+  if (!outcome.ran) editor_.notify(Notice::Kind::info, editor_.language.phrase(outcome.reason));
 }
 
 void Workbench::escape() {
@@ -128,7 +129,7 @@ void Workbench::guarded(std::function<void()> action) {
   if (!editor_.has_document || !editor_.history.dirty()) return action();
   const Language& tr = editor_.language;
   ask({tr("Unsaved changes"),
-       fill(tr("{0} has changes that are not saved."), {editor_.title()}),
+       fill(tr("{0} has changes that are not saved."), {tr(editor_.title())}),
        {{tr("Save"), "save", [this, action] { save(action); }},
         {tr("Discard"), "discard", action},
         {tr("Cancel"), "cancel", {}}}});
@@ -148,33 +149,35 @@ void Workbench::save(std::function<void()> then) {
 void Workbench::save_as(std::function<void()> then) {
   const std::filesystem::path proposal =
       editor_.path ? *editor_.path : std::filesystem::path("Untitled.hariko");
-  dialog_.open(
-      {"Save as", "Save", true, {".hariko"}, proposal, [this, then = std::move(then)](const auto& path) {
-         actions_.save(path, then);
-       }});
+  dialog_.open({translatable("Save as"),
+                translatable("Save"),
+                true,
+                {".hariko"},
+                proposal,
+                [this, then = std::move(then)](const auto& path) { actions_.save(path, then); }});
 }
 
 void Workbench::show_export_dialog() {
   std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
   proposal += ".obj";
-  dialog_.open({"Export the surfaces as triangles",
-                "Export",
+  dialog_.open({translatable("Export the surfaces as triangles"),
+                translatable("Export"),
                 true,
                 {".obj", ".stl", ".ply"},
                 proposal,
                 [this](const auto& path) { actions_.export_file(path, export_density_); },
                 [this] {
                   ImGui::AlignTextToFramePadding();
-                  ImGui::TextUnformatted("Density");
+                  ImGui::TextUnformatted(editor_.language("Density"));
                   ImGui::SameLine(metrics_.px(80));
                   ImGui::SetNextItemWidth(metrics_.px(220));
-                  ImGui::SliderInt("intervals a patch side", &export_density_, 1, 64);
+                  ImGui::SliderInt(editor_.language("intervals a patch side"), &export_density_, 1, 64);
                 }});
 }
 
 void Workbench::show_open_dialog() {
-  dialog_.open({"Open",
-                "Open",
+  dialog_.open({translatable("Open"),
+                translatable("Open"),
                 false,
                 {".hariko", ".obj", ".off", ".ply", ".stl"},
                 folder_proposal(),
@@ -182,8 +185,8 @@ void Workbench::show_open_dialog() {
 }
 
 void Workbench::show_import_dialog() {
-  dialog_.open({"Import a mesh",
-                "Import",
+  dialog_.open({translatable("Import a mesh"),
+                translatable("Import"),
                 false,
                 {".obj", ".off", ".ply", ".stl"},
                 folder_proposal(),

@@ -40,5 +40,6 @@ void add_edit_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
+void add_language_commands(CommandHost& host);
 
 }  // namespace hariko

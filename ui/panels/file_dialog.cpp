@@ -60,7 +60,7 @@ void FileDialog::go_to(const fs::path& folder) {
   std::error_code error;
   fs::directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
   if (error) {
-    error_ = "The folder " + folder.string() + " cannot be read: " + error.message() + ".";
+    error_ = fill(translatable("The folder {0} cannot be read: {1}."), {folder.string(), error.message()});
     return;
   }
   constexpr std::size_t most = 10'000;
@@ -94,8 +94,9 @@ void FileDialog::submit(bool overwrite) {
   if (request_.saving) {
     if (path.extension().empty() && !request_.extensions.empty()) path += request_.extensions.front();
     if (!matches(path)) {
-      error_ = "This ending is not one of those that can be written:";
-      for (const std::string& extension : request_.extensions) error_ += " " + extension;
+      std::string endings;
+      for (const std::string& extension : request_.extensions) endings += " " + extension;
+      error_ = fill(translatable("This ending is not one of those that can be written:{0}"), {endings});
       return;
     }
     if (fs::exists(path, error) && !overwrite) {
@@ -103,7 +104,7 @@ void FileDialog::submit(bool overwrite) {
       return;
     }
   } else if (!fs::exists(path, error)) {
-    error_ = "There is no file " + path.string() + ".";
+    error_ = fill(translatable("There is no file {0}."), {path.string()});
     return;
   }
   open_ = false;
@@ -152,8 +153,8 @@ void FileDialog::list(PanelContext& context) {
     }
   if (entries_.empty()) {
     ImGui::SetCursorPos({context.metrics.px(10), context.metrics.px(8)});
-    ImGui::TextDisabled(request_.saving ? "No files of this kind here yet."
-                                        : "Nothing here that can be opened.");
+    ImGui::TextDisabled("%s", request_.saving ? context.tr("No files of this kind here yet.")
+                                              : context.tr("Nothing here that can be opened."));
   }
   ImGui::EndChild();
   ImGui::PopStyleColor();
@@ -165,21 +166,22 @@ void FileDialog::footer(PanelContext& context) {
   if (request_.options) request_.options();
   if (appearing_) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  const bool entered =
-      ImGui::InputTextWithHint("##name", request_.saving ? "File name" : "File name or path", &name_,
-                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool entered = ImGui::InputTextWithHint(
+      "##name", context.tr(request_.saving ? translatable("File name") : translatable("File name or path")),
+      &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemEdited()) ask_overwrite_ = false;
   context.marks.item("dialog.name");
   if (ask_overwrite_) {
     const TextColour colour(palette().warning);
-    ImGui::Text("%s  %s exists already.", icon::warning, name_.c_str());
+    ImGui::TextUnformatted(
+        (icon::warning + ("  " + fill(context.tr("{0} exists already."), {name_}))).c_str());
   } else if (!error_.empty()) {
     const TextColour colour(palette().error);
-    ImGui::TextUnformatted(error_.c_str());
+    ImGui::TextUnformatted(context.tr.phrase(error_).c_str());
   }
   const float button = m.px(110);
   ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x - m.px(12));
-  if (ImGui::Button("Cancel", {button, 0})) {
+  if (ImGui::Button(context.tr("Cancel"), {button, 0})) {
     open_ = false;
   }
   context.marks.item("dialog.cancel");
@@ -187,7 +189,8 @@ void FileDialog::footer(PanelContext& context) {
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accent);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(255, 178, 84, 255));
   ImGui::PushStyleColor(ImGuiCol_Text, palette().window);
-  const bool pressed = ImGui::Button(ask_overwrite_ ? "Replace" : request_.action.c_str(), {button, 0});
+  const bool pressed = ImGui::Button(
+      ask_overwrite_ ? context.tr("Replace") : context.tr(request_.action).c_str(), {button, 0});
   ImGui::PopStyleColor(3);
   context.marks.item("dialog.accept");
   if (open_ && (pressed || entered)) submit(ask_overwrite_);
@@ -195,7 +198,7 @@ void FileDialog::footer(PanelContext& context) {
 
 void FileDialog::draw(PanelContext& context) {
   const Metrics& m = context.metrics;
-  const std::string id = request_.title + "###file_dialog";
+  const std::string id = context.tr(request_.title) + "###file_dialog";
   if (!open_ && !ImGui::IsPopupOpen(id.c_str())) return;
   if (appearing_) ImGui::OpenPopup(id.c_str());
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -209,7 +212,8 @@ void FileDialog::draw(PanelContext& context) {
     appearing_ = false;
     return;
   }
-  if (icon_button(context, icon::up, "up", "Parent folder", false, 26)) go_to(folder_.parent_path());
+  if (icon_button(context, icon::up, "up", context.tr("Parent folder"), false, 26))
+    go_to(folder_.parent_path());
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(folder_.c_str());

@@ -13,7 +13,7 @@ float draw_menu_bar(PanelContext& context) {
   ImGui::PopStyleVar();
   if (!open) return 0;
   for (const std::string& menu : context.commands.menus()) {
-    const bool shown = ImGui::BeginMenu(menu.c_str());
+    const bool shown = ImGui::BeginMenu((context.tr(menu) + "###" + menu).c_str());
     context.marks.item("menu." + menu);
     if (!shown) continue;
     for (const Command& command : context.commands.all()) {
@@ -21,18 +21,19 @@ float draw_menu_bar(PanelContext& context) {
       if (command.separator_before) ImGui::Separator();
       const auto reason = command.why_not ? command.why_not() : std::nullopt;
       const std::string keys = command.keys.substr(0, command.keys.find(" / "));
-      if (ImGui::MenuItem(command.label.c_str(), keys.c_str(), command.checked && command.checked(), !reason))
+      if (ImGui::MenuItem(context.tr(command.label).c_str(), keys.c_str(),
+                          command.checked && command.checked(), !reason))
         context.commands.run(command);
       context.marks.item("command." + command.id);
       if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", reason ? reason->c_str() : command.help.c_str());
+        ImGui::SetTooltip("%s", (reason ? context.tr.phrase(*reason) : context.tr(command.help)).c_str());
     }
     ImGui::EndMenu();
   }
   const Editor& editor = context.editor;
   if (editor.has_document) {
-    std::string title = editor.title();
-    if (editor.history.dirty()) title += "  \u2022  edited";
+    std::string title = context.tr(editor.title());
+    if (editor.history.dirty()) title += std::string("  \u2022  ") + context.tr("edited");
     const float width = ImGui::CalcTextSize(title.c_str()).x;
     ImGui::SameLine(ImGui::GetWindowWidth() - width - context.metrics.px(28));
     const TextColour colour(palette().dim_text);

@@ -28,7 +28,7 @@ void draw_legend(PanelContext& context, const PanelRect& viewport) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   constexpr int parts = 64;
   const auto y_of = [&](double fraction) { return low.y + bar_height * static_cast<float>(1 - fraction); };
-  std::string title(title_of(map));
+  std::string title = context.tr(std::string(title_of(map)));
   const std::string unit = unit_of(map, to_string(context.editor.document().unit));
   if (!unit.empty()) title += "  " + unit;
   const ImVec2 title_size = ImGui::CalcTextSize(title.c_str());
@@ -90,7 +90,7 @@ void draw_notices(PanelContext& context, const PanelRect& viewport) {
     ImGui::PopTextWrapPos();
     ImGui::EndGroup();
     ImGui::SameLine(width - m.px(36));
-    if (icon_button(context, icon::close, "dismiss", "Dismiss", false, 24)) dismissed = number;
+    if (icon_button(context, icon::close, "dismiss", context.tr("Dismiss"), false, 24)) dismissed = number;
     context.marks.item("notice." + std::to_string(number));
     y += ImGui::GetWindowHeight() + m.px(8);
     ImGui::End();

@@ -6,7 +6,7 @@ namespace hariko {
 
 void PanelContext::run(std::string_view id) {
   const auto outcome = commands.run(id);
-  if (!outcome.ran) editor.notify(Notice::Kind::info, outcome.reason);
+  if (!outcome.ran) editor.notify(Notice::Kind::info, editor.language.phrase(outcome.reason));
 }
 
 bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVec2 padding,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/fonts.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
 

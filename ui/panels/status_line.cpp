@@ -12,30 +12,31 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Status", rect, palette().window, {m.px(12), m.px(5)}, ImGuiWindowFlags_NoScrollbar)) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
-    ImGui::TextUnformatted(context.tool_hint.c_str());
+    ImGui::TextUnformatted(context.tr.phrase(context.tool_hint).c_str());
     std::string right;
     ImU32 colour = palette().dim_text;
     if (const Object* object = editor.active_object(); object && editor.has_document) {
       if (const PolyhedronSource* source = object->polyhedron()) {
         const Polyhedron& p = source->polyhedron;
-        right = std::to_string(p.vertex_count()) + " vertices  " + std::to_string(p.edge_count()) +
-                " edges  " + std::to_string(p.face_count()) + " faces";
+        right = fill(context.tr("{0} vertices  {1} edges  {2} faces"),
+                     {std::to_string(p.vertex_count()), std::to_string(p.edge_count()),
+                      std::to_string(p.face_count())});
       }
       const SurfaceView* view = editor.view_of(object->id);
       if (view && view->error) {
-        right = view->error->text;
+        right = context.tr.text_of(*view->error);
         colour = palette().error;
       } else if (view) {
         right += "   \u00b7   " + format_number(view->milliseconds, 3) + " ms";
         if (view->largest_normal_jump)
           right += *view->largest_normal_jump < 1e-9
-                       ? std::string("   \u00b7   tangent-continuous")
-                       : "   \u00b7   largest kink " +
-                             format_number(*view->largest_normal_jump * 57.29577951, 3) + "\u00b0";
+                       ? std::string("   \u00b7   ") + context.tr("tangent-continuous")
+                       : "   \u00b7   " + fill(context.tr("largest kink {0}\u00b0"),
+                                               {format_number(*view->largest_normal_jump * 57.29577951, 3)});
       }
-      if (!editor.stale_since.empty()) right = "computing\u2026   " + right;
+      if (!editor.stale_since.empty()) right = std::string(context.tr("computing\u2026")) + "   " + right;
     }
-    if (!editor.job.empty()) right = editor.job + "\u2026   " + right;
+    if (!editor.job.empty()) right = context.tr.phrase(editor.job) + "\u2026   " + right;
     const float width = ImGui::CalcTextSize(right.c_str()).x;
     const float left_end = ImGui::GetItemRectMax().x - rect.min.x + m.px(16);
     ImGui::SameLine(std::max(left_end, rect.width() - width - m.px(12)));

@@ -12,9 +12,9 @@ namespace {
 void command_button(PanelContext& context, const char* id) {
   const Command& command = *context.commands.find(id);
   const auto reason = command.why_not ? command.why_not() : std::nullopt;
-  std::string tooltip = command.label;
+  std::string tooltip = context.tr(command.label);
   if (!command.keys.empty()) tooltip += "   " + command.keys;
-  tooltip += "\n" + (reason ? *reason : command.help);
+  tooltip += "\n" + (reason ? context.tr.phrase(*reason) : context.tr(command.help));
   if (reason) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F);
   if (icon_button(context, command.icon, id, tooltip.c_str(), command.checked && command.checked(), 36) &&
       !reason)

@@ -39,17 +39,17 @@ class MoveTool final : public Tool {
       return ToolState::cancel;
     }
     if (event.kind != PointerEvent::Kind::release) return ToolState::stay;
-    const std::string what =
-        vertices_.size() == 1 ? std::string("vertex") : std::to_string(vertices_.size()) + " vertices";
-    context.editor.commit_preview("Move " + what);
+    context.editor.commit_preview(
+        vertices_.size() == 1 ? translatable("Move vertex")
+                              : fill(translatable("Move {0} vertices"), {std::to_string(vertices_.size())}));
     return ToolState::commit;
   }
 
   void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
 
-  std::string hint(const Language&) const override {
-    return "Move by " + format_number(world_.x(), 3) + "  " + format_number(world_.y(), 3) + "  " +
-           format_number(world_.z(), 3) + "   Esc cancels";
+  std::string hint(const Language& tr) const override {
+    return fill(tr("Move by {0}  {1}  {2}   Esc cancels"),
+                {format_number(world_.x(), 3), format_number(world_.y(), 3), format_number(world_.z(), 3)});
   }
 
  private:
