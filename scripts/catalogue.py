@@ -19,6 +19,7 @@ import sys
 # Words that are the same in every language, or that no user sees.
 ALLOWED = {
     "Hariko", "Blender", "Maya", "Rhino", "English", "DISPLAY", "UTF-8",
+    "nothing selected",  # of the test log
 }
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",
@@ -105,7 +106,7 @@ def has_words(text):
 
 
 def looks_english(text):
-    if text in ALLOWED or text.startswith("##") or not has_words(text):
+    if text in ALLOWED or text.startswith("#") or not has_words(text):
         return False
     if all(KEYS.match(part) for part in text.split(" / ")):
         return False
@@ -136,7 +137,8 @@ def codes_of(root):
             constants[match.group(1)] = match.group(2)
     for source in sources.values():
         for match in re.finditer(r"\bmake_(?:error|warning)\(\s*(\w+)", source):
-            if match.group(1) in constants and len(arguments_at(source, match.end() - len(match.group(1)))) > 2:
+            given = arguments_at(source, match.end() - len(match.group(1)))
+            if match.group(1) in constants and len(given) > 2 and not given[2].startswith("{"):
                 remedies.add(constants[match.group(1)])
     return {name: name in remedies for name in constants.values()}
 
@@ -180,7 +182,9 @@ class Check:
 
     def look_at(self, literal, path):
         marked = literal.inside(MARKING)
-        if marked and not literal.inside({"item"}) and has_words(literal.text) and literal.text not in ALLOWED:
+        identifier = re.match(r"^[a-z0-9_]+(\.[a-z0-9_]+)+$", literal.text)
+        if marked and not identifier and not literal.inside({"item"}) and has_words(literal.text) and \
+                literal.text not in ALLOWED:
             self.required.setdefault(literal.text, literal.place())
         shown = path.startswith("ui/") or (path.startswith("app/") and not path.startswith("app/commands/")
                                            and path not in ("app/main.cpp", "app/test_log.cpp"))
@@ -190,7 +194,7 @@ class Check:
             self.required.setdefault(literal.text, literal.place())
         call = literal.calls[-1] if literal.calls else ""
         if path.startswith("ui/") and call.startswith("ImGui::") and IMGUI_TEXT.match(call[7:]):
-            if has_words(literal.text) and not literal.text.startswith("##") and literal.text not in ALLOWED:
+            if has_words(literal.text) and not literal.text.startswith("#") and literal.text not in ALLOWED:
                 self.bare.append(f'{literal.place()}: {call}("{literal.text}") is shown in English always')
 
     def used(self, entry):

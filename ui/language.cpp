@@ -56,17 +56,18 @@ std::string fill(std::string_view pattern, std::initializer_list<std::string> ar
 }
 
 Result<Language> Language::load(const std::filesystem::path& path) {
-  const auto failed = [&](const std::string& why) {
-    return make_error(e_catalogue, "The catalogue " + path.filename().string() + " " + why + ".",
+  const auto failed = [&](const char* sentence, const std::string& detail = {}) {
+    return make_error(e_catalogue, fill(sentence, {path.filename().string(), detail}),
                       "Install the program's assets again. English is used until then.");
   };
   std::ifstream in(path);
-  if (!in) return failed("cannot be read");
+  if (!in) return failed(translatable("The catalogue {0} cannot be read."));
   const auto json = nlohmann::json::parse(in, nullptr, false);
-  if (!json.is_object()) return failed("is not a JSON object");
+  if (!json.is_object()) return failed(translatable("The catalogue {0} is not a JSON object."));
   Language language;
   for (const auto& [english, translation] : json.items()) {
-    if (!translation.is_string()) return failed("has an entry that is not a string: " + english);
+    if (!translation.is_string())
+      return failed(translatable("The catalogue {0} has an entry that is not a string: {1}."), english);
     language.translations_.emplace(english, translation.get<std::string>());
     Pattern pattern = cut(english, translation.get<std::string>());
     if (!pattern.numbers.empty()) language.patterns_.push_back(std::move(pattern));
