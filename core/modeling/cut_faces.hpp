@@ -1,0 +1,23 @@
+#pragma once
+
+// Cutting faces by diagonals, without new vertices: into triangles, or where they are concave into convex
+// pieces.
+
+#include <span>
+
+#include "core/base/result.hpp"
+#include "core/modeling/modeled.hpp"
+
+namespace hariko {
+
+/// Faces into triangles (`triangles_of`). The first triangle keeps the face's id. Selects the triangles.
+/// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (only triangles are given),
+/// E_WOULD_BE_NONMANIFOLD (every diagonal that would do is an edge already), E_TOO_MANY_ELEMENTS.
+Result<Modeled> triangulate_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
+
+/// Concave faces into convex pieces (`convex_pieces`); the new edges have no tension and no crease. Faces
+/// that are convex, or whose projection crosses itself, stay. Selects the pieces. Errors as above;
+/// E_WRONG_SELECTION where no face given is concave.
+Result<Modeled> decompose_concave_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
+
+}  // namespace hariko

@@ -1,0 +1,49 @@
+#include "core/modeling/flip.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/modeling/mesh_draft.hpp"
+#include "core/modeling/selected.hpp"
+
+namespace hariko {
+
+Result<Modeled> flip_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
+  const Polyhedron& polyhedron = source.polyhedron;
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  const auto chosen = selected(polyhedron, faces, "Select all faces of a part.");
+  if (!chosen) return chosen.error();
+  std::vector<char> inside(mesh.face_count(), 0);
+  for (const Index f : *chosen) inside[f] = 1;
+  for (const Index f : *chosen)
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h)
+      if (const Index twin = mesh.twin(h); twin != no_index && !inside[mesh.face(twin)])
+        return make_error(e_wrong_selection,
+                          "Neighbouring faces would face opposite ways: only whole parts can be flipped.",
+                          "Select the whole part (Select linked).",
+                          element_of(polyhedron.face_id(mesh.face(twin))));
+  MeshDraft draft(source);
+  ElementSet selection;
+  Shaping& shaping = draft.shaping();
+  for (const Index f : *chosen) {
+    const FaceId id = polyhedron.face_id(f);
+    const auto old = draft.face(id);
+    std::vector<VertexId> corners(old.begin(), old.end());
+    std::reverse(corners.begin() + 1, corners.end());
+    draft.set_face(id, std::move(corners));
+    selection.faces.insert(id);
+  }
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const VertexId id = polyhedron.vertex_id(v);
+    const Pin* pin = shaping.pin.find(id);
+    if (!pin || pin->kind != Pin::Kind::normal || mesh.outgoing(v) == no_index) continue;
+    if (inside[mesh.face(mesh.outgoing(v))])
+      shaping.pin.set(id, {Pin::Kind::normal, {Vector3(-pin->vectors[0])}});
+  }
+  auto result = std::move(draft).finish();
+  if (!result) return result.error();
+  return Modeled{std::move(result).value(), std::move(selection)};
+}
+
+}  // namespace hariko

@@ -1,0 +1,23 @@
+#pragma once
+
+// Several polyhedron objects become one.
+
+#include <span>
+
+#include "core/base/result.hpp"
+#include "core/document/document.hpp"
+#include "core/modeling/modeled.hpp"
+
+namespace hariko {
+
+/// `added` as further parts of `base`. `to_base` takes points of `added`'s space to `base`'s. The added
+/// elements get ids after all others, in order; pins turn and stretch with their vertices. Selects the added
+/// faces. Errors: E_NONFINITE, E_TOO_MANY_ELEMENTS.
+Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added, const Similarity& to_base);
+
+/// The first object takes in all others, which stay where they are in the document's space, and these go.
+/// Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND, E_WRONG_SELECTION (fewer than two objects, or objects
+/// with different live mirrors), and those of `join`.
+Result<Document> join_objects(const Document& document, std::span<const ObjectId> objects);
+
+}  // namespace hariko

@@ -1,0 +1,113 @@
+#include "core/modeling/separate.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/document/edits.hpp"
+#include "core/modeling/delete_elements.hpp"
+#include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/mesh_draft.hpp"
+#include "core/modeling/selected.hpp"
+
+namespace hariko {
+namespace {
+
+using Copies = std::map<VertexId, VertexId>;
+
+VertexId copy_of(MeshDraft& draft, Copies& copies, VertexId v) {
+  const auto [it, fresh] = copies.try_emplace(v);
+  if (fresh) {
+    it->second = draft.add_vertex(Vector3(draft.position(v)));
+    draft.inherit(v, it->second);
+    const Pin* pin = draft.shaping().pin.find(v);
+    if (pin && pin->kind == Pin::Kind::normal) draft.shaping().pin.set(it->second, Pin(*pin));
+  }
+  return it->second;
+}
+
+/// Settings of the sides of a face for their copies.
+void inherit_sides(MeshDraft& draft, std::span<const VertexId> old, std::span<const VertexId> fresh) {
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    const std::size_t next = (i + 1) % old.size();
+    const EdgeId from = EdgeId::of(old[i], old[next]), to = EdgeId::of(fresh[i], fresh[next]);
+    if (from != to) draft.inherit(from, to);
+  }
+}
+
+}  // namespace
+
+Result<Modeled> duplicate_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
+  const auto chosen = selected(source.polyhedron, faces, "Select faces.");
+  if (!chosen) return chosen.error();
+  MeshDraft draft(source);
+  Copies copies;
+  ElementSet selection;
+  for (const Index f : *chosen) {
+    const auto span = draft.face(source.polyhedron.face_id(f));
+    const std::vector<VertexId> old(span.begin(), span.end());
+    std::vector<VertexId> corners;
+    for (const VertexId v : old) corners.push_back(copy_of(draft, copies, v));
+    selection.faces.insert(draft.add_face(corners));
+    inherit_sides(draft, old, corners);
+  }
+  auto result = std::move(draft).finish();
+  if (!result) return result.error();
+  return Modeled{std::move(result).value(), std::move(selection)};
+}
+
+Result<Modeled> separate_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
+  const HalfEdgeMesh& mesh = source.polyhedron.topology();
+  const auto chosen = selected(source.polyhedron, faces, "Select faces.");
+  if (!chosen) return chosen.error();
+  std::vector<char> inside(mesh.face_count(), 0);
+  for (const Index f : *chosen) inside[f] = 1;
+  std::vector<char> outside_too(mesh.vertex_count(), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (!inside[mesh.face(h)]) outside_too[mesh.origin(h)] = 1;
+
+  MeshDraft draft(source);
+  Copies copies;
+  ElementSet selection;
+  for (const Index f : *chosen) {
+    const FaceId id = source.polyhedron.face_id(f);
+    const auto span = draft.face(id);
+    const std::vector<VertexId> old(span.begin(), span.end());
+    std::vector<VertexId> corners;
+    for (const VertexId v : old)
+      corners.push_back(outside_too[source.polyhedron.find(v)] ? copy_of(draft, copies, v) : v);
+    draft.set_face(id, corners);
+    inherit_sides(draft, old, corners);
+    selection.faces.insert(id);
+  }
+  if (copies.empty())
+    return make_error(e_wrong_selection, "The faces are a part of their own already.",
+                      "Select some faces of a part.");
+  auto result = std::move(draft).finish();
+  if (!result) return result.error();
+  return Modeled{std::move(result).value(), std::move(selection)};
+}
+
+Result<Detached> detach_faces(const Document& document, ObjectId object, std::span<const FaceId> faces) {
+  const Object* original = document.find(object);
+  Result<ModeledDocument> rest = edit_polyhedron(
+      document, object, [&](const PolyhedronSource& source) { return delete_faces(source, faces); });
+  if (!rest) return rest.error();
+  const PolyhedronSource& whole = *original->polyhedron();
+  std::vector<FaceId> others;
+  const std::set<FaceId> taken(faces.begin(), faces.end());
+  for (Index f = 0; f < whole.polyhedron.face_count(); ++f)
+    if (!taken.contains(whole.polyhedron.face_id(f))) others.push_back(whole.polyhedron.face_id(f));
+  Result<Modeled> part = delete_faces(whole, others);
+  if (!part) return part.error();
+  // A duplicate has the name, place and display that the new object needs.
+  Result<Added> added = duplicate_object(rest->document, object);
+  if (!added) return added.error();
+  Result<Document> done = set_source(added->document, added->id, std::move(part).value().source);
+  if (!done) return done.error();
+  return Detached{std::move(done).value(), added->id};
+}
+
+}  // namespace hariko
