@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and tests.
 #   ./test.sh          one optimised build with assertions; the tests labelled core and window
-#   ./test.sh --full   also: formatting, the sanitizer build, a minute of every fuzzer, long random runs with a fresh
-#                      seed (set HARIKO_SEED to repeat one), and the tests labelled full
+#   ./test.sh --full   also: formatting, the sanitizer build with two minutes of a monkey at the window, a minute of every
+#                      fuzzer, long random runs with a fresh seed (set HARIKO_SEED to repeat one), and the tests
+#                      labelled full
 # Stops at the first step that fails. Window tests start an X server of their own.
 set -euo pipefail
 
@@ -37,7 +38,7 @@ sanitizer_tests() {
   export UBSAN_OPTIONS=print_stacktrace=1
   ASAN_OPTIONS=detect_leaks=1 ctest --test-dir build/debug -L core -LE full --output-on-failure --no-tests=error -j2
   # Graphics drivers keep memory until the end, so leaks are looked for in the core tests only.
-  ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build/debug -L window -LE full --output-on-failure --no-tests=error -j2
+  ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build/debug -L 'window|monkey' -LE full --output-on-failure --no-tests=error -j2
 }
 
 fuzz() {

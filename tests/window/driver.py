@@ -155,7 +155,7 @@ class Window:
         time.sleep(HOLD)
 
     def type(self, text):
-        self.xdotool("type", "--delay", "40", text, timeout=60)
+        self.xdotool("type", "--delay", "40", "--", text, timeout=60)
         time.sleep(HOLD)
 
     def type_path(self, path):

@@ -1,17 +1,26 @@
-"""A monkey at the window: random clicks, drags, wheel turns and keys for a minute. The program must neither end nor
-hang. HARIKO_SEED repeats a run, HARIKO_MONKEY_SECONDS changes its length."""
+"""A monkey at the window: random clicks, drags, wheel turns, keys and typed text for two minutes. The program must neither
+crash nor hang. HARIKO_SEED repeats a run, HARIKO_MONKEY_SECONDS changes its length."""
 
 import os
 import random
 import shutil
+import subprocess
 import tempfile
 import time
 
-from driver import Window, check, run
+import driver
+from driver import Failure, Window, check, run
 
-# Everything but leaving; saving is fine, since the model is a copy in a temporary folder.
-KEYS = ["1", "2", "3", "Escape", "Delete", "Home", "f", "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+s", "ctrl+o",
-        "ctrl+e", "ctrl+i", "Tab", "Return", "a", "ctrl+a", "KP_1", "KP_3", "KP_7", "5", "minus", "period", "Down", "Up"]
+driver.HOLD = 0.03  # a hasty monkey
+
+# Everything but leaving; saving is fine, since the model is a copy in a temporary folder. Menus, dialogs and the palette
+# are found by these too.
+KEYS = (["1", "2", "3", "4", "Escape", "Escape", "Return", "Return", "Delete", "Home", "Tab", "space", "BackSpace",
+         "ctrl+z", "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+s", "ctrl+o", "ctrl+e", "ctrl+i", "ctrl+n", "ctrl+a",
+         "ctrl+d", "ctrl+b", "ctrl+r", "ctrl+l", "ctrl+comma", "ctrl+shift+p", "F1", "F2", "F3", "F9", "F12",
+         "KP_1", "KP_3", "KP_5", "KP_7", "minus", "period", "Down", "Up", "Left", "Right", "shift+x", "shift+y"]
+        + list("abcdefghijklmnopqrstuvwxyz0123456789"))
+TEXTS = ["12", "-3.5mm", "1/0", "2*pi", "((", "cube", "1e9", "Δ"]
 
 
 def act(window, rng, size):
@@ -24,6 +33,11 @@ def act(window, rng, size):
     elif kind < 0.7:
         window.move(x, y)
         window.xdotool("click", "--repeat", "3", "--delay", "40", rng.choice(["4", "5"]))
+    elif kind < 0.75:
+        window.type(rng.choice(TEXTS))
+    elif kind < 0.8:
+        name = rng.choice(sorted(window.last("layout")["rects"]))
+        window.click_on(name)
     else:
         window.key(rng.choice(KEYS))
 
@@ -36,19 +50,28 @@ def monkey(program, source, output):
     with tempfile.TemporaryDirectory() as folder:
         model = shutil.copy(os.path.join(source, "assets", "samples", "car.hariko"), folder)
         window = Window(program, model, size=size)
+        actions = left = 0
         try:
-            end = time.monotonic() + float(os.environ.get("HARIKO_MONKEY_SECONDS") or 60)
-            actions = 0
+            end = time.monotonic() + float(os.environ.get("HARIKO_MONKEY_SECONDS") or 120)
             while time.monotonic() < end:
-                act(window, rng, size)
+                try:
+                    act(window, rng, size)
+                except (Failure, subprocess.SubprocessError):
+                    if window.program.poll() is None:
+                        raise
                 actions += 1
                 status = window.program.poll()
-                check(status is None, f"the program ended with {status} after {actions} actions")
-            # Not hung: it still answers the pointer with a frame and comes to rest.
-            window.key("Escape")
-            window.key("Escape")
+                if status == 0:  # it found Quit
+                    left += 1
+                    window.close()
+                    window = Window(program, model, size=size)
+                else:
+                    check(status is None, f"the program ended with {status} after {actions} actions")
+            print(f"{actions} actions, left by Quit {left} times", flush=True)
+            # Not hung: it still answers and comes to rest.
+            for _ in range(6):
+                window.key("Escape")
             window.wait_idle()
-            print(actions, "actions")
         finally:
             window.close()
 
