@@ -103,6 +103,9 @@ class Application {
     editor_.stale_since.clear();
     for (const auto& [id, view] : engine_.views())
       if (engine_.pending(id)) editor_.stale_since[id] = engine_.pending_since(id);
+    const Settings& settings = editor_.settings;
+    if (window_.set_appearance(settings.theme, settings.interface_scale))
+      frames_ = frames_after_input;  // sizes settle again
     text_.update(editor_, window_);
     window_.begin_frame();
     workbench_.frame();

@@ -16,6 +16,9 @@ struct GlWindow::State {
   GLFWwindow* window = nullptr;
   Metrics metrics;
   FontRequest fonts;
+  ThemeId theme = ThemeId::dark;
+  Palette palette{};
+  float monitor_scale = 1;
   const char* missing_fonts = nullptr;
   std::string title;
   std::vector<KeyPress> keys;
@@ -42,6 +45,17 @@ std::string& last_glfw_error() {
   return text;
 }
 
+/// GLFW names keys by their places on an American keyboard. Letters are meant by what is printed on them:
+/// Ctrl+Z is where the layout has its Z.
+int letter_of(int key, int scancode) {
+  const bool printed = key >= GLFW_KEY_APOSTROPHE && key <= GLFW_KEY_GRAVE_ACCENT;
+  if (!printed || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9)) return key;  // digits may need Shift: by place
+  const char* name = glfwGetKeyName(key, scancode);
+  if (!name || name[0] == 0 || name[1] != 0 || (name[0] >= '0' && name[0] <= '9')) return key;
+  const int upper = name[0] >= 'a' && name[0] <= 'z' ? name[0] - 'a' + 'A' : name[0];
+  return KeyChord{upper}.is_known() ? upper : key;
+}
+
 }  // namespace
 
 GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
@@ -49,11 +63,12 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   glfwSetWindowUserPointer(window, state_.get());
   static constexpr auto noted =
       +[](GLFWwindow* w) { static_cast<State*>(glfwGetWindowUserPointer(w))->input = true; };
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
     noted(w);
-    if (action == GLFW_RELEASE) return;
+    // The key of the desktop makes no chords of ours.
+    if (action == GLFW_RELEASE || (mods & GLFW_MOD_SUPER) != 0) return;
     KeyChord chord;
-    chord.key = key == GLFW_KEY_KP_ENTER ? GLFW_KEY_ENTER : key;
+    chord.key = key == GLFW_KEY_KP_ENTER ? GLFW_KEY_ENTER : letter_of(key, scancode);
     chord.control = (mods & GLFW_MOD_CONTROL) != 0;
     chord.shift = (mods & GLFW_MOD_SHIFT) != 0;
     chord.alt = (mods & GLFW_MOD_ALT) != 0;
@@ -90,10 +105,14 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   ImGui::GetIO().IniFilename = nullptr;
   float scale_x = 1, scale_y = 1;
   glfwGetWindowContentScale(window, &scale_x, &scale_y);
-  state_->metrics.scale = std::clamp(scale_x, 1.0F, 4.0F);
-  apply_theme(state_->metrics.scale);
-  state_->fonts.scale = state_->metrics.scale;
+  state_->monitor_scale = std::clamp(scale_x, 1.0F, 4.0F);
+  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float x, float) {
+    noted(w);
+    static_cast<State*>(glfwGetWindowUserPointer(w))->monitor_scale = std::clamp(x, 1.0F, 4.0F);
+  });
+  state_->fonts.scale = state_->metrics.scale = state_->monitor_scale;
   state_->missing_fonts = load_fonts(state_->fonts);
+  apply_theme(state_->theme, state_->metrics.scale, state_->palette);
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
@@ -145,6 +164,16 @@ void GlWindow::wake() {
   glfwPostEmptyEvent();
 }
 
+bool GlWindow::set_appearance(ThemeId theme, float interface_scale) {
+  const float scale = state_->monitor_scale * interface_scale;
+  if (theme == state_->theme && scale == state_->metrics.scale) return false;
+  state_->theme = theme;
+  state_->metrics.scale = scale;
+  set_fonts(state_->fonts);
+  apply_theme(theme, scale, state_->palette);
+  return true;
+}
+
 void GlWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
@@ -156,7 +185,8 @@ void GlWindow::end_frame() {
   int width = 0, height = 0;
   glfwGetFramebufferSize(state_->window, &width, &height);
   glViewport(0, 0, width, height);
-  glClearColor(0.118F, 0.122F, 0.133F, 1);
+  const ImVec4 clear = ImGui::ColorConvertU32ToFloat4(palette().window);
+  glClearColor(clear.x, clear.y, clear.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(state_->window);

@@ -35,6 +35,8 @@ class GlWindow {
   /// Ends the wait. From any thread.
   static void wake();
 
+  /// Colours and size from the next frame on; between frames only. True when something changed.
+  bool set_appearance(ThemeId theme, float interface_scale);
   void begin_frame();
   void end_frame();
 

@@ -3,81 +3,22 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/base/assert.hpp"
 
 namespace hariko {
 
-namespace {
-
-struct KeyName {
-  int key;
-  std::string_view name;
-};
-constexpr std::array key_names{
-    KeyName{GLFW_KEY_ESCAPE, "Esc"},  KeyName{GLFW_KEY_DELETE, "Del"},
-    KeyName{GLFW_KEY_HOME, "Home"},   KeyName{GLFW_KEY_END, "End"},
-    KeyName{GLFW_KEY_ENTER, "Enter"}, KeyName{GLFW_KEY_SPACE, "Space"},
-    KeyName{GLFW_KEY_TAB, "Tab"},     KeyName{GLFW_KEY_BACKSPACE, "Backspace"},
-    KeyName{GLFW_KEY_F1, "F1"},       KeyName{GLFW_KEY_F3, "F3"},
-    KeyName{GLFW_KEY_F11, "F11"},     KeyName{GLFW_KEY_KP_0, "Num 0"},
-    KeyName{GLFW_KEY_KP_1, "Num 1"},  KeyName{GLFW_KEY_KP_3, "Num 3"},
-    KeyName{GLFW_KEY_KP_5, "Num 5"},  KeyName{GLFW_KEY_KP_7, "Num 7"},
-    KeyName{GLFW_KEY_COMMA, ","},     KeyName{GLFW_KEY_PERIOD, "."},
-};
-
-bool take_prefix(std::string_view& text, std::string_view prefix) {
-  if (!text.starts_with(prefix)) return false;
-  text.remove_prefix(prefix.size());
-  return true;
-}
-
-}  // namespace
-
-std::optional<KeyChord> KeyChord::parse(std::string_view text) {
-  KeyChord chord;
-  for (bool more = true; more;) {
-    more = false;
-    if (take_prefix(text, "Ctrl+")) chord.control = more = true;
-    if (take_prefix(text, "Shift+")) chord.shift = more = true;
-    if (take_prefix(text, "Alt+")) chord.alt = more = true;
-  }
-  if (text.size() == 1 && ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= '0' && text[0] <= '9'))) {
-    chord.key = static_cast<unsigned char>(text[0]);
-    return chord;
-  }
-  for (const KeyName& entry : key_names)
-    if (entry.name == text) {
-      chord.key = entry.key;
-      return chord;
-    }
-  return {};
-}
-
-std::string KeyChord::to_string() const {
-  std::string text;
-  if (control) text += "Ctrl+";
-  if (shift) text += "Shift+";
-  if (alt) text += "Alt+";
-  for (const KeyName& entry : key_names)
-    if (entry.key == key) return text.append(entry.name);
-  return text + static_cast<char>(key);
-}
-
 void CommandTable::add(Command command) {
   HARIKO_ASSERT(!find(command.id), "command id already taken");
   HARIKO_ASSERT(command.run != nullptr, "a command must do something");
-  std::string_view keys = command.keys;
-  while (!keys.empty()) {
-    const std::size_t end = keys.find(" / ");
-    const auto chord = KeyChord::parse(keys.substr(0, end));
-    HARIKO_ASSERT(chord.has_value(), "unknown key name");
-    HARIKO_ASSERT(!find(*chord), "key already taken");
-    chords_.emplace_back(*chord, commands_.size());
-    keys = end == std::string_view::npos ? std::string_view() : keys.substr(end + 3);
+  const auto keys = parse_keys(command.keys);
+  HARIKO_ASSERT(keys.has_value(), "unknown key name");
+  for (const KeyChord& chord : *keys) {
+    HARIKO_ASSERT(!find(chord) && !is_reserved(chord), "key already taken");
+    chords_.emplace_back(chord, commands_.size());
   }
+  command.keys = command.default_keys = print_keys(*keys);
   commands_.push_back(std::move(command));
 }
 
@@ -95,10 +36,77 @@ const Command* CommandTable::find(const KeyChord& chord) const {
 
 std::vector<std::string> CommandTable::menus() const {
   std::vector<std::string> menus;
-  for (const Command& command : commands_)
-    if (!command.menu.empty() && std::find(menus.begin(), menus.end(), command.menu) == menus.end())
-      menus.push_back(command.menu);
+  for (const Command& command : commands_) {
+    const std::string menu = command.menu.substr(0, command.menu.find('/'));
+    if (!menu.empty() && std::find(menus.begin(), menus.end(), menu) == menus.end()) menus.push_back(menu);
+  }
   return menus;
+}
+
+bool CommandTable::is_reserved(const KeyChord& chord) {
+  return chord.key == GLFW_KEY_ESCAPE;
+}
+
+void CommandTable::use_keys(std::size_t command, const std::vector<KeyChord>& keys) {
+  commands_[command].keys = print_keys(keys);
+  for (const KeyChord& chord : keys) chords_.emplace_back(chord, command);
+}
+
+std::vector<KeyProblem> CommandTable::rebind(const std::map<std::string, std::string>& overrides) {
+  std::vector<KeyProblem> problems;
+  std::map<std::string_view, std::vector<KeyChord>> replaced;
+  chords_.clear();
+  for (const auto& [id, text] : overrides) {
+    const Command* command = find(id);
+    const auto keys = parse_keys(text);
+    if (!command || !keys) {
+      problems.push_back(
+          {command ? KeyProblem::Kind::not_a_key : KeyProblem::Kind::unknown_command, id, text, {}});
+      continue;
+    }
+    std::vector<KeyChord> free;
+    for (const KeyChord& chord : *keys) {
+      const Command* owner = find(chord);
+      const bool twice = std::find(free.begin(), free.end(), chord) != free.end();
+      if (is_reserved(chord))
+        problems.push_back({KeyProblem::Kind::reserved, id, chord.to_string(), {}});
+      else if (owner)
+        problems.push_back({KeyProblem::Kind::taken, id, chord.to_string(), owner->id});
+      else if (!twice)
+        free.push_back(chord);
+    }
+    use_keys(static_cast<std::size_t>(command - commands_.data()), free);
+    replaced.emplace(command->id, free);
+  }
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    if (replaced.contains(commands_[i].id)) continue;
+    auto keys = *parse_keys(commands_[i].default_keys);
+    std::erase_if(keys, [this](const KeyChord& chord) { return find(chord) != nullptr; });
+    use_keys(i, keys);
+  }
+  return problems;
+}
+
+std::map<std::string, std::string> CommandTable::with_keys(std::map<std::string, std::string> overrides,
+                                                           std::string_view id,
+                                                           std::span<const KeyChord> keys) const {
+  const auto put = [&](const Command& command, const std::string& text) {
+    if (text == command.default_keys)
+      overrides.erase(command.id);
+    else
+      overrides[command.id] = text;
+  };
+  for (const Command& other : commands_) {
+    auto left = *parse_keys(other.keys);
+    const auto taken = [&](const KeyChord& chord) {
+      return std::find(keys.begin(), keys.end(), chord) != keys.end();
+    };
+    if (other.id != id && std::erase_if(left, taken) > 0) put(other, print_keys(left));
+  }
+  const Command* command = find(id);
+  HARIKO_ASSERT(command != nullptr, "unknown command");
+  put(*command, print_keys(keys));
+  return overrides;
 }
 
 CommandTable::Outcome CommandTable::run(std::string_view id) const {
@@ -108,11 +116,15 @@ CommandTable::Outcome CommandTable::run(std::string_view id) const {
 }
 
 CommandTable::Outcome CommandTable::run(const Command& command) const {
+  Outcome outcome{true, {}};
   if (command.why_not)
-    if (auto reason = command.why_not()) return {false, std::move(*reason)};
-  if (before_run_) before_run_(command);
-  command.run();
-  return {true, {}};
+    if (auto reason = command.why_not()) outcome = {false, std::move(*reason)};
+  if (outcome.ran) {
+    if (before_run_) before_run_(command);
+    command.run();
+  }
+  if (after_run_) after_run_(command, outcome);
+  return outcome;
 }
 
 }  // namespace hariko

@@ -71,6 +71,7 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const MeshSource& source) {
 
 void SceneBuilder::update(const Editor& editor) {
   Scene next;
+  next.background = editor.settings.theme == ThemeId::light ? Background::light : Background::dark;
   next.grid.visible = editor.view.grid;
   next.zebra = editor.view.zebra;
   ids_.clear();

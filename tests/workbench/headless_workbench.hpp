@@ -26,7 +26,8 @@ class HeadlessWorkbench {
     io.IniFilename = nullptr;
     io.DisplaySize = size;
     metrics_.scale = 1;
-    apply_theme(1);
+    load_fonts({});
+    apply_theme(ThemeId::dark, 1, palette_);
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
@@ -99,6 +100,7 @@ class HeadlessWorkbench {
   OffscreenContext context_;
   Renderer renderer_;
   Metrics metrics_;
+  Palette palette_{};
   Editor editor_;
   RebuildEngine engine_{[] { return std::make_unique<SurfaceBuilder>(); }, [] {}};
   std::unique_ptr<Workbench> workbench_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
-#include "ui/panels/panels.hpp"
+#include "ui/panels/command_menu.hpp"
 
 namespace hariko {
 
@@ -16,18 +16,7 @@ float draw_menu_bar(PanelContext& context) {
     const bool shown = ImGui::BeginMenu((context.tr(menu) + "###" + menu).c_str());
     context.marks.item("menu." + menu);
     if (!shown) continue;
-    for (const Command& command : context.commands.all()) {
-      if (command.menu != menu) continue;
-      if (command.separator_before) ImGui::Separator();
-      const auto reason = command.why_not ? command.why_not() : std::nullopt;
-      const std::string keys = command.keys.substr(0, command.keys.find(" / "));
-      if (ImGui::MenuItem(context.tr(command.label).c_str(), keys.c_str(),
-                          command.checked && command.checked(), !reason))
-        context.commands.run(command);
-      context.marks.item("command." + command.id);
-      if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", (reason ? context.tr.phrase(*reason) : context.tr(command.help)).c_str());
-    }
+    draw_menu_nodes(context, menu_tree(context.commands, menu), "command.");
     ImGui::EndMenu();
   }
   const Editor& editor = context.editor;

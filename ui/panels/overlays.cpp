@@ -34,7 +34,7 @@ void draw_legend(PanelContext& context, const PanelRect& viewport) {
   const ImVec2 title_size = ImGui::CalcTextSize(title.c_str());
   const ImVec2 box_low(low.x - m.px(8), low.y - title_size.y - m.px(16));
   const float box_right = low.x + std::max(title_size.x + m.px(8), m.px(130));
-  draw.AddRectFilled(box_low, {box_right, viewport.max.y - m.px(4)}, IM_COL32(30, 31, 34, 190), m.px(6));
+  draw.AddRectFilled(box_low, {box_right, viewport.max.y - m.px(4)}, palette().overlay, m.px(6));
   draw.AddText({low.x, box_low.y + m.px(6)}, palette().text, title.c_str());
   for (int i = 0; i < parts; ++i) {
     const double a = double(i) / parts, b = double(i + 1) / parts;
@@ -47,7 +47,7 @@ void draw_legend(PanelContext& context, const PanelRect& viewport) {
     draw.AddRectFilled(
         {low.x + bar_width + m.px(4), y_of(double(i + 1) / double(bins))},
         {low.x + bar_width + m.px(4) + view->histogram[i] * histogram_width, y_of(double(i) / double(bins))},
-        IM_COL32(230, 230, 230, 70));
+        with_alpha(palette().text, 0.3F));
   for (const Tick& tick : legend_ticks(view->range)) {
     const float y = y_of(tick.fraction);
     draw.AddLine({low.x + bar_width - m.px(4), y}, {low.x + bar_width, y}, IM_COL32(0, 0, 0, 160));
@@ -70,7 +70,7 @@ void draw_notices(PanelContext& context, const PanelRect& viewport) {
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, m.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(m.px(12), m.px(8)));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(44, 47, 51, 245));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().popup);
     ImGui::Begin(("##notice" + std::to_string(number)).c_str(), nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);

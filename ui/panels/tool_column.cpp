@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
-#include "ui/panels/panels.hpp"
+#include "ui/panels/command_menu.hpp"
 
 namespace hariko {
 
@@ -12,14 +12,10 @@ namespace {
 void command_button(PanelContext& context, const char* id) {
   const Command& command = *context.commands.find(id);
   const auto reason = command.why_not ? command.why_not() : std::nullopt;
-  std::string tooltip = context.tr(command.label);
-  if (!command.keys.empty()) tooltip += "   " + command.keys;
-  tooltip += "\n" + (reason ? context.tr.phrase(*reason) : context.tr(command.help));
   if (reason) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F);
-  if (icon_button(context, command.icon, id, tooltip.c_str(), command.checked && command.checked(), 36) &&
-      !reason)
-    context.commands.run(command);
+  if (icon_button(context, command.icon, id, "", command.checked && command.checked(), 36)) context.run(id);
   if (reason) ImGui::PopStyleVar();
+  if (ImGui::IsItemHovered()) command_tooltip(context, command, reason, true);
   context.marks.item(std::string("button.") + id);
 }
 
