@@ -7,11 +7,13 @@
 #include <cerrno>
 
 #include "core/base/printable.hpp"
+#include "tests/support/failing_layer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
 namespace {
 
+using test::FailingLayer;
 using test::slurp;
 using test::spill;
 using test::TemporaryFolder;
@@ -21,51 +23,6 @@ std::size_t file_count(const std::filesystem::path& folder) {
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++count;
   return count;
 }
-
-/// Does what the system does until call number `failing` (from 0), which fails with `error_number`; writes
-/// are cut into small pieces, so that a failure may come in the middle. When `dead`, every later call fails
-/// too: what a crash or a pulled disk leaves behind.
-class FailingLayer final : public FileLayer {
- public:
-  FailingLayer(int failing, int error_number, bool dead = false)
-      : failing_(failing), error_(error_number), dead_(dead) {}
-  int calls() const { return calls_; }
-  int renames() const { return renames_; }
-
-  int create(const std::string& path, unsigned mode) override {
-    return fails() ? -error_ : system_.create(path, mode);
-  }
-  int set_mode(int descriptor, unsigned mode) override {
-    return fails() ? -error_ : system_.set_mode(descriptor, mode);
-  }
-  std::int64_t write(int descriptor, const char* data, std::size_t size) override {
-    return fails() ? -error_ : system_.write(descriptor, data, std::min<std::size_t>(size, 7));
-  }
-  int sync(int descriptor) override { return fails() ? -error_ : system_.sync(descriptor); }
-  int close(int descriptor) override {
-    const int result = system_.close(descriptor);  // a failing close has closed nevertheless
-    return fails() ? -error_ : result;
-  }
-  int rename(const std::string& from, const std::string& to) override {
-    if (fails()) return -error_;
-    ++renames_;
-    return system_.rename(from, to);
-  }
-  int remove(const std::string& path) override { return fails() ? -error_ : system_.remove(path); }
-  int open_directory(const std::string& path) override {
-    return fails() ? -error_ : system_.open_directory(path);
-  }
-
- private:
-  bool fails() {
-    const int call = calls_++;
-    return call == failing_ || (dead_ && call > failing_);
-  }
-  SystemFileLayer system_;
-  int failing_, error_;
-  bool dead_;
-  int calls_ = 0, renames_ = 0;
-};
 
 const std::string old_bytes("old\0bytes", 9);
 const std::string new_bytes(100, 'n');

@@ -1,0 +1,23 @@
+#pragma once
+
+// FileStamp: tells whether a file on disk is still the one that was read or written.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace hariko {
+
+/// Any program that writes the file changes at least one of these.
+struct FileStamp {
+  std::uint64_t size = 0;     ///< bytes
+  std::int64_t modified = 0;  ///< nanoseconds since 1970, UTC
+  std::uint64_t device = 0, inode = 0;
+
+  friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+
+/// Nothing when there is no such file. Follows symbolic links.
+std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
+
+}  // namespace hariko
