@@ -154,7 +154,9 @@ void MeshDraft::remove_face(FaceId id) {
 }
 
 void MeshDraft::split_edge(EdgeId edge, VertexId middle) {
-  for (const FaceId f : faces_at(edge)) {
+  const std::vector<FaceId> sides = faces_at(edge);
+  if (sides.size() == 1) outline_points_.insert(middle);
+  for (const FaceId f : sides) {
     const auto old = face(f);
     std::vector<VertexId> corners;
     corners.reserve(old.size() + 1);
@@ -193,6 +195,24 @@ void MeshDraft::inherit(VertexId from, VertexId to) {
     shaping_.tag.erase(to);
 }
 
+// An automatic border vertex is a corner exactly when it has two edges: new edges must not round corners, nor
+// new points make them.
+void MeshDraft::keep_outline(const Polyhedron& after) {
+  const auto edges_at = [](const Polyhedron& polyhedron, VertexId id) {
+    const Index v = polyhedron.find(id);
+    return v != no_index && polyhedron.topology().is_border_vertex(v) ? polyhedron.topology().valence(v) : 0;
+  };
+  for (const VertexId id : outline_points_)
+    if (edges_at(after, id) == 2 && !shaping_.tag.contains(id)) shaping_.tag.set(id, VertexTag::smooth);
+  const Polyhedron& before = source_.polyhedron;
+  for (Index v = 0; v < before.vertex_count(); ++v) {
+    const VertexId id = before.vertex_id(v);
+    if (edges_at(before, id) == 2 && edges_at(after, id) > 2 && !shaping_.tag.contains(id) &&
+        !released_corners_.contains(id))
+      shaping_.tag.set(id, VertexTag::corner);
+  }
+}
+
 Result<PolyhedronSource> MeshDraft::finish() && {
   PolygonMesh mesh;
   std::vector<VertexId> vertex_ids;
@@ -216,6 +236,7 @@ Result<PolyhedronSource> MeshDraft::finish() && {
                       "Export the object and import it again: that numbers its elements afresh.");
   Result<Polyhedron> built = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids));
   if (!built) return refusal(built.error(), source_.polyhedron);
+  keep_outline(*built);
   PolyhedronSource out = std::move(source_);
   Shaping shaping = detail::shaping_on(*built, shaping_, out.polyhedron, *out.shaping);
   out.polyhedron = *std::move(built);

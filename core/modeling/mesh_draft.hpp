@@ -3,6 +3,7 @@
 // MeshDraft: a polyhedron being edited.
 
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -43,7 +44,7 @@ class MeshDraft {
   void set_face(FaceId id, std::vector<VertexId> corners);
   void remove_face(FaceId id);
   /// Puts `middle` between the ends of the edge in every face that has it. The halves inherit tension and
-  /// crease. O(valence).
+  /// crease. In an open edge the new point stays smooth although it has two edges only. O(valence).
   void split_edge(EdgeId edge, VertexId middle);
 
   /// Tensions, creases, tags and pins, carried along. Entries of elements that are gone do no harm.
@@ -53,6 +54,10 @@ class MeshDraft {
   void inherit(EdgeId from, EdgeId to);
   /// Gives `to` the tension and tag of `from`. Pins stay where they are: each fixes one point's tangents.
   void inherit(VertexId from, VertexId to);
+
+  /// Where the border turns a corner because a vertex has two edges only, it keeps that corner (by a tag)
+  /// when it gets more edges; not so where the border is to go on straight from here.
+  void release_corner(VertexId id) { released_corners_.insert(id); }
 
   /// The polyhedron: vertices without a face are dropped and the shaping of elements that are gone is
   /// forgotten, as are `corner` tags that lost the border or creases they need. Pinned tangents stay where
@@ -70,6 +75,7 @@ class MeshDraft {
   Vertex& at(VertexId id);
   void link(FaceId face, std::span<const VertexId> corners);
   void unlink(FaceId face, std::span<const VertexId> corners);
+  void keep_outline(const Polyhedron& after);
 
   PolyhedronSource source_;
   std::map<VertexId, Vertex> vertices_;
@@ -77,6 +83,8 @@ class MeshDraft {
   VertexId next_vertex_;
   FaceId next_face_;
   Shaping shaping_;
+  std::set<VertexId> outline_points_;  ///< put into open edges
+  std::set<VertexId> released_corners_;
 };
 
 }  // namespace hariko

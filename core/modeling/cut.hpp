@@ -1,0 +1,41 @@
+#pragma once
+
+// Cutting: faces are split along new edges between points of their outlines.
+
+#include <span>
+#include <variant>
+
+#include "core/base/result.hpp"
+#include "core/modeling/modeled.hpp"
+
+namespace hariko {
+
+/// Connects selected points: in every face that has several of them, each with the next one round the face.
+/// An edge stands for its middle, where it gets a vertex. Neighbours along a side and points that an edge
+/// joins already are not joined again, nor are points between which the line would leave a concave face.
+///
+/// New edges are plain. Pieces of edges keep tension and crease, points on edges get the tension in between.
+/// Split faces pass their id to one part. The Euler number stays. Selected afterwards: the new edges.
+///
+/// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (nothing to connect).
+Result<Modeled> connect_points(const PolyhedronSource& source, std::span<const VertexId> vertices,
+                               std::span<const EdgeId> edges);
+
+/// A point on an edge, at a share (0 .. 1, both excluded) of its length from its end with the smaller id.
+struct EdgePoint {
+  EdgeId edge;
+  double share = 0.5;
+};
+using CutPoint = std::variant<VertexId, EdgePoint>;
+
+/// Cuts along a path: consecutive points must lie on a common face, and the line between them inside it.
+/// Shaping, ids and selection as for `connect_points`; points along a side are joined by the side itself.
+/// Errors: E_NOTHING_SELECTED (fewer than two points), E_UNKNOWN_ELEMENT, E_BAD_AMOUNT, E_WRONG_SELECTION
+/// (names the element where the path leaves the faces).
+Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path);
+
+/// Splits one face between two of its corners. Errors: E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (no corners of
+/// the face, neighbours, joined already, or the line leaves the face).
+Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId a, VertexId b);
+
+}  // namespace hariko
