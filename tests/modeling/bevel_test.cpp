@@ -99,7 +99,7 @@ TEST(BevelVertices, Refusals) {
 TEST(BevelVertices, RandomMeshes) {
   int done = 0, surfaces = 0;
   for_random(4000, 300, [&](std::mt19937_64& rng) {
-    const PolyhedronSource source = random_source(rng);
+    const PolyhedronSource source = random_shape_source(rng);
     const bool share = chance(rng, 0.6);
     const BevelVerticesOptions options{random_amount(rng, share ? 0.3 : size_of(source) / 10),
                                        share ? Measure::share : Measure::distance};
@@ -215,7 +215,7 @@ TEST(BevelEdges, Refusals) {
 TEST(BevelEdges, RandomMeshes) {
   int done = 0, surfaces = 0;
   for_random(4500, 300, [&](std::mt19937_64& rng) {
-    const PolyhedronSource source = random_source(rng);
+    const PolyhedronSource source = random_shape_source(rng);
     const Edges edges = random_edges(source, rng);
     double width = random_amount(rng, size_of(source) / 10);
     const auto limit = largest_edge_bevel(source, edges);

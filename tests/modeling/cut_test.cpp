@@ -134,7 +134,7 @@ TEST(SplitFace, BetweenCorners) {
 TEST(ConnectPoints, RandomMeshes) {
   int done = 0, surfaces = 0;
   for_random(7000, 300, [&](std::mt19937_64& rng) {
-    const PolyhedronSource source = random_source(rng);
+    const PolyhedronSource source = random_shape_source(rng);
     const auto vertices = chance(rng, 0.7) ? random_vertices(source, rng) : Vertices{};
     const auto edges = chance(rng, 0.7) ? random_edges(source, rng) : Edges{};
     const auto result = connect_points(source, vertices, edges);
@@ -149,7 +149,7 @@ TEST(ConnectPoints, RandomMeshes) {
 TEST(CutPath, RandomPaths) {
   int done = 0;
   for_random(7500, 300, [&](std::mt19937_64& rng) {
-    const PolyhedronSource source = random_source(rng);
+    const PolyhedronSource source = random_shape_source(rng);
     const HalfEdgeMesh& mesh = source.polyhedron.topology();
     // From face to face, so that some paths can be cut.
     std::vector<CutPoint> path;

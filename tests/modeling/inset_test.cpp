@@ -104,7 +104,7 @@ TEST(InsetFaces, Refusals) {
 TEST(InsetFaces, RandomMeshes) {
   int done = 0, surfaces = 0;
   for_random(3500, 300, [&](std::mt19937_64& rng) {
-    const PolyhedronSource source = random_source(rng);
+    const PolyhedronSource source = random_shape_source(rng);
     const Faces faces = random_faces(source, rng);
     const bool share = chance(rng, 0.6);
     const InsetOptions options{random_amount(rng, share ? 0.5 : size_of(source) / 10),

@@ -54,7 +54,7 @@ TEST(EdgePaths, StopAtOtherVerticesAndFaces) {
 
 TEST(EdgePaths, RandomMeshesHaveNoEdgeTwiceAndAgreeFromEveryStart) {
   for_random(5500, 100, [](std::mt19937_64& rng) {
-    const Polyhedron polyhedron = random_source(rng).polyhedron;
+    const Polyhedron polyhedron = random_shape_source(rng).polyhedron;
     const EdgeId start = polyhedron.edge_id(static_cast<Index>(rng() % polyhedron.edge_count()));
     for (const auto follow : {edge_loop, edge_ring}) {
       const auto path = follow(polyhedron, start);
@@ -160,7 +160,7 @@ TEST(LoopCut, Refusals) {
 TEST(LoopCut, RandomMeshes) {
   int done = 0, surfaces = 0;
   for_random(6000, 300, [&](std::mt19937_64& rng) {
-    const PolyhedronSource source = random_source(rng);
+    const PolyhedronSource source = random_shape_source(rng);
     const EdgeId start =
         source.polyhedron.edge_id(static_cast<Index>(rng() % source.polyhedron.edge_count()));
     LoopCutOptions options{chance(rng, 0.9) ? uniform_int(rng, 1, 5) : uniform_int(rng, -3, 1100),

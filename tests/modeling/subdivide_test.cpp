@@ -68,7 +68,7 @@ TEST(PokeFaces, Cube) {
 TEST(Subdivide, RandomMeshes) {
   int done = 0, surfaces = 0;
   for_random(8000, 300, [&](std::mt19937_64& rng) {
-    const PolyhedronSource source = random_source(rng);
+    const PolyhedronSource source = random_shape_source(rng);
     const double area_before = [&] {
       double sum = 0;
       for (Index f = 0; f < source.polyhedron.face_count(); ++f) sum += area_of(source.polyhedron, f);

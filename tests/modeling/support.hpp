@@ -45,7 +45,7 @@ inline PolyhedronSource with_gaps(PolyhedronSource source, std::mt19937_64& rng)
 
 /// A valid polyhedron of any kind: open or closed, any genus, faces of many sides, 1e-3 .. 1e6 in size, near
 /// zero or a million away, with tensions, creases, tags and pinned planes.
-inline PolyhedronSource random_source(std::mt19937_64& rng) {
+inline PolyhedronSource random_shape_source(std::mt19937_64& rng) {
   PolygonMesh mesh = random_polyhedron(rng);
   const double scale = chance(rng, 0.5) ? 1 : log_uniform(rng, 1e-3, 1e6);
   const Vector3 far = chance(rng, 0.3) ? random_vector(rng, 1e6) : Vector3::Zero();
@@ -134,7 +134,7 @@ inline std::string counts(const PolyhedronSource& source) {
 
 /// What holds of every result: a refusal explains itself; otherwise selection and shaping name elements that
 /// exist, nothing lies loose, and the object's other settings are untouched.
-inline void expect_sound(const PolyhedronSource& before, const Result<Modeled>& result) {
+inline void expect_whole(const PolyhedronSource& before, const Result<Modeled>& result) {
   if (!result) {
     EXPECT_TRUE(result.error().code.name.starts_with("E_")) << to_string(result.error());
     EXPECT_FALSE(result.error().text.empty());
@@ -158,9 +158,9 @@ inline void expect_sound(const PolyhedronSource& before, const Result<Modeled>& 
     EXPECT_NE(polyhedron.topology().outgoing(v), no_index);
 }
 
-/// expect_sound, and the Euler number is the one before.
+/// expect_whole, and the Euler number is the one before.
 inline void expect_same_euler(const PolyhedronSource& before, const Result<Modeled>& result) {
-  expect_sound(before, result);
+  expect_whole(before, result);
   if (result) {
     EXPECT_EQ(euler(result->source), euler(before));
   }
