@@ -8,6 +8,7 @@
 
 #include "app/files/open_file.hpp"
 #include "app/surface_builder.hpp"
+#include "ui/view_pictures.hpp"
 
 namespace hariko {
 
@@ -100,8 +101,10 @@ Scene sample_scene(const fs::path& path, const CancelToken& cancel) {
 
 ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {
   const Camera camera = Camera::standard(StandardView::iso).frame(scene.world_box(), picture_size);
-  if (scene.objects.empty() || !renderer.draw(scene, camera, {picture_size, 4}).ok()) return nullptr;
-  const Image image = renderer.read();
+  if (scene.objects.empty() || !renderer.draw(scene, camera, {picture_size, 4, thumbnail_picture}).ok())
+    return nullptr;
+  const Image image = renderer.read(thumbnail_picture);
+  renderer.forget(thumbnail_picture);
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);

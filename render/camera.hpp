@@ -85,6 +85,11 @@ struct Camera {
   /// Between two cameras, x in [0, 1]: for eased view changes. Target and log-distance linear, orientation
   /// slerp.
   static Camera mix(const Camera& from, const Camera& to, double x);
+
+  friend bool operator==(const Camera& a, const Camera& b) {
+    return a.target == b.target && a.orientation.coeffs() == b.orientation.coeffs() &&
+           a.distance == b.distance && a.field_of_view == b.field_of_view && a.orthographic == b.orthographic;
+  }
 };
 
 /// A camera with a viewport: from points to pixels and back. Cheap to make, a snapshot.

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/assert.hpp"
 #include "render/frame_target.hpp"
 #include "render/painter.hpp"
 #include "render/shader_source.hpp"
@@ -56,12 +57,12 @@ struct Renderer::State {
   struct MeshEntry {
     std::shared_ptr<const DisplayMesh::Curves> curves;  // the key; kept so that its address stays unique
     std::unique_ptr<gl::MeshBuffers> buffers;
-    bool used = false;
+    unsigned used_by = 0;  // one bit for each picture
   };
   struct PolyhedronEntry {
     std::shared_ptr<const DisplayPolyhedron> polyhedron;
     std::unique_ptr<gl::PolyhedronBuffers> buffers;
-    bool used = false;
+    unsigned used_by = 0;  // one bit for each picture
   };
 
   gl::MeshBuffers& mesh_buffers(const DisplayMesh& mesh);
@@ -71,13 +72,22 @@ struct Renderer::State {
                        gl::Depth depth, float opacity);
   void draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style);
 
+  struct Picture {
+    gl::FrameTarget target;
+    Background background = Background::dark;
+  };
+  /// Says that the picture in `bit` is drawn anew or goes: what it used and no other does is dropped at
+  /// `drop_unused`.
+  void release(unsigned pictures);
+  void drop_unused();
+
   gl::Painter painter;
-  gl::FrameTarget target;
+  std::array<Picture, most_pictures> pictures;
+  unsigned bit = 1;  ///< of the picture that is drawn
   gl::IndexCache indices;
   std::vector<MeshEntry> meshes;
   std::vector<PolyhedronEntry> polyhedra;
   FrameStatistics statistics;
-  Background background = Background::dark;
   std::uint64_t stamp = 0;
 };
 
@@ -86,12 +96,12 @@ struct Renderer::State {
 gl::MeshBuffers& Renderer::State::mesh_buffers(const DisplayMesh& mesh) {
   for (MeshEntry& entry : meshes)
     if (entry.curves == mesh.curves()) {
-      entry.used = true;
+      entry.used_by |= bit;
       entry.buffers->update(mesh, statistics.uploaded_bytes);
       return *entry.buffers;
     }
   meshes.push_back(
-      {mesh.curves(), std::make_unique<gl::MeshBuffers>(mesh, indices, statistics.uploaded_bytes), true});
+      {mesh.curves(), std::make_unique<gl::MeshBuffers>(mesh, indices, statistics.uploaded_bytes), bit});
   return *meshes.back().buffers;
 }
 
@@ -99,12 +109,22 @@ gl::PolyhedronBuffers& Renderer::State::polyhedron_buffers(
     const std::shared_ptr<const DisplayPolyhedron>& polyhedron) {
   for (PolyhedronEntry& entry : polyhedra)
     if (entry.polyhedron == polyhedron) {
-      entry.used = true;
+      entry.used_by |= bit;
       return *entry.buffers;
     }
   polyhedra.push_back(
-      {polyhedron, std::make_unique<gl::PolyhedronBuffers>(*polyhedron, statistics.uploaded_bytes), true});
+      {polyhedron, std::make_unique<gl::PolyhedronBuffers>(*polyhedron, statistics.uploaded_bytes), bit});
   return *polyhedra.back().buffers;
+}
+
+void Renderer::State::release(unsigned pictures_released) {
+  for (auto& entry : meshes) entry.used_by &= ~pictures_released;
+  for (auto& entry : polyhedra) entry.used_by &= ~pictures_released;
+}
+
+void Renderer::State::drop_unused() {
+  std::erase_if(meshes, [](const auto& entry) { return entry.used_by == 0; });
+  std::erase_if(polyhedra, [](const auto& entry) { return entry.used_by == 0; });
 }
 
 void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
@@ -188,14 +208,16 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Fram
   State& s = *state_;
   s.statistics = {};
   s.painter.reset(&s.statistics);
-  if (Result<Done> sized = s.target.resize(options.size, options.samples); !sized) return sized;
+  HARIKO_ASSERT(options.picture >= 0 && options.picture < most_pictures, "no such picture");
+  State::Picture& picture = s.pictures[std::size_t(options.picture)];
+  s.bit = 1U << static_cast<unsigned>(options.picture);
+  if (Result<Done> sized = picture.target.resize(options.size, options.samples); !sized) return sized;
   const gl::Style style = gl::style_of(scene.background);
   const gl::Frame frame(scene, camera, options.size, scene.world_box());
-  s.background = scene.background;
-  for (auto& entry : s.meshes) entry.used = false;
-  for (auto& entry : s.polyhedra) entry.used = false;
+  picture.background = scene.background;
+  s.release(s.bit);
 
-  s.target.bind();
+  picture.target.bind();
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -223,31 +245,42 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Fram
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LESS);
   glActiveTexture(GL_TEXTURE0);
-  s.target.resolve();
-  std::erase_if(s.meshes, [](const auto& entry) { return !entry.used; });
-  std::erase_if(s.polyhedra, [](const auto& entry) { return !entry.used; });
+  picture.target.resolve();
+  s.drop_unused();
   return Done{};
 }
 
-unsigned Renderer::texture() const {
-  return state_->target.texture();
+unsigned Renderer::texture(int picture) const {
+  return state_->pictures[std::size_t(picture)].target.texture();
 }
 
-void Renderer::blit_to_window(int x, int y) const {
-  const PixelSize size = state_->target.size();
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->target.framebuffer());
+void Renderer::forget(int picture) {
+  state_->pictures[std::size_t(picture)] = {};
+  state_->release(1U << static_cast<unsigned>(picture));
+  state_->drop_unused();
+}
+
+void Renderer::finish() const {
+  glFinish();
+}
+
+void Renderer::blit_to_window(int x, int y, int picture) const {
+  const gl::FrameTarget& target = state_->pictures[std::size_t(picture)].target;
+  const PixelSize size = target.size();
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   glBlitFramebuffer(0, 0, size.width, size.height, x, y, x + size.width, y + size.height, GL_COLOR_BUFFER_BIT,
                     GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Image Renderer::read() const {
-  const PixelSize size = state_->target.size();
+Image Renderer::read(int picture) const {
+  const gl::FrameTarget& target = state_->pictures[std::size_t(picture)].target;
+  const PixelSize size = target.size();
   Image image(size.width, size.height);
   if (image.rgba.empty()) return image;
   std::vector<std::uint8_t> upward(image.rgba.size());
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->target.framebuffer());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, upward.data());
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -255,7 +288,7 @@ Image Renderer::read() const {
   for (int y = 0; y < size.height; ++y)
     std::copy_n(upward.begin() + static_cast<std::ptrdiff_t>(std::size_t(size.height - 1 - y) * row), row,
                 image.pixel(0, y));
-  if (state_->background != Background::transparent) return image;
+  if (state_->pictures[std::size_t(picture)].background != Background::transparent) return image;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {  // blended over nothing, colours carry their alpha
     const unsigned alpha = image.rgba[i + 3];
     for (std::size_t c = 0; c < 3 && alpha > 0; ++c)

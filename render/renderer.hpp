@@ -18,6 +18,7 @@ inline constexpr Code e_gl_framebuffer{"E_GL_FRAMEBUFFER"};
 struct FrameOptions {
   PixelSize size;
   int samples = 4;  ///< 1 (none, for moving views on slow machines) to 4; clamped to what GL offers
+  int picture = 0;  ///< which of the pictures that the renderer keeps is drawn: 0 .. most_pictures - 1
 };
 
 struct FrameStatistics {
@@ -31,22 +32,29 @@ struct FrameStatistics {
 /// and culling off.
 class Renderer {
  public:
+  /// Pictures kept side by side, each with a texture of its own: one for each view of the window and some to
+  /// spare. GPU copies of meshes are shared between them.
+  static constexpr int most_pictures = 8;
+
   /// Errors: E_GL_VERSION below 3.3, E_GL_SHADER.
   static Result<Renderer> create();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Draws; the picture is then in texture(). Errors: E_GL_FRAMEBUFFER.
+  /// Draws; the picture is then in texture(options.picture). Errors: E_GL_FRAMEBUFFER.
   Result<Done> draw(const Scene& scene, const Camera& camera, const FrameOptions& options);
 
-  /// GL name of the RGBA8 texture with the last picture; rows run upwards, as GL has them (ImGui: uv
-  /// (0,1)..(1,0)).
-  unsigned texture() const;
-  /// Copies the last picture into framebuffer 0 with its lower left corner at (x, y).
-  void blit_to_window(int x, int y) const;
-  /// Reads the last picture back.
-  Image read() const;
+  /// GL name of the RGBA8 texture with a picture; rows run upwards, as GL has them (ImGui: uv (0,1)..(1,0)).
+  unsigned texture(int picture = 0) const;
+  /// Copies a picture into framebuffer 0 with its lower left corner at (x, y).
+  void blit_to_window(int x, int y, int picture = 0) const;
+  /// Reads a picture back.
+  Image read(int picture = 0) const;
+  /// Frees a picture's texture and what only it was drawn from.
+  void forget(int picture);
+  /// Waits until the GPU (or the driver's threads) has drawn everything: for measuring.
+  void finish() const;
   const FrameStatistics& statistics() const;
 
   /// True when a shader file on disk (HARIKO_SHADERS) changed since it was compiled; then reload() compiles

@@ -17,7 +17,8 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   selection.prune(history.current());
   hovered.reset();
   has_document = true;
-  to_ = Camera::standard(StandardView::iso);
+  // The views start anew; how they are arranged stays.
+  layout.views = ViewLayout().views;
   wants_framing = true;
 }
 
@@ -77,29 +78,17 @@ bool Editor::notices_expire() const {
                      [](const Notice& notice) { return notice.kind == Notice::Kind::info; });
 }
 
-Camera Editor::camera() const {
-  if (!flying()) return to_;
-  const double x = std::clamp((now - flight_start_) / flight_seconds, 0.0, 1.0);
-  return Camera::mix(from_, to_, 1 - (1 - x) * (1 - x) * (1 - x));
-}
-
-void Editor::set_camera(const Camera& camera) {
-  to_ = camera;
-  flight_start_ = -1;
-}
-
-void Editor::fly_to(const Camera& camera) {
-  from_ = this->camera();
-  to_ = camera;
-  flight_start_ = now;
-}
-
 void Editor::frame_all(bool at_once) {
-  const Camera framed = to_.frame(visible_box(), viewport);
+  const Camera framed = layout.active_view().goal().frame(visible_box(), viewport);
   at_once ? set_camera(framed) : fly_to(framed);
 }
 
-void Editor::frame_selection() {
+void Editor::frame_at_once(int number, PixelSize size) {
+  View& framed = layout.views[static_cast<std::size_t>(number)];
+  framed.set(framed.goal().frame(visible_box(), size));
+}
+
+Box3 Editor::selected_box() const {
   Box3 box;
   for (const auto& object : document().objects) {
     const PolyhedronSource* source = object->polyhedron();
@@ -108,12 +97,17 @@ void Editor::frame_selection() {
       box.extend(
           object->transform.apply(source->origin + source->polyhedron.position(source->polyhedron.find(id))));
   }
+  return box;
+}
+
+void Editor::frame_selection() {
+  Box3 box = selected_box();
   if (box.isEmpty()) return frame_all();
   // A single point has no size: keep a fraction of the scene round it.
   const double margin = std::max(0.0, 0.1 * visible_box().diagonal().norm() - 0.5 * box.diagonal().norm());
   box.extend(Vector3(box.min().array() - margin));
   box.extend(Vector3(box.max().array() + margin));
-  fly_to(to_.frame(box, viewport));
+  fly_to(layout.active_view().goal().frame(box, viewport));
 }
 
 Box3 Editor::visible_box() const {

@@ -15,6 +15,7 @@
 #include "ui/selection.hpp"
 #include "ui/settings.hpp"
 #include "ui/surface_view.hpp"
+#include "ui/view_layout.hpp"
 
 namespace hariko {
 
@@ -46,7 +47,7 @@ class Editor {
 
   /// False while the start page shows.
   bool has_document = false;
-  bool wants_framing = false;                 ///< as soon as the viewport's size is known
+  bool wants_framing = false;                 ///< of all views, as soon as their sizes are known
   std::optional<std::filesystem::path> path;  ///< of the document on disk
 
   /// Written by the application each frame.
@@ -54,7 +55,8 @@ class Editor {
   const std::map<ObjectId, SurfaceView>* views = nullptr;  ///< surfaces that are ready
   std::map<ObjectId, double> stale_since;                  ///< objects whose surface is being rebuilt
   std::string job;                                         ///< long work in progress: "Saving car.hariko"
-  PixelSize viewport{1, 1};                                ///< framebuffer pixels
+  PixelSize viewport{1, 1};                                ///< the active view, framebuffer pixels
+  double pixel_scale = 1;                                  ///< framebuffer pixels per design pixel
 
   const Document& document() const { return history.shown(); }
   const Object* active_object() const { return document().find(selection.active); }
@@ -81,24 +83,25 @@ class Editor {
   /// Whether a notice shows that goes away by itself.
   bool notices_expire() const;
 
-  /// The camera now, eased while a view change is under way.
-  Camera camera() const;
-  /// At once; ends a view change.
-  void set_camera(const Camera& camera);
-  /// In 180 ms.
-  void fly_to(const Camera& camera);
-  bool flying() const { return now < flight_start_ + flight_seconds; }
-  static constexpr double flight_seconds = 0.18;
-  /// Frames everything that is visible, or the selection.
+  ViewLayout layout;
+  /// The camera of the active view now, eased while a change is under way.
+  Camera camera() const { return layout.active_view().camera(now); }
+  /// At once; ends a flight.
+  void set_camera(const Camera& camera) { layout.active_view().set(camera); }
+  void fly_to(const Camera& camera) { layout.active_view().fly_to(camera, now); }
+  bool flying() const { return layout.flying(now); }
+  /// Frames everything that is visible, or the selection, in the active view.
   void frame_all(bool at_once = false);
+  /// Frames everything in any view.
+  void frame_at_once(int view, PixelSize size);
   void frame_selection();
+  /// World box of what is selected, empty when nothing is.
+  Box3 selected_box() const;
 
  private:
   Box3 visible_box() const;
 
   std::deque<Notice> notices_;
-  Camera from_, to_ = Camera::standard(StandardView::iso);
-  double flight_start_ = -1;
 };
 
 /// World box of an object's polyhedron or mesh.

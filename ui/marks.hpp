@@ -17,8 +17,9 @@ class Marks {
   };
   void clear() { rects_.clear(); }
   /// Names the last item.
-  void item(const std::string& name) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  void item(const std::string& name) { rect(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+  /// Names a place that is no item.
+  void rect(const std::string& name, ImVec2 low, ImVec2 high) {
     rects_[name] = {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x - low.x),
                     static_cast<int>(high.y - low.y)};
   }

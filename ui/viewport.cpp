@@ -2,18 +2,36 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "ui/panels/axis_gizmo.hpp"
+#include "ui/panels/view_frame.hpp"
+#include "ui/tools/navigation.hpp"
 
 namespace hariko {
 
 namespace {
 
-bool same(const Camera& a, const Camera& b) {
-  return a.target == b.target && a.orientation.coeffs() == b.orientation.coeffs() &&
-         a.distance == b.distance && a.field_of_view == b.field_of_view && a.orthographic == b.orthographic;
+constexpr std::array buttons{PointerButton::left, PointerButton::right,
+                             PointerButton::middle};   // as ImGui counts
+constexpr float gizmo_radius = 44, gizmo_margin = 12;  // design pixels
+constexpr float gap = 2;                               // between views
+
+bool holds(const PanelRect& rect, ImVec2 point) {
+  return point.x >= rect.min.x && point.x < rect.max.x && point.y >= rect.min.y && point.y < rect.max.y;
 }
 
-constexpr std::array buttons{PointerButton::left, PointerButton::right,
-                             PointerButton::middle};  // as ImGui counts
+/// Small views have a small gizmo, and none where it would hide the model.
+float gizmo_size(const Metrics& metrics, const PanelRect& rect) {
+  const float room = std::min(rect.width(), rect.height());
+  return room < metrics.px(160) ? 0 : std::min(metrics.px(gizmo_radius), room / 6);
+}
+
+AxisGizmo gizmo_of(const Metrics& metrics, const PanelRect& rect, const Camera& camera) {
+  const float radius = gizmo_size(metrics, rect);
+  const float inset = radius + metrics.px(gizmo_margin);
+  return {camera, {rect.max.x - inset, rect.min.y + inset}, radius};
+}
 
 std::size_t button_index(PointerButton button) {
   return static_cast<std::size_t>(std::find(buttons.begin(), buttons.end(), button) - buttons.begin());
@@ -22,36 +40,189 @@ std::size_t button_index(PointerButton button) {
 }  // namespace
 
 void Viewport::draw(PanelContext& context, const PanelRect& rect) {
-  rect_ = rect;
+  place_views(rect);
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  editor_.viewport = {std::max(1, static_cast<int>(rect.width() * scale.x)),
-                      std::max(1, static_cast<int>(rect.height() * scale.y))};
-  if (editor_.wants_framing) editor_.frame_all(true);
+  editor_.pixel_scale = double(context.metrics.scale) * double(scale.x);
+  for (const Place& place : places_) {
+    View& view = editor_.layout.views[static_cast<std::size_t>(place.view)];
+    if (!view.wants_framing && !editor_.wants_framing) continue;
+    editor_.frame_at_once(place.view, size_of(place));
+    view.wants_framing = false;
+  }
+  if (editor_.wants_framing)
+    for (int i = 0; i < ViewLayout::count; ++i)
+      editor_.layout.views[static_cast<std::size_t>(i)].wants_framing = !editor_.layout.shows(i);
   editor_.wants_framing = false;
+
   if (begin_panel("Viewport", rect, palette().window, {0, 0},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    // What lies over the pictures comes first: ImGui gives the pointer to the first of overlapping items.
+    drag_splitter(context, rect);
+    for (Place& place : places_) {
+      place.title_hovered = view_title_button(context, place.view, place.rect);
+      gizmo_button(context, place);
+    }
+    ImGui::SetCursorScreenPos(rect.min);
     ImGui::InvisibleButton("surface", {rect.width(), rect.height()},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     context.marks.item("viewport");
+    const bool hovered = ImGui::IsItemHovered();
+    activate_under_pointer();
     scene_.update(editor_);  // hovering and clicking look at what is there now
-    handle_pointer(ImGui::IsItemHovered());
+    handle_pointer(hovered);
+    // A title or a tool may have arranged the views anew.
+    place_views(rect);
     scene_.update(editor_);
-    refresh();
-    ImGui::GetWindowDrawList()->AddImage(
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
-        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.texture())), rect.min, rect.max,
-        {0, 1}, {1, 0});
-    draw_legend(context, rect);
-    if (tool_) tool_->draw({editor_, scene_}, {*ImGui::GetWindowDrawList(), rect.min, context.metrics});
+    std::vector<ViewPictures::Shown> shown;
+    for (const Place& place : places_) shown.push_back({place.view, size_of(place)});
+    pictures_.update(editor_, scene_, shown, tool_ != nullptr);
+    for (const Place& place : places_) show(context, place);
   }
   ImGui::End();
 }
 
+void Viewport::place_views(const PanelRect& rect) {
+  std::vector<Place> before = std::move(places_);
+  places_.clear();
+  for (const Pane& pane : editor_.layout.panes()) {
+    Place place;
+    place.view = pane.view;
+    const auto at = [&](float x, float y) {
+      return ImVec2(std::round(rect.min.x + x * rect.width()), std::round(rect.min.y + y * rect.height()));
+    };
+    place.rect = {at(pane.left, pane.top), at(pane.right, pane.bottom)};
+    if (pane.left > 0) place.rect.min.x += gap / 2;
+    if (pane.top > 0) place.rect.min.y += gap / 2;
+    if (pane.right < 1) place.rect.max.x -= gap / 2;
+    if (pane.bottom < 1) place.rect.max.y -= gap / 2;
+    for (const Place& old : before) {
+      if (old.view != place.view) continue;
+      place.title_hovered = old.title_hovered;
+      place.gizmo_hovered = old.gizmo_hovered;
+    }
+    places_.push_back(place);
+  }
+  rect_ = active_place().rect;
+  editor_.viewport = size_of(active_place());
+}
+
+const Viewport::Place& Viewport::active_place() const {
+  const auto found = std::find_if(places_.begin(), places_.end(),
+                                  [&](const Place& place) { return place.view == editor_.layout.active(); });
+  return found == places_.end() ? places_.front() : *found;
+}
+
+PixelSize Viewport::size_of(const Place& place) const {
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  return {std::max(1, static_cast<int>(place.rect.width() * scale.x)),
+          std::max(1, static_cast<int>(place.rect.height() * scale.y))};
+}
+
+Vector2 Viewport::pixel_at(ImVec2 point) const {
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  return {double((point.x - rect_.min.x) * scale.x), double((point.y - rect_.min.y) * scale.y)};
+}
+
+/// The view under the pointer is the active one, unless something is being dragged.
+void Viewport::activate_under_pointer() {
+  if (tool_ || ImGui::IsAnyMouseDown()) {
+    // The press itself comes with a pointer that may have jumped here since the last frame.
+    const bool pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+    if (tool_ || !pressed) return;
+  }
+  if (!ImGui::IsWindowHovered()) return;
+  for (const Place& place : places_)
+    if (holds(place.rect, ImGui::GetIO().MousePos)) editor_.layout.activate(place.view);
+  rect_ = active_place().rect;
+  editor_.viewport = size_of(active_place());
+}
+
+void Viewport::drag_splitter(PanelContext& context, const PanelRect& rect) {
+  ViewLayout& layout = editor_.layout;
+  if (layout.arrangement() == Arrangement::one) return;
+  const bool four = layout.arrangement() == Arrangement::four;
+  const float x = rect.min.x + layout.split_x * rect.width(), y = rect.min.y + layout.split_y * rect.height();
+  const float thick = context.metrics.px(4), middle = context.metrics.px(9);
+  const auto bar = [&](const char* name, ImVec2 min, ImVec2 max, bool moves_x, bool moves_y,
+                       ImGuiMouseCursor cursor) {
+    ImGui::SetCursorScreenPos(min);
+    ImGui::InvisibleButton(name, {max.x - min.x, max.y - min.y});
+    context.marks.item(name);
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(cursor);
+    if (!ImGui::IsItemActive()) return;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const auto fraction = [](float value) {
+      return std::clamp(value, ViewLayout::least_split, 1 - ViewLayout::least_split);
+    };
+    if (moves_x) layout.split_x = fraction((mouse.x - rect.min.x) / rect.width());
+    if (moves_y) layout.split_y = fraction((mouse.y - rect.min.y) / rect.height());
+  };
+  if (four)
+    bar("splitter.middle", {x - middle, y - middle}, {x + middle, y + middle}, true, true,
+        ImGuiMouseCursor_ResizeAll);
+  bar("splitter.x", {x - thick, rect.min.y}, {x + thick, rect.max.y}, true, false, ImGuiMouseCursor_ResizeEW);
+  if (four)
+    bar("splitter.y", {rect.min.x, y - thick}, {rect.max.x, y + thick}, false, true,
+        ImGuiMouseCursor_ResizeNS);
+  if (layout.arrangement() != Arrangement::one) place_views(rect);
+}
+
+void Viewport::gizmo_button(PanelContext& context, Place& place) {
+  place.gizmo_hovered = false;
+  const float radius = gizmo_size(context.metrics, place.rect);
+  if (radius <= 0) return;
+  const Camera camera = editor_.layout.views[static_cast<std::size_t>(place.view)].camera(editor_.now);
+  const AxisGizmo gizmo = gizmo_of(context.metrics, place.rect, camera);
+  const std::string name = "view." + std::to_string(place.view) + ".axes";
+  for (const AxisGizmo::Ball& ball : gizmo.balls()) {
+    const ImVec2 c = gizmo.centre_of(ball);
+    const std::string end{ball.positive ? '+' : '-', "xyz"[ball.axis]};
+    context.marks.rect(name + end, {c.x - 2, c.y - 2}, {c.x + 2, c.y + 2});
+  }
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (tool_ || !gizmo.holds(mouse)) return;
+  const float inset = 2 * radius + context.metrics.px(gizmo_margin);
+  ImGui::SetCursorScreenPos({place.rect.max.x - inset, place.rect.min.y + context.metrics.px(gizmo_margin)});
+  ImGui::InvisibleButton(name.c_str(), {2 * radius, 2 * radius});
+  place.gizmo_hovered = ImGui::IsItemHovered();
+  if (!ImGui::IsItemClicked(ImGuiMouseButton_Left)) return;
+  editor_.layout.activate(place.view);
+  rect_ = place.rect;
+  editor_.viewport = size_of(place);
+  PointerEvent press;
+  press.kind = PointerEvent::Kind::press;
+  press.pixel = pixel_at(mouse);
+  start(make_axis_gizmo_tool(gizmo.side_at(mouse)), press);
+}
+
+void Viewport::show(PanelContext& context, const Place& place) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Camera camera = editor_.layout.views[static_cast<std::size_t>(place.view)].camera(editor_.now);
+  context.marks.rect("view." + std::to_string(place.view), place.rect.min, place.rect.max);
+  list.PushClipRect(place.rect.min, place.rect.max, true);
+  list.AddImage(
+      // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
+      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures_.texture(place.view))),
+      place.rect.min, place.rect.max, {0, 1}, {1, 0});
+  const bool active = place.view == editor_.layout.active();
+  draw_scale_bar(context, camera, place.rect);
+  if (active) draw_legend(context, place.rect);
+  if (tool_ && active) tool_->draw({editor_, scene_}, {list, place.rect.min, context.metrics});
+  if (gizmo_size(context.metrics, place.rect) > 0) {
+    const auto pointer = place.gizmo_hovered ? std::optional(ImGui::GetIO().MousePos) : std::nullopt;
+    gizmo_of(context.metrics, place.rect, camera).draw(list, pointer, place.gizmo_hovered);
+  }
+  draw_view_title(context, place.view, place.rect, place.title_hovered);
+  if (active && places_.size() > 1)
+    list.AddRect(place.rect.min, place.rect.max,
+                 (palette().secondary & 0x00ffffff) | (0xb0U << IM_COL32_A_SHIFT), 0, 0, 1);
+  list.PopClipRect();
+}
+
 void Viewport::handle_pointer(bool hovered) {
   const ImGuiIO& io = ImGui::GetIO();
-  const Vector2 pixel((io.MousePos.x - rect_.min.x) * io.DisplayFramebufferScale.x,
-                      (io.MousePos.y - rect_.min.y) * io.DisplayFramebufferScale.y);
+  const Vector2 pixel = pixel_at(io.MousePos);
   PointerEvent event;
   event.pixel = pixel;
   event.shift = io.KeyShift;
@@ -63,13 +234,19 @@ void Viewport::handle_pointer(bool hovered) {
     drive_held(event);
   else if (hovered)
     look_for_press(event);
-  if (hovered && io.MouseWheel != 0) {
-    ToolContext context{editor_, scene_};
-    const double steps = static_cast<double>(io.MouseWheel);
-    if (!tool_ || !tool_->wheel(context, steps, event)) zoom_at(editor_, steps, pixel);
-  }
+  if (hovered && (io.MouseWheel != 0 || io.MouseWheelH != 0)) wheel(event);
   if (!tool_) hover(pixel, hovered);
   pointer_ = pixel;
+}
+
+void Viewport::wheel(const PointerEvent& event) {
+  const ImGuiIO& io = ImGui::GetIO();
+  ToolContext context{editor_, scene_};
+  const Vector2 steps{double(io.MouseWheelH), double(io.MouseWheel)};
+  if (tool_ && tool_->wheel(context, steps.y(), event)) return;
+  constexpr double pause = 0.7;  // seconds that separate two steps to go back from
+  turn_wheel(context, {steps, event.pixel, event.shift, event.control}, editor_.now - wheel_at_ > pause);
+  wheel_at_ = editor_.now;
 }
 
 void Viewport::look_for_press(PointerEvent event) {
@@ -78,7 +255,7 @@ void Viewport::look_for_press(PointerEvent event) {
     event.clicks = ImGui::GetMouseClickedCount(static_cast<int>(i));
     if (event.clicks == 0) continue;
     event.button = buttons[i];
-    start(tool_for(event), event);
+    if (auto tool = tool_for(editor_, event)) start(std::move(tool), event);
   }
 }
 
@@ -100,15 +277,10 @@ void Viewport::drive_modal(PointerEvent event, bool hovered) {
     event.kind = PointerEvent::Kind::move;
     feed(event);
   }
-  if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+  // The right button alone cancels, whatever else it does when no tool runs.
+  if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && !event.alt) {
     cancel_tool();
-  } else if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) {
-    event.kind = PointerEvent::Kind::press;
-    event.button = PointerButton::middle;
-    navigation_press_ = event;
-    navigation_ = tool_for(event);
-    ToolContext context{editor_, scene_};
-    navigation_->begin(context, event);
+  } else if (tool_ && hovered && begin_navigation(event)) {
   } else if (tool_ && hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     event.kind = PointerEvent::Kind::press;
     event.clicks = ImGui::GetMouseClickedCount(ImGuiMouseButton_Left);
@@ -117,6 +289,21 @@ void Viewport::drive_modal(PointerEvent event, bool hovered) {
     event.kind = PointerEvent::Kind::release;
     feed(event);
   }
+}
+
+bool Viewport::begin_navigation(PointerEvent event) {
+  event.kind = PointerEvent::Kind::press;
+  for (std::size_t i = 0; i < buttons.size(); ++i) {
+    event.button = buttons[i];
+    if (!ImGui::IsMouseClicked(static_cast<int>(i)) || !navigation_action(editor_.settings.navigation, event))
+      continue;
+    navigation_press_ = event;
+    navigation_ = tool_for(editor_, event);
+    ToolContext context{editor_, scene_};
+    navigation_->begin(context, event);
+    return true;
+  }
+  return false;
 }
 
 void Viewport::drive_navigation(PointerEvent event) {
@@ -189,34 +376,18 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
     editor_.hovered = element_at(editor_.document(), scene_.object_id(hit->object), hit->kind, hit->index);
 }
 
-void Viewport::refresh() {
-  const Camera camera = editor_.camera();
-  const bool changed = pictures_ == 0 || scene_.version() != drawn_version_ || !same(camera, drawn_camera_) ||
-                       editor_.viewport != drawn_size_;
-  if (changed) changed_at_ = editor_.now;
-  const bool moving = tool_ || editor_.flying() || editor_.now - changed_at_ < rest_seconds;
-  const int samples = moving && pictures_ > 0 ? quick_samples_ : 4;
-  if (!changed && samples <= drawn_samples_) return;
-  const auto drawn = renderer_.draw(scene_.scene(), camera, {editor_.viewport, samples});
-  if (!drawn.ok()) editor_.notify(drawn.error());
-  drawn_version_ = scene_.version();
-  drawn_camera_ = camera;
-  drawn_size_ = editor_.viewport;
-  drawn_samples_ = samples;
-  ++pictures_;
-}
-
 double Viewport::next_frame_in() const {
   if (!editor_.has_document) return -1;
   if (editor_.flying()) return 0;
-  if (drawn_samples_ >= 4 || tool_) return -1;
-  return std::max(0.0, changed_at_ + rest_seconds - editor_.now);
+  return pictures_.next_frame_in(editor_, tool_ != nullptr);
 }
 
 std::string Viewport::hint() const {
   if (tool_) return tool_->hint(editor_.language);
-  if (editor_.hovered) return "Click selects   Shift adds   Ctrl removes   drag moves";
-  return describe(editor_.selection.of_active()) + "   |   middle drag orbits   Shift pans   wheel zooms";
+  const Language& tr = editor_.language;
+  if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
+  return describe(editor_.selection.of_active()) + "   |   " +
+         tr(navigation_hint(editor_.settings.navigation));
 }
 
 }  // namespace hariko

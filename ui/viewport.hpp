@@ -1,14 +1,15 @@
 #pragma once
 
-// Viewport: shows the scene and gives pointer events to tools.
+// Viewport: shows the views and gives pointer events to tools.
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "render/renderer.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/scene_builder.hpp"
 #include "ui/tools/tool.hpp"
+#include "ui/view_pictures.hpp"
 
 namespace hariko {
 
@@ -16,9 +17,9 @@ class Viewport {
  public:
   /// `quick_samples`: samples a pixel while something moves (1 on software renderers, 4 otherwise).
   Viewport(Editor& editor, Renderer& renderer, int quick_samples)
-      : editor_(editor), renderer_(renderer), quick_samples_(quick_samples) {}
+      : editor_(editor), pictures_(renderer, quick_samples) {}
 
-  /// Handles the pointer, redraws the picture when it changed, and shows it.
+  /// Handles the pointer, redraws the pictures that changed, and shows them.
   void draw(PanelContext& context, const PanelRect& rect);
 
   bool tool_active() const { return tool_ != nullptr; }
@@ -30,41 +31,52 @@ class Viewport {
   bool cancel_tool();
   std::string hint() const;
   const SceneBuilder& scene() const { return scene_; }
-  /// Seconds until the picture wants another frame without any event; negative when it does not.
+  /// Seconds until a picture wants another frame without any event; negative when none does.
   double next_frame_in() const;
-  std::uint64_t pictures_drawn() const { return pictures_; }
-  /// Where the viewport is, in window pixels.
+  std::uint64_t pictures_drawn() const { return pictures_.drawn(); }
+  /// Where the active view is, in window pixels: tools and commands act there.
   const PanelRect& rect() const { return rect_; }
 
  private:
+  struct Place {
+    int view = 0;
+    PanelRect rect;
+    bool title_hovered = false;
+    bool gizmo_hovered = false;
+  };
+
+  void place_views(const PanelRect& rect);
+  void activate_under_pointer();
+  void drag_splitter(PanelContext& context, const PanelRect& rect);
+  void gizmo_button(PanelContext& context, Place& place);
+  void show(PanelContext& context, const Place& place);
+  const Place& active_place() const;
+  PixelSize size_of(const Place& place) const;
+  Vector2 pixel_at(ImVec2 point) const;
+
   void handle_pointer(bool hovered);
   void drive_modal(PointerEvent event, bool hovered);
   void drive_held(PointerEvent event);
+  bool begin_navigation(PointerEvent event);
   void drive_navigation(PointerEvent event);
+  void wheel(const PointerEvent& event);
   void look_for_press(PointerEvent event);
   void feed(const PointerEvent& event);
   void finish(ToolState state, const PointerEvent& last);
   void start(std::unique_ptr<Tool> tool, const PointerEvent& press);
   void hover(const Vector2& pixel, bool inside);
-  void refresh();
 
   Editor& editor_;
-  Renderer& renderer_;
-  int quick_samples_;
+  ViewPictures pictures_;
   SceneBuilder scene_;
   std::unique_ptr<Tool> tool_;
   PointerEvent press_;
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;
   Vector2 pointer_ = Vector2::Constant(-1);
+  double wheel_at_ = -1;  ///< when the wheel was turned last
   PanelRect rect_{};
-
-  std::uint64_t drawn_version_ = 0, pictures_ = 0;
-  Camera drawn_camera_;
-  PixelSize drawn_size_;
-  int drawn_samples_ = 0;
-  double changed_at_ = 0;
-  static constexpr double rest_seconds = 0.15;  ///< after which a still picture is drawn with all samples
+  std::vector<Place> places_;
 };
 
 }  // namespace hariko

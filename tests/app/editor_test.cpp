@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/tools/tool.hpp"
+#include "ui/tools/navigation.hpp"
 
 namespace hariko {
 namespace {
@@ -45,7 +45,7 @@ struct Rig {
   void press(const Vector2& pixel, PointerButton button = PointerButton::left, bool shift = false,
              bool control = false) {
     press_event = {PointerEvent::Kind::press, button, pixel, shift, control, false};
-    tool = tool_for(press_event);
+    tool = tool_for(editor, press_event);
     ToolContext now = context();
     tool->begin(now, press_event);
   }
@@ -206,7 +206,8 @@ TEST(ViewTools, WheelKeepsThePointUnderThePointer) {
   };
   const Vector3 before = under();
   const double distance = rig.editor.camera().distance;
-  zoom_at(rig.editor, 3, pixel);
+  ToolContext context = rig.context();
+  turn_wheel(context, {{0, 3}, pixel}, true);
   EXPECT_LT(rig.editor.camera().distance, distance);
   EXPECT_LT((Projector(rig.editor.camera(), rig.editor.viewport).project(before)->head<2>() - pixel).norm(),
             1e-6);

@@ -1,66 +1,116 @@
 // Commands that change how the model is seen.
 
-#include "core/document/edits.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 
 namespace hariko {
 
-void add_view_commands(CommandHost& host) {
+namespace {
+
+void add_framing_commands(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
   const WhyNot document = needs_document(editor);
   table.add({"view.frame_all", "View", "Frame all", "Show everything.", "Home", icon::frame, false, false,
              [&editor] { editor.frame_all(); }, document});
+  table.add({"view.frame_all_views", "View", "Frame all in every view", "Show everything in every view.",
+             "Shift+Home", "", false, false, [&editor] { editor.wants_framing = true; }, document});
   table.add({"view.frame_selection", "View", "Frame selection", "Come close to what is selected.", "F", "",
              false, false, [&editor] { editor.frame_selection(); }, document});
-  const auto standard = [&](const char* id, const char* label, const char* keys, StandardView view,
-                            bool first) {
+  table.add({"view.previous", "View", "Previous view", "Back to where the camera was.", "", "", false, false,
+             [&editor] { editor.layout.active_view().go_back(editor.now); },
+             [&editor, document]() -> Reason {
+               if (auto reason = document()) return reason;
+               if (editor.layout.active_view().can_go_back()) return {};
+               return translatable("The camera has not moved yet.");
+             }});
+  table.add({"view.next", "View", "Next view", "Forward again to where the camera was.", "", "", false, false,
+             [&editor] { editor.layout.active_view().go_forward(editor.now); },
+             [&editor, document]() -> Reason {
+               if (auto reason = document()) return reason;
+               if (editor.layout.active_view().can_go_forward()) return {};
+               return translatable("Nothing to go forward to: Previous view comes first.");
+             }});
+}
+
+void add_side_commands(CommandHost& host) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  const auto side = [&](const char* id, const char* label, const char* keys, StandardView view, bool first) {
     table.add({id, "View", label, "Look from this side.", keys, "", false, first,
-               [&editor, view] {
-                 Camera camera = editor.camera();
-                 camera.orientation = Camera::standard(view).orientation;
-                 editor.fly_to(camera);
-               },
-               document});
+               [&editor, view] { editor.layout.active_view().look_from(view, editor.now); }, document});
   };
-  standard("view.front", "Front", "Num 1", StandardView::front, true);
-  standard("view.back", "Back", "Ctrl+Num 1", StandardView::back, false);
-  standard("view.right", "Right", "Num 3", StandardView::right, false);
-  standard("view.left", "Left", "Ctrl+Num 3", StandardView::left, false);
-  standard("view.top", "Top", "Num 7", StandardView::top, false);
-  standard("view.bottom", "Bottom", "Ctrl+Num 7", StandardView::bottom, false);
-  standard("view.iso", "Three-quarter", "Num 0", StandardView::iso, false);
+  side("view.front", "Front", "Num 1", StandardView::front, true);
+  side("view.back", "Back", "Ctrl+Num 1", StandardView::back, false);
+  side("view.right", "Right", "Num 3", StandardView::right, false);
+  side("view.left", "Left", "Ctrl+Num 3", StandardView::left, false);
+  side("view.top", "Top", "Num 7", StandardView::top, false);
+  side("view.bottom", "Bottom", "Ctrl+Num 7", StandardView::bottom, false);
+  side("view.iso", "Three-quarter", "Num 0", StandardView::iso, false);
   table.add({"view.orthographic", "View", "Orthographic", "Parallel instead of perspective projection.",
-             "Num 5", "", false, true,
-             [&editor] {
-               Camera camera = editor.camera();
-               camera.orthographic = !camera.orthographic;
-               editor.set_camera(camera);
-             },
+             "Num 5", "", false, true, [&editor] { editor.layout.active_view().toggle_orthographic(); },
              document, [&editor] { return editor.camera().orthographic; }});
-  table.add({"view.x_ray",
-             "View",
-             "X-ray",
-             "See and pick through the surface.",
-             "Alt+X",
-             icon::shown,
-             false,
-             false,
-             [&editor] { editor.view.x_ray = !editor.view.x_ray; },
-             {},
-             [&editor] { return editor.view.x_ray; }});
-  table.add({"view.grid",
-             "View",
-             "Ground grid",
-             "Show the ground.",
-             "Shift+G",
-             "",
-             false,
-             false,
-             [&editor] { editor.view.grid = !editor.view.grid; },
-             {},
-             [&editor] { return editor.view.grid; }});
+  table.add({"view.lock", "View", "Keep direction", "This view pans and zooms but does not turn.", "", "",
+             false, false,
+             [&editor] {
+               View& view = editor.layout.active_view();
+               view.turns = !view.turns;
+             },
+             document, [&editor] { return !editor.layout.active_view().turns; }});
+}
+
+void add_arrangement_commands(CommandHost& host) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  const auto arrange = [&](const char* id, const char* label, const char* help, const char* keys,
+                           Arrangement arrangement, bool first) {
+    table.add({id, "View", label, help, keys, "", false, first,
+               [&editor, arrangement] {
+                 ViewLayout& layout = editor.layout;
+                 // The key of an arrangement that is on leaves it.
+                 layout.arrange(layout.arrangement() == arrangement ? Arrangement::one : arrangement);
+               },
+               document, [&editor, arrangement] { return editor.layout.arrangement() == arrangement; }});
+  };
+  arrange("view.four", "Four views", "Top, front and right beside the free view.", "Ctrl+Alt+Q",
+          Arrangement::four, true);
+  arrange("view.two", "Two views", "A plan beside the free view.", "Ctrl+Alt+W", Arrangement::two, false);
+  table.add({"view.maximise", "View", "Maximise view", "The view under the pointer alone, or all again.",
+             "Ctrl+Space", "", false, false, [&editor] { editor.layout.toggle_maximised(); }, document,
+             [&editor] { return editor.layout.arrangement() == Arrangement::one; }});
+}
+
+}  // namespace
+
+void add_view_commands(CommandHost& host) {
+  add_framing_commands(host);
+  add_side_commands(host);
+  add_arrangement_commands(host);
+  Editor& editor = host.editor;
+  host.table.add({"view.x_ray",
+                  "View",
+                  "X-ray",
+                  "See and pick through the surface.",
+                  "Alt+X",
+                  icon::shown,
+                  false,
+                  true,
+                  [&editor] { editor.view.x_ray = !editor.view.x_ray; },
+                  {},
+                  [&editor] { return editor.view.x_ray; }});
+  host.table.add({"view.grid",
+                  "View",
+                  "Ground grid",
+                  "Show the ground.",
+                  "Shift+G",
+                  "",
+                  false,
+                  false,
+                  [&editor] { editor.view.grid = !editor.view.grid; },
+                  {},
+                  [&editor] { return editor.view.grid; }});
 }
 
 }  // namespace hariko

@@ -80,10 +80,11 @@ std::unique_ptr<Tool> make_move_tool();
 std::unique_ptr<Tool> make_orbit_tool();
 std::unique_ptr<Tool> make_pan_tool();
 
-/// The tool for a press: left selects and drags, middle or right or Alt+left orbits, Shift with these pans.
-std::unique_ptr<Tool> tool_for(const PointerEvent& press);
+/// For a press on the axis gizmo, with the side of the ball that it hit.
+std::unique_ptr<Tool> make_axis_gizmo_tool(std::optional<StandardView> side);
 
-/// One step of the wheel towards the pixel; negative steps back.
-void zoom_at(Editor& editor, double steps, const Vector2& pixel);
+/// The tool for a press: what the navigation preset of the settings says, else left selects and drags.
+/// Nothing for presses without a meaning.
+std::unique_ptr<Tool> tool_for(const Editor& editor, const PointerEvent& press);
 
 }  // namespace hariko

@@ -1,0 +1,69 @@
+#include "ui/view_pictures.hpp"
+
+#include <algorithm>
+
+namespace hariko {
+
+void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<const Shown> shown,
+                          bool busy) {
+  statistics_ = {};
+  for (int view = 0; view < ViewLayout::count; ++view) {
+    State& state = states_[static_cast<std::size_t>(view)];
+    const bool shows =
+        std::any_of(shown.begin(), shown.end(), [&](const Shown& s) { return s.view == view; });
+    if (shows || !state.exists) continue;
+    renderer_.forget(view);
+    state = {};
+  }
+  const bool slow = quick_samples_ < full_samples;
+  bool other_drawn = false;
+  next_other_ = (next_other_ + 1) % ViewLayout::count;
+  // The active view first, then the others in turn.
+  std::vector<Shown> order(shown.begin(), shown.end());
+  const auto rank = [&](const Shown& s) {
+    return s.view == editor.layout.active() ? -1
+                                            : (s.view - next_other_ + ViewLayout::count) % ViewLayout::count;
+  };
+  std::sort(order.begin(), order.end(), [&](const Shown& a, const Shown& b) { return rank(a) < rank(b); });
+  for (const Shown& s : order) {
+    State& state = states_[static_cast<std::size_t>(s.view)];
+    const View& view = editor.layout.views[static_cast<std::size_t>(s.view)];
+    const bool changed = !state.exists || state.version != scene.version() || state.size != s.size ||
+                         !(state.camera == view.camera(editor.now));
+    if (changed) state.changed_at = editor.now;
+    const bool moving = busy || view.flying(editor.now) || editor.now - state.changed_at < rest_seconds;
+    const int samples = moving && state.exists ? quick_samples_ : full_samples;
+    const bool wanted = changed || samples > state.samples;
+    const bool waits = slow && wanted && state.exists && s.view != editor.layout.active() && other_drawn;
+    state.stale = changed && waits;
+    if (!wanted || waits) continue;
+    draw(editor, scene, s, samples);
+    other_drawn = other_drawn || s.view != editor.layout.active() || samples == full_samples;
+  }
+}
+
+void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples) {
+  State& state = states_[static_cast<std::size_t>(shown.view)];
+  const Camera camera = editor.layout.views[static_cast<std::size_t>(shown.view)].camera(editor.now);
+  const auto done = renderer_.draw(scene.scene(), camera, {shown.size, samples, shown.view});
+  if (!done.ok()) editor.notify(done.error());
+  state = {true, false, scene.version(), camera, shown.size, samples, state.changed_at};
+  const FrameStatistics& now = renderer_.statistics();
+  statistics_.uploaded_bytes += now.uploaded_bytes;
+  statistics_.triangles += now.triangles;
+  statistics_.draw_calls += now.draw_calls;
+  ++drawn_;
+}
+
+double ViewPictures::next_frame_in(const Editor& editor, bool busy) const {
+  double next = -1;
+  for (const State& state : states_) {
+    if (state.stale) return 0;
+    if (!wants_rest(state) || busy) continue;
+    const double in = std::max(0.0, state.changed_at + rest_seconds - editor.now);
+    next = next < 0 ? in : std::min(next, in);
+  }
+  return next;
+}
+
+}  // namespace hariko
