@@ -144,6 +144,8 @@ Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoin
                         "Put a point on every edge that the cut crosses.", element_of_point(path[i]));
     selection.edges.insert(EdgeId::of(a, b));
   }
+  if (selection.edges.empty())
+    return make_error(e_nothing_selected, "All points of the cut are the same.", "Click two points or more.");
   return finished(std::move(draft), std::move(selection));
 }
 

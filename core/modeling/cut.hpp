@@ -30,8 +30,8 @@ using CutPoint = std::variant<VertexId, EdgePoint>;
 
 /// Cuts along a path: consecutive points must lie on a common face, and the line between them inside it.
 /// Shaping, ids and selection as for `connect_points`; points along a side are joined by the side itself.
-/// Errors: E_NOTHING_SELECTED (fewer than two points), E_UNKNOWN_ELEMENT, E_BAD_AMOUNT, E_WRONG_SELECTION
-/// (names the element where the path leaves the faces).
+/// Errors: E_NOTHING_SELECTED (fewer than two different points), E_UNKNOWN_ELEMENT, E_BAD_AMOUNT,
+/// E_WRONG_SELECTION (names the element where the path leaves the faces).
 Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path);
 
 /// Splits one face between two of its corners. Errors: E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (no corners of

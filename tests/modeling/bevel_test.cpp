@@ -234,7 +234,7 @@ TEST(BevelEdges, BandsOfRegularShapesHaveTheirWidth) {
     const PolyhedronSource source = source_of(random_closed_shape(rng));
     const Edges edges = random_edges(source, rng);
     if (edges.empty()) return;
-    const double width = largest_edge_bevel(source, edges).value() * uniform(rng, 0.1, 0.8);
+    const double width = largest_edge_bevel(source, edges).value() * uniform(rng, 0.1, 0.5);
     const auto result = bevel_edges(source, edges, width);
     ASSERT_TRUE(result) << to_string(result.error());
     expect_areas(result->source, 1e-7);

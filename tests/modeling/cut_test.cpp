@@ -108,6 +108,7 @@ TEST(CutPath, Refusals) {
   const auto cut = [&](std::vector<CutPoint> path) { return cut_path(cube, path); };
   expect_error(cut({}), e_nothing_selected);
   expect_error(cut({VertexId{0}}), e_nothing_selected);
+  expect_error(cut({VertexId{0}, VertexId{0}}), e_nothing_selected);
   expect_error(cut({VertexId{0}, VertexId{6}}), e_wrong_selection);
   expect_error(cut({VertexId{4}, VertexId{6}, VertexId{5}, VertexId{7}}),
                e_wrong_selection);  // crosses itself
