@@ -1,0 +1,134 @@
+#include "core/modeling/transformation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/document/edits.hpp"
+#include "core/modeling/mesh_draft.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Cosine and sine, exact at quarter turns.
+std::pair<double, double> turn(double degrees) {
+  const double rest = std::remainder(degrees, 360);
+  if (rest == 0) return {1, 0};
+  if (rest == 90) return {0, 1};
+  if (rest == -90) return {0, -1};
+  if (std::abs(rest) == 180) return {-1, 0};
+  const double radians = rest * std::numbers::pi / 180;
+  return {std::cos(radians), std::sin(radians)};
+}
+
+Matrix3 rotation(const Vector3& axis, double degrees) {
+  const auto [c, s] = turn(degrees);
+  Matrix3 cross;
+  cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
+  return c * Matrix3::Identity() + s * cross + (1 - c) * (axis * axis.transpose());
+}
+
+/// The rotation as a quaternion, made of the half angle so that small turns keep their digits.
+Eigen::Quaterniond quaternion(const Transformation& t) {
+  const auto [c, s] = turn(t.degrees / 2);
+  return {c, s * t.axis.x(), s * t.axis.y(), s * t.axis.z()};
+}
+
+Result<PolyhedronSource> stretched(const PolyhedronSource& source, const Matrix3& linear) {
+  const Index count = source.polyhedron.vertex_count();
+  std::vector<Index> all(count);
+  std::iota(all.begin(), all.end(), Index(0));
+  std::vector<Vector3> positions(count);
+  for (Index v = 0; v < count; ++v)
+    positions[v] = linear * (source.origin + source.polyhedron.position(v)) - source.origin;
+  auto moved = source.polyhedron.with_positions(all, positions);
+  if (!moved) return moved.error();
+  PolyhedronSource result = source;
+  result.polyhedron = std::move(moved).value();
+  if (linear.determinant() > 0) return result;
+  MeshDraft draft(result);
+  for (const FaceId id : draft.faces()) {
+    const auto corners = draft.face(id);
+    draft.set_face(id, {corners.rbegin(), corners.rend()});
+  }
+  return std::move(draft).finish();
+}
+
+Result<MeshSource> stretched(const MeshSource& source, const Matrix3& linear) {
+  PolygonMesh mesh = *source.mesh;
+  for (Vector3& position : mesh.positions) {
+    position = linear * (source.origin + position) - source.origin;
+    if (!position.allFinite())
+      return make_error(e_transform_invalid, "The object cannot be stretched like this.",
+                        "Use smaller factors.");
+  }
+  if (linear.determinant() < 0)
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+      std::reverse(mesh.face_vertices.begin() + static_cast<std::ptrdiff_t>(mesh.face_offsets[f]),
+                   mesh.face_vertices.begin() + static_cast<std::ptrdiff_t>(mesh.face_offsets[f + 1]));
+  MeshSource result = source;
+  result.mesh = std::move(mesh);
+  return result;
+}
+
+Result<Source> stretched(const Object& object, const Matrix3& linear) {
+  const auto as_source = [](auto result) -> Result<Source> {
+    if (!result) return result.error();
+    return Source(std::move(result).value());
+  };
+  if (const PolyhedronSource* source = object.polyhedron()) return as_source(stretched(*source, linear));
+  if (const MeshSource* source = object.mesh()) return as_source(stretched(*source, linear));
+  return make_error(e_wrong_kind,
+                    "The object \"" + object.name + "\" cannot be stretched: its kind is not known here.",
+                    "Scale it evenly.", element_of(object.id));
+}
+
+}  // namespace
+
+Matrix3 Transformation::linear(double weight) const {
+  Matrix3 result = Matrix3::Identity();
+  if (factors != Vector3::Ones()) {
+    const Vector3 weighted = Vector3::Ones() + weight * (factors - Vector3::Ones());
+    result = uniform() ? Matrix3(weighted.x() * Matrix3::Identity())
+                       : Matrix3(frame * weighted.asDiagonal() * frame.transpose());
+  }
+  return degrees == 0 ? result : Matrix3(result * rotation(axis, weight * degrees));
+}
+
+Vector3 Transformation::apply(const Vector3& point, const Vector3& pivot, double weight) const {
+  if (only_translates()) return point + weight * translation;
+  return pivot + linear(weight) * (point - pivot) + weight * translation;
+}
+
+Transformation Transformation::in_space_of(const Similarity& object) const {
+  const Eigen::Quaterniond back = object.rotation.conjugate();
+  Transformation result = *this;
+  result.translation = back * translation / object.scale;
+  result.axis = back * axis;
+  result.frame = back.toRotationMatrix() * frame;
+  return result;
+}
+
+Result<Document> transform_object(const Document& document, ObjectId id, const Transformation& transformation,
+                                  const Vector3& pivot) {
+  const Object* object = document.find(id);
+  Similarity place = object ? object->transform : Similarity{};
+  place.translation = transformation.apply(place.translation, pivot);
+  if (transformation.degrees != 0)
+    place.rotation = (quaternion(transformation) * place.rotation).normalized();
+  const bool similar = transformation.uniform() && transformation.factors.x() > 0;
+  if (similar) place.scale *= transformation.factors.x();
+  const auto placed = set_transform(document, id, place);
+  if (!placed || similar) return placed;
+  // The object's own axes see the factors after its rotation.
+  Transformation factors;
+  factors.frame = transformation.frame;
+  factors.factors = transformation.factors;
+  const auto source = stretched(*object, factors.in_space_of(place).linear());
+  if (!source) return source.error();
+  return set_source(*placed, id, *source);
+}
+
+}  // namespace hariko
