@@ -14,6 +14,7 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   history = History(std::move(document));
   path = std::move(file);
   selection = {};
+  selections_ = SelectionMemory();
   selection.prune(history.current());
   hovered.reset();
   has_document = true;
@@ -31,7 +32,13 @@ bool Editor::commit(const Result<Document>& result, const std::string& label) {
     notify(result.error());
     return false;
   }
-  const bool changed = history.push(result.value(), label);
+  const std::uint64_t left = history.serial();
+  const ChosenElements chosen{selection, mode};
+  return stepped(left, chosen, history.push(result.value(), label));
+}
+
+bool Editor::stepped(std::uint64_t left, const ChosenElements& chosen, bool changed) {
+  if (changed) selections_.step(left, chosen, history.oldest_serial());
   selection.prune(history.current());
   return changed;
 }
@@ -46,18 +53,29 @@ bool Editor::preview(const Result<Document>& result) {
 }
 
 bool Editor::commit_preview(const std::string& label) {
-  const bool changed = history.commit_preview(label);
-  selection.prune(history.current());
-  return changed;
+  const std::uint64_t left = history.serial();
+  const ChosenElements chosen{selection, mode};
+  return stepped(left, chosen, history.commit_preview(label));
 }
 
 void Editor::undo() {
-  history.undo();
-  selection.prune(history.current());
+  history.cancel_preview();
+  if (history.can_undo()) go_to(history.position() - 1);
 }
 
 void Editor::redo() {
-  history.redo();
+  history.cancel_preview();
+  if (history.can_redo()) go_to(history.position() + 1);
+}
+
+void Editor::go_to(std::size_t position) {
+  const std::uint64_t left = history.serial();
+  if (!history.go_to(position) || history.serial() == left) return;
+  selections_.leave(left, {selection, mode});
+  if (const ChosenElements* chosen = selections_.find(history.serial())) {
+    selection = chosen->selection;
+    mode = chosen->mode;
+  }
   selection.prune(history.current());
 }
 

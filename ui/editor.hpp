@@ -13,8 +13,10 @@
 #include "render/scene.hpp"
 #include "ui/language.hpp"
 #include "ui/selection.hpp"
+#include "ui/selection_memory.hpp"
 #include "ui/settings.hpp"
 #include "ui/surface_view.hpp"
+#include "ui/transform_settings.hpp"
 #include "ui/view_layout.hpp"
 
 namespace hariko {
@@ -42,6 +44,7 @@ class Editor {
   ElementMode mode = ElementMode::vertex;
   std::optional<ElementRef> hovered;
   ViewSettings view;
+  TransformSettings transform;
   Settings settings;
   Language language;  ///< the catalogue of settings.language
 
@@ -73,8 +76,11 @@ class Editor {
   bool preview(const Result<Document>& result);
   bool commit_preview(const std::string& label);
   void cancel_preview() { history.cancel_preview(); }
+  /// With the selection that the state was left with.
   void undo();
   void redo();
+  /// To a state of the history, as undo and redo do.
+  void go_to(std::size_t position);
 
   void notify(Notice::Kind kind, std::string text, std::string remedy = {});
   void notify(const Message& message);
@@ -100,7 +106,9 @@ class Editor {
 
  private:
   Box3 visible_box() const;
+  bool stepped(std::uint64_t left, const ChosenElements& chosen, bool changed);
 
+  SelectionMemory selections_;
   std::deque<Notice> notices_;
 };
 

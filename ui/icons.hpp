@@ -33,6 +33,7 @@ inline constexpr const char* error = "\uf06a";    // exclamation-circle
 inline constexpr const char* info = "\uf05a";     // info-circle
 inline constexpr const char* close = "\uf00d";    // times
 inline constexpr const char* up = "\uf062";       // arrow-up
+inline constexpr const char* scale = "\uf0b2";     // arrows-alt
 inline constexpr const char* object = "\uf1b2";   // cube
 inline constexpr const char* reset = "\uf0e2";
 

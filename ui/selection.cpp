@@ -1,5 +1,10 @@
 #include "ui/selection.hpp"
 
+#include <algorithm>
+
+#include "core/modeling/select_convert.hpp"
+#include "core/modeling/select_region.hpp"
+
 namespace hariko {
 
 namespace {
@@ -31,6 +36,12 @@ const ElementSelection& Selection::of(ObjectId object) const {
   return it == elements_.end() ? nothing : it->second;
 }
 
+ElementKind kind_of(ElementMode mode) {
+  return mode == ElementMode::edge   ? ElementKind::edge
+         : mode == ElementMode::face ? ElementKind::face
+                                     : ElementKind::vertex;
+}
+
 bool Selection::contains(const ElementRef& ref) const {
   const ElementSelection& selection = of(ref.object);
   const auto id = static_cast<std::uint32_t>(ref.element.id);
@@ -41,46 +52,63 @@ bool Selection::contains(const ElementRef& ref) const {
       return selection.edges.contains(EdgeId::from_packed(ref.element.id));
     case Element::Kind::face:
       return selection.faces.contains(FaceId{id});
+    case Element::Kind::object:
+      return objects_.contains(ref.object);
     default:
       return false;
   }
 }
 
 void Selection::select(const ElementRef& ref, How how) {
-  if (how == How::replace) elements_.clear();
-  active = ref.object;
-  ElementSelection& selection = elements_[ref.object];
   const auto id = static_cast<std::uint32_t>(ref.element.id);
-  const bool present = how != How::remove;
+  ElementSelection one;
   switch (ref.element.kind) {
     case Element::Kind::vertex:
-      change(selection.vertices, VertexId{id}, present);
+      one.vertices.insert(VertexId{id});
       break;
     case Element::Kind::edge:
-      change(selection.edges, EdgeId::from_packed(ref.element.id), present);
+      one.edges.insert(EdgeId::from_packed(ref.element.id));
       break;
     case Element::Kind::face:
-      change(selection.faces, FaceId{id}, present);
+      one.faces.insert(FaceId{id});
+      break;
+    case Element::Kind::object:
+      if (how == How::replace) objects_.clear();
+      change(objects_, ref.object, how != How::remove);
       break;
     default:
       break;
   }
-  if (selection.empty()) elements_.erase(ref.object);
+  if (ref.element.kind != Element::Kind::object) select(ref.object, one, how);
+  active = ref.object;
+  if (how != How::remove) last = ref;
+}
+
+void Selection::select(ObjectId object, const ElementSelection& elements, How how) {
+  if (how == How::replace) elements_.clear();
+  ElementSelection selection = of(object);
+  const bool present = how != How::remove;
+  for (const VertexId id : elements.vertices) change(selection.vertices, id, present);
+  for (const EdgeId& id : elements.edges) change(selection.edges, id, present);
+  for (const FaceId id : elements.faces) change(selection.faces, id, present);
+  set(object, std::move(selection));
+}
+
+void Selection::set(ObjectId object, ElementSelection elements) {
+  if (elements.empty())
+    elements_.erase(object);
+  else
+    elements_[object] = std::move(elements);
 }
 
 void Selection::select_all(const Object& object, ElementMode mode) {
   active = object.id;
-  elements_.clear();
   const PolyhedronSource* source = object.polyhedron();
-  if (!source) return;
-  const Polyhedron& polyhedron = source->polyhedron;
-  ElementSelection& selection = elements_[object.id];
-  if (mode == ElementMode::vertex)
-    for (Index v = 0; v < polyhedron.vertex_count(); ++v) selection.vertices.insert(polyhedron.vertex_id(v));
-  if (mode == ElementMode::edge)
-    for (Index e = 0; e < polyhedron.edge_count(); ++e) selection.edges.insert(polyhedron.edge_id(e));
-  if (mode == ElementMode::face)
-    for (Index f = 0; f < polyhedron.face_count(); ++f) selection.faces.insert(polyhedron.face_id(f));
+  elements_.clear();
+  if (mode == ElementMode::object)
+    objects_.insert(object.id);
+  else if (source)
+    set(object.id, hariko::select_all(source->polyhedron, kind_of(mode)));
 }
 
 void Selection::prune(const Document& document) {
@@ -94,7 +122,48 @@ void Selection::prune(const Document& document) {
     }
     it = !source || it->second.empty() ? elements_.erase(it) : std::next(it);
   }
+  std::erase_if(objects_, [&](ObjectId id) { return !document.find(id); });
+  if (last && !document.find(last->object)) last.reset();
   if (!document.find(active)) active = document.objects.empty() ? ObjectId{} : document.objects.back()->id;
+}
+
+Selection converted(const Selection& selection, const Document& document, ElementMode from, ElementMode to) {
+  Selection result = selection;
+  if (from == to) return result;
+  if (to == ElementMode::object) {
+    result.clear_objects();
+    for (const auto& entry : selection.elements())
+      result.select({entry.first, element_of(entry.first)}, Selection::How::add);
+    return result;
+  }
+  result.clear_elements();
+  if (from == ElementMode::object) {
+    for (const ObjectId id : selection.objects())
+      if (const Object* object = document.find(id); object && object->polyhedron())
+        result.set(id, select_all(object->polyhedron()->polyhedron, kind_of(to)));
+    return result;
+  }
+  for (const auto& [id, elements] : selection.elements()) {
+    const Object* object = document.find(id);
+    if (!object || !object->polyhedron()) continue;
+    const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
+    // Of corners, what they enclose; of larger elements, what they touch.
+    const Reach reach = from < to ? Reach::inside : Reach::touching;
+    result.set(id, to == ElementMode::vertex ? to_vertices(polyhedron, elements)
+                   : to == ElementMode::edge ? to_edges(polyhedron, elements, reach)
+                                             : to_faces(polyhedron, elements, reach));
+  }
+  return result;
+}
+
+void change_elements(
+    Selection& selection, const Document& document,
+    const std::function<ElementSelection(const PolyhedronSource&, const ElementSelection&)>& change) {
+  const auto before = selection.elements();
+  for (const auto& [id, elements] : before) {
+    const Object* object = document.find(id);
+    if (object && object->polyhedron()) selection.set(id, change(*object->polyhedron(), elements));
+  }
 }
 
 Highlights highlights_of(const ElementSelection& selection, const Polyhedron& polyhedron) {

@@ -1,32 +1,30 @@
 #pragma once
 
-// Selection: chosen elements by their stable ids, so that it survives edits, undo and redo.
+// Selection: chosen elements and objects by their stable ids, so that it survives edits, undo and redo.
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "core/base/ids.hpp"
 #include "core/document/document.hpp"
+#include "core/modeling/element_set.hpp"
+#include "core/modeling/select_region.hpp"
 #include "render/display_polyhedron.hpp"
 
 namespace hariko {
 
 /// Which elements a click takes.
 enum class ElementMode { vertex, edge, face, object };
+/// For objects: vertices.
+ElementKind kind_of(ElementMode mode);
 
 /// Elements of one object.
-struct ElementSelection {
-  std::set<VertexId> vertices;
-  std::set<EdgeId> edges;
-  std::set<FaceId> faces;
+using ElementSelection = ElementSet;
 
-  bool empty() const { return vertices.empty() && edges.empty() && faces.empty(); }
-  std::size_t size() const { return vertices.size() + edges.size() + faces.size(); }
-  friend bool operator==(const ElementSelection&, const ElementSelection&) = default;
-};
-
-/// One element of one object.
+/// One element of one object, or the object itself (the element is of kind object then).
 struct ElementRef {
   ObjectId object;
   Element element;
@@ -39,15 +37,27 @@ class Selection {
 
   /// The object that the panels are about; 0xffffffff when there is none.
   ObjectId active;
+  /// What was selected last: the pivot of transformations, when that is asked for.
+  std::optional<ElementRef> last;
 
   const ElementSelection& of(ObjectId object) const;
   const ElementSelection& of_active() const { return of(active); }
   bool contains(const ElementRef& ref) const;
   bool no_elements() const { return elements_.empty(); }
+  const std::map<ObjectId, ElementSelection>& elements() const { return elements_; }
+  /// Chosen in object mode.
+  const std::set<ObjectId>& objects() const { return objects_; }
 
+  /// `replace` drops other elements when an element is chosen, and other objects when an object is.
   void select(const ElementRef& ref, How how);
+  /// The same for elements of one kind of one object: those given are added to, taken from or put in place of
+  /// all.
+  void select(ObjectId object, const ElementSelection& elements, How how);
   void select_all(const Object& object, ElementMode mode);
+  /// Replaces what is selected of an object.
+  void set(ObjectId object, ElementSelection elements);
   void clear_elements() { elements_.clear(); }
+  void clear_objects() { objects_.clear(); }
   /// Drops what the document does not have any more, and finds another active object when that one is gone.
   void prune(const Document& document);
 
@@ -55,7 +65,17 @@ class Selection {
 
  private:
   std::map<ObjectId, ElementSelection> elements_;  ///< entries are never empty
+  std::set<ObjectId> objects_;
 };
+
+/// The selection as elements of another kind: edges become their ends, faces with all corners selected ... An
+/// object becomes all of its elements, elements become their object.
+Selection converted(const Selection& selection, const Document& document, ElementMode from, ElementMode to);
+
+/// Replaces what is selected of each polyhedron that has something selected.
+void change_elements(
+    Selection& selection, const Document& document,
+    const std::function<ElementSelection(const PolyhedronSource&, const ElementSelection&)>& change);
 
 /// Dense indices of what is selected, for drawing.
 Highlights highlights_of(const ElementSelection& selection, const Polyhedron& polyhedron);

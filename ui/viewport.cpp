@@ -333,7 +333,7 @@ void Viewport::finish(ToolState state, const PointerEvent& last) {
   const std::unique_ptr<Tool> done = std::move(tool_);
   auto next = state == ToolState::commit ? done->successor() : nullptr;
   if (!next) return;
-  start(std::move(next), press_);
+  start(std::move(next), done->modal() ? last : press_);
   feed(last);
 }
 

@@ -25,6 +25,7 @@ void Workbench::add_commands() {
   add_file_commands(host_);
   add_edit_commands(host_);
   add_select_commands(host_);
+  add_transform_commands(host_);
   add_shape_commands(host_);
   add_view_commands(host_);
   add_language_commands(host_);

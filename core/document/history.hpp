@@ -66,6 +66,8 @@ class History {
   bool dirty() const { return saved_ != serial(); }
   /// Name of the current state: differs between any two states of this history, and undo brings it back.
   std::uint64_t serial() const { return steps_[position_].serial; }
+  /// Name of the oldest state that is kept; names rise along the list.
+  std::uint64_t oldest_serial() const { return steps_.front().serial; }
 
   /// Bytes that all states need together, shared memory counted once; previews do not count.
   std::size_t bytes() const { return memory_.bytes(); }

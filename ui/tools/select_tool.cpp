@@ -1,6 +1,6 @@
 // Select: a click chooses what is under the pointer; a drag that begins on an element moves it.
 
-#include "ui/tools/tool.hpp"
+#include "ui/tools/transform_tool.hpp"
 
 namespace hariko {
 
@@ -32,7 +32,9 @@ class SelectTool final : public Tool {
 
   void cancel(ToolContext& context) override { context.editor.selection = before_; }
   std::string hint(const Language& tr) const override { return tr("Release to select, drag to move"); }
-  std::unique_ptr<Tool> successor() override { return drags_ ? make_move_tool() : nullptr; }
+  std::unique_ptr<Tool> successor() override {
+    return drags_ ? make_transform_tool(TransformKind::move, DrivenBy::element) : nullptr;
+  }
 
  private:
   void click(Editor& editor) const {

@@ -76,7 +76,6 @@ inline constexpr double drag_threshold = 3;
 std::optional<PickHit> pick_element(const ToolContext& context, const Vector2& pixel);
 
 std::unique_ptr<Tool> make_select_tool();
-std::unique_ptr<Tool> make_move_tool();
 std::unique_ptr<Tool> make_orbit_tool();
 std::unique_ptr<Tool> make_pan_tool();
 

@@ -1,0 +1,239 @@
+#include "ui/tools/transform_target.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace hariko {
+
+namespace {
+
+Vector3 mean(const std::vector<Vector3>& points) {
+  Vector3 sum = Vector3::Zero();
+  for (const Vector3& point : points) sum += point;
+  return sum / static_cast<double>(std::max<std::size_t>(1, points.size()));
+}
+
+Vector3 world(const Object& object, const PolyhedronSource& source, Index vertex) {
+  return object.transform.apply(source.origin + source.polyhedron.position(vertex));
+}
+
+/// For each of the vertices (ascending) a number that those share which selected elements connect.
+std::vector<std::size_t> islands(const std::vector<VertexId>& vertices, const Polyhedron& polyhedron,
+                                 const ElementSelection& elements) {
+  std::vector<std::size_t> root(vertices.size());
+  std::iota(root.begin(), root.end(), std::size_t(0));
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  const auto place = [&](VertexId id) {
+    const auto it = std::lower_bound(vertices.begin(), vertices.end(), id);
+    return it != vertices.end() && *it == id ? static_cast<std::size_t>(it - vertices.begin())
+                                             : vertices.size();
+  };
+  const auto join = [&](VertexId a, VertexId b) {
+    const std::size_t i = place(a), j = place(b);
+    if (i < vertices.size() && j < vertices.size()) root[find(i)] = find(j);
+  };
+  for (const EdgeId& edge : elements.edges) join(edge.low, edge.high);
+  for (const FaceId id : elements.faces) {
+    const auto corners = polyhedron.topology().face_vertices(polyhedron.find(id));
+    for (const Index v : corners) join(polyhedron.vertex_id(corners.front()), polyhedron.vertex_id(v));
+  }
+  if (elements.vertices.size() > 1)
+    for (Index e = 0; e < polyhedron.edge_count(); ++e) {
+      const EdgeId edge = polyhedron.edge_id(e);
+      if (elements.vertices.contains(edge.low) && elements.vertices.contains(edge.high))
+        join(edge.low, edge.high);
+    }
+  std::vector<std::size_t> island(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) island[i] = find(i);
+  return island;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return count == 1 ? std::string(one) : std::to_string(count) + " " + many;
+}
+
+}  // namespace
+
+TransformTarget TransformTarget::of(const Editor& editor) {
+  TransformTarget target;
+  target.document_ = editor.history.current();
+  if (editor.mode == ElementMode::object) {
+    for (const ObjectId id : selected_objects(editor)) target.add_object(*target.document_.find(id));
+    target.what_ = counted(target.parts_.size(), "object", "objects");
+  } else {
+    for (const auto& [id, elements] : editor.selection.elements()) {
+      const Object* object = target.document_.find(id);
+      if (object && object->visible && object->polyhedron()) target.add_elements(*object, elements);
+    }
+    target.what_ = counted(target.selected_.size(), "vertex", "vertices");
+  }
+  if (target.empty()) return target;
+  target.choose_pivot(editor);
+  if (const Object* active = target.document_.find(editor.selection.active))
+    target.local_frame_ = active->transform.rotation.toRotationMatrix();
+  return target;
+}
+
+std::string TransformTarget::describe() const {
+  return what_;
+}
+
+void TransformTarget::add_object(const Object& object) {
+  Part part;
+  part.object = object.id;
+  part.whole = true;
+  part.transform = object.transform;
+  const Box3 box = world_box(object);
+  part.pivot = box.isEmpty() ? object.transform.translation : Vector3(box.center());
+  selected_.push_back(part.pivot);
+  parts_.push_back(std::move(part));
+}
+
+void TransformTarget::add_elements(const Object& object, const ElementSelection& elements) {
+  const PolyhedronSource& source = *object.polyhedron();
+  Part part;
+  part.object = object.id;
+  part.transform = object.transform;
+  part.origin = source.origin;
+  part.polyhedron = &source.polyhedron;
+  part.vertices = touched_vertices(elements, source.polyhedron);
+  part.selected = part.vertices.size();
+  for (const VertexId id : part.vertices) {
+    const Index v = source.polyhedron.find(id);
+    part.start.push_back(source.polyhedron.position(v));
+    selected_.push_back(world(object, source, v));
+  }
+  part.weight.assign(part.selected, 1);
+  parts_.push_back(std::move(part));
+}
+
+void TransformTarget::choose_pivot(const Editor& editor) {
+  const PivotMode mode = editor.transform.pivot;
+  pivot_ = mean(selected_);
+  if (mode == PivotMode::box_centre) {
+    Box3 box;
+    for (const Vector3& point : selected_) box.extend(point);
+    for (const Part& part : parts_)
+      if (part.whole) box.extend(world_box(*document_.find(part.object)));
+    pivot_ = box.center();
+  }
+  if (mode == PivotMode::active && editor.selection.last)
+    pivot_ = place_of(document_, *editor.selection.last).value_or(pivot_);
+  for (Part& part : parts_) {
+    if (part.whole && mode != PivotMode::individual) part.pivot = pivot_;
+    const Vector3 local = part.transform.inverse().apply(pivot_) - part.origin;
+    part.pivots.assign(part.vertices.size(), local);
+  }
+  if (mode == PivotMode::individual) choose_own_pivots(editor);
+}
+
+void TransformTarget::choose_own_pivots(const Editor& editor) {
+  for (Part& part : parts_) {
+    if (part.whole) continue;
+    const auto island = islands(part.vertices, *part.polyhedron, editor.selection.of(part.object));
+    std::map<std::size_t, std::vector<Vector3>> points;
+    for (std::size_t i = 0; i < island.size(); ++i) points[island[i]].push_back(part.start[i]);
+    for (std::size_t i = 0; i < island.size(); ++i) part.pivots[i] = mean(points[island[i]]);
+  }
+}
+
+bool TransformTarget::stands(ObjectId object, VertexId vertex) const {
+  for (const Part& part : parts_) {
+    if (part.object != object) continue;
+    if (part.whole) return false;
+    return std::find(part.vertices.begin(), part.vertices.end(), vertex) == part.vertices.end();
+  }
+  return true;
+}
+
+void TransformTarget::follow(double radius, Falloff kind) {
+  for (Part& part : parts_) {
+    if (part.whole) continue;
+    part.vertices.resize(part.selected);
+    part.start.resize(part.selected);
+    part.weight.resize(part.selected);
+    part.pivots.resize(part.selected);
+    if (!(radius > 0)) continue;
+    const Polyhedron& polyhedron = *part.polyhedron;
+    if (part.distance.empty()) {
+      std::vector<Index> given;
+      for (const VertexId id : part.vertices) given.push_back(polyhedron.find(id));
+      part.distance = distances_from(polyhedron, given);
+    }
+    const Vector3 pivot = part.transform.inverse().apply(pivot_) - part.origin;
+    for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
+      const double weight = falloff(kind, part.distance[v] * part.transform.scale / radius);
+      const bool chosen = std::binary_search(
+          part.vertices.begin(), part.vertices.begin() + static_cast<std::ptrdiff_t>(part.selected),
+          polyhedron.vertex_id(v));
+      if (weight <= 0 || chosen) continue;
+      part.vertices.push_back(polyhedron.vertex_id(v));
+      part.start.push_back(polyhedron.position(v));
+      part.weight.push_back(weight);
+      part.pivots.push_back(pivot);
+    }
+  }
+}
+
+std::vector<TransformTarget::Follower> TransformTarget::followers() const {
+  std::vector<Follower> result;
+  for (const Part& part : parts_)
+    for (std::size_t i = part.selected; i < part.vertices.size(); ++i)
+      result.push_back({part.transform.apply(part.origin + part.start[i]), part.weight[i]});
+  return result;
+}
+
+Result<Document> TransformTarget::apply(const Document& document,
+                                        const Transformation& transformation) const {
+  Result<Document> result = document;
+  for (const Part& part : parts_) {
+    if (!result) return result;
+    if (part.whole) {
+      result = transform_object(*result, part.object, transformation, part.pivot);
+      continue;
+    }
+    const Transformation local = transformation.in_space_of(part.transform);
+    std::vector<Vector3> positions(part.vertices.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      positions[i] = local.apply(part.start[i], part.pivots[i], part.weight[i]);
+    result = move_vertices(*result, part.object, part.vertices, positions);
+  }
+  return result;
+}
+
+std::optional<Vector3> place_of(const Document& document, const ElementRef& ref) {
+  const Object* object = document.find(ref.object);
+  if (!object) return std::nullopt;
+  if (ref.element.kind == Element::Kind::object) {
+    const Box3 box = world_box(*object);
+    return box.isEmpty() ? object->transform.translation : Vector3(box.center());
+  }
+  const PolyhedronSource* source = object->polyhedron();
+  if (!source) return std::nullopt;
+  Selection one;
+  one.select(ref, Selection::How::replace);
+  std::vector<Vector3> points;
+  for (const VertexId id : touched_vertices(one.of(ref.object), source->polyhedron)) {
+    const Index v = source->polyhedron.find(id);
+    if (v != no_index) points.push_back(world(*object, *source, v));
+  }
+  return points.empty() ? std::nullopt : std::optional<Vector3>(mean(points));
+}
+
+std::vector<ObjectId> selected_objects(const Editor& editor) {
+  const Document& document = editor.document();
+  std::vector<ObjectId> result;
+  if (editor.mode != ElementMode::object) {
+    if (editor.active_object()) result.push_back(editor.selection.active);
+    return result;
+  }
+  for (const ObjectId id : editor.selection.objects())
+    if (document.find(id)) result.push_back(id);
+  return result;
+}
+
+}  // namespace hariko

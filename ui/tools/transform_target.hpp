@@ -1,0 +1,80 @@
+#pragma once
+
+// TransformTarget: what a transform tool acts on, as it was when the tool began.
+
+#include <string>
+#include <vector>
+
+#include "core/modeling/transformation.hpp"
+#include "ui/editor.hpp"
+
+namespace hariko {
+
+class TransformTarget {
+ public:
+  /// The selected elements of all visible objects; in object mode the selected objects.
+  static TransformTarget of(const Editor& editor);
+
+  bool empty() const { return parts_.empty(); }
+  /// Names what is transformed: "vertex", "3 vertices", "object".
+  std::string describe() const;
+  bool of_elements() const { return !parts_.empty() && !parts_.front().whole; }
+
+  /// The point that rotations and scalings leave in place: the middle of all pivots when each part has its
+  /// own.
+  const Vector3& pivot() const { return pivot_; }
+  /// Axes of the active object, as columns.
+  const Matrix3& local_frame() const { return local_frame_; }
+  /// World places of what is selected (not of what follows softly).
+  const std::vector<Vector3>& selected_points() const { return selected_; }
+  /// Whether a vertex stays where it is: those can be snapped to.
+  bool stands(ObjectId object, VertexId vertex) const;
+
+  /// Lets vertices within the radius follow, or none (radius 0).
+  void follow(double radius, Falloff falloff);
+  struct Follower {
+    Vector3 place;  ///< in the document's space, before the transformation
+    double weight;
+  };
+  /// Vertices that follow softly.
+  std::vector<Follower> followers() const;
+
+  /// `document` must be the one that the target was taken of. Errors: those of the edits.
+  Result<Document> apply(const Document& document, const Transformation& transformation) const;
+
+ private:
+  struct Part {
+    ObjectId object;
+    bool whole = false;
+    Similarity transform;
+    Vector3 origin = Vector3::Zero();
+    Vector3 pivot = Vector3::Zero();  ///< of whole objects
+    // Of elements: positions relative to the origin.
+    std::vector<VertexId> vertices;
+    std::vector<Vector3> start, pivots;  ///< pivots: relative to the origin too
+    std::vector<double> weight;
+    std::size_t selected = 0;  ///< vertices of the selection itself; the others follow
+    // All vertices of the object, for followers.
+    const Polyhedron* polyhedron = nullptr;
+    std::vector<double> distance;  ///< from the selection; empty until asked for
+  };
+
+  void add_object(const Object& object);
+  void add_elements(const Object& object, const ElementSelection& elements);
+  void choose_pivot(const Editor& editor);
+  void choose_own_pivots(const Editor& editor);
+
+  Document document_;  ///< keeps the polyhedra alive
+  std::vector<Part> parts_;
+  std::vector<Vector3> selected_;
+  Vector3 pivot_ = Vector3::Zero();
+  Matrix3 local_frame_ = Matrix3::Identity();
+  std::string what_;
+};
+
+/// Where an element is: a vertex, the middle of an edge or face, the box centre of an object.
+std::optional<Vector3> place_of(const Document& document, const ElementRef& ref);
+/// Objects that commands on objects act on: those selected in object mode, else the active one.
+std::vector<ObjectId> selected_objects(const Editor& editor);
+
+}  // namespace hariko

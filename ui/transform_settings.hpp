@@ -1,0 +1,24 @@
+#pragma once
+
+// TransformSettings: how the transform tools work. Kept for the session, not part of the document.
+
+#include "core/modeling/soft_selection.hpp"
+
+namespace hariko {
+
+enum class PivotMode { median, box_centre, individual, active };
+
+struct SoftSelection {
+  bool on = false;
+  double radius = 0;  ///< document's unit; 0 until the first use chooses one for the model
+  Falloff falloff = Falloff::smooth;
+};
+
+struct TransformSettings {
+  PivotMode pivot = PivotMode::median;
+  bool local_axes = false;  ///< the gizmo follows the object's axes instead of the document's
+  bool gizmo = true;
+  SoftSelection soft;
+};
+
+}  // namespace hariko
