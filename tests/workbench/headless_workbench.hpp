@@ -12,6 +12,7 @@
 #include "app/rebuild_engine.hpp"
 #include "app/surface_builder.hpp"
 #include "render/offscreen.hpp"
+#include "ui/fonts.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko::test {
