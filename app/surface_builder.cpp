@@ -92,7 +92,9 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object, Q
 
 Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, Quality quality,
                                                      const CancelToken& cancel) {
-  return surfacer_.rebuild(object.polyhedron()->surface_input(), quality, cancel);
+  const auto input = surface_input(*object.polyhedron(), &whole_);
+  if (!input) return input.error();
+  return surfacer_.rebuild(*input, quality, cancel);
 }
 
 double SurfaceBuilder::measure_jump(const Surface& surface, const CancelToken& cancel) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/rebuild_engine.hpp"
+#include "core/modeling/mirrored.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 
 namespace hariko {
@@ -19,6 +20,7 @@ class SurfaceBuilder final : public ViewBuilder {
   Result<PolyhedronSurface> surface_of(const Object& object, Quality quality, const CancelToken& cancel);
 
   PolyhedronSurfacer surfacer_;
+  std::optional<MirroredPolyhedron> whole_;  ///< of an object with a live mirror
   std::shared_ptr<const Object> made_from_;  ///< what last_ was made from
   PolyhedronSurface last_;
   Quality last_quality_ = Quality::drag;

@@ -7,8 +7,8 @@
 #include "app/commands/ring_residual.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
+#include "core/modeling/mirrored.hpp"
 #include "core/patching/fair_elements.hpp"
-#include "core/patching/polyhedron_surface.hpp"
 #include "core/patching/quartic_patch.hpp"
 
 namespace hariko {
@@ -134,8 +134,11 @@ Json metrics_json(const HalfEdgeMesh& mesh, const Surface& surface, const Quarti
 
 }  // namespace
 
-Result<std::string> evaluation_json(const PolyhedronSource& source) {
-  const auto built = PolyhedronSurfacer().rebuild(source.surface_input());
+Result<std::string> evaluation_json(const PolyhedronSource& half) {
+  const auto whole = baked(half);
+  if (!whole) return whole.error();
+  const PolyhedronSource& source = *whole;
+  const auto built = PolyhedronSurfacer().rebuild(surface_input(source).value());
   if (!built.ok()) return built.error();
   const Surface& surface = built->surface;
   const HalfEdgeMesh& mesh = source.polyhedron.topology();

@@ -6,7 +6,7 @@
 #include "app/commands/console.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/patching/polyhedron_surface.hpp"
+#include "core/modeling/mirrored.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
 
@@ -58,7 +58,8 @@ void inspect_surface(const PolyhedronSource& source, double scale, ObjectInfo& i
   }
   lap("validate");
 
-  const auto built = PolyhedronSurfacer().rebuild(source.surface_input());
+  const auto input = surface_input(source);
+  const auto built = input ? PolyhedronSurfacer().rebuild(*input) : Result<PolyhedronSurface>(input.error());
   lap("rebuild");
   if (!built.ok()) {
     info.messages.push_back(built.error());

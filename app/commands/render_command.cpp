@@ -3,7 +3,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
-#include "core/patching/polyhedron_surface.hpp"
+#include "core/modeling/mirrored.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
 
@@ -16,7 +16,9 @@ constexpr Code e_nothing_to_show{"E_NOTHING_TO_SHOW"};
 /// The object as a part of the scene; its surface is drawn at the density that looks smooth.
 Result<SceneObject> scene_object(const Object& object, const RenderArguments& arguments) {
   const PolyhedronSource& source = *object.polyhedron();
-  const auto built = PolyhedronSurfacer().rebuild(source.surface_input());
+  const auto input = surface_input(source);
+  if (!input) return input.error();
+  const auto built = PolyhedronSurfacer().rebuild(*input);
   if (!built.ok()) return built.error();
   SceneObject out;
   const int density = display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/exchange/mesh_file.hpp"
-#include "core/patching/polyhedron_surface.hpp"
+#include "core/modeling/mirrored.hpp"
 
 namespace hariko {
 
@@ -30,12 +30,14 @@ Result<Done> export_surfaces(const Document& document, const std::filesystem::pa
   for (const auto& object : document.objects) {
     const PolyhedronSource* source = object->polyhedron();
     if (!object->visible || !source) continue;
-    const auto built = PolyhedronSurfacer().rebuild(source->surface_input(), Quality::final, cancel);
-    if (!built.ok()) {
-      Message error = built.error();
+    const auto named_error = [&](Message error) {
       error.text = object->name + ": " + error.text;
       return error;
-    }
+    };
+    const auto input = surface_input(*source);
+    if (!input) return named_error(input.error());
+    const auto built = PolyhedronSurfacer().rebuild(*input, Quality::final, cancel);
+    if (!built.ok()) return named_error(built.error());
     const auto n = static_cast<std::size_t>(density);
     triangles += built->surface.patch_count() * n * n;
     if (triangles > max_triangles)

@@ -7,6 +7,7 @@
 
 #include "core/document/edge_set.hpp"
 #include "core/document/edit_support.hpp"
+#include "core/network/network.hpp"
 
 namespace hariko {
 namespace {
@@ -94,6 +95,22 @@ Result<Done> check_tension(double value, double low, double high, const char* ra
   return Done{};
 }
 
+/// Takes back what moved vertices of a mirror's seam out of its plane.
+Result<Polyhedron> seam_kept_in_plane(const PolyhedronSource& before, const Polyhedron& moved,
+                                      std::span<const Index> vertices) {
+  const std::vector<char> seam = mirror_seam(before.polyhedron, before.origin, *before.mirror);
+  const Eigen::Index axis = index_of(before.mirror->axis);
+  std::vector<Index> clipped;
+  std::vector<Vector3> positions;
+  for (const Index v : vertices) {
+    if (!seam[v]) continue;
+    clipped.push_back(v);
+    positions.push_back(moved.position(v));
+    positions.back()[axis] = 0 - before.origin[axis];
+  }
+  return moved.with_positions(clipped, positions);
+}
+
 }  // namespace
 
 Result<Document> move_vertices(const Document& document, ObjectId object, std::span<const VertexId> vertices,
@@ -105,6 +122,7 @@ Result<Document> move_vertices(const Document& document, ObjectId object, std::s
     indices.reserve(vertices.size());
     for (const VertexId id : vertices) indices.push_back(source.polyhedron.find(id));
     Result<Polyhedron> moved = source.polyhedron.with_positions(indices, positions);
+    if (moved && source.mirror) moved = seam_kept_in_plane(source, *moved, indices);
     if (!moved) return moved.error();
     source.polyhedron = *std::move(moved);
     return Done{};
@@ -149,6 +167,15 @@ Result<Document> clear_pins(const Document& document, ObjectId object, std::span
     Shaping shaping = *source.shaping;
     shaping.pin = with_entries<VertexId, Pin>(shaping.pin, vertices, std::nullopt);
     source.shaping = std::move(shaping);
+    return Done{};
+  });
+}
+
+Result<Document> set_mirror(const Document& document, ObjectId object, const std::optional<Mirror>& mirror) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    if (mirror)
+      if (const auto checked = check_mirror(*mirror); !checked) return checked.error();
+    source.mirror = mirror;
     return Done{};
   });
 }

@@ -5,6 +5,7 @@
 // All of them may fail with E_UNKNOWN_OBJECT, E_LOCKED and E_WRONG_KIND (the object is not a polyhedron);
 // those that take ids with E_UNKNOWN_ELEMENT. Settings at their default value are not stored.
 
+#include <optional>
 #include <span>
 
 #include "core/document/document.hpp"
@@ -23,7 +24,7 @@ inline constexpr std::size_t max_pin_vectors = 1000;
 
 /// Puts vertices at positions[i], relative to the source's origin like all positions of the polyhedron (not a
 /// displacement). Both spans have the same size; of repeated ids the last wins. Errors: E_NONFINITE. Copies
-/// 128 positions for each run of moved vertices.
+/// 128 positions for each run of moved vertices. Vertices of the seam of a live mirror stay in its plane.
 Result<Document> move_vertices(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                                std::span<const Vector3> positions);
 
@@ -49,6 +50,9 @@ Result<Document> set_pin(const Document& document, ObjectId object, VertexId ver
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
 
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
+
+/// Begins, changes or ends a live mirror; the half stays as it is. Errors: E_MIRROR_INVALID.
+Result<Document> set_mirror(const Document& document, ObjectId object, const std::optional<Mirror>& mirror);
 
 /// The checks of the edits above, for those who read values from elsewhere.
 Result<Done> check_alpha(double alpha);

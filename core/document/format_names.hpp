@@ -16,6 +16,7 @@ inline constexpr std::array map_names{"shaded"sv, "patches"sv,       "zebra"sv, 
                                       "mean"sv,   "principal_max"sv, "principal_min"sv, "continuity"sv};
 inline constexpr std::array mode_names{"paper"sv, "target"sv, "fair"sv};
 inline constexpr std::array tag_names{"automatic"sv, "corner"sv, "smooth"sv};
+inline constexpr std::array axis_names{"x"sv, "y"sv, "z"sv};
 inline constexpr std::array pin_names{"tangents"sv, "normal"sv};
 
 /// Members that this version knows; all others are kept as they are, or refused where that is not possible.
@@ -26,8 +27,10 @@ inline constexpr std::array object_members{"id"sv,        "name"sv,    "visible"
 inline constexpr std::array transform_members{"rotation"sv, "scale"sv, "translation"sv};
 inline constexpr std::array display_members{"surface"sv, "polyhedron"sv, "network"sv,
                                             "map"sv,     "density"sv,    "colour"sv};
-inline constexpr std::array polyhedron_members{"kind"sv,  "mode"sv, "origin"sv, "vertices"sv, "faces"sv,
-                                               "alpha"sv, "beta"sv, "crease"sv, "tag"sv,      "pin"sv};
+inline constexpr std::array polyhedron_members{"kind"sv,     "mode"sv,  "mirror"sv, "origin"sv,
+                                               "vertices"sv, "faces"sv, "alpha"sv,  "beta"sv,
+                                               "crease"sv,   "tag"sv,   "pin"sv};
+inline constexpr std::array mirror_members{"axis"sv, "weld_distance"sv};
 inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
 inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};
 

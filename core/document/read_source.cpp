@@ -180,11 +180,26 @@ Vector3 read_origin(JsonReader& reader, const JsonCursor& at) {
   return origin;
 }
 
+Mirror read_mirror(JsonReader& reader, const JsonCursor& at) {
+  Mirror mirror;
+  if (!reader.is_object(at)) return mirror;
+  refuse_unknown_members(reader, at, mirror_members);
+  reader.member(at, "axis", [&](const JsonCursor& member) {
+    mirror.axis = static_cast<Axis>(reader.choice(member, axis_names));
+  });
+  reader.member(at, "weld_distance",
+                [&](const JsonCursor& member) { mirror.weld_distance = reader.number(member); });
+  if (!reader.failed()) take_error(reader, at, check_mirror(mirror));
+  return mirror;
+}
+
 std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, std::string_view text) {
   Mode mode = Mode::fair;
   reader.if_member(at, "mode", [&](const JsonCursor& member) {
     mode = static_cast<Mode>(reader.choice(member, mode_names));
   });
+  std::optional<Mirror> mirror;
+  reader.if_member(at, "mirror", [&](const JsonCursor& member) { mirror = read_mirror(reader, member); });
   const Vector3 origin = read_origin(reader, at);
   Lists lists;
   reader.member(at, "vertices", [&](const JsonCursor& member) { read_vertices(reader, member, lists); });
@@ -200,8 +215,9 @@ std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, 
   }
   Shaping shaping = ShapingReader(reader, *polyhedron).read(at);
   if (reader.failed()) return std::nullopt;
-  return PolyhedronSource{origin, *std::move(polyhedron), std::move(shaping), mode,
-                          kept_members(at, polyhedron_members, text)};
+  return PolyhedronSource{
+      origin, *std::move(polyhedron), std::move(shaping), mode, kept_members(at, polyhedron_members, text),
+      mirror};
 }
 
 std::optional<Source> read_mesh(JsonReader& reader, const JsonCursor& at, std::string_view text) {

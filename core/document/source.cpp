@@ -38,7 +38,7 @@ Result<PolyhedronSource> PolyhedronSource::from_mesh(PolygonMesh mesh) {
 
 bool operator==(const PolyhedronSource& a, const PolyhedronSource& b) {
   return a.origin == b.origin && a.mode == b.mode && a.shaping == b.shaping && a.kept == b.kept &&
-         a.polyhedron == b.polyhedron;
+         a.mirror == b.mirror && a.polyhedron == b.polyhedron;
 }
 
 Result<MeshSource> MeshSource::from_mesh(PolygonMesh mesh) {

@@ -2,15 +2,16 @@
 
 // Sources: what an object is made from. Authored data only, nothing derived.
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
+#include "core/document/mirror.hpp"
 #include "core/document/shared.hpp"
 #include "core/network/shaping.hpp"
-#include "core/patching/polyhedron_surface.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
@@ -31,13 +32,12 @@ struct PolyhedronSource {
   Shared<Shaping> shaping;
   Mode mode = Mode::fair;
   Shared<KeptMembers> kept;
+  /// The polyhedron is one half; the surface is made from both (core/modeling/mirrored.hpp).
+  std::optional<Mirror> mirror = {};
 
   /// Takes a mesh with absolute positions, chooses the origin (`origin_for`) and subtracts it. Errors: those
   /// of `Polyhedron::build`; elements are dense indices, which are also the new ids.
   static Result<PolyhedronSource> from_mesh(PolygonMesh mesh);
-
-  /// What `PolyhedronSurfacer::rebuild` takes.
-  PolyhedronSurfaceInput surface_input() const { return {polyhedron, *shaping, mode, origin}; }
 
   friend bool operator==(const PolyhedronSource& a, const PolyhedronSource& b);
 };

@@ -153,6 +153,14 @@ void write_source(Writer& out, const PolyhedronSource& source) {
   out.string("polyhedron");
   out.key("mode");
   out.string(detail::name_of(source.mode, detail::mode_names));
+  if (source.mirror) {
+    out.key("mirror");
+    out.raw("{\"axis\": ");
+    out.string(detail::name_of(source.mirror->axis, detail::axis_names));
+    out.raw(", \"weld_distance\": ");
+    out.number(source.mirror->weld_distance);
+    out.raw("}");
+  }
   out.key("origin");
   out.vector(source.origin);
   out.key("vertices");

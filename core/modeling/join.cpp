@@ -9,6 +9,7 @@
 #include "core/document/edits.hpp"
 #include "core/modeling/edit_modeling.hpp"
 #include "core/modeling/mesh_draft.hpp"
+#include "core/modeling/mirrored.hpp"
 
 namespace hariko {
 namespace {
@@ -87,7 +88,9 @@ Result<Document> join_objects(const Document& document, std::span<const ObjectId
   const Object* base = document.find(objects[0]);
   Result<ModeledDocument> joined =
       edit_polyhedron(document, objects[0], [&](const PolyhedronSource& source) -> Result<Modeled> {
-        Modeled all{source, {}};
+        Result<PolyhedronSource> whole = baked(source);
+        if (!whole) return whole.error();
+        Modeled all{std::move(whole).value(), {}};
         for (const ObjectId id : others) {
           const Object* object = document.find(id);
           if (!object) return detail::unknown_object(id);
@@ -96,7 +99,9 @@ Result<Document> join_objects(const Document& document, std::span<const ObjectId
             return make_error(e_wrong_kind, "The object \"" + object->name + "\" is not a polyhedron.",
                               "Select polyhedra only.", element_of(id));
           const Similarity to_base = after(base->transform.inverse(), object->transform);
-          Result<Modeled> next = join(all.source, *added, to_base);
+          const Result<PolyhedronSource> added_whole = baked(*added);
+          if (!added_whole) return added_whole.error();
+          Result<Modeled> next = join(all.source, *added_whole, to_base);
           if (!next) return next.error();
           all = std::move(next).value();
         }

@@ -16,8 +16,9 @@ namespace hariko {
 Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added, const Similarity& to_base);
 
 /// The first object takes in all others, which stay where they are in the document's space, and these go.
-/// Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND, E_WRONG_SELECTION (fewer than two objects, or objects
-/// with different live mirrors), and those of `join`.
+/// Live mirrors are applied first: their planes would not be those of the joined object. Errors:
+/// E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND, E_WRONG_SELECTION (fewer than two objects), and those of `baked`
+/// and `join`.
 Result<Document> join_objects(const Document& document, std::span<const ObjectId> objects);
 
 }  // namespace hariko

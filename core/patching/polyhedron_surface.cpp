@@ -34,6 +34,7 @@ struct PolyhedronSurfacer::State {
   // What the systems were built for.
   std::optional<Polyhedron> polyhedron;
   Shaping shaping;
+  std::shared_ptr<const ElementAliases> aliases;
   std::optional<SurfaceSystem> system;
   Surface::Parts parts;
   std::shared_ptr<const QuarticTables> tables = std::make_shared<QuarticTables>();
@@ -61,8 +62,12 @@ struct PolyhedronSurfacer::State {
 
 std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input) {
   const bool same_mesh = polyhedron && polyhedron->shared_topology() == input.polyhedron.shared_topology();
-  const bool same = same_mesh && system && shaping == input.shaping && system->mode == input.mode;
+  const bool same_names =
+      aliases == input.aliases || (aliases && input.aliases && *aliases == *input.aliases);
+  const bool same =
+      same_mesh && same_names && system && shaping == input.shaping && system->mode == input.mode;
   polyhedron = input.polyhedron;
+  aliases = input.aliases;
   if (same) return std::nullopt;
   system.reset();
   base.reset();
@@ -81,7 +86,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   fresh.constants = patch_constants(*mesh, fresh.network.frames());
   if (input.mode == Mode::fair)
     fresh.fair = std::make_unique<FairSystem>(mesh, fresh.network, fresh.constants);
-  parts = polyhedron_surface_parts(input.polyhedron, fresh.network.frames());
+  parts = polyhedron_surface_parts(input.polyhedron, fresh.network.frames(), aliases.get());
   system = std::move(fresh);
   return std::nullopt;
 }
@@ -176,10 +181,18 @@ PolyhedronSurfacer& PolyhedronSurfacer::operator=(PolyhedronSurfacer&&) noexcept
 
 Result<PolyhedronSurface> PolyhedronSurfacer::rebuild(const PolyhedronSurfaceInput& input, Quality quality,
                                                       const CancelToken& cancel) {
-  if (auto failed = state_->prepare(input)) return *failed;
+  if (auto failed = state_->prepare(input)) {
+    if (input.aliases) failed->element = input.aliases->original(failed->element);
+    return *failed;
+  }
   if (quality == Quality::drag)
     if (auto fast = state_->drag(input, cancel)) return std::move(*fast);
-  return state_->solve(input, quality, cancel);
+  auto made = state_->solve(input, quality, cancel);
+  // What is said of a copy was said of its original.
+  if (made && input.aliases)
+    std::erase_if(made.value().warnings,
+                  [&](const Message& warning) { return input.aliases->is_copy(warning.element); });
+  return made;
 }
 
 }  // namespace hariko

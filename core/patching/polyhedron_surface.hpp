@@ -10,6 +10,7 @@
 #include "core/base/result.hpp"
 #include "core/network/network.hpp"
 #include "core/network/shaping.hpp"
+#include "core/polyhedron/element_aliases.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/surface/surface.hpp"
 
@@ -40,6 +41,8 @@ struct PolyhedronSurfaceInput {
   Shaping shaping;
   Mode mode = Mode::fair;
   Vector3 origin = Vector3::Zero();  ///< what the polyhedron's positions are relative to
+  /// Where some elements are copies of others: provenance and messages then name the originals. May be null.
+  std::shared_ptr<const ElementAliases> aliases = {};
 };
 
 struct PolyhedronSurface {

@@ -39,7 +39,8 @@ Vector3 centre_normal(const QuarticPatch& patch) {
 
 }  // namespace
 
-Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const VertexFrames& frames) {
+Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const VertexFrames& frames,
+                                        const ElementAliases* aliases) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   Surface::Parts parts;
   std::vector<Index> vertex_node(mesh.vertex_count(), no_index);
@@ -62,7 +63,12 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
     corner_nodes->push_back(first_centre + f);
     corner_nodes->push_back(vertex_node[mesh.origin(h)]);
     corner_nodes->push_back(vertex_node[mesh.target(h)]);
-    provenance->push_back({element_of(polyhedron.face_id(f)), h - mesh.face_begin(f)});
+    const FaceId face = polyhedron.face_id(f);
+    const Index side = h - mesh.face_begin(f);
+    if (aliases && aliases->is_copy(face))
+      provenance->push_back({element_of(aliases->original(face)), mesh.side_count(f) - 1 - side});
+    else
+      provenance->push_back({element_of(face), side});
     Seam split;
     split.first = {h, 0};
     split.second = {mesh.previous(h), 2};
@@ -70,7 +76,8 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
   }
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
-    const Element source = element_of(polyhedron.edge_id(e));
+    const EdgeId edge = polyhedron.edge_id(e);
+    const Element source = element_of(aliases ? aliases->original(edge) : edge);
     if (twin == no_index) {
       boundary_sides->push_back({h, 1});
       boundary_sources->push_back(source);

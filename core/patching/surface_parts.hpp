@@ -8,14 +8,17 @@
 
 #include "core/network/vertex_frames.hpp"
 #include "core/patching/quartic_patch.hpp"
+#include "core/polyhedron/element_aliases.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
 
 /// Everything of a Surface but geometry. Patch h is the one at half-edge h. Nodes: the vertices that have
-/// faces, in order, then the split points of the faces.
-Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const VertexFrames& frames);
+/// faces, in order, then the split points of the faces. Sources are named by `aliases` where given; a copy
+/// runs round its face the other way, from the same corner.
+Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const VertexFrames& frames,
+                                        const ElementAliases* aliases = nullptr);
 
 /// Normals of the nodes' tangent planes: the corner tangents of one of its patches decide, since all lie in
 /// one plane. Zero where they do not (creases, corners with several sectors).

@@ -70,7 +70,8 @@ std::string tent_text() {
     {"id": 4, "name": "Tent", "visible": true, "locked": false,
      "transform": {"rotation": [1, 0, 0, 0], "scale": 1, "translation": [0, 0, 0]},
      "display": {"surface": true, "map": "shaded", "density": 8, "colour": "#b9b4ac"},
-     "source": {"kind": "polyhedron", "mode": "fair", "origin": [0, 0, 0],
+     "source": {"kind": "polyhedron", "mode": "fair", "mirror": {"axis": "y", "weld_distance": 0.5},
+       "origin": [0, 0, 0],
        "vertices": [[3, 0, 0, 0], [5, 1, 0, 0], [7, 0, 1, 0], [9, 0, 0, 1]],
        "faces": [[0, 3, 5, 9], [1, 5, 7, 9]],
        "alpha": [[3, 1], [5, 2]], "beta": [[3, 5, 2], [3, 9, 2]], "crease": [[5, 9]], "tag": [[3, "corner"]],
@@ -130,6 +131,10 @@ TEST(FormatErrors, Schema) {
       {"[3, 9, 2]", "[3, 5, 2]", "objects[0].source.beta[1]: entries must be in ascending order"},
       {R"("crease": [[5, 9]])", R"("crease": [[5, 8]])", "objects[0].source.crease[0]: there is no edge"},
       {R"([[3, "corner"]])", R"([[3, "round"]])", "objects[0].source.tag[0][1]: one of automatic"},
+      {R"("axis": "y")", R"("axis": "w")", "objects[0].source.mirror.axis: one of x, y, z"},
+      {R"("axis": "y")", R"("axis": "y", "x": 1)", "objects[0].source.mirror: the member \"x\" is unknown"},
+      {R"("weld_distance")", R"("distance")", "objects[0].source.mirror: the member \"distance\" is unknown"},
+      {R"({"axis": "y", "weld_distance": 0.5})", "true", "objects[0].source.mirror: an object"},
       {R"("vertex": 3)", R"("vertex": 4)", "objects[0].source.pin[0].vertex: there is no vertex"},
       {R"("kind": "normal")", R"("kind": "bend")", "objects[0].source.pin[0].kind: one of tangents"},
       {R"("kind": "normal")", R"("kind": "normal", "x": 1)",
@@ -149,6 +154,8 @@ TEST(FormatErrors, ValuesThatEditsRefuseToo) {
   expect_refused(with(good, "[3, 1], [5, 2]", "[3, 1001]"), e_tension_range, "objects[0].source.alpha[0]");
   expect_refused(with(good, "[3, 9, 2]", "[3, 9, 0]"), e_tension_range, "objects[0].source.beta[1]");
   expect_refused(with(good, "[3, 9, 2]", "[3, 9, -2]"), e_tension_negative, "objects[0].source.beta[1]");
+  expect_refused(with(good, R"("weld_distance": 0.5)", R"("weld_distance": -0.5)"), e_mirror_invalid,
+                 "objects[0].source.mirror");
   expect_refused(with(good, "[[0, 0, 1]]", "[[0, 0, 0]]"), e_pin_invalid, "objects[0].source.pin[0]");
   expect_refused(with(good, "[[0, 0, 1]]", "[]"), e_pin_invalid, "objects[0].source.pin[0]");
   expect_refused(with(good, "\"Tent\"", "\" \""), e_name_empty, "objects[0].name");

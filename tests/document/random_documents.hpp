@@ -3,6 +3,7 @@
 // Random documents with every field set, for round trips and for histories.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,11 @@ inline Shaping any_shaping(std::mt19937_64& rng, const Polyhedron& polyhedron) {
   return shaping;
 }
 
+inline std::optional<Mirror> any_mirror(std::mt19937_64& rng) {
+  if (chance(rng, 0.7)) return std::nullopt;
+  return Mirror{static_cast<Axis>(uniform_int(rng, 0, 2)), std::abs(any_number(rng))};
+}
+
 /// A polyhedron whose ids have gaps, at any origin.
 inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
   PolygonMesh mesh = any_mesh(rng);
@@ -87,8 +93,9 @@ inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
     face_ids.push_back({id += static_cast<std::uint32_t>(uniform_int(rng, 1, 1000))});
   Polyhedron polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
   Shaping shaping = any_shaping(rng, polyhedron);
-  return {any_vector(rng), std::move(polyhedron), std::move(shaping),
-          static_cast<Mode>(uniform_int(rng, 0, 2)), any_kept(rng)};
+  return {any_vector(rng),    std::move(polyhedron),
+          std::move(shaping), static_cast<Mode>(uniform_int(rng, 0, 2)),
+          any_kept(rng),      any_mirror(rng)};
 }
 
 inline Source any_source(std::mt19937_64& rng) {

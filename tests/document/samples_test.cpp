@@ -9,7 +9,7 @@
 #include "core/base/file_io.hpp"
 #include "core/document/file.hpp"
 #include "core/document/format.hpp"
-#include "core/patching/polyhedron_surface.hpp"
+#include "core/modeling/mirrored.hpp"
 
 namespace hariko {
 namespace {
@@ -66,7 +66,7 @@ TEST(Samples, BecomeSmoothSurfacesInEveryMode) {
     for (const Mode mode : {Mode::paper, Mode::target, Mode::fair}) {
       SCOPED_TRACE(sample.name + std::string(" mode ") + std::to_string(int(mode)));
       const Document document = load_document(path_of(sample.name)).value();
-      PolyhedronSurfaceInput input = document.objects[0]->polyhedron()->surface_input();
+      PolyhedronSurfaceInput input = surface_input(*document.objects[0]->polyhedron()).value();
       input.mode = mode;
       PolyhedronSurfacer surfacer;
       const Result<PolyhedronSurface> result = surfacer.rebuild(input);
