@@ -5,6 +5,7 @@
 #include "core/base/file_io.hpp"
 #include "core/document/edit_elements.hpp"
 #include "core/document/format.hpp"
+#include "core/network/network.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/document/random_documents.hpp"
 

@@ -12,8 +12,7 @@
 
 #include "core/document/source.hpp"
 #include "core/modeling/face_geometry.hpp"
-#include "core/modeling/modeled.hpp"
-#include "core/patching/polyhedron_surface.hpp"
+#include "core/modeling/mirrored.hpp"
 #include "core/polyhedron/face_shape.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/support/random.hpp"
@@ -168,7 +167,7 @@ inline void expect_same_euler(const PolyhedronSource& before, const Result<Model
 
 /// A surface can be made of it.
 inline void expect_surface(const PolyhedronSource& source) {
-  const auto made = PolyhedronSurfacer().rebuild(source.surface_input());
+  const auto made = PolyhedronSurfacer().rebuild(surface_input(source).value());
   EXPECT_TRUE(made) << (made ? "" : to_string(made.error()));
 }
 
