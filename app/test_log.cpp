@@ -33,6 +33,7 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   vertices(editor, workbench);
   history(editor);
   notices(editor);
+  commands(editor, workbench);
   pictures_ = workbench.viewport().pictures_drawn();
   if (idle && !idle_)
     out_ << Json{{"event", "idle"}, {"frames", frames_}, {"pictures", pictures_}}.dump() << std::endl;
@@ -96,6 +97,31 @@ void TestLog::notices(const Editor& editor) {
   if (text == last_notice_) return;
   last_notice_ = text;
   out_ << Json{{"event", "notice"}, {"text", text}}.dump() << std::endl;
+}
+
+void TestLog::commands(const Editor& editor, const Workbench& workbench) {
+  Json table = Json::array();
+  for (const Command& command : workbench.commands().all())
+    table.push_back({{"id", command.id},
+                     {"menu", command.menu},
+                     {"label", editor.language(command.label)},
+                     {"help", editor.language(command.help)},
+                     {"keys", command.keys}});
+  std::string line = Json{{"event", "commands"}, {"table", table}}.dump();
+  if (line != commands_line_) out_ << line << std::endl;
+  commands_line_ = std::move(line);
+  const std::string note = editor.cursor_note ? editor.cursor_note->text : std::string();
+  if (note != last_note_) out_ << Json{{"event", "cursor"}, {"text", note}}.dump() << std::endl;
+  last_note_ = note;
+  const CommandLog& log = workbench.command_log();
+  if (log.number == commands_run_) return;
+  commands_run_ = log.number;
+  out_ << Json{{"event", "command"},
+               {"id", log.last.first},
+               {"ran", log.last.second.ran},
+               {"reason", log.last.second.reason}}
+              .dump()
+       << std::endl;
 }
 
 }  // namespace hariko

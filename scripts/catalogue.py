@@ -19,6 +19,7 @@ import sys
 # Words that are the same in every language, or that no user sees.
 ALLOWED = {
     "Hariko", "Blender", "Maya", "Rhino", "English", "DISPLAY", "UTF-8",
+    "Ctrl + ", "Shift + ", "Alt + ", "Viewport",
     "nothing selected",  # of the test log
 }
 # Calls whose literals are not for users, or are translated by the code of their message.
@@ -29,7 +30,7 @@ IMGUI_TEXT = re.compile(
     r"^(Text|TextUnformatted|TextDisabled|TextColored|TextWrapped|BulletText|LabelText|Button|SmallButton|Checkbox|"
     r"RadioButton|MenuItem|BeginMenu|Selectable|SetTooltip|BeginCombo|Combo|CollapsingHeader|TreeNode|TreeNodeEx|"
     r"BeginTabItem|Slider\w+|Drag\w+|Input\w+|ColorEdit\d|ColorPicker\d|SeparatorText|AddText|BeginPopupModal)$")
-KEYS = re.compile(r"^((Ctrl|Shift|Alt)\+)*([A-Z0-9,.;'\[\]\\/=`+-]|F\d+|Num( [0-9+\-*/.]| Enter)?|Home|End|Esc|Del|Ins|Enter|"
+KEYS = re.compile(r"^((Ctrl|Shift|Alt)\+)*([A-Z0-9,.;'\[\]\\/=`+-]|F\d+|Num( [0-9+\-*/.]| Enter| Slash)?|Home|End|Esc|Del|Ins|Enter|"
                   r"Space|Tab|Backspace|Insert|Delete|PageUp|PageDown|Page Up|Page Down|Left|Right|Up|Down|Pause|Menu|"
                   r"PgUp|PgDn|Ctrl|Shift|Alt|Ctrl\+|Shift\+|Alt\+)$")
 PLACEHOLDER = re.compile(r"\{(\d)\}")

@@ -3,11 +3,27 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/base/assert.hpp"
 
 namespace hariko {
+
+namespace {
+
+/// Menus stand like this whatever the order in which their commands were added; others come before Help.
+constexpr std::array<std::string_view, 12> menu_order{"File", "Edit",    "Select", "Transform",
+                                                      "Mesh", "Shape",   "Solids", "Add",
+                                                      "View", "Analyse", "Export", "Help"};
+
+std::size_t place_of(std::string_view menu) {
+  const auto* it = std::find(menu_order.begin(), menu_order.end(), menu);
+  return it == menu_order.end() ? 2 * menu_order.size() - 3
+                                : 2 * static_cast<std::size_t>(it - menu_order.begin());
+}
+
+}  // namespace
 
 void CommandTable::add(Command command) {
   HARIKO_ASSERT(!find(command.id), "command id already taken");
@@ -34,12 +50,23 @@ const Command* CommandTable::find(const KeyChord& chord) const {
   return nullptr;
 }
 
+void CommandTable::show_in(Context contexts, std::initializer_list<std::string_view> ids) {
+  for (const std::string_view id : ids) {
+    const auto it =
+        std::find_if(commands_.begin(), commands_.end(), [id](const Command& c) { return c.id == id; });
+    HARIKO_ASSERT(it != commands_.end(), "no command to show in a context menu");
+    it->contexts = it->contexts | contexts;
+  }
+}
+
 std::vector<std::string> CommandTable::menus() const {
   std::vector<std::string> menus;
   for (const Command& command : commands_) {
     const std::string menu = command.menu.substr(0, command.menu.find('/'));
     if (!menu.empty() && std::find(menus.begin(), menus.end(), menu) == menus.end()) menus.push_back(menu);
   }
+  std::stable_sort(menus.begin(), menus.end(),
+                   [](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
   return menus;
 }
 

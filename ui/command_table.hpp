@@ -4,6 +4,7 @@
 // the cheat sheet, key bindings and tests read it.
 
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -64,7 +65,9 @@ class CommandTable {
   const std::vector<Command>& all() const { return commands_; }
   const Command* find(std::string_view id) const;
   const Command* find(const KeyChord& chord) const;
-  /// Top menus in the order in which they first appear.
+  /// Puts commands into the context menus of elements. The ids must exist (asserted).
+  void show_in(Context contexts, std::initializer_list<std::string_view> ids);
+  /// Top menus in the order of the bar: File, Edit ... Help; menus that it does not know stand before Help.
   std::vector<std::string> menus() const;
 
   /// Default keys, but for the commands that `overrides` (id → keys) names. An override takes its keys from

@@ -92,8 +92,9 @@ void Editor::notify(const Message& message) {
 }
 
 bool Editor::notices_expire() const {
-  return std::any_of(notices_.begin(), notices_.end(),
-                     [](const Notice& notice) { return notice.kind == Notice::Kind::info; });
+  return cursor_note.has_value() || std::any_of(notices_.begin(), notices_.end(), [](const Notice& notice) {
+           return notice.kind == Notice::Kind::info;
+         });
 }
 
 void Editor::frame_all(bool at_once) {

@@ -30,6 +30,14 @@ struct Notice {
   static constexpr double info_seconds = 4;
 };
 
+/// Why something was refused, shown where the pointer was.
+struct CursorNote {
+  std::string text;    ///< in the language of the interface
+  float x = 0, y = 0;  ///< window pixels
+  double shown_at = 0;
+  static constexpr double seconds = 3;
+};
+
 /// How the viewport shows things: not part of the document.
 struct ViewSettings {
   ZebraSettings zebra;
@@ -86,6 +94,7 @@ class Editor {
   void notify(const Message& message);
   std::deque<Notice>& notices() { return notices_; }
   const std::deque<Notice>& notices() const { return notices_; }
+  std::optional<CursorNote> cursor_note;
   /// Whether a notice shows that goes away by itself.
   bool notices_expire() const;
 

@@ -35,6 +35,10 @@ inline constexpr const char* close = "\uf00d";    // times
 inline constexpr const char* up = "\uf062";       // arrow-up
 inline constexpr const char* scale = "\uf0b2";     // arrows-alt
 inline constexpr const char* object = "\uf1b2";   // cube
+inline constexpr const char* search = "\uf002";
+inline constexpr const char* keyboard = "\uf11c";  // keyboard-o
+inline constexpr const char* settings = "\uf013";  // cog
+inline constexpr const char* add = "\uf067";       // plus
 inline constexpr const char* reset = "\uf0e2";
 
 }  // namespace hariko::icon

@@ -23,6 +23,12 @@ class Marks {
     rects_[name] = {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x - low.x),
                     static_cast<int>(high.y - low.y)};
   }
+  /// Names the window that is being drawn.
+  void window(const std::string& name) {
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    rects_[name] = {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(size.x),
+                    static_cast<int>(size.y)};
+  }
   const std::map<std::string, Rect>& all() const { return rects_; }
 
  private:

@@ -24,21 +24,69 @@ void Workbench::add_commands() {
   // Menus stand in the order of these lines.
   add_file_commands(host_);
   add_edit_commands(host_);
+  add_preferences_commands(host_);
   add_select_commands(host_);
   add_transform_commands(host_);
   add_shape_commands(host_);
   add_view_commands(host_);
   add_language_commands(host_);
+  add_help_commands(host_);
+  fill_context_menus(commands_);
   // A tool works on the document that it found: whatever changes it ends the tool first.
   commands_.before_run([this](const Command& command) {
     if (!command.changes_document) return;
     viewport_.cancel_tool();
     if (editor_.history.in_gesture()) editor_.cancel_preview();
   });
+  commands_.after_run([this](const Command& command, const CommandTable::Outcome& outcome) {
+    ++command_log_.number;
+    command_log_.last = {command.id, outcome};
+  });
+}
+
+void Workbench::run_from_key(const Command& command) {
+  const std::size_t before = editor_.notices().size();
+  const auto outcome = commands_.run(command);
+  if (!outcome.ran) return explain_at_pointer(editor_.language.phrase(outcome.reason));
+  // An operation that refused says so where the designer looks, too.
+  const auto& notices = editor_.notices();
+  if (notices.size() > before && notices.back().kind == Notice::Kind::error)
+    explain_at_pointer(notices.back().text);
+}
+
+void Workbench::explain_at_pointer(const std::string& text) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  // A pointer that left the window is nowhere: the note stands in the middle.
+  const bool here = ImGui::IsMousePosValid(&at);
+  editor_.cursor_note = CursorNote{text, here ? at.x : screen.x / 2, here ? at.y : screen.y / 2, editor_.now};
+}
+
+void Workbench::apply_keys() {
+  if (editor_.settings.keys == keys_in_use_) return;
+  keys_in_use_ = editor_.settings.keys;
+  const Language& tr = editor_.language;
+  for (const KeyProblem& problem : commands_.rebind(keys_in_use_)) {
+    const Command* command = commands_.find(problem.id);
+    const Command* other = commands_.find(problem.other);
+    const std::string name = command ? tr(command->label) : problem.id;
+    const char* text =
+        problem.kind == KeyProblem::Kind::unknown_command
+            ? translatable("The key file names a command that does not exist: {0}.")
+        : problem.kind == KeyProblem::Kind::not_a_key
+            ? translatable("The keys of \u201c{0}\u201d cannot be read: {1}. The default is used.")
+        : problem.kind == KeyProblem::Kind::reserved
+            ? translatable("\u201c{0}\u201d cannot have {1}: it always cancels.")
+            : translatable(
+                  "{1} is given to two commands: \u201c{2}\u201d keeps it, \u201c{0}\u201d goes without.");
+    editor_.notify(Notice::Kind::warning,
+                   fill(tr(text), {name, problem.keys, other ? tr(other->label) : problem.other}));
+  }
 }
 
 void Workbench::frame() {
   marks_.clear();
+  apply_keys();
   PanelContext context{editor_,
                        commands_,
                        marks_,
@@ -51,15 +99,23 @@ void Workbench::frame() {
                        offers_,
                        actions_.recover,
                        actions_.discard_recovery};
-  layout(context);
+  const float menu = draw_menu_bar(context);
+  layout(context, menu);
+  context_menu_.draw(context);
+  preferences_.draw(context, menu);
+  palette_.draw(context, menu);
+  cheat_sheet_.draw(context, menu);
+  draw_cursor_note(context);
+  // Shade at once: nothing is drawn again while nothing happens, so it cannot fade in.
+  GImGui->DimBgRatio = 1;
   dialog_.draw(context);
   prompt_.draw(context);
 }
 
-void Workbench::layout(PanelContext& context) {
+void Workbench::layout(PanelContext& context, float menu) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float menu = draw_menu_bar(context);
-  const float status = metrics_.px(26), tools = metrics_.px(44), line = metrics_.px(1);
+  const float status = metrics_.px(26), line = metrics_.px(1);
+  const float tools = tool_column_width(metrics_, screen.y - menu - status);
   if (!editor_.has_document) {
     const PanelRect all{{0, menu}, screen};
     draw_start_page(context, all);
@@ -73,7 +129,10 @@ void Workbench::layout(PanelContext& context) {
                  metrics_.px(96), metrics_.px(240));
   const float right = screen.x - side;
   draw_tool_column(context, {{0, menu}, {tools, screen.y - status}});
+  const auto hovered = editor_.hovered;
+  const bool tool_ran = viewport_.tool_active();
   viewport_.draw(context, view);
+  context_menu_.watch(editor_, view, hovered, tool_ran);
   draw_objects(context, {{right, menu}, {screen.x, menu + objects_height - line}});
   draw_properties(context, {{right, menu + objects_height}, {screen.x, screen.y - status}});
   context.tool_hint = viewport_.hint();
@@ -96,7 +155,16 @@ void Workbench::drag_border(const PanelRect& border) {
 
 void Workbench::key(const KeyPress& press) {
   const KeyChord& chord = press.chord;
+  editor_.cursor_note.reset();
+  if (preferences_.key(editor_, commands_, chord)) return;
   if (chord.key == GLFW_KEY_ESCAPE) return escape();
+  if (palette_.is_open()) return palette_.key(chord);
+  if (cheat_sheet_.is_open()) {
+    const Command* closing = commands_.find(chord);
+    if (closing && closing->id == "help.keys") cheat_sheet_.close();
+    return;
+  }
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   // While a field takes text or a dialog is open the keys are theirs.
   if (ImGui::GetIO().WantTextInput || dialog_.is_open() || prompt_.is_open()) return;
   // A running tool takes its own keys first: axes, numbers, Enter.
@@ -104,15 +172,19 @@ void Workbench::key(const KeyPress& press) {
   const Command* command = commands_.find(chord);
   if (!command) return;
   // In the middle of a drag or a modal tool the view may change, and nothing else.
-  if (viewport_.tool_active() && command->menu != "View") return;
+  if (viewport_.tool_active() && !command->menu.starts_with("View") && command->menu != "Help") return;
   if (editor_.history.in_gesture() && command->changes_document) return;
-  const auto outcome = commands_.run(*command);
-  if (!outcome.ran) editor_.notify(Notice::Kind::info, editor_.language.phrase(outcome.reason));
+  run_from_key(*command);
 }
 
 void Workbench::escape() {
   if (prompt_.is_open()) return prompt_.dismiss();
   if (dialog_.is_open()) return dialog_.close();
+  if (palette_.is_open()) return palette_.close();
+  if (cheat_sheet_.is_open()) return cheat_sheet_.close();
+  // Menus and the lists of fields.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    return ImGui::ClosePopupToLevel(0, true);
   if (viewport_.cancel_tool()) return;
   if (editor_.history.in_gesture()) {
     editor_.cancel_preview();
@@ -120,6 +192,7 @@ void Workbench::escape() {
     return;
   }
   if (ImGui::GetIO().WantTextInput) return;  // the field restores its text
+  if (preferences_.is_open()) return preferences_.close();
   if (!editor_.notices().empty())
     editor_.notices().clear();
   else

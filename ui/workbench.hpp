@@ -6,8 +6,12 @@
 #include <memory>
 
 #include "ui/commands/command_host.hpp"
+#include "ui/panels/cheat_sheet.hpp"
+#include "ui/panels/command_palette.hpp"
+#include "ui/panels/context_menu.hpp"
 #include "ui/panels/file_dialog.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/preferences.hpp"
 #include "ui/panels/prompt.hpp"
 #include "ui/viewport.hpp"
 
@@ -25,6 +29,12 @@ struct FileActions {
   std::function<void()> quit;  ///< at once
 };
 
+/// The command that was run or refused last, and how many there were.
+struct CommandLog {
+  std::uint64_t number = 0;
+  std::pair<std::string, CommandTable::Outcome> last;
+};
+
 class Workbench {
  public:
   Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
@@ -38,6 +48,7 @@ class Workbench {
   void key(const KeyPress& press);
 
   const CommandTable& commands() const { return commands_; }
+  const CommandLog& command_log() const { return command_log_; }
   const Viewport& viewport() const { return viewport_; }
   const Marks& marks() const { return marks_; }
   std::vector<Sample>& samples() { return samples_; }
@@ -51,6 +62,10 @@ class Workbench {
   void open_guarded(const std::filesystem::path& path);
   void save(std::function<void()> then);
   void save_as(std::function<void()> then);
+  void show_palette() { palette_.open(); }
+  void show_cheat_sheet() { cheat_sheet_.open(); }
+  void show_context_menu() { context_menu_.open(editor_); }
+  void show_preferences() { preferences_.open(); }
   void show_open_dialog();
   void show_import_dialog();
   void show_export_dialog();
@@ -60,7 +75,12 @@ class Workbench {
  private:
   void add_commands();
   void escape();
-  void layout(PanelContext& context);
+  /// A command chosen by its key: what it refuses is explained where the pointer is.
+  void run_from_key(const Command& command);
+  void explain_at_pointer(const std::string& text);
+  /// Takes up the keys of the settings.
+  void apply_keys();
+  void layout(PanelContext& context, float menu);
   void drag_border(const PanelRect& border);
   std::filesystem::path folder_proposal() const;
 
@@ -74,6 +94,12 @@ class Workbench {
   PanelState panel_state_;
   std::vector<Sample> samples_;
   Offers offers_;
+  CommandPalette palette_;
+  CheatSheet cheat_sheet_;
+  ContextMenu context_menu_;
+  Preferences preferences_;
+  std::map<std::string, std::string> keys_in_use_;  ///< of the settings
+  CommandLog command_log_;
   FileDialog dialog_;
   Prompt prompt_;
   int export_density_ = 16;

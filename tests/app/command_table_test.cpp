@@ -205,7 +205,7 @@ TEST(MenuTree, FollowsTheTable) {
   add("d", "View", false, Context::none);
   add("e", "View/Standard", true, Context::empty);
   add("f", "", false, Context::vertex);
-  EXPECT_EQ(table.menus(), (std::vector<std::string>{"View", "Edit"}));
+  EXPECT_EQ(table.menus(), (std::vector<std::string>{"Edit", "View"}));
   const auto view = menu_tree(table, "View");
   ASSERT_EQ(view.size(), 3U);
   EXPECT_EQ(view[0].command->id, "a");
@@ -218,10 +218,13 @@ TEST(MenuTree, FollowsTheTable) {
   EXPECT_FALSE(menu_tree(table, "Edit").front().separator_before);
   const auto vertex = context_menu_tree(table, Context::vertex);
   ASSERT_EQ(vertex.size(), 2U);
-  EXPECT_EQ(vertex[0].submenu, "Standard");
-  EXPECT_EQ(vertex[1].command->id, "c");
+  EXPECT_EQ(vertex[0].command->id, "c");
+  EXPECT_FALSE(vertex[0].separator_before);
+  EXPECT_EQ(vertex[1].submenu, "Standard");
   EXPECT_TRUE(vertex[1].separator_before);  // another menu begins
   EXPECT_TRUE(context_menu_tree(table, Context::face).empty());
+  table.show_in(Context::face, {"d", "a"});
+  EXPECT_EQ(context_menu_tree(table, Context::face).size(), 2U);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What lies over the viewport: the legend of a map, and notices.
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/icons.hpp"
@@ -99,6 +100,24 @@ void draw_notices(PanelContext& context, const PanelRect& viewport) {
     ++number;
   }
   if (dismissed >= 0) editor.notices().erase(editor.notices().begin() + dismissed);
+}
+
+void draw_cursor_note(PanelContext& context) {
+  auto& note = context.editor.cursor_note;
+  if (note && context.editor.now - note->shown_at > CursorNote::seconds) note.reset();
+  if (!note) return;
+  const Metrics& m = context.metrics;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float pad = m.px(8), wrap = m.px(300);
+  const ImVec2 text = ImGui::CalcTextSize(note->text.c_str(), nullptr, false, wrap);
+  const ImVec2 size(text.x + 2 * pad, text.y + 2 * pad);
+  const ImVec2 low(std::clamp(note->x + m.px(14), 0.0F, std::max(0.0F, screen.x - size.x)),
+                   std::clamp(note->y + m.px(18), 0.0F, std::max(0.0F, screen.y - size.y)));
+  ImDrawList& draw = *ImGui::GetForegroundDrawList();
+  draw.AddRectFilled(low, {low.x + size.x, low.y + size.y}, palette().popup, m.px(6));
+  draw.AddRect(low, {low.x + size.x, low.y + size.y}, palette().warning, m.px(6));
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad, low.y + pad}, palette().text,
+               note->text.c_str(), nullptr, wrap);
 }
 
 }  // namespace hariko

@@ -58,12 +58,16 @@ bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVe
                  ImGuiWindowFlags extra = 0);
 
 float draw_menu_bar(PanelContext& context);  ///< returns its height
+/// How wide the column must be for all its buttons to show in this height.
+float tool_column_width(const Metrics& metrics, float height);
 void draw_tool_column(PanelContext& context, const PanelRect& rect);
 void draw_objects(PanelContext& context, const PanelRect& rect);
 void draw_properties(PanelContext& context, const PanelRect& rect);
 void draw_status_line(PanelContext& context, const PanelRect& rect);
 void draw_legend(PanelContext& context, const PanelRect& viewport);
 void draw_notices(PanelContext& context, const PanelRect& viewport);
+/// Why a key did nothing, beside where the pointer was.
+void draw_cursor_note(PanelContext& context);
 void draw_start_page(PanelContext& context, const PanelRect& rect);
 
 /// A small heading with a line below.

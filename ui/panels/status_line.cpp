@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ui/icons.hpp"
-#include "ui/panels/panels.hpp"
+#include "ui/panels/overlay_window.hpp"
 
 namespace hariko {
 
@@ -12,7 +12,6 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Status", rect, palette().window, {m.px(12), m.px(5)}, ImGuiWindowFlags_NoScrollbar)) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().dim_text);
-    ImGui::TextUnformatted(context.tr.phrase(context.tool_hint).c_str());
     std::string right;
     ImU32 colour = palette().dim_text;
     if (const Object* object = editor.active_object(); object && editor.has_document) {
@@ -38,8 +37,15 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     }
     if (!editor.job.empty()) right = context.tr.phrase(editor.job) + "\u2026   " + right;
     const float width = ImGui::CalcTextSize(right.c_str()).x;
-    const float left_end = ImGui::GetItemRectMax().x - rect.min.x + m.px(16);
-    ImGui::SameLine(std::max(left_end, rect.width() - width - m.px(12)));
+    // The state is short and always whole; the hint gives way to it.
+    const std::string hint = context.tr.phrase(context.tool_hint);
+    const float room = rect.width() - width - m.px(48);
+    const std::string shown = elided(hint, std::max(room, m.px(120)));
+    ImGui::TextUnformatted(shown.c_str());
+    context.marks.item("status.left");
+    if (shown != hint && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
+    ImGui::SameLine(
+        std::max(ImGui::GetItemRectMax().x - rect.min.x + m.px(16), rect.width() - width - m.px(12)));
     const TextColour text(colour);
     ImGui::TextUnformatted(right.c_str());
     context.marks.item("status.right");

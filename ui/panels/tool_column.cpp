@@ -1,4 +1,5 @@
-// The column of buttons on the left: commands that are used all the time.
+// The column of buttons on the left: commands that are used all the time. Where the window is low it has two
+// rows of them side by side, so that it never scrolls.
 
 #include <algorithm>
 
@@ -19,22 +20,37 @@ void command_button(PanelContext& context, const char* id) {
   context.marks.item(std::string("button.") + id);
 }
 
-void gap(PanelContext& context) {
-  ImGui::Dummy({1, context.metrics.px(8)});
+/// Groups from top to bottom.
+std::vector<std::vector<const char*>> tool_groups() {
+  return {
+      {"select.vertices", "select.edges", "select.faces", "select.objects"},
+      {"edit.undo", "edit.redo"},
+      {"view.frame_all", "view.x_ray"},
+  };
 }
+constexpr float button = 36, spacing = 2, gap = 8;
 
 }  // namespace
 
+float tool_column_width(const Metrics& m, float height) {
+  float needed = m.px(2 * gap);
+  for (const auto& group : tool_groups())
+    needed += m.px(button + spacing) * static_cast<float>(group.size()) + m.px(gap);
+  return needed <= height ? m.px(button + 8) : m.px(2 * button + spacing + 8);
+}
+
 void draw_tool_column(PanelContext& context, const PanelRect& rect) {
-  const float pad = context.metrics.px(4);
-  if (begin_panel("Tools", rect, palette().window, {pad, context.metrics.px(8)},
-                  ImGuiWindowFlags_NoScrollbar)) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, context.metrics.px(2)));
-    for (const char* id : {"select.vertices", "select.edges", "select.faces"}) command_button(context, id);
-    gap(context);
-    for (const char* id : {"edit.undo", "edit.redo"}) command_button(context, id);
-    gap(context);
-    for (const char* id : {"view.frame_all", "view.x_ray"}) command_button(context, id);
+  const Metrics& m = context.metrics;
+  if (begin_panel("Tools", rect, palette().window, {m.px(4), m.px(gap)}, ImGuiWindowFlags_NoScrollbar)) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(spacing), m.px(spacing)));
+    const bool pairs = rect.width() > m.px(2 * button);
+    for (const auto& group : tool_groups()) {
+      for (std::size_t i = 0; i < group.size(); ++i) {
+        if (pairs && i % 2 == 1) ImGui::SameLine();
+        command_button(context, group[i]);
+      }
+      ImGui::Dummy({1, m.px(gap) - m.px(spacing)});
+    }
     ImGui::PopStyleVar();
   }
   ImGui::End();

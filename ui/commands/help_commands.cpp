@@ -1,0 +1,66 @@
+// Commands that help to find things: the palette, the cheat sheet, preferences, and what this program is.
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include "render/renderer.hpp"
+#include "ui/commands/command_host.hpp"
+#include "ui/icons.hpp"
+#include "ui/workbench.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// What a report about a mistake needs, in English whatever the language.
+std::string system_information() {
+  return fill("Hariko {0}\n{1}\nGLFW {2}\nDear ImGui {3}",
+              {HARIKO_VERSION, describe_gl(), glfwGetVersionString(), ImGui::GetVersion()});
+}
+
+constexpr const char* libraries =
+    "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), Eigen (MPL 2.0), oneTBB "
+    "(Apache 2.0), "
+    "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL "
+    "OFL).";
+
+void show_about(Workbench& workbench, const Language& tr) {
+  Prompt::Request request;
+  request.title = tr("About Hariko");
+  request.text = std::string(tr("Stretch a smooth surface over a rough structure.")) + "\n\n" +
+                 system_information() + "\n\n" + tr("Libraries and fonts:") + "\n" + libraries;
+  request.answers = {{tr("Close"), "close", {}}, {tr("Copy system information"), "copy", [] {
+                                                    ImGui::SetClipboardText(system_information().c_str());
+                                                  }}};
+  workbench.ask(std::move(request));
+}
+
+}  // namespace
+
+void add_help_commands(CommandHost& host) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  Workbench& workbench = host.workbench;
+  table.add({"help.palette", translatable("Help"), translatable("Search commands\u2026"),
+             translatable("Find any command or object by a few letters of its name."), "F3 / Ctrl+Shift+P",
+             icon::search, false, false, [&workbench] { workbench.show_palette(); }});
+  table.add({"help.keys", translatable("Help"), translatable("Keys at a glance"),
+             translatable("Show every key, those of the present tool first."), "F1 / ?", icon::keyboard,
+             false, false, [&workbench] { workbench.show_cheat_sheet(); }});
+  table.add({"help.context_menu", translatable("Help"), translatable("Menu at the pointer"),
+             translatable("What can be done with what is under the pointer."), "Menu / Shift+F10", "", false,
+             false, [&workbench] { workbench.show_context_menu(); }, needs_document(editor)});
+  table.add({"help.about", translatable("Help"), translatable("About Hariko"),
+             translatable("Version, graphics driver and licences."), "", icon::info, false, true,
+             [&workbench, &editor] { show_about(workbench, editor.language); }});
+}
+
+void add_preferences_commands(CommandHost& host) {
+  CommandTable& table = host.table;
+  Workbench& workbench = host.workbench;
+  table.add({"edit.preferences", translatable("Edit"), translatable("Preferences\u2026"),
+             translatable("Language, theme, navigation, units, keys."), "Ctrl+,", icon::settings, false, true,
+             [&workbench] { workbench.show_preferences(); }});
+}
+
+}  // namespace hariko

@@ -1,0 +1,15 @@
+#pragma once
+
+// Fuzzy search: how well a few typed letters stand for a text.
+
+#include <string_view>
+
+namespace hariko {
+
+/// 0 when the text does not match; higher is better. Every word of the query must be found, its letters in
+/// order: in one piece, or at the beginnings of words ("fs" finds "Frame selection"). Letters that are merely
+/// strewn over the text do not match. Upper and lower case are the same. Both are UTF-8. An empty query
+/// matches everything equally. O(query · text) characters.
+double fuzzy_score(std::string_view query, std::string_view text);
+
+}  // namespace hariko
