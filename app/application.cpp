@@ -1,8 +1,10 @@
 #include "app/application.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
 #include "app/rebuild_engine.hpp"
+#include "app/replay.hpp"
 #include "app/samples.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
@@ -27,7 +30,7 @@ bool software_renderer() {
 
 class Application {
  public:
-  Application(GlWindow& window, Renderer renderer, const WindowOptions& options)
+  Application(GlWindow& window, Renderer renderer, const WindowOptions& options, std::optional<Replay> replay)
       : window_(window),
         renderer_(std::move(renderer)),
         log_(options.test_log),
@@ -39,21 +42,34 @@ class Application {
     workbench_.samples() = find_samples(assets_folder());
     if (const char* missing = window_.missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
-    for (const auto& file : options.files) file == options.files.front() ? open(file) : import_file(file);
-    if (options.files.empty()) picture_samples();
+    begin_replay(options, std::move(replay));
+    const auto& files = player_ ? player_->replay().start.files : options.files;
+    for (const auto& file : files) file == files.front() ? open(file) : import_file(file);
+    if (files.empty()) picture_samples();
   }
 
-  void run() {
+  /// Gives the exit code.
+  int run() {
     while (!quit_) {
-      if (window_.wait(wait_seconds())) frames_ = frames_after_input;
+      play();
+      if (window_.wait(wait_seconds())) {
+        frames_ = frames_after_input;
+        idle_ = false;
+      }
       editor_.now = window_.now();
-      if (engine_.publish() + long_.publish() > 0) frames_ = std::max(frames_, 2);
+      if (recorder_) recorder_->batch(editor_.now, window_.input());
+      if (engine_.publish() + long_.publish() > 0) {
+        frames_ = std::max(frames_, 2);
+        idle_ = false;
+      }
       take_input();
       const bool blinking = ImGui::GetIO().WantTextInput;
       if (frames_ <= 0 && !due() && !blinking) continue;
       --frames_;
       frame();
     }
+    if (recorder_) recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
+    return player_ ? judge_replay() : 0;
   }
 
  private:
@@ -72,7 +88,7 @@ class Application {
 
   double wait_seconds() const {
     if (frames_ > 0) return 0;
-    double seconds = 1;
+    double seconds = player_ ? 0.005 : 1;
     const double next = workbench_.viewport().next_frame_in();
     if (next >= 0) seconds = std::min(seconds, next);
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
@@ -115,8 +131,49 @@ class Application {
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
-    log_.frame(editor_, workbench_,
-               frames_ <= 0 && !due() && long_.idle() && workbench_.viewport().next_frame_in() < 0);
+    idle_ = frames_ <= 0 && !due() && long_.idle() && workbench_.viewport().next_frame_in() < 0;
+    if (recorder_ && idle_) recorder_->idle(editor_.now);
+    log_.frame(editor_, workbench_, idle_);
+  }
+
+  void begin_replay(const WindowOptions& options, std::optional<Replay> replay) {
+    if (replay) player_.emplace(*std::move(replay));
+    if (options.record.empty()) return;
+    recorder_.emplace(options.record,
+                      ReplayStart{window_.width(), window_.height(), window_.monitor_scale(), options.files},
+                      window_.now());
+    if (recorder_->ok()) return;
+    recorder_.reset();
+    editor_.notify(Notice::Kind::error, fill(editor_.language("{0} cannot be written: nothing is recorded."),
+                                             {options.record.string()}));
+  }
+
+  /// Gives the window what the replay says that the user does now.
+  void play() {
+    if (!player_) return;
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - played_at_).count();
+    played_at_ = now;
+    const auto batch = player_->advance(seconds, idle_);
+    window_.replay(player_->now(), batch);
+    if (player_->finished() || player_->stuck()) quit_ = true;
+  }
+
+  int judge_replay() const {
+    const auto wrong = [](const std::string& what) {
+      std::cerr << "The replay ended otherwise than it was recorded: " << what << "\n";
+      return 1;
+    };
+    if (player_->stuck()) return wrong("the program did not come to rest.");
+    if (!player_->all_played()) return wrong("the program was left before the end.");
+    const std::string hash = document_hash(editor_.history.current());
+    if (hash != player_->replay().document_hash)
+      return wrong("the document is another one (" + hash + " instead of " + player_->replay().document_hash +
+                   ").");
+    if (editor_.history.position() != player_->replay().undo_steps)
+      return wrong("there are " + std::to_string(editor_.history.position()) + " steps to undo instead of " +
+                   std::to_string(player_->replay().undo_steps) + ".");
+    return 0;
   }
 
   /// Runs work on files off the main thread; `done` gets its result on the main thread.
@@ -242,7 +299,10 @@ class Application {
   Workbench workbench_;
   WorkLane::Key next_job_ = 0;
   int frames_ = frames_after_input;
-  bool quit_ = false;
+  bool quit_ = false, idle_ = false;
+  std::optional<ReplayRecorder> recorder_;
+  std::optional<ReplayPlayer> player_;
+  std::chrono::steady_clock::time_point played_at_ = std::chrono::steady_clock::now();
 };
 
 int fail(const Message& error) {
@@ -254,13 +314,20 @@ int fail(const Message& error) {
 }  // namespace
 
 int run_window(const WindowOptions& options) {
-  auto window = GlWindow::open({"Hariko", options.width, options.height});
+  std::optional<Replay> replay;
+  GlWindow::Options size{"Hariko", options.width, options.height, options.scale};
+  if (!options.replay.empty()) {
+    auto read = Replay::read(options.replay);
+    if (!read.ok()) return fail(read.error());
+    replay = std::move(read).value();
+    size = {"Hariko", replay->start.width, replay->start.height, replay->start.scale};
+  }
+  auto window = GlWindow::open(size);
   if (!window.ok()) return fail(window.error());
   auto renderer = Renderer::create();
   if (!renderer.ok()) return fail(renderer.error());
-  Application application(**window, std::move(renderer).value(), options);
-  application.run();
-  return 0;
+  Application application(**window, std::move(renderer).value(), options, std::move(replay));
+  return application.run();
 }
 
 }  // namespace hariko

@@ -8,6 +8,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cfloat>
+#include <optional>
 #include <utility>
 
 namespace hariko {
@@ -18,13 +21,26 @@ struct GlWindow::State {
   FontRequest fonts;
   ThemeId theme = ThemeId::dark;
   Palette palette{};
-  float monitor_scale = 1;
+  float monitor_scale = 0;  // 0: not known yet
   const char* missing_fonts = nullptr;
   std::string title;
   std::vector<KeyPress> keys;
   std::vector<std::filesystem::path> drops;
   std::u32string typed;
-  bool close = false, input = false;
+  bool close = false, redraw = false;
+
+  InputQueue queue;
+  std::vector<InputEvent> batch;  // what the next frame sees
+  ImVec2 pointer{-FLT_MAX, -FLT_MAX};
+  std::array<bool, 5> buttons{};
+  std::optional<double> replayed_now;
+  double frame_at = 0;
+
+  /// What the user does; a replay is not disturbed by it.
+  void from_user(InputEvent event) {
+    redraw = true;
+    if (!replayed_now || event.kind == InputEvent::Kind::close) queue.push(std::move(event));
+  }
 
   ~State() {
     if (ImGui::GetCurrentContext()) {
@@ -61,43 +77,53 @@ int letter_of(int key, int scancode) {
 GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   GLFWwindow* window = state_->window;
   glfwSetWindowUserPointer(window, state_.get());
-  static constexpr auto noted =
-      +[](GLFWwindow* w) { static_cast<State*>(glfwGetWindowUserPointer(w))->input = true; };
+  // ImGui's backend gets its events from `deliver`, one batch a frame.
+  static constexpr auto state_of =
+      +[](GLFWwindow* w) -> State& { return *static_cast<State*>(glfwGetWindowUserPointer(w)); };
+  using Kind = InputEvent::Kind;
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
-    noted(w);
-    // The key of the desktop makes no chords of ours.
-    if (action == GLFW_RELEASE || (mods & GLFW_MOD_SUPER) != 0) return;
-    KeyChord chord;
-    chord.key = key == GLFW_KEY_KP_ENTER ? GLFW_KEY_ENTER : letter_of(key, scancode);
-    chord.control = (mods & GLFW_MOD_CONTROL) != 0;
-    chord.shift = (mods & GLFW_MOD_SHIFT) != 0;
-    chord.alt = (mods & GLFW_MOD_ALT) != 0;
-    static_cast<State*>(glfwGetWindowUserPointer(w))->keys.push_back({chord});
+    InputEvent event{.kind = Kind::key, .code = key};
+    event.meant = key == GLFW_KEY_KP_ENTER ? GLFW_KEY_ENTER : letter_of(key, scancode);
+    event.down = action != GLFW_RELEASE;
+    event.repeated = action == GLFW_REPEAT;
+    event.modifiers = mods;
+    state_of(w).from_user(std::move(event));
   });
-  // ImGui's backend chains to these, so they must be set before it is initialised.
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-    noted(w);
-    // GLFW reports the character of a key right after the key.
-    auto& keys = static_cast<State*>(glfwGetWindowUserPointer(w))->keys;
-    if (!keys.empty() && keys.back().text == 0) keys.back().text = character;
-    static_cast<State*>(glfwGetWindowUserPointer(w))->typed += static_cast<char32_t>(character);
+    state_of(w).from_user({.kind = Kind::text, .code = static_cast<int>(character)});
   });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { noted(w); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { noted(w); });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { noted(w); });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { noted(w); });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { noted(w); });
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { noted(w); });
-  glfwSetWindowRefreshCallback(window, noted);
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+    InputEvent event{.kind = Kind::button, .code = button};
+    event.down = action == GLFW_PRESS;
+    event.modifiers = mods;
+    state_of(w).from_user(std::move(event));
+  });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    state_of(w).from_user({.kind = Kind::move, .x = x, .y = y});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    state_of(w).from_user({.kind = Kind::wheel, .x = x, .y = y});
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    if (!entered) state_of(w).from_user({.kind = Kind::leave});
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    InputEvent event{.kind = Kind::focus};
+    event.down = focused != 0;
+    state_of(w).from_user(std::move(event));
+  });
+  glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int width, int height) {
+    state_of(w).from_user({.kind = Kind::size, .x = double(width), .y = double(height)});
+  });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { state_of(w).redraw = true; });
   glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
-    noted(w);
-    static_cast<State*>(glfwGetWindowUserPointer(w))->close = true;
+    state_of(w).from_user({.kind = Kind::close});
     glfwSetWindowShouldClose(w, GLFW_FALSE);
   });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-    noted(w);
-    for (int i = 0; i < count; ++i)
-      static_cast<State*>(glfwGetWindowUserPointer(w))->drops.emplace_back(paths[i]);
+    InputEvent event{.kind = Kind::drop};
+    for (int i = 0; i < count; ++i) event.paths.emplace_back(paths[i]);
+    state_of(w).from_user(std::move(event));
   });
 
   IMGUI_CHECKVERSION();
@@ -105,15 +131,17 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   ImGui::GetIO().IniFilename = nullptr;
   float scale_x = 1, scale_y = 1;
   glfwGetWindowContentScale(window, &scale_x, &scale_y);
-  state_->monitor_scale = std::clamp(scale_x, 1.0F, 4.0F);
-  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float x, float) {
-    noted(w);
-    static_cast<State*>(glfwGetWindowUserPointer(w))->monitor_scale = std::clamp(x, 1.0F, 4.0F);
-  });
+  if (state_->monitor_scale <= 0) {
+    state_->monitor_scale = std::clamp(scale_x, 1.0F, 4.0F);
+    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float x, float) {
+      state_of(w).monitor_scale = std::clamp(x, 1.0F, 4.0F);
+      state_of(w).redraw = true;
+    });
+  }
   state_->fonts.scale = state_->metrics.scale = state_->monitor_scale;
   state_->missing_fonts = load_fonts(state_->fonts);
   apply_theme(state_->theme, state_->metrics.scale, state_->palette);
-  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  ImGui_ImplGlfw_InitForOpenGL(window, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -145,6 +173,7 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const Options& options) {
         e_no_window, "OpenGL 3.3 is not available: " + last_glfw_error() + ".",
         "Update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw without it.");
   state->title = options.title;
+  state->monitor_scale = static_cast<float>(options.scale);
   glfwSetWindowSizeLimits(state->window, 800, 560, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(state->window);
   glfwSwapInterval(1);
@@ -152,12 +181,76 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const Options& options) {
 }
 
 bool GlWindow::wait(double seconds) {
-  state_->input = false;
-  if (seconds > 0)
+  State& s = *state_;
+  s.redraw = false;
+  if (seconds > 0 && s.queue.empty())
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
-  return state_->input;
+  s.batch = s.queue.take();
+  for (const InputEvent& event : s.batch) deliver(event);
+  return s.redraw || !s.batch.empty();
+}
+
+const std::vector<InputEvent>& GlWindow::input() const {
+  return state_->batch;
+}
+
+void GlWindow::replay(double now, const std::vector<InputEvent>& batch) {
+  state_->replayed_now = now;
+  for (const InputEvent& event : batch) state_->queue.push(event);
+}
+
+/// The one way in for what users do and what a replay says that they did.
+void GlWindow::deliver(const InputEvent& event) {
+  State& s = *state_;
+  using Kind = InputEvent::Kind;
+  switch (event.kind) {
+    case Kind::move:
+      s.pointer = {static_cast<float>(event.x), static_cast<float>(event.y)};
+      break;
+    case Kind::leave:
+      // A drag goes on outside of the window.
+      if (std::none_of(s.buttons.begin(), s.buttons.end(), [](bool down) { return down; }))
+        s.pointer = {-FLT_MAX, -FLT_MAX};
+      break;
+    case Kind::button:
+      if (event.code >= 0 && std::size_t(event.code) < s.buttons.size())
+        s.buttons[std::size_t(event.code)] = event.down;
+      break;
+    case Kind::wheel:
+      ImGui_ImplGlfw_ScrollCallback(s.window, event.x, event.y);
+      break;
+    case Kind::key:
+      ImGui_ImplGlfw_KeyCallback(s.window, event.code, 0,
+                                 event.repeated ? GLFW_REPEAT
+                                 : event.down   ? GLFW_PRESS
+                                                : GLFW_RELEASE,
+                                 event.modifiers);
+      // The key of the desktop makes no chords of ours.
+      if (event.down && (event.modifiers & GLFW_MOD_SUPER) == 0)
+        s.keys.push_back({{event.meant, (event.modifiers & GLFW_MOD_CONTROL) != 0,
+                           (event.modifiers & GLFW_MOD_SHIFT) != 0, (event.modifiers & GLFW_MOD_ALT) != 0}});
+      break;
+    case Kind::text:
+      ImGui_ImplGlfw_CharCallback(s.window, static_cast<unsigned>(event.code));
+      // The character of a key comes right after the key.
+      if (!s.keys.empty() && s.keys.back().text == 0) s.keys.back().text = static_cast<char32_t>(event.code);
+      s.typed += static_cast<char32_t>(event.code);
+      break;
+    case Kind::focus:
+      ImGui_ImplGlfw_WindowFocusCallback(s.window, event.down ? 1 : 0);
+      break;
+    case Kind::size:
+      if (s.replayed_now) glfwSetWindowSize(s.window, int(event.x), int(event.y));
+      break;
+    case Kind::drop:
+      s.drops.insert(s.drops.end(), event.paths.begin(), event.paths.end());
+      break;
+    case Kind::close:
+      s.close = true;
+      break;
+  }
 }
 
 void GlWindow::wake() {
@@ -177,6 +270,12 @@ bool GlWindow::set_appearance(ThemeId theme, float interface_scale) {
 void GlWindow::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  // The backend asks the desktop where the pointer is now; the frame sees where it was at its batch.
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = state_->pointer;
+  for (std::size_t i = 0; i < state_->buttons.size(); ++i) io.MouseDown[i] = state_->buttons[i];
+  if (state_->replayed_now) io.DeltaTime = std::max(1e-4F, static_cast<float>(now() - state_->frame_at));
+  state_->frame_at = now();
   ImGui::NewFrame();
 }
 
@@ -223,7 +322,20 @@ const Metrics& GlWindow::metrics() const {
   return state_->metrics;
 }
 double GlWindow::now() const {
-  return glfwGetTime();
+  return state_->replayed_now ? *state_->replayed_now : glfwGetTime();
+}
+int GlWindow::width() const {
+  int width = 0, height = 0;
+  glfwGetWindowSize(state_->window, &width, &height);
+  return width;
+}
+int GlWindow::height() const {
+  int width = 0, height = 0;
+  glfwGetWindowSize(state_->window, &width, &height);
+  return height;
+}
+double GlWindow::monitor_scale() const {
+  return static_cast<double>(state_->monitor_scale);
 }
 const char* GlWindow::missing_fonts() const {
   return state_->missing_fonts;

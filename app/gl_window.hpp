@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/input_queue.hpp"
 #include "core/base/result.hpp"
 #include "ui/command_table.hpp"
 #include "ui/fonts.hpp"
@@ -23,6 +24,7 @@ class GlWindow {
   struct Options {
     std::string title;
     int width = 1440, height = 900;  ///< screen coordinates
+    double scale = 0;                ///< of the interface instead of the monitor's; 0 for the monitor's
   };
   /// Errors: E_NO_DISPLAY, E_NO_WINDOW (no OpenGL 3.3), both with what to do.
   static Result<std::unique_ptr<GlWindow>> open(const Options& options);
@@ -30,8 +32,13 @@ class GlWindow {
   GlWindow(const GlWindow&) = delete;
   GlWindow& operator=(const GlWindow&) = delete;
 
-  /// Waits for input, a `wake` or the time to pass; 0 looks without waiting. True when there was input.
+  /// Waits for input, a `wake` or the time to pass; 0 looks without waiting. True when there was input: one
+  /// batch of it (see InputQueue) is then what the next frame sees.
   bool wait(double seconds);
+  /// That batch.
+  const std::vector<InputEvent>& input() const;
+  /// From now on the window sees this input and time instead of the user's and the clock's.
+  void replay(double now, const std::vector<InputEvent>& batch);
   /// Ends the wait. From any thread.
   static void wake();
 
@@ -48,6 +55,10 @@ class GlWindow {
   bool take_close();
   void set_title(const std::string& title);
   const Metrics& metrics() const;
+  int width() const;
+  int height() const;
+  /// The monitor's scale or the one asked for.
+  double monitor_scale() const;
   /// Seconds of a steady clock.
   double now() const;
   /// Makes the fonts write this from the next frame on; the window knows its own scale. Does nothing when
@@ -59,6 +70,7 @@ class GlWindow {
  private:
   struct State;
   explicit GlWindow(std::unique_ptr<State> state);
+  void deliver(const InputEvent& event);
   std::unique_ptr<State> state_;
 };
 

@@ -13,7 +13,8 @@ namespace {
 bool asks_for_window(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
     return argument.starts_with("--test-log") || argument.starts_with("--width") ||
-           argument.starts_with("--height");
+           argument.starts_with("--height") || argument.starts_with("--scale") ||
+           argument.starts_with("--record") || argument.starts_with("--replay");
   });
 }
 
@@ -29,6 +30,13 @@ int main(int argc, char** argv) {
                        "Write what happens to this file, one JSON line an event");
   arguments.add_option("--width", options.width, "Width of the window");
   arguments.add_option("--height", options.height, "Height of the window");
+  arguments.add_option("--scale", options.scale, "Scale of the interface instead of the monitor's")
+      ->check(CLI::Range(0.5, 4.0));
+  arguments.add_option("--record", options.record, "Write what the user does to this file");
+  arguments
+      .add_option("--replay", options.replay,
+                  "Play what was recorded; the exit code is 1 when the document is another one at the end")
+      ->excludes(arguments.get_option("--record"));
   try {
     arguments.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,53 @@
+#include "app/input_queue.hpp"
+
+#include <algorithm>
+
+namespace hariko {
+
+namespace {
+
+using Kind = InputEvent::Kind;
+
+bool is_move(const InputEvent& event) {
+  return event.kind == Kind::move || event.kind == Kind::leave;
+}
+
+/// Whether a frame that sees `batch` may see `next` as well.
+bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
+  const bool only_moves = std::all_of(batch.begin(), batch.end(), is_move);
+  switch (next.kind) {
+    case Kind::move:
+    case Kind::leave:
+    case Kind::button:
+      return only_moves;
+    case Kind::wheel:
+      return std::all_of(batch.begin(), batch.end(),
+                         [](const InputEvent& event) { return is_move(event) || event.kind == Kind::wheel; });
+    case Kind::key:
+    case Kind::text:
+      return std::all_of(batch.begin(), batch.end(), [&](const InputEvent& event) {
+        if (event.kind == Kind::text || is_move(event)) return true;
+        if (event.kind != Kind::key) return false;
+        // The frame would not see a key that went down and up, nor modifiers that hold for some keys only.
+        const bool same = next.kind == Kind::key && next.code == event.code && next.down != event.down;
+        return !same && (next.kind == Kind::text || next.modifiers == event.modifiers);
+      });
+    default:
+      return batch.empty();
+  }
+}
+
+}  // namespace
+
+std::vector<InputEvent> InputQueue::take() {
+  std::vector<InputEvent> batch;
+  while (!waiting_.empty() && fits(batch, waiting_.front())) {
+    if (is_move(waiting_.front()) && !batch.empty()) batch.pop_back();
+    batch.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+    if (batch.back().kind >= Kind::focus) break;
+  }
+  return batch;
+}
+
+}  // namespace hariko

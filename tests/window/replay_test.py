@@ -1,0 +1,103 @@
+"""Replays: a session is recorded in the real window and played again, the saved documents are the same; a replay
+whose document is another one fails; the replay that comes with the tests ends as it was recorded."""
+
+import json
+import os
+import subprocess
+import tempfile
+
+from driver import Window, check, run
+
+
+def record(program, sample, recording, saved):
+    """Drags vertices, sets a tension, undoes, saves over the copy that was opened."""
+    window = Window(program, "--record", recording, sample)
+    try:
+        for by in ((50, 30), (-35, 45)):
+            x, y, _ = window.vertex(window.nearest_vertex())
+            window.drag((x, y), (x + by[0], y + by[1]))
+            window.wait_idle()
+        left, top, width, height = window.rect("slider.alpha")
+        window.drag((left + 8, top + height / 2), (left + width * 0.6, top + height / 2))
+        window.wait_idle()
+        window.key("ctrl+alt+q")
+        window.wait_idle()
+        x, y = window.center("view.2")
+        window.drag((x, y), (x + 40, y + 10), button=2)
+        window.key("ctrl+z")
+        window.wait(lambda: window.last("document")["position"] == 2, "undo")
+        window.key("ctrl+s")
+        window.wait_event("saved", 0)
+        window.wait_idle()
+        check(window.quit() == 0, "the recorded session did not end well")
+    finally:
+        window.close()
+    with open(sample, encoding="utf-8") as file:
+        text = file.read()
+    os.rename(sample, saved)
+    return text
+
+
+def play(program, recording, folder):
+    """Exit code and error output of a replay in a window of its own."""
+    read_end, write_end = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
+                              pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    try:
+        with os.fdopen(read_end) as pipe:
+            display = ":" + pipe.readline().strip()
+        environment = dict(os.environ, DISPLAY=display)
+        for name in ("CONFIG", "STATE", "CACHE", "DATA"):
+            environment[f"XDG_{name}_HOME"] = os.path.join(folder, name.lower())
+        done = subprocess.run([program, "--replay", recording], env=environment, capture_output=True, text=True,
+                              timeout=170, cwd=folder)
+        return done.returncode, done.stderr
+    finally:
+        server.kill()
+        server.wait()
+
+
+def session(program, source, output):
+    del output
+    with tempfile.TemporaryDirectory() as folder:
+        sample, recording = os.path.join(folder, "vase.hariko"), os.path.join(folder, "session.jsonl")
+        saved = os.path.join(folder, "recorded.hariko")
+        with open(os.path.join(source, "assets", "samples", "fig2.hariko"), encoding="utf-8") as file:
+            original = file.read()
+
+        def restore():
+            with open(sample, "w", encoding="utf-8") as copy:
+                copy.write(original)
+        restore()
+        expected = record(program, sample, recording, saved)
+        check(expected != original, "the recorded session changed nothing")
+        restore()
+        code, errors = play(program, recording, folder)
+        check(code == 0, f"the replay ended with {code}: {errors}")
+        with open(sample, encoding="utf-8") as file:
+            check(file.read() == expected, "the replay saved another document")
+
+        # A replay that does something else is noticed: without the second drag's moves.
+        with open(recording, encoding="utf-8") as file:
+            lines = [json.loads(line) for line in file]
+        presses = [i for i, line in enumerate(lines)
+                   if any(e["kind"] == "button" and e["down"] and e["button"] == 0 for e in line.get("events", []))]
+        spoiled = [line for i, line in enumerate(lines)
+                   if not presses[1] < i < presses[2] or not any(e["kind"] == "move" for e in line.get("events", []))
+                   or any(e["kind"] == "button" for e in line["events"])]
+        with open(recording, "w", encoding="utf-8") as file:
+            file.writelines(json.dumps(line) + "\n" for line in spoiled)
+        restore()
+        code, errors = play(program, recording, folder)
+        check(code == 1 and "otherwise" in errors, f"a spoiled replay ended with {code}: {errors}")
+
+        kept = os.path.join(os.path.dirname(os.path.abspath(__file__)), "replays")
+        replays = sorted(name for name in os.listdir(kept) if name.endswith(".jsonl"))
+        check(replays, "no replays are kept")
+        for name in replays:
+            code, errors = play(program, os.path.join(kept, name), folder)
+            check(code == 0, f"{name} ended with {code}: {errors}")
+
+
+run(session)
