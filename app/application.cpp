@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/failure_dialog.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/open_file.hpp"
 #include "app/gl_window.hpp"
@@ -306,8 +307,7 @@ class Application {
 };
 
 int fail(const Message& error) {
-  std::cerr << error.text << "\n";
-  if (!error.remedy.empty()) std::cerr << error.remedy << "\n";
+  report_failure(error);
   return 1;
 }
 

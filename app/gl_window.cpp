@@ -72,6 +72,20 @@ int letter_of(int key, int scancode) {
   return KeyChord{upper}.is_known() ? upper : key;
 }
 
+/// "OpenGL 2.1 (NVIDIA ...)": what a context without any wish gets, for the message; empty for none.
+std::string version_at_hand() {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  GLFWwindow* window = glfwCreateWindow(64, 64, "Hariko", nullptr, nullptr);
+  if (!window) return {};
+  glfwMakeContextCurrent(window);
+  const std::string text = "OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
+                           std::to_string(epoxy_gl_version() % 10) + " (" +
+                           reinterpret_cast<const char*>(glGetString(GL_RENDERER)) + ")";
+  glfwDestroyWindow(window);
+  return text;
+}
+
 }  // namespace
 
 GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
@@ -168,10 +182,14 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const Options& options) {
     if (available_height > 0) height = std::min(height, available_height);
   }
   state->window = glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr);
-  if (!state->window)
+  if (!state->window) {
+    const std::string why = last_glfw_error();
+    const std::string found = version_at_hand();
     return make_error(
-        e_no_window, "OpenGL 3.3 is not available: " + last_glfw_error() + ".",
+        e_no_window,
+        "Hariko needs OpenGL 3.3, which is not available: " + (found.empty() ? why : "found " + found) + ".",
         "Update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw without it.");
+  }
   state->title = options.title;
   state->monitor_scale = static_cast<float>(options.scale);
   glfwSetWindowSizeLimits(state->window, 800, 560, GLFW_DONT_CARE, GLFW_DONT_CARE);

@@ -24,6 +24,7 @@ void command_button(PanelContext& context, const char* id) {
 std::vector<std::vector<const char*>> tool_groups() {
   return {
       {"select.vertices", "select.edges", "select.faces", "select.objects"},
+      {"transform.move", "transform.rotate", "transform.scale"},
       {"edit.undo", "edit.redo"},
       {"view.frame_all", "view.x_ray"},
   };

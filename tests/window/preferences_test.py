@@ -1,0 +1,95 @@
+"""Preferences in the real window: a key is recorded, a conflict is explained and replaced, theme and scale follow at once,
+and the key works."""
+
+import os
+import subprocess
+
+from driver import Window, check, run
+
+
+def brightness(path, rect):
+    """Mean grey of a rectangle of a picture, 0 to 1."""
+    x, y, width, height = rect
+    done = subprocess.run(["convert", path, "-crop", f"{width}x{height}+{x}+{y}", "-colorspace", "Gray", "-format",
+                           "%[fx:mean]", "info:"], capture_output=True, text=True, check=True)
+    return float(done.stdout)
+
+
+def keys_of(window, command):
+    window.read()
+    return next(c["keys"] for c in window.last("commands")["table"] if c["id"] == command)
+
+
+def record(window, slot, chord):
+    window.click_on(slot)
+    window.key(chord)
+
+
+def preferences(program, source, output):
+    window = Window(program, os.path.join(source, "assets", "samples", "cube.hariko"))
+    try:
+        window.key("ctrl+comma")
+        dark = os.path.join(output, "preferences_dark.png")
+        light = os.path.join(output, "preferences_light.png")
+        window.rect("preferences")
+        window.wait_idle()
+        window.screenshot(dark)
+        window.click_on("preferences.theme.light")
+        window.wait_idle()
+        window.screenshot(light)
+        page = window.rect("preferences")
+        check(brightness(dark, page) < 0.3 and brightness(light, page) > 0.7,
+              f"the theme did not change: {brightness(dark, page)}, {brightness(light, page)}")
+        window.click_on("preferences.theme.dark")
+
+        # Scale: everything grows by it, and still fits.
+        width = window.rect("button.select.edges")[2]
+        window.click_on("preferences.scale.150")
+        window.wait(lambda: window.rect("button.select.edges")[2] == round(width * 1.5), "larger buttons")
+        window.click_on("preferences.scale.100")
+        window.wait(lambda: window.rect("button.select.edges")[2] == width, "buttons as before")
+
+        # A key that nobody has: C of Crease becomes F8.
+        window.click_on("preferences.page.keys")
+        window.click_on("preferences.search")
+        window.type("crease")
+        record(window, "preferences.key.shape.crease.0", "F8")
+        window.wait(lambda: keys_of(window, "shape.crease") == "F8", "F8 for Crease")
+        # One that another command has: nothing changes before it is decided.
+        record(window, "preferences.key.shape.crease.0", "k")
+        window.rect("preferences.conflict")
+        check(keys_of(window, "shape.corner") == "K" and keys_of(window, "shape.crease") == "F8",
+              "the keys changed before the conflict was decided")
+        window.click_on("preferences.keep")
+        window.wait(lambda: "preferences.conflict" not in window.last("layout")["rects"], "the question to go")
+        check(keys_of(window, "shape.crease") == "F8", "Cancel changed the key")
+        record(window, "preferences.key.shape.crease.0", "k")
+        window.click_on("preferences.replace")
+        window.wait(lambda: keys_of(window, "shape.crease") == "K" and keys_of(window, "shape.corner") == "",
+                    "K for Crease instead of Corner")
+        # Esc while a key is awaited leaves everything.
+        record(window, "preferences.key.shape.crease.0", "Escape")
+        check(keys_of(window, "shape.crease") == "K" and "preferences" in window.last("layout")["rects"],
+              "Esc did more than to stop recording")
+        window.key("Escape")
+        window.key("Escape")
+        window.wait(lambda: "preferences" not in window.last("layout")["rects"], "the window to close")
+
+        # It works: K creases, C does nothing.
+        count = window.count("command", id="shape.crease")
+        window.key("c")
+        window.key("k")
+        window.wait(lambda: window.count("command", id="shape.crease") == count + 1, "K to crease")
+        check(window.last("cursor")["text"], "a refused key did not say why")
+
+        # Back to the defaults.
+        window.key("ctrl+comma")
+        window.click_on("preferences.page.keys")
+        window.click_on("preferences.reset")
+        window.wait(lambda: keys_of(window, "shape.crease") == "C" and keys_of(window, "shape.corner") == "K",
+                    "the default keys")
+    finally:
+        window.close()
+
+
+run(preferences)

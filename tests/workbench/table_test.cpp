@@ -1,0 +1,148 @@
+// The command table as the program has it: complete, translated, and every command runs or says why not.
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/menu_tree.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+Document box() {
+  return document_from_mesh(test::prism(4), "Box").value();
+}
+
+TEST(Table, EveryCommandIsNamedExplainedAndTranslated) {
+  HeadlessWorkbench bench(box());
+  const auto japanese = Language::load(std::string(HARIKO_SOURCE_DIR) + "/assets/languages/ja.json");
+  ASSERT_TRUE(japanese.ok());
+  std::map<std::string, std::string> keys;
+  for (const Command& command : bench.workbench().commands().all()) {
+    SCOPED_TRACE(command.id);
+    EXPECT_FALSE(command.label.empty());
+    EXPECT_FALSE(command.help.empty());
+    EXPECT_NE(command.id.find('.'), std::string::npos);
+    EXPECT_FALSE(menu_folders(command.menu).empty());
+    for (const std::string& folder : menu_folders(command.menu)) EXPECT_TRUE(japanese->has(folder)) << folder;
+    if (command.id != "help.english" && command.id != "help.japanese")
+      EXPECT_TRUE(japanese->has(command.label)) << command.label;
+    EXPECT_TRUE(japanese->has(command.help)) << command.help;
+    const auto chords = parse_keys(command.keys).value();
+    for (const KeyChord& chord : chords) {
+      const auto [it, fresh] = keys.emplace(chord.to_string(), command.id);
+      EXPECT_TRUE(fresh) << chord.to_string() << " is also the key of " << it->second;
+    }
+  }
+}
+
+TEST(Table, EveryContextOffersSomething) {
+  HeadlessWorkbench bench(box());
+  for (const Context context :
+       {Context::vertex, Context::edge, Context::face, Context::object, Context::empty})
+    EXPECT_GE(context_menu_tree(bench.workbench().commands(), context).size(), 3U)
+        << static_cast<unsigned>(context);
+}
+
+/// Runs everything but leaving; gives the ids of what ran.
+std::set<std::string> run_everything(HeadlessWorkbench& bench, bool select) {
+  std::set<std::string> ran;
+  std::vector<std::string> ids;
+  for (const Command& command : bench.workbench().commands().all()) ids.push_back(command.id);
+  for (const std::string& id : ids) {
+    SCOPED_TRACE(id);
+    if (select && bench.editor().has_document && bench.editor().active_object())
+      bench.editor().selection.select_all(*bench.editor().active_object(), ElementMode::vertex);
+    const auto outcome = bench.workbench().commands().run(id);
+    if (outcome.ran)
+      ran.insert(id);
+    else
+      EXPECT_GT(outcome.reason.size(), 8U);
+    for (int i = 0; i < 2; ++i) bench.frame();
+    for (int i = 0; i < 4; ++i) bench.key("Esc");
+  }
+  return ran;
+}
+
+TEST(Table, EveryCommandRunsOrSaysWhyNotWithoutADocument) {
+  HeadlessWorkbench bench(box());
+  bench.editor().has_document = false;
+  const auto ran = run_everything(bench, false);
+  EXPECT_FALSE(ran.contains("file.save"));
+  EXPECT_TRUE(ran.contains("file.open"));
+}
+
+TEST(Table, EveryCommandRunsOrSaysWhyNotOnADocument) {
+  HeadlessWorkbench bench(box());
+  const auto ran = run_everything(bench, true);
+  EXPECT_TRUE(ran.contains("file.save"));
+  EXPECT_TRUE(ran.contains("select.all"));
+}
+
+TEST(Table, ThePaletteRunsWhatItFinds) {
+  HeadlessWorkbench bench(box());
+  bench.key("F3");
+  bench.frame();
+  EXPECT_TRUE(bench.workbench().marks().all().contains("palette.input"));
+  // The first row: Enter runs it after the palette has gone.
+  std::string first;
+  for (const auto& [name, rect] : bench.workbench().marks().all())
+    if (name.starts_with("palette.selected.")) first = name.substr(17);
+  ASSERT_FALSE(first.empty());
+  bench.key("Enter");
+  bench.frame();
+  bench.frame();
+  EXPECT_FALSE(bench.workbench().marks().all().contains("palette.input"));
+  EXPECT_EQ(bench.workbench().command_log().last.first, first);
+}
+
+TEST(Table, ARightPressWithoutADragOpensTheContextMenu) {
+  HeadlessWorkbench bench(box());
+  const auto shown = [&] {
+    bench.frame();
+    return bench.workbench().marks().all().contains("context.title");
+  };
+  bench.move(200, 300);
+  bench.press(1);
+  bench.release(1);
+  EXPECT_TRUE(shown());
+  bench.key("Esc");
+  EXPECT_FALSE(shown());
+  bench.press(1);
+  bench.move(230, 310);
+  bench.release(1);
+  EXPECT_FALSE(shown());
+  bench.key("Menu");
+  EXPECT_TRUE(shown());
+}
+
+TEST(Table, KeysOfTheSettingsAreTakenUp) {
+  HeadlessWorkbench bench(box());
+  bench.editor().settings.keys = {{"view.frame_all", "F9"}, {"no.such", "F10"}};
+  bench.frame();
+  EXPECT_EQ(bench.workbench().commands().find("view.frame_all")->keys, "F9");
+  ASSERT_FALSE(bench.editor().notices().empty());
+  EXPECT_EQ(bench.editor().notices().back().kind, Notice::Kind::warning);
+  bench.editor().settings.keys.clear();
+  bench.frame();
+  EXPECT_EQ(bench.workbench().commands().find("view.frame_all")->keys,
+            bench.workbench().commands().find("view.frame_all")->default_keys);
+}
+
+TEST(Table, ARefusedKeySaysWhyAtThePointer) {
+  HeadlessWorkbench bench(box());
+  bench.move(300, 300);
+  bench.key("Ctrl+Z");
+  ASSERT_TRUE(bench.editor().cursor_note.has_value());
+  EXPECT_EQ(bench.editor().cursor_note->text, "There is nothing to undo.");
+  EXPECT_EQ(bench.editor().cursor_note->x, 300);
+  for (int i = 0; i < 80; ++i) bench.frame();
+  EXPECT_FALSE(bench.editor().cursor_note.has_value());
+}
+
+}  // namespace
+}  // namespace hariko
