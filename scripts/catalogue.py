@@ -19,7 +19,11 @@ import sys
 # Words that are the same in every language, or that no user sees.
 ALLOWED = {
     "Hariko", "Blender", "Maya", "Rhino", "English", "DISPLAY", "UTF-8",
-    "Ctrl + ", "Shift + ", "Alt + ", "Viewport",
+    "Ctrl + ", "Shift + ", "Alt + ", "Viewport", "object:", "OpenGL ",
+    # Names, and what a report of a mistake needs.
+    "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), Eigen (MPL 2.0), oneTBB (Apache 2.0), "
+    "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL OFL).",
+    "Hariko {0}\n{1}\nGLFW {2}\nDear ImGui {3}",
     "nothing selected",  # of the test log
 }
 # Calls whose literals are not for users, or are translated by the code of their message.
