@@ -15,7 +15,13 @@ WorkLane::Key measure_key(ObjectId id) {
 
 /// Whether the two need the same view: what the object is called or where it stands does not matter.
 bool same_view(const Object& a, const Object& b) {
-  return a.source == b.source && a.display.map == b.display.map && a.display.density == b.display.density;
+  const DisplaySettings &p = a.display, &q = b.display;
+  return a.source == b.source && p.map == q.map && p.density == q.density && p.ranges == q.ranges &&
+         p.combs.shown == q.combs.shown && (!p.combs.shown || p.combs.density == q.combs.density);
+}
+
+bool has_surface(const Object& object) {
+  return object.polyhedron() || object.mesh();
 }
 
 }  // namespace
@@ -27,7 +33,7 @@ RebuildEngine::RebuildEngine(MakeBuilder make_builder, std::function<void()> wak
 
 void RebuildEngine::sync(const Document& document, bool in_gesture, double now) {
   for (const auto& object : document.objects) {
-    if (!object->visible || !object->polyhedron()) continue;
+    if (!object->visible || !has_surface(*object)) continue;
     Track& track = tracks_[object->id];
     const bool changed =
         !track.requested || (track.requested != object && !same_view(*track.requested, *object));
@@ -101,6 +107,8 @@ void RebuildEngine::take(ObjectId id, SurfaceView view) {
       // Warnings are found at quality `final`; the range of a map rests during a gesture so that colours
       // compare.
       view.warnings = std::move(shown.warnings);
+      if (shown.mesh && shown.surface.patch_count() > 0 && view.surface.same_adjacency(shown.surface))
+        view.continuity = std::move(shown.continuity);
     }
     shown = std::move(view);
   }
@@ -113,11 +121,13 @@ void RebuildEngine::measure(ObjectId id) {
       measure_key(id),
       [this, id, surface = views_[id].surface,
        builder = tracks_[id].builder](const CancelToken& cancel) -> WorkLane::Publication {
-        const double jump = builder->measure_jump(surface, cancel);
-        return [this, id, jump] {
+        auto report = std::make_shared<const ContinuityReport>(builder->measure(surface, cancel));
+        if (cancel.cancelled()) return {};
+        return [this, id, report] {
           const auto view = views_.find(id);
           if (view == views_.end()) return;
-          view->second.largest_normal_jump = jump;
+          view->second.largest_normal_jump = report->largest_normal_jump.value_or(0);
+          view->second.continuity = report;
         };
       },
       WorkLane::Running::cancel);

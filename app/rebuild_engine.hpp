@@ -17,12 +17,12 @@ namespace hariko {
 class ViewBuilder {
  public:
   virtual ~ViewBuilder() = default;
-  /// A view of an object with a PolyhedronSource. A view without mesh and with `error` says why there is
-  /// none.
+  /// A view of an object with a PolyhedronSource or a MeshSource. A view without mesh and with `error` says
+  /// why there is none.
   virtual SurfaceView build(const std::shared_ptr<const Object>& object, Quality quality,
                             const CancelToken& cancel) = 0;
-  /// Largest normal jump of a surface in radians, 0 when cancelled.
-  virtual double measure_jump(const Surface& surface, const CancelToken& cancel) = 0;
+  /// How well the patches of a surface meet; without seams when cancelled.
+  virtual ContinuityReport measure(const Surface& surface, const CancelToken& cancel) = 0;
 };
 
 /// Everything here runs on the main thread; the builders run on the worker.

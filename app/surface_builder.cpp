@@ -4,7 +4,10 @@
 #include <chrono>
 #include <exception>
 
+#include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
+#include "core/exchange/triangulate.hpp"
+#include "core/surface/facets.hpp"
 #include "render/surface_maps.hpp"
 
 namespace hariko {
@@ -14,6 +17,30 @@ namespace {
 constexpr Code e_rebuild_failed{"E_REBUILD_FAILED"};
 constexpr int histogram_bins = 48;
 
+/// Flat facets of a reference mesh, relative to its origin.
+Surface facets_of(const MeshSource& source) {
+  const PolygonMesh& mesh = *source.mesh;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Element> sources;
+  std::vector<Vector3> corners;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    corners.clear();
+    for (const Index v : face) corners.push_back(mesh.positions[v]);
+    for (const auto& [a, b, c] : triangulate_polygon(corners)) {
+      triangles.push_back({face[a], face[b], face[c]});
+      sources.push_back({Element::Kind::face, f});
+    }
+  }
+  return facet_surface(source.origin, mesh.positions, std::move(triangles), sources);
+}
+
+/// Reference meshes have no curvature to show.
+SurfaceMap shown_map(const Object& object) {
+  const SurfaceMap map = object.display.map;
+  return object.mesh() && has_values(map) ? SurfaceMap::shaded : map;
+}
+
 bool same_shape(const Object& a, const Object& b) {
   return a.source == b.source;
 }
@@ -21,6 +48,7 @@ bool same_shape(const Object& a, const Object& b) {
 /// The density asked for; more on small models, whose outlines would show corners, and less where the whole
 /// would exceed what a screen can use.
 int density_of(const Object& object, const Surface& surface) {
+  if (object.mesh()) return 1;
   constexpr double smooth_budget = 30'000, largest_budget = 2'000'000;  // triangles
   constexpr int smooth_density = 24;
   const auto within = [&](double budget) {
@@ -49,9 +77,10 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object, Q
       last_ = std::move(made).value();
       made_from_ = object;
       last_quality_ = quality;
+      combs_.reset();
     }
     const int density = density_of(*object, last_.surface);
-    const SurfaceMap map = object->display.map;
+    const SurfaceMap map = shown_map(*object);
     const bool same_look = base_mesh_ && map == map_ && base_mesh_->options().density == density;
     if (!fresh && quality == Quality::drag && last_.changed && same_look &&
         last_.base_revision == base_revision_) {
@@ -64,15 +93,14 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object, Q
       base_mesh_ = view.mesh;
       base_revision_ = last_.revision;
     }
-    if (has_values(map) && (quality == Quality::final || map != map_)) {
-      const auto values = values_of(*view.mesh, map);
-      range_ = automatic_range(map, values);
-      histogram_ = histogram(values, range_, histogram_bins);
-    }
+    if (has_values(map)) take_range(*object, view);
     map_ = map;
     view.surface = last_.surface;
-    view.range = range_;
-    if (has_values(map)) view.histogram = histogram_;
+    if (const CombSettings& combs = object->display.combs; combs.shown) {
+      if (!combs_ || combs_->density != combs.density)
+        combs_ = comb_lines(curvature_combs(last_.surface, combs.density, cancel), last_.surface.origin());
+      view.combs = combs_;
+    }
     view.warnings = last_.warnings;
   } catch (const std::exception& failure) {
     // Out of memory, mostly: the document is untouched and the object says so.
@@ -92,13 +120,33 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object, Q
 
 Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, Quality quality,
                                                      const CancelToken& cancel) {
+  if (const MeshSource* mesh = object.mesh()) {
+    PolyhedronSurface out;
+    out.surface = facets_of(*mesh);
+    out.revision = ++facet_revision_;
+    return out;
+  }
   const auto input = surface_input(*object.polyhedron(), &whole_);
   if (!input) return input.error();
   return surfacer_.rebuild(*input, quality, cancel);
 }
 
-double SurfaceBuilder::measure_jump(const Surface& surface, const CancelToken& cancel) {
-  return continuity(surface, cancel).largest_normal_jump.value_or(0);
+/// During a drag the range rests, so that colours compare.
+void SurfaceBuilder::take_range(const Object& object, SurfaceView& view) {
+  const SurfaceMap map = object.display.map;
+  const MapRange& settings = range_of(object.display, map);
+  if (view.quality == Quality::final || map != map_ || !(settings == range_settings_)) {
+    const auto values = values_of(*view.mesh, map);
+    range_ = value_range(map, settings, values);
+    histogram_ = histogram(values, range_, histogram_bins);
+    range_settings_ = settings;
+  }
+  view.range = range_;
+  view.histogram = histogram_;
+}
+
+ContinuityReport SurfaceBuilder::measure(const Surface& surface, const CancelToken& cancel) {
+  return continuity(surface, cancel);
 }
 
 }  // namespace hariko

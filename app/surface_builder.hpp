@@ -14,10 +14,12 @@ class SurfaceBuilder final : public ViewBuilder {
  public:
   SurfaceView build(const std::shared_ptr<const Object>& object, Quality quality,
                     const CancelToken& cancel) override;
-  double measure_jump(const Surface& surface, const CancelToken& cancel) override;
+  ContinuityReport measure(const Surface& surface, const CancelToken& cancel) override;
 
  private:
   Result<PolyhedronSurface> surface_of(const Object& object, Quality quality, const CancelToken& cancel);
+
+  void take_range(const Object& object, SurfaceView& view);
 
   PolyhedronSurfacer surfacer_;
   std::optional<MirroredPolyhedron> whole_;  ///< of an object with a live mirror
@@ -25,8 +27,10 @@ class SurfaceBuilder final : public ViewBuilder {
   PolyhedronSurface last_;
   Quality last_quality_ = Quality::drag;
   std::shared_ptr<const DisplayMesh> base_mesh_;  ///< of the whole surface with revision base_revision_
-  std::uint64_t base_revision_ = 0;
+  std::uint64_t base_revision_ = 0, facet_revision_ = 0;
+  std::shared_ptr<const CombLines> combs_;  ///< of last_
   SurfaceMap map_ = SurfaceMap::shaded;
+  MapRange range_settings_;
   ValueRange range_;
   std::vector<float> histogram_;
 };

@@ -18,7 +18,7 @@ struct MapFacts {
   std::string_view word, title;
   int length_power;  ///< of the unit; 0 for pure numbers and maps without values
 };
-constexpr std::array<MapFacts, 8> facts{{
+constexpr std::array<MapFacts, surface_map_count> facts{{
     {SurfaceMap::shaded, "shaded", "Shaded", 0},
     {SurfaceMap::patches, "patches", "Patches", 0},
     {SurfaceMap::zebra, "zebra", "Zebra stripes", 0},
@@ -27,6 +27,7 @@ constexpr std::array<MapFacts, 8> facts{{
     {SurfaceMap::principal_max, "k1", "Greatest curvature", -1},
     {SurfaceMap::principal_min, "k2", "Least curvature", -1},
     {SurfaceMap::continuity, "continuity", "Relative curvature jump", 0},
+    {SurfaceMap::isophotes, "isophotes", "Isophotes", 0},
 }};
 
 const MapFacts& facts_of(SurfaceMap map) {
@@ -74,6 +75,16 @@ constexpr std::array<Polar, 7> sequential_stops{{{0.26, 0.100, 305},
 // Both halves reach the same lightness, so that equal magnitudes look equally strong.
 constexpr Polar blue_end{0.45, 0.165, 262}, white_middle{0.985, 0.0, 0}, red_end{0.45, 0.165, 25};
 constexpr Polar blue_half{0.72, 0.110, 252}, red_half{0.72, 0.120, 35};
+
+// Blue and orange differ for every kind of colour vision; the lightness carries the magnitude.
+constexpr Polar orange_end{0.52, 0.145, 58}, orange_half{0.77, 0.115, 68};
+constexpr std::array<Polar, 7> safe_sequential_stops{{{0.24, 0.085, 262},
+                                                      {0.35, 0.075, 262},
+                                                      {0.46, 0.035, 262},
+                                                      {0.57, 0.025, 95},
+                                                      {0.69, 0.065, 95},
+                                                      {0.81, 0.115, 98},
+                                                      {0.93, 0.165, 102}}};
 
 std::vector<float> finite_values(std::span<const float> values) {
   std::vector<float> out;
@@ -139,6 +150,23 @@ Color color_from_hex(std::string_view hex) {
   return {parts[0], parts[1], parts[2], parts[3]};
 }
 
+Color color_of(const Colour& colour) {
+  const auto part = [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0F; };
+  return {part(colour.red), part(colour.green), part(colour.blue), 1};
+}
+
+Color mark_color(Continuity continuity) {
+  switch (continuity) {
+    case Continuity::g0:
+      return color_from_hex("#e0393e");
+    case Continuity::g1:
+      return color_from_hex("#f2b01e");
+    case Continuity::g2:
+      break;
+  }
+  return color_from_hex("#2f9bd8");
+}
+
 std::optional<SurfaceMap> surface_map_from(std::string_view word) {
   for (const MapFacts& fact : facts)
     if (fact.word == word) return fact.map;
@@ -164,17 +192,37 @@ ColorScale scale_of(SurfaceMap map) {
   return map == SurfaceMap::continuity ? ColorScale::sequential : ColorScale::diverging;
 }
 
+ColorScale scale_for(SurfaceMap map, ValueRange range, bool colour_blind_safe) {
+  const bool diverging = scale_of(map) == ColorScale::diverging && range.low < 0 && range.high > 0;
+  if (diverging) return colour_blind_safe ? ColorScale::diverging_safe : ColorScale::diverging;
+  return colour_blind_safe ? ColorScale::sequential_safe : ColorScale::sequential;
+}
+
+ScaleSlopes scale_slopes(ColorScale scale, ValueRange range) {
+  const bool diverging = scale == ColorScale::diverging || scale == ColorScale::diverging_safe;
+  if (diverging && range.low < 0 && range.high > 0) return {0, 0.5, 0.5 / -range.low, 0.5 / range.high};
+  const double extent = range.high - range.low, slope = extent > 0 ? 1 / extent : 0;
+  return {range.low, extent > 0 ? 0.0 : 0.5, slope, slope};
+}
+
+double scale_fraction(ColorScale scale, ValueRange range, double value) {
+  const ScaleSlopes s = scale_slopes(scale, range);
+  return s.place + (value - s.pivot) * (value < s.pivot ? s.below : s.above);
+}
+
 Color color_at(ColorScale scale, double x) {
   x = std::clamp(x, 0.0, 1.0);
-  if (scale == ColorScale::sequential) {
-    const double at = x * static_cast<double>(sequential_stops.size() - 1);
-    const std::size_t i = std::min(static_cast<std::size_t>(at), sequential_stops.size() - 2);
-    return mix_oklab(sequential_stops[i], sequential_stops[i + 1], at - static_cast<double>(i));
+  if (scale == ColorScale::sequential || scale == ColorScale::sequential_safe) {
+    const auto& stops = scale == ColorScale::sequential ? sequential_stops : safe_sequential_stops;
+    const double at = x * static_cast<double>(stops.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+    return mix_oklab(stops[i], stops[i + 1], at - static_cast<double>(i));
   }
   const double magnitude = std::abs(2 * x - 1);
-  const Polar& half = x < 0.5 ? blue_half : red_half;
+  const bool safe = scale == ColorScale::diverging_safe;
+  const Polar& half = x < 0.5 ? blue_half : (safe ? orange_half : red_half);
   if (magnitude <= 0.5) return mix_oklab(white_middle, half, 2 * magnitude);
-  return mix_oklab(half, x < 0.5 ? blue_end : red_end, 2 * magnitude - 1);
+  return mix_oklab(half, x < 0.5 ? blue_end : (safe ? orange_end : red_end), 2 * magnitude - 1);
 }
 
 std::array<std::uint8_t, 256 * 4> color_table(ColorScale scale) {
@@ -224,6 +272,27 @@ ValueRange automatic_range(SurfaceMap map, std::span<const float> values) {
   // Below this the values are rounding noise of a plane: a full scale of noise would mislead.
   const double end = m > 1e-12 ? nice_end(m) : 1.0;
   return diverging ? ValueRange{-end, end} : ValueRange{0, end};
+}
+
+ValueRange value_range(SurfaceMap map, const MapRange& settings, std::span<const float> values) {
+  ValueRange range;
+  switch (settings.mode) {
+    case RangeMode::symmetric:
+      return automatic_range(map, values);
+    case RangeMode::manual:
+      return {settings.low, settings.high};
+    case RangeMode::percentile:
+      range = percentile_range(values, 0.02);
+      break;
+    case RangeMode::full:
+      range = full_range(values);
+      break;
+  }
+  // A constant, or rounding noise round one, fills a range of its own size.
+  const double size = std::max(std::abs(range.low), std::abs(range.high));
+  if (range.high - range.low > 1e-5 * size && size > 1e-12) return range;
+  const double margin = size > 1e-12 ? 0.5 * size : 1.0, middle = (range.low + range.high) / 2;
+  return {middle - margin, middle + margin};
 }
 
 std::vector<Tick> legend_ticks(ValueRange range, int count) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/document/display.hpp"
+#include "core/surface/surface.hpp"
 
 namespace hariko {
 
@@ -23,7 +24,10 @@ struct Color {
 /// "#b9b4ac" or "#b9b4acff"; a programmer's constant, asserts on anything else.
 Color color_from_hex(std::string_view hex);
 
-/// From the command line's words shaded|patches|zebra|gauss|mean|k1|k2|continuity; nothing for other words.
+Color color_of(const Colour& colour);
+
+/// From the command line's words shaded|patches|zebra|gauss|mean|k1|k2|continuity|isophotes; nothing for
+/// other words.
 std::optional<SurfaceMap> surface_map_from(std::string_view word);
 /// The word back.
 std::string_view word_of(SurfaceMap map);
@@ -34,8 +38,10 @@ bool has_values(SurfaceMap map);
 /// Unit of a map's values in a document with this unit of length: "1/mm", "1/mm²"; empty for pure numbers.
 std::string unit_of(SurfaceMap map, std::string_view length_unit);
 
-/// Diverging: blue, white at the middle, red. Sequential: dark to light with monotone lightness.
-enum class ColorScale { diverging, sequential };
+/// Diverging: blue, white at the middle, red (safe: orange). Sequential: dark to light with monotone
+/// lightness (safe: blue to yellow through grey). The safe ones read the same to all kinds of colour vision.
+enum class ColorScale { diverging, sequential, diverging_safe, sequential_safe };
+inline constexpr int color_scale_count = 4;
 ColorScale scale_of(SurfaceMap map);
 
 /// Colour at x, clamped to [0, 1].
@@ -43,6 +49,8 @@ Color color_at(ColorScale scale, double x);
 /// 256 RGBA entries for a lookup texture, entry i at x = i / 255.
 std::array<std::uint8_t, 256 * 4> color_table(ColorScale scale);
 inline constexpr Color undefined_color{0.50F, 0.50F, 0.50F, 1.0F};
+/// Colour of the marks of edges with this continuity; they differ in dashes and width too.
+Color mark_color(Continuity continuity);
 
 struct ValueRange {
   double low = 0, high = 1;
@@ -50,7 +58,17 @@ struct ValueRange {
   friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };
 
-enum class RangeMode { automatic, full, fixed };
+/// The scale for a map shown over a range: diverging only where zero lies inside, so that white is always
+/// zero.
+ColorScale scale_for(SurfaceMap map, ValueRange range, bool colour_blind_safe);
+/// Place of a value in the colours of a scale, not clamped: on diverging scales zero is at 1/2 and both parts
+/// of the range reach their end, elsewhere the range is 0 .. 1.
+double scale_fraction(ColorScale scale, ValueRange range, double value);
+/// The same as numbers for the shaders: fraction = place + (value - pivot) * (value < pivot ? below : above).
+struct ScaleSlopes {
+  double pivot = 0, place = 0, below = 0, above = 0;
+};
+ScaleSlopes scale_slopes(ColorScale scale, ValueRange range);
 
 /// Least and greatest value; {0, 1} of nothing. NaN and infinite values are ignored, here and below.
 ValueRange full_range(std::span<const float> values);
@@ -61,6 +79,9 @@ ValueRange symmetric(ValueRange range);
 /// The range a map shows by default: 2 % quantiles; symmetric about zero for diverging maps, from zero for
 /// sequential ones, widened to nice end numbers. Never empty.
 ValueRange automatic_range(SurfaceMap map, std::span<const float> values);
+
+/// The range that the settings ask for. Never empty. O(values).
+ValueRange value_range(SurfaceMap map, const MapRange& settings, std::span<const float> values);
 
 struct Tick {
   double value = 0;

@@ -27,6 +27,9 @@ struct DisplayPolyhedron {
   std::vector<FaceId> face_ids;      ///< ascending
   Box3 box;                          ///< of the positions, relative to the origin
 
+  std::vector<float> alpha, beta;  ///< tensions of all vertices and edges; of reference meshes none
+  std::vector<Index> corners, smooth, pinned;  ///< vertices with these tags or pins
+
   std::size_t face_count() const { return face_offsets.size() - 1; }
   std::span<const Index> face(std::size_t f) const {
     return {face_vertices.data() + face_offsets[f], face_vertices.data() + face_offsets[f + 1]};
@@ -39,6 +42,8 @@ struct DisplayPolyhedron {
 
   static std::shared_ptr<const DisplayPolyhedron> build(const Polyhedron& polyhedron, const Shaping& shaping,
                                                         const Vector3& origin);
+  /// The same elements with another shaping. O(elements).
+  std::shared_ptr<const DisplayPolyhedron> shaped(const Polyhedron& polyhedron, const Shaping& shaping) const;
   /// The same elements at the polyhedron's present positions (its topology must be the one this was built
   /// from).
   std::shared_ptr<const DisplayPolyhedron> moved(const Polyhedron& polyhedron) const;

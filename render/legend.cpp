@@ -31,7 +31,7 @@ bool paint_legend(Image& image, const Legend& legend) {
   const Color text = legend.on_dark ? color_from_hex("#e6e6e6") : color_from_hex("#2b2d31");
   const Color frame{text.r, text.g, text.b, 0.45F};
   TextPainter painter;
-  const ColorScale scale = scale_of(legend.map);
+  const ColorScale scale = scale_for(legend.map, legend.range, legend.colour_blind_safe);
   const double size = 13 * s;
   const std::vector<Tick> ticks = legend_ticks(legend.range, 5);
   std::string heading(title_of(legend.map));
@@ -56,7 +56,8 @@ bool paint_legend(Image& image, const Legend& legend) {
   fill(image, x - s, top - s, x + width + s, bottom + s, frame);
   for (int y = 0; y < static_cast<int>(std::ceil(height)); ++y) {
     const double y0 = top + y, y1 = std::min(y0 + 1, bottom);
-    fill(image, x, y0, x + width, y1, color_at(scale, 1 - (y + 0.5) / height));
+    const double value = legend.range.low + (1 - (y + 0.5) / height) * (legend.range.high - legend.range.low);
+    fill(image, x, y0, x + width, y1, color_at(scale, scale_fraction(scale, legend.range, value)));
   }
   for (const Tick& tick : ticks) {
     const double y = bottom - tick.fraction * height;

@@ -17,6 +17,7 @@ struct Legend {
   std::vector<float> histogram;  ///< drawn beside the bar when not empty
   bool on_dark = true;           ///< colour of text
   double scale = 1;              ///< pixels per design pixel
+  bool colour_blind_safe = false;
 };
 
 /// Room that a legend takes at the left, in design pixels.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/tension_colors.hpp"
+
 namespace hariko::gl {
 
 namespace {
@@ -94,6 +96,10 @@ std::shared_ptr<const PatchIndices> IndexCache::get(const GridPattern& pattern, 
   indices->buffer =
       filled_buffer(GL_COPY_WRITE_BUFFER, numbers.size() * sizeof(std::uint32_t), numbers.data());
   indices->count = static_cast<GLsizei>(numbers.size());
+  std::vector<float> places;
+  for (const Vector2& parameter : pattern.parameters())
+    for (int k = 0; k < 2; ++k) places.push_back(static_cast<float>(parameter[k] * pattern.density));
+  indices->places.allocate(places.size() * sizeof(float), places.data(), GL_RG32F, GL_STATIC_DRAW);
   uploaded += numbers.size() * sizeof(std::uint32_t);
   entry = indices;
   return indices;
@@ -231,10 +237,20 @@ PolyhedronBuffers::PolyhedronBuffers(const DisplayPolyhedron& polyhedron, std::s
   positions_.allocate(bytes, polyhedron.positions.data(), GL_R32F, GL_STATIC_DRAW);
   uploaded += bytes;
   std::array<std::vector<CurveSegment>, edge_kind_count> segments;
+  std::array<std::vector<MapPoint>, edge_kind_count> values;
+  has_edge_tensions_ =
+      std::any_of(polyhedron.beta.begin(), polyhedron.beta.end(), [](float b) { return b != 1; });
   for (std::size_t e = 0; e < polyhedron.edges.size(); ++e) {
     const auto& [a, b] = polyhedron.edges[e];
-    segments[std::size_t(polyhedron.edge_kinds[e])].push_back({{a, a, b, b}});
+    const auto kind = std::size_t(polyhedron.edge_kinds[e]);
+    segments[kind].push_back({{a, a, b, b}});
+    if (!has_edge_tensions_) continue;
+    const float beta = polyhedron.beta[e];
+    values[kind].insert(
+        values[kind].end(), 2,
+        {static_cast<float>(tension_fraction(beta_place(double(beta)))), beta != 1 ? 1.0F : 0.0F});
   }
+  upload_point_colors(polyhedron, uploaded);
   for (std::size_t k = 0; k < segments.size(); ++k) {
     edge_counts_[k] = static_cast<GLsizei>(segments[k].size());
     if (segments[k].empty()) continue;
@@ -243,8 +259,94 @@ PolyhedronBuffers::PolyhedronBuffers(const DisplayPolyhedron& polyhedron, std::s
     edge_buffers_[k] =
         filled_buffer(GL_ARRAY_BUFFER, segments[k].size() * sizeof(CurveSegment), segments[k].data());
     uploaded += segments[k].size() * sizeof(CurveSegment);
-    set_up_line_instances(edge_buffers_[k].name(), 0);
+    if (has_edge_tensions_) {
+      edge_values_[k] = filled_buffer(GL_ARRAY_BUFFER, values[k].size() * sizeof(MapPoint), values[k].data());
+      uploaded += values[k].size() * sizeof(MapPoint);
+    }
+    set_up_line_instances(edge_buffers_[k].name(), has_edge_tensions_ ? edge_values_[k].name() : 0);
   }
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void PolyhedronBuffers::upload_point_colors(const DisplayPolyhedron& polyhedron, std::size_t& uploaded) {
+  has_point_tensions_ =
+      std::any_of(polyhedron.alpha.begin(), polyhedron.alpha.end(), [](float a) { return a != 0; });
+  if (!has_point_tensions_) return;
+  std::vector<std::uint8_t> colors;
+  colors.reserve(4 * polyhedron.alpha.size());
+  for (const float alpha : polyhedron.alpha) {
+    const Color color = tension_color(alpha_place(double(alpha)));
+    for (const float part : {color.r, color.g, color.b, alpha != 0 ? 1.0F : 0.0F})
+      colors.push_back(static_cast<std::uint8_t>(std::lround(255 * part)));
+  }
+  point_colors_.allocate(colors.size(), colors.data(), GL_RGBA8, GL_STATIC_DRAW);
+  uploaded += colors.size();
+}
+
+MarkBuffers::MarkBuffers(const EdgeMarks& marks, std::size_t& uploaded) {
+  for (std::size_t k = 0; k < marks.classes.size(); ++k) {
+    const EdgeMarks::Class& from = marks.classes[k];
+    counts_[k] = static_cast<GLsizei>(from.segments.size());
+    if (from.segments.empty()) continue;
+    std::vector<MapPoint> lengths;
+    lengths.reserve(2 * from.lengths.size());
+    for (const auto& [begin, end] : from.lengths) lengths.insert(lengths.end(), {{begin, 1}, {end, 1}});
+    arrays_[k] = VertexArray::make();
+    glBindVertexArray(arrays_[k].name());
+    segments_[k] =
+        filled_buffer(GL_ARRAY_BUFFER, from.segments.size() * sizeof(CurveSegment), from.segments.data());
+    lengths_[k] = filled_buffer(GL_ARRAY_BUFFER, lengths.size() * sizeof(MapPoint), lengths.data());
+    uploaded += from.segments.size() * sizeof(CurveSegment) + lengths.size() * sizeof(MapPoint);
+    set_up_line_instances(segments_[k].name(), lengths_[k].name());
+  }
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+CombBuffers::CombBuffers(const CombLines& combs, std::size_t& uploaded)
+    : tooth_array_(VertexArray::make()), envelope_array_(VertexArray::make()) {
+  const std::size_t bytes = combs.teeth.size() * sizeof(combs.teeth[0]);
+  teeth_.allocate(bytes, combs.teeth.data(), GL_R32F, GL_STREAM_DRAW);
+  const auto stride = static_cast<Index>(combs.density + 1);
+  std::vector<CurveSegment> teeth, envelope;
+  teeth.reserve(combs.teeth.size());
+  envelope.reserve(combs.teeth.size());
+  for (Index i = 0; i < combs.teeth.size(); ++i) {
+    const Index foot = 2 * i, tip = foot + 1, at = i % stride;
+    teeth.push_back({{foot, foot, tip, tip}});
+    if (at + 1 == stride) continue;
+    envelope.push_back({{at > 0 ? tip - 2 : tip, tip, tip + 2, at + 2 < stride ? tip + 4 : tip + 2}});
+  }
+  tooth_count_ = static_cast<GLsizei>(teeth.size());
+  envelope_count_ = static_cast<GLsizei>(envelope.size());
+  const auto set_up = [&](const VertexArray& array, Buffer& buffer,
+                          const std::vector<CurveSegment>& segments) {
+    if (segments.empty()) return;
+    glBindVertexArray(array.name());
+    buffer = filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
+    set_up_line_instances(buffer.name(), 0);
+  };
+  set_up(tooth_array_, tooth_segments_, teeth);
+  set_up(envelope_array_, envelope_segments_, envelope);
+  uploaded += bytes + (teeth.size() + envelope.size()) * sizeof(CurveSegment);
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+SectionBuffers::SectionBuffers(const DisplayMesh& mesh, const LocalPlane& plane, std::size_t& uploaded)
+    : array_(VertexArray::make()) {
+  const auto pieces = section_curve(mesh, plane);
+  count_ = static_cast<GLsizei>(pieces.size());
+  if (pieces.empty()) return;
+  std::vector<CurveSegment> segments;
+  segments.reserve(pieces.size());
+  for (Index i = 0; i < pieces.size(); ++i) segments.push_back({{2 * i, 2 * i, 2 * i + 1, 2 * i + 1}});
+  points_.allocate(pieces.size() * sizeof(pieces[0]), pieces.data(), GL_R32F, GL_STREAM_DRAW);
+  glBindVertexArray(array_.name());
+  segments_ = filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
+  set_up_line_instances(segments_.name(), 0);
+  uploaded += pieces.size() * sizeof(pieces[0]) + segments.size() * sizeof(CurveSegment);
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }

@@ -13,6 +13,7 @@
 #include "render/display_mesh.hpp"
 #include "render/display_polyhedron.hpp"
 #include "render/gl_object.hpp"
+#include "render/surface_lines.hpp"
 
 namespace hariko::gl {
 
@@ -30,6 +31,7 @@ struct TexturedBuffer {
 struct PatchIndices {
   Buffer buffer;
   GLsizei count = 0;
+  TexturedBuffer places;  ///< of the points of a patch, in intervals: two floats each
 };
 
 class IndexCache {
@@ -52,6 +54,7 @@ class MeshBuffers {
 
   void bind_vertex_array() const { glBindVertexArray(vertex_array_.name()); }
   GLsizei index_count() const { return indices_->count; }
+  const TexturedBuffer& grid_places() const { return indices_->places; }
   const TexturedBuffer& vertices() const { return vertices_; }
   const TexturedBuffer& patch_colors() const { return patch_colors_; }
   /// Instanced vertex array over the segments of one kind of curves, and their number.
@@ -87,13 +90,67 @@ class PolyhedronBuffers {
   GLuint edge_array(EdgeKind kind) const { return edge_arrays_[std::size_t(kind)].name(); }
   GLsizei edge_count(EdgeKind kind) const { return edge_counts_[std::size_t(kind)]; }
   GLsizei point_count() const { return point_count_; }
+  /// Whether any edge, or any vertex, has a tension of its own: edge arrays then carry `tension_fraction`,
+  /// and `point_colors` the vertices' colours with alpha 0 for the default.
+  bool has_edge_tensions() const { return has_edge_tensions_; }
+  bool has_point_tensions() const { return has_point_tensions_; }
+  const TexturedBuffer& point_colors() const { return point_colors_; }
 
  private:
-  TexturedBuffer positions_;
+  void upload_point_colors(const DisplayPolyhedron& polyhedron, std::size_t& uploaded);
+
+  TexturedBuffer positions_, point_colors_;
+  bool has_edge_tensions_ = false, has_point_tensions_ = false;
+  std::array<Buffer, edge_kind_count> edge_values_;
   std::array<VertexArray, edge_kind_count> edge_arrays_;
   std::array<Buffer, edge_kind_count> edge_buffers_;
   std::array<GLsizei, edge_kind_count> edge_counts_{};
   GLsizei point_count_ = 0;
+};
+
+/// The GPU copy of marks; coordinates are those of the mesh.
+class MarkBuffers {
+ public:
+  MarkBuffers(const EdgeMarks& marks, std::size_t& uploaded);
+  GLuint array(std::size_t mark) const { return arrays_[mark].name(); }
+  GLsizei count(std::size_t mark) const { return counts_[mark]; }
+
+ private:
+  std::array<VertexArray, 3> arrays_;
+  std::array<Buffer, 3> segments_, lengths_;
+  std::array<GLsizei, 3> counts_{};
+};
+
+/// The GPU copy of combs: numbers of points are twice the tooth, plus one for its tip.
+class CombBuffers {
+ public:
+  CombBuffers(const CombLines& combs, std::size_t& uploaded);
+  const TexturedBuffer& teeth() const { return teeth_; }
+  GLuint tooth_array() const { return tooth_array_.name(); }
+  GLsizei tooth_count() const { return tooth_count_; }
+  GLuint envelope_array() const { return envelope_array_.name(); }
+  GLsizei envelope_count() const { return envelope_count_; }
+
+ private:
+  TexturedBuffer teeth_;
+  VertexArray tooth_array_, envelope_array_;
+  Buffer tooth_segments_, envelope_segments_;
+  GLsizei tooth_count_ = 0, envelope_count_ = 0;
+};
+
+/// The cut of a mesh by a plane.
+class SectionBuffers {
+ public:
+  SectionBuffers(const DisplayMesh& mesh, const LocalPlane& plane, std::size_t& uploaded);
+  const TexturedBuffer& points() const { return points_; }
+  GLuint array() const { return array_.name(); }
+  GLsizei count() const { return count_; }
+
+ private:
+  TexturedBuffer points_;
+  VertexArray array_;
+  Buffer segments_;
+  GLsizei count_ = 0;
 };
 
 /// What value buffers hold: an undefined value has defined = 0 and the mean of its defined neighbours, so

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace hariko::gl {
 
 namespace {
 
-constexpr int coordinate_unit = 0, color_unit = 1, table_unit = 2;
+constexpr int coordinate_unit = 0, color_unit = 1, table_unit = 2, place_unit = 3;
 // The ground is drawn this many view heights round the target.
 constexpr double grid_reach = 6;
 
@@ -39,13 +40,13 @@ Color faded(Color color, float opacity) {
   return color;
 }
 
-glm::vec2 range_uniform(const ValueRange& range) {
-  const double extent = range.high - range.low;
-  return {static_cast<float>(range.low), static_cast<float>(extent > 0 ? 1 / extent : 0)};
+glm::vec4 range_uniform(ColorScale scale, const ValueRange& range) {
+  const ScaleSlopes s = scale_slopes(scale, range);
+  return {s.pivot, s.place, s.below, s.above};
 }
 
 /// The modes of surface.frag.glsl.
-std::size_t surface_mode(SurfaceMap map, bool with_values) {
+int surface_mode(SurfaceMap map, bool with_values) {
   switch (map) {
     case SurfaceMap::shaded:
       return 0;
@@ -55,9 +56,23 @@ std::size_t surface_mode(SurfaceMap map, bool with_values) {
       return 2;
     case SurfaceMap::continuity:
       return 4;
+    case SurfaceMap::isophotes:
+      return 5;
     default:
       return with_values ? 3 : 4;
   }
+}
+
+bool has_highlights(const SceneObject& object) {
+  return !object.selected_patches.empty() || !object.hovered_patches.empty();
+}
+
+std::string surface_defines(int mode, Material material, bool highlights, bool wire) {
+  const auto line = [](const char* name, int value) {
+    return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
+  };
+  return line("MODE", mode) + line("MATERIAL", mode == 0 ? static_cast<int>(material) : 0) +
+         line("HIGHLIGHTS", highlights ? 1 : 0) + line("WIRE", wire ? 1 : 0);
 }
 
 }  // namespace
@@ -77,6 +92,13 @@ Frame::Frame(const Scene& scene, const Camera& eye, PixelSize pixels, const Box3
                                      std::max(camera.distance * 0.05, clip.far_plane / 20'000));
   }
   projection = camera.projection_matrix(size, clip);
+  colour_blind_safe = scene.colour_blind_safe;
+  if (scene.section) {
+    has_section = true;
+    const Vector3 normal = view.topLeftCorner<3, 3>() * scene.section->normal;
+    const double offset = scene.section->offset + normal.dot(Vector3(view.topRightCorner<3, 1>()));
+    section = glm::vec4(-to_float(normal), static_cast<float>(offset));
+  }
   pixel_bias = camera.orthographic ? camera.pixel_length(size) : camera.pixel_length(size) / camera.distance;
 }
 
@@ -94,22 +116,29 @@ Result<Painter> Painter::create() {
     program = std::move(loaded).value();
     return Done{};
   };
-  for (const auto& [name, program] : {std::pair{"background", &programs.background},
-                                      std::pair{"grid", &programs.grid}, std::pair{"line", &programs.line},
-                                      std::pair{"point", &programs.point}, std::pair{"fill", &programs.fill}})
-    if (Result<Done> done = load(*program, name, {}); !done) return done.error();
-  for (std::size_t i = 0; i < programs.surface.size(); ++i) {
-    const std::string defines =
-        "#define MODE " + std::to_string(i / 2) + "\n#define HIGHLIGHTS " + std::to_string(i % 2) + "\n";
-    if (Result<Done> done = load(programs.surface[i], "surface", defines); !done) return done.error();
-  }
+  const auto line_defines = [](int dashed, int comb) {
+    return "#define DASHED " + std::to_string(dashed) + "\n#define COMB " + std::to_string(comb) + "\n";
+  };
+  const std::string plain = surface_defines(0, Material::clay, false, false);
+  const std::array<std::tuple<Program*, const char*, std::string>, 9> all{
+      {{&programs.background, "background", {}},
+       {&programs.grid, "grid", {}},
+       {&programs.line, "line", line_defines(0, 0)},
+       {&programs.dashed_line, "line", line_defines(1, 0)},
+       {&programs.comb_line, "line", line_defines(0, 1)},
+       {&programs.point, "point", "#define COLORED 0\n"},
+       {&programs.colored_point, "point", "#define COLORED 1\n"},
+       {&programs.fill, "fill", {}},
+       {&programs.surface[plain], "surface", plain}}};
+  for (const auto& [program, name, defines] : all)
+    if (Result<Done> done = load(*program, name, defines); !done) return done.error();
   return Painter(std::move(programs));
 }
 
 Painter::Painter(Programs programs)
     : programs_(std::move(programs)),
-      diverging_(color_texture(ColorScale::diverging)),
-      sequential_(color_texture(ColorScale::sequential)),
+      tables_{color_texture(ColorScale::diverging), color_texture(ColorScale::sequential),
+              color_texture(ColorScale::diverging_safe), color_texture(ColorScale::sequential_safe)},
       empty_(VertexArray::make()),
       stream_lines_(VertexArray::make()),
       stream_points_(VertexArray::make()),
@@ -147,6 +176,8 @@ void Painter::set_frame(const Program& program, const Frame& frame, const Matrix
   program.set("to_eye", to_float(Matrix4(frame.view * model)));
   program.set("projection", to_float(frame.projection));
   program.set("viewport", glm::vec2(frame.size.width, frame.size.height));
+  // What is not cut keeps a constant distance too: the line of the cut itself would flicker on rounding.
+  program.set("section", cutting_ ? frame.section : glm::vec4(0, 0, 0, 1));
   program.set("perspective", !frame.camera.orthographic);
   // Lines are cut here and clamped in depth beyond: they may leave the range that surfaces need.
   program.set("near_plane", std::min(frame.clip.near_plane, 0.01 * frame.camera.distance));
@@ -197,38 +228,66 @@ void Painter::grid(const Frame& frame, const GridSettings& grid, const Style& st
   count();
 }
 
-void Painter::surface(const Frame& frame, const SceneObject& object, const MeshBuffers& mesh,
-                      const ZebraSettings& zebra, const Style& style) {
+void Painter::cut(const Frame& frame, bool on) {
+  cutting_ = on && frame.has_section;
+  if (cutting_)
+    glEnable(GL_CLIP_DISTANCE0);
+  else
+    glDisable(GL_CLIP_DISTANCE0);
+}
+
+void Painter::bind_table(ColorScale scale) const {
+  glActiveTexture(GL_TEXTURE0 + table_unit);
+  glBindTexture(GL_TEXTURE_1D, tables_[static_cast<std::size_t>(scale)].name());
+}
+
+Result<const Program*> Painter::surface_program(const SceneObject& object) {
+  const std::string defines =
+      surface_defines(surface_mode(object.map, object.mesh->has_values()), object.material,
+                      has_highlights(object), object.wire == PatchWire::mesh);
+  if (const auto found = programs_.surface.find(defines); found != programs_.surface.end())
+    return &found->second;
+  Result<Program> loaded = Program::load("surface", defines);
+  if (!loaded) return loaded.error();
+  return &programs_.surface.emplace(defines, std::move(loaded).value()).first->second;
+}
+
+Result<Done> Painter::surface(const Frame& frame, const SceneObject& object, const MeshBuffers& mesh,
+                              const ZebraSettings& zebra, const Style& style) {
+  const Result<const Program*> found = surface_program(object);
+  if (!found) return found.error();
+  const Program& program = **found;
   const Matrix4 model = at_origin(object.transform, object.mesh->origin());
   const Matrix3 rotation = frame.view.topLeftCorner<3, 3>();
   const Matrix3 linear = object.transform.topLeftCorner<3, 3>();
-  const bool highlights = !object.selected_patches.empty() || !object.hovered_patches.empty();
-  const std::size_t mode = surface_mode(object.map, object.mesh->has_values());
-  const Program& program = programs_.surface[2 * mode + (highlights ? 1 : 0)];
   set_frame(program, frame, model, 0);
   program.set("pixel_slope", 2 * std::tan(frame.camera.field_of_view / 2) / frame.size.height);
   program.set("normal_to_eye",
               to_float(Matrix3(rotation * linear / std::cbrt(std::abs(linear.determinant())))));
   program.set("vertices_per_patch", static_cast<int>(object.mesh->vertices_per_patch()));
-  program.set("outside_color", rgb(style.clay));
+  program.set("outside_color", rgb(object.color));
   program.set("inside_color", rgb(style.inside));
   program.set("undefined_color", rgb(style.undefined));
   program.set("up_in_eye", to_float(Vector3(rotation * Vector3::UnitZ())));
-  program.set("range", range_uniform(object.range));
-  const Vector3 direction = zebra.fixed ? Vector3(rotation * zebra.direction) : zebra.direction;
+  const ColorScale scale = scale_for(object.map, object.range, frame.colour_blind_safe);
+  program.set("range", range_uniform(scale, object.range));
+  Vector3 direction = zebra.direction;
+  if (zebra.lock == StripeLock::object) direction = linear * direction;
+  if (zebra.lock != StripeLock::view) direction = rotation * direction;
   program.set("stripe_direction",
               to_float(direction.norm() > 0 ? Vector3(direction.normalized()) : Vector3::UnitZ()));
   program.set("stripes", static_cast<float>(std::clamp(zebra.stripes, 2, 64)));
-  program.set("reflection", zebra.reflection);
+  program.set("triangles", object.mesh->pattern().domain == Domain::triangle);
+  program.set("wire_paint", style.wire);
+  program.set("grid_places", place_unit);
   program.set("dimming", object.dimmed ? style.dimming : 0.0F);
   program.set("selected_tint", rgb(style.selected_fill));
   program.set("hovered_tint", rgb(style.hovered_fill));
   program.set("patch_colors", color_unit);
   program.set("table", table_unit);
   mesh.patch_colors().bind_texture(color_unit);
-  glActiveTexture(GL_TEXTURE0 + table_unit);
-  glBindTexture(GL_TEXTURE_1D,
-                scale_of(object.map) == ColorScale::diverging ? diverging_.name() : sequential_.name());
+  if (object.wire == PatchWire::mesh) mesh.grid_places().bind_texture(place_unit);
+  bind_table(scale);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_CLAMP);
   glEnable(GL_DEPTH_TEST);
@@ -240,12 +299,14 @@ void Painter::surface(const Frame& frame, const SceneObject& object, const MeshB
   glDrawElements(GL_TRIANGLES, mesh.index_count(), GL_UNSIGNED_INT, nullptr);
   glFrontFace(GL_CCW);
   count(static_cast<std::size_t>(mesh.index_count() / 3));
+  return Done{};
 }
 
 void Painter::lines(const Frame& frame, const Matrix4& model, const Lines& lines, const LineStyle& style,
-                    Depth depth, float opacity, const SceneObject* values_of) {
+                    Depth depth, float opacity, const LineLook& look) {
   if (lines.count == 0) return;
-  const Program& program = programs_.line;
+  const Program& program =
+      look.amplitude ? programs_.comb_line : (look.dash > 0 ? programs_.dashed_line : programs_.line);
   const auto scale = static_cast<float>(frame.pixel_scale);
   const float core = 0.5F * style.width * scale, all = core + style.casing_width * scale;
   // Half the width lies above the curve's own depth on a slanted surface: a bias of a few widths clears
@@ -258,13 +319,14 @@ void Painter::lines(const Frame& frame, const Matrix4& model, const Lines& lines
   program.set("core_width", core);
   program.set("paint", faded(style.paint, opacity));
   program.set("casing", faded(style.casing, opacity));
-  program.set("by_value", lines.by_value && values_of);
-  if (lines.by_value && values_of) {
-    program.set("range", range_uniform(values_of->range));
-    program.set("undefined_color", rgb(undefined_color));
-    glActiveTexture(GL_TEXTURE0 + table_unit);
-    glBindTexture(GL_TEXTURE_1D,
-                  scale_of(values_of->map) == ColorScale::diverging ? diverging_.name() : sequential_.name());
+  program.set("dash", look.dash);
+  program.set("dash_share", look.dash_share);
+  program.set("amplitude", look.amplitude.value_or(0));
+  program.set("by_value", look.values.has_value());
+  if (look.values) {
+    program.set("range", range_uniform(look.values->scale, look.values->range));
+    program.set("undefined_color", look.values->undefined);
+    bind_table(look.values->scale);
   }
   lines.coordinates->bind_texture(coordinate_unit);
   glEnable(GL_BLEND);
@@ -284,15 +346,14 @@ void Painter::some_edges(const Frame& frame, const Matrix4& model, const Display
           {{polyhedron.edges[e][0], polyhedron.edges[e][0], polyhedron.edges[e][1], polyhedron.edges[e][1]}});
   if (segments.empty()) return;
   upload_stream(segments.size() * sizeof(CurveSegment), segments.data());
-  lines(frame, model,
-        {&buffers.positions(), 3, stream_lines_.name(), static_cast<GLsizei>(segments.size()), false}, style,
-        depth, opacity);
+  lines(frame, model, {&buffers.positions(), 3, stream_lines_.name(), static_cast<GLsizei>(segments.size())},
+        style, depth, opacity);
 }
 
 void Painter::draw_points(const Frame& frame, const Matrix4& model, const PolyhedronBuffers& buffers,
-                          const PointStyle& style, Depth depth, float opacity, GLsizei number,
-                          bool numbered) {
-  const Program& program = programs_.point;
+                          const PointStyle& style, Depth depth, float opacity, GLsizei number, bool numbered,
+                          bool tensions) {
+  const Program& program = tensions ? programs_.colored_point : programs_.point;
   const auto scale = static_cast<float>(frame.pixel_scale);
   const float radius = 0.5F * style.diameter * scale;
   set_frame(program, frame, model, 3.0 + 2.0 * style.diameter);
@@ -303,6 +364,11 @@ void Painter::draw_points(const Frame& frame, const Matrix4& model, const Polyhe
   program.set("paint", faded(style.paint, opacity));
   program.set("casing", faded(style.casing, opacity));
   program.set("numbered", numbered);
+  program.set("shape", static_cast<int>(style.shape));
+  if (tensions) {
+    program.set("colors", color_unit);
+    buffers.point_colors().bind_texture(color_unit);
+  }
   buffers.positions().bind_texture(coordinate_unit);
   glEnable(GL_BLEND);
   set_depth(depth);
@@ -312,9 +378,10 @@ void Painter::draw_points(const Frame& frame, const Matrix4& model, const Polyhe
 }
 
 void Painter::points(const Frame& frame, const Matrix4& model, const PolyhedronBuffers& buffers,
-                     const PointStyle& style, Depth depth, float opacity) {
+                     const PointStyle& style, Depth depth, float opacity, bool tensions) {
   if (buffers.point_count() > 0)
-    draw_points(frame, model, buffers, style, depth, opacity, buffers.point_count(), false);
+    draw_points(frame, model, buffers, style, depth, opacity, buffers.point_count(), false,
+                tensions && buffers.has_point_tensions());
 }
 
 void Painter::some_points(const Frame& frame, const Matrix4& model, const PolyhedronBuffers& buffers,
@@ -325,7 +392,8 @@ void Painter::some_points(const Frame& frame, const Matrix4& model, const Polyhe
     if (v < static_cast<Index>(buffers.point_count())) numbers.push_back(v);
   if (numbers.empty()) return;
   upload_stream(numbers.size() * sizeof(std::uint32_t), numbers.data());
-  draw_points(frame, model, buffers, style, depth, opacity, static_cast<GLsizei>(numbers.size()), true);
+  draw_points(frame, model, buffers, style, depth, opacity, static_cast<GLsizei>(numbers.size()), true,
+              false);
 }
 
 void Painter::faces(const Frame& frame, const Matrix4& model, const DisplayPolyhedron& polyhedron,
@@ -371,7 +439,7 @@ void Painter::overlay(const Frame& frame, std::span<const OverlayLine> overlay_l
     const CurveSegment segment{{a, a, b, b}};
     upload_stream(sizeof(segment), &segment);
     const LineStyle style{overlay_lines[i].color, overlay_lines[i].width, {}, 0};
-    lines(frame, model, {&overlay_points_, 3, stream_lines_.name(), 1, false}, style,
+    lines(frame, model, {&overlay_points_, 3, stream_lines_.name(), 1}, style,
           overlay_lines[i].on_top ? Depth::any : Depth::visible, 1);
   }
 }

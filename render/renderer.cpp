@@ -17,6 +17,14 @@ namespace hariko {
 namespace {
 
 constexpr int least_gl_version = 33;
+constexpr int vertex_stride = sizeof(DisplayVertex) / sizeof(float);
+constexpr double comb_pixels = 60,
+                 longest_comb_pixels = 140;  // of the typical and the greatest tooth, design pixels
+
+/// World length of a unit of the object.
+double scale_of_transform(const SceneObject& object) {
+  return std::cbrt(std::abs(object.transform.topLeftCorner<3, 3>().determinant()));
+}
 
 /// Colour of a patch: hues far apart for neighbouring numbers (golden angle), a lighter and a darker one in
 /// turn within the patches of one source element.
@@ -51,6 +59,34 @@ std::vector<std::uint8_t> patch_color_bytes(const SceneObject& object) {
 
 }  // namespace
 
+/// GPU copies of values, known by the value's address. What no picture uses is dropped.
+template <class Value, class Buffers>
+class BufferCache {
+ public:
+  Buffers& get(const std::shared_ptr<const Value>& value, unsigned picture_bit, std::size_t& uploaded) {
+    auto entry =
+        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.value == value; });
+    if (entry == entries_.end())
+      entry = entries_.insert(entries_.end(), {value, std::make_unique<Buffers>(*value, uploaded)});
+    entry->used_by |= picture_bit;
+    return *entry->buffers;
+  }
+  void release(unsigned picture_bits) {
+    for (Entry& entry : entries_) entry.used_by &= ~picture_bits;
+  }
+  void drop_unused() {
+    std::erase_if(entries_, [](const Entry& entry) { return entry.used_by == 0; });
+  }
+
+ private:
+  struct Entry {
+    std::shared_ptr<const Value> value;  // kept so that its address stays unique
+    std::unique_ptr<Buffers> buffers;
+    unsigned used_by = 0;  // one bit for each picture
+  };
+  std::vector<Entry> entries_;
+};
+
 struct Renderer::State {
   explicit State(gl::Painter p) : painter(std::move(p)), stamp(shader_stamp()) {}
 
@@ -59,15 +95,23 @@ struct Renderer::State {
     std::unique_ptr<gl::MeshBuffers> buffers;
     unsigned used_by = 0;  // one bit for each picture
   };
-  struct PolyhedronEntry {
-    std::shared_ptr<const DisplayPolyhedron> polyhedron;
-    std::unique_ptr<gl::PolyhedronBuffers> buffers;
+  struct SectionEntry {
+    std::shared_ptr<const DisplayMesh> mesh;
+    LocalPlane plane;
+    std::unique_ptr<gl::SectionBuffers> buffers;
     unsigned used_by = 0;  // one bit for each picture
   };
 
   gl::MeshBuffers& mesh_buffers(const DisplayMesh& mesh);
-  gl::PolyhedronBuffers& polyhedron_buffers(const std::shared_ptr<const DisplayPolyhedron>& polyhedron);
+  gl::SectionBuffers& section_buffers(const std::shared_ptr<const DisplayMesh>& mesh,
+                                      const LocalPlane& plane);
   void draw_curves(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
+  void draw_marks(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
+  void draw_combs(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
+  void draw_section(const gl::Frame& frame, const SceneObject& object, const SectionPlane& plane,
+                    const gl::Style& style);
+  void draw_tensions(const gl::Frame& frame, const SceneObject& object, const gl::PolyhedronBuffers& buffers,
+                     const gl::Style& style, gl::Depth depth, float opacity);
   void draw_polyhedron(const gl::Frame& frame, const SceneObject& object, const gl::Style& style,
                        gl::Depth depth, float opacity);
   void draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style);
@@ -86,7 +130,10 @@ struct Renderer::State {
   unsigned bit = 1;  ///< of the picture that is drawn
   gl::IndexCache indices;
   std::vector<MeshEntry> meshes;
-  std::vector<PolyhedronEntry> polyhedra;
+  BufferCache<DisplayPolyhedron, gl::PolyhedronBuffers> polyhedra;
+  BufferCache<EdgeMarks, gl::MarkBuffers> marks;
+  BufferCache<CombLines, gl::CombBuffers> combs;
+  std::vector<SectionEntry> sections;
   FrameStatistics statistics;
   std::uint64_t stamp = 0;
 };
@@ -105,26 +152,32 @@ gl::MeshBuffers& Renderer::State::mesh_buffers(const DisplayMesh& mesh) {
   return *meshes.back().buffers;
 }
 
-gl::PolyhedronBuffers& Renderer::State::polyhedron_buffers(
-    const std::shared_ptr<const DisplayPolyhedron>& polyhedron) {
-  for (PolyhedronEntry& entry : polyhedra)
-    if (entry.polyhedron == polyhedron) {
+gl::SectionBuffers& Renderer::State::section_buffers(const std::shared_ptr<const DisplayMesh>& mesh,
+                                                     const LocalPlane& plane) {
+  for (SectionEntry& entry : sections)
+    if (entry.mesh == mesh && entry.plane == plane) {
       entry.used_by |= bit;
       return *entry.buffers;
     }
-  polyhedra.push_back(
-      {polyhedron, std::make_unique<gl::PolyhedronBuffers>(*polyhedron, statistics.uploaded_bytes), bit});
-  return *polyhedra.back().buffers;
+  sections.push_back(
+      {mesh, plane, std::make_unique<gl::SectionBuffers>(*mesh, plane, statistics.uploaded_bytes), bit});
+  return *sections.back().buffers;
 }
 
 void Renderer::State::release(unsigned pictures_released) {
   for (auto& entry : meshes) entry.used_by &= ~pictures_released;
-  for (auto& entry : polyhedra) entry.used_by &= ~pictures_released;
+  for (auto& entry : sections) entry.used_by &= ~pictures_released;
+  polyhedra.release(pictures_released);
+  marks.release(pictures_released);
+  combs.release(pictures_released);
 }
 
 void Renderer::State::drop_unused() {
   std::erase_if(meshes, [](const auto& entry) { return entry.used_by == 0; });
-  std::erase_if(polyhedra, [](const auto& entry) { return entry.used_by == 0; });
+  std::erase_if(sections, [](const auto& entry) { return entry.used_by == 0; });
+  polyhedra.drop_unused();
+  marks.drop_unused();
+  combs.drop_unused();
 }
 
 void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
@@ -132,12 +185,15 @@ void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& obj
   const Matrix4 model = gl::at_origin(object.transform, object.mesh->origin());
   const bool values = object.map == SurfaceMap::continuity && mesh.has_curve_values();
   const auto draw = [&](CurveKind kind, const gl::LineStyle& line, bool by_value) {
+    gl::LineLook look;
+    if (by_value)
+      look.values = {scale_for(object.map, object.range, frame.colour_blind_safe), object.range,
+                     undefined_color};
     painter.lines(frame, model,
-                  {&mesh.vertices(), int(sizeof(DisplayVertex) / sizeof(float)), mesh.curve_array(kind),
-                   mesh.curve_count(kind), by_value},
-                  line, gl::Depth::visible, 1, by_value ? &object : nullptr);
+                  {&mesh.vertices(), vertex_stride, mesh.curve_array(kind), mesh.curve_count(kind)}, line,
+                  gl::Depth::visible, 1, look);
   };
-  if (values || object.show_split_edges)
+  if (values || object.wire == PatchWire::borders)
     draw(CurveKind::split, values ? style.continuity : style.split, values);
   const gl::LineStyle& network = object.map == SurfaceMap::zebra ? style.zebra_network : style.network;
   if (values || object.show_network) draw(CurveKind::network, values ? style.continuity : network, values);
@@ -147,14 +203,75 @@ void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& obj
   }
 }
 
+void Renderer::State::draw_marks(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
+  if (!object.marks) return;
+  const gl::MeshBuffers& mesh = mesh_buffers(*object.mesh);
+  const gl::MarkBuffers& buffers = marks.get(object.marks, bit, statistics.uploaded_bytes);
+  const Matrix4 model = gl::at_origin(object.transform, object.mesh->origin());
+  // Dashes keep their place on the curve while the view turns and zooms: their length in the object changes
+  // by powers of two.
+  const double pixel = frame.camera.pixel_length(frame.size) * frame.pixel_scale / scale_of_transform(object);
+  for (std::size_t k = style.marks.size(); k-- > 0;) {
+    gl::LineLook look;
+    const gl::Style::Dash& dash = style.mark_dashes[k];
+    if (dash.length > 0) {
+      look.dash = std::exp2(std::round(std::log2(static_cast<double>(dash.length) * pixel)));
+      look.dash_share = static_cast<double>(dash.share);
+    }
+    painter.lines(frame, model, {&mesh.vertices(), vertex_stride, buffers.array(k), buffers.count(k)},
+                  style.marks[k], gl::Depth::visible, 1, look);
+  }
+}
+
+void Renderer::State::draw_combs(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
+  if (!object.combs || !(object.combs->typical > 0)) return;
+  const gl::CombBuffers& buffers = combs.get(object.combs, bit, statistics.uploaded_bytes);
+  const Matrix4 model = gl::at_origin(object.transform, object.combs->origin);
+  gl::LineLook look;
+  // Teeth have the same length on the screen at any zoom.
+  const double pixel = frame.camera.pixel_length(frame.size) * frame.pixel_scale / scale_of_transform(object);
+  look.amplitude =
+      object.comb_scale * pixel *
+      std::min(comb_pixels / object.combs->typical, longest_comb_pixels / object.combs->greatest);
+  constexpr int stride = 6;
+  painter.lines(frame, model, {&buffers.teeth(), stride, buffers.tooth_array(), buffers.tooth_count()},
+                style.comb_tooth, gl::Depth::visible, 1, look);
+  painter.lines(frame, model, {&buffers.teeth(), stride, buffers.envelope_array(), buffers.envelope_count()},
+                style.comb_envelope, gl::Depth::visible, 1, look);
+}
+
+void Renderer::State::draw_section(const gl::Frame& frame, const SceneObject& object,
+                                   const SectionPlane& plane, const gl::Style& style) {
+  // normal . (L x + t) = offset for x relative to the mesh's origin.
+  const Matrix4 model = gl::at_origin(object.transform, object.mesh->origin());
+  const Vector3 normal = model.topLeftCorner<3, 3>().transpose() * plane.normal;
+  const double length = normal.norm(),
+               offset = plane.offset - plane.normal.dot(Vector3(model.topRightCorner<3, 1>()));
+  if (!(length > 0)) return;
+  const gl::SectionBuffers& buffers = section_buffers(object.mesh, {normal / length, offset / length});
+  painter.lines(frame, model, {&buffers.points(), 3, buffers.array(), buffers.count()}, style.section,
+                gl::Depth::visible, 1);
+}
+
+void Renderer::State::draw_tensions(const gl::Frame& frame, const SceneObject& object,
+                                    const gl::PolyhedronBuffers& buffers, const gl::Style& style,
+                                    gl::Depth depth, float opacity) {
+  if (!buffers.has_edge_tensions()) return;
+  const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
+  gl::LineLook look;
+  look.values = {ColorScale::diverging_safe, {0, 1}, {0, 0, 0, 0}};
+  for (const EdgeKind kind : {EdgeKind::plain, EdgeKind::crease, EdgeKind::boundary})
+    painter.lines(frame, model, {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind)},
+                  kind == EdgeKind::plain ? style.tension : style.tension_on_line, depth, opacity, look);
+}
+
 void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject& object,
                                       const gl::Style& style, gl::Depth depth, float opacity) {
-  const gl::PolyhedronBuffers& buffers = polyhedron_buffers(object.polyhedron);
+  const gl::PolyhedronBuffers& buffers = polyhedra.get(object.polyhedron, bit, statistics.uploaded_bytes);
   const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
   const auto edges = [&](EdgeKind kind, const gl::LineStyle& line) {
-    painter.lines(frame, model,
-                  {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind), false}, line,
-                  depth, opacity);
+    painter.lines(frame, model, {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind)},
+                  line, depth, opacity);
   };
   const auto some = [&](const Highlights& elements, const gl::LineStyle& line) {
     painter.some_edges(frame, model, *object.polyhedron, buffers, elements.edges, line, depth, opacity);
@@ -163,26 +280,45 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
     edges(EdgeKind::plain, style.polyhedron);
     edges(EdgeKind::boundary, style.boundary);
     edges(EdgeKind::crease, style.crease);
+    if (object.show_tensions) draw_tensions(frame, object, buffers, style, depth, opacity);
   }
   some(object.selected, style.selected_edge);
   some(object.hovered, style.hovered_edge);
+  some(object.failed, style.failed_edge);
+  const auto points = [&](const std::vector<Index>& vertices, const gl::PointStyle& point) {
+    painter.some_points(frame, model, buffers, vertices, point, depth, opacity);
+  };
   if (object.show_polyhedron && object.show_points)
-    painter.points(frame, model, buffers, style.point, depth, opacity);
-  painter.some_points(frame, model, buffers, object.selected.vertices, style.selected_point, depth, opacity);
-  painter.some_points(frame, model, buffers, object.hovered.vertices, style.hovered_point, depth, opacity);
+    painter.points(frame, model, buffers, style.point, depth, opacity, object.show_tensions);
+  if (object.show_polyhedron) {
+    points(object.polyhedron->corners, style.corner);
+    points(object.polyhedron->smooth, style.smooth);
+    points(object.polyhedron->pinned, style.pinned);
+  }
+  points(object.selected.vertices, style.selected_point);
+  points(object.hovered.vertices, style.hovered_point);
+  points(object.failed.vertices, style.failed_point);
 }
 
 void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style) {
   for (const SceneObject& object : scene.objects) {
-    if (object.mesh && object.show_surface && object.mesh->patch_count() > 0)
+    if (object.mesh && object.show_surface && object.mesh->patch_count() > 0) {
+      painter.cut(frame, true);
       draw_curves(frame, object, style);
+      draw_marks(frame, object, style);
+      draw_combs(frame, object, style);
+      painter.cut(frame, false);
+      if (scene.section) draw_section(frame, object, *scene.section, style);
+    }
     if (!object.polyhedron) continue;
-    const bool any = object.show_polyhedron || !object.selected.empty() || !object.hovered.empty();
+    const bool any = object.show_polyhedron || !object.selected.empty() || !object.hovered.empty() ||
+                     !object.failed.empty();
     if (!any) continue;
     const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
     painter.faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
     painter.faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
-    if (object.x_ray) draw_polyhedron(frame, object, style, gl::Depth::hidden, style.hidden);
+    painter.faces(frame, model, *object.polyhedron, object.failed.faces, style.failed_fill);
+    if (object.x_ray) draw_polyhedron(frame, object, style, gl::Depth::hidden, scene.hidden_opacity);
     draw_polyhedron(frame, object, style, gl::Depth::visible, 1);
   }
   painter.overlay(frame, scene.lines);
@@ -228,12 +364,16 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Fram
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBlendEquation(GL_FUNC_ADD);
   s.painter.background(style, scene.background);
+  s.painter.cut(frame, true);
+  Result<Done> drawn = Done{};
   for (const SceneObject& object : scene.objects) {
     if (!object.mesh || !object.show_surface || object.mesh->patch_count() == 0) continue;
     gl::MeshBuffers& buffers = s.mesh_buffers(*object.mesh);
     buffers.set_patch_colors(patch_color_bytes(object), s.statistics.uploaded_bytes);
-    s.painter.surface(frame, object, buffers, scene.zebra, style);
+    if (Result<Done> done = s.painter.surface(frame, object, buffers, scene.zebra, style); !done)
+      drawn = done;
   }
+  s.painter.cut(frame, false);
   if (scene.grid.visible) s.painter.grid(frame, scene.grid, style);
   s.draw_overlays(frame, scene, style);
 
@@ -247,7 +387,7 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Fram
   glActiveTexture(GL_TEXTURE0);
   picture.target.resolve();
   s.drop_unused();
-  return Done{};
+  return drawn;
 }
 
 unsigned Renderer::texture(int picture) const {

@@ -4,6 +4,7 @@
 // reads it.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/vector.hpp"
@@ -12,15 +13,27 @@
 #include "render/color_map.hpp"
 #include "render/display_mesh.hpp"
 #include "render/display_polyhedron.hpp"
+#include "render/surface_lines.hpp"
 
 namespace hariko {
 
-/// Stripes of parallel light tubes reflected in the surface.
+/// What stripes stand still with: the camera, the world, or each object.
+enum class StripeLock : std::uint8_t { view, world, object };
+
+/// Parallel light tubes reflected in the surface (zebra), or bands of equal angle between its normal and a
+/// direction (isophotes, which do not move on the surface when the view turns but with the lock `view`).
 struct ZebraSettings {
   int stripes = 9;                         ///< 2 .. 64 dark stripes over the whole sphere of directions
-  Vector3 direction = {0.25, 0.15, 0.95};  ///< across the tubes, any length, in camera axes unless `fixed`
-  bool fixed = false;     ///< direction in world axes: stripes stay on the object as the view turns
-  double reflection = 1;  ///< 1 reflects the view, 0 uses the normal alone (isophotes)
+  Vector3 direction = {0.25, 0.15, 0.95};  ///< across the tubes, any length, in the axes that `lock` names
+  StripeLock lock = StripeLock::view;
+  friend bool operator==(const ZebraSettings&, const ZebraSettings&) = default;
+};
+
+/// Surfaces are cut away where normal . x > offset, in world coordinates; the cage stays whole.
+struct SectionPlane {
+  Vector3 normal = Vector3::UnitX();  ///< unit
+  double offset = 0;
+  friend bool operator==(const SectionPlane&, const SectionPlane&) = default;
 };
 
 enum class Background { dark, light, transparent };
@@ -41,16 +54,24 @@ struct SceneObject {
 
   SurfaceMap map = SurfaceMap::shaded;
   ValueRange range;  ///< for maps with values
+  Material material = Material::clay;
+  Color color = color_from_hex("#b9b4ac");  ///< of the outside, for `shaded` and `isophotes`
 
   bool show_surface = true;
   bool show_polyhedron = false;  ///< edges and points
   bool show_network = false;     ///< curves over source edges; creases and boundaries are drawn with it
-  bool show_split_edges = false;
-  bool show_points = true;  ///< with the polyhedron
-  bool x_ray = false;       ///< hidden lines and points show through faintly
-  bool dimmed = false;      ///< the surface is not up to date
+  PatchWire wire = PatchWire::none;
+  bool show_points = true;     ///< with the polyhedron
+  bool show_tensions = false;  ///< colours of the polyhedron's edges and points
+  bool x_ray = false;          ///< hidden lines and points show through faintly
+  bool dimmed = false;         ///< the surface is not up to date
+
+  std::shared_ptr<const EdgeMarks> marks;  ///< may be null
+  std::shared_ptr<const CombLines> combs;  ///< may be null
+  double comb_scale = 1;                   ///< times the automatic length of the teeth
 
   Highlights selected, hovered;
+  Highlights failed;  ///< what the last rebuild complained about: outlined in red
   /// Patches to tint, for instance those of selected faces; ascending.
   std::vector<Index> selected_patches, hovered_patches;
 
@@ -74,7 +95,10 @@ struct Scene {
   Background background = Background::dark;
   GridSettings grid;
   ZebraSettings zebra;
-  double pixel_scale = 1;  ///< framebuffer pixels per design pixel: scales line widths and points
+  std::optional<SectionPlane> section;
+  bool colour_blind_safe = false;  ///< which tables colour the maps
+  float hidden_opacity = 0.3F;     ///< of what x-ray shows through, times its own
+  double pixel_scale = 1;          ///< framebuffer pixels per design pixel: scales line widths and points
 
   Box3 world_box() const;
 };

@@ -22,9 +22,9 @@ Style style_of(Background background) {
   s.grid_strength = light ? 0.26F : 0.20F;
   s.axis_x = color_from_hex("#e5484d");
   s.axis_y = color_from_hex("#46a758");
-  s.clay = color_from_hex("#b9b4ac");
   s.inside = color_from_hex("#5f7f96");
   s.undefined = undefined_color;
+  s.wire = with_alpha(ink, 0.38F);
   // A pale line with a thin dark casing reads on the clay and on the background.
   s.polyhedron = {with_alpha(color_from_hex(light ? "#3a3f47" : "#e6e6e6"), 0.60F), 1.2F,
                   with_alpha(light ? Color{1, 1, 1, 1} : ink, 0.28F), 0.9F};
@@ -36,11 +36,27 @@ Style style_of(Background background) {
   s.continuity = {Color{1, 1, 1, 1}, 2.6F, with_alpha(ink, 0.55F), 0.9F};
   s.selected_edge = {accent, 3.0F, with_alpha(ink, 0.55F), 1.0F};
   s.hovered_edge = {secondary, 2.5F, with_alpha(ink, 0.55F), 1.0F};
+  s.failed_edge = {color_from_hex("#ff3b30"), 3.4F, with_alpha(Color{1, 1, 1, 1}, 0.75F), 1.0F};
+  s.tension = {Color{1, 1, 1, 1}, 3.0F, with_alpha(ink, 0.60F), 0.9F};
+  s.tension_on_line = {Color{1, 1, 1, 1}, 1.5F, {}, 0};
+  s.comb_tooth = {with_alpha(color_from_hex(light ? "#1f6fb2" : "#6fc3ff"), 0.55F), 1.0F, {}, 0};
+  s.comb_envelope = {color_from_hex(light ? "#14508a" : "#a5dbff"), 1.6F,
+                     with_alpha(ink, light ? 0.0F : 0.35F), light ? 0.0F : 0.6F};
+  s.section = {accent, 2.2F, with_alpha(ink, 0.45F), 0.7F};
+  constexpr std::array<float, 3> mark_widths{4.4F, 3.2F, 1.8F};
+  for (std::size_t i = 0; i < 3; ++i)
+    s.marks[i] = {mark_color(static_cast<Continuity>(i)), mark_widths[i], with_alpha(ink, 0.60F), 0.8F};
+  s.mark_dashes = {{{0, 1}, {16, 0.60F}, {0, 1}}};
   s.point = {color_from_hex("#f4f4f2"), with_alpha(ink, 0.90F), 7.0F, 1.25F};
   s.selected_point = {accent, with_alpha(ink, 0.95F), 10.0F, 1.5F};
   s.hovered_point = {secondary, with_alpha(ink, 0.95F), 9.0F, 1.5F};
+  s.corner = {color_from_hex("#ff5a2b"), with_alpha(ink, 0.95F), 11.0F, 1.5F, PointShape::square};
+  s.smooth = {color_from_hex("#3dbb6c"), with_alpha(ink, 0.95F), 12.0F, 1.2F, PointShape::ring};
+  s.pinned = {color_from_hex("#c58cff"), with_alpha(ink, 0.95F), 13.0F, 1.5F, PointShape::diamond};
+  s.failed_point = {color_from_hex("#ff3b30"), with_alpha(Color{1, 1, 1, 1}, 0.95F), 12.0F, 2.0F};
   s.selected_fill = with_alpha(accent, 0.30F);
   s.hovered_fill = with_alpha(secondary, 0.22F);
+  s.failed_fill = with_alpha(color_from_hex("#ff3b30"), 0.28F);
   return s;
 }
 

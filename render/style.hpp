@@ -2,6 +2,8 @@
 
 // Colours and sizes of what is drawn, in design pixels. Internal to render/.
 
+#include <array>
+
 #include "render/color_map.hpp"
 #include "render/scene.hpp"
 
@@ -14,22 +16,31 @@ struct LineStyle {
   float casing_width = 0;  ///< on each side
 };
 
+/// The shapes of point.frag.glsl.
+enum class PointShape { disc, square, ring, diamond, triangle };
+
 struct PointStyle {
   Color paint, casing;
   float diameter = 7;  ///< with the outline
   float outline = 1.25F;
+  PointShape shape = PointShape::disc;
 };
 
 struct Style {
   Color top, bottom;  ///< background
   Color grid, axis_x, axis_y;
   float grid_strength = 0.2F;
-  Color clay, inside, undefined;
+  Color inside, undefined, wire;
   LineStyle polyhedron, network, zebra_network, split, crease, boundary, continuity, selected_edge,
-      hovered_edge;
-  PointStyle point, selected_point, hovered_point;
-  Color selected_fill, hovered_fill;
-  float hidden = 0.30F;  ///< of the opacity of what shows through: polyhedron lines then have 18 %
+      hovered_edge, failed_edge, tension, tension_on_line, comb_tooth, comb_envelope, section;
+  std::array<LineStyle, 3> marks;  ///< G0, G1, G2
+  /// Length of a dash with its gap in pixels, and the painted share of it.
+  struct Dash {
+    float length = 0, share = 1;
+  };
+  std::array<Dash, 3> mark_dashes;
+  PointStyle point, selected_point, hovered_point, corner, smooth, pinned, failed_point;
+  Color selected_fill, hovered_fill, failed_fill;
   float dimming = 0.2F;
 };
 

@@ -30,6 +30,7 @@ DisplayOptions map_options(SurfaceMap map, int density) {
     case SurfaceMap::shaded:
     case SurfaceMap::patches:
     case SurfaceMap::zebra:
+    case SurfaceMap::isophotes:
       break;
   }
   return options;

@@ -1,7 +1,8 @@
 // A piece of a curve as a quad of constant width on the screen. Instances hold the numbers of four points: previous,
-// begin, end, next; where a curve begins or ends its end is repeated.
+// begin, end, next; where a curve begins or ends its end is repeated. COMB: points are teeth, even numbers their feet and
+// odd ones their tips.
 layout(location = 0) in uvec4 points;
-layout(location = 1) in vec4 end_values;  // value and defined, of both ends
+layout(location = 1) in vec4 end_values;  // value and defined, or length along the curve and 1, of both ends
 
 uniform samplerBuffer coordinates;
 uniform int stride;        // floats a point
@@ -12,13 +13,22 @@ uniform float half_width;  // pixels, with the casing
 uniform float bias;        // towards the eye: a share of the distance (perspective) or a length (orthographic)
 uniform bool perspective;
 uniform float near_plane;
+uniform vec4 section;      // camera axes: what lies on its negative side is cut away
+uniform float amplitude;   // of combs: length of a tooth of curvature 1
 
 noperspective out float side;  // pixels from the middle
 noperspective out vec2 map_value;
 
+vec3 point(int at) {
+  return vec3(texelFetch(coordinates, at).r, texelFetch(coordinates, at + 1).r, texelFetch(coordinates, at + 2).r);
+}
 vec3 eye_point(uint number) {
-  int at = int(number) * stride;
-  vec3 p = vec3(texelFetch(coordinates, at).r, texelFetch(coordinates, at + 1).r, texelFetch(coordinates, at + 2).r);
+#if COMB
+  int at = int(number >> 1u) * stride;
+  vec3 p = point(at) + ((number & 1u) != 0u ? amplitude : 0.0) * point(at + 3);
+#else
+  vec3 p = point(int(number) * stride);
+#endif
   return (to_eye * vec4(p, 1.0)).xyz;
 }
 vec4 clip(vec3 eye) { return projection * vec4(perspective ? eye * (1.0 - bias) : eye + vec3(0.0, 0.0, bias), 1.0); }
@@ -53,6 +63,7 @@ void main() {
   }
   side = reach * hand;
   map_value = at_end ? end_values.zw : end_values.xy;
+  gl_ClipDistance[0] = dot(section, vec4(at_end ? end : begin, 1.0));
   if (perspective && begin.z > -near_plane && end.z > -near_plane) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // wholly behind the eye
     return;

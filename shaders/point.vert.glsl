@@ -1,4 +1,4 @@
-// A point as a square on the screen; the fragment shader makes it round.
+// A point as a square on the screen; the fragment shader gives it its shape.
 layout(location = 0) in uint number;
 
 uniform samplerBuffer coordinates;
@@ -11,10 +11,20 @@ uniform float bias;
 uniform bool perspective;
 uniform bool numbered;  // the attribute, or the instance's own number
 
+#if COLORED
+uniform samplerBuffer colors;
+#endif
+
 noperspective out vec2 offset;
+#if COLORED
+flat out vec4 own_paint;
+#endif
 
 void main() {
-  int at = (numbered ? int(number) : gl_InstanceID) * stride;
+  int own = numbered ? int(number) : gl_InstanceID, at = own * stride;
+#if COLORED
+  own_paint = texelFetch(colors, own);
+#endif
   vec3 p = vec3(texelFetch(coordinates, at).r, texelFetch(coordinates, at + 1).r, texelFetch(coordinates, at + 2).r);
   vec3 eye = (to_eye * vec4(p, 1.0)).xyz;
   vec4 here = projection * vec4(perspective ? eye * (1.0 - bias) : eye + vec3(0.0, 0.0, bias), 1.0);

@@ -1,4 +1,4 @@
-// Compiled once for each MODE (see surface.frag.glsl), with and without HIGHLIGHTS.
+// Compiled for each MODE and MATERIAL (see surface.frag.glsl), with and without HIGHLIGHTS and WIRE.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 value;  // and 1 where it is defined
@@ -6,8 +6,12 @@ layout(location = 2) in vec2 value;  // and 1 where it is defined
 uniform mat4 to_eye;       // object (relative to the mesh's origin) to camera axes
 uniform mat4 projection;
 uniform mat3 normal_to_eye;
+uniform vec4 section;      // camera axes: what lies on its negative side is cut away
 uniform int vertices_per_patch;
 uniform samplerBuffer patch_colors;
+#if WIRE
+uniform samplerBuffer grid_places;  // of the points of a patch, in intervals
+#endif
 
 out vec3 eye_normal;
 #if MODE == 3
@@ -15,6 +19,9 @@ out vec2 map_value;
 #endif
 #if MODE == 1 || HIGHLIGHTS
 flat out vec4 patch_color;  // rgb, and in alpha: 0 plain, about 0.5 hovered, 1 selected
+#endif
+#if WIRE
+out vec2 grid_place;
 #endif
 
 void main() {
@@ -26,5 +33,9 @@ void main() {
 #if MODE == 1 || HIGHLIGHTS
   patch_color = texelFetch(patch_colors, gl_VertexID / vertices_per_patch);
 #endif
+#if WIRE
+  grid_place = texelFetch(grid_places, gl_VertexID % vertices_per_patch).rg;
+#endif
   gl_Position = projection * eye;
+  gl_ClipDistance[0] = dot(section, eye);
 }

@@ -41,6 +41,13 @@ struct CursorNote {
 /// How the viewport shows things: not part of the document.
 struct ViewSettings {
   ZebraSettings zebra;
+  ContinuityTolerance tolerance;  ///< of the marks of continuity
+  struct Section {
+    bool shown = false, flipped = false;
+    int axis = 0;       ///< 0, 1, 2: x, y, z
+    double offset = 0;  ///< along the axis, world coordinates
+  } section;
+  double x_ray_strength = 0.3;  ///< of hidden lines, 0.05 .. 1
   bool x_ray = false;
   bool grid = true;
 };

@@ -6,11 +6,6 @@ namespace hariko {
 
 namespace {
 
-bool same(const ZebraSettings& a, const ZebraSettings& b) {
-  return a.stripes == b.stripes && a.direction == b.direction && a.fixed == b.fixed &&
-         a.reflection == b.reflection;
-}
-
 bool same(const GridSettings& a, const GridSettings& b) {
   return a.visible == b.visible && a.height == b.height && a.spacing == b.spacing;
 }
@@ -18,7 +13,9 @@ bool same(const GridSettings& a, const GridSettings& b) {
 bool same(const SceneObject& a, const SceneObject& b) {
   return a.mesh == b.mesh && a.polyhedron == b.polyhedron && a.transform == b.transform && a.map == b.map &&
          a.range == b.range && a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
-         a.show_network == b.show_network && a.show_split_edges == b.show_split_edges &&
+         a.show_network == b.show_network && a.wire == b.wire && a.material == b.material &&
+         a.color == b.color && a.show_tensions == b.show_tensions && a.marks == b.marks &&
+         a.combs == b.combs && a.comb_scale == b.comb_scale && a.failed == b.failed &&
          a.show_points == b.show_points && a.x_ray == b.x_ray && a.dimmed == b.dimmed &&
          a.selected == b.selected && a.hovered == b.hovered && a.selected_patches == b.selected_patches &&
          a.hovered_patches == b.hovered_patches;
@@ -26,8 +23,9 @@ bool same(const SceneObject& a, const SceneObject& b) {
 
 bool same(const Scene& a, const Scene& b) {
   return a.objects.size() == b.objects.size() && a.lines.empty() && b.lines.empty() &&
-         a.background == b.background && same(a.grid, b.grid) && same(a.zebra, b.zebra) &&
-         a.pixel_scale == b.pixel_scale &&
+         a.background == b.background && same(a.grid, b.grid) && a.zebra == b.zebra &&
+         a.section == b.section && a.colour_blind_safe == b.colour_blind_safe &&
+         a.hidden_opacity == b.hidden_opacity && a.pixel_scale == b.pixel_scale &&
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(),
                     [](const SceneObject& x, const SceneObject& y) { return same(x, y); });
 }
@@ -67,13 +65,41 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const MeshSource& source) {
   return lines;
 }
 
+/// The element that an error names, to be outlined: faces by their edges too.
+Highlights failed_of(const Message& error, const Polyhedron& polyhedron) {
+  const Element& element = error.element;
+  const auto number = static_cast<std::uint32_t>(element.id);
+  ElementSelection failed;
+  if (element.kind == Element::Kind::vertex) failed.vertices.insert(VertexId{number});
+  if (element.kind == Element::Kind::edge) failed.edges.insert(EdgeId::from_packed(element.id));
+  if (element.kind == Element::Kind::face) {
+    failed.faces.insert(FaceId{number});
+    if (const Index face = polyhedron.find(FaceId{number}); face != no_index) {
+      const auto corners = polyhedron.topology().face_vertices(face);
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        failed.edges.insert(EdgeId::of(polyhedron.vertex_id(corners[i]),
+                                       polyhedron.vertex_id(corners[(i + 1) % corners.size()])));
+    }
+  }
+  return highlights_of(failed, polyhedron);
+}
+
 }  // namespace
+
+std::optional<SectionPlane> section_plane(const ViewSettings& view) {
+  if (!view.section.shown) return std::nullopt;
+  const double side = view.section.flipped ? -1 : 1;
+  return SectionPlane{side * Vector3::Unit(view.section.axis), side * view.section.offset};
+}
 
 void SceneBuilder::update(const Editor& editor) {
   Scene next;
   next.background = editor.settings.theme == ThemeId::light ? Background::light : Background::dark;
   next.grid.visible = editor.view.grid;
   next.zebra = editor.view.zebra;
+  next.colour_blind_safe = editor.settings.colour_blind_maps;
+  next.hidden_opacity = static_cast<float>(editor.view.x_ray_strength);
+  next.section = section_plane(editor.view);
   ids_.clear();
   for (const auto& object : editor.document().objects) {
     if (!object->visible || (!object->polyhedron() && !object->mesh())) continue;
@@ -94,13 +120,25 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   out.show_polyhedron = display.polyhedron;
   out.show_network = display.network;
   out.x_ray = editor.view.x_ray;
+  out.material = display.material;
+  out.color = color_of(display.colour);
+  out.wire = display.wire;
+  out.show_points = display.points;
+  out.show_tensions = display.tensions;
   const PolyhedronSource* source = object->polyhedron();
+  const SurfaceView* view = editor.view_of(object->id);
   if (!source) {
     out.show_points = false;
+    if (view) out.mesh = view->mesh;
+    out.map = has_values(display.map) ? SurfaceMap::shaded : display.map;
     return out;
   }
-  if (const SurfaceView* view = editor.view_of(object->id)) {
+  if (view) {
     out.mesh = view->mesh;
+    out.combs = display.combs.shown ? view->combs : nullptr;
+    out.comb_scale = display.combs.scale;
+    if (display.marks && view->continuity) out.marks = marks_of(object->id, *view, editor.view.tolerance);
+    if (view->error) out.failed = failed_of(*view->error, source->polyhedron);
     // A new map shows when its values are there; until then the surface is drawn without.
     const bool ready = !has_values(display.map) || (view->object && view->object->display.map == display.map);
     out.map = ready ? display.map : SurfaceMap::shaded;
@@ -120,6 +158,21 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   return out;
 }
 
+std::shared_ptr<const EdgeMarks> SceneBuilder::marks_of(ObjectId id, const SurfaceView& view,
+                                                        const ContinuityTolerance& tolerance) {
+  if (!view.mesh || view.continuity->seams.size() != view.surface.seams().size()) return nullptr;
+  Entry& entry = entries_[id];
+  // Refreshed meshes share their curves; the marks follow them by the numbers of their vertices.
+  if (!entry.marks || entry.marked_curves != view.mesh->curves() || entry.marked_report != view.continuity ||
+      !(entry.marked_tolerance == tolerance)) {
+    entry.marks = edge_marks(*view.mesh, classify(view.surface, *view.continuity, tolerance));
+    entry.marked_curves = view.mesh->curves();
+    entry.marked_report = view.continuity;
+    entry.marked_tolerance = tolerance;
+  }
+  return entry.marks;
+}
+
 std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
     const std::shared_ptr<const Object>& object) {
   Entry& entry = entries_[object->id];
@@ -130,9 +183,11 @@ std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
     const MeshSource* mesh_before = entry.object ? entry.object->mesh() : nullptr;
     if (!mesh_before || !(*mesh_before == *object->mesh())) entry.polyhedron = lines_of(*object->mesh());
   } else if (before && before->polyhedron.shared_topology() == source->polyhedron.shared_topology() &&
-             before->origin == source->origin && before->shaping->crease == source->shaping->crease) {
+             before->origin == source->origin) {
     if (!(before->polyhedron == source->polyhedron))
       entry.polyhedron = entry.polyhedron->moved(source->polyhedron);
+    if (!(before->shaping == source->shaping))
+      entry.polyhedron = entry.polyhedron->shaped(source->polyhedron, *source->shaping);
   } else {
     entry.polyhedron = DisplayPolyhedron::build(source->polyhedron, *source->shaping, source->origin);
   }

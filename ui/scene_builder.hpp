@@ -23,7 +23,13 @@ class SceneBuilder {
   struct Entry {
     std::shared_ptr<const Object> object;
     std::shared_ptr<const DisplayPolyhedron> polyhedron;
+    std::shared_ptr<const EdgeMarks> marks;
+    std::shared_ptr<const DisplayMesh::Curves> marked_curves;  ///< what the marks were made from
+    std::shared_ptr<const ContinuityReport> marked_report;
+    ContinuityTolerance marked_tolerance;
   };
+  std::shared_ptr<const EdgeMarks> marks_of(ObjectId id, const SurfaceView& view,
+                                            const ContinuityTolerance& tolerance);
   SceneObject describe(const Editor& editor, const std::shared_ptr<const Object>& object);
   std::shared_ptr<const DisplayPolyhedron> polyhedron_of(const std::shared_ptr<const Object>& object);
 
@@ -32,6 +38,9 @@ class SceneBuilder {
   std::map<ObjectId, Entry> entries_;
   std::uint64_t version_ = 0;
 };
+
+/// The section plane of a view, or nothing when it is off.
+std::optional<SectionPlane> section_plane(const ViewSettings& view);
 
 /// The element that a hit on the scene means.
 ElementRef element_at(const Document& document, ObjectId object, Element::Kind kind, Index index);

@@ -7,11 +7,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/analysis/continuity.hpp"
 #include "core/base/message.hpp"
 #include "core/document/document.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "render/color_map.hpp"
 #include "render/display_mesh.hpp"
+#include "render/surface_lines.hpp"
 
 namespace hariko {
 
@@ -24,6 +26,7 @@ struct SurfaceView {
   std::shared_ptr<const DisplayMesh> mesh;  ///< of the last good rebuild; null before the first
   ValueRange range;                         ///< of the map's values
   std::vector<float> histogram;             ///< of the map's values within the range; empty without a map
+  std::shared_ptr<const CombLines> combs;   ///< null unless they are shown
   double milliseconds = 0;                  ///< that the rebuild took, display mesh included
   std::vector<Message> warnings;
   std::optional<Message> error;  ///< why there is no newer surface than the one shown
@@ -31,6 +34,8 @@ struct SurfaceView {
   /// Largest angle between normals on both sides of inner edges that are no creases, radians. Measured when
   /// idle.
   std::optional<double> largest_normal_jump;
+  /// From the same measurement; during a gesture the last one of a surface with the same seams.
+  std::shared_ptr<const ContinuityReport> continuity;
 };
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/panels/axis_gizmo.hpp"
+#include "ui/panels/legend.hpp"
 #include "ui/panels/view_frame.hpp"
 #include "ui/tools/navigation.hpp"
 
@@ -78,6 +79,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     for (const Place& place : places_) shown.push_back({place.view, size_of(place)});
     pictures_.update(editor_, scene_, shown, tool_ != nullptr);
     for (const Place& place : places_) show(context, place);
+    draw_legend(context, rect, scene_);
   }
   ImGui::End();
 }
@@ -207,7 +209,7 @@ void Viewport::show(PanelContext& context, const Place& place) {
       place.rect.min, place.rect.max, {0, 1}, {1, 0});
   const bool active = place.view == editor_.layout.active();
   draw_scale_bar(context, camera, place.rect);
-  if (active) draw_legend(context, place.rect);
+  draw_tension_numbers(context, place.rect, camera);
   if (tool_ && active) tool_->draw({editor_, scene_}, {list, place.rect.min, context.metrics});
   if (gizmo_size(context.metrics, place.rect) > 0) {
     const auto pointer = place.gizmo_hovered ? std::optional(ImGui::GetIO().MousePos) : std::nullopt;

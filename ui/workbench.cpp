@@ -29,6 +29,7 @@ void Workbench::add_commands() {
   add_transform_commands(host_);
   add_shape_commands(host_);
   add_view_commands(host_);
+  add_analyse_commands(host_);
   add_language_commands(host_);
   add_help_commands(host_);
   fill_context_menus(commands_);

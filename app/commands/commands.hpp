@@ -9,6 +9,7 @@
 #include "core/document/display.hpp"
 #include "core/network/shaping.hpp"
 #include "render/camera.hpp"
+#include "render/scene.hpp"
 
 namespace hariko {
 
@@ -31,7 +32,15 @@ struct RenderArguments {
   int width = 1280, height = 960;
   StandardView view = StandardView::iso;
   SurfaceMap map = SurfaceMap::shaded;
-  bool polyhedron = false, network = false;
+  MapRange range;
+  bool polyhedron = false, network = false, marks = false, combs = false, tensions = false;
+  PatchWire wire = PatchWire::none;
+  std::optional<Material> material;  ///< instead of each object's own
+  std::optional<Colour> colour;      ///< likewise
+  Background background = Background::dark;
+  std::optional<SectionPlane> section;
+  int stripes = 9;
+  bool colour_blind_safe = false;
 };
 int run_render(const RenderArguments& arguments);
 

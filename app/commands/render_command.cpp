@@ -3,6 +3,8 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "core/analysis/combs.hpp"
+#include "core/analysis/continuity.hpp"
 #include "core/modeling/mirrored.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
@@ -21,25 +23,42 @@ Result<SceneObject> scene_object(const Object& object, const RenderArguments& ar
   const auto built = PolyhedronSurfacer().rebuild(*input);
   if (!built.ok()) return built.error();
   SceneObject out;
-  const int density = display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
+  // Lines of the display mesh are there to be told apart.
+  const int density =
+      arguments.wire == PatchWire::mesh
+          ? object.display.density
+          : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
   out.mesh = DisplayMesh::build(built->surface, map_options(arguments.map, density));
   out.polyhedron = DisplayPolyhedron::build(source.polyhedron, *source.shaping, source.origin);
   out.transform = matrix_of(object.transform);
   out.map = arguments.map;
+  const DisplaySettings display =
+      with_material(object.display, arguments.material.value_or(object.display.material));
+  out.material = display.material;
+  out.color = color_of(arguments.colour.value_or(display.colour));
   out.show_polyhedron = arguments.polyhedron;
   out.show_network = arguments.network;
+  out.show_tensions = arguments.tensions;
+  out.wire = arguments.wire;
+  if (arguments.combs) {
+    const CurvatureCombs combs = curvature_combs(built->surface, object.display.combs.density);
+    out.combs = comb_lines(combs, built->surface.origin());
+    out.comb_scale = object.display.combs.scale;
+  }
+  if (arguments.marks)
+    out.marks = edge_marks(*out.mesh, classify(built->surface, continuity(built->surface), {}));
   return out;
 }
 
 /// One range for all objects, so that a colour means the same everywhere.
-void set_ranges(Scene& scene, SurfaceMap map, Legend& legend) {
+void set_ranges(Scene& scene, SurfaceMap map, const MapRange& wanted, Legend& legend) {
   std::vector<float> values;
   for (const SceneObject& object : scene.objects) {
     const auto own = values_of(*object.mesh, map);
     values.insert(values.end(), own.begin(), own.end());
   }
   legend.map = map;
-  legend.range = automatic_range(map, values);
+  legend.range = value_range(map, wanted, values);
   legend.histogram = histogram(values, legend.range, 64);
   for (SceneObject& object : scene.objects) object.range = legend.range;
 }
@@ -53,6 +72,10 @@ int run_render(const RenderArguments& arguments) {
 
   Scene scene;
   scene.grid.visible = false;
+  scene.background = arguments.background;
+  scene.section = arguments.section;
+  scene.zebra.stripes = arguments.stripes;
+  scene.colour_blind_safe = arguments.colour_blind_safe;
   for (const auto& object : document->objects) {
     if (!object->visible || !object->polyhedron()) continue;
     auto part = scene_object(*object, arguments);
@@ -69,7 +92,9 @@ int run_render(const RenderArguments& arguments) {
   }
 
   Legend legend;
-  if (has_values(arguments.map)) set_ranges(scene, arguments.map, legend);
+  legend.colour_blind_safe = arguments.colour_blind_safe;
+  legend.on_dark = arguments.background == Background::dark;
+  if (has_values(arguments.map)) set_ranges(scene, arguments.map, arguments.range, legend);
   const PixelSize size{arguments.width, arguments.height};
   const Camera camera = Camera::standard(arguments.view).frame(scene.world_box(), size);
   auto picture = render_picture(scene, camera, size.width, size.height);

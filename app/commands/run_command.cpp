@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
@@ -32,6 +34,55 @@ std::optional<PixelSize> parse_size(const std::string& text) {
   };
   if (!fits(width) || !fits(height)) return std::nullopt;
   return PixelSize{*width, *height};
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+/// "symmetric", "percentile", "full", or "-1,1"
+std::optional<MapRange> parse_range(std::string_view text) {
+  if (text == "symmetric") return MapRange{RangeMode::symmetric};
+  if (text == "percentile") return MapRange{RangeMode::percentile};
+  if (text == "full") return MapRange{RangeMode::full};
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto low = parse_number(text.substr(0, comma)), high = parse_number(text.substr(comma + 1));
+  if (!low || !high || !(*low < *high)) return std::nullopt;
+  return MapRange{RangeMode::manual, *low, *high};
+}
+
+/// "#b9b4ac"
+std::optional<Colour> parse_colour(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  std::uint32_t value = 0;
+  const auto [stop, status] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
+  if (status != std::errc() || stop != text.data() + 7) return std::nullopt;
+  const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift); };
+  return Colour{byte(16), byte(8), byte(0)};
+}
+
+/// "x=10", or "-x=10" for the other half
+std::optional<SectionPlane> parse_section(std::string_view text) {
+  const bool flipped = !text.empty() && text[0] == '-';
+  if (flipped) text.remove_prefix(1);
+  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return std::nullopt;
+  const auto offset = parse_number(text.substr(2));
+  if (!offset) return std::nullopt;
+  SectionPlane plane;
+  plane.normal = (flipped ? -1.0 : 1.0) * Vector3::Unit(text[0] - 'x');
+  plane.offset = flipped ? -*offset : *offset;
+  return plane;
+}
+
+Material material_from(std::string_view word) {
+  constexpr std::array<std::string_view, material_count> words{"clay", "porcelain", "metal",
+                                                               "wax",  "rubber",    "plastic"};
+  return static_cast<Material>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
 bool is_png(const std::string& path) {
@@ -108,11 +159,37 @@ class CommandLine {
         ->check(CLI::IsMember({"iso", "front", "back", "left", "right", "top", "bottom"}))
         ->capture_default_str();
     render_->add_option("--map", map_, "What colours the surface")
-        ->check(CLI::IsMember({"shaded", "patches", "zebra", "gauss", "mean", "k1", "k2", "continuity"}))
+        ->check(CLI::IsMember(
+            {"shaded", "patches", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "continuity"}))
         ->capture_default_str();
-    render_->add_option("--show", show_, "Drawn as well: polyhedron, network, or both with a comma between")
+    render_
+        ->add_option(
+            "--show", show_,
+            "Drawn as well, with commas between: polyhedron, network, tensions, marks (G0, G1, G2), combs")
         ->delimiter(',')
-        ->check(CLI::IsMember({"polyhedron", "network"}));
+        ->check(CLI::IsMember({"polyhedron", "network", "tensions", "marks", "combs"}));
+    add_render_looks();
+  }
+  void add_render_looks() {
+    render_->add_option("--range", range_, "Of the map: symmetric, percentile, full, or LOW,HIGH")
+        ->capture_default_str();
+    render_->add_option("--material", material_, "Instead of each object's own")
+        ->check(CLI::IsMember({"clay", "porcelain", "metal", "wax", "rubber", "plastic"}));
+    render_->add_option("--colour", colour_, "As #b9b4ac, instead of each object's own");
+    render_
+        ->add_option("--wire", wire_, "Lines over the surface: none, borders of patches, or the display mesh")
+        ->check(CLI::IsMember({"none", "borders", "mesh"}))
+        ->capture_default_str();
+    render_->add_option("--section", section_,
+                        "Cuts away what is beyond: x=10, y=-2.5, or -z=3 for the other half");
+    render_->add_option("--stripes", render_arguments_.stripes, "Of zebra and isophotes, 2 to 64")
+        ->check(CLI::Range(2, 64))
+        ->capture_default_str();
+    render_->add_option("--background", background_, "")
+        ->check(CLI::IsMember({"dark", "light", "transparent"}))
+        ->capture_default_str();
+    render_->add_flag("--colour-blind-safe", render_arguments_.colour_blind_safe,
+                      "Colours of maps that differ for all kinds of colour vision");
   }
   void add_evaluate() {
     evaluate_ =
@@ -134,6 +211,12 @@ class CommandLine {
       if (!parse_size(size_))
         throw CLI::ValidationError("--size", "must be like 1280x960, each side from 1 to " +
                                                  std::to_string(max_picture_side) + " pixels");
+      if (!parse_range(range_))
+        throw CLI::ValidationError("--range", "must be symmetric, percentile, full, or two numbers as -1,1");
+      if (!colour_.empty() && !parse_colour(colour_))
+        throw CLI::ValidationError("--colour", "must be like #b9b4ac");
+      if (!section_.empty() && !parse_section(section_))
+        throw CLI::ValidationError("--section", "must be like x=10, y=-2.5 or -z=3");
       if (!is_png(output_)) throw CLI::ValidationError("OUT", "the name must end in .png");
     }
   }
@@ -144,7 +227,7 @@ class CommandLine {
   }
 
   RenderArguments render_arguments() const {
-    RenderArguments out;
+    RenderArguments out = render_arguments_;
     out.file = input_;
     out.out = output_;
     const PixelSize size = *parse_size(size_);
@@ -152,7 +235,23 @@ class CommandLine {
     out.height = size.height;
     out.view = *standard_view_from(view_);
     out.map = *surface_map_from(map_);
-    for (const std::string& item : show_) (item == "network" ? out.network : out.polyhedron) = true;
+    const auto shows = [&](const char* item) {
+      return std::find(show_.begin(), show_.end(), item) != show_.end();
+    };
+    out.tensions = shows("tensions");
+    out.polyhedron = shows("polyhedron") || out.tensions;
+    out.network = shows("network");
+    out.marks = shows("marks");
+    out.combs = shows("combs");
+    out.range = *parse_range(range_);
+    out.wire =
+        wire_ == "mesh" ? PatchWire::mesh : (wire_ == "borders" ? PatchWire::borders : PatchWire::none);
+    if (!material_.empty()) out.material = material_from(material_);
+    if (!colour_.empty()) out.colour = parse_colour(colour_);
+    if (!section_.empty()) out.section = parse_section(section_);
+    out.background = background_ == "light"         ? Background::light
+                     : background_ == "transparent" ? Background::transparent
+                                                    : Background::dark;
     return out;
   }
   EvaluateArguments evaluate_arguments() const {
@@ -168,6 +267,8 @@ class CommandLine {
   std::vector<std::string> files_, show_;
   InfoArguments info_arguments_;
   ExportArguments export_arguments_;
+  RenderArguments render_arguments_;
+  std::string range_ = "symmetric", material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
 };
 

@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/analysis/curvature.hpp"
+#include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
 
 namespace hariko {
@@ -171,6 +173,23 @@ ContinuityReport continuity(const Surface& surface, const CancelToken& cancel) {
   }
   report.seams = std::move(each);
   return report;
+}
+
+std::vector<Continuity> classify(const Surface& surface, const ContinuityReport& report,
+                                 const ContinuityTolerance& tolerance) {
+  HARIKO_ASSERT(report.seams.size() == surface.seams().size(), "the report is of another surface");
+  // Curvature times size below this is the rounding of a plane.
+  constexpr double flat = 1e-9;
+  std::vector<Continuity> classes(report.seams.size(), Continuity::g0);
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const SeamContinuity& seam = report.seams[i];
+    if (seam.normal_jump * 180 / std::numbers::pi > tolerance.angle || seam.folded > 0) continue;
+    const double size = surface.patch_scale(surface.seams()[i].first.patch);
+    const bool even =
+        seam.curvature * size <= flat || seam.curvature_jump <= tolerance.curvature * seam.curvature;
+    classes[i] = even ? Continuity::g2 : Continuity::g1;
+  }
+  return classes;
 }
 
 }  // namespace hariko

@@ -49,4 +49,17 @@ struct ContinuityReport {
 /// In parallel, the same on any number of threads. O(110 seams).
 ContinuityReport continuity(const Surface& surface, const CancelToken& cancel = {});
 
+/// What still counts as smooth.
+struct ContinuityTolerance {
+  double angle = 0.1;      ///< between the normals, degrees
+  double curvature = 0.1;  ///< jump of the curvature tensor relative to its size on both sides, 0 .. 2
+  friend bool operator==(const ContinuityTolerance&, const ContinuityTolerance&) = default;
+};
+
+/// The continuity that each seam has within the tolerance, whatever was intended: by its largest normal jump,
+/// and by the root mean squares of jump and curvature. Where both sides are flat against the size of the
+/// patch it is G2. `report` must be of `surface` and not of a cancelled run. O(seams).
+std::vector<Continuity> classify(const Surface& surface, const ContinuityReport& report,
+                                 const ContinuityTolerance& tolerance);
+
 }  // namespace hariko

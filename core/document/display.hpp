@@ -2,7 +2,10 @@
 
 // DisplaySettings: what of an object is shown, and how. Authored, hence part of the document.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace hariko {
 
@@ -21,6 +24,43 @@ enum class SurfaceMap : std::uint8_t {
   principal_max,  ///< larger principal curvature
   principal_min,  ///< smaller principal curvature
   continuity,     ///< relative jump of curvature across edges
+  isophotes,      ///< lines of equal angle to a direction
+};
+inline constexpr int surface_map_count = 9;
+
+/// How the surface takes the light, of the map `shaded`.
+enum class Material : std::uint8_t { clay, porcelain, metal, wax, rubber, plastic };
+inline constexpr int material_count = 6;
+/// The colour that belongs to a material until the designer chooses another one.
+Colour natural_colour(Material material);
+
+/// Which values a map's colours span.
+enum class RangeMode : std::uint8_t {
+  symmetric,   ///< the same distance on both sides of zero (from zero, where no value is negative), leaving
+               ///< out the outermost 2 %
+  percentile,  ///< from the 2 % to the 98 % quantile
+  full,        ///< from the least to the greatest value
+  manual       ///< low to high
+};
+
+struct MapRange {
+  RangeMode mode = RangeMode::symmetric;
+  /// In the map's own unit; kept while another mode is on. Finite, low < high.
+  double low = -1, high = 1;
+  friend bool operator==(const MapRange&, const MapRange&) = default;
+};
+
+/// Lines over the surface.
+enum class PatchWire : std::uint8_t { none, borders, mesh };
+
+/// Teeth of length proportional to the curvature of the curves over the polyhedron's edges.
+struct CombSettings {
+  bool shown = false;
+  int density = 24;  ///< intervals a curve, min_density .. max_density
+  double scale = 1;  ///< times the automatic length, min_scale .. max_scale
+  static constexpr int min_density = 4, max_density = 128;
+  static constexpr double min_scale = 1.0 / 64, max_scale = 64;
+  friend bool operator==(const CombSettings&, const CombSettings&) = default;
 };
 
 struct DisplaySettings {
@@ -31,9 +71,26 @@ struct DisplaySettings {
   /// Least intervals a patch side when drawn, min_density .. max_density; small models are drawn finer.
   int density = 8;
   Colour colour{0xb9, 0xb4, 0xac};
+  Material material = Material::clay;
+  bool points = true;  ///< vertices, with the polyhedron
+  PatchWire wire = PatchWire::none;
+  bool tensions = false;  ///< tensions as colours and numbers on the polyhedron
+  bool marks = false;     ///< continuity of the edges: G0, G1, G2
+  CombSettings combs{};
+  /// Of the maps with values, see `range_slot`.
+  std::array<MapRange, 5> ranges{};
 
   static constexpr int min_density = 1, max_density = 64;
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
+
+/// The settings with another material; a colour that nobody chose follows it.
+DisplaySettings with_material(DisplaySettings display, Material material);
+
+/// Place of a map's range in `DisplaySettings::ranges`; nothing for maps without values.
+std::optional<std::size_t> range_slot(SurfaceMap map);
+/// The range of a map with values (asserted).
+const MapRange& range_of(const DisplaySettings& display, SurfaceMap map);
+MapRange& range_of(DisplaySettings& display, SurfaceMap map);
 
 }  // namespace hariko

@@ -46,6 +46,15 @@ Result<Done> check_display(const DisplaySettings& display) {
   if (display.density < DisplaySettings::min_density || display.density > DisplaySettings::max_density)
     return make_error(e_display_invalid, "The display density is out of range.",
                       "Use a density from 1 to 64.");
+  const CombSettings& combs = display.combs;
+  if (combs.density < CombSettings::min_density || combs.density > CombSettings::max_density ||
+      !(combs.scale >= CombSettings::min_scale && combs.scale <= CombSettings::max_scale))
+    return make_error(e_display_invalid, "The density or the scale of the curvature combs is out of range.",
+                      "Use a density from 4 to 128 and a scale from 1/64 to 64.");
+  for (const MapRange& range : display.ranges)
+    if (!std::isfinite(range.low) || !std::isfinite(range.high) || !(range.low < range.high))
+      return make_error(e_display_invalid, "The range of a map must begin below its end.",
+                        "Type a lower end that is smaller than the upper end.");
   return Done{};
 }
 

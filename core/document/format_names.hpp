@@ -12,8 +12,13 @@ using namespace std::string_view_literals;
 
 using Names = std::span<const std::string_view>;
 inline constexpr std::array unit_names{"mm"sv, "cm"sv, "m"sv, "in"sv};
-inline constexpr std::array map_names{"shaded"sv, "patches"sv,       "zebra"sv,         "gaussian"sv,
-                                      "mean"sv,   "principal_max"sv, "principal_min"sv, "continuity"sv};
+inline constexpr std::array map_names{"shaded"sv,        "patches"sv,    "zebra"sv,
+                                      "gaussian"sv,      "mean"sv,       "principal_max"sv,
+                                      "principal_min"sv, "continuity"sv, "isophotes"sv};
+inline constexpr std::array material_names{"clay"sv, "porcelain"sv, "metal"sv,
+                                           "wax"sv,  "rubber"sv,    "plastic"sv};
+inline constexpr std::array wire_names{"none"sv, "borders"sv, "mesh"sv};
+inline constexpr std::array range_mode_names{"symmetric"sv, "percentile"sv, "full"sv, "manual"sv};
 inline constexpr std::array mode_names{"paper"sv, "target"sv, "fair"sv};
 inline constexpr std::array tag_names{"automatic"sv, "corner"sv, "smooth"sv};
 inline constexpr std::array axis_names{"x"sv, "y"sv, "z"sv};
@@ -25,8 +30,14 @@ inline constexpr std::array document_members{"format"sv, "version"sv, "unit"sv, 
 inline constexpr std::array object_members{"id"sv,        "name"sv,    "visible"sv, "locked"sv,
                                            "transform"sv, "display"sv, "source"sv};
 inline constexpr std::array transform_members{"rotation"sv, "scale"sv, "translation"sv};
-inline constexpr std::array display_members{"surface"sv, "polyhedron"sv, "network"sv,
-                                            "map"sv,     "density"sv,    "colour"sv};
+inline constexpr std::array display_members{"surface"sv, "polyhedron"sv, "network"sv, "map"sv,  "density"sv,
+                                            "colour"sv,  "material"sv,   "points"sv,  "wire"sv, "tensions"sv,
+                                            "marks"sv,   "combs"sv,      "ranges"sv};
+inline constexpr std::array combs_members{"shown"sv, "density"sv, "scale"sv};
+inline constexpr std::array range_members{"mode"sv, "low"sv, "high"sv};
+/// Names of the maps in `DisplaySettings::ranges`, in that order.
+inline constexpr std::array ranges_members{"gaussian"sv, "mean"sv, "principal_max"sv, "principal_min"sv,
+                                           "continuity"sv};
 inline constexpr std::array polyhedron_members{"kind"sv,     "mode"sv,  "mirror"sv, "origin"sv,
                                                "vertices"sv, "faces"sv, "alpha"sv,  "beta"sv,
                                                "crease"sv,   "tag"sv,   "pin"sv};

@@ -54,6 +54,36 @@ Similarity read_transform(JsonReader& reader, const JsonCursor& at) {
   return transform;
 }
 
+CombSettings read_combs(JsonReader& reader, const JsonCursor& at) {
+  CombSettings combs;
+  if (!reader.is_object(at)) return combs;
+  detail::refuse_unknown_members(reader, at, detail::combs_members);
+  reader.if_member(at, "shown", [&](const JsonCursor& member) { combs.shown = reader.boolean(member); });
+  reader.if_member(at, "density", [&](const JsonCursor& member) {
+    combs.density =
+        static_cast<int>(reader.integer(member, CombSettings::min_density, CombSettings::max_density));
+  });
+  reader.if_member(at, "scale", [&](const JsonCursor& member) {
+    combs.scale = reader.number(member);
+    if (!(combs.scale >= CombSettings::min_scale && combs.scale <= CombSettings::max_scale))
+      reader.fail(member, "a number from 1/64 to 64 was expected");
+  });
+  return combs;
+}
+
+MapRange read_range(JsonReader& reader, const JsonCursor& at) {
+  MapRange range;
+  if (!reader.is_object(at)) return range;
+  detail::refuse_unknown_members(reader, at, detail::range_members);
+  reader.if_member(at, "mode", [&](const JsonCursor& member) {
+    range.mode = static_cast<RangeMode>(reader.choice(member, detail::range_mode_names));
+  });
+  reader.if_member(at, "low", [&](const JsonCursor& member) { range.low = reader.number(member); });
+  reader.if_member(at, "high", [&](const JsonCursor& member) { range.high = reader.number(member); });
+  if (!reader.failed() && !(range.low < range.high)) reader.fail(at, "low must be below high");
+  return range;
+}
+
 DisplaySettings read_display(JsonReader& reader, const JsonCursor& at) {
   DisplaySettings display;
   if (!reader.is_object(at)) return display;
@@ -73,6 +103,24 @@ DisplaySettings read_display(JsonReader& reader, const JsonCursor& at) {
   });
   reader.if_member(at, "colour",
                    [&](const JsonCursor& member) { display.colour = read_colour(reader, member); });
+  reader.if_member(at, "material", [&](const JsonCursor& member) {
+    display.material = static_cast<Material>(reader.choice(member, detail::material_names));
+  });
+  flag("points", display.points);
+  reader.if_member(at, "wire", [&](const JsonCursor& member) {
+    display.wire = static_cast<PatchWire>(reader.choice(member, detail::wire_names));
+  });
+  flag("tensions", display.tensions);
+  flag("marks", display.marks);
+  reader.if_member(at, "combs",
+                   [&](const JsonCursor& member) { display.combs = read_combs(reader, member); });
+  reader.if_member(at, "ranges", [&](const JsonCursor& ranges) {
+    if (!reader.is_object(ranges)) return;
+    detail::refuse_unknown_members(reader, ranges, detail::ranges_members);
+    for (std::size_t i = 0; i < display.ranges.size(); ++i)
+      reader.if_member(ranges, detail::ranges_members[i],
+                       [&](const JsonCursor& member) { display.ranges[i] = read_range(reader, member); });
+  });
   return display;
 }
 

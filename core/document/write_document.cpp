@@ -230,6 +230,63 @@ void write_transform(Writer& out, const Similarity& transform) {
   out.raw("}");
 }
 
+void write_combs(Writer& out, const CombSettings& combs) {
+  out.raw(", \"combs\": {\"shown\": ");
+  out.boolean(combs.shown);
+  out.raw(", \"density\": ");
+  out.number(static_cast<std::uint32_t>(combs.density));
+  out.raw(", \"scale\": ");
+  out.number(combs.scale);
+  out.raw("}");
+}
+
+/// The ranges that were changed.
+void write_ranges(Writer& out, const DisplaySettings& display) {
+  out.raw(", \"ranges\": {");
+  bool first = true;
+  for (std::size_t i = 0; i < display.ranges.size(); ++i) {
+    const MapRange& range = display.ranges[i];
+    if (range == MapRange{}) continue;
+    if (!first) out.raw(", ");
+    first = false;
+    out.string(detail::ranges_members[i]);
+    out.raw(": {\"mode\": ");
+    out.string(detail::name_of(range.mode, detail::range_mode_names));
+    out.raw(", \"low\": ");
+    out.number(range.low);
+    out.raw(", \"high\": ");
+    out.number(range.high);
+    out.raw("}");
+  }
+  out.raw("}");
+}
+
+/// What a designer has not touched is left out, so that simple files stay simple.
+void write_changed_display(Writer& out, const DisplaySettings& display) {
+  const DisplaySettings plain;
+  const auto word = [&](std::string_view name, std::string_view value) {
+    out.raw(", ");
+    out.string(name);
+    out.raw(": ");
+    out.string(value);
+  };
+  const auto flag = [&](std::string_view name, bool value, bool usual) {
+    if (value == usual) return;
+    out.raw(", ");
+    out.string(name);
+    out.raw(": ");
+    out.boolean(value);
+  };
+  if (display.material != plain.material)
+    word("material", detail::name_of(display.material, detail::material_names));
+  flag("points", display.points, plain.points);
+  if (display.wire != plain.wire) word("wire", detail::name_of(display.wire, detail::wire_names));
+  flag("tensions", display.tensions, plain.tensions);
+  flag("marks", display.marks, plain.marks);
+  if (!(display.combs == plain.combs)) write_combs(out, display.combs);
+  if (display.ranges != plain.ranges) write_ranges(out, display);
+}
+
 void write_display(Writer& out, const DisplaySettings& display) {
   const auto flag = [&](std::string_view name, bool value) {
     out.string(name);
@@ -253,6 +310,7 @@ void write_display(Writer& out, const DisplaySettings& display) {
   }
   out.raw(", \"colour\": ");
   out.string(colour);
+  write_changed_display(out, display);
   out.raw("}");
 }
 

@@ -38,7 +38,11 @@ class FakeBuilder final : public ViewBuilder {
     if (script.fail) view.error = make_error(Code{"E_FAKE"}, "It failed.");
     return view;
   }
-  double measure_jump(const Surface&, const CancelToken&) override { return 0.25; }
+  ContinuityReport measure(const Surface&, const CancelToken&) override {
+    ContinuityReport report;
+    report.largest_normal_jump = 0.25;
+    return report;
+  }
 
  private:
   std::shared_ptr<Script> script_;

@@ -82,6 +82,20 @@ TEST(Format, EqualityNoticesEveryField) {
   changed([](Object& o) { o.display.map = SurfaceMap::zebra; });
   changed([](Object& o) { o.display.density = 9; });
   changed([](Object& o) { o.display.colour.blue = 1; });
+  changed([](Object& o) { o.display.map = SurfaceMap::isophotes; });
+  changed([](Object& o) { o.display.material = Material::plastic; });
+  changed([](Object& o) { o.display.points = false; });
+  changed([](Object& o) { o.display.wire = PatchWire::mesh; });
+  changed([](Object& o) { o.display.tensions = true; });
+  changed([](Object& o) { o.display.marks = true; });
+  changed([](Object& o) { o.display.combs.shown = true; });
+  changed([](Object& o) { o.display.combs.density = 17; });
+  changed([](Object& o) { o.display.combs.scale = 0.1; });
+  for (std::size_t i = 0; i < DisplaySettings{}.ranges.size(); ++i) {
+    changed([i](Object& o) { o.display.ranges[i].mode = RangeMode::full; });
+    changed([i](Object& o) { o.display.ranges[i].low = -0.125; });
+    changed([i](Object& o) { o.display.ranges[i].high = 1e-3; });
+  }
   changed([](Object& o) { o.kept = KeptMembers{{"x", "1"}}; });
   changed([&](Object& o) { source_of(o).mode = Mode::paper; });
   changed([&](Object& o) { source_of(o).origin.x() = 4; });

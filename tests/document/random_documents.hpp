@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/document/document.hpp"
@@ -105,6 +106,24 @@ inline Source any_source(std::mt19937_64& rng) {
                        std::string("{ \"solids\":[1.0, 2e0,\n\n {\"r\": 1}], \"kind\":  \"envelope\" }")};
 }
 
+inline void any_lines(std::mt19937_64& rng, DisplaySettings& display) {
+  if (chance(rng, 0.3)) return;
+  display.material = static_cast<Material>(uniform_int(rng, 0, material_count - 1));
+  display.points = chance(rng, 0.5);
+  display.wire = static_cast<PatchWire>(uniform_int(rng, 0, 2));
+  display.tensions = chance(rng, 0.5);
+  display.marks = chance(rng, 0.5);
+  display.combs.shown = chance(rng, 0.5);
+  display.combs.density = uniform_int(rng, CombSettings::min_density, CombSettings::max_density);
+  display.combs.scale = log_uniform(rng, CombSettings::min_scale, CombSettings::max_scale);
+  for (MapRange& range : display.ranges) {
+    if (chance(rng, 0.5)) continue;
+    range.mode = static_cast<RangeMode>(uniform_int(rng, 0, 3));
+    const double a = any_number(rng), b = any_number(rng);
+    if (a != b) std::tie(range.low, range.high) = std::minmax(a, b);
+  }
+}
+
 inline Object any_object(std::mt19937_64& rng, ObjectId id) {
   Similarity transform;
   transform.rotation =
@@ -116,10 +135,11 @@ inline Object any_object(std::mt19937_64& rng, ObjectId id) {
   display.surface = chance(rng, 0.5);
   display.polyhedron = chance(rng, 0.5);
   display.network = chance(rng, 0.5);
-  display.map = static_cast<SurfaceMap>(uniform_int(rng, 0, 7));
+  display.map = static_cast<SurfaceMap>(uniform_int(rng, 0, surface_map_count - 1));
   display.density = uniform_int(rng, 1, 64);
   const auto byte = [&] { return static_cast<std::uint8_t>(uniform_int(rng, 0, 255)); };
   display.colour = {byte(), byte(), byte()};
+  any_lines(rng, display);
   std::string name = any_name(rng);
   const bool visible = chance(rng, 0.5), locked = chance(rng, 0.3);
   return {id, std::move(name), visible, locked, transform, display, any_source(rng), any_kept(rng)};

@@ -22,7 +22,8 @@ double lightness(Color c) {
 }
 
 TEST(ColorMap, WordsGoBothWays) {
-  for (const char* word : {"shaded", "patches", "zebra", "gauss", "mean", "k1", "k2", "continuity"})
+  for (const char* word :
+       {"shaded", "patches", "zebra", "gauss", "mean", "k1", "k2", "continuity", "isophotes"})
     EXPECT_EQ(word_of(*surface_map_from(word)), word);
   EXPECT_FALSE(surface_map_from("gaussian"));
   EXPECT_EQ(unit_of(SurfaceMap::gaussian, "mm"), "1/mm\u00b2");
@@ -53,8 +54,62 @@ TEST(ColorMap, DivergingIsWhiteInTheMiddleBlueBelowAndRedAbove) {
                 lightness(color_at(ColorScale::diverging, 0.5 + x)), 6);
 }
 
+TEST(ColorMap, SafeScalesReadInGreyAndWithoutRedOrGreen) {
+  double last = lightness(color_at(ColorScale::sequential_safe, 0));
+  for (int i = 1; i <= 64; ++i) {
+    const double next = lightness(color_at(ColorScale::sequential_safe, i / 64.0));
+    EXPECT_GT(next - last, 0.5) << i;
+    last = next;
+  }
+  for (int i = 0; i <= 64; ++i) {
+    // Red and green are what most colour-blind people confuse: nothing leans to either alone.
+    const Color c = color_at(ColorScale::sequential_safe, i / 64.0);
+    EXPECT_LT(std::abs(c.r - c.g), 0.17F) << i;
+  }
+  const Color low = color_at(ColorScale::diverging_safe, 0), high = color_at(ColorScale::diverging_safe, 1);
+  EXPECT_GT(low.b, low.r + 0.3F);
+  EXPECT_GT(high.r, high.b + 0.3F);
+  EXPECT_GT(high.g, 0.30F) << "orange, not red";
+}
+
+TEST(ColorMap, WhiteIsZeroWhereZeroIsInTheRange) {
+  const auto scale = [](ValueRange range) { return scale_for(SurfaceMap::mean, range, false); };
+  EXPECT_EQ(scale({-1, 3}), ColorScale::diverging);
+  EXPECT_EQ(scale({0.5, 3}), ColorScale::sequential);
+  EXPECT_EQ(scale({-3, 0}), ColorScale::sequential);
+  EXPECT_EQ(scale_for(SurfaceMap::mean, {-1, 1}, true), ColorScale::diverging_safe);
+  EXPECT_EQ(scale_for(SurfaceMap::continuity, {-1, 1}, true), ColorScale::sequential_safe);
+  for (const ValueRange range : {ValueRange{-1, 3}, ValueRange{-2, 2}, ValueRange{-1e-9, 1e6}}) {
+    EXPECT_EQ(scale_fraction(ColorScale::diverging, range, 0), 0.5);
+    EXPECT_NEAR(scale_fraction(ColorScale::diverging, range, range.low), 0, 1e-12);
+    EXPECT_NEAR(scale_fraction(ColorScale::diverging, range, range.high), 1, 1e-12);
+  }
+  EXPECT_NEAR(scale_fraction(ColorScale::sequential, {2, 6}, 3), 0.25, 1e-15);
+  EXPECT_EQ(scale_fraction(ColorScale::sequential, {2, 2}, 2), 0.5);
+}
+
+TEST(ColorMap, RangesFollowTheirMode) {
+  std::vector<float> values;
+  for (int i = -10; i <= 90; ++i) values.push_back(static_cast<float>(i));
+  const auto range = [&](RangeMode mode) { return value_range(SurfaceMap::mean, {mode, -3, 4}, values); };
+  EXPECT_EQ(range(RangeMode::symmetric), automatic_range(SurfaceMap::mean, values));
+  EXPECT_EQ(range(RangeMode::percentile), (ValueRange{-8, 88}));
+  EXPECT_EQ(range(RangeMode::full), (ValueRange{-10, 90}));
+  EXPECT_EQ(range(RangeMode::manual), (ValueRange{-3, 4}));
+  for (const RangeMode mode : {RangeMode::symmetric, RangeMode::percentile, RangeMode::full}) {
+    for (const std::vector<float>& flat :
+         {std::vector<float>{}, std::vector<float>(9, 0.0F), std::vector<float>(9, -2.0F),
+          std::vector<float>{1e-15F, -1e-15F}}) {
+      const ValueRange found = value_range(SurfaceMap::gaussian, {mode}, flat);
+      EXPECT_LT(found.low, found.high);
+      EXPECT_GT(found.high - found.low, 1e-9);
+    }
+  }
+}
+
 TEST(ColorMap, TableIsTheFunction) {
-  for (const ColorScale scale : {ColorScale::diverging, ColorScale::sequential}) {
+  for (const ColorScale scale : {ColorScale::diverging, ColorScale::sequential, ColorScale::diverging_safe,
+                                 ColorScale::sequential_safe}) {
     const auto table = color_table(scale);
     for (std::size_t i = 0; i < 256; i += 17) {
       EXPECT_NEAR(table[4 * i], color_at(scale, double(i) / 255).r * 255, 0.51);

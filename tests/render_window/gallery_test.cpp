@@ -49,7 +49,8 @@ TEST(Gallery, OverlaysInBothThemes) {
   for (const Background background : {Background::dark, Background::light}) {
     Scene scene = scene_of(golden_object("cube.obj", SurfaceMap::shaded, "cube_crease.tension.json"));
     SceneObject& object = scene.objects[0];
-    object.show_network = object.show_split_edges = object.show_polyhedron = object.x_ray = true;
+    object.show_network = object.show_polyhedron = object.x_ray = true;
+    object.wire = PatchWire::borders;
     object.selected.vertices = {6};
     object.hovered.vertices = {7};
     object.selected.edges = {2, 5};

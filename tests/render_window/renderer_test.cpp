@@ -230,11 +230,13 @@ TEST_F(RendererTest, LinesThatPassBehindTheEyeStayFinite) {
 TEST_F(RendererTest, CurvesOnTheSurfaceAreUnbroken) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 16));
   // Octants are joined by seams without a source: split edges.
-  scene.objects[0].show_split_edges = scene.objects[0].show_network = true;
+  scene.objects[0].wire = PatchWire::borders;
+  scene.objects[0].show_network = true;
   Camera camera = looking(scene, StandardView::iso);
   scene.pixel_scale = 2;
   const Image with = draw(scene, camera, size);
-  scene.objects[0].show_split_edges = scene.objects[0].show_network = false;
+  scene.objects[0].wire = PatchWire::none;
+  scene.objects[0].show_network = false;
   const Image without = draw(scene, camera, size);
   const Projector projector(camera, size);
   for (double angle = 0.03; angle < 1.55; angle += 0.02) {

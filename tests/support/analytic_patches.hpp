@@ -62,6 +62,7 @@ struct AnalyticOptions {
   std::vector<Vector3> node_normals;  ///< zero vectors when empty
   Vector3 origin = Vector3::Zero();
   CornerSecondOrder corners = CornerSecondOrder::exact;
+  bool source_edges = false;  ///< seams lie on source edges named by their nodes, instead of inside elements
 };
 
 /// Sides of different patches between the same two nodes, run in opposite directions, become seams.
@@ -85,6 +86,8 @@ inline Surface make_surface(Domain domain, std::vector<PatchFormula> formulas,
     seam.first = side;
     seam.second = other->second;
     seam.intended = options.continuity;
+    if (options.source_edges)
+      seam.source = element_of(EdgeId::of(VertexId{ends.first}, VertexId{ends.second}));
     seams.push_back(seam);
   }
   auto patches = std::make_shared<AnalyticPatchSet>(domain, std::move(formulas));

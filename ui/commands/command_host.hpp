@@ -41,6 +41,7 @@ void add_select_commands(CommandHost& host);
 void add_transform_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
+void add_analyse_commands(CommandHost& host);
 void add_preferences_commands(CommandHost& host);
 void add_help_commands(CommandHost& host);
 /// After all commands are there.

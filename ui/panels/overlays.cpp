@@ -1,4 +1,4 @@
-// What lies over the viewport: the legend of a map, and notices.
+// Notices over the viewport.
 
 #include <algorithm>
 #include <cmath>
@@ -7,55 +7,6 @@
 #include "ui/panels/panels.hpp"
 
 namespace hariko {
-
-namespace {
-
-ImU32 colour_at_fraction(SurfaceMap map, double x) {
-  const Color c = color_at(scale_of(map), x);
-  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
-}
-
-}  // namespace
-
-void draw_legend(PanelContext& context, const PanelRect& viewport) {
-  const Object* object = context.editor.active_object();
-  const SurfaceView* view = object ? context.editor.view_of(object->id) : nullptr;
-  if (!view || !view->mesh || !object->visible || !has_values(object->display.map)) return;
-  if (view->object->display.map != object->display.map) return;
-  const SurfaceMap map = object->display.map;
-  const Metrics& m = context.metrics;
-  const float bar_width = m.px(14), bar_height = m.px(150), histogram_width = m.px(36);
-  const ImVec2 low(viewport.min.x + m.px(16), viewport.max.y - m.px(16) - bar_height);
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  constexpr int parts = 64;
-  const auto y_of = [&](double fraction) { return low.y + bar_height * static_cast<float>(1 - fraction); };
-  std::string title = context.tr(std::string(title_of(map)));
-  const std::string unit = unit_of(map, to_string(context.editor.document().unit));
-  if (!unit.empty()) title += "  " + unit;
-  const ImVec2 title_size = ImGui::CalcTextSize(title.c_str());
-  const ImVec2 box_low(low.x - m.px(8), low.y - title_size.y - m.px(16));
-  const float box_right = low.x + std::max(title_size.x + m.px(8), m.px(130));
-  draw.AddRectFilled(box_low, {box_right, viewport.max.y - m.px(4)}, palette().overlay, m.px(6));
-  draw.AddText({low.x, box_low.y + m.px(6)}, palette().text, title.c_str());
-  for (int i = 0; i < parts; ++i) {
-    const double a = double(i) / parts, b = double(i + 1) / parts;
-    draw.AddRectFilledMultiColor({low.x, y_of(b)}, {low.x + bar_width, y_of(a)}, colour_at_fraction(map, b),
-                                 colour_at_fraction(map, b), colour_at_fraction(map, a),
-                                 colour_at_fraction(map, a));
-  }
-  const std::size_t bins = view->histogram.size();
-  for (std::size_t i = 0; i < bins; ++i)
-    draw.AddRectFilled(
-        {low.x + bar_width + m.px(4), y_of(double(i + 1) / double(bins))},
-        {low.x + bar_width + m.px(4) + view->histogram[i] * histogram_width, y_of(double(i) / double(bins))},
-        with_alpha(palette().text, 0.3F));
-  for (const Tick& tick : legend_ticks(view->range)) {
-    const float y = y_of(tick.fraction);
-    draw.AddLine({low.x + bar_width - m.px(4), y}, {low.x + bar_width, y}, IM_COL32(0, 0, 0, 160));
-    draw.AddText({low.x + bar_width + histogram_width + m.px(12), y - title_size.y / 2}, palette().text,
-                 tick.label.c_str());
-  }
-}
 
 void draw_notices(PanelContext& context, const PanelRect& viewport) {
   Editor& editor = context.editor;

@@ -64,7 +64,6 @@ void draw_tool_column(PanelContext& context, const PanelRect& rect);
 void draw_objects(PanelContext& context, const PanelRect& rect);
 void draw_properties(PanelContext& context, const PanelRect& rect);
 void draw_status_line(PanelContext& context, const PanelRect& rect);
-void draw_legend(PanelContext& context, const PanelRect& viewport);
 void draw_notices(PanelContext& context, const PanelRect& viewport);
 /// Why a key did nothing, beside where the pointer was.
 void draw_cursor_note(PanelContext& context);

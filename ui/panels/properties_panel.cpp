@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "ui/icons.hpp"
+#include "ui/panels/choice.hpp"
+#include "ui/panels/display_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/value_fields.hpp"
 
@@ -30,45 +32,6 @@ std::string counted(const char* what, std::size_t count, const char* one, const 
   return std::string(what) + " of " + (count == 1 ? std::string(one) : std::to_string(count) + " " + many);
 }
 
-struct Choice {
-  const char* label;
-  const char* help;
-};
-
-/// A combo box; returns the new choice. `current` < 0 shows "mixed".
-template <std::size_t N>
-std::optional<int> choose(PanelContext& context, const char* id, const char* label, const char* help,
-                          const std::array<Choice, N>& choices, int current) {
-  row_label(context, label, help);
-  std::optional<int> chosen;
-  ImGui::SetNextItemWidth(-1);
-  ImGui::PushID(id);
-  const bool open =
-      ImGui::BeginCombo("##combo", current < 0 ? "mixed" : choices[static_cast<std::size_t>(current)].label);
-  context.marks.item(std::string("combo.") + id);
-  if (open) {
-    for (int i = 0; i < static_cast<int>(N); ++i) {
-      const Choice& choice = choices[static_cast<std::size_t>(i)];
-      if (ImGui::Selectable(choice.label, i == current)) chosen = i;
-      context.marks.item("choice." + std::string(id) + "." + std::to_string(i));
-      if (*choice.help && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", choice.help);
-    }
-    ImGui::EndCombo();
-  }
-  ImGui::PopID();
-  return chosen;
-}
-
-constexpr std::array map_choices{
-    Choice{"Shaded", "Studio light on clay"},
-    Choice{"Patches", "One colour for each patch"},
-    Choice{"Zebra", "Reflected stripes: a kink in a stripe shows a jump of curvature"},
-    Choice{"Gaussian curvature", "Product of the principal curvatures: red dome, blue saddle"},
-    Choice{"Mean curvature", "Mean of the principal curvatures"},
-    Choice{"Greatest curvature", "The larger principal curvature k1"},
-    Choice{"Least curvature", "The smaller principal curvature k2"},
-    Choice{"Continuity", "How much curvature jumps across the edges"},
-};
 constexpr std::array mode_choices{
     Choice{"Fair", "Balances the curvature inside the faces: the smoothest result"},
     Choice{"Target", "Puts face centres where the boundary curves aim"},
@@ -93,70 +56,21 @@ void object_name(PanelContext& context, const Object& object) {
   context.marks.item("field.name");
 }
 
-void show_flag(PanelContext& context, const Object& object, const char* label, bool DisplaySettings::*flag) {
-  bool on = object.display.*flag;
-  if (ImGui::Checkbox(label, &on)) {
-    DisplaySettings display = object.display;
-    display.*flag = on;
-    context.editor.commit(set_display(context.editor.history.current(), object.id, display),
-                          std::string(on ? "Show " : "Hide ") + label);
-  }
-  context.marks.item(std::string("check.") + label);
-}
-
-void zebra_rows(PanelContext& context) {
-  ZebraSettings& zebra = context.editor.view.zebra;
-  row_label(context, "Stripes", "Number of dark stripes");
-  ImGui::SetNextItemWidth(-1);
-  ImGui::SliderInt("##stripes", &zebra.stripes, 2, 64);
-  context.marks.item("slider.stripes");
-  row_label(context, "Fixed", "Stripes stay on the object when the view turns");
-  ImGui::Checkbox("##fixed", &zebra.fixed);
-}
-
 void object_section(PanelContext& context, const Object& object) {
   heading(context, "Object");
   object_name(context, object);
   if (!object.polyhedron()) {
-    ImGui::TextDisabled("Reference mesh: shown as lines.");
+    if (object.mesh()) draw_display(context, object);
     return;
   }
   Editor& editor = context.editor;
-  const auto set = [&](const DisplaySettings& display, const std::string& step) {
-    editor.commit(set_display(editor.history.current(), object.id, display), step);
-  };
-  DisplaySettings display = object.display;
   const int mode =
       static_cast<int>(std::find(modes.begin(), modes.end(), object.polyhedron()->mode) - modes.begin());
   if (const auto chosen =
           choose(context, "mode", "Surface", "How the surface spans the curves", mode_choices, mode))
     editor.commit(set_mode(editor.history.current(), object.id, modes[static_cast<std::size_t>(*chosen)]),
                   std::string("Surface ") + mode_choices[static_cast<std::size_t>(*chosen)].label);
-  if (const auto chosen = choose(context, "map", "Map", "What colours the surface", map_choices,
-                                 static_cast<int>(display.map))) {
-    display.map = static_cast<SurfaceMap>(*chosen);
-    set(display, std::string("Map ") + map_choices[static_cast<std::size_t>(*chosen)].label);
-  }
-  if (display.map == SurfaceMap::zebra) zebra_rows(context);
-  const ObjectId id = object.id;
-  value_slider(
-      context,
-      {"density", "Density", "Least intervals a patch side on the screen; small models are drawn finer",
-       "Display density", DisplaySettings::min_density, DisplaySettings::max_density, false, true},
-      display.density, [id](const Document& document, double value) -> Result<Document> {
-        const Object* found = document.find(id);
-        if (!found) return document;
-        DisplaySettings changed = found->display;
-        changed.density = static_cast<int>(value);
-        return set_display(document, id, changed);
-      });
-  row_label(context, "Show", "");
-  const float start = ImGui::GetCursorPosX();
-  show_flag(context, object, "surface", &DisplaySettings::surface);
-  ImGui::SetCursorPosX(start);
-  show_flag(context, object, "network", &DisplaySettings::network);
-  ImGui::SetCursorPosX(start);
-  show_flag(context, object, "polyhedron", &DisplaySettings::polyhedron);
+  draw_display(context, object);
 }
 
 void position_row(PanelContext& context, const Object& object, VertexId vertex) {

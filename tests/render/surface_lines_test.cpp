@@ -1,0 +1,99 @@
+// Lines along surfaces: marks sorted by class, combs as they were computed, sections that lie on the plane
+// and close.
+
+#include "render/surface_lines.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+
+#include "render/surface_maps.hpp"
+#include "tests/support/analytic_patches.hpp"
+#include "tests/support/random.hpp"
+
+namespace hariko {
+namespace {
+
+using namespace hariko::test;
+
+AnalyticOptions with_sources() {
+  AnalyticOptions options;
+  options.source_edges = true;
+  return options;
+}
+
+std::shared_ptr<const DisplayMesh> mesh_of(const Surface& surface, int density) {
+  return DisplayMesh::build(surface, map_options(SurfaceMap::shaded, density));
+}
+
+TEST(SurfaceLines, SectionsLieOnThePlaneAndClose) {
+  for_random(5, 60, [](std::mt19937_64& rng) {
+    const bool ring = chance(rng, 0.5);
+    const Surface surface = ring ? torus(2, 0.8, 7, 6) : sphere(1.5);
+    const auto mesh = mesh_of(surface, uniform_int(rng, 2, 9));
+    const Vector3 normal = (random_vector(rng) + Vector3(0, 0, 1.01)).normalized();
+    const LocalPlane plane{normal, uniform(rng, -1, 1)};
+    const auto pieces = section_curve(*mesh, plane);
+    ASSERT_FALSE(pieces.empty());
+    std::map<std::array<float, 3>, int> ends;
+    for (const auto& piece : pieces)
+      for (const auto& end : piece) {
+        ++ends[end];
+        const Vector3 p{double(end[0]), double(end[1]), double(end[2])};
+        EXPECT_NEAR(normal.dot(p), plane.offset, 1e-6);
+        if (!ring) EXPECT_NEAR(p.norm(), 1.5, 0.4) << "near the sphere";
+      }
+    for (const auto& [end, count] : ends) EXPECT_EQ(count % 2, 0) << "a closed surface has closed sections";
+  });
+}
+
+TEST(SurfaceLines, ASectionHasTheLengthOfItsCircle) {
+  const auto mesh = mesh_of(sphere(2), 24);
+  double length = 0;
+  for (const auto& [a, b] : section_curve(*mesh, {Vector3::UnitZ(), 1}))
+    length += std::hypot(double(a[0]) - double(b[0]), double(a[1]) - double(b[1]));
+  EXPECT_NEAR(length, 2 * std::numbers::pi * std::sqrt(3.0), 0.02);
+  EXPECT_TRUE(section_curve(*mesh, {Vector3::UnitZ(), 2.5}).empty());
+}
+
+TEST(SurfaceLines, MarksAreSortedByClass) {
+  const Surface surface = sphere(1, with_sources());
+  const auto mesh = mesh_of(surface, 8);
+  std::vector<Continuity> classes(12, Continuity::g2);
+  classes[3] = Continuity::g0;
+  classes[5] = classes[7] = Continuity::g1;
+  const auto marks = edge_marks(*mesh, classes);
+  EXPECT_EQ(marks->classes[0].curves, 1U);
+  EXPECT_EQ(marks->classes[1].curves, 2U);
+  EXPECT_EQ(marks->classes[2].curves, 9U);
+  for (const auto& one : marks->classes) {
+    ASSERT_EQ(one.segments.size(), 8 * one.curves);
+    ASSERT_EQ(one.lengths.size(), one.segments.size());
+    for (std::size_t i = 0; i < one.lengths.size(); ++i) {
+      EXPECT_LT(one.lengths[i][0], one.lengths[i][1]);
+      if (i % 8 == 0) EXPECT_EQ(one.lengths[i][0], 0.0F) << "each curve begins anew";
+      if (i % 8 == 7) EXPECT_NEAR(double(one.lengths[i][1]), std::numbers::pi / 2, 0.01) << "a quarter";
+    }
+  }
+  const auto inner = edge_marks(*mesh_of(sphere(1), 4), std::vector<Continuity>(12, Continuity::g1));
+  EXPECT_TRUE(inner->classes[1].segments.empty()) << "edges inside source elements have no marks";
+}
+
+TEST(SurfaceLines, CombsKeepFeetTeethAndSizes) {
+  const CurvatureCombs combs = curvature_combs(torus(3, 1, 5, 4, with_sources()), 6);
+  const auto lines = comb_lines(combs, {1, 2, 3});
+  EXPECT_EQ(lines->origin, Vector3(1, 2, 3));
+  EXPECT_EQ(lines->density, 6);
+  ASSERT_EQ(lines->teeth.size(), combs.teeth.size());
+  for (std::size_t i = 0; i < combs.teeth.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(double(lines->teeth[i][std::size_t(k)]), combs.points[i][k], 1e-6);
+      EXPECT_NEAR(double(lines->teeth[i][std::size_t(k) + 3]), combs.teeth[i][k], 1e-6);
+    }
+  EXPECT_NEAR(lines->greatest, 1, 1e-9) << "round the tube";
+  EXPECT_GE(lines->greatest, lines->typical);
+}
+
+}  // namespace
+}  // namespace hariko

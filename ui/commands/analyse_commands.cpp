@@ -1,0 +1,202 @@
+// Commands that show how good a surface is, and how it is shown.
+
+#include <algorithm>
+#include <array>
+
+#include "core/document/edits.hpp"
+#include "ui/commands/command_host.hpp"
+
+namespace hariko {
+
+namespace {
+
+using Change = std::function<void(DisplaySettings&)>;
+
+void change_display(Editor& editor, const std::string& step, const Change& change) {
+  const Object* object = editor.active_object();
+  if (!object) return;
+  DisplaySettings display = object->display;
+  change(display);
+  editor.commit(set_display(editor.history.current(), object->id, display), step);
+}
+
+template <class Get>
+std::function<bool()> shows(const Editor& editor, Get get) {
+  return [&editor, get] {
+    const Object* object = editor.active_object();
+    return object && get(object->display);
+  };
+}
+
+void add_maps(CommandHost& host, const WhyNot& why_not) {
+  struct Entry {
+    const char *id, *label, *help, *keys;
+    SurfaceMap map;
+  };
+  static const std::array<Entry, surface_map_count> entries{{
+      {"analyse.shaded", "Shaded", "Show the surface in its material.", "", SurfaceMap::shaded},
+      {"analyse.zebra", "Zebra", "Reflect stripes in the surface: kinks in them show jumps of curvature.",
+       "Alt+Z", SurfaceMap::zebra},
+      {"analyse.isophotes", "Isophotes", "Show bands of equal angle to a direction.", "",
+       SurfaceMap::isophotes},
+      {"analyse.gauss", "Gaussian curvature", "Colour the surface by its Gaussian curvature.", "",
+       SurfaceMap::gaussian},
+      {"analyse.mean", "Mean curvature", "Colour the surface by its mean curvature.", "", SurfaceMap::mean},
+      {"analyse.k1", "Greatest curvature", "Colour the surface by its greatest curvature.", "",
+       SurfaceMap::principal_max},
+      {"analyse.k2", "Least curvature", "Colour the surface by its least curvature.", "",
+       SurfaceMap::principal_min},
+      {"analyse.continuity", "Continuity", "Colour the edges by how much curvature jumps across them.", "",
+       SurfaceMap::continuity},
+      {"analyse.patches", "Patches", "Give each patch a colour.", "", SurfaceMap::patches},
+  }};
+  for (const Entry& entry : entries) {
+    const SurfaceMap map = entry.map;
+    host.table.add({entry.id, "Analyse", entry.label, entry.help, entry.keys, "", true, false,
+                    [&editor = host.editor, map, label = std::string(entry.label)] {
+                      change_display(editor, fill(translatable("Map {0}"), {label}),
+                                     [map](DisplaySettings& d) { d.map = map; });
+                    },
+                    why_not, shows(host.editor, [map](const DisplaySettings& d) { return d.map == map; })});
+  }
+}
+
+void add_switches(CommandHost& host, const WhyNot& why_not) {
+  Editor& editor = host.editor;
+  const auto flag = [&](const char* id, const char* menu, const char* label, const char* help,
+                        const char* keys, const char* step, bool& (*get)(DisplaySettings&), bool first) {
+    host.table.add({id, menu, label, help, keys, "", true, first,
+                    [&editor, get, step] {
+                      change_display(editor, step, [get](DisplaySettings& d) { get(d) = !get(d); });
+                    },
+                    why_not, shows(editor, [get](DisplaySettings d) { return get(d); })});
+  };
+  flag(
+      "analyse.combs", "Analyse", "Curvature combs", "Show teeth as long as the network's curves are curved.",
+      "Alt+C", "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; }, true);
+  flag(
+      "analyse.marks", "Analyse", "Edge continuity", "Mark the edges by their continuity: G0, G1, G2.",
+      "Alt+E", "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; }, false);
+  flag(
+      "analyse.tensions", "Analyse", "Tensions", "Show tensions as colours and numbers.", "Alt+T",
+      "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; }, false);
+  flag(
+      "show.surface", "View/Show", "Surface", "Show the surface.", "", "Show surface",
+      [](DisplaySettings& d) -> bool& { return d.surface; }, false);
+  flag(
+      "show.polyhedron", "View/Show", "Polyhedron", "Show the polyhedron.", "", "Show polyhedron",
+      [](DisplaySettings& d) -> bool& { return d.polyhedron; }, false);
+  flag(
+      "show.network", "View/Show", "Network", "Show the curves over the edges.", "", "Show network",
+      [](DisplaySettings& d) -> bool& { return d.network; }, false);
+  flag(
+      "show.points", "View/Show", "Points", "Show the vertices.", "", "Show points",
+      [](DisplaySettings& d) -> bool& { return d.points; }, false);
+}
+
+void add_combs(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot polyhedron = needs_polyhedron(editor);
+  const WhyNot why_not = [&editor, polyhedron]() -> Reason {
+    if (auto reason = polyhedron()) return reason;
+    if (!editor.active_object()->display.combs.shown)
+      return translatable("The curvature combs are not shown.");
+    return {};
+  };
+  const auto add = [&](const char* id, const char* label, const char* help, double scale, int density) {
+    host.table.add({id, "Analyse/Combs", label, help, "", "", true, false,
+                    [&editor, scale, density] {
+                      change_display(editor, "Curvature combs", [scale, density](DisplaySettings& d) {
+                        d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale,
+                                                   CombSettings::max_scale);
+                        const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
+                        if (density != 0)
+                          d.combs.density =
+                              std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
+                      });
+                    },
+                    why_not});
+  };
+  add("analyse.combs_longer", "Longer teeth", "Double the length of the teeth.", 2, 0);
+  add("analyse.combs_shorter", "Shorter teeth", "Halve the length of the teeth.", 0.5, 0);
+  add("analyse.combs_denser", "More teeth", "Double the number of teeth.", 1, 1);
+  add("analyse.combs_sparser", "Fewer teeth", "Halve the number of teeth.", 1, -1);
+}
+
+void add_materials(CommandHost& host, const WhyNot& why_not) {
+  struct Entry {
+    const char *id, *label;
+    Material material;
+  };
+  static constexpr std::array<Entry, material_count> entries{{
+      {"material.clay", "Clay", Material::clay},
+      {"material.porcelain", "Porcelain", Material::porcelain},
+      {"material.metal", "Metal", Material::metal},
+      {"material.wax", "Wax", Material::wax},
+      {"material.rubber", "Rubber", Material::rubber},
+      {"material.plastic", "Plastic", Material::plastic},
+  }};
+  for (const Entry& entry : entries) {
+    const Material material = entry.material;
+    host.table.add(
+        {entry.id, "View/Material", entry.label, "Show the surface in this material.", "", "", true, false,
+         [&editor = host.editor, material] {
+           change_display(editor, "Material", [material](DisplaySettings& d) {
+             d = with_material(d, material);
+             d.map = SurfaceMap::shaded;
+           });
+         },
+         why_not,
+         shows(host.editor, [material](const DisplaySettings& d) { return d.material == material; })});
+  }
+}
+
+void add_view_switches(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  host.table.add({"analyse.section", "Analyse", "Section plane", "Cut surfaces away beyond a plane.", "Alt+S",
+                  "", false, true,
+                  [&editor] {
+                    ViewSettings::Section& section = editor.view.section;
+                    section.shown = !section.shown;
+                    Box3 box;
+                    for (const auto& object : editor.document().objects)
+                      if (object->visible) box.extend(world_box(*object));
+                    const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
+                                                             section.offset <= box.max()[section.axis]);
+                    if (section.shown && outside) section.offset = box.center()[section.axis];
+                  },
+                  document, [&editor] { return editor.view.section.shown; }});
+  host.table.add({"analyse.section_flip", "Analyse", "Other side of the section",
+                  "Keep the half that the section plane cuts away.", "", "", false, false,
+                  [&editor] { editor.view.section.flipped = !editor.view.section.flipped; },
+                  [&editor]() -> Reason {
+                    if (editor.view.section.shown) return {};
+                    return translatable("There is no section plane. Choose Section plane first.");
+                  },
+                  [&editor] { return editor.view.section.flipped; }});
+  host.table.add({"analyse.colour_blind",
+                  "Analyse",
+                  "Colour-blind-safe maps",
+                  "Colour maps so that all kinds of colour vision can read them.",
+                  "",
+                  "",
+                  false,
+                  true,
+                  [&editor] { editor.settings.colour_blind_maps = !editor.settings.colour_blind_maps; },
+                  {},
+                  [&editor] { return editor.settings.colour_blind_maps; }});
+}
+
+}  // namespace
+
+void add_analyse_commands(CommandHost& host) {
+  const WhyNot why_not = needs_polyhedron(host.editor);
+  add_maps(host, why_not);
+  add_switches(host, why_not);
+  add_combs(host);
+  add_view_switches(host);
+  add_materials(host, why_not);
+}
+
+}  // namespace hariko

@@ -1,0 +1,340 @@
+#include "ui/panels/legend.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/document/edits.hpp"
+#include "render/tension_colors.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr float bar_height = 150, bar_width = 14, histogram_width = 36;
+
+ImU32 to_imgui(const Color& c) {
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
+}
+
+constexpr std::array mode_names{translatable("Symmetric"), translatable("Percentile"), translatable("Full"),
+                                translatable("Typed")};
+
+void set_range(PanelContext& context, const Object& object, const MapRange& range) {
+  DisplaySettings display = object.display;
+  range_of(display, display.map) = range;
+  context.editor.commit(set_display(context.editor.history.current(), object.id, display),
+                        "Range of the map");
+}
+
+/// An end of the range: a label that a click turns into a field.
+void range_end(PanelContext& context, const Object& object, const ValueRange& shown, bool high) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID editing = ImGui::GetID(high ? "edit_high" : "edit_low");
+  const double value = high ? shown.high : shown.low;
+  const float width = context.metrics.px(96);
+  const std::string mark = high ? "legend.high" : "legend.low";
+  constexpr int opened = 1, open = 2;
+  if (const int phase = storage.GetInt(editing); phase != 0) {
+    ImGui::SetNextItemWidth(width);
+    double typed = value;
+    if (phase == opened) {
+      ImGui::SetKeyboardFocusHere();
+      storage.SetInt(editing, open);
+    }
+    if (ImGui::InputDouble(high ? "##high" : "##low", &typed, 0, 0, "%.6g",
+                           ImGuiInputTextFlags_AutoSelectAll))
+      context.state.typed = typed;
+    context.marks.item(mark);
+    if (ImGui::IsItemDeactivated()) {
+      if (ImGui::IsItemDeactivatedAfterEdit()) {
+        MapRange range{RangeMode::manual, shown.low, shown.high};
+        (high ? range.high : range.low) = context.state.typed;
+        set_range(context, object, range);
+      }
+      storage.SetInt(editing, 0);
+    }
+    return;
+  }
+  const std::string label = format_number(value, 4);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton(high ? "high" : "low", {width, ImGui::GetTextLineHeight()})) {
+    storage.SetInt(editing, opened);
+    context.state.typed = value;
+  }
+  context.marks.item(mark);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) ImGui::SetTooltip("%s", context.tr("Click to type; right click resets"));
+  ImGui::GetWindowDrawList()->AddText(at, hovered ? palette().secondary : palette().text, label.c_str());
+}
+
+void draw_bar(PanelContext& context, SurfaceMap map, const SurfaceView& view) {
+  const Metrics& m = context.metrics;
+  const ColorScale scale = scale_for(map, view.range, context.editor.settings.colour_blind_maps);
+  const float height = m.px(bar_height), width = m.px(bar_width);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({m.px(150), height});
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const auto y_of = [&](double fraction) { return low.y + height * static_cast<float>(1 - fraction); };
+  const auto colour = [&](double fraction) {
+    const double value = view.range.low + fraction * (view.range.high - view.range.low);
+    return to_imgui(color_at(scale, scale_fraction(scale, view.range, value)));
+  };
+  constexpr int parts = 64;
+  for (int i = 0; i < parts; ++i) {
+    const double a = double(i) / parts, b = double(i + 1) / parts;
+    draw.AddRectFilledMultiColor({low.x, y_of(b)}, {low.x + width, y_of(a)}, colour(b), colour(b), colour(a),
+                                 colour(a));
+  }
+  const std::size_t bins = view.histogram.size();
+  const ImU32 grey = with_alpha(palette().text, 0.32F);
+  for (std::size_t i = 0; i < bins; ++i)
+    draw.AddRectFilled(
+        {low.x + width + m.px(4), y_of(double(i + 1) / double(bins))},
+        {low.x + width + m.px(4) + view.histogram[i] * m.px(histogram_width), y_of(double(i) / double(bins))},
+        grey);
+  const float half = ImGui::GetTextLineHeight() / 2;
+  for (const Tick& tick : legend_ticks(view.range)) {
+    const float y = y_of(tick.fraction);
+    draw.AddLine({low.x + width - m.px(4), y}, {low.x + width, y}, IM_COL32(0, 0, 0, 160));
+    if (tick.fraction < 0.06 || tick.fraction > 0.94) continue;  // the ends have their own numbers
+    draw.AddText({low.x + width + m.px(histogram_width + 12), y - half}, palette().text, tick.label.c_str());
+  }
+}
+
+void range_menu(PanelContext& context, const Object& object) {
+  const MapRange& range = range_of(object.display, object.display.map);
+  const std::string label =
+      std::string(context.tr(mode_names[static_cast<std::size_t>(range.mode)])) + "##mode";
+  if (ImGui::SmallButton(label.c_str())) ImGui::OpenPopup("range_modes");
+  context.marks.item("legend.mode");
+  if (!ImGui::BeginPopup("range_modes")) return;
+  for (std::size_t i = 0; i < mode_names.size(); ++i) {
+    if (ImGui::MenuItem(context.tr(mode_names[i]), nullptr, i == static_cast<std::size_t>(range.mode))) {
+      MapRange changed = range;
+      changed.mode = static_cast<RangeMode>(i);
+      set_range(context, object, changed);
+    }
+    context.marks.item("legend.mode." + std::to_string(i));
+  }
+  ImGui::EndPopup();
+}
+
+void map_section(PanelContext& context, const Object& object, const SurfaceView& view) {
+  const SurfaceMap map = object.display.map;
+  std::string title = context.tr(std::string(title_of(map)));
+  const std::string unit = unit_of(map, to_string(context.editor.document().unit));
+  if (!unit.empty()) title += "  " + unit;
+  ImGui::TextUnformatted(title.c_str());
+  range_end(context, object, view.range, true);
+  draw_bar(context, map, view);
+  range_end(context, object, view.range, false);
+  range_menu(context, object);
+  if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+      ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    MapRange reset = range_of(object.display, map);
+    reset.mode = RangeMode::symmetric;
+    set_range(context, object, reset);
+  }
+}
+
+void marks_section(PanelContext& context, const EdgeMarks* marks) {
+  if (!marks) {
+    ImGui::TextDisabled("%s", context.tr("Measuring the edges\u2026"));
+    return;
+  }
+  const Metrics& m = context.metrics;
+  static constexpr std::array names{"G0", "G1", "G2"};
+  static constexpr std::array meanings{translatable("kink"), translatable("curvature jumps"),
+                                       translatable("curvature runs on")};
+  static constexpr std::array<float, 3> widths{4.4F, 3.2F, 1.8F};
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float length = m.px(34), y = at.y + ImGui::GetTextLineHeight() / 2;
+    ImGui::Dummy({length + m.px(6), ImGui::GetTextLineHeight()});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 colour = to_imgui(mark_color(static_cast<Continuity>(k)));
+    // As the picture draws them: G1 is dashed.
+    const float dash = k == 1 ? m.px(9) : length, step = k == 1 ? m.px(12.5F) : length;
+    for (float x = 0; x < length; x += step)
+      draw.AddLine({at.x + x, y}, {at.x + std::min(x + dash, length), y}, colour, m.px(widths[k]));
+    ImGui::SameLine(0, 0);
+    ImGui::Text("%s  %zu", names[k], marks->classes[k].curves);
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", context.tr(meanings[k]));
+  }
+  const ContinuityTolerance& tolerance = context.editor.view.tolerance;
+  ImGui::TextDisabled("\u2264 %s\u00b0, %s %%", format_number(tolerance.angle, 3).c_str(),
+                      format_number(100 * tolerance.curvature, 3).c_str());
+}
+
+void combs_section(PanelContext& context, const CombLines& combs) {
+  const std::string unit = "1/" + std::string(to_string(context.editor.document().unit));
+  ImGui::Text("%s  %s %s", context.tr("Longest tooth"), format_number(combs.greatest, 3).c_str(),
+              unit.c_str());
+}
+
+void tensions_section(PanelContext& context) {
+  const Metrics& m = context.metrics;
+  ImGui::TextUnformatted(context.tr("Tension"));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = m.px(150), height = m.px(10);
+  ImGui::Dummy({width, height});
+  constexpr int parts = 30;
+  for (int i = 0; i < parts; ++i) {
+    const double place = (2 * (i + 0.5) / parts) - 1;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {at.x + width * static_cast<float>(i) / parts, at.y},
+        {at.x + width * static_cast<float>(i + 1) / parts, at.y + height}, to_imgui(tension_color(place)));
+  }
+  ImGui::TextDisabled("%s", context.tr("loose"));
+  const char* tight = context.tr("tight");
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - ImGui::CalcTextSize(tight).x);
+  ImGui::TextDisabled("%s", tight);
+}
+
+/// Rectangles that labels occupy already.
+class Room {
+ public:
+  bool take(const ImVec2& low, const ImVec2& high) {
+    for (const auto& [a, b] : taken_)
+      if (low.x < b.x && high.x > a.x && low.y < b.y && high.y > a.y) return false;
+    taken_.push_back({low, high});
+    return true;
+  }
+  std::size_t size() const { return taken_.size(); }
+
+ private:
+  std::vector<std::pair<ImVec2, ImVec2>> taken_;
+};
+
+struct NumberLabel {
+  Vector3 world;
+  double value;
+  double place;  ///< of the tension's colour
+  const char* letter;
+};
+
+std::vector<NumberLabel> labels_of(const Object& object) {
+  const PolyhedronSource& source = *object.polyhedron();
+  const Polyhedron& polyhedron = source.polyhedron;
+  const Shaping& shaping = *source.shaping;
+  constexpr Index few = 40;
+  const bool all = polyhedron.vertex_count() + polyhedron.edge_count() <= few;
+  const Matrix4 to_world = matrix_of(object.transform);
+  const auto world = [&](const Vector3& local) -> Vector3 {
+    return to_world.topLeftCorner<3, 3>() * (source.origin + local) + to_world.topRightCorner<3, 1>();
+  };
+  std::vector<NumberLabel> labels;
+  const auto add_vertex = [&](Index v, double alpha) {
+    labels.push_back({world(polyhedron.position(v)), alpha, alpha_place(alpha), "\u03b1 "});
+  };
+  const auto add_edge = [&](Index e, double beta) {
+    const Index h = polyhedron.topology().half_edge_of_edge(e);
+    labels.push_back({world((polyhedron.position(polyhedron.topology().origin(h)) +
+                             polyhedron.position(polyhedron.topology().target(h))) /
+                            2),
+                      beta, beta_place(beta), "\u03b2 "});
+  };
+  if (all) {
+    for (Index v = 0; v < polyhedron.vertex_count(); ++v)
+      add_vertex(v, shaping.alpha.get_or(polyhedron.vertex_id(v), 0));
+    for (Index e = 0; e < polyhedron.edge_count(); ++e)
+      add_edge(e, shaping.beta.get_or(polyhedron.edge_id(e), 1));
+    return labels;
+  }
+  for (const auto& [id, alpha] : shaping.alpha)
+    if (const Index v = polyhedron.find(id); v != no_index && alpha != 0) add_vertex(v, alpha);
+  for (const auto& [id, beta] : shaping.beta)
+    if (const Index e = polyhedron.find(id); e != no_index && beta != 1) add_edge(e, beta);
+  return labels;
+}
+
+}  // namespace
+
+void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBuilder& scene) {
+  const Object* found = context.editor.active_object();
+  const SurfaceView* view = found ? context.editor.view_of(found->id) : nullptr;
+  if (!view || !view->mesh || !found->visible || !found->polyhedron()) return;
+  // Edits replace the document while the legend draws itself.
+  const auto object = context.editor.document().find_shared(found->id);
+  const DisplaySettings& display = object->display;
+  const bool map = has_values(display.map) && view->object->display.map == display.map;
+  const bool combs = display.combs.shown && view->combs;
+  if (!map && !combs && !display.marks && !display.tensions) return;
+  const EdgeMarks* marks = nullptr;
+  for (std::size_t i = 0; i < scene.scene().objects.size(); ++i)
+    if (scene.object_id(i) == object->id) marks = scene.scene().objects[i].marks.get();
+
+  const Metrics& m = context.metrics;
+  ImGui::SetNextWindowPos({viewport.min.x + m.px(8), viewport.max.y - m.px(8)}, ImGuiCond_Always, {0, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(m.px(10), m.px(8)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, m.px(6));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().overlay);
+  ImGui::Begin("##legend", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_AlwaysAutoResize);
+  bool first = true;
+  const auto section = [&](bool shown, auto&& draw) {
+    if (!shown) return;
+    if (!first) ImGui::Dummy({0, m.px(4)});
+    first = false;
+    draw();
+  };
+  section(display.tensions, [&] { tensions_section(context); });
+  section(combs, [&] { combs_section(context, *view->combs); });
+  section(display.marks, [&] { marks_section(context, marks); });
+  section(map, [&] { map_section(context, *object, *view); });
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera) {
+  const Editor& editor = context.editor;
+  constexpr std::size_t most = 400;
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  const Projector projector(camera, {std::max(1, static_cast<int>(view.width() * scale.x)),
+                                     std::max(1, static_cast<int>(view.height() * scale.y))});
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Metrics& m = context.metrics;
+  Room room;
+  for (const auto& object : editor.document().objects) {
+    if (!object->visible || !object->polyhedron() || !object->display.tensions || !object->display.polyhedron)
+      continue;
+    struct Seen {
+      NumberLabel label;
+      Vector3 at;
+    };
+    std::vector<Seen> seen;
+    for (const NumberLabel& label : labels_of(*object))
+      if (const auto at = projector.project(label.world)) seen.push_back({label, *at});
+    if (seen.empty()) continue;
+    // The nearest have room first; those of the far half are pale.
+    std::stable_sort(seen.begin(), seen.end(),
+                     [](const Seen& a, const Seen& b) { return a.at.z() < b.at.z(); });
+    const double middle = (seen.front().at.z() + seen.back().at.z()) / 2;
+    for (const Seen& one : seen) {
+      if (room.size() >= most) break;
+      const std::string text = one.label.letter + format_number(one.label.value, 3);
+      const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+      const ImVec2 at(view.min.x + static_cast<float>(one.at.x()) / scale.x + m.px(8),
+                      view.min.y + static_cast<float>(one.at.y()) / scale.y - size.y - m.px(4));
+      const ImVec2 low(at.x - m.px(4), at.y - m.px(1)),
+          high(at.x + size.x + m.px(4), at.y + size.y + m.px(1));
+      if (high.x < view.min.x || low.x > view.max.x || high.y < view.min.y || low.y > view.max.y) continue;
+      if (!room.take(low, high)) continue;
+      const float strength = one.at.z() <= middle ? 1.0F : 0.45F;
+      draw.AddRectFilled(low, high, with_alpha(palette().window, 0.78F * strength), m.px(4));
+      if (one.label.place != 0)
+        draw.AddRectFilled(low, {low.x + m.px(3), high.y},
+                           with_alpha(to_imgui(tension_color(one.label.place)), strength), m.px(2));
+      draw.AddText(at, with_alpha(one.label.place != 0 ? palette().text : palette().dim_text, strength),
+                   text.c_str());
+    }
+  }
+}
+
+}  // namespace hariko
