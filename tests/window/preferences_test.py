@@ -29,18 +29,18 @@ def preferences(program, source, output):
     window = Window(program, os.path.join(source, "assets", "samples", "cube.hariko"))
     try:
         window.key("ctrl+comma")
-        dark = os.path.join(output, "preferences_dark.png")
-        light = os.path.join(output, "preferences_light.png")
+        picture = os.path.join(output, "preferences.png")
+
+        def shade():
+            window.screenshot(picture)
+            return brightness(picture, window.rect("preferences"))
+
         window.rect("preferences")
-        window.wait_idle()
-        window.screenshot(dark)
+        window.wait(lambda: shade() < 0.3, "a dark window")
         window.click_on("preferences.theme.light")
-        window.wait_idle()
-        window.screenshot(light)
-        page = window.rect("preferences")
-        check(brightness(dark, page) < 0.3 and brightness(light, page) > 0.7,
-              f"the theme did not change: {brightness(dark, page)}, {brightness(light, page)}")
+        window.wait(lambda: shade() > 0.7, "a light window")
         window.click_on("preferences.theme.dark")
+        window.wait(lambda: shade() < 0.3, "a dark window again")
 
         # Scale: everything grows by it, and still fits.
         width = window.rect("button.select.edges")[2]

@@ -27,6 +27,7 @@ void CommandPalette::open() {
   accept_ = false;
   text_.clear();
   selected_ = step_ = 0;
+  row_count_ = rows_shown;
 }
 
 void CommandPalette::key(const KeyChord& chord) {
@@ -67,11 +68,10 @@ std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& contex
 void CommandPalette::draw(PanelContext& context, float top) {
   const Metrics& m = context.metrics;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const auto found = open_ ? rows(context) : std::vector<Row>();
   const float wide = std::min(m.px(width), screen.x - m.px(32));
   const float field = m.px(52), footer = m.px(8);
   const auto fitting = static_cast<int>((screen.y - top - m.px(32) - field - footer) / m.px(row_height));
-  const int shown = std::clamp(static_cast<int>(found.size()), 1, std::min(rows_shown, std::max(1, fitting)));
+  const int shown = std::clamp(row_count_, 1, std::min(rows_shown, std::max(1, fitting)));
   const float left = (screen.x - wide) / 2,
               height = field + footer + m.px(row_height) * static_cast<float>(shown);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(m.px(8), m.px(10)));
@@ -93,6 +93,9 @@ void CommandPalette::draw(PanelContext& context, float top) {
   }
   ImGui::PopStyleVar();
   context.marks.item("palette.input");
+  // After the text took what was typed: Enter may have come in the same frame.
+  const auto found = rows(context);
+  row_count_ = static_cast<int>(found.size());
   if (step_ != 0) {
     selected_ += step_;
     scroll_ = true;
