@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -124,11 +125,21 @@ class Application {
     if (window_.set_appearance(settings.theme, settings.interface_scale))
       frames_ = frames_after_input;  // sizes settle again
     text_.update(editor_, window_);
+    const auto start = std::chrono::steady_clock::now();
+    const bool measured = editor_.frame_times.visible;
     window_.begin_frame();
     workbench_.frame();
-    window_.end_frame();
+    const GlWindow::FrameEnd end = window_.end_frame(measured);
     // Edits of this frame go to the worker at once, so that the next frame may show their surface.
-    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now);
+    Recompute& recompute = editor_.recompute;
+    if (std::exchange(recompute.wants_cancel, false)) engine_.cancel_all();
+    if (std::exchange(recompute.wants_now, false)) engine_.recompute_outdated();
+    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, recompute.policy);
+    if (auto outdated = engine_.outdated(); outdated != recompute.outdated) {
+      recompute.outdated = std::move(outdated);
+      frames_ = std::max(frames_, 1);
+    }
+    if (measured) measure_frame(start, end);
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
@@ -147,6 +158,28 @@ class Application {
     recorder_.reset();
     editor_.notify(Notice::Kind::error, fill(editor_.language("{0} cannot be written: nothing is recorded."),
                                              {options.record.string()}));
+  }
+
+  void measure_frame(std::chrono::steady_clock::time_point start, const GlWindow::FrameEnd& end) {
+    const double total =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double renderer = end.drawing + workbench_.viewport().picture_milliseconds();
+    editor_.frame_times.add({std::max(0.0, total - renderer - end.showing), renderer});
+    const Object* object = editor_.active_object();
+    const SurfaceView* shown = object ? editor_.view_of(object->id) : nullptr;
+    // The surface that this frame showed answers what was dragged then.
+    while (shown && !dragged_.empty()) {
+      const auto found = std::find_if(dragged_.begin(), dragged_.end(),
+                                      [&](const auto& entry) { return entry.first == shown->object; });
+      if (found == dragged_.end()) break;
+      editor_.frame_times.add_latency(1000 * (window_.now() - found->second));
+      dragged_.erase(dragged_.begin(), found + 1);
+    }
+    if (!editor_.history.in_gesture()) return dragged_.clear();
+    const auto& input = window_.input();
+    if (input.empty() || !object) return;
+    for (const auto& candidate : editor_.document().objects)
+      if (candidate.get() == object) dragged_.emplace_back(candidate, input.front().came_at);
   }
 
   /// Gives the window what the replay says that the user does now.
@@ -301,6 +334,8 @@ class Application {
   WorkLane::Key next_job_ = 0;
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
+  /// Objects as drags made them, with the time of the pointer event; until their surface shows.
+  std::deque<std::pair<std::shared_ptr<const Object>, double>> dragged_;
   std::optional<ReplayRecorder> recorder_;
   std::optional<ReplayPlayer> player_;
   std::chrono::steady_clock::time_point played_at_ = std::chrono::steady_clock::now();

@@ -15,8 +15,8 @@ struct WindowOptions {
   double scale = 0;  ///< of the interface instead of the monitor's; 0 for the monitor's
 };
 
-/// Opens the window and runs until it is closed. Gives the exit code: of a replay 1 when it ended otherwise than
-/// it was recorded.
+/// Opens the window and runs until it is closed. Gives the exit code: of a replay 1 when it ended otherwise
+/// than it was recorded.
 int run_window(const WindowOptions& options);
 
 }  // namespace hariko

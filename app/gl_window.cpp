@@ -39,6 +39,7 @@ struct GlWindow::State {
   /// What the user does; a replay is not disturbed by it.
   void from_user(InputEvent event) {
     redraw = true;
+    event.came_at = glfwGetTime();
     if (!replayed_now || event.kind == InputEvent::Kind::close) queue.push(std::move(event));
   }
 
@@ -297,8 +298,9 @@ void GlWindow::begin_frame() {
   ImGui::NewFrame();
 }
 
-void GlWindow::end_frame() {
+GlWindow::FrameEnd GlWindow::end_frame(bool measure) {
   ImGui::Render();
+  const double start = glfwGetTime();
   int width = 0, height = 0;
   glfwGetFramebufferSize(state_->window, &width, &height);
   glViewport(0, 0, width, height);
@@ -306,7 +308,10 @@ void GlWindow::end_frame() {
   glClearColor(clear.x, clear.y, clear.z, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (measure) glFinish();
+  const double drawn = glfwGetTime();
   glfwSwapBuffers(state_->window);
+  return {1000 * (drawn - start), 1000 * (glfwGetTime() - drawn)};
 }
 
 std::vector<KeyPress> GlWindow::take_keys() {

@@ -45,7 +45,12 @@ class GlWindow {
   /// Colours and size from the next frame on; between frames only. True when something changed.
   bool set_appearance(ThemeId theme, float interface_scale);
   void begin_frame();
-  void end_frame();
+  /// Milliseconds: OpenGL drawing the interface, and showing the frame, which may wait for the screen.
+  struct FrameEnd {
+    double drawing = 0, showing = 0;
+  };
+  /// When `measure`, waits until OpenGL is finished.
+  FrameEnd end_frame(bool measure = false);
 
   std::vector<KeyPress> take_keys();
   std::vector<std::filesystem::path> take_drops();

@@ -42,7 +42,10 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
 std::vector<InputEvent> InputQueue::take() {
   std::vector<InputEvent> batch;
   while (!waiting_.empty() && fits(batch, waiting_.front())) {
-    if (is_move(waiting_.front()) && !batch.empty()) batch.pop_back();
+    if (is_move(waiting_.front()) && !batch.empty()) {
+      waiting_.front().came_at = batch.back().came_at;
+      batch.pop_back();
+    }
     batch.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
     if (batch.back().kind >= Kind::focus) break;

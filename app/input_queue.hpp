@@ -21,6 +21,8 @@ struct InputEvent {
   int modifiers = 0;      ///< of `button` and `key`
   std::vector<std::filesystem::path> paths = {};  ///< of `drop`
 
+  double came_at = 0;  ///< when; of moves that were left out the first
+
   friend bool operator==(const InputEvent&, const InputEvent&) = default;
 };
 

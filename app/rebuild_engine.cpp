@@ -31,13 +31,17 @@ RebuildEngine::RebuildEngine(MakeBuilder make_builder, std::function<void()> wak
       on_published_(std::move(on_published)),
       lane_(std::move(wake)) {}
 
-void RebuildEngine::sync(const Document& document, bool in_gesture, double now) {
+void RebuildEngine::sync(const Document& document, bool in_gesture, double now, RecomputePolicy policy) {
+  const bool paused =
+      policy == RecomputePolicy::manual || (policy == RecomputePolicy::on_release && in_gesture);
   for (const auto& object : document.objects) {
     if (!object->visible || !has_surface(*object)) continue;
     Track& track = tracks_[object->id];
     const bool changed =
         !track.requested || (track.requested != object && !same_view(*track.requested, *object));
-    if (changed) {
+    if (changed && paused && track.requested && !track.forced) {
+      track.outdated = true;
+    } else if (changed || track.forced) {
       // The first surface of an object is final even when it appears within a gesture.
       request(track, object, in_gesture && track.requested ? Quality::drag : Quality::final, now);
     } else {
@@ -56,6 +60,27 @@ void RebuildEngine::sync(const Document& document, bool in_gesture, double now) 
     views_.erase(it->first);
     it = tracks_.erase(it);
   }
+}
+
+void RebuildEngine::cancel_all() {
+  for (auto& [id, track] : tracks_) {
+    if (!track.pending) continue;
+    lane_.cancel(surface_key(id));
+    track.pending = false;
+    track.outdated = true;
+    track.quality = Quality::final;  // no final surface follows by itself
+  }
+}
+
+void RebuildEngine::recompute_outdated() {
+  for (auto& [id, track] : tracks_) track.forced = track.forced || track.outdated;
+}
+
+std::set<ObjectId> RebuildEngine::outdated() const {
+  std::set<ObjectId> out;
+  for (const auto& [id, track] : tracks_)
+    if (track.outdated && !track.forced) out.insert(id);
+  return out;
 }
 
 void RebuildEngine::reset() {
@@ -78,6 +103,7 @@ void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& o
   track.quality = quality;
   track.requested_at = now;
   track.pending = true;
+  track.outdated = track.forced = false;
   lane_.cancel(measure_key(object->id));
   lane_.submit(
       surface_key(object->id),

@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "app/work_lane.hpp"
 #include "core/document/document.hpp"
+#include "ui/recompute.hpp"
 #include "ui/surface_view.hpp"
 
 namespace hariko {
@@ -35,8 +37,16 @@ class RebuildEngine {
 
   /// Asks for what changed since the last call. In a gesture objects are rebuilt at quality `drag`; `final`
   /// follows when the gesture ends or rests for `rest_seconds`. `now` is any steady clock in seconds.
-  void sync(const Document& document, bool in_gesture, double now);
+  /// The policy may let changes wait; the first surface of an object never does.
+  void sync(const Document& document, bool in_gesture, double now,
+            RecomputePolicy policy = RecomputePolicy::live);
   static constexpr double rest_seconds = 0.4;
+
+  /// Stops rebuilding what is on its way; the last surfaces stay, and count as outdated until the object
+  /// changes or `recompute_outdated`.
+  void cancel_all();
+  /// What is outdated is rebuilt at the next sync.
+  void recompute_outdated();
 
   /// Forgets everything: another document is opened, whose objects may have the same ids.
   void reset();
@@ -49,6 +59,8 @@ class RebuildEngine {
   bool pending(ObjectId id) const;
   double pending_since(ObjectId id) const;
   bool any_pending() const;
+  /// Objects whose surface is older than the document and not being rebuilt.
+  std::set<ObjectId> outdated() const;
 
   /// Waits for the worker; for tests and for shutting down.
   void wait() { lane_.wait(); }
@@ -59,7 +71,7 @@ class RebuildEngine {
     std::shared_ptr<const Object> requested;
     Quality quality = Quality::final;
     double requested_at = 0, stale_since = 0;
-    bool pending = false;
+    bool pending = false, outdated = false, forced = false;
   };
   void request(Track& track, const std::shared_ptr<const Object>& object, Quality quality, double now);
   void take(ObjectId id, SurfaceView view);

@@ -35,9 +35,21 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   notices(editor);
   commands(editor, workbench);
   pictures_ = workbench.viewport().pictures_drawn();
+  if (idle && !idle_) frame_times(editor.frame_times);
   if (idle && !idle_)
     out_ << Json{{"event", "idle"}, {"frames", frames_}, {"pictures", pictures_}}.dump() << std::endl;
   idle_ = idle;
+}
+
+void TestLog::frame_times(const FrameTimes& times) {
+  if (!times.visible) return;
+  Json line{{"event", "frame_times"}};
+  line["frames"] = times.samples().size();
+  line["ours"] = {times.ours(0.5), times.ours(0.95)};
+  line["renderer"] = {times.renderer(0.5), times.renderer(0.95)};
+  line["total"] = {times.total(0.5), times.total(0.95)};
+  line["latency"] = {times.latency(0.5), times.latency(0.95)};
+  out_ << line.dump() << std::endl;
 }
 
 void TestLog::layout(const Workbench& workbench) {

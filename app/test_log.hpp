@@ -24,6 +24,7 @@ class TestLog {
 
  private:
   void layout(const Workbench& workbench);
+  void frame_times(const FrameTimes& times);
   void vertices(const Editor& editor, const Workbench& workbench);
   void history(const Editor& editor);
   void notices(const Editor& editor);

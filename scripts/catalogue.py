@@ -25,6 +25,12 @@ ALLOWED = {
     "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL OFL).",
     "Hariko {0}\n{1}\nGLFW {2}\nDear ImGui {3}",
     "nothing selected",  # of the test log
+    "OpenGL", "k1  k2", "view menu ",
+    # of replays, on stderr
+    "The replay ended otherwise than it was recorded: ", "the program did not come to rest.",
+    "the program was left before the end.", "the document is another one (", " instead of ", "there are ",
+    " steps to undo instead of ", "a number is not finite", "something follows the end", "the scale is out of range",
+    "times descend", "unknown kind \"", "version ", " is unknown",
 }
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",

@@ -18,6 +18,7 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   selection.prune(history.current());
   hovered.reset();
   has_document = true;
+  kept_probe.reset();
   // The views start anew; how they are arranged stays.
   layout.views = ViewLayout().views;
   wants_framing = true;

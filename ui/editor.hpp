@@ -11,10 +11,13 @@
 #include "core/document/edits.hpp"
 #include "core/document/history.hpp"
 #include "render/scene.hpp"
+#include "ui/frame_times.hpp"
 #include "ui/language.hpp"
+#include "ui/recompute.hpp"
 #include "ui/selection.hpp"
 #include "ui/selection_memory.hpp"
 #include "ui/settings.hpp"
+#include "ui/surface_point.hpp"
 #include "ui/surface_view.hpp"
 #include "ui/transform_settings.hpp"
 #include "ui/view_layout.hpp"
@@ -61,6 +64,9 @@ class Editor {
   ViewSettings view;
   TransformSettings transform;
   Settings settings;
+  FrameTimes frame_times;
+  Recompute recompute;
+  std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
   Language language;  ///< the catalogue of settings.language
 
   /// False while the start page shows.

@@ -145,7 +145,8 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     out.range = view->range;
   }
   const auto stale = editor.stale_since.find(object->id);
-  out.dimmed = stale != editor.stale_since.end() && editor.now - stale->second > 0.3;
+  out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
+               editor.recompute.outdated.contains(object->id);
   const ElementSelection& selected = editor.selection.of(object->id);
   out.selected = highlights_of(selected, source->polyhedron);
   if (out.mesh) out.selected_patches = patches_of(*out.mesh, selected.faces);

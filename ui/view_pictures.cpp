@@ -1,12 +1,15 @@
 #include "ui/view_pictures.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace hariko {
 
 void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<const Shown> shown,
                           bool busy) {
   statistics_ = {};
+  const auto start = std::chrono::steady_clock::now();
+  const std::uint64_t before = drawn_;
   for (int view = 0; view < ViewLayout::count; ++view) {
     State& state = states_[static_cast<std::size_t>(view)];
     const bool shows =
@@ -40,6 +43,10 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
     draw(editor, scene, s, samples);
     other_drawn = other_drawn || s.view != editor.layout.active() || samples == full_samples;
   }
+  milliseconds_ = 0;
+  if (!editor.frame_times.visible || drawn_ == before) return;
+  renderer_.finish();
+  milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples) {

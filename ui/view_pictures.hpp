@@ -33,6 +33,8 @@ class ViewPictures {
   /// Seconds until a picture wants another frame without any event; negative when none does.
   double next_frame_in(const Editor& editor, bool busy) const;
   std::uint64_t drawn() const { return drawn_; }
+  /// That the last update took until OpenGL was finished; measured while the overlay of frame times shows.
+  double milliseconds() const { return milliseconds_; }
   /// Of the views drawn in the last update.
   const FrameStatistics& statistics() const { return statistics_; }
 
@@ -52,6 +54,7 @@ class ViewPictures {
   int quick_samples_;
   std::array<State, ViewLayout::count> states_;
   std::uint64_t drawn_ = 0;
+  double milliseconds_ = 0;
   FrameStatistics statistics_;
   int next_other_ = 0;  ///< which of the views that are not active is next on slow renderers
 

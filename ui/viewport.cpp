@@ -215,6 +215,8 @@ void Viewport::show(PanelContext& context, const Place& place) {
     const auto pointer = place.gizmo_hovered ? std::optional(ImGui::GetIO().MousePos) : std::nullopt;
     gizmo_of(context.metrics, place.rect, camera).draw(list, pointer, place.gizmo_hovered);
   }
+  if (active) draw_probe(context, camera, size_of(place), place.rect, pointed_at_);
+  if (active) draw_frame_overlay(context, place.rect);
   draw_view_title(context, place.view, place.rect, place.title_hovered);
   if (active && places_.size() > 1)
     list.AddRect(place.rect.min, place.rect.max,
@@ -237,6 +239,7 @@ void Viewport::handle_pointer(bool hovered) {
   else if (hovered)
     look_for_press(event);
   if (hovered && (io.MouseWheel != 0 || io.MouseWheelH != 0)) wheel(event);
+  pointed_at_.reset();
   if (!tool_) hover(pixel, hovered);
   pointer_ = pixel;
 }
@@ -372,6 +375,7 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
     return;
   }
   const ToolContext context{editor_, scene_};
+  pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
   const auto hit = pick_element(context, pixel);
   editor_.hovered.reset();
   if (hit)

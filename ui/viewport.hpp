@@ -31,8 +31,12 @@ class Viewport {
   bool cancel_tool();
   std::string hint() const;
   const SceneBuilder& scene() const { return scene_; }
+  /// The point of a surface under the pointer, where no tool runs.
+  const std::optional<SurfacePoint>& pointed_at() const { return pointed_at_; }
   /// Seconds until a picture wants another frame without any event; negative when none does.
   double next_frame_in() const;
+  /// Milliseconds that OpenGL took for the pictures of the last frame; measured while the overlay shows.
+  double picture_milliseconds() const { return pictures_.milliseconds(); }
   std::uint64_t pictures_drawn() const { return pictures_.drawn(); }
   /// Where the active view is, in window pixels: tools and commands act there.
   const PanelRect& rect() const { return rect_; }
@@ -74,6 +78,7 @@ class Viewport {
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;
   Vector2 pointer_ = Vector2::Constant(-1);
+  std::optional<SurfacePoint> pointed_at_;
   double wheel_at_ = -1;  ///< when the wheel was turned last
   PanelRect rect_{};
   std::vector<Place> places_;

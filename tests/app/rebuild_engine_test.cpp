@@ -204,5 +204,60 @@ TEST(RebuildEngine, DeletedAndHiddenObjectsArePublishedNoMore) {
   EXPECT_EQ(other.script->builds, 0);
 }
 
+TEST(RebuildEngine, PolicyLetsChangesWait) {
+  Rig rig;
+  Document document = triangle_document();
+  rig.engine.sync(document, false, 0, RecomputePolicy::manual);
+  rig.settle();
+  EXPECT_EQ(rig.script->builds, 1) << "the first surface does not wait";
+  document = moved(document, 1);
+  rig.engine.sync(document, true, 1, RecomputePolicy::on_release);
+  rig.settle();
+  EXPECT_EQ(rig.script->builds, 1);
+  EXPECT_EQ(rig.engine.outdated().size(), 1U);
+  rig.engine.sync(document, false, 2, RecomputePolicy::on_release);
+  rig.settle();
+  EXPECT_EQ(rig.script->builds, 2);
+  EXPECT_TRUE(rig.engine.outdated().empty());
+  document = moved(document, 2);
+  rig.engine.sync(document, false, 3, RecomputePolicy::manual);
+  rig.engine.sync(document, false, 30, RecomputePolicy::manual);
+  rig.settle();
+  EXPECT_EQ(rig.script->builds, 2);
+  EXPECT_FALSE(rig.engine.any_pending());
+  rig.engine.recompute_outdated();
+  rig.engine.sync(document, false, 31, RecomputePolicy::manual);
+  rig.settle();
+  EXPECT_EQ(rig.script->builds, 3);
+  EXPECT_TRUE(rig.engine.outdated().empty());
+}
+
+TEST(RebuildEngine, CancelKeepsTheLastSurfaceUntilAskedAgain) {
+  Rig rig;
+  const Document document = triangle_document();
+  rig.engine.sync(document, false, 0);
+  rig.settle();
+  rig.published.clear();
+  rig.script->hold = true;
+  rig.script->started = false;
+  const Document changed = moved(document, 4);
+  rig.engine.sync(changed, false, 1);
+  while (!rig.script->started) std::this_thread::sleep_for(1ms);
+  rig.engine.cancel_all();
+  EXPECT_FALSE(rig.engine.any_pending());
+  EXPECT_EQ(rig.engine.outdated().size(), 1U);
+  rig.script->hold = false;
+  rig.settle();
+  rig.engine.sync(changed, false, 2);
+  rig.settle();
+  EXPECT_TRUE(rig.published.empty()) << "what was cancelled neither shows nor starts again";
+  rig.engine.recompute_outdated();
+  rig.engine.sync(changed, false, 3);
+  rig.settle();
+  ASSERT_EQ(rig.published.size(), 1U);
+  EXPECT_EQ(rig.published[0].second, Quality::final);
+  EXPECT_TRUE(rig.engine.outdated().empty());
+}
+
 }  // namespace
 }  // namespace hariko

@@ -2,6 +2,7 @@
 
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
+#include "ui/viewport.hpp"
 
 namespace hariko {
 
@@ -89,6 +90,25 @@ void add_view_commands(CommandHost& host) {
   add_side_commands(host);
   add_arrangement_commands(host);
   Editor& editor = host.editor;
+  host.table.add(
+      {"view.keep_probe", "View", "Keep probe",
+       "Keep the readings of the surface under the pointer on the screen; over nothing, let them go.",
+       "Alt+P", "", false, true, [&editor, &host] { editor.kept_probe = host.viewport.pointed_at(); },
+       needs_document(editor), [&editor] { return editor.kept_probe.has_value(); }});
+  host.table.add({"view.frame_times",
+                  "View",
+                  "Frame times",
+                  "Show how long frames take and which part of that is our own work.",
+                  "F12",
+                  "",
+                  false,
+                  false,
+                  [&editor] {
+                    editor.frame_times.clear();
+                    editor.frame_times.visible = !editor.frame_times.visible;
+                  },
+                  {},
+                  [&editor] { return editor.frame_times.visible; }});
   host.table.add({"view.x_ray",
                   "View",
                   "X-ray",

@@ -109,7 +109,7 @@ void draw_view_title(PanelContext& context, int view, const PanelRect& pane, boo
   const View& shown = context.editor.layout.views[static_cast<std::size_t>(view)];
   const bool active = context.editor.layout.active() == view;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(place.min, place.max, IM_COL32(30, 31, 34, hovered ? 230 : 150), m.px(4));
+  list.AddRectFilled(place.min, place.max, palette().overlay, m.px(4));
   const ImU32 colour = active || hovered ? palette().text : palette().dim_text;
   const ImVec2 at(place.min.x + m.px(8), place.min.y + m.px(4));
   list.AddText(at, colour, context.tr(title_of(shown.goal())));

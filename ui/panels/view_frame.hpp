@@ -3,6 +3,7 @@
 // What frames a view's picture: its title with a menu, the scale bar, the border of the active view.
 
 #include "ui/panels/panels.hpp"
+#include "ui/probe.hpp"
 
 namespace hariko {
 
@@ -19,5 +20,12 @@ void draw_view_title(PanelContext& context, int view, const PanelRect& pane, boo
 double scale_bar_length(double longest);
 /// At the lower right, for lengths in the plane of the camera's target.
 void draw_scale_bar(const PanelContext& context, const Camera& camera, const PanelRect& pane);
+
+/// What the surface is under the pointer, while it shows a map, and at Editor::kept_probe.
+void draw_probe(PanelContext& context, const Camera& camera, PixelSize size, const PanelRect& pane,
+                const std::optional<SurfacePoint>& under_pointer);
+
+/// The shares of the last frames, while Editor::frame_times is visible.
+void draw_frame_overlay(const PanelContext& context, const PanelRect& pane);
 
 }  // namespace hariko
