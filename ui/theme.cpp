@@ -88,7 +88,7 @@ double luminance(ImU32 c) {
 Palette palette_of(ThemeId theme) {
   Palette p{};
   if (theme == ThemeId::light) {
-    p.window = rgb(0xe7e9ec), p.panel = rgb(0xf4f5f7), p.popup = rgb(0xfcfcfd);
+    p.window = rgb(0xe7e9ec), p.panel = rgb(0xf4f5f7), p.popup = rgb(0xf1f3f5);
     p.field = rgb(0xffffff), p.field_hover = rgb(0xe9ecf0), p.field_active = rgb(0xdde2e8);
     p.separator = rgb(0xcdd2d8);
     p.text = rgb(0x1f2328), p.dim_text = rgb(0x565d66);
@@ -127,6 +127,8 @@ void apply_theme(ThemeId theme, float scale, Palette& in_use) {
   ImGui::GetIO().UserData = &in_use;
   ImGuiStyle style;
   set_sizes(style, scale);
+  // White fields on a near-white panel need an edge.
+  if (theme == ThemeId::light) style.FrameBorderSize = 1;
   set_colours(style, theme, in_use);
   ImGui::GetStyle() = style;
 }

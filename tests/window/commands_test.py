@@ -27,11 +27,12 @@ def choose(window, command):
     ran."""
     keys(window, "F3")
     window.rect("palette.input")
-    time.sleep(0.1)  # the field takes letters from its second frame on
-    window.xdotool("type", "--delay", "8", text_for(command))
+    window.wait_idle()  # the field takes letters from its second frame on
+    window.xdotool("type", "--delay", "12", text_for(command))
     row = "palette." + command["id"]
     window.wait(lambda: row in window.last("layout")["rects"], f"{command['id']} for {text_for(command)!r}")
-    time.sleep(0.1)
+    time.sleep(0.15)
+    window.wait_idle()  # every letter has arrived
     mark = "palette.selected." + command["id"]
     end = time.monotonic() + 20
     while mark not in window.last("layout")["rects"]:
