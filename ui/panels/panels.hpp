@@ -24,8 +24,9 @@ struct Sample {
 
 /// What panels remember between frames.
 struct PanelState {
-  double typed = 0;        ///< value of the number field being edited
   std::string typed_text;  ///< contents of the text field being edited
+  std::string typed_from;  ///< what the number field held before
+  unsigned typing = 0;     ///< ImGui id of the number field being edited, 0 for none
 };
 
 /// What the panels need from the rest.
@@ -69,9 +70,9 @@ void draw_notices(PanelContext& context, const PanelRect& viewport);
 void draw_cursor_note(PanelContext& context);
 void draw_start_page(PanelContext& context, const PanelRect& rect);
 
-/// A small heading with a line below.
+/// A small heading; translates it.
 void heading(const PanelContext& context, const char* text);
-/// A borderless button with an icon and a tooltip; `on` tints it.
+/// A borderless button with an icon and a tooltip, which it translates; `on` tints it.
 bool icon_button(const PanelContext& context, const char* icon, const char* id, const char* tooltip,
                  bool on = false, float size = 28);
 
