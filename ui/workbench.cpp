@@ -24,6 +24,7 @@ void Workbench::add_commands() {
   // Menus stand in the order of these lines.
   add_file_commands(host_);
   add_edit_commands(host_);
+  add_object_commands(host_);
   add_preferences_commands(host_);
   add_select_commands(host_);
   add_transform_commands(host_);
@@ -136,7 +137,10 @@ void Workbench::layout(PanelContext& context, float menu) {
   viewport_.draw(context, view);
   context_menu_.watch(editor_, view, hovered, tool_ran);
   draw_objects(context, {{right, menu}, {screen.x, menu + objects_height - line}});
-  draw_properties(context, {{right, menu + objects_height}, {screen.x, screen.y - status}});
+  const float bottom = screen.y - status;
+  const float history = history_height(context, bottom - menu);
+  draw_properties(context, {{right, menu + objects_height}, {screen.x, bottom - history - line}});
+  draw_history(context, {{right, bottom - history}, {screen.x, bottom}});
   context.tool_hint = viewport_.hint();
   draw_status_line(context, {{0, screen.y - status}, screen});
   draw_notices(context, view);

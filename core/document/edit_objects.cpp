@@ -125,7 +125,8 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
   return result;
 }
 
-Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects, std::size_t position) {
+Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
+                                 std::size_t position) {
   for (const ObjectId id : objects)
     if (!document.find(id)) return detail::unknown_object(id);
   const auto moves = [&](const auto& object) {

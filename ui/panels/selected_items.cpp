@@ -19,7 +19,17 @@ std::vector<std::shared_ptr<const Object>> selected_objects(const Editor& editor
   std::vector<std::shared_ptr<const Object>> objects;
   if (auto active = editor.document().find_shared(editor.selection.active))
     objects.push_back(std::move(active));
+  for (const ObjectId id : editor.selection.objects()) {
+    if (id == editor.selection.active) continue;
+    if (auto object = editor.document().find_shared(id)) objects.push_back(std::move(object));
+  }
   return objects;
+}
+
+std::vector<ObjectId> selected_ids(const Editor& editor) {
+  std::vector<ObjectId> ids;
+  for (const auto& object : selected_objects(editor)) ids.push_back(object->id);
+  return ids;
 }
 
 SelectedIds<VertexId> selected_vertices(const Editor& editor) {
