@@ -36,6 +36,7 @@ inline constexpr const char* up = "\uf062";       // arrow-up
 inline constexpr const char* scale = "\uf0b2";    // arrows-alt
 inline constexpr const char* mesh = "\uf009";     // th-large
 inline constexpr const char* current = "\uf0da";  // caret-right
+inline constexpr const char* check = "\uf00c";    // check
 inline constexpr const char* object = "\uf1b2";   // cube
 inline constexpr const char* search = "\uf002";
 inline constexpr const char* keyboard = "\uf11c";  // keyboard-o

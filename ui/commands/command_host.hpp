@@ -49,5 +49,6 @@ void add_help_commands(CommandHost& host);
 /// After all commands are there.
 void fill_context_menus(CommandTable& table);
 void add_language_commands(CommandHost& host);
+void add_start_commands(CommandHost& host);
 
 }  // namespace hariko

@@ -4,16 +4,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/document/length_units.hpp"
+
 namespace hariko {
 
 namespace {
-
-/// Lengths that may be typed, in units of `unit`.
-std::vector<UnitFactor> length_factors(Unit unit) {
-  const double own = millimetres_per(unit);
-  return {{"mm", 1 / own},    {"cm", 10 / own},   {"m", 1000 / own},
-          {"in", 25.4 / own}, {"\"", 25.4 / own}, {"ft", 304.8 / own}};
-}
 
 std::string fixed(double value, int decimals) {
   char buffer[400];
@@ -43,7 +38,8 @@ std::string with_unit(const Quantity& quantity, std::string number) {
 Quantity length_quantity(Unit unit, double size) {
   Quantity quantity;
   quantity.unit = to_string(unit);
-  quantity.factors = length_factors(unit);
+  const auto factors = length_units(unit);
+  quantity.factors.assign(factors.begin(), factors.end());
   const double magnitude = size > 0 && std::isfinite(size) ? std::floor(std::log10(size)) : 0;
   quantity.decimals = static_cast<int>(std::clamp(3 - magnitude, 0.0, 12.0));
   quantity.step = std::pow(10, magnitude - 2);
