@@ -27,7 +27,7 @@ void edit_each(Editor& editor, const Ids& ids, const std::string& step, const Ed
 void duplicate(Editor& editor) {
   Document document = editor.history.current();
   std::vector<ObjectId> copies;
-  const auto ids = selected_ids(editor);
+  const auto ids = chosen_ids(editor);
   for (const ObjectId id : ids) {
     auto added = duplicate_object(document, id);
     if (!added.ok()) return editor.notify(added.error());
@@ -44,7 +44,7 @@ void duplicate(Editor& editor) {
 }
 
 void isolate(Editor& editor) {
-  const auto ids = selected_ids(editor);
+  const auto ids = chosen_ids(editor);
   Result<Document> result = editor.history.current();
   for (const auto& object : editor.history.current().objects)
     if (result.ok())
@@ -54,7 +54,7 @@ void isolate(Editor& editor) {
 
 /// All chosen objects one place up or down.
 void move_in_order(Editor& editor, bool down) {
-  const auto ids = selected_ids(editor);
+  const auto ids = chosen_ids(editor);
   const auto& objects = editor.history.current().objects;
   const auto is_chosen = [&](const auto& object) {
     return std::find(ids.begin(), ids.end(), object->id) != ids.end();
@@ -79,7 +79,7 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
              true,
              true,
              [&editor] {
-               const auto ids = selected_ids(editor);
+               const auto ids = chosen_ids(editor);
                edit_each(
                    editor, ids, counted_step("Hide object", "Hide {0} objects", ids.size()),
                    [](const Document& document, ObjectId id) { return set_visible(document, id, false); });
@@ -117,7 +117,7 @@ void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& 
   table.add({"object.lock", "Edit", "Lock", "Protect the chosen objects from changes, or unlock them.", "",
              icon::locked, true, false,
              [&editor] {
-               const auto ids = selected_ids(editor);
+               const auto ids = chosen_ids(editor);
                const bool lock = !editor.active_object()->locked;
                edit_each(
                    editor, ids,
@@ -175,7 +175,7 @@ void add_object_commands(CommandHost& host) {
              true,
              false,
              [&editor] {
-               const auto ids = selected_ids(editor);
+               const auto ids = chosen_ids(editor);
                editor.commit(delete_objects(editor.history.current(), ids),
                              counted_step("Delete object", "Delete {0} objects", ids.size()));
              },

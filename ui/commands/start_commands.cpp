@@ -16,10 +16,11 @@ void add_start_commands(CommandHost& host) {
                     workbench.guarded([&editor] {
                       const auto mesh = make_primitive(BoxShape{});
                       if (!mesh.ok()) return editor.notify(mesh.error());
-                      auto document = document_from_mesh(*mesh, editor.language("Box"));
-                      if (!document.ok()) return editor.notify(document.error());
-                      document->unit = editor.settings.unit;
-                      editor.open(std::move(document).value(), {});
+                      auto made = document_from_mesh(*mesh, editor.language("Box"));
+                      if (!made.ok()) return editor.notify(made.error());
+                      Document document = std::move(made).value();
+                      document.unit = editor.settings.unit;
+                      editor.open(std::move(document), {});
                     });
                   }});
   host.table.add({"help.guide",

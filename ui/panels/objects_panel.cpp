@@ -1,5 +1,6 @@
 // The outliner: objects of the document in order. Rename, hide, lock, choose and drag them.
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -78,10 +79,9 @@ void name_field(PanelContext& context, const Object& object, float width) {
     state.renaming = {};
     if (state.name != object.name)
       editor.commit(rename_object(editor.history.current(), object.id, state.name), "Rename object");
-  } else if (!state.focus_name && !ImGui::IsItemActive()) {
-    state.renaming = {};  // it could not take the keyboard
   }
-  state.focus_name = false;
+  // The keyboard comes a frame or two after it was asked for.
+  if (ImGui::IsItemActive()) state.focus_name = false;
 }
 
 /// A small button at the right end of a row: shown when it says something, or under the pointer.
@@ -147,7 +147,7 @@ void drag_and_drop(PanelContext& context, const Object& object, std::size_t inde
   ImGui::GetForegroundDrawList()->AddLine({low.x, y}, {high.x, y}, palette().secondary,
                                           context.metrics.px(2));
   if (ImGui::AcceptDragDropPayload(drag_kind, ImGuiDragDropFlags_AcceptNoDrawDefaultRect)) {
-    const auto ids = selected_ids(editor);
+    const auto ids = chosen_ids(editor);
     editor.commit(reorder_objects(editor.history.current(), ids, after ? index + 1 : index),
                   "Reorder objects");
   }

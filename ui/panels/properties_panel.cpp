@@ -332,7 +332,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Properties", rect, palette().panel, {m.px(12), m.px(8)})) {
     // Edits replace the document under the panel: what is drawn is this frame's value.
-    const auto objects = selected_objects(context.editor);
+    const auto objects = chosen_objects(context.editor);
     if (objects.empty()) {
       hint_text(context,
                 context.editor.document().objects.empty()

@@ -15,7 +15,7 @@ SelectedIds<Id> ids_of_active(const Editor& editor, std::set<Id> ElementSelectio
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Object>> selected_objects(const Editor& editor) {
+std::vector<std::shared_ptr<const Object>> chosen_objects(const Editor& editor) {
   std::vector<std::shared_ptr<const Object>> objects;
   if (auto active = editor.document().find_shared(editor.selection.active))
     objects.push_back(std::move(active));
@@ -26,9 +26,9 @@ std::vector<std::shared_ptr<const Object>> selected_objects(const Editor& editor
   return objects;
 }
 
-std::vector<ObjectId> selected_ids(const Editor& editor) {
+std::vector<ObjectId> chosen_ids(const Editor& editor) {
   std::vector<ObjectId> ids;
-  for (const auto& object : selected_objects(editor)) ids.push_back(object->id);
+  for (const auto& object : chosen_objects(editor)) ids.push_back(object->id);
   return ids;
 }
 

@@ -16,10 +16,10 @@ struct SelectedIds {
 };
 
 /// The chosen objects, the active one first; empty when there is none.
-std::vector<std::shared_ptr<const Object>> selected_objects(const Editor& editor);
+std::vector<std::shared_ptr<const Object>> chosen_objects(const Editor& editor);
 
 /// Their ids.
-std::vector<ObjectId> selected_ids(const Editor& editor);
+std::vector<ObjectId> chosen_ids(const Editor& editor);
 
 SelectedIds<VertexId> selected_vertices(const Editor& editor);
 SelectedIds<EdgeId> selected_edges(const Editor& editor);

@@ -82,7 +82,7 @@ class Grid {
 void section(PanelContext& context, float left, const char* title) {
   ImGui::Dummy({0, context.metrics.px(10)});
   ImGui::SetCursorPosX(left);
-  heading(context, title);
+  ImGui::TextDisabled("%s", context.tr(title));
   ImGui::Dummy({0, context.metrics.px(2)});
 }
 

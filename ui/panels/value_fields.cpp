@@ -31,8 +31,8 @@ void commit(PanelContext& context, const FieldSpec& spec, const ValueChange& cha
 
 /// Right click on the last item: default, copy, paste.
 void value_menu(PanelContext& context, const FieldSpec& spec, std::optional<double> value,
-                const EditValues& edit) {
-  if (!ImGui::BeginPopupContextItem("value")) return;
+                const EditValues& edit, const char* id = "##value_menu") {
+  if (!ImGui::BeginPopupContextItem(id)) return;
   const Language& tr = context.tr;
   const bool known = spec.quantity.standard.has_value();
   const bool differs = known && value != spec.quantity.standard;
@@ -136,7 +136,7 @@ void slider_row(PanelContext& context, const FieldSpec& spec, double low, double
   tooltip(context, spec.help);
   end_gesture(editor, spec.step);
   context.marks.item(std::string("slider.") + spec.id);
-  value_menu(context, spec, value, edit);
+  value_menu(context, spec, value, edit, "##slider_menu");
   ImGui::SameLine();
   number_field(context, spec, value, field, edit);
   ImGui::PopID();
