@@ -73,7 +73,6 @@ Quantity whole_quantity(int low, int high, int standard) {
   return quantity;
 }
 
-
 void commit(PanelContext& context, const Object& object, const DisplaySettings& display,
             const std::string& step) {
   context.editor.commit(set_display(context.editor.history.current(), object.id, display), step);
@@ -181,13 +180,15 @@ void range_rows(PanelContext& context, const Object& object) {
   Quantity quantity = length_quantity(Unit::millimetre, span);
   quantity.unit.clear();
   quantity.factors.clear();
-  number_field(context, {"range_low", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
+  number_field(context,
+               {"range_low", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
                range.low, width,
                display_values(
                    object.id, quantity, [map](DisplaySettings& d) { return range_of(d, map).low; },
                    [map](DisplaySettings& d, double value) { range_of(d, map).low = value; }));
   ImGui::SameLine(0, spacing);
-  number_field(context, {"range_high", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
+  number_field(context,
+               {"range_high", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
                range.high, width,
                display_values(
                    object.id, quantity, [map](DisplaySettings& d) { return range_of(d, map).high; },
@@ -245,11 +246,12 @@ void comb_rows(PanelContext& context, const Object& object) {
   ImGui::TextDisabled("\u00d7 %s", format_number(combs.scale, 3).c_str());
   const Quantity teeth =
       whole_quantity(CombSettings::min_density, CombSettings::max_density, CombSettings().density);
-  slider_row(context, {"comb_density", "Teeth", "Intervals on each curve", "Curvature combs", teeth}, teeth.low,
-             teeth.high, true, combs.density,
-             display_values(
-                 object.id, teeth, [](const DisplaySettings& d) { return static_cast<double>(d.combs.density); },
-                 [](DisplaySettings& d, double value) { d.combs.density = static_cast<int>(value); }));
+  slider_row(
+      context, {"comb_density", "Teeth", "Intervals on each curve", "Curvature combs", teeth}, teeth.low,
+      teeth.high, true, combs.density,
+      display_values(
+          object.id, teeth, [](const DisplaySettings& d) { return static_cast<double>(d.combs.density); },
+          [](DisplaySettings& d, double value) { d.combs.density = static_cast<int>(value); }));
 }
 
 void mark_rows(PanelContext& context, const Object& object) {
@@ -366,15 +368,16 @@ void draw_display(PanelContext& context, const Object& object) {
   if (object.polyhedron()) {
     mark_rows(context, object);
     comb_rows(context, object);
-    const Quantity density = whole_quantity(DisplaySettings::min_density, DisplaySettings::max_density,
-                                            DisplaySettings().density);
-    slider_row(context,
-               {"density", "Density", "Least intervals a patch side on the screen; small models are drawn finer",
-                "Display density", density},
-               density.low, density.high, false, display.density,
-               display_values(
-                   object.id, density, [](const DisplaySettings& d) { return static_cast<double>(d.density); },
-                   [](DisplaySettings& d, double value) { d.density = static_cast<int>(value); }));
+    const Quantity density =
+        whole_quantity(DisplaySettings::min_density, DisplaySettings::max_density, DisplaySettings().density);
+    slider_row(
+        context,
+        {"density", "Density", "Least intervals a patch side on the screen; small models are drawn finer",
+         "Display density", density},
+        density.low, density.high, false, display.density,
+        display_values(
+            object.id, density, [](const DisplaySettings& d) { return static_cast<double>(d.density); },
+            [](DisplaySettings& d, double value) { d.density = static_cast<int>(value); }));
   }
   section_rows(context);
   x_ray_row(context);

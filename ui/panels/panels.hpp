@@ -34,6 +34,7 @@ struct OutlinerState {
 
 /// What panels remember between frames.
 struct PanelState {
+  double typed = 0;        ///< value of the number field of the legend being edited
   std::string typed_text;  ///< contents of the text field being edited
   std::string typed_from;  ///< what the number field held before
   unsigned typing = 0;     ///< ImGui id of the number field being edited, 0 for none

@@ -291,7 +291,7 @@ void vertex_section(PanelContext& context, const SelectedIds<VertexId>& selected
   const auto tag =
       common<VertexTag>(ids, [&](VertexId id) { return shaping.tag.get_or(id, VertexTag::automatic); });
   if (const auto chosen = choose(context, "tag", "Corner", "How creases and the border pass the vertex",
-                                     tag_choices, tag ? static_cast<int>(*tag) : -1))
+                                 tag_choices, tag ? static_cast<int>(*tag) : -1))
     context.editor.commit(set_vertex_tag(context.editor.history.current(), selected.object->id, ids,
                                          static_cast<VertexTag>(*chosen)),
                           counted("Tag of vertex", "Tag of {0} vertices", ids.size()));
