@@ -51,6 +51,7 @@ TEST(Language, finds_filled_sentences) {
   EXPECT_EQ(tr.phrase("Move 12 vertices by 3 mm"), "12個の頂点を3 mmだけ移動")
       << "the longer entry comes first";
   EXPECT_EQ(tr.phrase("two of three"), "threeのtwo") << "the order of the places may change";
+  EXPECT_EQ(tr.phrase("Save of vertex"), "頂点の保存") << "labels within labels";
   EXPECT_EQ(tr.phrase("Move 12 edges"), "Move 12 edges");
   EXPECT_EQ(tr.phrase(""), "");
 }

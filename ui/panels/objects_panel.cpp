@@ -37,14 +37,27 @@ void choose_range(Editor& editor, ObjectId from, ObjectId to) {
   editor.selection.active = to;
 }
 
-void click_row(PanelContext& context, ObjectId id) {
+struct Modifiers {
+  bool shift = false, control = false;
+};
+
+/// Those that were held when the last item was pressed: they may be up again when it is released.
+Modifiers modifiers_of_press() {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID("modifiers");
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated()) storage.SetInt(id, (io.KeyShift ? 1 : 0) + (io.KeyCtrl ? 2 : 0));
+  const int held = storage.GetInt(id);
+  return {(held & 1) != 0, (held & 2) != 0};
+}
+
+void click_row(PanelContext& context, ObjectId id, Modifiers modifiers = {}) {
   Editor& editor = context.editor;
   OutlinerState& state = context.state.outliner;
-  const ImGuiIO& io = ImGui::GetIO();
   using How = Selection::How;
-  if (io.KeyShift && editor.document().find(state.anchor)) return choose_range(editor, state.anchor, id);
+  if (modifiers.shift && editor.document().find(state.anchor)) return choose_range(editor, state.anchor, id);
   state.anchor = id;
-  if (io.KeyCtrl) {
+  if (modifiers.control) {
     const bool on = editor.selection.objects().contains(id);
     // The active object counts as chosen, so the first Ctrl click adds to it.
     if (const ObjectId active = editor.selection.active; editor.document().find(active) && active != id)
@@ -162,10 +175,12 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   const float side = m.px(26);
   const float left = ImGui::GetCursorPosX(), right = left + ImGui::GetContentRegionAvail().x;
   const bool renaming = state.renaming == object.id;
-  if (ImGui::Selectable("##row", chosen(editor, object.id),
-                        ImGuiSelectableFlags_AllowItemOverlap | ImGuiSelectableFlags_AllowDoubleClick,
-                        {0, side})) {
-    click_row(context, object.id);
+  const bool pressed = ImGui::Selectable(
+      "##row", chosen(editor, object.id),
+      ImGuiSelectableFlags_AllowItemOverlap | ImGuiSelectableFlags_AllowDoubleClick, {0, side});
+  const Modifiers modifiers = modifiers_of_press();
+  if (pressed) {
+    click_row(context, object.id, modifiers);
     if (ImGui::IsMouseDoubleClicked(0)) start_renaming(context, object);
   }
   context.marks.item("object." + std::to_string(object.id.value));
