@@ -305,6 +305,7 @@ class Application {
           if (!exported.ok()) return editor_.notify(exported.error());
           editor_.notify(Notice::Kind::info,
                          fill(editor_.language("Exported {0}."), {path.filename().string()}));
+          ++editor_.exports;
           log_.file("exported", path);
         });
   }

@@ -34,13 +34,13 @@ ALLOWED = {
 }
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",
-          "begin_panel"}
+          "begin_panel", "OpenPopup", "BeginPopup", "IsPopupOpen", "BeginChild"}
 MARKING = {"tr", "language", "language_", "translatable", "phrase"}
 IMGUI_TEXT = re.compile(
     r"^(Text|TextUnformatted|TextDisabled|TextColored|TextWrapped|BulletText|LabelText|Button|SmallButton|Checkbox|"
     r"RadioButton|MenuItem|BeginMenu|Selectable|SetTooltip|BeginCombo|Combo|CollapsingHeader|TreeNode|TreeNodeEx|"
     r"BeginTabItem|Slider\w+|Drag\w+|Input\w+|ColorEdit\d|ColorPicker\d|SeparatorText|AddText|BeginPopupModal)$")
-KEYS = re.compile(r"^((Ctrl|Shift|Alt)\+)*([A-Z0-9,.;'\[\]\\/=`+-]|F\d+|Num( [0-9+\-*/.]| Enter| Slash)?|Home|End|Esc|Del|Ins|Enter|"
+KEYS = re.compile(r"^((Ctrl|Shift|Alt)\+)*([A-Z0-9,.;'\[\]\\/=`+-]|F\d+|Num( [0-9+\-*/.]| \w+)?|Home|End|Esc|Del|Ins|Enter|"
                   r"Space|Tab|Backspace|Insert|Delete|PageUp|PageDown|Page Up|Page Down|Left|Right|Up|Down|Pause|Menu|"
                   r"PgUp|PgDn|Ctrl|Shift|Alt|Ctrl\+|Shift\+|Alt\+)$")
 PLACEHOLDER = re.compile(r"\{(\d)\}")
@@ -149,13 +149,13 @@ def codes_of(root):
     for source in sources.values():
         for match in re.finditer(r"\bmake_(?:error|warning)\(\s*(\w+)", source):
             given = arguments_at(source, match.end() - len(match.group(1)))
-            if match.group(1) in constants and len(given) > 2 and not given[2].startswith("{"):
+            if match.group(1) in constants and len(given) > 2 and not re.match(r'\{|Element\b|""$', given[2]):
                 remedies.add(constants[match.group(1)])
     return {name: name in remedies for name in constants.values()}
 
 
 def arguments_at(source, start):
-    """The arguments of a call whose first begins at `start`; empty ones are left out."""
+    """The arguments of a call whose first begins at `start`."""
     depth, begin, out = 0, start, []
     for match in TOKEN.finditer(source, start):
         text = match.group()
@@ -171,7 +171,7 @@ def arguments_at(source, start):
         elif text == "," and depth == 0:
             out.append(source[begin:match.start()])
             begin = match.end()
-    return [argument.strip() for argument in out if argument.strip() not in ("", "{}", '""')]
+    return [argument.strip() for argument in out]
 
 
 class Check:
@@ -199,7 +199,7 @@ class Check:
             self.required.setdefault(literal.text, literal.place())
         shown = path.startswith("ui/") or (path.startswith("app/") and not path.startswith("app/commands/")
                                            and path not in ("app/main.cpp", "app/test_log.cpp"))
-        if not shown or marked or literal.inside(SILENT) or "item" in literal.calls[-1:]:
+        if not shown or marked or literal.inside(SILENT) or (literal.calls and literal.calls[-1].split("::")[-1] in SILENT) or "item" in literal.calls[-1:]:
             return
         if looks_english(literal.text):
             self.required.setdefault(literal.text, literal.place())

@@ -80,6 +80,12 @@ void Editor::go_to(std::size_t position) {
   selection.prune(history.current());
 }
 
+void Editor::go_to_step(std::size_t position) {
+  if (position > history.labels().size()) return;
+  while (history.position() > position) undo();
+  while (history.position() < position) redo();
+}
+
 void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
   constexpr std::size_t most = 4;
   std::erase_if(notices_, [&](const Notice& notice) { return notice.text == text; });

@@ -12,6 +12,7 @@
 #include "core/document/history.hpp"
 #include "render/scene.hpp"
 #include "ui/frame_times.hpp"
+#include "ui/guide.hpp"
 #include "ui/language.hpp"
 #include "ui/recompute.hpp"
 #include "ui/selection.hpp"
@@ -71,6 +72,9 @@ class Editor {
 
   /// False while the start page shows.
   bool has_document = false;
+  Guide guide;                                ///< the guided first model
+  int exports = 0;                            ///< files exported since the program began
+  bool rename_wanted = false;                 ///< the list of objects makes the active one's name a field
   bool wants_framing = false;                 ///< of all views, as soon as their sizes are known
   std::optional<std::filesystem::path> path;  ///< of the document on disk
 
@@ -100,6 +104,8 @@ class Editor {
   /// With the selection that the state was left with.
   void undo();
   void redo();
+  /// Undoes or redoes up to a state of the history.
+  void go_to_step(std::size_t position);
   /// To a state of the history, as undo and redo do.
   void go_to(std::size_t position);
 

@@ -126,7 +126,12 @@ std::optional<std::string> Language::find_phrase(std::string_view english) const
   const auto it = translations_.find(english);
   if (it != translations_.end()) return it->second;
   for (const Pattern& pattern : patterns_)
-    if (const auto arguments = match(pattern, english)) return fill(pattern.translation, *arguments);
+    if (auto arguments = match(pattern, english)) {
+      for (std::string& argument : *arguments)
+        if (const auto known = translations_.find(argument); known != translations_.end())
+          argument = known->second;
+      return fill(pattern.translation, *arguments);
+    }
   return {};
 }
 

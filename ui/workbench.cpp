@@ -24,6 +24,7 @@ void Workbench::add_commands() {
   // Menus stand in the order of these lines.
   add_file_commands(host_);
   add_edit_commands(host_);
+  add_object_commands(host_);
   add_preferences_commands(host_);
   add_select_commands(host_);
   add_transform_commands(host_);
@@ -31,6 +32,7 @@ void Workbench::add_commands() {
   add_recompute_commands(host_);
   add_view_commands(host_);
   add_analyse_commands(host_);
+  add_start_commands(host_);
   add_language_commands(host_);
   add_help_commands(host_);
   fill_context_menus(commands_);
@@ -101,6 +103,8 @@ void Workbench::frame() {
                        offers_,
                        actions_.recover,
                        actions_.discard_recovery};
+  // What a gesture shows is not done yet.
+  if (!editor_.history.in_gesture()) editor_.guide.look({editor_.history.current(), editor_.exports});
   const float menu = draw_menu_bar(context);
   layout(context, menu);
   context_menu_.draw(context);
@@ -125,7 +129,9 @@ void Workbench::layout(PanelContext& context, float menu) {
     return;
   }
   const float side = std::min(metrics_.px(editor_.settings.side_width), screen.x / 2);
-  const PanelRect view{{tools, menu}, {screen.x - side - line, screen.y - status}};
+  const float guide = editor_.guide.shown() ? metrics_.px(260) : 0;
+  if (guide > 0) draw_guide(context, {{tools, menu}, {tools + guide, screen.y - status}});
+  const PanelRect view{{tools + guide, menu}, {screen.x - side - line, screen.y - status}};
   const float objects_height =
       std::clamp(metrics_.px(48 + 32 * static_cast<float>(editor_.document().objects.size())),
                  metrics_.px(96), metrics_.px(240));
@@ -136,7 +142,10 @@ void Workbench::layout(PanelContext& context, float menu) {
   viewport_.draw(context, view);
   context_menu_.watch(editor_, view, hovered, tool_ran);
   draw_objects(context, {{right, menu}, {screen.x, menu + objects_height - line}});
-  draw_properties(context, {{right, menu + objects_height}, {screen.x, screen.y - status}});
+  const float bottom = screen.y - status;
+  const float history = history_height(context, bottom - menu);
+  draw_properties(context, {{right, menu + objects_height}, {screen.x, bottom - history - line}});
+  draw_history(context, {{right, bottom - history}, {screen.x, bottom}});
   context.tool_hint = viewport_.hint();
   draw_status_line(context, {{0, screen.y - status}, screen});
   draw_notices(context, view);

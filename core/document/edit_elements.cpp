@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -84,6 +85,35 @@ Result<Document> set_shaping(const Document& document, ObjectId object, std::spa
   });
 }
 
+/// One value an id; of repeated ids the last wins.
+template <class Id>
+Result<Document> set_tensions(const Document& document, ObjectId object, std::span<const Id> ids,
+                              std::span<const double> values, FlatMap<Id, double> Shaping::*member,
+                              double by_default, Result<Done> (*check)(double)) {
+  HARIKO_ASSERT(ids.size() == values.size(), "one value an element");
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    for (const double value : values)
+      if (const auto checked = check(value); !checked) return checked.error();
+    if (const auto checked = check_elements(source.polyhedron, ids); !checked) return checked.error();
+    std::map<Id, double> changed;
+    for (std::size_t i = 0; i < ids.size(); ++i) changed[ids[i]] = values[i];
+    Shaping shaping = *source.shaping;
+    FlatMap<Id, double> result;
+    auto next = changed.begin();
+    const auto add = [&](const Id& id, double value) {
+      if (value != by_default) result.set(id, value);
+    };
+    for (const auto& [id, old] : shaping.*member) {
+      for (; next != changed.end() && !(id < next->first); ++next) add(next->first, next->second);
+      if (!changed.contains(id)) result.set(id, old);
+    }
+    for (; next != changed.end(); ++next) add(next->first, next->second);
+    shaping.*member = std::move(result);
+    source.shaping = std::move(shaping);
+    return Done{};
+  });
+}
+
 Result<Done> check_tension(double value, double low, double high, const char* range) {
   if (!std::isfinite(value))
     return make_error(e_tension_nonfinite, "The tension is not a finite number.",
@@ -137,6 +167,16 @@ Result<Document> set_alpha(const Document& document, ObjectId object, std::span<
 Result<Document> set_beta(const Document& document, ObjectId object, std::span<const EdgeId> edges,
                           double beta) {
   return set_shaping(document, object, edges, &Shaping::beta, beta, 1.0, check_beta(beta));
+}
+
+Result<Document> set_alphas(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                            std::span<const double> alphas) {
+  return set_tensions(document, object, vertices, alphas, &Shaping::alpha, 0.0, &check_alpha);
+}
+
+Result<Document> set_betas(const Document& document, ObjectId object, std::span<const EdgeId> edges,
+                           std::span<const double> betas) {
+  return set_tensions(document, object, edges, betas, &Shaping::beta, 1.0, &check_beta);
 }
 
 Result<Document> set_crease(const Document& document, ObjectId object, std::span<const EdgeId> edges,

@@ -36,6 +36,12 @@ Result<Document> set_alpha(const Document& document, ObjectId object, std::span<
 Result<Document> set_beta(const Document& document, ObjectId object, std::span<const EdgeId> edges,
                           double beta);
 
+/// One tension an element; both spans have the same size. Errors as above. O(n log n).
+Result<Document> set_alphas(const Document& document, ObjectId object, std::span<const VertexId> vertices,
+                            std::span<const double> alphas);
+Result<Document> set_betas(const Document& document, ObjectId object, std::span<const EdgeId> edges,
+                           std::span<const double> betas);
+
 /// Makes edges sharp, or smooth again.
 Result<Document> set_crease(const Document& document, ObjectId object, std::span<const EdgeId> edges,
                             bool crease);

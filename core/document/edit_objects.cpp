@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/document/edit_support.hpp"
 
@@ -121,6 +122,27 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
   std::erase_if(result.objects, [&](const auto& object) {
     return std::find(objects.begin(), objects.end(), object->id) != objects.end();
   });
+  return result;
+}
+
+Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
+                                 std::size_t position) {
+  for (const ObjectId id : objects)
+    if (!document.find(id)) return detail::unknown_object(id);
+  const auto moves = [&](const auto& object) {
+    return std::find(objects.begin(), objects.end(), object->id) != objects.end();
+  };
+  const std::size_t place = std::min(position, document.objects.size());
+  const auto middle = document.objects.begin() + static_cast<std::ptrdiff_t>(place);
+  Document result = document;
+  result.objects.clear();
+  const auto copy = [&](auto first, auto last, bool moved) {
+    std::copy_if(first, last, std::back_inserter(result.objects),
+                 [&](const auto& object) { return moves(object) == moved; });
+  };
+  copy(document.objects.begin(), middle, false);
+  copy(document.objects.begin(), document.objects.end(), true);
+  copy(middle, document.objects.end(), false);
   return result;
 }
 

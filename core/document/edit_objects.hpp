@@ -31,6 +31,11 @@ Result<Document> append_document(const Document& document, const Document& other
 /// Errors: E_UNKNOWN_OBJECT, E_LOCKED.
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects);
 
+/// Puts objects, in their present order, before the one that is now at `position` (0 .. number of objects;
+/// the number itself: to the end). Errors: E_UNKNOWN_OBJECT.
+Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
+                                 std::size_t position);
+
 /// The copy follows its original in order, is called "<name> copy", and is not locked. Errors:
 /// E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
 Result<Added> duplicate_object(const Document& document, ObjectId object);

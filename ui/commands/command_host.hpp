@@ -37,6 +37,7 @@ WhyNot needs_elements(const Editor& editor, NeededElements kinds);
 // Each in a file of its own. The host must outlive the table.
 void add_file_commands(CommandHost& host);
 void add_edit_commands(CommandHost& host);
+void add_object_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
 void add_transform_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
@@ -48,5 +49,6 @@ void add_help_commands(CommandHost& host);
 /// After all commands are there.
 void fill_context_menus(CommandTable& table);
 void add_language_commands(CommandHost& host);
+void add_start_commands(CommandHost& host);
 
 }  // namespace hariko

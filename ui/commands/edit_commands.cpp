@@ -1,4 +1,4 @@
-// Commands of the Edit menu: undo, redo, and whole objects.
+// Undo and redo.
 
 #include "core/document/edits.hpp"
 #include "ui/commands/command_host.hpp"
@@ -21,24 +21,6 @@ void add_edit_commands(CommandHost& host) {
                if (editor.history.can_redo()) return {};
                return translatable("There is nothing to redo.");
              }});
-  const WhyNot object = needs_object(editor);
-  table.add({"object.duplicate", "Edit", "Duplicate object", "Copy the active object in place.", "Ctrl+D", "",
-             true, true,
-             [&editor] {
-               const auto added = duplicate_object(editor.history.current(), editor.selection.active);
-               if (!added.ok()) return editor.notify(added.error());
-               editor.commit(added->document, "Duplicate object");
-               editor.selection.clear_elements();
-               editor.selection.active = added->id;
-             },
-             object});
-  table.add({"object.delete", "Edit", "Delete object", "Delete the active object.", "Del", icon::trash, true,
-             false,
-             [&editor] {
-               const ObjectId id = editor.selection.active;
-               editor.commit(delete_objects(editor.history.current(), {&id, 1}), "Delete object");
-             },
-             object});
 }
 
 }  // namespace hariko

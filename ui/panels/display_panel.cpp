@@ -52,15 +52,25 @@ constexpr std::array wire_choices{
 };
 constexpr std::array axis_choices{Choice{"X", ""}, Choice{"Y", ""}, Choice{"Z", ""}};
 
-/// An edit of an object's display settings by a number.
-EditValue display_edit(ObjectId id, std::function<void(DisplaySettings&, double)> change) {
-  return [id, change = std::move(change)](const Document& document, double value) -> Result<Document> {
+/// The edit of a number of the display settings of one object: how to read it and how to write it.
+template <class Read, class Write>
+EditValues display_values(ObjectId id, const Quantity& quantity, const Read& read, const Write& write) {
+  return [=](const Document& document, const ValueChange& change) -> Result<Document> {
     const Object* found = document.find(id);
     if (!found) return document;
     DisplaySettings display = found->display;
-    change(display, value);
+    write(display, change.apply(quantity, read(display)));
     return set_display(document, id, display);
   };
+}
+
+Quantity whole_quantity(int low, int high, int standard) {
+  Quantity quantity = plain_quantity(0, 1);
+  quantity.whole = true;
+  quantity.low = low;
+  quantity.high = high;
+  quantity.standard = standard;
+  return quantity;
 }
 
 void commit(PanelContext& context, const Object& object, const DisplaySettings& display,
@@ -166,13 +176,23 @@ void range_rows(PanelContext& context, const Object& object) {
   row_label(context, context.tr("From, to"), context.tr("Ends of the range, in the map's unit"));
   const float spacing = context.metrics.px(4);
   const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
-  number_field(
-      context, "range_low", range.low, "%.4g", width, "Range of the map",
-      display_edit(object.id, [map](DisplaySettings& d, double value) { range_of(d, map).low = value; }));
+  const double span = std::max(std::abs(range.low), std::abs(range.high));
+  Quantity quantity = length_quantity(Unit::millimetre, span);
+  quantity.unit.clear();
+  quantity.factors.clear();
+  number_field(context,
+               {"range_low", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
+               range.low, width,
+               display_values(
+                   object.id, quantity, [map](DisplaySettings& d) { return range_of(d, map).low; },
+                   [map](DisplaySettings& d, double value) { range_of(d, map).low = value; }));
   ImGui::SameLine(0, spacing);
-  number_field(
-      context, "range_high", range.high, "%.4g", width, "Range of the map",
-      display_edit(object.id, [map](DisplaySettings& d, double value) { range_of(d, map).high = value; }));
+  number_field(context,
+               {"range_high", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
+               range.high, width,
+               display_values(
+                   object.id, quantity, [map](DisplaySettings& d) { return range_of(d, map).high; },
+                   [map](DisplaySettings& d, double value) { range_of(d, map).high = value; }));
 }
 
 void colour_row(PanelContext& context, const Object& object) {
@@ -224,12 +244,14 @@ void comb_rows(PanelContext& context, const Object& object) {
   context.marks.item("combs.longer");
   ImGui::SameLine();
   ImGui::TextDisabled("\u00d7 %s", format_number(combs.scale, 3).c_str());
-  value_slider(context,
-               {"comb_density", context.tr("Teeth"), context.tr("Intervals on each curve"), "Curvature combs",
-                CombSettings::min_density, CombSettings::max_density, true, true},
-               combs.density, display_edit(object.id, [](DisplaySettings& d, double value) {
-                 d.combs.density = static_cast<int>(value);
-               }));
+  const Quantity teeth =
+      whole_quantity(CombSettings::min_density, CombSettings::max_density, CombSettings().density);
+  slider_row(
+      context, {"comb_density", "Teeth", "Intervals on each curve", "Curvature combs", teeth}, teeth.low,
+      teeth.high, true, combs.density,
+      display_values(
+          object.id, teeth, [](const DisplaySettings& d) { return static_cast<double>(d.combs.density); },
+          [](DisplaySettings& d, double value) { d.combs.density = static_cast<int>(value); }));
 }
 
 void mark_rows(PanelContext& context, const Object& object) {
@@ -346,13 +368,16 @@ void draw_display(PanelContext& context, const Object& object) {
   if (object.polyhedron()) {
     mark_rows(context, object);
     comb_rows(context, object);
-    value_slider(context,
-                 {"density", context.tr("Density"),
-                  context.tr("Least intervals a patch side on the screen; small models are drawn finer"),
-                  "Display density", DisplaySettings::min_density, DisplaySettings::max_density, false, true},
-                 display.density, display_edit(object.id, [](DisplaySettings& d, double value) {
-                   d.density = static_cast<int>(value);
-                 }));
+    const Quantity density =
+        whole_quantity(DisplaySettings::min_density, DisplaySettings::max_density, DisplaySettings().density);
+    slider_row(
+        context,
+        {"density", "Density", "Least intervals a patch side on the screen; small models are drawn finer",
+         "Display density", density},
+        density.low, density.high, false, display.density,
+        display_values(
+            object.id, density, [](const DisplaySettings& d) { return static_cast<double>(d.density); },
+            [](DisplaySettings& d, double value) { d.density = static_cast<int>(value); }));
   }
   section_rows(context);
   x_ray_row(context);

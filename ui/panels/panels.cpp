@@ -29,7 +29,7 @@ bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVe
 void heading(const PanelContext& context, const char* text) {
   ImGui::Dummy({0, context.metrics.px(2)});
   const TextColour colour(palette().dim_text);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(context.tr(text));
 }
 
 bool icon_button(const PanelContext& context, const char* icon, const char* id, const char* tooltip, bool on,
@@ -51,7 +51,7 @@ bool icon_button(const PanelContext& context, const char* icon, const char* id, 
                : hovered ? palette().text
                          : palette().dim_text,
                icon);
-  if (hovered && *tooltip) ImGui::SetTooltip("%s", tooltip);
+  if (hovered && *tooltip) ImGui::SetTooltip("%s", context.tr(tooltip));
   ImGui::PopID();
   return pressed;
 }

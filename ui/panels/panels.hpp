@@ -2,6 +2,7 @@
 
 // Panels: the fixed parts of the window round the viewport. Each draws itself into the rectangle it is given.
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,10 +23,24 @@ struct Sample {
   float aspect = 1.5F;            ///< of the picture
 };
 
+/// What the list of objects remembers between frames.
+struct OutlinerState {
+  ObjectId renaming;        ///< whose name is a field now
+  std::string name;         ///< contents of that field
+  bool focus_name = false;  ///< the field has just appeared
+  ObjectId anchor;          ///< where a range chosen with Shift begins
+  ObjectId shown_active;    ///< the active object that the list has scrolled to
+};
+
 /// What panels remember between frames.
 struct PanelState {
-  double typed = 0;        ///< value of the number field being edited
+  double typed = 0;        ///< value of the number field of the legend being edited
   std::string typed_text;  ///< contents of the text field being edited
+  std::string typed_from;  ///< what the number field held before
+  unsigned typing = 0;     ///< ImGui id of the number field being edited, 0 for none
+  OutlinerState outliner;
+  bool history_open = false;
+  std::uint64_t history_shown = 0;  ///< serial of the state that the list of steps has scrolled to
 };
 
 /// What the panels need from the rest.
@@ -63,15 +78,20 @@ float tool_column_width(const Metrics& metrics, float height);
 void draw_tool_column(PanelContext& context, const PanelRect& rect);
 void draw_objects(PanelContext& context, const PanelRect& rect);
 void draw_properties(PanelContext& context, const PanelRect& rect);
+/// How high the list of steps wants to be, of the `available` height of the side.
+float history_height(const PanelContext& context, float available);
+void draw_history(PanelContext& context, const PanelRect& rect);
 void draw_status_line(PanelContext& context, const PanelRect& rect);
 void draw_notices(PanelContext& context, const PanelRect& viewport);
 /// Why a key did nothing, beside where the pointer was.
 void draw_cursor_note(PanelContext& context);
+/// The step of the guided first model.
+void draw_guide(PanelContext& context, const PanelRect& rect);
 void draw_start_page(PanelContext& context, const PanelRect& rect);
 
-/// A small heading with a line below.
+/// A small heading; translates it.
 void heading(const PanelContext& context, const char* text);
-/// A borderless button with an icon and a tooltip; `on` tints it.
+/// A borderless button with an icon and a tooltip, which it translates; `on` tints it.
 bool icon_button(const PanelContext& context, const char* icon, const char* id, const char* tooltip,
                  bool on = false, float size = 28);
 

@@ -1,4 +1,4 @@
-// Properties: what can be set on the active object and on its selected elements.
+// Properties: what can be set on the document, on the chosen objects and on the selected elements.
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -6,43 +6,96 @@
 #include <array>
 #include <vector>
 
-#include "ui/icons.hpp"
+#include "core/document/angles.hpp"
+#include "core/document/convert_unit.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/display_panel.hpp"
-#include "ui/panels/panels.hpp"
+#include "ui/panels/message_list.hpp"
+#include "ui/panels/selected_items.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
 
 namespace {
 
-/// The value that all elements have, or nothing when they differ.
-template <class T, class Ids, class Get>
-std::optional<T> common(const Ids& ids, const Get& get) {
-  std::optional<T> value;
-  for (const auto& id : ids) {
-    const T own = get(id);
-    if (value && !(*value == own)) return {};
-    value = own;
-  }
-  return value;
-}
-
-std::string counted(const char* what, std::size_t count, const char* one, const char* many) {
-  return std::string(what) + " of " + (count == 1 ? std::string(one) : std::to_string(count) + " " + many);
-}
-
 constexpr std::array mode_choices{
     Choice{"Fair", "Balances the curvature inside the faces: the smoothest result"},
     Choice{"Target", "Puts face centres where the boundary curves aim"},
     Choice{"Paper", "The construction as first published"},
 };
+constexpr std::array mode_steps{"Surface Fair", "Surface Target", "Surface Paper"};
 constexpr std::array<Mode, 3> modes{Mode::fair, Mode::target, Mode::paper};
 constexpr std::array tag_choices{
     Choice{"Automatic", "A corner where creases or the border demand it"},
     Choice{"Corner", "Every curve ends here with its own direction"},
     Choice{"Smooth", "Creases and the border run smoothly through"},
 };
+constexpr std::array unit_choices{
+    Choice{"Millimetres", ""},
+    Choice{"Centimetres", ""},
+    Choice{"Metres", ""},
+    Choice{"Inches", ""},
+};
+constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
+
+/// "vertex" or "{0} vertices" filled.
+std::string counted(const char* one, const char* many, std::size_t count) {
+  return count == 1 ? one : fill(many, {std::to_string(count)});
+}
+
+/// The heading of a section about so many.
+void counted_heading(const PanelContext& context, const char* one, const char* many, std::size_t count) {
+  heading(context, count == 1 ? context.tr(one) : fill(context.tr(many), {std::to_string(count)}).c_str());
+}
+
+double model_size(const Editor& editor) {
+  Box3 box;
+  for (const auto& object : editor.document().objects) box.extend(world_box(*object));
+  return box.isEmpty() ? 1 : box.sizes().maxCoeff();
+}
+
+Quantity tension_quantity(double low, double high, double standard) {
+  Quantity quantity = plain_quantity(4, 0.1);
+  quantity.low = low;
+  quantity.high = high;
+  quantity.standard = standard;
+  return quantity;
+}
+
+// The document.
+
+void document_section(PanelContext& context) {
+  Editor& editor = context.editor;
+  heading(context, "Document");
+  const auto current = static_cast<int>(editor.document().unit);
+  row_label(context, "Unit", "The unit of all lengths of the document");
+  ImGui::SetNextItemWidth(-1);
+  const bool open =
+      ImGui::BeginCombo("##unit", context.tr(unit_choices[static_cast<std::size_t>(current)].label));
+  context.marks.item("combo.unit");
+  if (!open) return;
+  const auto offers = [&](const char* title, const char* id, const char* step, bool converts) {
+    heading(context, title);
+    for (int i = 0; i < static_cast<int>(unit_choices.size()); ++i) {
+      if (i == current) continue;
+      const char* name = unit_choices[static_cast<std::size_t>(i)].label;
+      ImGui::PushID(2 * i + converts);
+      if (ImGui::Selectable(context.tr(name))) {
+        const Document& document = editor.history.current();
+        const auto unit = static_cast<Unit>(i);
+        editor.commit(converts ? convert_unit(document, unit) : Result<Document>(set_unit(document, unit)),
+                      step);
+      }
+      context.marks.item(std::string("unit.") + id + "." + std::string(to_string(static_cast<Unit>(i))));
+      ImGui::PopID();
+    }
+  };
+  offers("Convert the numbers, keep the size", "convert", "Convert unit", true);
+  offers("Keep the numbers, change the size", "keep", "Change unit", false);
+  ImGui::EndCombo();
+}
+
+// Objects.
 
 void object_name(PanelContext& context, const Object& object) {
   row_label(context, "Name", "");
@@ -56,103 +109,221 @@ void object_name(PanelContext& context, const Object& object) {
   context.marks.item("field.name");
 }
 
-void object_section(PanelContext& context, const Object& object) {
-  heading(context, "Object");
-  object_name(context, object);
-  if (!object.polyhedron()) {
-    if (object.mesh()) draw_display(context, object);
-    return;
+using Objects = std::vector<std::shared_ptr<const Object>>;
+
+/// Changes the transforms of all objects, one after the other.
+Result<Document> edit_transforms(const Document& document, const Objects& objects,
+                                 const std::function<void(Similarity&)>& change) {
+  Document result = document;
+  for (const auto& object : objects) {
+    const Object* found = result.find(object->id);
+    if (!found) continue;
+    Similarity transform = found->transform;
+    change(transform);
+    auto changed = set_transform(result, object->id, transform);
+    if (!changed.ok()) return changed.error();
+    result = std::move(changed).value();
   }
-  Editor& editor = context.editor;
-  const int mode =
-      static_cast<int>(std::find(modes.begin(), modes.end(), object.polyhedron()->mode) - modes.begin());
-  if (const auto chosen =
-          choose(context, "mode", "Surface", "How the surface spans the curves", mode_choices, mode))
-    editor.commit(set_mode(editor.history.current(), object.id, modes[static_cast<std::size_t>(*chosen)]),
-                  std::string("Surface ") + mode_choices[static_cast<std::size_t>(*chosen)].label);
-  draw_display(context, object);
+  return result;
 }
 
-void position_row(PanelContext& context, const Object& object, VertexId vertex) {
-  const PolyhedronSource& source = *object.polyhedron();
-  const Vector3 position = source.origin + source.polyhedron.position(source.polyhedron.find(vertex));
-  row_label(context, "Position", "Coordinates of the vertex, in the object's own axes");
-  static constexpr std::array ids{"x", "y", "z"};
-  const float spacing = context.metrics.px(4);
-  const float width = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (axis > 0) ImGui::SameLine(0, spacing);
-    number_field(context, ids[static_cast<std::size_t>(axis)], position[axis], "%.4g", width, "Move vertex",
-                 [&object, &source, vertex, axis, position](const Document& document, double value) {
-                   Vector3 moved = position;
-                   moved[axis] = value;
-                   moved -= source.origin;
-                   return move_vertices(document, object.id, {&vertex, 1}, {&moved, 1});
-                 });
-  }
+std::array<FieldSpec, 3> axis_specs(const std::array<const char*, 3>& ids, const std::string& step,
+                                    const Quantity& quantity) {
+  return {FieldSpec{ids[0], "X", "", step, quantity}, FieldSpec{ids[1], "Y", "", step, quantity},
+          FieldSpec{ids[2], "Z", "", step, quantity}};
 }
 
-void vertex_section(PanelContext& context, const Object& object, const std::vector<VertexId>& ids) {
-  const Shaping& shaping = *object.polyhedron()->shaping;
-  heading(context, ids.size() == 1 ? "Vertex" : (std::to_string(ids.size()) + " vertices").c_str());
-  const auto alpha = common<double>(ids, [&](VertexId id) { return shaping.alpha.get_or(id, 0); });
-  value_slider(context,
-               {"alpha", "Tension \u03b1", "Pulls the curves to the vertex: 0 is relaxed, 10 makes a point",
-                counted("Tension", ids.size(), "vertex", "vertices"), 0, max_alpha, true},
-               alpha, [&object, ids](const Document& document, double value) {
-                 return set_alpha(document, object.id, ids, value);
+template <class Get>
+std::array<std::optional<double>, 3> common_axes(const Objects& objects, const Get& get) {
+  std::array<std::optional<double>, 3> out;
+  for (int axis = 0; axis < 3; ++axis)
+    out[static_cast<std::size_t>(axis)] =
+        common<double>(objects, [&](const auto& object) { return get(*object)[axis]; });
+  return out;
+}
+
+void transform_rows(PanelContext& context, const Objects& objects) {
+  Quantity length = length_quantity(context.editor.document().unit, model_size(context.editor));
+  length.standard = 0;
+  vector_row(context, "Location", "Where the object's own zero stands in the document",
+             axis_specs({"location.x", "location.y", "location.z"}, "Place object", length),
+             common_axes(objects, [](const Object& object) { return object.transform.translation; }),
+             [objects, length](const Document& document, int axis, const ValueChange& change) {
+               return edit_transforms(document, objects, [&](Similarity& transform) {
+                 transform.translation[axis] = change.apply(length, transform.translation[axis]);
                });
+             });
+  const Quantity angle = angle_quantity();
+  vector_row(context, "Rotation", "About the x axis first, then y, then z",
+             axis_specs({"rotation.x", "rotation.y", "rotation.z"}, "Rotate object", angle),
+             common_axes(objects, [](const Object& object) { return angles_of(object.transform.rotation); }),
+             [objects, angle](const Document& document, int axis, const ValueChange& change) {
+               return edit_transforms(document, objects, [&](Similarity& transform) {
+                 Vector3 angles = angles_of(transform.rotation);
+                 angles[axis] = change.apply(angle, angles[axis]);
+                 transform.rotation = rotation_of(angles);
+               });
+             });
+  Quantity scale = plain_quantity(4, 0.1);
+  scale.multiplies = true;
+  scale.low = Similarity::min_scale;
+  scale.high = Similarity::max_scale;
+  scale.standard = 1;
+  value_row(context,
+            {"scale", "Scale", "The same along all axes: surfaces keep their shape", "Scale object", scale},
+            common<double>(objects, [](const auto& object) { return object->transform.scale; }),
+            [objects, scale](const Document& document, const ValueChange& change) {
+              return edit_transforms(document, objects, [&](Similarity& transform) {
+                transform.scale = change.apply(scale, transform.scale);
+              });
+            });
+}
+
+void mode_row(PanelContext& context, const Objects& objects) {
+  Objects polyhedra;
+  for (const auto& object : objects)
+    if (object->polyhedron()) polyhedra.push_back(object);
+  if (polyhedra.empty()) return;
+  const auto mode = common<Mode>(polyhedra, [](const auto& object) { return object->polyhedron()->mode; });
+  const int current =
+      mode ? static_cast<int>(std::find(modes.begin(), modes.end(), *mode) - modes.begin()) : -1;
+  const auto chosen =
+      choose(context, "mode", "Surface", "How the surface spans the curves", mode_choices, current);
+  if (!chosen) return;
+  Result<Document> result = context.editor.history.current();
+  for (const auto& object : polyhedra)
+    if (result.ok()) result = set_mode(*result, object->id, modes[static_cast<std::size_t>(*chosen)]);
+  context.editor.commit(result, mode_steps[static_cast<std::size_t>(*chosen)]);
+}
+
+void object_section(PanelContext& context, const Objects& objects) {
+  counted_heading(context, "Object", "{0} objects", objects.size());
+  if (objects.size() == 1) object_name(context, *objects.front());
+  if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->locked; }))
+    hint_text(context, "Locked: unlock it in the list above to change it.");
+  mode_row(context, objects);
+  if (ImGui::TreeNodeEx("##place",
+                        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
+                            (objects.size() > 1 ? ImGuiTreeNodeFlags_DefaultOpen : 0),
+                        "%s", context.tr("Placement"))) {
+    context.marks.item("section.placement");
+    transform_rows(context, objects);
+  } else {
+    context.marks.item("section.placement");
+  }
+  if (objects.size() == 1) draw_display(context, *objects.front());
+}
+
+// Elements.
+
+Vector3 position_of(const PolyhedronSource& source, VertexId id) {
+  return source.origin + source.polyhedron.position(source.polyhedron.find(id));
+}
+
+Result<Document> edit_positions(const Document& document, const SelectedIds<VertexId>& selected, int axis,
+                                const Quantity& quantity, const ValueChange& change) {
+  const Object* object = document.find(selected.object->id);
+  if (!object || !object->polyhedron()) return document;
+  const PolyhedronSource& source = *object->polyhedron();
+  std::vector<Vector3> positions;
+  for (const VertexId id : selected.ids) {
+    Vector3 position = position_of(source, id);
+    position[axis] = change.apply(quantity, position[axis]);
+    positions.push_back(position - source.origin);
+  }
+  return move_vertices(document, object->id, selected.ids, positions);
+}
+
+void position_rows(PanelContext& context, const SelectedIds<VertexId>& selected) {
+  const PolyhedronSource& source = *selected.object->polyhedron();
+  const Quantity length = length_quantity(context.editor.document().unit, model_size(context.editor));
+  std::array<std::optional<double>, 3> values;
+  for (int axis = 0; axis < 3; ++axis)
+    values[static_cast<std::size_t>(axis)] =
+        common<double>(selected.ids, [&](VertexId id) { return position_of(source, id)[axis]; });
+  vector_row(context, "Position", "Coordinates of the vertex, in the object's own axes",
+             axis_specs(axis_names, counted("Move vertex", "Move {0} vertices", selected.ids.size()), length),
+             values, [selected, length](const Document& document, int axis, const ValueChange& change) {
+               return edit_positions(document, selected, axis, length, change);
+             });
+}
+
+void pin_row(PanelContext& context, const SelectedIds<VertexId>& selected) {
+  const auto& pins = selected.object->polyhedron()->shaping->pin;
+  const auto pinned = static_cast<std::size_t>(std::count_if(selected.ids.begin(), selected.ids.end(),
+                                                             [&](VertexId id) { return pins.contains(id); }));
+  if (pinned == 0) return;
+  row_label(context, "Pin", "The tangent plane is fixed here");
+  const std::string label = pinned == 1 ? context.tr("Release pin")
+                                        : fill(context.tr("Release {0} pins"), {std::to_string(pinned)});
+  if (ImGui::Button((label + "###release").c_str(), {-1, 0}))
+    context.editor.commit(clear_pins(context.editor.history.current(), selected.object->id, selected.ids),
+                          counted("Release pin", "Release {0} pins", pinned));
+  context.marks.item("button.release_pin");
+}
+
+/// Every tension of the selected elements changed, in one edit.
+template <class Id, class Get, class Set>
+Result<Document> edit_tensions(const Document& document, const SelectedIds<Id>& selected,
+                               const Quantity& quantity, const ValueChange& change, const Get& get,
+                               const Set& set) {
+  const Object* object = document.find(selected.object->id);
+  if (!object || !object->polyhedron()) return document;
+  std::vector<double> values;
+  for (const Id& id : selected.ids)
+    values.push_back(change.apply(quantity, get(*object->polyhedron()->shaping, id)));
+  return set(document, object->id, selected.ids, values);
+}
+
+void vertex_section(PanelContext& context, const SelectedIds<VertexId>& selected) {
+  const Shaping& shaping = *selected.object->polyhedron()->shaping;
+  const auto& ids = selected.ids;
+  counted_heading(context, "Vertex", "{0} vertices", ids.size());
+  const auto alpha_of = [](const Shaping& of, VertexId id) { return of.alpha.get_or(id, 0); };
+  const Quantity quantity = tension_quantity(0, max_alpha, 0);
+  slider_row(context,
+             {"alpha", "Tension \u03b1", "Pulls the curves to the vertex: 0 is relaxed, 10 makes a point",
+              counted("Tension of vertex", "Tension of {0} vertices", ids.size()), quantity},
+             0, max_alpha, true, common<double>(ids, [&](VertexId id) { return alpha_of(shaping, id); }),
+             [selected, quantity, alpha_of](const Document& document, const ValueChange& change) {
+               return edit_tensions(document, selected, quantity, change, alpha_of, &set_alphas);
+             });
   const auto tag =
       common<VertexTag>(ids, [&](VertexId id) { return shaping.tag.get_or(id, VertexTag::automatic); });
   if (const auto chosen = choose(context, "tag", "Corner", "How creases and the border pass the vertex",
                                  tag_choices, tag ? static_cast<int>(*tag) : -1))
-    context.editor.commit(
-        set_vertex_tag(context.editor.history.current(), object.id, ids, static_cast<VertexTag>(*chosen)),
-        counted("Tag", ids.size(), "vertex", "vertices"));
-  if (ids.size() == 1) position_row(context, object, ids.front());
+    context.editor.commit(set_vertex_tag(context.editor.history.current(), selected.object->id, ids,
+                                         static_cast<VertexTag>(*chosen)),
+                          counted("Tag of vertex", "Tag of {0} vertices", ids.size()));
+  pin_row(context, selected);
+  position_rows(context, selected);
 }
 
-void edge_section(PanelContext& context, const Object& object, const std::vector<EdgeId>& ids) {
-  const Shaping& shaping = *object.polyhedron()->shaping;
-  heading(context, ids.size() == 1 ? "Edge" : (std::to_string(ids.size()) + " edges").c_str());
-  const auto beta = common<double>(ids, [&](const EdgeId& id) { return shaping.beta.get_or(id, 1); });
-  value_slider(
+void edge_section(PanelContext& context, const SelectedIds<EdgeId>& selected) {
+  const Shaping& shaping = *selected.object->polyhedron()->shaping;
+  const auto& ids = selected.ids;
+  counted_heading(context, "Edge", "{0} edges", ids.size());
+  const auto beta_of = [](const Shaping& of, const EdgeId& id) { return of.beta.get_or(id, 1); };
+  Quantity quantity = tension_quantity(min_beta, max_beta, 1);
+  quantity.multiplies = true;
+  slider_row(
       context,
       {"beta", "Tension \u03b2", "Stretches the curve along the edge: 1 is neutral, 10 is nearly straight",
-       counted("Tension", ids.size(), "edge", "edges"), min_beta, max_beta, true},
-      beta, [&object, ids](const Document& document, double value) {
-        return set_beta(document, object.id, ids, value);
+       counted("Tension of edge", "Tension of {0} edges", ids.size()), quantity},
+      min_beta, max_beta, true, common<double>(ids, [&](const EdgeId& id) { return beta_of(shaping, id); }),
+      [selected, quantity, beta_of](const Document& document, const ValueChange& change) {
+        return edit_tensions(document, selected, quantity, change, beta_of, &set_betas);
       });
   const auto crease = common<bool>(ids, [&](const EdgeId& id) { return shaping.crease.contains(id); });
-  row_label(context, "Crease", "The surface has a sharp edge here");
-  bool on = crease.value_or(false);
-  if (ImGui::Checkbox(crease ? "##crease" : "mixed##crease", &on))
-    context.editor.commit(set_crease(context.editor.history.current(), object.id, ids, on),
-                          counted(on ? "Crease" : "Smooth", ids.size(), "edge", "edges"));
-  context.marks.item("check.crease");
+  if (const auto on = check_row(context, "crease", "Crease", "The surface has a sharp edge here", crease))
+    context.editor.commit(set_crease(context.editor.history.current(), selected.object->id, ids, *on),
+                          *on ? counted("Crease of edge", "Crease of {0} edges", ids.size())
+                              : counted("Smooth of edge", "Smooth of {0} edges", ids.size()));
 }
 
-void message_list(PanelContext& context, const Object& object) {
-  const SurfaceView* view = context.editor.view_of(object.id);
-  if (!view) return;
-  const auto line = [&](const Message& message) {
-    const bool error = message.severity == Severity::error;
-    {
-      const TextColour colour(error ? palette().error : palette().warning);
-      ImGui::TextUnformatted(error ? icon::error : icon::warning);
-    }
-    ImGui::SameLine();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(message.text.c_str());
-    if (!message.remedy.empty()) ImGui::TextDisabled("%s", message.remedy.c_str());
-    ImGui::PopTextWrapPos();
-  };
-  if (!view->error && view->warnings.empty()) return;
-  heading(context, "Messages");
-  if (view->error) line(*view->error);
-  constexpr std::size_t most = 8;
-  for (std::size_t i = 0; i < std::min(most, view->warnings.size()); ++i) line(view->warnings[i]);
-  if (view->warnings.size() > most) ImGui::TextDisabled("and %zu more", view->warnings.size() - most);
+void face_section(PanelContext& context, const SelectedIds<FaceId>& selected) {
+  counted_heading(context, "Face", "{0} faces", selected.ids.size());
+  hint_text(context, "Drag to move.");
 }
 
 }  // namespace
@@ -160,35 +331,30 @@ void message_list(PanelContext& context, const Object& object) {
 void draw_properties(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Properties", rect, palette().panel, {m.px(12), m.px(8)})) {
-    Editor& editor = context.editor;
     // Edits replace the document under the panel: what is drawn is this frame's value.
-    const auto object = editor.document().find_shared(editor.selection.active);
-    if (!object) {
-      ImGui::TextDisabled("Nothing to set yet.");
+    const auto objects = chosen_objects(context.editor);
+    if (objects.empty()) {
+      hint_text(context,
+                context.editor.document().objects.empty()
+                    ? translatable("The document is empty. Add a shape, or drop a mesh on the window.")
+                    : translatable("Nothing is selected. Click an object here or in the view."));
     } else {
-      object_section(context, *object);
-      if (object->polyhedron()) {
-        const ElementSelection selection = editor.selection.of(object->id);
-        if (!selection.vertices.empty())
-          vertex_section(context, *object, {selection.vertices.begin(), selection.vertices.end()});
-        if (!selection.edges.empty())
-          edge_section(context, *object, {selection.edges.begin(), selection.edges.end()});
-        if (!selection.faces.empty()) {
-          heading(context, selection.faces.size() == 1
-                               ? "Face"
-                               : (std::to_string(selection.faces.size()) + " faces").c_str());
-          ImGui::TextDisabled("Drag to move.");
-        }
-        if (selection.empty()) {
-          heading(context, "Selection");
-          ImGui::PushTextWrapPos(0);
-          ImGui::TextDisabled(
-              "Click a vertex or an edge to set its tension. Keys 1 2 3 choose what a click takes.");
-          ImGui::PopTextWrapPos();
-        }
-        message_list(context, *object);
+      // Elements first: they are what the hand is on.
+      const auto vertices = selected_vertices(context.editor);
+      const auto edges = selected_edges(context.editor);
+      const auto faces = selected_faces(context.editor);
+      if (!vertices.ids.empty()) vertex_section(context, vertices);
+      if (!edges.ids.empty()) edge_section(context, edges);
+      if (!faces.ids.empty()) face_section(context, faces);
+      object_section(context, objects);
+      if (vertices.ids.empty() && edges.ids.empty() && faces.ids.empty() && objects.front()->polyhedron()) {
+        heading(context, "Selection");
+        hint_text(context,
+                  "Click a vertex or an edge to set its tension. Keys 1 2 3 choose what a click takes.");
       }
+      draw_message_list(context, *objects.front());
     }
+    document_section(context);
   }
   ImGui::End();
 }

@@ -1,6 +1,7 @@
-// The start page: samples to begin with, and the ways to open something else.
+// The start page: work to recover, ways to begin, recent files and samples.
 
 #include <algorithm>
+#include <chrono>
 
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
@@ -10,27 +11,172 @@ namespace hariko {
 
 namespace {
 
+struct Card {
+  std::string id, title, subtitle, help;
+  ImTextureID picture = nullptr;
+};
+
+constexpr float caption_height = 52;
+
 /// A card with a picture. True when it was clicked.
-bool sample_card(PanelContext& context, const Sample& sample, ImVec2 size) {
+bool card(PanelContext& context, const Card& card, ImVec2 size) {
   const Metrics& m = context.metrics;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::InvisibleButton(sample.path.c_str(), size);
-  context.marks.item("sample." + sample.path.filename().string());
+  const bool clicked = ImGui::InvisibleButton(card.id.c_str(), size);
+  context.marks.item(card.id);
   const bool hovered = ImGui::IsItemHovered();
-  if (hovered) ImGui::SetTooltip("%s", sample.description.c_str());
+  if (hovered && !card.help.empty()) ImGui::SetTooltip("%s", card.help.c_str());
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + size.x, at.y + size.y);
-  const float caption = m.px(34), radius = m.px(6);
+  const float caption = m.px(caption_height), radius = m.px(6);
   draw.AddRectFilled(at, end, hovered ? palette().field_hover : palette().panel, radius);
   const ImVec2 picture_end(end.x, end.y - caption);
-  if (sample.picture)
-    draw.AddImageRounded(sample.picture, at, picture_end, {0, 0}, {1, 1}, IM_COL32_WHITE, radius,
+  if (card.picture)
+    draw.AddImageRounded(card.picture, at, picture_end, {0, 0}, {1, 1}, IM_COL32_WHITE, radius,
                          ImDrawFlags_RoundCornersTop);
   else
     draw.AddRectFilled(at, picture_end, palette().field, radius, ImDrawFlags_RoundCornersTop);
-  draw.AddText({at.x + m.px(12), picture_end.y + m.px(8)}, palette().text, sample.title.c_str());
+  draw.PushClipRect({at.x + m.px(12), at.y}, {end.x - m.px(8), end.y}, true);
+  draw.AddText({at.x + m.px(12), picture_end.y + m.px(7)}, palette().text, card.title.c_str());
+  draw.AddText({at.x + m.px(12), picture_end.y + m.px(27)}, palette().dim_text, card.subtitle.c_str());
+  draw.PopClipRect();
   if (hovered) draw.AddRect(at, end, palette().secondary, radius, 0, m.px(1.5F));
   return clicked;
+}
+
+/// "5 minutes ago".
+std::string ago(const PanelContext& context, std::int64_t then) {
+  using namespace std::chrono;
+  const std::int64_t now = duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+  const std::int64_t minutes = std::max<std::int64_t>(now - then, 0) / 60;
+  if (minutes < 1) return context.tr("just now");
+  if (minutes < 60) return fill(context.tr("{0} min ago"), {std::to_string(minutes)});
+  if (minutes < 48 * 60) return fill(context.tr("{0} h ago"), {std::to_string(minutes / 60)});
+  return fill(context.tr("{0} days ago"), {std::to_string(minutes / (24 * 60))});
+}
+
+/// Places cards of equal size in rows, from the left edge of the content.
+class Grid {
+ public:
+  Grid(const PanelContext& context, float left, float content, int columns, float aspect)
+      : left_(left), spacing_(context.metrics.px(16)), columns_(columns), top_(ImGui::GetCursorPosY()) {
+    const float width = (content - spacing_ * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    size_ = {width, width / aspect + context.metrics.px(caption_height)};
+  }
+  /// Moves to the next place.
+  ImVec2 next(float below = 0) {
+    const int column = count_ % columns_, row = count_ / columns_;
+    ++count_;
+    ImGui::SetCursorPos({left_ + static_cast<float>(column) * (size_.x + spacing_),
+                         top_ + static_cast<float>(row) * (size_.y + below + spacing_)});
+    return size_;
+  }
+
+ private:
+  float left_, spacing_;
+  int columns_, count_ = 0;
+  float top_;
+  ImVec2 size_{};
+};
+
+void section(PanelContext& context, float left, const char* title) {
+  ImGui::Dummy({0, context.metrics.px(10)});
+  ImGui::SetCursorPosX(left);
+  ImGui::TextDisabled("%s", context.tr(title));
+  ImGui::Dummy({0, context.metrics.px(2)});
+}
+
+void recoveries(PanelContext& context, float left, float content, int columns) {
+  const Metrics& m = context.metrics;
+  if (context.offers.recoveries.empty()) return;
+  section(context, left, "Work that was not saved");
+  Grid grid(context, left, content, columns, 1.5F);
+  const float button = ImGui::GetFrameHeight() + m.px(8);
+  // Both actions change the list.
+  const std::vector<RecoveryOffer> offers = context.offers.recoveries;
+  for (const RecoveryOffer& offer : offers) {
+    const ImVec2 size = grid.next(button);
+    const ImVec2 at = ImGui::GetCursorPos();
+    Card each{"recover." + offer.id,
+              offer.path.empty() ? std::string(context.tr("Untitled")) : offer.path.filename().string(),
+              ago(context, offer.written_at), offer.path.string(), offer.picture};
+    if (offer.damaged) each.subtitle = context.tr("Damaged: it cannot be read");
+    if (offer.file_changed)
+      each.help += std::string("\n") + context.tr("The file was changed after this copy was made.");
+    if (card(context, each, size) && !offer.damaged) context.recover(offer.id);
+    ImGui::PushID(offer.id.c_str());
+    ImGui::SetCursorPos({at.x, at.y + size.y + m.px(4)});
+    const float half = (size.x - m.px(8)) / 2;
+    if (!offer.damaged) {
+      if (ImGui::Button(context.tr("Recover"), {half, 0})) context.recover(offer.id);
+      context.marks.item("recover.button." + offer.id);
+      ImGui::SameLine(0, m.px(8));
+    }
+    if (ImGui::Button(context.tr("Discard"), {half, 0})) context.discard_recovery(offer.id);
+    context.marks.item("discard.button." + offer.id);
+    ImGui::PopID();
+  }
+}
+
+void recent_files(PanelContext& context, float left, float content, int columns) {
+  if (context.offers.recent.empty()) return;
+  section(context, left, "Recent");
+  // Smaller than the samples, one row.
+  const int per_row = columns + 1;
+  Grid grid(context, left, content, per_row, 1.5F);
+  const std::vector<RecentFile> recent = context.offers.recent;
+  for (std::size_t i = 0; i < std::min(recent.size(), static_cast<std::size_t>(per_row)); ++i) {
+    const RecentFile& file = recent[i];
+    const ImVec2 size = grid.next();
+    if (card(context,
+             {"recent." + std::to_string(i), file.path.filename().string(), ago(context, file.used_at),
+              file.path.string(), file.picture},
+             size))
+      context.open(file.path);
+  }
+}
+
+void samples(PanelContext& context, float left, float content, int columns) {
+  section(context, left, context.samples.empty() ? "The samples are not installed." : "Samples");
+  Grid grid(context, left, content, columns, 1.5F);
+  const std::vector<Sample> all = context.samples;
+  for (const Sample& sample : all) {
+    const ImVec2 size = grid.next();
+    if (card(context,
+             {"sample." + sample.path.filename().string(), context.tr(sample.title),
+              context.tr(sample.description), context.tr(sample.description), sample.picture},
+             size))
+      context.open(sample.path);
+  }
+}
+
+bool main_button(const char* label) {
+  ImGui::PushStyleColor(ImGuiCol_Button, palette().accent);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(255, 178, 84, 255));
+  ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(30, 31, 34, 255));
+  const bool pressed = ImGui::Button(label);
+  ImGui::PopStyleColor(3);
+  return pressed;
+}
+
+void actions(PanelContext& context) {
+  const Language& tr = context.tr;
+  const auto label = [&](const char* symbol, const char* text) { return std::string(symbol) + "  " + text; };
+  if (main_button(label(icon::object, tr("New from box")).c_str())) context.run("file.new_from_box");
+  context.marks.item("start.box");
+  ImGui::SameLine();
+  if (ImGui::Button(label(icon::open, tr("Open\u2026")).c_str())) context.run("file.open");
+  context.marks.item("start.open");
+  ImGui::SameLine();
+  if (ImGui::Button(label(icon::import_file, tr("Import a mesh\u2026")).c_str())) context.run("file.import");
+  context.marks.item("start.import");
+  ImGui::SameLine();
+  const Guide& guide = context.editor.guide;
+  const char* text =
+      guide.paused() ? tr("Go on with your first model") : tr("Your first model in two minutes");
+  if (ImGui::Button(label(icon::info, text).c_str())) context.run("help.guide");
+  context.marks.item("start.guide");
+  ImGui::TextDisabled("%s", tr("or drop a file here: .hariko, .obj, .off, .ply, .stl"));
 }
 
 }  // namespace
@@ -38,7 +184,6 @@ bool sample_card(PanelContext& context, const Sample& sample, ImVec2 size) {
 void draw_start_page(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   const int columns = rect.width() > m.px(900) ? 4 : 3;
-  const float spacing = m.px(16);
   const float content = std::min(rect.width() - m.px(64), m.px(1080));
   const float left = (rect.width() - content) / 2;
   if (begin_panel("Start", rect, palette().window, {0, 0})) {
@@ -47,31 +192,13 @@ void draw_start_page(PanelContext& context, const PanelRect& rect) {
     ImGui::PushFont(title_font());
     ImGui::TextUnformatted("Hariko");
     ImGui::PopFont();
-    ImGui::TextDisabled("Stretch a smooth surface over a rough structure.");
+    ImGui::TextDisabled("%s", context.tr("Stretch a smooth surface over a rough structure."));
     ImGui::Dummy({0, m.px(8)});
-    if (ImGui::Button((std::string(icon::open) + "  Open\u2026").c_str())) context.run("file.open");
-    context.marks.item("start.open");
-    ImGui::SameLine();
-    if (ImGui::Button((std::string(icon::import_file) + "  Import a mesh\u2026").c_str()))
-      context.run("file.import");
-    context.marks.item("start.import");
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("or drop a file here: .hariko, .obj, .off, .ply, .stl");
-    ImGui::Dummy({0, m.px(12)});
-    ImGui::TextDisabled(context.samples.empty() ? "The samples are not installed." : "Samples");
+    actions(context);
     ImGui::EndGroup();
-    const float width = (content - spacing * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    const ImVec2 size(width, width / 1.5F + m.px(34));
-    const float top = ImGui::GetCursorPosY() + m.px(4);
-    const std::vector<Sample> samples = context.samples;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const auto column = static_cast<float>(i % static_cast<std::size_t>(columns));
-      const std::size_t whole_rows = i / static_cast<std::size_t>(columns);
-      const auto row = static_cast<float>(whole_rows);
-      ImGui::SetCursorPos({left + column * (width + spacing), top + row * (size.y + spacing)});
-      if (sample_card(context, samples[i], size)) context.open(samples[i].path);
-    }
+    recoveries(context, left, content, columns);
+    recent_files(context, left, content, columns);
+    samples(context, left, content, columns);
     ImGui::Dummy({1, m.px(24)});
   }
   ImGui::End();

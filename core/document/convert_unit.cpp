@@ -1,0 +1,63 @@
+#include "core/document/convert_unit.hpp"
+
+#include <numeric>
+
+#include "core/polyhedron/validation.hpp"
+
+namespace hariko {
+
+namespace {
+
+Result<Done> scale_polyhedron(PolyhedronSource& source, double factor) {
+  std::vector<Vector3> positions = source.polyhedron.positions();
+  std::vector<Index> indices(positions.size());
+  std::iota(indices.begin(), indices.end(), Index{0});
+  for (Vector3& position : positions) position *= factor;
+  auto scaled = source.polyhedron.with_positions(indices, positions);
+  if (!scaled.ok()) return scaled.error();
+  source.polyhedron = std::move(scaled).value();
+  source.origin *= factor;
+  if (source.shaping->pin.empty()) return Done{};
+  Shaping shaping = *source.shaping;
+  FlatMap<VertexId, Pin> pins;
+  for (const auto& [id, pin] : shaping.pin) {
+    Pin scaled_pin = pin;
+    if (pin.kind == Pin::Kind::tangents)
+      for (Vector3& vector : scaled_pin.vectors) vector *= factor;
+    pins.set(id, std::move(scaled_pin));
+  }
+  shaping.pin = std::move(pins);
+  source.shaping = std::move(shaping);
+  return Done{};
+}
+
+void scale_mesh(MeshSource& source, double factor) {
+  PolygonMesh mesh = *source.mesh;
+  for (Vector3& position : mesh.positions) position *= factor;
+  source.mesh = std::move(mesh);
+  source.origin *= factor;
+}
+
+}  // namespace
+
+Result<Document> convert_unit(const Document& document, Unit unit) {
+  if (unit == document.unit) return document;
+  const double factor = millimetres_per(document.unit) / millimetres_per(unit);
+  Document result = document;
+  result.unit = unit;
+  for (auto& shared : result.objects) {
+    Object object = *shared;
+    object.transform.translation *= factor;
+    if (auto* polyhedron = std::get_if<PolyhedronSource>(&object.source)) {
+      if (const auto scaled = scale_polyhedron(*polyhedron, factor); !scaled.ok()) return scaled.error();
+    } else if (auto* mesh = std::get_if<MeshSource>(&object.source)) {
+      scale_mesh(*mesh, factor);
+    }
+    if (!object.transform.translation.allFinite())
+      return make_error(e_nonfinite, "An object would lie infinitely far away.", "Choose another unit.");
+    shared = std::make_shared<const Object>(std::move(object));
+  }
+  return result;
+}
+
+}  // namespace hariko

@@ -1,0 +1,28 @@
+#pragma once
+
+// What the panels are about: the chosen objects, and the selected elements of the active one.
+
+#include <memory>
+#include <vector>
+
+#include "ui/editor.hpp"
+
+namespace hariko {
+
+template <class Id>
+struct SelectedIds {
+  std::shared_ptr<const Object> object;  ///< a polyhedron; null when there are no ids
+  std::vector<Id> ids;                   ///< ascending
+};
+
+/// The chosen objects, the active one first; empty when there is none.
+std::vector<std::shared_ptr<const Object>> chosen_objects(const Editor& editor);
+
+/// Their ids.
+std::vector<ObjectId> chosen_ids(const Editor& editor);
+
+SelectedIds<VertexId> selected_vertices(const Editor& editor);
+SelectedIds<EdgeId> selected_edges(const Editor& editor);
+SelectedIds<FaceId> selected_faces(const Editor& editor);
+
+}  // namespace hariko
