@@ -40,6 +40,7 @@ void add_edit_commands(CommandHost& host);
 void add_object_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
 void add_transform_commands(CommandHost& host);
+void add_mesh_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_recompute_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
