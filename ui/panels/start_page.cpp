@@ -5,6 +5,7 @@
 
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace hariko {
@@ -86,54 +87,23 @@ void section(PanelContext& context, float left, const char* title) {
   ImGui::Dummy({0, context.metrics.px(2)});
 }
 
-void recoveries(PanelContext& context, float left, float content, int columns) {
-  const Metrics& m = context.metrics;
-  if (context.offers.recoveries.empty()) return;
-  section(context, left, "Work that was not saved");
-  Grid grid(context, left, content, columns, 1.5F);
-  const float button = ImGui::GetFrameHeight() + m.px(8);
-  // Both actions change the list.
-  const std::vector<RecoveryOffer> offers = context.offers.recoveries;
-  for (const RecoveryOffer& offer : offers) {
-    const ImVec2 size = grid.next(button);
-    const ImVec2 at = ImGui::GetCursorPos();
-    Card each{"recover." + offer.id,
-              offer.path.empty() ? std::string(context.tr("Untitled")) : offer.path.filename().string(),
-              ago(context, offer.written_at), offer.path.string(), offer.picture};
-    if (offer.damaged) each.subtitle = context.tr("Damaged: it cannot be read");
-    if (offer.file_changed)
-      each.help += std::string("\n") + context.tr("The file was changed after this copy was made.");
-    if (card(context, each, size) && !offer.damaged) context.recover(offer.id);
-    ImGui::PushID(offer.id.c_str());
-    ImGui::SetCursorPos({at.x, at.y + size.y + m.px(4)});
-    const float half = (size.x - m.px(8)) / 2;
-    if (!offer.damaged) {
-      if (ImGui::Button(context.tr("Recover"), {half, 0})) context.recover(offer.id);
-      context.marks.item("recover.button." + offer.id);
-      ImGui::SameLine(0, m.px(8));
-    }
-    if (ImGui::Button(context.tr("Discard"), {half, 0})) context.discard_recovery(offer.id);
-    context.marks.item("discard.button." + offer.id);
-    ImGui::PopID();
-  }
+/// Calls draw(width) under a title, in the page's column.
+template <class Draw>
+void section_of(PanelContext& context, float left, const char* title, const Draw& draw) {
+  section(context, left, title);
+  ImGui::SetCursorPosX(left);
+  ImGui::BeginGroup();
+  draw();
+  ImGui::EndGroup();
 }
 
-void recent_files(PanelContext& context, float left, float content, int columns) {
-  if (context.offers.recent.empty()) return;
-  section(context, left, "Recent");
-  // Smaller than the samples, one row.
-  const int per_row = columns + 1;
-  Grid grid(context, left, content, per_row, 1.5F);
-  const std::vector<RecentFile> recent = context.offers.recent;
-  for (std::size_t i = 0; i < std::min(recent.size(), static_cast<std::size_t>(per_row)); ++i) {
-    const RecentFile& file = recent[i];
-    const ImVec2 size = grid.next();
-    if (card(context,
-             {"recent." + std::to_string(i), file.path.filename().string(), ago(context, file.used_at),
-              file.path.string(), file.picture},
-             size))
-      context.open(file.path);
-  }
+void earlier_work(PanelContext& context, float left, float content) {
+  if (!context.offers.recoveries.empty())
+    section_of(context, left, "Unsaved work of an earlier session",
+               [&] { draw_recovery_offers(context, content); });
+  if (!context.offers.recent.empty())
+    section_of(context, left, "Recent files",
+               [&] { draw_recent_files(context, content, content > context.metrics.px(820) ? 6 : 4); });
 }
 
 void samples(PanelContext& context, float left, float content, int columns) {
@@ -196,8 +166,7 @@ void draw_start_page(PanelContext& context, const PanelRect& rect) {
     ImGui::Dummy({0, m.px(8)});
     actions(context);
     ImGui::EndGroup();
-    recoveries(context, left, content, columns);
-    recent_files(context, left, content, columns);
+    earlier_work(context, left, content);
     samples(context, left, content, columns);
     ImGui::Dummy({1, m.px(24)});
   }
