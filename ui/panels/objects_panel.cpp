@@ -19,7 +19,11 @@ void draw_objects(PanelContext& context, const PanelRect& rect) {
       const float row = ImGui::GetContentRegionAvail().x;
       if (ImGui::Selectable("##row", active, ImGuiSelectableFlags_AllowItemOverlap, {0, side})) {
         if (!active) editor.selection.clear_elements();
-        editor.selection.active = object->id;
+        const ImGuiIO& io = ImGui::GetIO();
+        editor.selection.select({object->id, element_of(object->id)}, io.KeyCtrl ? Selection::How::remove
+                                                                      : io.KeyShift
+                                                                          ? Selection::How::add
+                                                                          : Selection::How::replace);
       }
       context.marks.item("object." + std::to_string(object->id.value));
       ImGui::SetItemAllowOverlap();
