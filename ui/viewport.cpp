@@ -411,8 +411,12 @@ std::string Viewport::hint() const {
   const Language& tr = editor_.language;
   if (hot_handle_) return tr("Drag the handle   click to type a number");
   if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
-  return describe(editor_.selection.of_active()) + "   |   " +
-         tr(navigation_hint(editor_.settings.navigation));
+  const std::size_t objects = editor_.selection.objects().size();
+  const std::string selected =
+      editor_.mode == ElementMode::object && objects > 0
+          ? fill(tr(objects == 1 ? "{0} object" : "{0} objects"), {std::to_string(objects)})
+          : describe(editor_.selection.of_active());
+  return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation));
 }
 
 }  // namespace hariko
