@@ -41,7 +41,6 @@ float tool_column_width(const Metrics& m, float height) {
 }
 
 void draw_tool_column(PanelContext& context, const PanelRect& rect) {
-<<<<<<< HEAD
   const Metrics& m = context.metrics;
   if (begin_panel("Tools", rect, palette().window, {m.px(4), m.px(gap)}, ImGuiWindowFlags_NoScrollbar)) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(spacing), m.px(spacing)));
@@ -53,21 +52,6 @@ void draw_tool_column(PanelContext& context, const PanelRect& rect) {
       }
       ImGui::Dummy({1, m.px(gap) - m.px(spacing)});
     }
-=======
-  const float pad = context.metrics.px(4);
-  if (begin_panel("Tools", rect, palette().window, {pad, context.metrics.px(8)},
-                  ImGuiWindowFlags_NoScrollbar)) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, context.metrics.px(2)));
-    for (const char* id : {"select.vertices", "select.edges", "select.faces", "select.objects"})
-      command_button(context, id);
-    gap(context);
-    for (const char* id : {"transform.move", "transform.rotate", "transform.scale"})
-      command_button(context, id);
-    gap(context);
-    for (const char* id : {"edit.undo", "edit.redo"}) command_button(context, id);
-    gap(context);
-    for (const char* id : {"view.frame_all", "view.x_ray"}) command_button(context, id);
->>>>>>> 959592d (A gizmo, box and lasso, loops, several objects, similar and linked elements; tension by dragging on the element)
     ImGui::PopStyleVar();
   }
   ImGui::End();
