@@ -118,7 +118,12 @@ std::optional<GizmoHandle> Gizmo::hit(const Vector2& pixel) const {
   std::optional<GizmoHandle> best;
   double least = hit_radius * scale_;
   for (const Shape& shape : shapes_) {
-    if (shape.closed && holds(shape.line, pixel)) return shape.handle;
+    // Seen at a slant squares reach under arrows: the line itself wins there.
+    if (const double within = hit_radius / 2 * scale_;
+        shape.closed && within < least && holds(shape.line, pixel)) {
+      least = within;
+      best = shape.handle;
+    }
     for (std::size_t i = 0; i + 1 < shape.line.size(); ++i) {
       const double distance = distance_to_segment(pixel, shape.line[i], shape.line[i + 1]);
       if (distance >= least) continue;
