@@ -177,12 +177,12 @@ void add_growth(CommandHost& host) {
          "Ctrl+L", any_kind, false,
          [](const auto& source, const auto& elements) { return linked(source.polyhedron, elements); });
   change("select.loop", "Edge loop",
-         "Add the edges in line with the selected ones. A double click does the same.", "Alt+E",
+         "Add the edges in line with the selected ones. A double click does the same.", "Shift+L",
          {.edges = true}, true, [](const auto& source, const auto& elements) {
            return paths(source.polyhedron, elements, edge_loop);
          });
   change("select.ring", "Edge ring", "Add the edges side by side with the selected ones, from face to face.",
-         "Ctrl+Alt+E", {.edges = true}, false, [](const auto& source, const auto& elements) {
+         "Ctrl+Shift+L", {.edges = true}, false, [](const auto& source, const auto& elements) {
            return paths(source.polyhedron, elements, edge_ring);
          });
   change("select.boundary", "Boundary of faces", "Select the edges round the selected faces.", "",
@@ -252,7 +252,7 @@ void add_pointing(CommandHost& host) {
                   "Select",
                   "Select through",
                   "Also select what is hidden.",
-                  "Alt+Z",
+                  "Shift+Q",
                   "",
                   false,
                   false,
