@@ -119,7 +119,7 @@ void drag_start(benchmark::State& state) {
                        nullptr};
   system.constants = patch_constants(*system.mesh, system.network.frames());
   system.fair = std::make_unique<FairSystem>(system.mesh, system.network, system.constants);
-  for (auto _ : state) benchmark::DoNotOptimize(drag_response(system, {0}));
+  for (auto _ : state) benchmark::DoNotOptimize(drag_response(system, {0}, {1.0}));
 }
 BENCHMARK(drag_start)->Apply(sizes);
 

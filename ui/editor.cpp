@@ -121,6 +121,10 @@ void Editor::frame_at_once(int number, PixelSize size) {
 Box3 Editor::selected_box() const {
   Box3 box;
   for (const auto& object : document().objects) {
+    if (mode == ElementMode::object) {
+      if (selection.objects().contains(object->id)) box.extend(world_box(*object));
+      continue;
+    }
     const PolyhedronSource* source = object->polyhedron();
     if (!source || selection.of(object->id).empty()) continue;
     for (const VertexId id : touched_vertices(selection.of(object->id), source->polyhedron))

@@ -57,6 +57,18 @@ struct ViewSettings {
   bool grid = true;
 };
 
+/// How pointing selects.
+struct SelectSettings {
+  bool lasso = false;    ///< drags beside elements draw a lasso instead of a box
+  bool through = false;  ///< also what is hidden
+};
+
+/// The last click on an element: one more at the same place takes what lies behind.
+struct LastClick {
+  Vector2 pixel = Vector2::Zero();
+  std::size_t index = 0;  ///< among the elements there, nearest first
+};
+
 class Editor {
  public:
   History history;
@@ -65,6 +77,8 @@ class Editor {
   std::optional<ElementRef> hovered;
   ViewSettings view;
   TransformSettings transform;
+  SelectSettings selecting;
+  std::optional<LastClick> last_click;
   Settings settings;
   FrameTimes frame_times;
   Recompute recompute;

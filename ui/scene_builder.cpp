@@ -127,6 +127,16 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   out.show_tensions = display.tensions;
   const PolyhedronSource* source = object->polyhedron();
   const SurfaceView* view = editor.view_of(object->id);
+  if (editor.mode == ElementMode::object) {
+    const ElementRef whole{object->id, element_of(object->id)};
+    const auto outline = [&](bool wanted) {
+      Highlights all;
+      for (Index e = 0; wanted && e < out.polyhedron->edges.size(); ++e) all.edges.push_back(e);
+      return all;
+    };
+    out.selected = outline(editor.selection.contains(whole));
+    out.hovered = outline(editor.hovered == whole);
+  }
   if (!source) {
     out.show_points = false;
     if (view) out.mesh = view->mesh;
@@ -147,6 +157,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   const auto stale = editor.stale_since.find(object->id);
   out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
                editor.recompute.outdated.contains(object->id);
+  if (editor.mode == ElementMode::object) return out;
   const ElementSelection& selected = editor.selection.of(object->id);
   out.selected = highlights_of(selected, source->polyhedron);
   if (out.mesh) out.selected_patches = patches_of(*out.mesh, selected.faces);

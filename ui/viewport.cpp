@@ -71,12 +71,14 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     const bool hovered = ImGui::IsItemHovered();
     activate_under_pointer();
     scene_.update(editor_);  // hovering and clicking look at what is there now
+    gizmo_.update(editor_, tool_ != nullptr);
     handle_pointer(hovered);
     // A title or a tool may have arranged the views anew.
     place_views(rect);
     scene_.update(editor_);
     std::vector<ViewPictures::Shown> shown;
     for (const Place& place : places_) shown.push_back({place.view, size_of(place)});
+    gizmo_.update(editor_, tool_ != nullptr);
     pictures_.update(editor_, scene_, shown, tool_ != nullptr);
     for (const Place& place : places_) show(context, place);
     draw_legend(context, rect, scene_);
@@ -210,7 +212,12 @@ void Viewport::show(PanelContext& context, const Place& place) {
   const bool active = place.view == editor_.layout.active();
   draw_scale_bar(context, camera, place.rect);
   draw_tension_numbers(context, place.rect, camera);
-  if (tool_ && active) tool_->draw({editor_, scene_}, {list, place.rect.min, context.metrics});
+  const ToolOverlay overlay{list, place.rect.min, context.metrics};
+  if (tool_ && active) tool_->draw({editor_, scene_}, overlay);
+  if (active) {
+    gizmo_.draw(overlay, hot_handle_);
+    gizmo_.mark(context.marks, overlay);
+  }
   if (gizmo_size(context.metrics, place.rect) > 0) {
     const auto pointer = place.gizmo_hovered ? std::optional(ImGui::GetIO().MousePos) : std::nullopt;
     gizmo_of(context.metrics, place.rect, camera).draw(list, pointer, place.gizmo_hovered);
@@ -242,6 +249,8 @@ void Viewport::handle_pointer(bool hovered) {
   pointed_at_.reset();
   if (!tool_) hover(pixel, hovered);
   pointer_ = pixel;
+  shift_ = event.shift;
+  control_ = event.control;
 }
 
 void Viewport::wheel(const PointerEvent& event) {
@@ -260,13 +269,23 @@ void Viewport::look_for_press(PointerEvent event) {
     event.clicks = ImGui::GetMouseClickedCount(static_cast<int>(i));
     if (event.clicks == 0) continue;
     event.button = buttons[i];
-    if (auto tool = tool_for(editor_, event)) start(std::move(tool), event);
+    // With modifiers the press is for the selection or for the view.
+    const bool plain = event.button == PointerButton::left && !event.shift && !event.control && !event.alt;
+    const auto handle = plain ? gizmo_.hit(event.pixel) : std::nullopt;
+    auto tool =
+        handle ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock) : tool_for(editor_, event);
+    if (tool) start(std::move(tool), event);
   }
+}
+
+/// A modifier alone changes what a tool shows, too.
+bool Viewport::has_news(const PointerEvent& event) const {
+  return event.pixel != pointer_ || event.shift != shift_ || event.control != control_;
 }
 
 void Viewport::drive_held(PointerEvent event) {
   event.button = press_.button;
-  if (event.pixel != pointer_) {
+  if (has_news(event)) {
     event.kind = PointerEvent::Kind::move;
     feed(event);
   }
@@ -278,7 +297,7 @@ void Viewport::drive_held(PointerEvent event) {
 
 void Viewport::drive_modal(PointerEvent event, bool hovered) {
   if (navigation_) return drive_navigation(event);
-  if (event.pixel != pointer_) {
+  if (has_news(event)) {
     event.kind = PointerEvent::Kind::move;
     feed(event);
   }
@@ -322,6 +341,7 @@ void Viewport::drive_navigation(PointerEvent event) {
 void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   tool_ = std::move(tool);
   press_ = press;
+  hot_handle_.reset();
   editor_.hovered.reset();
   ToolContext context{editor_, scene_};
   tool_->begin(context, press);
@@ -370,16 +390,18 @@ bool Viewport::cancel_tool() {
 }
 
 void Viewport::hover(const Vector2& pixel, bool inside) {
+  hot_handle_.reset();
   if (!inside) {
     editor_.hovered.reset();
     return;
   }
+  hot_handle_ = gizmo_.hit(pixel);
+  if (hot_handle_) return editor_.hovered.reset();
   const ToolContext context{editor_, scene_};
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
-  const auto hit = pick_element(context, pixel);
+  const auto under = elements_under(context, pixel);
   editor_.hovered.reset();
-  if (hit)
-    editor_.hovered = element_at(editor_.document(), scene_.object_id(hit->object), hit->kind, hit->index);
+  if (!under.empty()) editor_.hovered = under.front();
 }
 
 double Viewport::next_frame_in() const {
@@ -391,9 +413,14 @@ double Viewport::next_frame_in() const {
 std::string Viewport::hint() const {
   if (tool_) return tool_->hint(editor_.language);
   const Language& tr = editor_.language;
+  if (hot_handle_) return tr("Drag the handle   click to type a number");
   if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
-  return describe(editor_.selection.of_active()) + "   |   " +
-         tr(navigation_hint(editor_.settings.navigation));
+  const std::size_t objects = editor_.selection.objects().size();
+  const std::string selected =
+      editor_.mode == ElementMode::object && objects > 0
+          ? fill(tr(objects == 1 ? "{0} object" : "{0} objects"), {std::to_string(objects)})
+          : describe(editor_.selection.of_active());
+  return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation));
 }
 
 }  // namespace hariko

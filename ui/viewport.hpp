@@ -8,6 +8,7 @@
 
 #include "ui/panels/panels.hpp"
 #include "ui/scene_builder.hpp"
+#include "ui/tools/gizmo.hpp"
 #include "ui/tools/tool.hpp"
 #include "ui/view_pictures.hpp"
 
@@ -65,6 +66,7 @@ class Viewport {
   void drive_navigation(PointerEvent event);
   void wheel(const PointerEvent& event);
   void look_for_press(PointerEvent event);
+  bool has_news(const PointerEvent& event) const;
   void feed(const PointerEvent& event);
   void finish(ToolState state, const PointerEvent& last);
   void start(std::unique_ptr<Tool> tool, const PointerEvent& press);
@@ -74,6 +76,9 @@ class Viewport {
   ViewPictures pictures_;
   SceneBuilder scene_;
   std::unique_ptr<Tool> tool_;
+  Gizmo gizmo_;
+  std::optional<GizmoHandle> hot_handle_;  ///< under the pointer
+  bool shift_ = false, control_ = false;   ///< as the tool knows them
   PointerEvent press_;
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;

@@ -212,7 +212,8 @@ void Workbench::escape() {
   if (!editor_.notices().empty())
     editor_.notices().clear();
   else
-    editor_.selection.clear_elements();
+    editor_.mode == ElementMode::object ? editor_.selection.clear_objects()
+                                        : editor_.selection.clear_elements();
 }
 
 void Workbench::guarded(std::function<void()> action) {

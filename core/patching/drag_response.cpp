@@ -74,16 +74,20 @@ Network local_network(const SurfaceSystem& system, const Neighbourhood& near,
 
 }  // namespace
 
-DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, const CancelToken& cancel) {
+DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, std::vector<double> weight,
+                           const CancelToken& cancel) {
   HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
   const HalfEdgeMesh& mesh = *system.mesh;
   DragResponse response;
+  HARIKO_ASSERT(moved.size() == weight.size(), "one weight a vertex");
   response.moved = std::move(moved);
+  response.weight = std::move(weight);
   const Neighbourhood near = neighbourhood(mesh, response.moved);
 
   // A unit displacement along x; the other coordinates stay zero.
   std::vector<Vector3> field(mesh.vertex_count(), Vector3::Zero());
-  for (const Index v : response.moved) field[v] = Vector3::UnitX();
+  for (std::size_t i = 0; i < response.moved.size(); ++i)
+    field[response.moved[i]] = response.weight[i] * Vector3::UnitX();
   FairSystem::SolveOptions options;
   options.active_faces = &near.faces;
   options.tolerance = response_tolerance;

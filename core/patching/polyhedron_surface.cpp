@@ -91,23 +91,39 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   return std::nullopt;
 }
 
-/// The fast path: only a few vertices moved, all by one displacement, since the last final result.
+/// The fast path: since the last final result vertices moved along one displacement only, each by a share of
+/// it.
 std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const PolyhedronSurfaceInput& input,
                                                                  const CancelToken& cancel) {
   if (!base || system->network.couples_coordinates() || base->surface.origin() != input.origin)
     return std::nullopt;
   std::vector<Index> moved;
+  std::vector<Vector3> moves;
   Vector3 displacement = Vector3::Zero();
   for (Index v = 0; v < input.polyhedron.vertex_count(); ++v) {
     const Vector3 move = input.polyhedron.position(v) - base->positions[v];
     if (move.isZero(0)) continue;
-    if (moved.empty()) displacement = move;
-    if ((move - displacement).norm() > 1e-9 * displacement.norm()) return std::nullopt;
+    if (move.squaredNorm() > displacement.squaredNorm()) displacement = move;
     moved.push_back(v);
+    moves.push_back(move);
   }
-  if (!response || (!moved.empty() && response->moved != moved)) {
-    if (moved.empty()) return std::nullopt;
-    response = drag_response(*system, std::move(moved), cancel);
+  if (moved.empty() && !response) return std::nullopt;
+  const auto follows = [&](std::size_t i, double weight) {
+    return (moves[i] - weight * displacement).norm() <= 1e-9 * displacement.norm();
+  };
+  const auto fits = [&] {
+    if (response->moved != moved) return false;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      if (!follows(i, response->weight[i])) return false;
+    return true;
+  };
+  if (!moved.empty() && !(response && fits())) {
+    std::vector<double> weight(moved.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      weight[i] = moves[i].dot(displacement) / displacement.squaredNorm();
+      if (!follows(i, weight[i])) return std::nullopt;
+    }
+    response = drag_response(*system, std::move(moved), std::move(weight), cancel);
     if (cancel.cancelled()) {
       response.reset();
       return std::nullopt;

@@ -28,9 +28,9 @@ struct SolveReport {
   bool fair_converged = true;
 };
 
-/// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where only a
-/// few vertices moved by one common displacement since the last `final` result, it differs from `final` by
-/// less than 1e-6 of the displacement and touches only the patches that feel it.
+/// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where
+/// vertices moved by shares of one common displacement since the last `final` result, it differs from `final`
+/// by less than 1e-6 of the displacement and touches only the patches that feel it.
 enum class Quality { drag, final };
 
 /// Mode FAIR keeps a dense matrix of (4n)^2 numbers for an n-sided face; more sides than this are refused.

@@ -25,17 +25,20 @@ double largest_difference(const QuarticPatchSet& a, const QuarticPatchSet& b) {
 }
 
 void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Mode mode, std::vector<Index> vertices,
-                      std::mt19937_64& rng, std::size_t* changed_count = nullptr) {
+                      std::mt19937_64& rng, std::size_t* changed_count = nullptr, bool soft = false) {
   PolyhedronSurfaceInput input{start, shaping, mode, Vector3::Zero()};
   PolyhedronSurfacer surfacer;
   const auto before = surfacer.rebuild(input);
   ASSERT_TRUE(before.ok()) << to_string(before.error());
   PolyhedronSurface dragged;
   Vector3 move;
+  std::vector<double> shares(vertices.size(), 1);
+  for (std::size_t i = 1; soft && i < shares.size(); ++i) shares[i] = uniform(rng, 0.01, 1);
   for (int frame = 0; frame < 3; ++frame) {
     move = random_vector(rng, 0.3);
     std::vector<Vector3> positions;
-    for (const Index v : vertices) positions.push_back(start.position(v) + move);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      positions.push_back(start.position(vertices[i]) + shares[i] * move);
     input.polyhedron = start.with_positions(vertices, positions).value();
     dragged = surfacer.rebuild(input, Quality::drag).value();
     ASSERT_TRUE(dragged.changed);
@@ -70,6 +73,19 @@ TEST(Drag, OneVertexOfTwentyThousandFaces) {
     EXPECT_LT(changed, 2000U);
     EXPECT_GT(changed, 100U);
   }
+}
+
+TEST(Drag, VerticesThatFollowInPart) {
+  for_random(35, 20, [](std::mt19937_64& rng) {
+    const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
+    const Shaping shaping = random_shaping(polyhedron, rng, 100, 0.01, 100);
+    std::set<Index> vertices;
+    for (int i = uniform_int(rng, 2, 12); i > 0; --i)
+      vertices.insert(
+          static_cast<Index>(uniform_int(rng, 0, static_cast<int>(polyhedron.vertex_count()) - 1)));
+    drag_and_compare(polyhedron, shaping, chance(rng, 0.5) ? Mode::fair : Mode::target,
+                     {vertices.begin(), vertices.end()}, rng, nullptr, true);
+  });
 }
 
 TEST(Drag, SeveralVerticesOfRandomPolyhedraWithTensions) {

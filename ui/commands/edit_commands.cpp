@@ -1,6 +1,5 @@
 // Undo and redo.
 
-#include "core/document/edits.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 

@@ -1,19 +1,29 @@
-// Select: a click chooses what is under the pointer; a drag that begins on an element moves it.
+// Select: a click chooses what is under the pointer; a drag that begins on an element moves it, one that
+// begins beside draws a box or a lasso.
 
+#include <algorithm>
+
+#include "core/modeling/edge_paths.hpp"
+#include "core/modeling/select_region.hpp"
+#include "ui/tools/region_tool.hpp"
 #include "ui/tools/transform_tool.hpp"
 
 namespace hariko {
 
 namespace {
 
+using How = Selection::How;
+
+How how_of(const PointerEvent& press) {
+  return press.control ? How::remove : press.shift ? How::add : How::replace;
+}
+
 class SelectTool final : public Tool {
  public:
   void begin(ToolContext& context, const PointerEvent& press) override {
     press_ = press;
     before_ = context.editor.selection;
-    if (const auto hit = pick_element(context, press.pixel))
-      element_ =
-          element_at(context.editor.document(), context.scene.object_id(hit->object), hit->kind, hit->index);
+    under_ = elements_under(context, press.pixel);
   }
 
   ToolState update(ToolContext& context, const PointerEvent& event) override {
@@ -21,36 +31,78 @@ class SelectTool final : public Tool {
       click(context.editor);
       return ToolState::commit;
     }
-    if (!element_ || (event.pixel - press_.pixel).norm() <= drag_threshold) return ToolState::stay;
+    if ((event.pixel - press_.pixel).norm() <= drag_threshold) return ToolState::stay;
+    if (under_.empty() || press_.control) {
+      successor_ = make_region_tool(false);
+      return ToolState::commit;
+    }
     // Dragging a chosen element moves all that are chosen, another one is chosen first.
-    if (!context.editor.selection.contains(*element_))
-      context.editor.selection.select(*element_,
-                                      press_.shift ? Selection::How::add : Selection::How::replace);
-    drags_ = true;
+    Selection& selection = context.editor.selection;
+    const auto chosen = std::find_if(under_.begin(), under_.end(),
+                                     [&](const ElementRef& ref) { return selection.contains(ref); });
+    if (chosen == under_.end()) selection.select(under_.front(), press_.shift ? How::add : How::replace);
+    successor_ = make_transform_tool(TransformKind::move, DrivenBy::element);
     return ToolState::commit;
   }
 
   void cancel(ToolContext& context) override { context.editor.selection = before_; }
   std::string hint(const Language& tr) const override { return tr("Release to select, drag to move"); }
-  std::unique_ptr<Tool> successor() override {
-    return drags_ ? make_transform_tool(TransformKind::move, DrivenBy::element) : nullptr;
-  }
+  std::unique_ptr<Tool> successor() override { return std::move(successor_); }
 
  private:
-  void click(Editor& editor) const {
-    using How = Selection::How;
-    if (element_)
-      editor.selection.select(*element_, press_.control ? How::remove
-                                         : press_.shift ? How::add
-                                                        : How::replace);
-    else if (!press_.control && !press_.shift)
-      editor.selection.clear_elements();
+  void click(Editor& editor) {
+    const How how = how_of(press_);
+    if (under_.empty()) {
+      editor.last_click.reset();
+      if (how != How::replace) return;
+      if (editor.mode == ElementMode::object)
+        editor.selection.clear_objects();
+      else
+        editor.selection.clear_elements();
+      return;
+    }
+    const bool plain = how == How::replace;
+    if (press_.clicks == 2 || (press_.alt && editor.mode == ElementMode::edge)) {
+      if (select_path(editor, press_.alt && press_.control, plain || press_.alt ? How::replace : how)) return;
+    }
+    std::size_t index = 0;
+    const auto& last = editor.last_click;
+    const bool again = last && (last->pixel - press_.pixel).norm() <= drag_threshold &&
+                       last->index < under_.size() && editor.selection.contains(under_[last->index]);
+    if ((plain && again) || (press_.alt && again)) index = (last->index + 1) % under_.size();
+    editor.selection.select(under_[index], how);
+    editor.last_click = LastClick{press_.pixel, index};
+  }
+
+  /// The loop or ring of an edge, or all that hangs together with a vertex or face.
+  bool select_path(Editor& editor, bool ring, How how) const {
+    const std::size_t index =
+        editor.last_click && editor.last_click->index < under_.size() ? editor.last_click->index : 0;
+    const ElementRef& ref = under_[press_.alt ? 0 : index];
+    const Object* object = editor.document().find(ref.object);
+    if (!object || !object->polyhedron()) return false;
+    const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
+    ElementSelection elements;
+    if (ref.element.kind == Element::Kind::edge) {
+      const EdgeId edge = EdgeId::from_packed(ref.element.id);
+      const auto path = ring ? edge_ring(polyhedron, edge) : edge_loop(polyhedron, edge);
+      elements.edges.insert(path.begin(), path.end());
+    } else {
+      Selection one;
+      one.select(ref, How::replace);
+      elements = linked(polyhedron, one.of(ref.object));
+    }
+    if (elements.empty()) return false;
+    editor.selection.select(ref.object, elements, how);
+    editor.selection.active = ref.object;
+    editor.selection.last = ref;
+    return true;
   }
 
   PointerEvent press_;
   Selection before_;
-  std::optional<ElementRef> element_;
-  bool drags_ = false;
+  std::vector<ElementRef> under_;  ///< nearest first
+  std::unique_ptr<Tool> successor_;
 };
 
 }  // namespace

@@ -72,8 +72,10 @@ class Tool {
 /// Pixels that the pointer must move before a press becomes a drag.
 inline constexpr double drag_threshold = 3;
 
-/// What a click would take, by the element mode.
+/// What a click would take, by the element mode; in object mode the front-most face or edge.
 std::optional<PickHit> pick_element(const ToolContext& context, const Vector2& pixel);
+/// All that a click could take, nearest first.
+std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2& pixel);
 
 std::unique_ptr<Tool> make_select_tool();
 std::unique_ptr<Tool> make_orbit_tool();

@@ -15,6 +15,7 @@ class ViewTool : public Tool {
  public:
   void begin(ToolContext& context, const PointerEvent& press) override {
     before_ = context.editor.layout.active_view();
+    press_ = press;
     last_ = press.pixel;
     prepare(context, press);
   }
@@ -22,9 +23,15 @@ class ViewTool : public Tool {
     const Vector2 by = event.pixel - last_;
     last_ = event.pixel;
     if (by != Vector2::Zero()) context.editor.set_camera(moved(context, by));
-    return event.kind == PointerEvent::Kind::release ? ToolState::commit : ToolState::stay;
+    if (event.kind != PointerEvent::Kind::release) return ToolState::stay;
+    // Alt with the left button turns the view, and a click selects: what lies behind, or an edge loop.
+    const bool still = (event.pixel - press_.pixel).norm() <= drag_threshold;
+    clicks_ = still && press_.alt && press_.button == PointerButton::left;
+    if (clicks_) cancel(context);
+    return ToolState::commit;
   }
   void cancel(ToolContext& context) override { context.editor.layout.active_view() = before_; }
+  std::unique_ptr<Tool> successor() override { return clicks_ ? make_select_tool() : nullptr; }
 
  protected:
   virtual void prepare(ToolContext& context, const PointerEvent&) {
@@ -34,6 +41,8 @@ class ViewTool : public Tool {
  private:
   virtual Camera moved(const ToolContext& context, const Vector2& by) = 0;
   View before_;
+  PointerEvent press_;
+  bool clicks_ = false;
   Vector2 last_ = Vector2::Zero();
 };
 

@@ -1,0 +1,174 @@
+#include "ui/tools/gizmo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ui/tools/overlay_drawing.hpp"
+
+namespace hariko {
+
+namespace {
+
+// Design pixels from the pivot.
+constexpr double arrow_begin = 20, arrow_end = 92, arrow_head = 13, scale_box = 112, ring_radius = 66;
+constexpr double square_begin = 26, square_end = 42;
+/// An axis whose 100 pixels look shorter than this points at the viewer.
+constexpr double least_length = 22;
+
+double distance_to_segment(const Vector2& p, const Vector2& a, const Vector2& b) {
+  const Vector2 d = b - a;
+  const double t = d.squaredNorm() > 0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+  return (a + t * d - p).norm();
+}
+
+bool holds(const std::vector<Vector2>& polygon, const Vector2& p) {
+  bool odd = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vector2 &a = polygon[i], &b = polygon[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+      odd = !odd;
+  }
+  return odd;
+}
+
+std::string name_of(const GizmoHandle& handle) {
+  const char* kind = handle.kind == TransformKind::move     ? "move."
+                     : handle.kind == TransformKind::rotate ? "rotate."
+                                                            : "scale.";
+  std::string axes;
+  for (int i = 0; i < 3; ++i)
+    if ((i == handle.lock.axis) == (handle.lock.kind == AxisLock::Kind::axis)) axes += "xyz"[i];
+  return std::string("gizmo.") + kind + axes;
+}
+
+}  // namespace
+
+void Gizmo::update(const Editor& editor, bool busy) {
+  shapes_.clear();
+  if (busy || !editor.transform.gizmo || !editor.has_document || editor.history.in_gesture()) return;
+  const Document& document = editor.document();
+  const bool same = known_ && document == document_ && editor.selection == selection_ &&
+                    editor.mode == mode_ && editor.transform.pivot == pivot_mode_;
+  if (!same) {
+    const TransformTarget target = TransformTarget::of(editor);
+    pivot_ = target.empty() ? std::nullopt : std::optional<Vector3>(target.pivot());
+    object_frame_ = target.local_frame();
+    document_ = document;
+    selection_ = editor.selection;
+    mode_ = editor.mode;
+    pivot_mode_ = editor.transform.pivot;
+    known_ = true;
+  }
+  if (pivot_) place(editor);
+}
+
+void Gizmo::place(const Editor& editor) {
+  const Projector projector(editor.camera(), editor.viewport);
+  const auto centre = projector.project(*pivot_);
+  if (!centre) return;
+  scale_ = editor.pixel_scale;
+  const bool local = editor.transform.local_axes;
+  const Matrix3 frame = local ? object_frame_ : Matrix3(Matrix3::Identity());
+  const double pixel = scale_ * projector.pixel_length_at(*pivot_);
+  const auto at = [&](const Vector3& design_pixels) -> Vector2 {
+    const auto p = projector.project(*pivot_ + pixel * (frame * design_pixels));
+    return p ? Vector2(p->head<2>()) : Vector2(centre->head<2>());
+  };
+  std::array<bool, 3> shown{};
+  for (int i = 0; i < 3; ++i) {
+    const Vector3 axis = Vector3::Unit(i);
+    shown[static_cast<std::size_t>(i)] = (at(100 * axis) - centre->head<2>()).norm() > least_length * scale_;
+    if (!shown[static_cast<std::size_t>(i)]) continue;
+    const AxisLock lock{AxisLock::Kind::axis, i, local};
+    shapes_.push_back({{TransformKind::move, lock},
+                       {at(arrow_begin * axis), at(arrow_end * axis)},
+                       false,
+                       at(0.75 * arrow_end * axis)});
+    shapes_.push_back({{TransformKind::scale, lock},
+                       {at((scale_box - 1) * axis), at((scale_box + 1) * axis)},
+                       false,
+                       at(scale_box * axis)});
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Vector3 u = Vector3::Unit((i + 1) % 3), v = Vector3::Unit((i + 2) % 3);
+    const Vector3 normal = frame.col(i);
+    const double slope = std::abs(normal.dot((*pivot_ - editor.camera().eye()).normalized()));
+    if (slope > 0.2)
+      shapes_.push_back({{TransformKind::move, {AxisLock::Kind::plane, i, local}},
+                         {at(square_begin * (u + v)), at(square_end * u + square_begin * v),
+                          at(square_end * (u + v)), at(square_begin * u + square_end * v)},
+                         true,
+                         at(0.5 * (square_begin + square_end) * (u + v))});
+    if (slope < 0.1) continue;
+    Shape arc{{TransformKind::rotate, {AxisLock::Kind::axis, i, local}}, {}, false, {}};
+    constexpr int parts = 20;
+    constexpr double first = 12, last = 78;  // degrees: the axes stay free
+    for (int k = 0; k <= parts; ++k) {
+      const double angle = (first + (last - first) * k / parts) * std::numbers::pi / 180;
+      arc.line.push_back(at(ring_radius * (std::cos(angle) * u + std::sin(angle) * v)));
+    }
+    arc.mark = arc.line[parts / 2];
+    shapes_.push_back(std::move(arc));
+  }
+}
+
+std::optional<GizmoHandle> Gizmo::hit(const Vector2& pixel) const {
+  std::optional<GizmoHandle> best;
+  double least = hit_radius * scale_;
+  for (const Shape& shape : shapes_) {
+    // Seen at a slant squares reach under arrows: the line itself wins there.
+    if (const double within = hit_radius / 2 * scale_;
+        shape.closed && within < least && holds(shape.line, pixel)) {
+      least = within;
+      best = shape.handle;
+    }
+    for (std::size_t i = 0; i + 1 < shape.line.size(); ++i) {
+      const double distance = distance_to_segment(pixel, shape.line[i], shape.line[i + 1]);
+      if (distance >= least) continue;
+      least = distance;
+      best = shape.handle;
+    }
+  }
+  return best;
+}
+
+void Gizmo::draw(const ToolOverlay& overlay, const std::optional<GizmoHandle>& hot) const {
+  ImDrawList& list = overlay.list;
+  const Metrics& m = overlay.metrics;
+  for (const Shape& shape : shapes_) {
+    const bool lit = hot == shape.handle;
+    const ImU32 colour = lit ? IM_COL32(0xff, 0xd7, 0x4a, 255) : axis_colour(shape.handle.lock.axis);
+    const float width = m.px(lit ? 3.5F : 2.5F);
+    std::vector<ImVec2> line;
+    for (const Vector2& point : shape.line) line.push_back(on_screen(overlay, point));
+    const int count = static_cast<int>(line.size());
+    if (shape.closed) {
+      list.AddConvexPolyFilled(line.data(), count, (colour & 0x00ffffff) | (0x70U << IM_COL32_A_SHIFT));
+      list.AddPolyline(line.data(), count, colour, ImDrawFlags_Closed, m.px(1.2F));
+    } else if (shape.handle.kind == TransformKind::rotate) {
+      list.AddPolyline(line.data(), count, colour, 0, width);
+    } else if (shape.handle.kind == TransformKind::scale) {
+      const ImVec2 c = on_screen(overlay, shape.mark);
+      const float r = m.px(lit ? 6 : 5);
+      list.AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, m.px(1));
+    } else {
+      const Vector2 tip = shape.line[1], way = (tip - shape.line[0]).normalized() * arrow_head * scale_;
+      const Vector2 across(-way.y() * 0.42, way.x() * 0.42);
+      list.AddLine(line[0], line[1], colour, width);
+      list.AddTriangleFilled(on_screen(overlay, tip + way * 0.35),
+                             on_screen(overlay, tip - way * 0.65 + across),
+                             on_screen(overlay, tip - way * 0.65 - across), colour);
+    }
+  }
+}
+
+void Gizmo::mark(Marks& marks, const ToolOverlay& overlay) const {
+  for (const Shape& shape : shapes_) {
+    const ImVec2 c = on_screen(overlay, shape.mark);
+    marks.rect(name_of(shape.handle), {c.x - 2, c.y - 2}, {c.x + 2, c.y + 2});
+  }
+}
+
+}  // namespace hariko

@@ -1,0 +1,57 @@
+#pragma once
+
+// Gizmo: handles at the selection that move, rotate and scale it.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ui/marks.hpp"
+#include "ui/tools/transform_tool.hpp"
+
+namespace hariko {
+
+struct GizmoHandle {
+  TransformKind kind = TransformKind::move;
+  AxisLock lock;
+  friend bool operator==(const GizmoHandle&, const GizmoHandle&) = default;
+};
+
+/// Keeps where the selection is between frames. Arrows move along an axis and squares in a plane, arcs
+/// rotate, boxes scale. Sizes are of the screen; what points at the viewer is left out.
+class Gizmo {
+ public:
+  /// Looks at the present selection. Hidden when nothing is selected, when it is switched off, and while
+  /// `busy`.
+  void update(const Editor& editor, bool busy);
+  std::optional<GizmoHandle> hit(const Vector2& pixel) const;
+  void draw(const ToolOverlay& overlay, const std::optional<GizmoHandle>& hot) const;
+  /// Names a point of each handle for tests: "gizmo.move.x", "gizmo.rotate.z", "gizmo.move.xy".
+  void mark(Marks& marks, const ToolOverlay& overlay) const;
+
+  /// Framebuffer pixels times the scale of the interface, round a handle, that hit it.
+  static constexpr double hit_radius = 8;
+
+ private:
+  struct Shape {
+    GizmoHandle handle;
+    std::vector<Vector2> line;  ///< pixels; closed and filled for squares
+    bool closed = false;
+    Vector2 mark = Vector2::Zero();
+  };
+  void place(const Editor& editor);
+
+  // What the pivot was made for.
+  Document document_;
+  Selection selection_;
+  ElementMode mode_ = ElementMode::vertex;
+  PivotMode pivot_mode_ = PivotMode::median;
+  bool known_ = false;
+
+  std::optional<Vector3> pivot_;
+  Matrix3 object_frame_ = Matrix3::Identity();
+  double scale_ = 1;
+  std::vector<Shape> shapes_;
+};
+
+}  // namespace hariko
