@@ -12,6 +12,7 @@
 #include "core/document/history.hpp"
 #include "render/scene.hpp"
 #include "ui/language.hpp"
+#include "ui/last_operation.hpp"
 #include "ui/selection.hpp"
 #include "ui/selection_memory.hpp"
 #include "ui/settings.hpp"
@@ -55,6 +56,7 @@ class Editor {
   TransformSettings transform;
   Settings settings;
   Language language;  ///< the catalogue of settings.language
+  LastOperation last_operation;
 
   /// False while the start page shows.
   bool has_document = false;

@@ -38,6 +38,8 @@ WhyNot needs_elements(const Editor& editor, NeededElements kinds);
 void add_file_commands(CommandHost& host);
 void add_edit_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
+void add_add_commands(CommandHost& host);
+void add_mesh_cleanup_commands(CommandHost& host);
 void add_transform_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);

@@ -32,7 +32,7 @@ void add_edit_commands(CommandHost& host) {
                editor.selection.active = added->id;
              },
              object});
-  table.add({"object.delete", "Edit", "Delete object", "Delete the active object.", "Del", icon::trash, true,
+  table.add({"object.delete", "Edit", "Delete object", "Delete the active object.", "", icon::trash, true,
              false,
              [&editor] {
                const ObjectId id = editor.selection.active;

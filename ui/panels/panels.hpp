@@ -63,6 +63,8 @@ float tool_column_width(const Metrics& metrics, float height);
 void draw_tool_column(PanelContext& context, const PanelRect& rect);
 void draw_objects(PanelContext& context, const PanelRect& rect);
 void draw_properties(PanelContext& context, const PanelRect& rect);
+/// Part of the properties: the numbers of the step just made, where it can still be adjusted.
+void draw_last_operation(PanelContext& context);
 void draw_status_line(PanelContext& context, const PanelRect& rect);
 void draw_legend(PanelContext& context, const PanelRect& viewport);
 void draw_notices(PanelContext& context, const PanelRect& viewport);

@@ -249,6 +249,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
     Editor& editor = context.editor;
     // Edits replace the document under the panel: what is drawn is this frame's value.
     const auto object = editor.document().find_shared(editor.selection.active);
+    draw_last_operation(context);
     if (!object) {
       ImGui::TextDisabled("Nothing to set yet.");
     } else {
