@@ -37,8 +37,8 @@ using MakeMesh = std::function<Result<PolygonMesh>(std::span<const OperationNumb
 /// The numbers to begin with, for an object of about this radius.
 using Numbers = std::function<std::vector<OperationNumber>(double radius)>;
 /// Puts a shape into the table: id, menu, label, step, help.
-using AddShape =
-    std::function<void(const char*, const char*, const char*, const char*, const char*, Numbers, MakeMesh)>;
+using AddShape = std::function<void(const char*, const std::string&, const char*, const char*, const char*,
+                                    Numbers, MakeMesh)>;
 
 int count_of(const OperationNumber& number) {
   return static_cast<int>(number.value);
