@@ -15,6 +15,7 @@
 #include "ui/frame_times.hpp"
 #include "ui/guide.hpp"
 #include "ui/language.hpp"
+#include "ui/last_operation.hpp"
 #include "ui/recompute.hpp"
 #include "ui/selection.hpp"
 #include "ui/selection_memory.hpp"
@@ -84,6 +85,7 @@ class Editor {
   Recompute recompute;
   std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
   Language language;  ///< the catalogue of settings.language
+  LastOperation last_operation;
 
   /// False while the start page shows.
   bool has_document = false;

@@ -27,6 +27,8 @@ void Workbench::add_commands() {
   add_object_commands(host_);
   add_preferences_commands(host_);
   add_select_commands(host_);
+  add_add_commands(host_);
+  add_mesh_cleanup_commands(host_);
   add_transform_commands(host_);
   add_mesh_commands(host_);
   add_shape_commands(host_);

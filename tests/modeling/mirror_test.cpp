@@ -8,6 +8,7 @@
 #include "core/analysis/continuity.hpp"
 #include "core/document/edits.hpp"
 #include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/halve.hpp"
 #include "core/modeling/mirrored.hpp"
 #include "core/modeling/primitives.hpp"
 #include "core/network/vertex_frames.hpp"
@@ -333,6 +334,47 @@ TEST(Mirror, RefusesDoubledEdgesAndSillyDistances) {
   ASSERT_TRUE(set.ok());
   EXPECT_FALSE(*set == document);
   EXPECT_TRUE(set_mirror(*set, {1}, std::nullopt).value() == document);
+}
+
+TEST(Halve, ABoxBecomesItsHalfAndTheMirrorGivesItBack) {
+  for (const int segments : {1, 2, 3})
+    for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
+      PolyhedronSource box =
+          source_of(*make_primitive(BoxShape{{2, 4, 6}, {segments, segments, segments}, {}}));
+      const Mirror mirror{axis, 1e-6};
+      const auto half = halved(box, mirror);
+      ASSERT_TRUE(half.ok()) << to_string(half.error());
+      PolyhedronSource source = half->source;
+      EXPECT_EQ(euler_number(source.polyhedron), 1);
+      source.mirror = mirror;
+      const auto whole = mirrored(source);
+      ASSERT_TRUE(whole.ok()) << to_string(whole.error());
+      EXPECT_EQ(euler_number(whole->polyhedron), 2);
+      EXPECT_NEAR(closed_component_volumes(whole->polyhedron.topology(), whole->polyhedron.positions())[0],
+                  48, 1e-12);
+      EXPECT_EQ(halved(source, mirror)->source.polyhedron, source.polyhedron) << "a half is its own half";
+    }
+}
+
+TEST(Halve, RandomMeshes) {
+  int done_count = 0;
+  test::for_random(116, 300, [&](std::mt19937_64& rng) {
+    const PolyhedronSource source = test::random_source(rng);
+    const Mirror mirror{static_cast<Axis>(test::uniform_int(rng, 0, 2)), 0};
+    const auto half = halved(source, mirror);
+    if (!half.ok()) return test::expect_refusal(half.error());
+    ++done_count;
+    test::expect_sound(*half, source);
+    for (Index v = 0; v < half->source.polyhedron.vertex_count(); ++v)
+      EXPECT_GE(
+          source.origin[index_of(mirror.axis)] + half->source.polyhedron.position(v)[index_of(mirror.axis)],
+          0);
+    PolyhedronSource live = half->source;
+    live.mirror = mirror;
+    const auto whole = mirrored(live);
+    if (!whole.ok()) test::expect_refusal(whole.error());
+  });
+  EXPECT_GT(done_count, test::repetitions(120));
 }
 
 TEST(MirrorObject, TwiceIsTheSame) {

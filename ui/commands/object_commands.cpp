@@ -170,7 +170,7 @@ void add_object_commands(CommandHost& host) {
              "Edit",
              "Delete object",
              "Delete the chosen objects.",
-             "Del",
+             "Shift+Del",
              icon::trash,
              true,
              false,

@@ -81,6 +81,8 @@ void draw_properties(PanelContext& context, const PanelRect& rect);
 /// How high the list of steps wants to be, of the `available` height of the side.
 float history_height(const PanelContext& context, float available);
 void draw_history(PanelContext& context, const PanelRect& rect);
+/// Part of the properties: the numbers of the step just made, where it can still be adjusted.
+void draw_last_operation(PanelContext& context);
 void draw_status_line(PanelContext& context, const PanelRect& rect);
 void draw_notices(PanelContext& context, const PanelRect& viewport);
 /// Why a key did nothing, beside where the pointer was.

@@ -332,6 +332,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Properties", rect, palette().panel, {m.px(12), m.px(8)})) {
     // Edits replace the document under the panel: what is drawn is this frame's value.
+    draw_last_operation(context);
     const auto objects = chosen_objects(context.editor);
     if (objects.empty()) {
       hint_text(context,

@@ -1,0 +1,36 @@
+// The section of the properties that adjusts the step just made.
+
+#include "ui/panels/panels.hpp"
+#include "ui/panels/value_fields.hpp"
+
+namespace hariko {
+
+void draw_last_operation(PanelContext& context) {
+  Editor& editor = context.editor;
+  LastOperation& last = editor.last_operation;
+  if (!last.can_adjust(editor) || last.numbers().empty()) return;
+  heading(context, context.tr.phrase(last.label()).c_str());
+  // Adjusting replaces the list: what is drawn is this frame's.
+  const std::vector<OperationNumber> numbers = last.numbers();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const OperationNumber& number = numbers[i];
+    Quantity quantity = number.whole ? plain_quantity(0, 1) : length_quantity(editor.document().unit, number.value);
+    quantity.whole = number.whole;
+    std::optional<double> wanted;
+    // The step is made again with the new number instead of a further step.
+    row_label(context, number.label, "");
+    number_field(context, {number.id, number.label, "", last.label(), quantity}, number.value,
+                 ImGui::GetContentRegionAvail().x,
+                 [&](const Document& document, const ValueChange& change) -> Result<Document> {
+                   wanted = change.apply(quantity, number.value);
+                   return document;
+                 });
+    context.marks.item(std::string("last.") + number.id);
+    if (wanted && *wanted != number.value) {
+      last.adjust(editor, i, *wanted);
+      break;
+    }
+  }
+}
+
+}  // namespace hariko
