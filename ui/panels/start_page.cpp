@@ -45,17 +45,6 @@ bool card(PanelContext& context, const Card& card, ImVec2 size) {
   return clicked;
 }
 
-/// "5 minutes ago".
-std::string ago(const PanelContext& context, std::int64_t then) {
-  using namespace std::chrono;
-  const std::int64_t now = duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
-  const std::int64_t minutes = std::max<std::int64_t>(now - then, 0) / 60;
-  if (minutes < 1) return context.tr("just now");
-  if (minutes < 60) return fill(context.tr("{0} min ago"), {std::to_string(minutes)});
-  if (minutes < 48 * 60) return fill(context.tr("{0} h ago"), {std::to_string(minutes / 60)});
-  return fill(context.tr("{0} days ago"), {std::to_string(minutes / (24 * 60))});
-}
-
 /// Places cards of equal size in rows, from the left edge of the content.
 class Grid {
  public:
