@@ -1,6 +1,7 @@
 #include "app/application.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <deque>
 #include <iostream>
@@ -9,17 +10,22 @@
 #include <string>
 #include <utility>
 
+#include "app/background_work.hpp"
+#include "app/display_loss.hpp"
+#include "app/document_session.hpp"
 #include "app/failure_dialog.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/open_file.hpp"
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
+#include "app/persistence/settings_file.hpp"
+#include "app/pictures.hpp"
 #include "app/rebuild_engine.hpp"
 #include "app/replay.hpp"
 #include "app/samples.hpp"
+#include "app/signal_watch.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
-#include "core/document/file.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
@@ -32,27 +38,44 @@ bool software_renderer() {
 
 class Application {
  public:
-  Application(GlWindow& window, Renderer renderer, const WindowOptions& options, std::optional<Replay> replay)
+  Application(GlWindow& window, Renderer renderer, const WindowOptions& options, std::optional<Replay> replay,
+              SignalWatch& signals)
       : window_(window),
+        signals_(signals),
         renderer_(std::move(renderer)),
         log_(options.test_log),
         engine_([] { return std::make_unique<SurfaceBuilder>(); }, &GlWindow::wake,
                 [this](ObjectId id, const SurfaceView& view) { log_.rebuilt(id, view); }),
-        long_(&GlWindow::wake),
-        workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()) {
+        long_(editor_, &GlWindow::wake),
+        workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
+        session_(editor_, workbench_, folders_,
+                 {&GlWindow::wake, [this] { engine_.reset(); },
+                  [this](const char* what, const auto& path) { log_.file(what, path); }}),
+        pictures_(renderer_, long_, folders_.cache / "thumbnails") {
     editor_.views = &engine_.views();
     workbench_.samples() = find_samples(assets_folder());
     if (const char* missing = window_.missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
     begin_replay(options, std::move(replay));
+    // A replay must not depend on what this user chose and left behind.
+    if (!player_) load_settings();
     const auto& files = player_ ? player_->replay().start.files : options.files;
-    for (const auto& file : files) file == files.front() ? open(file) : import_file(file);
+    for (const auto& file : files) file == files.front() ? session_.open(file) : import_file(file);
+    if (!player_) session_.find_offers(pictures_);
     if (files.empty()) picture_samples();
+    watch_for_the_end();
   }
+  ~Application() {
+    // Neither a signal nor a lost display may find a session that is going.
+    signals_.set_action({});
+    on_display_loss({});
+  }
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
 
   /// Gives the exit code.
   int run() {
-    while (!quit_) {
+    while (!quit_ && signal_ == 0) {
       play();
       if (window_.wait(wait_seconds())) {
         frames_ = frames_after_input;
@@ -60,17 +83,23 @@ class Application {
       }
       editor_.now = window_.now();
       if (recorder_) recorder_->batch(editor_.now, window_.input());
-      if (engine_.publish() + long_.publish() > 0) {
+      if (engine_.publish() + long_.publish() + session_.publish() > 0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
       }
       take_input();
+      session_.update();
+      save_settings();
       const bool blinking = ImGui::GetIO().WantTextInput;
       if (frames_ <= 0 && !due() && !blinking) continue;
       --frames_;
       frame();
     }
     if (recorder_) recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
+    session_.update();
+    signal_ == 0 ? session_.end() : session_.write_autosave();
+    save_settings();
+    if (signal_ != 0) return 128 + signal_;
     return player_ ? judge_replay() : 0;
   }
 
@@ -80,9 +109,13 @@ class Application {
 
   FileActions file_actions() {
     FileActions actions;
-    actions.open = [this](const auto& path) { open(path); };
+    actions.open = [this](const auto& path) { session_.open(path); };
     actions.import_file = [this](const auto& path) { import_file(path); };
-    actions.save = [this](const auto& path, auto then) { save(path, std::move(then)); };
+    actions.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
+    actions.save_copy = [this](const auto& path) { session_.save_copy(path); };
+    actions.revert = [this] { session_.revert(); };
+    actions.recover = [this](const std::string& id) { session_.recover(id); };
+    actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
     actions.export_file = [this](const auto& path, int density) { export_file(path, density); };
     actions.quit = [this] { quit_ = true; };
     return actions;
@@ -96,7 +129,36 @@ class Application {
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
     if (editor_.notices_expire() || engine_.any_pending()) seconds = std::min(seconds, 0.1);
     if (editor_.history.in_gesture()) seconds = std::min(seconds, RebuildEngine::rest_seconds / 2);
+    if (const double autosave = session_.due_in(); autosave >= 0) seconds = std::min(seconds, autosave);
     return seconds;
+  }
+
+  /// Work that is not saved is written before the program ends, whoever ends it.
+  void watch_for_the_end() {
+    signals_.set_action([this](int signal) {
+      session_.write_autosave();  // at once: the main thread may be stuck
+      signal_ = signal;
+      GlWindow::wake();
+    });
+    on_display_loss([this] {
+      session_.write_autosave();
+      std::cerr << editor_.language(
+                       "The display was lost. Unsaved work is kept: start Hariko again to recover it.")
+                << "\n";
+    });
+  }
+
+  void load_settings() {
+    const auto loaded = settings_file_.load();
+    editor_.settings = saved_settings_ = loaded.settings;
+    for (const Message& problem : loaded.problems) editor_.notify(problem);
+  }
+
+  void save_settings() {
+    // Not while a slider moves: each value would be written.
+    if (player_ || editor_.settings == saved_settings_ || ImGui::IsAnyMouseDown()) return;
+    saved_settings_ = editor_.settings;
+    if (auto saved = settings_file_.save(saved_settings_); !saved) editor_.notify(saved.error());
   }
 
   /// Whether something changes with time alone.
@@ -143,7 +205,8 @@ class Application {
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
-    idle_ = frames_ <= 0 && !due() && long_.idle() && workbench_.viewport().next_frame_in() < 0;
+    idle_ = frames_ <= 0 && !due() && long_.idle() && session_.idle() &&
+            workbench_.viewport().next_frame_in() < 0;
     if (recorder_ && idle_) recorder_->idle(editor_.now);
     log_.frame(editor_, workbench_, idle_);
   }
@@ -210,23 +273,6 @@ class Application {
     return 0;
   }
 
-  /// Runs work on files off the main thread; `done` gets its result on the main thread.
-  template <class Work, class Done>
-  void in_background(std::string what, Work work, Done done) {
-    editor_.job = std::move(what);
-    long_.submit(
-        next_job_++,
-        [this, work = std::move(work),
-         done = std::move(done)](const CancelToken& cancel) -> WorkLane::Publication {
-          auto result = std::make_shared<decltype(work(cancel))>(work(cancel));
-          return [this, result, done] {
-            editor_.job.clear();
-            done(*result);
-          };
-        },
-        WorkLane::Running::finish);
-  }
-
   void warn(const std::vector<Message>& warnings) {
     constexpr std::size_t most = 2;
     for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) editor_.notify(warnings[i]);
@@ -243,22 +289,8 @@ class Application {
     editor_.notify(error);
   }
 
-  void open(const std::filesystem::path& path) {
-    in_background(
-        fill(translatable("Opening {0}"), {path.filename().string()}),
-        [path](const CancelToken&) { return open_file(path); },
-        [this, path](const OpenedFile& opened) {
-          if (!opened.document) return explain(path, opened);
-          editor_.notices().clear();
-          engine_.reset();
-          editor_.open(*opened.document, opened.native ? std::optional(path) : std::nullopt);
-          warn(opened.messages);
-          log_.file("opened", path);
-        });
-  }
-
   void import_file(const std::filesystem::path& path) {
-    in_background(
+    long_.run(
         fill(translatable("Importing {0}"), {path.filename().string()}),
         [path](const CancelToken&) { return open_file(path); },
         [this, path](const OpenedFile& opened) {
@@ -276,27 +308,8 @@ class Application {
         });
   }
 
-  void save(const std::filesystem::path& path, std::function<void()> then) {
-    // The committed value is saved, not what a drag shows; it may change on while this one is written.
-    const std::uint64_t serial = editor_.history.serial();
-    in_background(
-        fill(translatable("Saving {0}"), {path.filename().string()}),
-        [path, document = editor_.history.current()](const CancelToken&) {
-          return save_document(document, path);
-        },
-        [this, path, serial, then = std::move(then)](const Result<Done>& saved) {
-          if (!saved.ok()) return editor_.notify(saved.error());
-          editor_.path = path;
-          editor_.history.mark_saved(serial);
-          editor_.notify(Notice::Kind::info,
-                         fill(editor_.language("Saved {0}."), {path.filename().string()}));
-          log_.file("saved", path);
-          if (then) then();
-        });
-  }
-
   void export_file(const std::filesystem::path& path, int density) {
-    in_background(
+    long_.run(
         fill(translatable("Exporting {0}"), {path.filename().string()}),
         [path, density, document = editor_.history.current()](const CancelToken& cancel) {
           return export_surfaces(document, path, density, cancel);
@@ -313,27 +326,31 @@ class Application {
     // NOLINTNEXTLINE(modernize-loop-convert): the pictures come later, the index finds their place then
     for (std::size_t i = 0; i < workbench_.samples().size(); ++i) {
       const auto path = workbench_.samples()[i].path;
-      long_.submit(
-          next_job_++,
-          [this, i, path](const CancelToken& cancel) -> WorkLane::Publication {
-            auto scene = std::make_shared<Scene>(sample_scene(path, cancel));
-            return [this, i, scene] { workbench_.samples()[i].picture = sample_picture(renderer_, *scene); };
-          },
-          WorkLane::Running::finish);
+      long_.run(
+          {}, [path](const CancelToken& cancel) { return sample_scene(path, cancel); },
+          [this, i](const Scene& scene) {
+            workbench_.samples()[i].picture = sample_picture(renderer_, scene);
+          });
     }
   }
 
   GlWindow& window_;
+  SignalWatch& signals_;
+  const XdgFolders folders_ = xdg_folders();
+  SettingsFile settings_file_{folders_.config / "settings.json"};
+  Settings saved_settings_;
   Renderer renderer_;
   TestLog log_;
   InterfaceText text_{assets_folder() / "languages"};
   Editor editor_;
   RebuildEngine engine_;
-  WorkLane long_;
+  BackgroundWork long_;
   Workbench workbench_;
-  WorkLane::Key next_job_ = 0;
+  DocumentSession session_;
+  Pictures pictures_;
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
+  std::atomic<int> signal_ = 0;  ///< that asked for the end
   /// Objects as drags made them, with the time of the pointer event; until their surface shows.
   std::deque<std::pair<std::shared_ptr<const Object>, double>> dragged_;
   std::optional<ReplayRecorder> recorder_;
@@ -349,6 +366,7 @@ int fail(const Message& error) {
 }  // namespace
 
 int run_window(const WindowOptions& options) {
+  SignalWatch signals;  // before the driver and the workers start their threads
   std::optional<Replay> replay;
   GlWindow::Options size{"Hariko", options.width, options.height, options.scale};
   if (!options.replay.empty()) {
@@ -361,7 +379,7 @@ int run_window(const WindowOptions& options) {
   if (!window.ok()) return fail(window.error());
   auto renderer = Renderer::create();
   if (!renderer.ok()) return fail(renderer.error());
-  Application application(**window, std::move(renderer).value(), options, std::move(replay));
+  Application application(**window, std::move(renderer).value(), options, std::move(replay), signals);
   return application.run();
 }
 

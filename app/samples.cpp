@@ -99,12 +99,15 @@ Scene sample_scene(const fs::path& path, const CancelToken& cancel) {
   return scene;
 }
 
-ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {
-  const Camera camera = Camera::standard(StandardView::iso).frame(scene.world_box(), picture_size);
-  if (scene.objects.empty() || !renderer.draw(scene, camera, {picture_size, 4, thumbnail_picture}).ok())
-    return nullptr;
-  const Image image = renderer.read(thumbnail_picture);
+std::optional<Image> draw_picture(Renderer& renderer, const Scene& scene, PixelSize size) {
+  const Camera camera = Camera::standard(StandardView::iso).frame(scene.world_box(), size);
+  if (scene.objects.empty() || !renderer.draw(scene, camera, {size, 4, thumbnail_picture}).ok()) return {};
+  Image image = renderer.read(thumbnail_picture);
   renderer.forget(thumbnail_picture);
+  return image;
+}
+
+ImTextureID upload_picture(const Image& image) {
   GLuint texture = 0;
   glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_2D, texture);
@@ -116,6 +119,11 @@ ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {
   glBindTexture(GL_TEXTURE_2D, 0);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {
+  const auto image = draw_picture(renderer, scene, picture_size);
+  return image ? upload_picture(*image) : nullptr;
 }
 
 }  // namespace hariko

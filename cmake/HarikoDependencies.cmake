@@ -15,6 +15,7 @@ set_target_properties(osd::cpu PROPERTIES IMPORTED_LOCATION "${OSD_CPU_LIB}"
 
 if(HARIKO_WINDOW)
   find_package(glfw3 3.3 REQUIRED)
+  find_package(X11 REQUIRED)
   find_package(glm REQUIRED)
   find_package(PNG REQUIRED)
   find_package(Freetype REQUIRED)

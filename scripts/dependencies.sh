@@ -4,7 +4,7 @@
 set -euo pipefail
 
 build_packages=(build-essential cmake ninja-build pkg-config ccache
-  libglfw3-dev libimgui-dev libstb-dev libepoxy-dev libglm-dev libeigen3-dev libosd-dev nlohmann-json3-dev libtbb-dev
+  libglfw3-dev libx11-dev libimgui-dev libstb-dev libepoxy-dev libglm-dev libeigen3-dev libosd-dev nlohmann-json3-dev libtbb-dev
   libcli11-dev libpng-dev libfreetype-dev zlib1g-dev
   fonts-inter fonts-font-awesome fonts-noto-cjk libmuparser-dev libegl1 libgl1 libgl1-mesa-dri)
 test_packages=(libgtest-dev libgmock-dev xvfb xauth xdotool libx11-dev x11-utils imagemagick python3 git)

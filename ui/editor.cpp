@@ -13,6 +13,9 @@ const SurfaceView* Editor::view_of(ObjectId id) const {
 void Editor::open(Document document, std::optional<std::filesystem::path> file) {
   history = History(std::move(document));
   path = std::move(file);
+  read_only = false;
+  suggested_name.clear();
+  ++documents;
   selection = {};
   selections_ = SelectionMemory();
   selection.prune(history.current());
@@ -25,7 +28,8 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
 }
 
 std::string Editor::title() const {
-  return path ? path->filename().string() : std::string("Untitled");
+  if (path) return path->filename().string();
+  return suggested_name.empty() ? std::string("Untitled") : suggested_name;
 }
 
 bool Editor::commit(const Result<Document>& result, const std::string& label) {

@@ -2,6 +2,7 @@
 
 // Editor: the state that panels, tools and commands share. One per window.
 
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -73,6 +74,9 @@ class Editor {
   bool has_document = false;
   bool wants_framing = false;                 ///< of all views, as soon as their sizes are known
   std::optional<std::filesystem::path> path;  ///< of the document on disk
+  bool read_only = false;                     ///< the file at `path` is not to be overwritten
+  std::string suggested_name;                 ///< of a document without a path, for its first save
+  std::uint64_t documents = 0;                ///< how many were opened; names the one that is open
 
   /// Written by the application each frame.
   double now = 0;                                          ///< steady clock, seconds

@@ -103,6 +103,8 @@ void Workbench::frame() {
                        actions_.discard_recovery};
   const float menu = draw_menu_bar(context);
   layout(context, menu);
+  // A question about an offer takes the dialog's place until it is answered.
+  if (!prompt_.is_open()) offers_dialog_.draw(context);
   context_menu_.draw(context);
   preferences_.draw(context, menu);
   palette_.draw(context, menu);
@@ -168,7 +170,8 @@ void Workbench::key(const KeyPress& press) {
   }
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   // While a field takes text or a dialog is open the keys are theirs.
-  if (ImGui::GetIO().WantTextInput || dialog_.is_open() || prompt_.is_open()) return;
+  if (ImGui::GetIO().WantTextInput || dialog_.is_open() || offers_dialog_.is_open() || prompt_.is_open())
+    return;
   // A running tool takes its own keys first: axes, numbers, Enter.
   if (viewport_.tool_key(press)) return;
   const Command* command = commands_.find(chord);
@@ -182,6 +185,7 @@ void Workbench::key(const KeyPress& press) {
 void Workbench::escape() {
   if (prompt_.is_open()) return prompt_.dismiss();
   if (dialog_.is_open()) return dialog_.close();
+  if (offers_dialog_.is_open()) return offers_dialog_.close();
   if (palette_.is_open()) return palette_.close();
   if (cheat_sheet_.is_open()) return cheat_sheet_.close();
   // Menus and the lists of fields.
@@ -206,7 +210,7 @@ void Workbench::guarded(std::function<void()> action) {
   const Language& tr = editor_.language;
   ask({tr("Unsaved changes"),
        fill(tr("{0} has changes that are not saved."), {tr(editor_.title())}),
-       {{tr("Save"), "save", [this, action] { save(action); }},
+       {{tr("Save"), "save", [this, action] { save([this, action] { guarded(action); }); }},
         {tr("Discard"), "discard", action},
         {tr("Cancel"), "cancel", {}}}});
 }
@@ -216,21 +220,44 @@ void Workbench::open_guarded(const std::filesystem::path& path) {
 }
 
 void Workbench::save(std::function<void()> then) {
-  if (editor_.path)
+  if (editor_.path && !editor_.read_only)
     actions_.save(*editor_.path, std::move(then));
   else
     save_as(std::move(then));
 }
 
 void Workbench::save_as(std::function<void()> then) {
-  const std::filesystem::path proposal =
-      editor_.path ? *editor_.path : std::filesystem::path("Untitled.hariko");
   dialog_.open({translatable("Save as"),
                 translatable("Save"),
                 true,
                 {".hariko"},
-                proposal,
+                name_proposal(),
                 [this, then = std::move(then)](const auto& path) { actions_.save(path, then); }});
+}
+
+void Workbench::save_copy() {
+  const std::filesystem::path name = name_proposal();
+  std::filesystem::path copy = name.stem();
+  copy += " copy";
+  copy += name.extension();
+  dialog_.open({translatable("Save a copy"),
+                translatable("Save"),
+                true,
+                {".hariko"},
+                name.parent_path() / copy,
+                [this](const auto& path) { actions_.save_copy(path); }});
+}
+
+void Workbench::new_document() {
+  guarded([this] {
+    Document document;
+    document.unit = editor_.settings.unit;
+    editor_.open(std::move(document), {});
+  });
+}
+
+void Workbench::offer_recovery() {
+  if (editor_.has_document && !offers_.recoveries.empty()) show_recoveries();
 }
 
 void Workbench::show_export_dialog() {
@@ -274,6 +301,11 @@ void Workbench::close_document() {
     editor_.open({}, {});
     editor_.has_document = false;
   });
+}
+
+std::filesystem::path Workbench::name_proposal() const {
+  if (editor_.path) return *editor_.path;
+  return (editor_.suggested_name.empty() ? std::string("Untitled") : editor_.suggested_name) + ".hariko";
 }
 
 std::filesystem::path Workbench::folder_proposal() const {

@@ -10,6 +10,7 @@
 #include "ui/panels/command_palette.hpp"
 #include "ui/panels/context_menu.hpp"
 #include "ui/panels/file_dialog.hpp"
+#include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/preferences.hpp"
 #include "ui/panels/prompt.hpp"
@@ -23,6 +24,8 @@ struct FileActions {
   std::function<void(const std::filesystem::path&)> import_file;  ///< adds to the document
   /// Saves the committed document; `then` runs after success.
   std::function<void(const std::filesystem::path&, std::function<void()> then)> save;
+  std::function<void(const std::filesystem::path&)> save_copy;
+  std::function<void()> revert;  ///< to what the file holds
   std::function<void(const std::filesystem::path&, int density)> export_file;
   /// Opens work that an earlier session left behind, or throws it away.
   std::function<void(const std::string&id)> recover, discard_recovery;
@@ -62,6 +65,13 @@ class Workbench {
   void open_guarded(const std::filesystem::path& path);
   void save(std::function<void()> then);
   void save_as(std::function<void()> then);
+  void save_copy();
+  void new_document();
+  void revert() { actions_.revert(); }
+  /// Shows what can be recovered, where the start page does not.
+  void offer_recovery();
+  void show_recent() { offers_dialog_.open(OffersDialog::Kind::recent); }
+  void show_recoveries() { offers_dialog_.open(OffersDialog::Kind::recovery); }
   void show_palette() { palette_.open(); }
   void show_cheat_sheet() { cheat_sheet_.open(); }
   void show_context_menu() { context_menu_.open(editor_); }
@@ -83,6 +93,7 @@ class Workbench {
   void layout(PanelContext& context, float menu);
   void drag_border(const PanelRect& border);
   std::filesystem::path folder_proposal() const;
+  std::filesystem::path name_proposal() const;
 
   Editor& editor_;
   Viewport viewport_;
@@ -101,6 +112,7 @@ class Workbench {
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
   FileDialog dialog_;
+  OffersDialog offers_dialog_;
   Prompt prompt_;
   int export_density_ = 16;
 };

@@ -80,8 +80,7 @@ RecoverySlot::~RecoverySlot() {
 void RecoverySlot::leave() {
   if (!lock_.held()) return;
   std::error_code ignored;
-  if (const auto copy = read_recovery(folder_); !copy.ok() && copy.error().code == e_no_recovery)
-    fs::remove_all(folder_, ignored);
+  if (!has_recovery(folder_)) fs::remove_all(folder_, ignored);
 }
 
 Result<Done> RecoverySlot::write(const Document& document, const RecoveryNote& note, FileLayer& layer) {

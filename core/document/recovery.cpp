@@ -156,6 +156,10 @@ Result<RecoveryCopy> read_recovery(const fs::path& folder) {
                     "Open the file that was saved last instead.");
 }
 
+bool has_recovery(const fs::path& folder) {
+  return !copies_in(folder).empty();
+}
+
 std::optional<RecoveryNote> read_recovery_note(const fs::path& folder) {
   const auto noted = read_note(folder);
   if (!noted) return {};

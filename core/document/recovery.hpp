@@ -43,6 +43,9 @@ Result<Done> write_recovery(const std::filesystem::path& folder, const Document&
 /// The latest whole copy. Errors: E_NO_RECOVERY, E_RECOVERY_DAMAGED.
 Result<RecoveryCopy> read_recovery(const std::filesystem::path& folder);
 
+/// Whether the folder holds any copy, whole or not. Reads none.
+bool has_recovery(const std::filesystem::path& folder);
+
 /// The note alone, without looking at the copies; nothing when it is missing or broken.
 std::optional<RecoveryNote> read_recovery_note(const std::filesystem::path& folder);
 

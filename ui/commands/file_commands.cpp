@@ -11,12 +11,37 @@ void add_file_commands(CommandHost& host) {
   Editor& editor = host.editor;
   Workbench& workbench = host.workbench;
   const WhyNot document = needs_document(editor);
+  table.add({"file.new", "File", "New", "Begin an empty document.", "Ctrl+N", icon::file, false, false,
+             [&workbench] { workbench.new_document(); }});
   table.add({"file.open", "File", "Open\u2026", "Open a Hariko document or a mesh.", "Ctrl+O", icon::open,
              false, false, [&workbench] { workbench.show_open_dialog(); }});
+  table.add({"file.recent", "File", "Open recent\u2026", "Open a file that was used before.", "Ctrl+Shift+O",
+             "", false, false, [&workbench] { workbench.show_recent(); },
+             [&workbench]() -> Reason {
+               if (!workbench.offers().recent.empty()) return {};
+               return "No file was opened or saved yet.";
+             }});
+  table.add({"file.recover", "File", "Recover\u2026",
+             "Open unsaved work of a session that ended without saving.", "", "", false, false,
+             [&workbench] { workbench.show_recoveries(); },
+             [&workbench]() -> Reason {
+               if (!workbench.offers().recoveries.empty()) return {};
+               return "There is no unsaved work of an earlier session.";
+             }});
   table.add({"file.save", "File", "Save", "Save the document.", "Ctrl+S", icon::save, false, false,
              [&workbench] { workbench.save({}); }, document});
   table.add({"file.save_as", "File", "Save as\u2026", "Save the document under another name.", "Ctrl+Shift+S",
              "", false, false, [&workbench] { workbench.save_as({}); }, document});
+  table.add({"file.save_copy", "File", "Save a copy\u2026",
+             "Save under another name and go on with this file.", "Ctrl+Alt+S", "", false, false,
+             [&workbench] { workbench.save_copy(); }, document});
+  table.add({"file.revert", "File", "Revert to the file",
+             "Bring back what the file holds. Undo takes it back.", "", "", true, false,
+             [&workbench] { workbench.revert(); },
+             [&editor]() -> Reason {
+               if (!editor.has_document || !editor.path) return "The document was never saved.";
+               return {};
+             }});
   table.add({"file.import", "File", "Import\u2026", "Add the polyhedron of a mesh file to the document.",
              "Ctrl+I", icon::import_file, true, true, [&workbench] { workbench.show_import_dialog(); }});
   table.add({"file.export", "File", "Export\u2026", "Write the surfaces as triangles.", "Ctrl+E",

@@ -53,6 +53,7 @@ float draw_menu_bar(PanelContext& context) {
   const Editor& editor = context.editor;
   if (editor.has_document) {
     std::string title = context.tr(editor.title());
+    if (editor.read_only) title += std::string("  \u2022  ") + context.tr("read-only");
     if (editor.history.dirty()) title += std::string("  \u2022  ") + context.tr("edited");
     // The window's own title has it too: here it goes where there is room.
     const float left = field - ImGui::CalcTextSize(title.c_str()).x - context.metrics.px(16);

@@ -4,6 +4,7 @@
 
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace hariko {
@@ -59,6 +60,16 @@ void draw_start_page(PanelContext& context, const PanelRect& rect) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("or drop a file here: .hariko, .obj, .off, .ply, .stl");
     ImGui::Dummy({0, m.px(12)});
+    if (!context.offers.recoveries.empty()) {
+      heading(context, context.tr("Unsaved work of an earlier session"));
+      draw_recovery_offers(context, content);
+      ImGui::Dummy({0, m.px(8)});
+    }
+    if (!context.offers.recent.empty()) {
+      heading(context, context.tr("Recent files"));
+      draw_recent_files(context, content, content > m.px(820) ? 6 : 4);
+      ImGui::Dummy({0, m.px(8)});
+    }
     ImGui::TextDisabled(context.samples.empty() ? "The samples are not installed." : "Samples");
     ImGui::EndGroup();
     const float width = (content - spacing * static_cast<float>(columns - 1)) / static_cast<float>(columns);

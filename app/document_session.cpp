@@ -1,0 +1,451 @@
+#include "app/document_session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "core/base/printable.hpp"
+#include "core/document/file.hpp"
+
+namespace hariko {
+
+namespace fs = std::filesystem;
+using Outcome = FileLock::Attempt::Outcome;
+
+namespace {
+
+std::int64_t unix_seconds() {
+  using namespace std::chrono;
+  return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+}
+
+/// Recovery copies, recent files and locks must not depend on the working folder.
+fs::path full_path(const fs::path& path) {
+  std::error_code error;
+  fs::path full = fs::absolute(path, error);
+  return error ? path : full.lexically_normal();
+}
+
+std::string name_of(const fs::path& path) {
+  return printable(path.filename().string(), 200);
+}
+
+/// "ada on studio-3", as far as the lock says.
+std::string owner_text(const Language& tr, const std::optional<LockOwner>& owner) {
+  if (!owner || owner->user.empty()) return tr("another program");
+  return fill(tr("{0} on {1}"), {owner->user, owner->host});
+}
+
+}  // namespace
+
+struct DocumentSession::Opened {
+  fs::path path;
+  OpenedFile file;
+  std::optional<FileStamp> stamp;
+  FileLock::Attempt attempt;
+  bool own_lock = false;  ///< this session has the lock of the file already
+};
+
+struct DocumentSession::Recovered {
+  Result<RecoveryCopy> copy = make_error(e_no_recovery, {});
+  std::optional<RecoverySlot> slot;
+  FileLock::Attempt attempt;
+};
+
+struct DocumentSession::Saved {
+  fs::path path;
+  Document document;
+  std::uint64_t document_number = 0, serial = 0;
+  Result<Done> result = Done{};
+  std::optional<FileStamp> stamp;
+  FileLock::Attempt attempt;
+  bool changed_on_disk = false;
+};
+
+DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const XdgFolders& folders, Hooks hooks)
+    : editor_(editor),
+      workbench_(workbench),
+      hooks_(std::move(hooks)),
+      recovery_(folders.state / "recovery"),
+      recent_(folders.state / "recent.json"),
+      autosaver_(recovery_),
+      background_(editor, hooks_.wake) {}
+
+// Opening.
+
+void DocumentSession::open(const fs::path& given) {
+  const fs::path path = full_path(given);
+  background_.run(
+      fill(translatable("Opening {0}"), {name_of(path)}),
+      [path, own = lock_.held() ? lock_.path() : fs::path()](const CancelToken&) {
+        auto opened = std::make_shared<Opened>();
+        opened->path = path;
+        // The stamp first: a change while reading must count as one.
+        opened->stamp = stamp_of(path);
+        opened->file = open_file(path);
+        if (!opened->file.native || !opened->file.document) return opened;
+        const fs::path lock = lock_path_of(path);
+        opened->own_lock = lock == own;
+        if (!opened->own_lock) opened->attempt = FileLock::try_lock(lock, unix_seconds());
+        return opened;
+      },
+      [this](const std::shared_ptr<Opened>& opened) {
+        if (!opened->file.document) return explain(*opened);
+        if (opened->attempt.outcome == Outcome::taken) return ask_about_lock(opened);
+        install(opened, Mode::normal);
+      });
+}
+
+/// Readers name the file themselves; a mesh that is no polyhedron does not know it.
+void DocumentSession::explain(const Opened& opened) {
+  Message error = *opened.file.error();
+  if (opened.file.broken_mesh) {
+    const std::string element = to_string(error.element);
+    error.text = name_of(opened.path) + (element.empty() ? "" : ", " + element) + ": " + error.text;
+  }
+  editor_.notify(error);
+}
+
+void DocumentSession::ask_about_lock(const std::shared_ptr<Opened>& opened) {
+  const Language& tr = editor_.language;
+  workbench_.ask(
+      {tr("The file is in use"),
+       fill(tr("{0} is open in another window ({1}). What is saved there and here would overwrite each "
+               "other."),
+            {name_of(opened->path), owner_text(tr, opened->attempt.owner)}),
+       {{tr("Open read-only"), "read_only", [this, opened] { install(opened, Mode::read_only); }},
+        {tr("Open a copy"), "copy", [this, opened] { install(opened, Mode::copy); }},
+        {tr("Cancel"), "cancel", {}}}});
+  hooks_.log("locked", opened->path);
+}
+
+void DocumentSession::warn_about_lock(const fs::path& path, const FileLock::Attempt& attempt) {
+  const Language& tr = editor_.language;
+  const std::string reason =
+      attempt.outcome == Outcome::unavailable ? attempt.reason : tr("no locks on this disk");
+  editor_.notify(Notice::Kind::warning,
+                 fill(tr("{0} cannot be locked ({1}). Take care that no other window saves it."),
+                      {name_of(path), reason}));
+}
+
+void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) {
+  const bool file = opened->file.native && mode != Mode::copy;
+  editor_.notices().clear();
+  hooks_.replaced();
+  editor_.open(*opened->file.document, file ? std::optional(opened->path) : std::nullopt);
+  editor_.read_only = mode == Mode::read_only;
+  if (!file) editor_.suggested_name = opened->path.stem().string() + (mode == Mode::copy ? " copy" : "");
+  document_ = editor_.documents;
+  disk_ = file ? Disk{opened->stamp, opened->file.document} : Disk{};
+  if (!opened->own_lock) lock_ = std::move(opened->attempt.lock);
+  if (file && mode == Mode::normal && !opened->own_lock &&
+      (opened->attempt.outcome == Outcome::unavailable || !opened->attempt.certain))
+    warn_about_lock(opened->path, opened->attempt);
+  constexpr std::size_t most_warnings = 2;
+  for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
+    editor_.notify(opened->file.messages[i]);
+  used(opened->path);
+  hooks_.log("opened", opened->path);
+}
+
+// Saving.
+
+bool DocumentSession::is_own_file(const fs::path& path) const {
+  return editor_.path && lock_path_of(*editor_.path) == lock_path_of(path);
+}
+
+void DocumentSession::save(const fs::path& path, std::function<void()> then) {
+  start_save(full_path(path), std::move(then), false);
+}
+
+void DocumentSession::start_save(const fs::path& path, std::function<void()> then, bool overwrite) {
+  auto saved = std::make_shared<Saved>();
+  saved->path = path;
+  // The committed value is saved, not what a drag shows; it may change on while this one is written.
+  saved->document = editor_.history.current();
+  saved->document_number = editor_.documents;
+  saved->serial = editor_.history.serial();
+  const fs::path own_lock = lock_.held() ? lock_.path() : fs::path();
+  const Disk expected = is_own_file(path) && !overwrite ? disk_ : Disk{};
+  background_.run(
+      fill(translatable("Saving {0}"), {name_of(path)}),
+      [saved, own_lock, expected](const CancelToken&) {
+        const fs::path lock = lock_path_of(saved->path);
+        if (lock != own_lock) saved->attempt = FileLock::try_lock(lock, unix_seconds());
+        if (saved->attempt.outcome == Outcome::taken) return saved;
+        const auto now = stamp_of(saved->path);
+        if (expected.stamp && now && now != expected.stamp) {
+          // Touched is not changed: only another content is asked about.
+          const auto content = load_document(saved->path);
+          saved->changed_on_disk = !content.ok() || !expected.content || !(*content == *expected.content);
+          if (saved->changed_on_disk) return saved;
+        }
+        saved->result = save_document(saved->document, saved->path);
+        saved->stamp = stamp_of(saved->path);
+        return saved;
+      },
+      [this, then = std::move(then)](const std::shared_ptr<Saved>& done) { finish_save(*done, then); });
+}
+
+void DocumentSession::finish_save(Saved& saved, const std::function<void()>& then) {
+  const Language& tr = editor_.language;
+  if (saved.attempt.outcome == Outcome::taken)
+    return editor_.notify(make_error(
+        e_document_locked, name_of(saved.path) + " is open in another window and was not overwritten.",
+        "Close it there, or save under another name."));
+  if (saved.changed_on_disk) return ask_about_change(saved.path, then);
+  if (!saved.result.ok()) return editor_.notify(saved.result.error());
+  editor_.notify(Notice::Kind::info, fill(tr("Saved {0}."), {name_of(saved.path)}));
+  used(saved.path);
+  if (saved.document_number == editor_.documents) {
+    editor_.path = saved.path;
+    editor_.read_only = false;
+    editor_.history.mark_saved(saved.serial);
+    disk_ = {saved.stamp, saved.document};
+    if (saved.attempt.outcome == Outcome::acquired) lock_ = std::move(saved.attempt.lock);
+  }
+  hooks_.log("saved", saved.path);
+  if (then) then();
+}
+
+void DocumentSession::ask_about_change(const fs::path& path, std::function<void()> then) {
+  const Language& tr = editor_.language;
+  workbench_.ask(
+      {tr("The file was changed"),
+       fill(tr("Another program changed {0} after it was opened here. Saving would overwrite those changes."),
+            {name_of(path)}),
+       {{tr("Save as\u2026"), "save_as", [this, then] { workbench_.save_as(then); }},
+        {tr("Overwrite"), "overwrite", [this, path, then] { start_save(path, then, true); }},
+        {tr("Cancel"), "cancel", {}}}});
+  hooks_.log("changed", path);
+}
+
+void DocumentSession::save_copy(const fs::path& given) {
+  const fs::path path = full_path(given);
+  if (is_own_file(path)) return save(path, {});
+  background_.run(
+      fill(translatable("Saving {0}"), {name_of(path)}),
+      [path, document = editor_.history.current()](const CancelToken&) -> Result<Done> {
+        const auto attempt = FileLock::try_lock(lock_path_of(path), unix_seconds());
+        if (attempt.outcome == Outcome::taken)
+          return make_error(e_document_locked,
+                            name_of(path) + " is open in another window and was not overwritten.",
+                            "Close it there, or save under another name.");
+        return save_document(document, path);
+      },
+      [this, path](const Result<Done>& saved) {
+        if (!saved.ok()) return editor_.notify(saved.error());
+        editor_.notify(Notice::Kind::info, fill(editor_.language("Saved a copy as {0}."), {name_of(path)}));
+        hooks_.log("copied", path);
+      });
+}
+
+void DocumentSession::revert() {
+  const fs::path path = *editor_.path;
+  struct Reverted {
+    std::optional<FileStamp> stamp;
+    Result<Document> document;
+  };
+  background_.run(
+      fill(translatable("Opening {0}"), {name_of(path)}),
+      [path](const CancelToken&) {
+        const auto stamp = stamp_of(path);
+        return Reverted{stamp, load_document(path)};
+      },
+      [this, path, number = editor_.documents](const Reverted& reverted) {
+        if (number != editor_.documents) return;
+        if (!reverted.document.ok()) return editor_.notify(reverted.document.error());
+        editor_.cancel_preview();
+        editor_.commit(reverted.document, translatable("Revert to the file"));
+        editor_.history.mark_saved();
+        disk_ = {reverted.stamp, *reverted.document};
+        hooks_.log("reverted", path);
+      });
+}
+
+// Autosave.
+
+double DocumentSession::interval() const {
+  return std::clamp(editor_.settings.autosave_seconds, 1.0, 25.0);
+}
+
+void DocumentSession::update() {
+  if (document_ != editor_.documents) {  // a new document, or none: the file is no longer this session's
+    document_ = editor_.documents;
+    disk_ = {};
+    lock_ = {};
+  }
+  if (!editor_.has_document || !editor_.history.dirty()) {
+    autosaver_.set_nothing();
+  } else if (const Autosaver::State state{document_, editor_.history.serial()};
+             !autosaver_.is_latest(state)) {
+    autosaver_.set_work(
+        {editor_.history.current(), state, {editor_.path.value_or(fs::path()), disk_.stamp, 0}});
+  }
+  if (!autosaving_ && autosaver_.due(editor_.now, interval())) autosave();
+}
+
+void DocumentSession::autosave() {
+  autosaving_ = true;
+  autosaver_.started(editor_.now);
+  background_.run(
+      {}, [this](const CancelToken&) { return autosaver_.write(unix_seconds()); },
+      [this](const Result<Done>& written) {
+        autosaving_ = false;
+        if (!written.ok() && !autosave_failed_) editor_.notify(written.error());
+        autosave_failed_ = !written.ok();
+        if (written.ok()) hooks_.log("autosaved", {});
+      });
+}
+
+double DocumentSession::due_in() const {
+  return autosaving_ ? -1 : autosaver_.due_in(editor_.now, interval());
+}
+
+void DocumentSession::write_autosave() {
+  (void)autosaver_.write(unix_seconds());  // the last words: there is nobody left to tell
+}
+
+void DocumentSession::end() {
+  autosaver_.set_nothing();
+  (void)autosaver_.write(unix_seconds());
+}
+
+// Recovery and recent files.
+
+void DocumentSession::find_offers(Pictures& pictures) {
+  pictures_ = &pictures;
+  background_.run(
+      {}, [this](const CancelToken&) { return recent_.load(); },
+      [this](const std::vector<RecentEntry>& entries) { show_recent(entries); });
+  background_.run(
+      {}, [this](const CancelToken&) { return recovery_.leftovers(unix_seconds()); },
+      [this](const std::vector<Leftover>& leftovers) { show_leftovers(leftovers); });
+}
+
+void DocumentSession::show_leftovers(const std::vector<Leftover>& leftovers) {
+  auto& offers = workbench_.offers().recoveries;
+  offers.clear();
+  for (const Leftover& leftover : leftovers) {
+    RecoveryOffer offer;
+    offer.id = leftover.id;
+    offer.path = leftover.note.original;
+    offer.written_at = leftover.note.written_at;
+    offer.objects = leftover.objects;
+    offer.file_changed = leftover.file_changed;
+    offer.damaged = leftover.damaged;
+    offers.push_back(std::move(offer));
+    if (leftover.damaged) continue;
+    pictures_->request(leftover.copy, [this, id = leftover.id](ImTextureID picture) {
+      for (RecoveryOffer& shown : workbench_.offers().recoveries)
+        if (shown.id == id) shown.picture = picture;
+    });
+  }
+  if (offers.empty()) return;
+  workbench_.offer_recovery();
+  hooks_.log("offers", {});
+}
+
+void DocumentSession::show_recent(const std::vector<RecentEntry>& entries) {
+  auto& recent = workbench_.offers().recent;
+  const std::vector<RecentFile> before = std::exchange(recent, {});
+  for (const RecentEntry& entry : entries) {
+    RecentFile file;
+    file.path = entry.path;
+    file.used_at = entry.used_at;
+    for (const RecentFile& old : before)
+      if (old.path == file.path) file.picture = old.picture;
+    recent.push_back(std::move(file));
+    pictures_->request(entry.path, [this, path = entry.path](ImTextureID picture) {
+      for (RecentFile& shown : workbench_.offers().recent)
+        if (shown.path == path) shown.picture = picture;
+    });
+  }
+}
+
+void DocumentSession::used(const fs::path& path) {
+  background_.run(
+      {},
+      [this, path](const CancelToken&) {
+        (void)recent_.touch(path, unix_seconds());  // a convenience: nothing is lost without it
+        return recent_.load();
+      },
+      [this](const std::vector<RecentEntry>& entries) {
+        if (pictures_) show_recent(entries);
+      });
+}
+
+void DocumentSession::recover(const std::string& id) {
+  workbench_.guarded([this, id] {
+    background_.run(
+        translatable("Recovering"),
+        [this, id](const CancelToken&) {
+          auto recovered = std::make_shared<Recovered>();
+          auto slot = recovery_.adopt(id, unix_seconds());
+          if (!slot.ok()) {
+            recovered->copy = slot.error();
+            return recovered;
+          }
+          recovered->copy = read_recovery(slot->folder());
+          recovered->slot = std::move(slot).value();
+          if (recovered->copy.ok() && !recovered->copy->note.original.empty())
+            recovered->attempt =
+                FileLock::try_lock(lock_path_of(recovered->copy->note.original), unix_seconds());
+          return recovered;
+        },
+        [this, id](const std::shared_ptr<Recovered>& recovered) { finish_recovery(id, *recovered); });
+  });
+}
+
+void DocumentSession::finish_recovery(const std::string& id, Recovered& recovered) {
+  const Language& tr = editor_.language;
+  if (!recovered.copy.ok()) return editor_.notify(recovered.copy.error());
+  const RecoveryNote& note = recovered.copy->note;
+  const bool in_use = recovered.attempt.outcome == Outcome::taken;
+  const bool file = !note.original.empty() && !in_use;
+  editor_.notices().clear();
+  hooks_.replaced();
+  editor_.open(recovered.copy->document, file ? std::optional(note.original) : std::nullopt);
+  if (in_use) editor_.suggested_name = note.original.stem().string() + " recovered";
+  editor_.history.mark_unsaved();
+  document_ = editor_.documents;
+  disk_ = {file ? note.original_stamp : std::nullopt, std::nullopt};
+  lock_ = std::move(recovered.attempt.lock);
+  autosaver_.adopt(std::move(*recovered.slot),
+                   {recovered.copy->document, {document_, editor_.history.serial()}, note});
+  std::erase_if(workbench_.offers().recoveries, [&](const RecoveryOffer& offer) { return offer.id == id; });
+  if (in_use)
+    editor_.notify(Notice::Kind::warning,
+                   fill(tr("{0} is open in another window: the recovered work has no file yet."),
+                        {name_of(note.original)}));
+  else
+    editor_.notify(Notice::Kind::info, tr("The work is recovered. Save it to keep it."));
+  hooks_.log("recovered", note.original);
+}
+
+void DocumentSession::discard_recovery(const std::string& id) {
+  const Language& tr = editor_.language;
+  workbench_.ask({tr("Discard unsaved work"),
+                  tr("The recovered work will be deleted. This cannot be undone."),
+                  {{tr("Discard"), "discard_recovery",
+                    [this, id] {
+                      background_.run(
+                          {},
+                          [this, id](const CancelToken&) -> Result<Done> {
+                            auto slot = recovery_.adopt(id, unix_seconds());
+                            if (!slot.ok()) return slot.error();
+                            SystemFileLayer layer;
+                            return RecoverySlot(std::move(slot).value()).clear(layer);
+                          },
+                          [this, id](const Result<Done>& discarded) {
+                            if (!discarded.ok()) editor_.notify(discarded.error());
+                            std::erase_if(workbench_.offers().recoveries,
+                                          [&](const RecoveryOffer& offer) { return offer.id == id; });
+                            hooks_.log("discarded", {});
+                          });
+                    }},
+                   {tr("Cancel"), "cancel", {}}}});
+}
+
+}  // namespace hariko

@@ -1,0 +1,60 @@
+#include "app/persistence/recent_files.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "core/base/file_io.hpp"
+#include "core/base/file_uri.hpp"
+
+namespace hariko {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::uint64_t largest_file = 1 << 20;  // bytes
+
+}  // namespace
+
+std::vector<RecentEntry> RecentFiles::read() const {
+  std::vector<RecentEntry> entries;
+  const auto text = read_file(file_, largest_file);
+  if (!text) return entries;
+  const Json json = Json::parse(*text, nullptr, false);
+  const auto list = json.is_object() ? json.find("recent") : json.end();
+  if (!json.is_object() || list == json.end() || !list->is_array()) return entries;
+  for (const Json& item : *list) {
+    if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string()) continue;
+    const auto path = path_of_uri(item["uri"].get<std::string>());
+    const auto used_at = item.find("used_at");
+    if (path)
+      entries.push_back(
+          {*path, used_at != item.end() && used_at->is_number_integer() ? used_at->get<std::int64_t>() : 0});
+  }
+  return entries;
+}
+
+std::vector<RecentEntry> RecentFiles::load() const {
+  std::vector<RecentEntry> entries = read();
+  std::erase_if(entries, [](const RecentEntry& entry) {
+    std::error_code unknown;
+    return !std::filesystem::is_regular_file(entry.path, unknown);
+  });
+  return entries;
+}
+
+Result<Done> RecentFiles::touch(const std::filesystem::path& path, std::int64_t now) const {
+  // Files that are gone stay in the file: a disk may be back tomorrow.
+  std::vector<RecentEntry> entries = read();
+  std::erase_if(entries, [&](const RecentEntry& entry) { return entry.path == path; });
+  entries.insert(entries.begin(), {path, now});
+  if (entries.size() > most) entries.resize(most);
+  Json list = Json::array();
+  for (const RecentEntry& entry : entries)
+    list.push_back({{"uri", file_uri(entry.path)}, {"used_at", entry.used_at}});
+  std::error_code unknown;  // writing says what is wrong
+  std::filesystem::create_directories(file_.parent_path(), unknown);
+  return write_file_atomic(file_, Json{{"recent", list}}.dump(2) + "\n");
+}
+
+}  // namespace hariko

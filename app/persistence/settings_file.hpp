@@ -1,0 +1,37 @@
+#pragma once
+
+// SettingsFile: the user's settings as JSON.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "ui/settings.hpp"
+
+namespace hariko {
+
+inline constexpr Code w_settings_broken{"W_SETTINGS_BROKEN"};
+inline constexpr Code w_settings_value{"W_SETTINGS_VALUE"};
+
+/// Nothing in the file can keep the program from starting: what is missing or wrong has its default.
+class SettingsFile {
+ public:
+  explicit SettingsFile(std::filesystem::path file) : file_(std::move(file)) {}
+
+  struct Loaded {
+    Settings settings;
+    /// W_SETTINGS_BROKEN: it is no JSON object; it was renamed, and the text says to what. W_SETTINGS_VALUE:
+    /// names the members that were not used.
+    std::vector<Message> problems;
+  };
+  Loaded load();
+  /// Keeps members of the file that this version does not know. Errors: E_FILE_WRITE.
+  Result<Done> save(const Settings& settings) const;
+
+ private:
+  std::filesystem::path file_;
+  std::string kept_;  ///< text of the file that was loaded
+};
+
+}  // namespace hariko

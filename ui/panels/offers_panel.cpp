@@ -1,0 +1,161 @@
+#include "ui/panels/offers_panel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+#include "ui/icons.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Text that is cut with an ellipsis where it is wider than `width`.
+void fitted_text(ImVec2 at, float width, ImU32 colour, const std::string& text) {
+  std::string shown = text;
+  while (!shown.empty() && ImGui::CalcTextSize((shown == text ? text : shown + "\u2026").c_str()).x > width) {
+    do shown.pop_back();
+    while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0U) == 0x80U);
+    if (!shown.empty() && static_cast<unsigned char>(shown.back()) >= 0xC0U) shown.pop_back();
+  }
+  if (shown != text) shown += "\u2026";
+  ImGui::GetWindowDrawList()->AddText(at, colour, shown.c_str());
+}
+
+void picture(ImTextureID texture, ImVec2 low, ImVec2 high, float radius, ImDrawFlags corners) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (texture)
+    draw.AddImageRounded(texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, radius, corners);
+  else
+    draw.AddRectFilled(low, high, palette().field, radius, corners);
+}
+
+std::string title_of(const Language& tr, const RecoveryOffer& offer) {
+  return offer.path.empty() ? tr(std::string(translatable("Untitled"))) : offer.path.filename().string();
+}
+
+void recovery_card(PanelContext& context, const RecoveryOffer& offer, float width) {
+  const Metrics& m = context.metrics;
+  const Language& tr = context.tr;
+  const float height = m.px(108), radius = m.px(6), picture_width = height * offer.aspect;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(at, {at.x + width, at.y + height}, palette().panel, radius);
+  picture(offer.picture, at, {at.x + picture_width, at.y + height}, radius, ImDrawFlags_RoundCornersLeft);
+
+  const float left = at.x + picture_width + m.px(16), line = ImGui::GetTextLineHeight() + m.px(4);
+  const float text_width = at.x + width - left - m.px(16);
+  float y = at.y + m.px(10);
+  fitted_text({left, y}, text_width, palette().text, title_of(tr, offer));
+  y += line;
+  std::string details = fill(tr("Unsaved work of {0}"), {local_time_text(offer.written_at)});
+  if (!offer.path.empty()) details += "   " + offer.path.parent_path().string();
+  fitted_text({left, y}, text_width, palette().dim_text, details);
+  y += line;
+  if (offer.damaged)
+    fitted_text({left, y}, text_width, palette().error, tr("The copy is damaged and cannot be opened."));
+  else if (offer.file_changed)
+    fitted_text({left, y}, text_width, palette().warning,
+                tr("The file on disk was changed after this copy."));
+
+  ImGui::PushID(offer.id.c_str());
+  ImGui::SetCursorScreenPos({left, at.y + height - ImGui::GetFrameHeight() - m.px(10)});
+  if (!offer.damaged) {
+    ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(palette().accent, 0.35F));
+    if (ImGui::Button(tr("Recover"), {m.px(110), 0})) context.recover(offer.id);
+    context.marks.item("recovery.recover");
+    ImGui::PopStyleColor();
+    ImGui::SameLine();
+  }
+  if (ImGui::Button(tr("Discard"), {m.px(110), 0})) context.discard_recovery(offer.id);
+  context.marks.item("recovery.discard");
+  ImGui::PopID();
+  ImGui::SetCursorScreenPos({at.x, at.y + height + m.px(8)});
+  ImGui::Dummy({width, 1});
+}
+
+bool recent_card(PanelContext& context, const RecentFile& file, ImVec2 size) {
+  const Metrics& m = context.metrics;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::InvisibleButton(file.path.c_str(), size);
+  context.marks.item("recent." + file.path.filename().string());
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) ImGui::SetTooltip("%s\n%s", file.path.c_str(), local_time_text(file.used_at).c_str());
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float caption = m.px(34), radius = m.px(6);
+  const ImVec2 end(at.x + size.x, at.y + size.y), picture_end(end.x, end.y - caption);
+  draw.AddRectFilled(at, end, hovered ? palette().field_hover : palette().panel, radius);
+  picture(file.picture, at, picture_end, radius, ImDrawFlags_RoundCornersTop);
+  fitted_text({at.x + m.px(12), picture_end.y + m.px(8)}, size.x - m.px(24), palette().text,
+              file.path.filename().string());
+  if (hovered) draw.AddRect(at, end, palette().secondary, radius, 0, m.px(1.5F));
+  return clicked;
+}
+
+}  // namespace
+
+std::string local_time_text(std::int64_t unix_seconds) {
+  const auto time = static_cast<std::time_t>(unix_seconds);
+  std::tm local{};
+  if (!::localtime_r(&time, &local)) return {};
+  std::array<char, 32> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local)};
+}
+
+void draw_recovery_offers(PanelContext& context, float width) {
+  const std::vector<RecoveryOffer> offers = context.offers.recoveries;  // a button may change the list
+  for (const RecoveryOffer& offer : offers) recovery_card(context, offer, width);
+}
+
+bool draw_recent_files(PanelContext& context, float width, std::size_t most) {
+  const Metrics& m = context.metrics;
+  const std::size_t columns = width > m.px(820) ? 6 : 4;
+  const float spacing = m.px(12);
+  const float card = (width - spacing * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  const ImVec2 size(card, card * 0.75F + m.px(34));
+  const ImVec2 first = ImGui::GetCursorScreenPos();
+  const std::vector<RecentFile> files = context.offers.recent;
+  const std::size_t count = std::min(most, files.size());
+  bool chosen = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto column = static_cast<float>(i % columns), row = static_cast<float>(i / columns);
+    ImGui::SetCursorScreenPos({first.x + column * (card + spacing), first.y + row * (size.y + spacing)});
+    if (!recent_card(context, files[i], size)) continue;
+    chosen = true;
+    context.open(files[i].path);
+  }
+  return chosen;
+}
+
+void OffersDialog::draw(PanelContext& context) {
+  constexpr const char* id = "###offers";
+  const bool shown = ImGui::IsPopupOpen(id);
+  if (!open_ && !shown) return;
+  const Language& tr = context.tr;
+  const Metrics& m = context.metrics;
+  if (open_ && !shown) ImGui::OpenPopup(id);
+  const bool recovery = kind_ == Kind::recovery;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float width = std::min(m.px(recovery ? 620 : 760), screen.x - m.px(40));
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - m.px(80)});
+  const std::string title =
+      std::string(recovery ? tr("Unsaved work of an earlier session") : tr("Recent files")) + id;
+  if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
+    return;
+  const float inner = ImGui::GetContentRegionAvail().x;
+  if (recovery) {
+    draw_recovery_offers(context, inner);
+    if (context.offers.recoveries.empty()) open_ = false;
+  } else if (draw_recent_files(context, inner, 12)) {
+    open_ = false;
+  }
+  ImGui::Dummy({0, m.px(4)});
+  if (ImGui::Button(recovery ? tr("Later") : tr("Cancel"), {m.px(110), 0})) open_ = false;
+  context.marks.item("offers.close");
+  if (!open_) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace hariko
