@@ -93,7 +93,7 @@ void add_view_commands(CommandHost& host) {
   host.table.add(
       {"view.keep_probe", "View", "Keep probe",
        "Keep the readings of the surface under the pointer on the screen; over nothing, let them go.",
-       "Alt+P", "", false, true, [&editor, &host] { editor.kept_probe = host.viewport.pointed_at(); },
+       "Ctrl+Alt+P", "", false, true, [&editor, &host] { editor.kept_probe = host.viewport.pointed_at(); },
        needs_document(editor), [&editor] { return editor.kept_probe.has_value(); }});
   host.table.add({"view.frame_times",
                   "View",
