@@ -10,6 +10,7 @@
 #include "core/modeling/face_geometry.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
+#include "core/modeling/short_edges.hpp"
 
 namespace hariko {
 namespace {
@@ -96,6 +97,7 @@ class EdgeBevel {
       if (!vertex_polygons_[v].empty()) selection.faces.insert(draft.add_face(named(vertex_polygons_[v])));
     Result<PolyhedronSource> result = std::move(draft).finish();
     if (!result) return result.error();
+    tighten_short_edges(result.value(), source_);
     if (const FaceId face = first_turned_face(polyhedron_, result->polyhedron); face != FaceId{})
       return too_wide(element_of(face));
     return Modeled{std::move(result).value(), std::move(selection)};

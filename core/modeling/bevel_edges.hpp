@@ -17,9 +17,10 @@ namespace hariko {
 /// leads to the vertex, at an inner vertex of two edges the band runs into a point. Open edges among the
 /// given ones have no second face and are left as they are. The Euler number stays.
 ///
-/// Both sides of a band have the edge's tension and crease; the ends of bands are plain, but a crease that
-/// goes on beyond the end of a band carries on round the end face. New vertices have the tension and tag of
-/// the one they replace, whose pin is gone. Selected afterwards: the bands and the faces between them.
+/// Both sides of a band have the edge's tension and crease; the ends of bands are plain
+/// (`tighten_short_edges` for narrow ones), but a crease that goes on beyond the end of a band carries on
+/// round the end face. New vertices have the tension and tag of the one they replace, whose pin is gone.
+/// Selected afterwards: the bands and the faces between them.
 ///
 /// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_BAD_AMOUNT (not above zero, or so wide that an edge would
 /// shrink to nothing), E_WRONG_SELECTION (only open edges; an edge whose band would be a point at both ends).

@@ -8,6 +8,7 @@
 #include "core/modeling/amount.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
+#include "core/modeling/short_edges.hpp"
 
 namespace hariko {
 namespace {
@@ -41,7 +42,8 @@ class VertexBevel {
  public:
   VertexBevel(const PolyhedronSource& source, const std::vector<Index>& chosen,
               const BevelVerticesOptions& options)
-      : polyhedron_(source.polyhedron),
+      : source_(source),
+        polyhedron_(source.polyhedron),
         mesh_(polyhedron_.topology()),
         before_(*source.shaping),
         options_(options),
@@ -56,6 +58,7 @@ class VertexBevel {
     for (const Index v : chosen_) close_cut(v);
     Result<PolyhedronSource> result = std::move(draft_).finish();
     if (!result) return result.error();
+    tighten_short_edges(result.value(), source_);
     return Modeled{std::move(result).value(), std::move(selection_)};
   }
 
@@ -132,6 +135,7 @@ class VertexBevel {
       selection_.faces.insert(draft_.add_face(std::move(corners)));
   }
 
+  const PolyhedronSource& source_;
   const Polyhedron& polyhedron_;
   const HalfEdgeMesh& mesh_;
   const Shaping& before_;

@@ -21,7 +21,8 @@ struct BevelVerticesOptions {
 ///
 /// What is left of an edge keeps its tension and crease; the new vertices have the tension and tag of the one
 /// cut off, whose pin is gone. A side of the new face is a crease where it runs between two creases, so that
-/// a sharp corner is cut sharply. Selected afterwards: the new faces (edges where there is no face).
+/// a sharp corner is cut sharply; small faces get tension by `tighten_short_edges`. Selected afterwards: the
+/// new faces (edges where there is no face).
 ///
 /// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_BAD_AMOUNT (not above zero, or as long as an edge allows:
 /// the cuts at its two ends would meet).

@@ -9,6 +9,7 @@
 #include "core/modeling/face_geometry.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
+#include "core/modeling/short_edges.hpp"
 
 namespace hariko {
 namespace {
@@ -127,6 +128,7 @@ Result<Modeled> extrude_faces(const PolyhedronSource& source, std::span<const Fa
   }
   Result<PolyhedronSource> result = std::move(draft).finish();
   if (!result) return result.error();
+  if (options.distance != 0) tighten_short_edges(result.value(), source);
   Modeled out{std::move(result).value(), {}};
   for (const Index f : *chosen) out.selection.faces.insert(polyhedron.face_id(f));
   return out;
@@ -168,6 +170,7 @@ Result<Modeled> extrude_borders(const PolyhedronSource& source, std::span<const 
   }
   Result<PolyhedronSource> result = std::move(draft).finish();
   if (!result) return result.error();
+  if (distance != 0) tighten_short_edges(result.value(), source);
   return Modeled{std::move(result).value(), std::move(selection)};
 }
 

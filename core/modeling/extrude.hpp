@@ -22,7 +22,8 @@ struct ExtrudeOptions {
 /// The faces keep their ids, as do vertices inside a region; the old rim stays where it is with all its
 /// shaping, and pins of the rim stay with it. The new rim has the tensions, creases and tags of the old one.
 /// A crease that ran across the old rim into the region carries on up the wall; other edges of the walls are
-/// plain. The Euler number stays, except that a sheet's doubles when it becomes a body.
+/// plain (`tighten_short_edges`). The Euler number stays, except that a sheet's doubles when it becomes a
+/// body.
 ///
 /// Selected afterwards: the moved faces. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_BAD_AMOUNT,
 /// E_WRONG_SELECTION (a group that is closed; a mean normal that vanishes), E_NONFINITE.

@@ -10,6 +10,7 @@
 #include "core/modeling/face_geometry.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
+#include "core/modeling/short_edges.hpp"
 
 namespace hariko {
 namespace {
@@ -127,6 +128,7 @@ Result<Modeled> inset_faces(const PolyhedronSource& source, std::span<const Face
   }
   Result<PolyhedronSource> result = std::move(draft).finish();
   if (!result) return result.error();
+  tighten_short_edges(result.value(), source);
   // In concave faces edges can pass through each other before one of them shrinks to nothing.
   if (const FaceId face = first_turned_face(polyhedron, result->polyhedron); face != FaceId{})
     return too_wide(element_of(face));

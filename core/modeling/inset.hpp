@@ -23,7 +23,8 @@ struct InsetOptions {
 /// corner at the rim has no other faces of the group, and where the faces fold along an edge that meets the
 /// rim at equal angles.
 ///
-/// The faces keep their ids, the old rim its place and shaping. The new rim is plain: no tension, no crease.
+/// The faces keep their ids, the old rim its place and shaping. The new rim is plain, no crease
+/// (`tighten_short_edges` for narrow bands).
 /// An edge of the group that ends at the rim carries its tension and crease across the band. The Euler number
 /// stays. Selected afterwards: the faces inside the band.
 ///

@@ -12,6 +12,7 @@
 #include "core/modeling/edge_points.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
+#include "core/modeling/short_edges.hpp"
 
 namespace hariko {
 namespace {
@@ -20,7 +21,8 @@ namespace {
 class RingCut {
  public:
   RingCut(const PolyhedronSource& source, const EdgeRing& ring, std::vector<double> shares)
-      : polyhedron_(source.polyhedron),
+      : source_(source),
+        polyhedron_(source.polyhedron),
         mesh_(polyhedron_.topology()),
         before_(*source.shaping),
         shares_(std::move(shares)),
@@ -40,6 +42,7 @@ class RingCut {
       if (mesh_.side_count(f) == 4) cut_quad(f);
     Result<PolyhedronSource> result = std::move(draft_).finish();
     if (!result) return result.error();
+    tighten_short_edges(result.value(), source_);
     return Modeled{std::move(result).value(), std::move(selection_)};
   }
 
@@ -113,6 +116,7 @@ class RingCut {
     selection_.edges.insert(edge);
   }
 
+  const PolyhedronSource& source_;
   const Polyhedron& polyhedron_;
   const HalfEdgeMesh& mesh_;
   const Shaping& before_;

@@ -23,8 +23,9 @@ std::vector<double> cut_shares(const LoopCutOptions& options);
 /// The slide counts from the end with the smaller id of the given edge.
 ///
 /// New points have the tension in between that of the ends of their edge; pieces of edges keep tension and
-/// crease. A new edge between two edges of the same tension has that tension; none is a crease. Cut faces
-/// pass their id to one of their parts. The Euler number stays. Selected afterwards: the new edges.
+/// crease. A new edge between two edges of the same tension has that tension; none is a crease. Cuts near an
+/// end are short at one side: `tighten_short_edges`. Cut faces pass their id to one of their parts. The Euler
+/// number stays. Selected afterwards: the new edges.
 ///
 /// Errors: E_UNKNOWN_ELEMENT, E_BAD_AMOUNT (count or slide out of range), E_WRONG_SELECTION (no quad at the
 /// edge), E_TOO_MANY_ELEMENTS, E_WOULD_BE_NONMANIFOLD (two quads lying back to back).

@@ -79,7 +79,7 @@ TEST(BevelVertices, ShapingIsCarried) {
   shaping.crease.set(EdgeId::of({4}, {5}), true);
   shaping.pin.set({6}, {Pin::Kind::normal, {{0, 0, 1}}});
   cube.shaping = shaping;
-  const Modeled out = bevel_vertices(cube, Vertices{{6}, {4}}, {.amount = 0.25}).value();
+  const Modeled out = bevel_vertices(cube, Vertices{{6}, {4}}, {.amount = 0.3}).value();
   const Shaping& after = *out.source.shaping;
   EXPECT_EQ(after.alpha.size(), 3U);
   EXPECT_EQ(after.beta.size(), 1U);
@@ -190,7 +190,7 @@ TEST(BevelEdges, ShapingIsCarried) {
   shaping.beta.set(EdgeId::of({6}, {7}), 3);
   shaping.alpha.set({6}, 2);
   cube.shaping = shaping;
-  const Modeled out = bevel_edges(cube, Edges{EdgeId::of({5}, {6})}, 0.5).value();
+  const Modeled out = bevel_edges(cube, Edges{EdgeId::of({5}, {6})}, 0.8).value();
   EXPECT_EQ(out.source.shaping->crease.size(), 2U) << "both sides of the band";
   EXPECT_EQ(out.source.shaping->beta.size(), 3U);
   EXPECT_EQ(out.source.shaping->alpha.size(), 2U);
@@ -234,13 +234,13 @@ TEST(BevelEdges, BandsOfRegularShapesHaveTheirWidth) {
     const PolyhedronSource source = source_of(random_closed_shape(rng));
     const Edges edges = random_edges(source, rng);
     if (edges.empty()) return;
-    const double width = largest_edge_bevel(source, edges).value() * uniform(rng, 0.1, 0.5);
+    const double width = largest_edge_bevel(source, edges).value() * uniform(rng, 0.1, 0.3);
     const auto result = bevel_edges(source, edges, width);
     ASSERT_TRUE(result) << to_string(result.error());
     expect_areas(result->source, 1e-7);
     for (Index f = 0; f < source.polyhedron.face_count(); ++f) {
       const Index kept = result->source.polyhedron.find(source.polyhedron.face_id(f));
-      EXPECT_GT(face_normal(source.polyhedron, f).dot(face_normal(result->source.polyhedron, kept)), 0.5);
+      EXPECT_GT(face_normal(source.polyhedron, f).dot(face_normal(result->source.polyhedron, kept)), 0.2);
     }
   });
 }

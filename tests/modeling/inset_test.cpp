@@ -87,7 +87,7 @@ TEST(InsetFaces, CreasesRunAcrossTheBand) {
   cube.shaping = shaping;
   const Modeled out = inset_faces(cube, Faces{{1}, {3}}, {.amount = 0.25}).value();
   EXPECT_EQ(out.source.shaping->crease.size(), 4U) << "three pieces of the inner edge and the rim";
-  EXPECT_EQ(out.source.shaping->beta.size(), 3U);
+  EXPECT_EQ(edges_of_tension(out.source, 4), 3);
   EXPECT_TRUE(out.source.shaping->crease.contains(EdgeId::of({4}, {5})));
 }
 

@@ -139,7 +139,7 @@ TEST(LoopCut, ShapingIsCarried) {
   const Shaping& after = *out.source.shaping;
   EXPECT_EQ(after.alpha.get_or({8}, 0), 3) << "between 4 and 0";
   EXPECT_EQ(after.crease.size(), 2U);
-  EXPECT_EQ(after.beta.size(), 3U) << "the cut between two edges of one tension has it too";
+  EXPECT_EQ(edges_of_tension(out.source, 3), 3) << "the cut between two edges of one tension has it too";
 }
 
 TEST(LoopCut, Refusals) {

@@ -131,6 +131,12 @@ inline std::string counts(const PolyhedronSource& source) {
          std::to_string(p.face_count());
 }
 
+inline int edges_of_tension(const PolyhedronSource& source, double beta) {
+  int count = 0;
+  for (const auto& entry : source.shaping->beta) count += entry.second == beta ? 1 : 0;
+  return count;
+}
+
 /// What holds of every result: a refusal explains itself; otherwise selection and shaping name elements that
 /// exist, nothing lies loose, and the object's other settings are untouched.
 inline void expect_whole(const PolyhedronSource& before, const Result<Modeled>& result) {
