@@ -201,16 +201,22 @@ ElementRef element_at(const Document& document, ObjectId object, Element::Kind k
   const PolyhedronSource* source = found ? found->polyhedron() : nullptr;
   if (!source) return {object, {}};
   const Polyhedron& polyhedron = source->polyhedron;
+  // The surface on the screen may be that of an earlier state and know faces that are gone: they have no
+  // index.
   switch (kind) {
     case Element::Kind::vertex:
-      return {object, element_of(polyhedron.vertex_id(index))};
+      if (index < polyhedron.vertex_count()) return {object, element_of(polyhedron.vertex_id(index))};
+      break;
     case Element::Kind::edge:
-      return {object, element_of(polyhedron.edge_id(index))};
+      if (index < polyhedron.edge_count()) return {object, element_of(polyhedron.edge_id(index))};
+      break;
     case Element::Kind::face:
-      return {object, element_of(polyhedron.face_id(index))};
+      if (index < polyhedron.face_count()) return {object, element_of(polyhedron.face_id(index))};
+      break;
     default:
-      return {object, {}};
+      break;
   }
+  return {object, {}};
 }
 
 }  // namespace hariko

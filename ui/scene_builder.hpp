@@ -42,7 +42,7 @@ class SceneBuilder {
 /// The section plane of a view, or nothing when it is off.
 std::optional<SectionPlane> section_plane(const ViewSettings& view);
 
-/// The element that a hit on the scene means.
+/// The element that a hit on the scene means; of kind none where the object does not have it (any more).
 ElementRef element_at(const Document& document, ObjectId object, Element::Kind kind, Index index);
 
 }  // namespace hariko

@@ -27,6 +27,7 @@ void Workbench::add_commands() {
   add_preferences_commands(host_);
   add_select_commands(host_);
   add_transform_commands(host_);
+  add_mesh_commands(host_);
   add_shape_commands(host_);
   add_recompute_commands(host_);
   add_view_commands(host_);

@@ -39,6 +39,7 @@ void add_file_commands(CommandHost& host);
 void add_edit_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
 void add_transform_commands(CommandHost& host);
+void add_mesh_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_recompute_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
