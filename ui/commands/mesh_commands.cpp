@@ -160,7 +160,7 @@ void add_dragged(CommandHost& host) {
              "Mesh",
              "Extrude each face",
              "Move every selected face out by itself, along its own normal.",
-             "Alt+E",
+             "Shift+E",
              "",
              true,
              false,
