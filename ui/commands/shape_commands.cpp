@@ -173,7 +173,7 @@ void add_tags(CommandHost& host) {
       "Creases and borders run through the selected vertices smoothly, or no longer.", "Shift+K",
       VertexTag::smooth);
   table.add({"shape.release_pins", "Shape", "Release pins",
-             "Free the pinned tangents of the selected vertices.", "Alt+P", "", true, false,
+             "Free the pinned tangents of the selected vertices.", "Shift+P", "", true, false,
              [&editor] {
                edit_selected(editor, "Release pins",
                              [](const auto& document, const auto& object, const auto& elements) {
