@@ -17,6 +17,9 @@ constexpr const char* awesome_path = "/usr/share/fonts/truetype/font-awesome/fon
 constexpr const char* noto_path = "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc";
 constexpr int noto_japanese_face = 0;
 constexpr float font_size = 15, icon_size = 14, title_size = 26;
+/// ImGui sizes fonts by their line height, which is larger in Noto Sans CJK: this makes its characters as
+/// large as those of Inter.
+constexpr float japanese_size = 1.2F;
 
 constexpr const ImWchar digits[] = {0x30, 0x39, 0x2212, 0x2212, 0};
 constexpr const ImWchar letters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x2044, 0x2070,
@@ -84,7 +87,8 @@ const char* load_fonts(const FontRequest& request) {
   japanese.FontNo = noto_japanese_face;
   const ImVector<ImWchar> ranges = japanese_ranges(request, request.japanese);
   const bool wants_japanese = ranges.size() > 1 && japanese_font_installed();
-  if (wants_japanese) atlas.AddFontFromFileTTF(noto_path, font_size * scale, &japanese, ranges.Data);
+  if (wants_japanese)
+    atlas.AddFontFromFileTTF(noto_path, japanese_size * font_size * scale, &japanese, ranges.Data);
   if (exists(awesome_path)) {
     merged.GlyphMinAdvanceX = 16 * scale;
     merged.GlyphOffset.y = scale;
@@ -96,7 +100,7 @@ const char* load_fonts(const FontRequest& request) {
   // Titles are the program's own words: what the catalogue needs, and no more.
   const ImVector<ImWchar> title_ranges = japanese_ranges(request, false);
   if (wants_japanese && request.japanese && title_ranges.size() > 1)
-    atlas.AddFontFromFileTTF(noto_path, title_size * scale, &japanese, title_ranges.Data);
+    atlas.AddFontFromFileTTF(noto_path, japanese_size * title_size * scale, &japanese, title_ranges.Data);
   atlas.Build();
   return missing;
 }

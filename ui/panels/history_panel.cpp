@@ -43,7 +43,7 @@ float history_height(const PanelContext& context, float available) {
 void draw_history(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   Editor& editor = context.editor;
-  if (begin_panel("History", rect, palette().panel, {m.px(12), m.px(4)})) {
+  if (begin_panel("History", rect, palette().panel, {m.px(12), m.px(4)}, ImGuiWindowFlags_NoScrollbar)) {
     ImGui::SetNextItemOpen(context.state.history_open);
     const bool open =
         ImGui::TreeNodeEx("##history",
