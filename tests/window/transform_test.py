@@ -177,10 +177,11 @@ def work(window, s, output):
     click_vertex(window, middle)
     s.selected("1 vertex")
     window.key("o")
+    final = window.count("rebuild", quality="final")
     for key in ("g", "z", "8"):
         window.key(key)
     window.wait(lambda: window.last("document")["gesture"], "the soft drag")
-    window.wait_idle()
+    window.wait_event("rebuild", final, quality="final")  # a gesture that rests is never idle, but its surface is made
     window.screenshot(os.path.join(output, "transform_soft.png"))
     window.key("Return")
     s.step("Move vertex")
