@@ -396,9 +396,9 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
     return;
   }
   hot_handle_ = gizmo_.hit(pixel);
-  if (hot_handle_) return editor_.hovered.reset();
   const ToolContext context{editor_, scene_};
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
+  if (hot_handle_) return editor_.hovered.reset();
   const auto under = elements_under(context, pixel);
   editor_.hovered.reset();
   if (!under.empty()) editor_.hovered = under.front();

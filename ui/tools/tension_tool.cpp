@@ -141,7 +141,7 @@ void TensionTool::draw(const ToolContext& context, const ToolOverlay& overlay) c
   for (const auto& [object, before] : betas_)
     for (const auto& [id, old] : before) number({object, element_of(id)}, beta(old));
   if (input_.active())
-    draw_value_label(overlay, pointer_, input_.text(0) + "\u2502" + (error_.empty() ? "" : "   " + error_),
+    draw_value_label(overlay, pointer_, input_.text(0) + "|" + (error_.empty() ? "" : "   " + error_),
                      !error_.empty());
 }
 

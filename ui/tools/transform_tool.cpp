@@ -336,7 +336,7 @@ std::string TransformTool::value_text(const Language& tr) const {
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "   ") + part; };
   const auto typed = [&](std::size_t i) {
-    const std::string cursor = i == input_.current() ? "\u2502" : "";
+    const std::string cursor = i == input_.current() ? "|" : "";
     return input_.text(i) + cursor;
   };
   const auto field = [&](std::size_t i, const std::string& name, const std::string& value) {
