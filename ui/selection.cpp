@@ -4,6 +4,7 @@
 
 #include "core/modeling/select_convert.hpp"
 #include "core/modeling/select_region.hpp"
+#include "ui/language.hpp"
 
 namespace hariko {
 
@@ -22,10 +23,10 @@ void keep_existing(std::set<Id>& set, const Polyhedron& polyhedron) {
   std::erase_if(set, [&](const Id& id) { return polyhedron.find(id) == no_index; });
 }
 
-void append_count(std::string& text, std::size_t count, const char* one, const char* many) {
+void append_count(std::string& text, std::size_t count, const char* one, const std::string& many) {
   if (count == 0) return;
   if (!text.empty()) text += ", ";
-  text += std::to_string(count) + " " + (count == 1 ? one : many);
+  text += count == 1 ? std::string(one) : fill(many, {std::to_string(count)});
 }
 
 }  // namespace
@@ -190,11 +191,15 @@ std::vector<VertexId> touched_vertices(const ElementSelection& selection, const 
 }
 
 std::string describe(const ElementSelection& selection) {
+  return describe(selection, Language());
+}
+
+std::string describe(const ElementSelection& selection, const Language& tr) {
   std::string text;
-  append_count(text, selection.vertices.size(), "vertex", "vertices");
-  append_count(text, selection.edges.size(), "edge", "edges");
-  append_count(text, selection.faces.size(), "face", "faces");
-  return text.empty() ? "nothing selected" : text;
+  append_count(text, selection.vertices.size(), tr("1 vertex"), tr("{0} vertices"));
+  append_count(text, selection.edges.size(), tr("1 edge"), tr("{0} edges"));
+  append_count(text, selection.faces.size(), tr("1 face"), tr("{0} faces"));
+  return text.empty() ? tr("nothing selected") : text;
 }
 
 }  // namespace hariko

@@ -16,6 +16,8 @@
 
 namespace hariko {
 
+class Language;
+
 /// Which elements a click takes.
 enum class ElementMode { vertex, edge, face, object };
 /// For objects: vertices.
@@ -83,5 +85,7 @@ Highlights highlights_of(const ElementSelection& selection, const Polyhedron& po
 std::vector<VertexId> touched_vertices(const ElementSelection& selection, const Polyhedron& polyhedron);
 /// "3 vertices", "1 edge, 2 faces"; "nothing selected".
 std::string describe(const ElementSelection& selection);
+/// The same in a language.
+std::string describe(const ElementSelection& selection, const Language& tr);
 
 }  // namespace hariko

@@ -419,7 +419,7 @@ std::string Viewport::hint() const {
   const std::string selected =
       editor_.mode == ElementMode::object && objects > 0
           ? fill(tr(objects == 1 ? "{0} object" : "{0} objects"), {std::to_string(objects)})
-          : describe(editor_.selection.of_active());
+          : describe(editor_.selection.of_active(), editor_.language);
   return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation));
 }
 

@@ -17,6 +17,7 @@ Result<Done> scale_polyhedron(PolyhedronSource& source, double factor) {
   if (!scaled.ok()) return scaled.error();
   source.polyhedron = std::move(scaled).value();
   source.origin *= factor;
+  if (source.mirror) source.mirror->weld_distance *= factor;
   if (source.shaping->pin.empty()) return Done{};
   Shaping shaping = *source.shaping;
   FlatMap<VertexId, Pin> pins;

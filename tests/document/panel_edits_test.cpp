@@ -90,6 +90,9 @@ TEST(ConvertUnit, keeps_every_size) {
   place.scale = 2;
   document = set_transform(document, cube_id, place).value();
   document = set_pin(document, cube_id, VertexId{0}, {Pin::Kind::tangents, {{1, 0, 0}, {0, 2, 0}}}).value();
+  PolyhedronSource mirrored = polyhedron_of(document);
+  mirrored.mirror = Mirror{Axis::x, 0.5};
+  document = set_source(document, cube_id, mirrored).value();
   document = set_locked(document, cube_id, true).value();
   const Document converted = convert_unit(document, Unit::centimetre).value();
   EXPECT_EQ(converted.unit, Unit::centimetre);
@@ -102,6 +105,7 @@ TEST(ConvertUnit, keeps_every_size) {
   for (Index v = 0; v < polyhedron_of(document).polyhedron.vertex_count(); ++v)
     EXPECT_LT((world(document, v) - world(converted, v)).norm(), 1e-12);
   EXPECT_EQ(converted.find(cube_id)->transform.scale, 2) << "lengths are converted, factors are not";
+  EXPECT_NEAR(polyhedron_of(converted).mirror->weld_distance, 0.05, 1e-15);
   EXPECT_NEAR(polyhedron_of(converted).shaping->pin.find(VertexId{0})->vectors[1].y(), 0.2, 1e-15);
   EXPECT_TRUE(convert_unit(document, Unit::millimetre).value() == document);
   const Document back = convert_unit(converted, Unit::millimetre).value();

@@ -37,8 +37,7 @@ std::string title_of(const PanelContext& context, const std::optional<ElementRef
   const std::size_t space = text.find(' ');
   text = tr(text.substr(0, space)) + text.substr(space);
   const ElementSelection& selection = context.editor.selection.of(element->object);
-  if (selection.size() > 1 && context.editor.selection.contains(*element))
-    text = tr.phrase(describe(selection));
+  if (selection.size() > 1 && context.editor.selection.contains(*element)) text = describe(selection, tr);
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text + "  \u00b7  " + name;
 }
