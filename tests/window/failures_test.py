@@ -24,7 +24,7 @@ def session(program, source, output):
             check(window.count("opened") == 0, "a broken file was opened")
             window.key("Escape")
             window.key("ctrl+s")  # nothing is open: it says so
-            window.wait(lambda: "Nothing is open" in window.last("notice")["text"], "the reason")
+            window.wait(lambda: "Nothing is open" in (window.last("cursor") or {"text": ""})["text"], "the reason")
             window.key("ctrl+o")
             window.type_path(os.path.join(source, "assets", "samples", "cube.hariko"))
             window.wait_event("opened", 0)
