@@ -24,7 +24,7 @@ def session(program, source, output):
         window.screenshot(os.path.join(output, "add_torus.png"))
 
         # Twelve segments, typed; one step still.
-        window.click_on("last.segments")
+        window.click_on("field.segments")
         window.key("ctrl+a")
         window.type("12")
         window.key("Return")

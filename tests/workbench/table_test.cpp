@@ -48,15 +48,17 @@ TEST(Table, EveryContextOffersSomething) {
         << static_cast<unsigned>(context);
 }
 
-/// Runs everything but leaving; gives the ids of what ran.
-std::set<std::string> run_everything(HeadlessWorkbench& bench, bool select) {
+/// Runs everything, each on the start page or on a new box; gives the ids of what ran.
+std::set<std::string> run_everything(HeadlessWorkbench& bench, bool document) {
   std::set<std::string> ran;
   std::vector<std::string> ids;
   for (const Command& command : bench.workbench().commands().all()) ids.push_back(command.id);
   for (const std::string& id : ids) {
     SCOPED_TRACE(id);
-    if (select && bench.editor().has_document && bench.editor().active_object())
-      bench.editor().selection.select_all(*bench.editor().active_object(), ElementMode::vertex);
+    // Several begin or close a document.
+    bench.editor().open(document ? box() : Document(), {});
+    bench.editor().has_document = document;
+    if (document) bench.editor().selection.select_all(*bench.editor().active_object(), ElementMode::vertex);
     const auto outcome = bench.workbench().commands().run(id);
     if (outcome.ran)
       ran.insert(id);
@@ -70,7 +72,6 @@ std::set<std::string> run_everything(HeadlessWorkbench& bench, bool select) {
 
 TEST(Table, EveryCommandRunsOrSaysWhyNotWithoutADocument) {
   HeadlessWorkbench bench(box());
-  bench.editor().has_document = false;
   const auto ran = run_everything(bench, false);
   EXPECT_FALSE(ran.contains("file.save"));
   EXPECT_TRUE(ran.contains("file.open"));

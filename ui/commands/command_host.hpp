@@ -4,6 +4,7 @@
 // command table, one for each menu or theme.
 
 #include <functional>
+#include <string>
 
 #include "ui/command_table.hpp"
 #include "ui/editor.hpp"
@@ -19,6 +20,11 @@ struct CommandHost {
   Viewport& viewport;
   Workbench& workbench;
 };
+
+/// A folder of a menu: submenu("Select", translatable("Convert")).
+inline std::string submenu(const char* menu, const char* folder) {
+  return std::string(menu) + "/" + folder;
+}
 
 using Reason = std::optional<std::string>;
 using WhyNot = std::function<Reason()>;

@@ -73,7 +73,7 @@ void add_modes(CommandHost& host) {
   mode("select.objects", "Objects", "4", icon::object, ElementMode::object);
   const WhyNot document = needs_document(editor);
   const auto conversion = [&](const char* id, const char* label, const char* keys, ElementMode value) {
-    host.table.add({id, "Select/Convert", label,
+    host.table.add({id, submenu("Select", translatable("Convert")), label,
                     "Selects the elements of this kind that the selection consists of.", keys, "", false,
                     false, [&editor, value] { convert(editor, value); }, document});
   };
@@ -195,8 +195,8 @@ void add_similar(CommandHost& host) {
   Editor& editor = host.editor;
   const auto similar = [&](const char* id, const char* label, NeededElements kinds, Change how) {
     host.table.add(
-        {id, "Select/Similar", label, "Add the elements that resemble the selected ones in this.", "", "",
-         false, false,
+        {id, submenu("Select", translatable("Similar")), label,
+         "Add the elements that resemble the selected ones in this.", "", "", false, false,
          [&editor, how = std::move(how)] { change_elements(editor.selection, editor.document(), how); },
          needs_selected(editor, kinds)});
   };

@@ -78,7 +78,7 @@ void add_tensions(CommandHost& host) {
   table.add({"shape.tension", "Shape", "Tension",
              "Drag to the side: more or less tension of the selected vertices and edges.", "T", "", true,
              false, [&viewport] { viewport.start_modal(std::make_unique<TensionTool>()); }, selected});
-  const auto preset = [&](const char* id, const char* menu, const char* label, const char* keys,
+  const auto preset = [&](const char* id, const std::string& menu, const char* label, const char* keys,
                           const char* help, CopiedTension value) {
     table.add({id, menu, label, help, keys, "", true, false,
                [&editor, value, step = std::string(label)] {
@@ -91,16 +91,13 @@ void add_tensions(CommandHost& host) {
   };
   preset("shape.reset_tension", "Shape", "Reset tension", "Shift+T",
          "Set \u03b1 of the selection to 0 and \u03b2 to 1.", {0, 1});
-  preset("shape.preset_relaxed", "Shape/Tension presets", "Relaxed", "", "\u03b1 0, \u03b2 0.2: round.",
-         {0, 0.2});
-  preset("shape.preset_neutral", "Shape/Tension presets", "Neutral", "", "\u03b1 0, \u03b2 1: the default.",
-         {0, 1});
-  preset("shape.preset_soft", "Shape/Tension presets", "Soft", "", "\u03b1 1, \u03b2 2: a little tighter.",
-         {1, 2});
-  preset("shape.preset_tight", "Shape/Tension presets", "Tight", "",
-         "\u03b1 10, \u03b2 10: close to the polyhedron.", {10, 10});
-  preset("shape.preset_point", "Shape/Tension presets", "Point", "", "\u03b1 100, \u03b2 100: almost sharp.",
-         {100, 100});
+  const std::string presets = submenu("Shape", translatable("Tension presets"));
+  preset("shape.preset_relaxed", presets, "Relaxed", "", "\u03b1 0, \u03b2 0.2: round.", {0, 0.2});
+  preset("shape.preset_neutral", presets, "Neutral", "", "\u03b1 0, \u03b2 1: the default.", {0, 1});
+  preset("shape.preset_soft", presets, "Soft", "", "\u03b1 1, \u03b2 2: a little tighter.", {1, 2});
+  preset("shape.preset_tight", presets, "Tight", "", "\u03b1 10, \u03b2 10: close to the polyhedron.",
+         {10, 10});
+  preset("shape.preset_point", presets, "Point", "", "\u03b1 100, \u03b2 100: almost sharp.", {100, 100});
 
   auto copied = std::make_shared<CopiedTension>();
   table.add({"shape.copy_tension", "Shape", "Copy tension",

@@ -14,7 +14,8 @@ void draw_last_operation(PanelContext& context) {
   const std::vector<OperationNumber> numbers = last.numbers();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const OperationNumber& number = numbers[i];
-    Quantity quantity = number.whole ? plain_quantity(0, 1) : length_quantity(editor.document().unit, number.value);
+    Quantity quantity =
+        number.whole ? plain_quantity(0, 1) : length_quantity(editor.document().unit, number.value);
     quantity.whole = number.whole;
     std::optional<double> wanted;
     // The step is made again with the new number instead of a further step.
@@ -25,7 +26,6 @@ void draw_last_operation(PanelContext& context) {
                    wanted = change.apply(quantity, number.value);
                    return document;
                  });
-    context.marks.item(std::string("last.") + number.id);
     if (wanted && *wanted != number.value) {
       last.adjust(editor, i, *wanted);
       break;
