@@ -79,7 +79,7 @@ def probe(window, output):
     window.move(x + 20, y - 30)
     window.rect("probe")
     window.wait_idle()
-    window.key("alt+p")
+    window.key("ctrl+alt+p")
     window.rect("probe.kept")
     window.wait_idle()
     window.screenshot(os.path.join(output, "views_probe.png"))
