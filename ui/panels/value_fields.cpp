@@ -169,7 +169,7 @@ void vector_row(PanelContext& context, const char* label, const char* help,
 
 void number_field(PanelContext& context, const FieldSpec& spec, std::optional<double> value, float width,
                   const EditValues& edit) {
-  ImGui::PushID("number");
+  ImGui::PushID(spec.id);
   ImGui::SetNextItemWidth(width);
   const std::string shown = value ? format_quantity(spec.quantity, *value) : std::string();
   const ImGuiID id = ImGui::GetID("##number");
