@@ -72,6 +72,8 @@ def session(program, source, output):
 
             window.key("KP_0")
             window.wait_idle()
+            window.key("Home")  # the extruded end is out of sight
+            window.wait_idle()
             window.key("1")
             vertex = window.nearest_vertex()
             window.click(*window.vertex(vertex)[:2])
@@ -82,6 +84,8 @@ def session(program, source, output):
             position += 1
             wait_step(window, position, "tension")
 
+            window.key("ctrl+shift+a")  # the gizmo at the vertex would cover the edge
+            window.wait(lambda: window.last("document")["selection"] == "nothing selected", "nothing selected")
             window.key("2")
             a = window.vertex(vertex)
             others = [p for v, p in window.last("vertices")["objects"]["1"].items() if v != vertex]
