@@ -24,7 +24,8 @@ def check(condition, text):
 
 class Window:
     """`home` is the folder of settings, state and cache; without one each window has its own. Give the same to
-    several windows to restart a session or to run two side by side."""
+    several windows to restart a session or to run two side by side. A sample is opened as a copy of its own: the
+    lock of the shipped one would reach the tests that run beside this one."""
 
     def __init__(self, program, *files, size=(1280, 800), home=None):
         self.folder = tempfile.mkdtemp(prefix="hariko-window-")
@@ -35,10 +36,14 @@ class Window:
         self._rest = ""
         self.home = home or os.path.join(self.folder, "home")
         try:
-            self._start(program, files, size)
+            self._start(program, [self._own(file) for file in files], size)
         except BaseException:
             self.close()
             raise
+
+    def _own(self, file):
+        shipped = os.path.basename(os.path.dirname(file)) == "samples"
+        return shutil.copy(file, self.folder) if shipped else file
 
     def _start(self, program, files, size):
         read_end, write_end = os.pipe()
@@ -91,7 +96,9 @@ class Window:
             if condition():
                 return
             status = self.program.poll()
-            check(status is None, f"the program ended with {status} while waiting for {what}")
+            if status is not None:
+                self.errors.seek(0)
+                raise Failure(f"the program ended with {status} while waiting for {what}: {self.errors.read()[-2000:]}")
             time.sleep(0.02)
         recent = [{k: v for k, v in e.items() if k not in ("rects", "objects")} for e in self.events[-12:]]
         raise Failure(f"timeout waiting for {what}; last events: {recent}")

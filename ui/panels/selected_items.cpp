@@ -8,9 +8,13 @@ template <class Id>
 SelectedIds<Id> ids_of_active(const Editor& editor, std::set<Id> ElementSelection::*member) {
   const auto object = editor.document().find_shared(editor.selection.active);
   if (!object || !object->polyhedron()) return {};
-  const std::set<Id>& ids = editor.selection.of(object->id).*member;
-  if (ids.empty()) return {};
-  return {object, {ids.begin(), ids.end()}};
+  // What a gesture shows may lack elements that are selected in the document it began with.
+  const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
+  SelectedIds<Id> selected;
+  for (const Id id : editor.selection.of(object->id).*member)
+    if (polyhedron.find(id) != no_index) selected.ids.push_back(id);
+  if (!selected.ids.empty()) selected.object = object;
+  return selected;
 }
 
 }  // namespace

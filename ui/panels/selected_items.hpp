@@ -21,6 +21,7 @@ std::vector<std::shared_ptr<const Object>> chosen_objects(const Editor& editor);
 /// Their ids.
 std::vector<ObjectId> chosen_ids(const Editor& editor);
 
+/// Those that the shown document has.
 SelectedIds<VertexId> selected_vertices(const Editor& editor);
 SelectedIds<EdgeId> selected_edges(const Editor& editor);
 SelectedIds<FaceId> selected_faces(const Editor& editor);
