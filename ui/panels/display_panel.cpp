@@ -285,13 +285,13 @@ void show_rows(PanelContext& context, const Object& object) {
     return;
   }
   ImGui::SameLine(second);
-  show_flag(context, object, network_flag);
+  show_flag(context, object, points_flag);
   ImGui::SetCursorPosX(start);
   show_flag(context, object, polyhedron_flag);
   ImGui::SameLine(second);
-  show_flag(context, object, points_flag);
-  ImGui::SetCursorPosX(start);
   show_flag(context, object, tensions_flag);
+  ImGui::SetCursorPosX(start);
+  show_flag(context, object, network_flag);
 }
 
 /// World box of what is visible, for the offset's slider.
