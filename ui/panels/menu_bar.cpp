@@ -58,9 +58,8 @@ float draw_menu_bar(PanelContext& context) {
     // The window's own title has it too: here it goes where there is room.
     const float left = field - ImGui::CalcTextSize(title.c_str()).x - context.metrics.px(16);
     if (left > used + context.metrics.px(8)) {
-      ImGui::SetCursorPosX(left);
-      const TextColour colour(palette().dim_text);
-      ImGui::TextUnformatted(title.c_str());
+      const float y = ImGui::GetWindowPos().y + (ImGui::GetWindowHeight() - ImGui::GetTextLineHeight()) / 2;
+      ImGui::GetWindowDrawList()->AddText({left, y}, palette().dim_text, title.c_str());
     }
   }
   const float height = ImGui::GetWindowHeight();
