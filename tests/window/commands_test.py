@@ -67,10 +67,16 @@ def walk(window, prepare):
 
 
 def no_document(window):
-    """The start page, whatever the last command did: New leaves an empty document."""
-    if "viewport" in window.last("layout")["rects"]:
+    """The start page, whatever the last command did: New leaves an empty document, adding an unsaved one."""
+    def shown(name):
+        return name in window.last("layout")["rects"]
+    if shown("viewport"):
         keys(window, "ctrl+w")
-        window.wait(lambda: "viewport" not in window.last("layout")["rects"], "the start page")
+        window.wait(lambda: shown("prompt.discard") or not shown("viewport"), "the start page or a question")
+        if shown("prompt.discard"):
+            window.wait_idle()  # in its first frame the question is not yet where it stays
+            window.click_on("prompt.discard")
+        window.wait(lambda: not shown("viewport"), "the start page")
 
 
 def full_document(window, model):
