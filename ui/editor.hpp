@@ -84,7 +84,7 @@ class Editor {
   FrameTimes frame_times;
   Recompute recompute;
   std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
-  Language language;  ///< the catalogue of settings.language
+  Language language;                       ///< the catalogue of settings.language
   LastOperation last_operation;
 
   /// False while the start page shows.

@@ -24,10 +24,9 @@ Result<SceneObject> scene_object(const Object& object, const RenderArguments& ar
   if (!built.ok()) return built.error();
   SceneObject out;
   // Lines of the display mesh are there to be told apart.
-  const int density =
-      arguments.wire == PatchWire::mesh
-          ? object.display.density
-          : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
+  const int density = arguments.wire == PatchWire::mesh
+                          ? object.display.density
+                          : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
   out.mesh = DisplayMesh::build(built->surface, map_options(arguments.map, density));
   out.polyhedron = DisplayPolyhedron::build(source.polyhedron, *source.shaping, source.origin);
   out.transform = matrix_of(object.transform);
