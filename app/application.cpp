@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <deque>
 #include <iostream>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "app/background_work.hpp"
+#include "app/broken_mesh.hpp"
 #include "app/display_loss.hpp"
 #include "app/document_session.hpp"
 #include "app/failure_dialog.hpp"
@@ -19,6 +21,7 @@
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
 #include "app/persistence/settings_file.hpp"
+#include "app/picture_export.hpp"
 #include "app/pictures.hpp"
 #include "app/rebuild_engine.hpp"
 #include "app/replay.hpp"
@@ -26,11 +29,31 @@
 #include "app/signal_watch.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
+#include "core/document/format.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
 
 namespace {
+
+/// A folder that goes with the program.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "hariko-replay-XXXXXX").native();
+    if (::mkdtemp(name.data())) path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code unknown;
+    if (!path_.empty()) std::filesystem::remove_all(path_, unknown);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 bool software_renderer() {
   return describe_gl().find("llvmpipe") != std::string::npos;
@@ -48,7 +71,7 @@ class Application {
                 [this](ObjectId id, const SurfaceView& view) { log_.rebuilt(id, view); }),
         long_(editor_, &GlWindow::wake),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
-        session_(editor_, workbench_, folders_,
+        session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
                   [this](const char* what, const auto& path) { log_.file(what, path); }}),
         pictures_(renderer_, long_, folders_.cache / "thumbnails") {
@@ -59,6 +82,7 @@ class Application {
     begin_replay(options, std::move(replay));
     // A replay must not depend on what this user chose and left behind.
     if (!player_) load_settings();
+    if (player_) settings_of_replay();
     const auto& files = player_ ? player_->replay().start.files : options.files;
     for (const auto& file : files) file == files.front() ? session_.open(file) : import_file(file);
     if (!player_) session_.find_offers(pictures_);
@@ -76,12 +100,16 @@ class Application {
   /// Gives the exit code.
   int run() {
     while (!quit_ && signal_ == 0) {
+      begin_session();
       play();
-      if (window_.wait(wait_seconds())) {
+      const bool opening = workbench_.field_opening();
+      if (opening) frames_ = std::max(frames_, 1);
+      if (window_.wait(wait_seconds(), opening)) {
         frames_ = frames_after_input;
         idle_ = false;
       }
       editor_.now = window_.now();
+      follow_recording();
       if (recorder_) recorder_->batch(editor_.now, window_.input());
       if (engine_.publish() + long_.publish() + session_.publish() > 0) {
         frames_ = std::max(frames_, 2);
@@ -117,6 +145,10 @@ class Application {
     actions.recover = [this](const std::string& id) { session_.recover(id); };
     actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
     actions.export_file = [this](const auto& path, int density) { export_file(path, density); };
+    actions.export_pictures = [this](PictureOrder order) { export_pictures(std::move(order)); };
+    actions.record = [this](const auto& path) { record_to_ = path; };
+    actions.stop_recording = [this] { recording_ends_ = true; };
+    actions.picture_samples = [this] { picture_samples(); };
     actions.quit = [this] { quit_ = true; };
     return actions;
   }
@@ -127,7 +159,8 @@ class Application {
     const double next = workbench_.viewport().next_frame_in();
     if (next >= 0) seconds = std::min(seconds, next);
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
-    if (editor_.notices_expire() || engine_.any_pending()) seconds = std::min(seconds, 0.1);
+    if (editor_.notices_expire() || engine_.any_pending() || !editor_.jobs.empty())
+      seconds = std::min(seconds, 0.1);
     if (editor_.history.in_gesture()) seconds = std::min(seconds, RebuildEngine::rest_seconds / 2);
     if (const double autosave = session_.due_in(); autosave >= 0) seconds = std::min(seconds, autosave);
     return seconds;
@@ -164,7 +197,8 @@ class Application {
   /// Whether something changes with time alone.
   bool due() const {
     const double next = workbench_.viewport().next_frame_in();
-    return next == 0 || editor_.notices_expire() || engine_.any_pending() || editor_.history.in_gesture();
+    return next == 0 || editor_.notices_expire() || engine_.any_pending() || editor_.history.in_gesture() ||
+           !editor_.jobs.empty();
   }
 
   void take_input() {
@@ -175,7 +209,7 @@ class Application {
       else
         import_file(path);
     }
-    if (window_.take_close()) workbench_.guarded([this] { quit_ = true; });
+    if (window_.take_close()) workbench_.quit();
   }
 
   void frame() {
@@ -185,7 +219,8 @@ class Application {
       if (engine_.pending(id)) editor_.stale_since[id] = engine_.pending_since(id);
     const Settings& settings = editor_.settings;
     if (window_.set_appearance(settings.theme, settings.interface_scale))
-      frames_ = frames_after_input;  // sizes settle again
+      frames_ = frames_after_input;          // sizes settle again
+    if (pictured_theme_) picture_samples();  // anew after a change of the theme
     text_.update(editor_, window_);
     const auto start = std::chrono::steady_clock::now();
     const bool measured = editor_.frame_times.visible;
@@ -206,21 +241,87 @@ class Application {
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
     idle_ = frames_ <= 0 && !due() && long_.idle() && session_.idle() &&
-            workbench_.viewport().next_frame_in() < 0;
+            workbench_.viewport().next_frame_in() < 0 && !session_waits_;
     if (recorder_ && idle_) recorder_->idle(editor_.now);
     log_.frame(editor_, workbench_, idle_);
   }
 
   void begin_replay(const WindowOptions& options, std::optional<Replay> replay) {
-    if (replay) player_.emplace(*std::move(replay));
-    if (options.record.empty()) return;
-    recorder_.emplace(options.record,
-                      ReplayStart{window_.width(), window_.height(), window_.monitor_scale(), options.files},
-                      window_.now());
+    if (replay) player_.emplace(*std::move(replay), options.skip_pauses);
+    editor_.recording = player_.has_value();
+    if (!options.record.empty())
+      record(options.record, {window_.width(), window_.height(), window_.monitor_scale(), options.files});
+  }
+
+  void record(const std::filesystem::path& path, const ReplayStart& start) {
+    recorder_.emplace(path, start, window_.now());
+    editor_.recording = recorder_->ok();
     if (recorder_->ok()) return;
     recorder_.reset();
-    editor_.notify(Notice::Kind::error, fill(editor_.language("{0} cannot be written: nothing is recorded."),
-                                             {options.record.string()}));
+    editor_.notify(Notice::Kind::error,
+                   fill(editor_.language("{0} cannot be written: nothing is recorded."), {path.string()}));
+  }
+
+  /// A recording that was asked for begins with the next event, one that was ended has all up to here.
+  void follow_recording() {
+    if (const auto path = std::exchange(record_to_, std::nullopt); path && !recorder_) record_session(*path);
+    if (!std::exchange(recording_ends_, false)) return;
+    if (recorder_) {
+      recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
+      recorder_.reset();
+      log_.file("recorded", {});
+      editor_.notify(Notice::Kind::info, editor_.language("The replay is written."));
+    }
+    editor_.end_recording();
+  }
+
+  /// Records from here on: the replay begins with the document as it is now.
+  void record_session(const std::filesystem::path& path) {
+    const History& history = editor_.history;
+    ReplayStart start{window_.width(), window_.height(), window_.monitor_scale(), {}};
+    start.session = {write_document(history.current()),
+                     editor_.path ? editor_.path->filename().string() : std::string(), history.dirty(),
+                     settings_text(editor_.settings)};
+    record(path, start);
+    if (!recorder_) return;
+    editor_.begin_recording();
+    workbench_.forget_interface();
+    engine_.reset();
+    frames_ = frames_after_input;
+    idle_ = false;
+    // The replay waits until what it opened shows.
+    recorder_->idle(editor_.now);
+    // Where the pointer is, for keys that come before it moves.
+    InputEvent pointer;
+    pointer.x = double(ImGui::GetIO().MousePos.x);
+    pointer.y = double(ImGui::GetIO().MousePos.y);
+    if (ImGui::IsMousePosValid()) recorder_->batch(editor_.now, {pointer});
+    log_.file("recording", path);
+  }
+
+  void settings_of_replay() {
+    const auto& session = player_->replay().start.session;
+    if (!session) return;
+    editor_.settings = saved_settings_ = settings_of(session->settings);
+    session_waits_ = true;
+  }
+
+  /// Opens what a recorded session began with, once the window has its sizes: what is framed then is framed
+  /// as it was. Its file is one of this replay's own.
+  void begin_session() {
+    if (!session_waits_ || frames_ > 0) return;
+    session_waits_ = false;
+    frames_ = frames_after_input;
+    const ReplayStart::Session& session = *player_->replay().start.session;
+    auto document = read_document(session.document);
+    if (!document) return editor_.notify(document.error());
+    std::optional<std::filesystem::path> file;
+    if (!session.name.empty()) {
+      scratch_.emplace();
+      file = scratch_->path() / std::filesystem::path(session.name).filename();
+    }
+    editor_.open(std::move(document).value(), file);
+    if (session.dirty) editor_.history.mark_unsaved();
   }
 
   void measure_frame(std::chrono::steady_clock::time_point start, const GlWindow::FrameEnd& end) {
@@ -278,44 +379,50 @@ class Application {
     for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) editor_.notify(warnings[i]);
   }
 
-  /// Why a file did not open. Readers name the file themselves; a mesh that is no polyhedron does not know
-  /// it.
-  void explain(const std::filesystem::path& path, const OpenedFile& opened) {
-    Message error = *opened.error();
-    if (opened.broken_mesh) {
-      const std::string element = to_string(error.element);
-      error.text = path.filename().string() + (element.empty() ? "" : ", " + element) + ": " + error.text;
-    }
-    editor_.notify(error);
-  }
-
   void import_file(const std::filesystem::path& path) {
-    long_.run(
+    long_.run_cancellable(
         fill(translatable("Importing {0}"), {path.filename().string()}),
-        [path](const CancelToken&) { return open_file(path); },
+        [path](const CancelToken& cancel, const Progress& progress) {
+          return open_file(path, cancel, progress);
+        },
         [this, path](const OpenedFile& opened) {
-          if (!opened.document) return explain(path, opened);
-          if (!editor_.has_document) editor_.open({}, {});
-          if (editor_.history.in_gesture()) editor_.cancel_preview();
-          if (!editor_.commit(append_document(editor_.history.current(), *opened.document),
-                              fill(translatable("Import {0}"), {path.filename().string()})))
-            return;
-          editor_.selection.clear_elements();
-          editor_.selection.active = editor_.document().objects.back()->id;
-          editor_.frame_all();
-          warn(opened.messages);
-          log_.file("imported", path);
+          if (opened.document) return add_imported(path, *opened.document, opened.messages);
+          if (!opened.broken_mesh) return editor_.notify(*opened.error());
+          log_.file("broken", path);
+          ask_about_broken_mesh(editor_, workbench_, path, std::make_shared<const OpenedFile>(opened),
+                                [this, path](const Document& document, const std::string& note) {
+                                  add_imported(path, document, {});
+                                  editor_.notify(Notice::Kind::info, note);
+                                });
         });
   }
 
+  void add_imported(const std::filesystem::path& path, const Document& document,
+                    const std::vector<Message>& warnings) {
+    if (!editor_.has_document) editor_.open({}, {});
+    if (editor_.history.in_gesture()) editor_.cancel_preview();
+    if (!editor_.commit(append_document(editor_.history.current(), document),
+                        fill(translatable("Import {0}"), {path.filename().string()})))
+      return;
+    editor_.selection.clear_elements();
+    editor_.selection.active = editor_.document().objects.back()->id;
+    editor_.frame_all();
+    warn(warnings);
+    log_.file("imported", path);
+  }
+
   void export_file(const std::filesystem::path& path, int density) {
-    long_.run(
+    long_.run_cancellable(
         fill(translatable("Exporting {0}"), {path.filename().string()}),
-        [path, density, document = editor_.history.current()](const CancelToken& cancel) {
-          return export_surfaces(document, path, density, cancel);
+        [path, density, document = editor_.history.current()](const CancelToken& cancel,
+                                                              const Progress& progress) {
+          return export_surfaces(document, path, density, cancel, progress);
         },
         [this, path](const Result<Done>& exported) {
-          if (!exported.ok()) return editor_.notify(exported.error());
+          if (!exported.ok()) {
+            log_.file("export_failed", path);
+            return editor_.notify(exported.error());
+          }
           editor_.notify(Notice::Kind::info,
                          fill(editor_.language("Exported {0}."), {path.filename().string()}));
           ++editor_.exports;
@@ -323,14 +430,39 @@ class Application {
         });
   }
 
+  void export_pictures(PictureOrder order) {
+    const std::size_t count = order.files.size();
+    const auto first = order.files.front();
+    long_.run_cancellable(
+        fill(translatable("Exporting {0}"), {first.filename().string()}),
+        [order = std::move(order)](const CancelToken& cancel, const Progress& progress) {
+          return write_pictures(order, cancel, progress);
+        },
+        [this, first, count](const Result<Done>& written) {
+          if (!written.ok()) {
+            log_.file("export_failed", first);
+            return editor_.notify(written.error());
+          }
+          const std::string name = first.filename().string();
+          editor_.notify(Notice::Kind::info, count == 1
+                                                 ? fill(editor_.language("Exported {0}."), {name})
+                                                 : fill(editor_.language("Exported {0} pictures, {1} first."),
+                                                        {std::to_string(count), name}));
+          log_.file("exported", first);
+        });
+  }
+
   void picture_samples() {
+    if (std::exchange(pictured_theme_, editor_.settings.theme) == editor_.settings.theme) return;
     // NOLINTNEXTLINE(modernize-loop-convert): the pictures come later, the index finds their place then
     for (std::size_t i = 0; i < workbench_.samples().size(); ++i) {
       const auto path = workbench_.samples()[i].path;
       long_.run(
           {}, [path](const CancelToken& cancel) { return sample_scene(path, cancel); },
-          [this, i](const Scene& scene) {
-            workbench_.samples()[i].picture = sample_picture(renderer_, scene);
+          [this, i](Scene scene) {
+            scene.background = background_of(editor_.settings.theme);
+            Sample& sample = workbench_.samples()[i];
+            release_picture(std::exchange(sample.picture, sample_picture(renderer_, scene)));
           });
     }
   }
@@ -351,10 +483,15 @@ class Application {
   Pictures pictures_;
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
-  std::atomic<int> signal_ = 0;  ///< that asked for the end
+  std::optional<ThemeId> pictured_theme_;  ///< of the pictures of the samples; none before they are wanted
+  std::atomic<int> signal_ = 0;            ///< that asked for the end
   /// Objects as drags made them, with the time of the pointer event; until their surface shows.
   std::deque<std::pair<std::shared_ptr<const Object>, double>> dragged_;
   std::optional<ReplayRecorder> recorder_;
+  std::optional<std::filesystem::path> record_to_;  ///< a recording that is to begin
+  bool recording_ends_ = false;
+  bool session_waits_ = false;            ///< what the replay begins with is still to be opened
+  std::optional<ScratchFolder> scratch_;  ///< of a replay that saves
   std::optional<ReplayPlayer> player_;
   std::chrono::steady_clock::time_point played_at_ = std::chrono::steady_clock::now();
 };

@@ -5,7 +5,9 @@
 #include <system_error>
 #include <utility>
 
+#include "app/broken_mesh.hpp"
 #include "core/base/printable.hpp"
+#include "core/base/temporary_files.hpp"
 #include "core/document/file.hpp"
 
 namespace hariko {
@@ -45,6 +47,7 @@ struct DocumentSession::Opened {
   std::optional<FileStamp> stamp;
   FileLock::Attempt attempt;
   bool own_lock = false;  ///< this session has the lock of the file already
+  bool sample = false;    ///< came with the program
 };
 
 struct DocumentSession::Recovered {
@@ -63,10 +66,12 @@ struct DocumentSession::Saved {
   bool changed_on_disk = false;
 };
 
-DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const XdgFolders& folders, Hooks hooks)
+DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const XdgFolders& folders,
+                                 fs::path samples, Hooks hooks)
     : editor_(editor),
       workbench_(workbench),
       hooks_(std::move(hooks)),
+      samples_(std::move(samples)),
       recovery_(folders.state / "recovery"),
       recent_(folders.state / "recent.json"),
       autosaver_(recovery_),
@@ -76,35 +81,42 @@ DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const Xdg
 
 void DocumentSession::open(const fs::path& given) {
   const fs::path path = full_path(given);
-  background_.run(
+  background_.run_cancellable(
       fill(translatable("Opening {0}"), {name_of(path)}),
-      [path, own = lock_.held() ? lock_.path() : fs::path()](const CancelToken&) {
+      [path, samples = samples_, own = lock_.held() ? lock_.path() : fs::path()](const CancelToken& cancel,
+                                                                                 const Progress& progress) {
         auto opened = std::make_shared<Opened>();
         opened->path = path;
+        std::error_code unknown;  // where one of them does not exist they are not the same
+        opened->sample = fs::equivalent(path.parent_path(), samples, unknown);
         // The stamp first: a change while reading must count as one.
+        (void)remove_stale_temporaries(path.parent_path());
         opened->stamp = stamp_of(path);
-        opened->file = open_file(path);
-        if (!opened->file.native || !opened->file.document) return opened;
+        opened->file = open_file(path, cancel, progress);
+        if (!opened->file.native || !opened->file.document || opened->sample) return opened;
         const fs::path lock = lock_path_of(path);
         opened->own_lock = lock == own;
         if (!opened->own_lock) opened->attempt = FileLock::try_lock(lock, unix_seconds());
         return opened;
       },
       [this](const std::shared_ptr<Opened>& opened) {
-        if (!opened->file.document) return explain(*opened);
+        if (opened->file.broken_mesh) return ask_about_mesh(opened);
+        if (!opened->file.document) return editor_.notify(*opened->file.error());
         if (opened->attempt.outcome == Outcome::taken) return ask_about_lock(opened);
-        install(opened, Mode::normal);
+        install(opened, opened->sample ? Mode::copy : Mode::normal);
       });
 }
 
-/// Readers name the file themselves; a mesh that is no polyhedron does not know it.
-void DocumentSession::explain(const Opened& opened) {
-  Message error = *opened.file.error();
-  if (opened.file.broken_mesh) {
-    const std::string element = to_string(error.element);
-    error.text = name_of(opened.path) + (element.empty() ? "" : ", " + element) + ": " + error.text;
-  }
-  editor_.notify(error);
+void DocumentSession::ask_about_mesh(const std::shared_ptr<Opened>& opened) {
+  hooks_.log("broken", opened->path);
+  ask_about_broken_mesh(editor_, workbench_, opened->path,
+                        std::shared_ptr<const OpenedFile>(opened, &opened->file),
+                        [this, opened](const Document& document, const std::string& note) {
+                          opened->file.document = document;
+                          opened->file.messages.clear();
+                          install(opened, Mode::normal);
+                          editor_.notify(Notice::Kind::info, note);
+                        });
 }
 
 void DocumentSession::ask_about_lock(const std::shared_ptr<Opened>& opened) {
@@ -145,7 +157,7 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   constexpr std::size_t most_warnings = 2;
   for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
     editor_.notify(opened->file.messages[i]);
-  used(opened->path);
+  if (!opened->sample) used(opened->path);
   hooks_.log("opened", opened->path);
 }
 
@@ -182,6 +194,7 @@ void DocumentSession::start_save(const fs::path& path, std::function<void()> the
           if (saved->changed_on_disk) return saved;
         }
         saved->result = save_document(saved->document, saved->path);
+        (void)remove_stale_temporaries(saved->path.parent_path());
         saved->stamp = stamp_of(saved->path);
         return saved;
       },
@@ -267,7 +280,7 @@ void DocumentSession::revert() {
 // Autosave.
 
 double DocumentSession::interval() const {
-  return std::clamp(editor_.settings.autosave_seconds, 1.0, 25.0);
+  return std::clamp(editor_.settings.autosave_seconds, 1.0, Settings::most_autosave_seconds);
 }
 
 void DocumentSession::update() {
@@ -426,8 +439,14 @@ void DocumentSession::finish_recovery(const std::string& id, Recovered& recovere
 
 void DocumentSession::discard_recovery(const std::string& id) {
   const Language& tr = editor_.language;
+  const auto& offers = workbench_.offers().recoveries;
+  const auto offered =
+      std::find_if(offers.begin(), offers.end(), [&](const auto& one) { return one.id == id; });
+  if (offered == offers.end()) return;
+  const std::string name = offered->path.empty() ? tr("Untitled") : name_of(offered->path);
   workbench_.ask({tr("Discard unsaved work"),
-                  tr("The recovered work will be deleted. This cannot be undone."),
+                  fill(tr("The unsaved work on {0} of {1} will be deleted. This cannot be undone."),
+                       {name, local_time_text(offered->written_at)}),
                   {{tr("Discard"), "discard_recovery",
                     [this, id] {
                       background_.run(

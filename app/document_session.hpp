@@ -31,7 +31,9 @@ class DocumentSession {
     /// "offers".
     std::function<void(const char* what, const std::filesystem::path&)> log;
   };
-  DocumentSession(Editor& editor, Workbench& workbench, const XdgFolders& folders, Hooks hooks);
+  /// Files in the folder `samples` came with the program: they open as copies without a file.
+  DocumentSession(Editor& editor, Workbench& workbench, const XdgFolders& folders,
+                  std::filesystem::path samples, Hooks hooks);
 
   /// Looks for what earlier sessions left, and for recent files; the workbench's offers follow.
   void find_offers(Pictures& pictures);
@@ -57,6 +59,7 @@ class DocumentSession {
   void end();
 
  private:
+  /// `copy`: without a file, as if it were new.
   enum class Mode { normal, read_only, copy };
   struct Opened;
   struct Recovered;
@@ -70,7 +73,7 @@ class DocumentSession {
   void install(const std::shared_ptr<Opened>& opened, Mode mode);
   void ask_about_lock(const std::shared_ptr<Opened>& opened);
   void warn_about_lock(const std::filesystem::path& path, const FileLock::Attempt& attempt);
-  void explain(const Opened& opened);
+  void ask_about_mesh(const std::shared_ptr<Opened>& opened);
   void start_save(const std::filesystem::path& path, std::function<void()> then, bool overwrite);
   void finish_save(Saved& saved, const std::function<void()>& then);
   void ask_about_change(const std::filesystem::path& path, std::function<void()> then);
@@ -85,6 +88,7 @@ class DocumentSession {
   Editor& editor_;
   Workbench& workbench_;
   Hooks hooks_;
+  std::filesystem::path samples_;
   RecoveryStore recovery_;
   RecentFiles recent_;
   Autosaver autosaver_;

@@ -199,14 +199,14 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const Options& options) {
   return std::unique_ptr<GlWindow>(new GlWindow(std::move(state)));
 }
 
-bool GlWindow::wait(double seconds) {
+bool GlWindow::wait(double seconds, bool keys_wait) {
   State& s = *state_;
   s.redraw = false;
   if (seconds > 0 && s.queue.empty())
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
-  s.batch = s.queue.take();
+  s.batch = s.queue.take(keys_wait);
   for (const InputEvent& event : s.batch) deliver(event);
   return s.redraw || !s.batch.empty();
 }

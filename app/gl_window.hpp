@@ -34,7 +34,7 @@ class GlWindow {
 
   /// Waits for input, a `wake` or the time to pass; 0 looks without waiting. True when there was input: one
   /// batch of it (see InputQueue) is then what the next frame sees.
-  bool wait(double seconds);
+  bool wait(double seconds, bool keys_wait = false);
   /// That batch.
   const std::vector<InputEvent>& input() const;
   /// From now on the window sees this input and time instead of the user's and the clock's.

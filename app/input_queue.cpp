@@ -39,9 +39,11 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
 
 }  // namespace
 
-std::vector<InputEvent> InputQueue::take() {
+std::vector<InputEvent> InputQueue::take(bool keys_wait) {
   std::vector<InputEvent> batch;
   while (!waiting_.empty() && fits(batch, waiting_.front())) {
+    const Kind next = waiting_.front().kind;
+    if (keys_wait && (next == Kind::key || next == Kind::text)) break;
     if (is_move(waiting_.front()) && !batch.empty()) {
       waiting_.front().came_at = batch.back().came_at;
       batch.pop_back();

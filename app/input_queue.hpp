@@ -35,8 +35,9 @@ class InputQueue {
   void push(InputEvent event) { waiting_.push_back(std::move(event)); }
   bool empty() const { return waiting_.empty(); }
   void clear() { waiting_.clear(); }
-  /// The batch of the next frame, in order; moves that another one follows are left out.
-  std::vector<InputEvent> take();
+  /// The batch of the next frame, in order; moves that another one follows are left out. With `keys_wait`
+  /// keys and text stay, and what came after them: a field that is about to get the keyboard is to have them.
+  std::vector<InputEvent> take(bool keys_wait = false);
 
  private:
   std::deque<InputEvent> waiting_;

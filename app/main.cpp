@@ -14,7 +14,8 @@ bool asks_for_window(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
     return argument.starts_with("--test-log") || argument.starts_with("--width") ||
            argument.starts_with("--height") || argument.starts_with("--scale") ||
-           argument.starts_with("--record") || argument.starts_with("--replay");
+           argument.starts_with("--record") || argument.starts_with("--replay") ||
+           argument.starts_with("--skip-pauses");
   });
 }
 
@@ -37,6 +38,10 @@ int main(int argc, char** argv) {
       .add_option("--replay", options.replay,
                   "Play what was recorded; the exit code is 1 when the document is another one at the end")
       ->excludes(arguments.get_option("--record"));
+  arguments
+      .add_flag("--skip-pauses", options.skip_pauses,
+                "Play a replay without the pauses in which nothing happened")
+      ->needs(arguments.get_option("--replay"));
   try {
     arguments.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,6 @@
 #include "app/rebuild_engine.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace hariko {
@@ -20,8 +21,18 @@ bool same_view(const Object& a, const Object& b) {
          p.combs.shown == q.combs.shown && (!p.combs.shown || p.combs.density == q.combs.density);
 }
 
+/// Whether what an object is attached to lies as before, seen from the object.
+bool same_neighbours(const Object& a, const ObjectPointers& of_a, const Object& b,
+                     const ObjectPointers& of_b) {
+  const auto same = [](const auto& x, const auto& y) {
+    return x == y || (x->id == y->id && x->source == y->source && x->transform == y->transform);
+  };
+  return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), same) &&
+         (of_a.empty() || a.transform == b.transform);
+}
+
 bool has_surface(const Object& object) {
-  return object.polyhedron() || object.mesh();
+  return object.polyhedron() || object.mesh() || object.patches();
 }
 
 }  // namespace
@@ -37,17 +48,22 @@ void RebuildEngine::sync(const Document& document, bool in_gesture, double now, 
   for (const auto& object : document.objects) {
     if (!object->visible || !has_surface(*object)) continue;
     Track& track = tracks_[object->id];
-    const bool changed =
-        !track.requested || (track.requested != object && !same_view(*track.requested, *object));
+    ObjectPointers neighbours = neighbours_of(document, object->id);
+    const bool changed = !track.requested ||
+                         (track.requested != object && !same_view(*track.requested, *object)) ||
+                         !same_neighbours(*track.requested, track.neighbours, *object, neighbours);
     if (changed && paused && track.requested && !track.forced) {
       track.outdated = true;
     } else if (changed || track.forced) {
       // The first surface of an object is final even when it appears within a gesture.
-      request(track, object, in_gesture && track.requested ? Quality::drag : Quality::final, now);
+      request(track, object, std::move(neighbours),
+              in_gesture && track.requested ? Quality::drag : Quality::final, now);
     } else {
       track.requested = object;
+      track.neighbours = std::move(neighbours);
       const bool rests = !in_gesture || now - track.requested_at > rest_seconds;
-      if (track.quality == Quality::drag && rests) request(track, object, Quality::final, now);
+      if (track.quality == Quality::drag && rests)
+        request(track, object, track.neighbours, Quality::final, now);
     }
   }
   for (auto it = tracks_.begin(); it != tracks_.end();) {
@@ -92,14 +108,15 @@ void RebuildEngine::reset() {
   views_.clear();
 }
 
-void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& object, Quality quality,
-                            double now) {
+void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& object,
+                            ObjectPointers neighbours, Quality quality, double now) {
   // A drag job is short and its result worth showing; a final one that is out of date only delays the next.
   const auto running =
       track.quality == Quality::final ? WorkLane::Running::cancel : WorkLane::Running::finish;
   if (!track.builder) track.builder = make_builder_();
   if (!track.pending) track.stale_since = now;
   track.requested = object;
+  track.neighbours = neighbours;
   track.quality = quality;
   track.requested_at = now;
   track.pending = true;
@@ -107,8 +124,9 @@ void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& o
   lane_.cancel(measure_key(object->id));
   lane_.submit(
       surface_key(object->id),
-      [this, object, quality, builder = track.builder](const CancelToken& cancel) -> WorkLane::Publication {
-        auto view = std::make_shared<SurfaceView>(builder->build(object, quality, cancel));
+      [this, object, neighbours = std::move(neighbours), quality,
+       builder = track.builder](const CancelToken& cancel) -> WorkLane::Publication {
+        auto view = std::make_shared<SurfaceView>(builder->build(object, neighbours, quality, cancel));
         if (cancel.cancelled()) return {};
         return [this, id = object->id, view] { take(id, std::move(*view)); };
       },

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/work_lane.hpp"
-#include "core/document/document.hpp"
+#include "core/modeling/attached.hpp"
 #include "ui/recompute.hpp"
 #include "ui/surface_view.hpp"
 
@@ -19,10 +19,10 @@ namespace hariko {
 class ViewBuilder {
  public:
   virtual ~ViewBuilder() = default;
-  /// A view of an object with a PolyhedronSource or a MeshSource. A view without mesh and with `error` says
-  /// why there is none.
-  virtual SurfaceView build(const std::shared_ptr<const Object>& object, Quality quality,
-                            const CancelToken& cancel) = 0;
+  /// A view of an object that has a surface or facets. `neighbours`: what it is attached to
+  /// (`neighbours_of`). A view without mesh and with `error` says why there is none.
+  virtual SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
+                            Quality quality, const CancelToken& cancel) = 0;
   /// How well the patches of a surface meet; without seams when cancelled.
   virtual ContinuityReport measure(const Surface& surface, const CancelToken& cancel) = 0;
 };
@@ -69,11 +69,13 @@ class RebuildEngine {
   struct Track {
     std::shared_ptr<ViewBuilder> builder;
     std::shared_ptr<const Object> requested;
+    ObjectPointers neighbours;
     Quality quality = Quality::final;
     double requested_at = 0, stale_since = 0;
     bool pending = false, outdated = false, forced = false;
   };
-  void request(Track& track, const std::shared_ptr<const Object>& object, Quality quality, double now);
+  void request(Track& track, const std::shared_ptr<const Object>& object, ObjectPointers neighbours,
+               Quality quality, double now);
   void take(ObjectId id, SurfaceView view);
   void measure(ObjectId id);
 

@@ -97,6 +97,11 @@ void read_start(const Json& json, const std::filesystem::path& folder, ReplaySta
   start.height = json.at("height").get<int>();
   start.scale = json.value("scale", 1.0);
   if (!(start.scale >= 0.25 && start.scale <= 8)) throw std::runtime_error("the scale is out of range");
+  if (json.contains("session")) {
+    const Json& session = json.at("session");
+    start.session = {session.at("document").get<std::string>(), session.value("name", std::string()),
+                     session.value("dirty", false), session.at("settings").dump()};
+  }
   for (const Json& file : json.at("files")) {
     const std::filesystem::path path(file.get<std::string>());
     start.files.push_back(path.is_absolute() ? path : (folder / path).lexically_normal());
@@ -174,7 +179,15 @@ ReplayRecorder::ReplayRecorder(const std::filesystem::path& path, const ReplaySt
   head["height"] = start.height;
   head["scale"] = start.scale;
   head["files"] = files;
-  out_ << head.dump() << std::endl;
+  if (start.session) {
+    Json& session = head["session"];
+    session["name"] = start.session->name;
+    session["dirty"] = start.session->dirty;
+    session["settings"] = Json::parse(start.session->settings);
+    session["document"] = start.session->document;
+  }
+  // A name may be any bytes.
+  out_ << head.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
 }
 
 /// To the millisecond: the order counts, not the digits.
@@ -224,6 +237,7 @@ std::vector<InputEvent> ReplayPlayer::advance(double seconds, bool idle) {
     ++next_;
     return {};
   }
+  if (skip_pauses_ && idle) now_ = std::max(now_, step.time + delay_);
   // The clock stops at the next step, however long the last frame took.
   now_ = std::min(now_ + seconds, std::max(now_, step.time + delay_));
   if (now_ < step.time + delay_) return {};

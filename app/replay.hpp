@@ -21,6 +21,15 @@ struct ReplayStart {
   int width = 1280, height = 800;            ///< of the window
   double scale = 1;                          ///< of the interface, the monitor's included
   std::vector<std::filesystem::path> files;  ///< opened; relative to the replay file
+
+  /// With what a recording in the middle of a session began, instead of files.
+  struct Session {
+    std::string document;  ///< the text that it is saved as
+    std::string name;      ///< of its file, without a folder; empty when it was never saved
+    bool dirty = false;    ///< it differed from its file
+    std::string settings;  ///< `settings_text`
+  };
+  std::optional<Session> session = {};
 };
 
 struct ReplayStep {
@@ -66,7 +75,9 @@ class ReplayRecorder {
 /// that double clicks stay double clicks.
 class ReplayPlayer {
  public:
-  explicit ReplayPlayer(Replay replay) : replay_(std::move(replay)) {}
+  /// `skip_pauses`: the clock leaps to the next event whenever the program has nothing left to do.
+  explicit ReplayPlayer(Replay replay, bool skip_pauses = false)
+      : replay_(std::move(replay)), skip_pauses_(skip_pauses) {}
 
   /// Advances by `seconds` of real time and gives the batch that is due now; `idle`: the program has nothing
   /// left to do. At most one batch a call.
@@ -86,6 +97,7 @@ class ReplayPlayer {
 
  private:
   Replay replay_;
+  bool skip_pauses_;
   std::size_t next_ = 0;
   double now_ = 0, delay_ = 0, waited_ = 0;
   bool finished_ = false;

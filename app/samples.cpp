@@ -38,6 +38,8 @@ constexpr Description descriptions[] = {
     {"creased", "Creased cube", "Sharp edges among smooth ones"},
     {"cube_crease", "Creased cube", "Sharp edges among smooth ones"},
     {"car", "Car body", "Larger model"},
+    {"knot", "Knot", "A thousand faces, to see how fast everything follows"},
+    {"wheel_arch", "Wheel arch", "A hole between bicubic patches, closed smoothly"},
 };
 
 Sample describe(const fs::path& path) {
@@ -85,13 +87,14 @@ Scene sample_scene(const fs::path& path, const CancelToken& cancel) {
   const auto opened = open_file(path);
   if (!opened.document) return scene;
   for (const auto& object : opened.document->objects) {
-    if (!object->polyhedron() || !object->visible) continue;
+    if (!object->cage() || !object->visible) continue;
     SurfaceBuilder builder;
-    const SurfaceView view = builder.build(object, Quality::final, cancel);
+    const SurfaceView view =
+        builder.build(object, neighbours_of(*opened.document, object->id), Quality::final, cancel);
     SceneObject out;
     out.mesh = view.mesh;
-    out.polyhedron = DisplayPolyhedron::build(object->polyhedron()->polyhedron,
-                                              *object->polyhedron()->shaping, object->polyhedron()->origin);
+    out.polyhedron = cage_of(*object);
+    out.show_polyhedron = object->polyhedron() != nullptr;
     out.show_network = true;
     out.transform = matrix_of(object->transform);
     scene.objects.push_back(std::move(out));
@@ -119,6 +122,11 @@ ImTextureID upload_picture(const Image& image) {
   glBindTexture(GL_TEXTURE_2D, 0);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+void release_picture(ImTextureID picture) {
+  const auto texture = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(picture));
+  if (texture != 0) glDeleteTextures(1, &texture);
 }
 
 ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {

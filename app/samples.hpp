@@ -24,6 +24,8 @@ Scene sample_scene(const std::filesystem::path& path, const CancelToken& cancel)
 std::optional<Image> draw_picture(Renderer& renderer, const Scene& scene, PixelSize size);
 /// Makes a texture that lives as long as the GL context.
 ImTextureID upload_picture(const Image& image);
+/// Frees a picture that nothing shows any more; null is fine.
+void release_picture(ImTextureID picture);
 /// Both, in the size of the start page's cards; null when there is nothing to see.
 ImTextureID sample_picture(Renderer& renderer, const Scene& scene);
 

@@ -7,6 +7,7 @@
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/exchange/triangulate.hpp"
+#include "core/polyhedron/validation.hpp"
 #include "core/surface/facets.hpp"
 #include "render/surface_maps.hpp"
 
@@ -45,6 +46,16 @@ bool same_shape(const Object& a, const Object& b) {
   return a.source == b.source;
 }
 
+/// What the shape of the designer's faces does to the surface: named before the surface's own warnings, which
+/// follow from it.
+void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warnings) {
+  std::vector<Message> all = face_shape_warnings_of(source.polyhedron);
+  if (source.preparation.split_concave)
+    std::erase_if(all, [](const Message& warning) { return warning.code == w_concave_face; });
+  all.insert(all.end(), std::make_move_iterator(warnings.begin()), std::make_move_iterator(warnings.end()));
+  warnings = std::move(all);
+}
+
 /// The density asked for; more on small models, whose outlines would show corners, and less where the whole
 /// would exceed what a screen can use.
 int density_of(const Object& object, const Surface& surface) {
@@ -60,22 +71,26 @@ int density_of(const Object& object, const Surface& surface) {
 
 }  // namespace
 
-SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object, Quality quality,
+SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
+                                  const ObjectPointers& neighbours, Quality quality,
                                   const CancelToken& cancel) {
   const auto start = std::chrono::steady_clock::now();
   SurfaceView view;
   view.object = object;
   view.quality = quality;
   try {
-    const bool fresh = made_from_ && last_quality_ == Quality::final && same_shape(*made_from_, *object);
+    const bool fresh = made_from_ && last_quality_ == Quality::final && same_shape(*made_from_, *object) &&
+                       made_beside_ == neighbours &&
+                       (neighbours.empty() || made_from_->transform == object->transform);
     if (!fresh) {
-      auto made = surface_of(*object, quality, cancel);
+      auto made = surface_of(*object, neighbours, quality, cancel);
       if (!made.ok()) {
         view.error = made.error();
         return view;
       }
       last_ = std::move(made).value();
       made_from_ = object;
+      made_beside_ = neighbours;
       last_quality_ = quality;
       combs_.reset();
     }
@@ -118,17 +133,18 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object, Q
   return view;
 }
 
-Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, Quality quality,
-                                                     const CancelToken& cancel) {
+Result<PolyhedronSurface> SurfaceBuilder::surface_of(const Object& object, const ObjectPointers& neighbours,
+                                                     Quality quality, const CancelToken& cancel) {
   if (const MeshSource* mesh = object.mesh()) {
     PolyhedronSurface out;
     out.surface = facets_of(*mesh);
     out.revision = ++facet_revision_;
     return out;
   }
-  const auto input = surface_input(*object.polyhedron(), &whole_);
-  if (!input) return input.error();
-  return surfacer_.rebuild(*input, quality, cancel);
+  auto made = surfacer_.surface(object, neighbours, quality, cancel);
+  if (made.ok() && object.polyhedron() && quality == Quality::final)
+    add_face_shapes(*object.polyhedron(), made.value().warnings);
+  return made;
 }
 
 /// During a drag the range rests, so that colours compare.

@@ -1,29 +1,29 @@
 #pragma once
 
-// SurfaceBuilder: from a polyhedron object to its surface and what the screen needs of it.
+// SurfaceBuilder: from an object to its surface and what the screen needs of it.
 
 #include <memory>
 
 #include "app/rebuild_engine.hpp"
-#include "core/modeling/mirrored.hpp"
-#include "core/patching/polyhedron_surface.hpp"
+#include "core/modeling/attached.hpp"
 
 namespace hariko {
 
 class SurfaceBuilder final : public ViewBuilder {
  public:
-  SurfaceView build(const std::shared_ptr<const Object>& object, Quality quality,
-                    const CancelToken& cancel) override;
+  SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
+                    Quality quality, const CancelToken& cancel) override;
   ContinuityReport measure(const Surface& surface, const CancelToken& cancel) override;
 
  private:
-  Result<PolyhedronSurface> surface_of(const Object& object, Quality quality, const CancelToken& cancel);
+  Result<PolyhedronSurface> surface_of(const Object& object, const ObjectPointers& neighbours,
+                                       Quality quality, const CancelToken& cancel);
 
   void take_range(const Object& object, SurfaceView& view);
 
-  PolyhedronSurfacer surfacer_;
-  std::optional<MirroredPolyhedron> whole_;  ///< of an object with a live mirror
+  ObjectSurfacer surfacer_;
   std::shared_ptr<const Object> made_from_;  ///< what last_ was made from
+  ObjectPointers made_beside_;               ///< and its neighbours then
   PolyhedronSurface last_;
   Quality last_quality_ = Quality::drag;
   std::shared_ptr<const DisplayMesh> base_mesh_;  ///< of the whole surface with revision base_revision_

@@ -86,10 +86,11 @@ void TestLog::vertices(const Editor& editor, const Workbench& workbench) {
 
 void TestLog::history(const Editor& editor) {
   const std::string selection = describe(editor.selection.of_active());
-  if (editor.history.serial() == serial_ && editor.history.in_gesture() == gesture_ &&
-      selection == selection_ && editor.history.dirty() == dirty_)
+  if (editor.history.serial() == serial_ && editor.history.position() == position_ &&
+      editor.history.in_gesture() == gesture_ && selection == selection_ && editor.history.dirty() == dirty_)
     return;
   serial_ = editor.history.serial();
+  position_ = editor.history.position();
   gesture_ = editor.history.in_gesture();
   dirty_ = editor.history.dirty();
   selection_ = selection;

@@ -33,6 +33,7 @@ class TestLog {
   std::ofstream out_;
   bool on_ = false, idle_ = false;
   std::map<std::string, Marks::Rect> rects_;
+  std::size_t position_ = 0;
   std::uint64_t serial_ = ~std::uint64_t{0}, pictures_ = 0, frames_ = 0, commands_run_ = 0;
   bool gesture_ = false, dirty_ = false;
   std::string vertices_line_, selection_, last_notice_, commands_line_, last_note_;

@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -44,25 +45,53 @@ BENCHMARK(network_solve)->Apply(sizes);
 void surface(benchmark::State& state, Mode mode) {
   const PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, mode, Vector3::Zero()};
   PolyhedronSurfacer surfacer;
-  int steps = surfacer.rebuild(input)->report.fair_iterations;
-  for (auto _ : state) steps = surfacer.rebuild(input)->report.fair_iterations;
+  const auto steps_of = [&] {
+    const SolveReport report = surfacer.rebuild(input)->report;
+    return mode == Mode::g2 ? report.g2_iterations : report.fair_iterations;
+  };
+  int steps = steps_of();
+  for (auto _ : state) steps = steps_of();
   state.counters["steps"] = steps;
 }
 BENCHMARK_CAPTURE(surface, paper, Mode::paper)->Apply(sizes);
 BENCHMARK_CAPTURE(surface, fair, Mode::fair)->Apply(sizes);
+BENCHMARK_CAPTURE(surface, g2, Mode::g2)->Apply(sizes);
 
-void fair_cold(benchmark::State& state) {
-  const PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, Mode::fair, Vector3::Zero()};
+void cold(benchmark::State& state, Mode mode, bool round) {
+  PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, mode, Vector3::Zero()};
+  input.round = round;
   for (auto _ : state) {
     PolyhedronSurfacer surfacer;
     benchmark::DoNotOptimize(surfacer.rebuild(input));
   }
 }
-BENCHMARK(fair_cold)->Apply(sizes);
+BENCHMARK_CAPTURE(cold, fair, Mode::fair, false)->Apply(sizes);
+BENCHMARK_CAPTURE(cold, g2, Mode::g2, false)->Apply(sizes);
+BENCHMARK_CAPTURE(cold, g2_round, Mode::g2, true)->Apply(sizes);
 
-void evaluate(benchmark::State& state, bool curvatures) {
+/// Bytes a face of mode G2: matrices where faces are equal and where no two are (round), and controls.
+void g2_memory(benchmark::State& state) {
+  PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, Mode::fair, Vector3::Zero()};
+  const Polyhedron& polyhedron = input.polyhedron;
+  const NetworkSystem network = NetworkSystem::assemble(polyhedron, {}).value();
   PolyhedronSurfacer surfacer;
-  const auto result = surfacer.rebuild({bench_torus(1000), {}, Mode::paper, Vector3::Zero()});
+  const auto reference = surfacer.rebuild(input);
+  for (auto _ : state) {
+    G2System system(polyhedron.shared_topology(), network);
+    const double faces = polyhedron.face_count();
+    state.counters["shared"] = double(system.matrix_bytes()) / faces;
+    system.bend_over(reference->surface.patches());
+    state.counters["round"] = double(system.matrix_bytes()) / faces;
+    const FaceChart& chart = system.chart(0);
+    state.counters["controls"] = 24.0 * (chart.control_count() + 7 * chart.sides());
+    state.counters["unknowns"] = system.unknown_count() / faces;
+  }
+}
+BENCHMARK(g2_memory)->Arg(1000)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+void evaluate(benchmark::State& state, Mode mode, bool curvatures) {
+  PolyhedronSurfacer surfacer;
+  const auto result = surfacer.rebuild({bench_torus(1000), {}, mode, Vector3::Zero()});
   const PatchSet& patches = result->surface.patches();
   const GridPattern pattern{Domain::triangle, static_cast<int>(state.range(0))};
   std::vector<Index> all(64);  // a block that stays in the cache
@@ -80,8 +109,10 @@ void evaluate(benchmark::State& state, bool curvatures) {
   state.counters["points"] =
       benchmark::Counter(double(count) * double(state.iterations()), benchmark::Counter::kIsRate);
 }
-BENCHMARK_CAPTURE(evaluate, position_normal, false)->Arg(4)->Arg(8)->Arg(16);
-BENCHMARK_CAPTURE(evaluate, second_order, true)->Arg(4)->Arg(8)->Arg(16);
+BENCHMARK_CAPTURE(evaluate, position_normal, Mode::paper, false)->Arg(4)->Arg(8)->Arg(16);
+BENCHMARK_CAPTURE(evaluate, second_order, Mode::paper, true)->Arg(4)->Arg(8)->Arg(16);
+BENCHMARK_CAPTURE(evaluate, g2_position_normal, Mode::g2, false)->Arg(4)->Arg(8)->Arg(16);
+BENCHMARK_CAPTURE(evaluate, g2_second_order, Mode::g2, true)->Arg(4)->Arg(8)->Arg(16);
 
 /// One vertex moves: polyhedron value, surface, and the display mesh, refreshed where patches changed.
 void drag(benchmark::State& state, Mode mode) {
@@ -96,7 +127,7 @@ void drag(benchmark::State& state, Mode mode) {
   double step = 0;
   std::size_t changed = 0;
   const auto frame = [&] {
-    const Vector3 moved = start.position(vertex) + Vector3(0, 0, 0.01 * ++step);
+    const Vector3 moved = start.position(vertex) + Vector3(0, 0, 0.3 * std::sin(0.1 * ++step));
     input.polyhedron = start.with_positions(std::span(&vertex, 1), std::span(&moved, 1)).value();
     const auto result = surfacer.rebuild(input, Quality::drag);
     changed = result->changed->size();
@@ -108,6 +139,7 @@ void drag(benchmark::State& state, Mode mode) {
 }
 BENCHMARK_CAPTURE(drag, fair, Mode::fair)->Apply(sizes);
 BENCHMARK_CAPTURE(drag, paper, Mode::paper)->Apply(sizes);
+BENCHMARK_CAPTURE(drag, g2, Mode::g2)->Apply(sizes);
 
 /// The first frame of a drag, which solves for the response.
 void drag_start(benchmark::State& state) {
@@ -116,6 +148,7 @@ void drag_start(benchmark::State& state) {
                        NetworkSystem::assemble(input.polyhedron, {}).value(),
                        {},
                        Mode::fair,
+                       nullptr,
                        nullptr};
   system.constants = patch_constants(*system.mesh, system.network.frames());
   system.fair = std::make_unique<FairSystem>(system.mesh, system.network, system.constants);

@@ -83,4 +83,11 @@ std::shared_ptr<const DisplayPolyhedron> DisplayPolyhedron::moved(const Polyhedr
   return out;
 }
 
+std::shared_ptr<const DisplayPolyhedron> cage_of(const Object& object) {
+  const Polyhedron* cage = object.cage();
+  if (!cage) return nullptr;
+  const PolyhedronSource* source = object.polyhedron();
+  return DisplayPolyhedron::build(*cage, source ? *source->shaping : Shaping{}, object.cage_origin());
+}
+
 }  // namespace hariko

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/document/document.hpp"
 #include "core/network/shaping.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "render/camera.hpp"
@@ -48,6 +49,9 @@ struct DisplayPolyhedron {
   /// from).
   std::shared_ptr<const DisplayPolyhedron> moved(const Polyhedron& polyhedron) const;
 };
+
+/// The polyhedron of an object, or the control net of its patches; null for others.
+std::shared_ptr<const DisplayPolyhedron> cage_of(const Object& object);
 
 /// Elements to emphasise, dense indices of the polyhedron.
 struct Highlights {

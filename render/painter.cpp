@@ -279,6 +279,7 @@ Result<Done> Painter::surface(const Frame& frame, const SceneObject& object, con
   program.set("stripes", static_cast<float>(std::clamp(zebra.stripes, 2, 64)));
   program.set("triangles", object.mesh->pattern().domain == Domain::triangle);
   program.set("wire_paint", style.wire);
+  program.set("line_width", frame.pixel_scale);
   program.set("grid_places", place_unit);
   program.set("dimming", object.dimmed ? style.dimming : 0.0F);
   program.set("selected_tint", rgb(style.selected_fill));

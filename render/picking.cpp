@@ -11,7 +11,7 @@ namespace hariko {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double tie_pixels = 0.5;
+constexpr double tie_pixels = 0.5;  // design pixels, as below
 // Elements of an interpolated polyhedron lie on the surface; so many pixels' length in front of them do not
 // hide them.
 constexpr double hiding_slack_pixels = 5;
@@ -26,8 +26,15 @@ Vector3 world_position(const SceneObject& object, Index vertex) {
   return object.transform.topLeftCorner<3, 3>() * p + object.transform.topRightCorner<3, 1>();
 }
 
-/// The front-most face of a polyhedron; faces are fans round their centres, as they are drawn.
-FaceHit hit_faces(const SceneObject& object, const Ray& ray) {
+using Section = std::optional<SectionPlane>;
+
+bool cut_away(const Section& section, const Vector3& world) {
+  return section && section->cuts(world);
+}
+
+/// The front-most face of a polyhedron that the section leaves; faces are fans round their centres, as they
+/// are drawn.
+FaceHit hit_faces(const SceneObject& object, const Ray& ray, const Section& section) {
   const DisplayPolyhedron& polyhedron = *object.polyhedron;
   const LocalRay local = to_local(ray, object.transform, polyhedron.origin);
   FaceHit best;
@@ -41,7 +48,8 @@ FaceHit hit_faces(const SceneObject& object, const Ray& ray) {
     for (const Index v : vertices) {
       const Vector3 here = polyhedron.position(v);
       const auto hit = hit_triangle(local.ray, centre, last, here);
-      if (hit && hit->t * local.scale < best.t) best = {static_cast<Index>(f), hit->t * local.scale};
+      if (hit && hit->t * local.scale < best.t && !cut_away(section, ray.at(hit->t * local.scale)))
+        best = {static_cast<Index>(f), hit->t * local.scale};
       last = here;
     }
   }
@@ -52,7 +60,8 @@ bool shows_surface(const SceneObject& object) {
   return object.mesh && object.show_surface && object.mesh->patch_count() > 0;
 }
 
-std::optional<SurfaceHit> hit_surface(const SceneObject& object, const Ray& ray, double limit) {
+std::optional<SurfaceHit> hit_surface(const SceneObject& object, const Ray& ray, double limit,
+                                      const Section& section) {
   const DisplayMesh& mesh = *object.mesh;
   const LocalRay local = to_local(ray, object.transform, mesh.origin());
   const auto triangles = mesh.pattern().triangles();
@@ -74,7 +83,7 @@ std::optional<SurfaceHit> hit_surface(const SceneObject& object, const Ray& ray,
         const std::size_t i = base + std::size_t(triangle[0]), j = base + std::size_t(triangle[1]),
                           k = base + std::size_t(triangle[2]);
         const auto hit = hit_triangle(local.ray, at(i), at(j), at(k));
-        if (!hit || hit->t >= best) continue;
+        if (!hit || hit->t >= best || cut_away(section, ray.at(hit->t * local.scale))) continue;
         best = hit->t;
         where = *hit;
         const std::size_t offset = c * DisplayMesh::patches_per_chunk * n;
@@ -100,9 +109,9 @@ double opaque_at(const Scene& scene, const Ray& ray, bool use_surface) {
   double best = infinity;
   for (const SceneObject& object : scene.objects) {
     if (use_surface && shows_surface(object)) {
-      if (const auto hit = hit_surface(object, ray, best)) best = hit->t;
+      if (const auto hit = hit_surface(object, ray, best, scene.section)) best = hit->t;
     } else if (object.polyhedron) {
-      best = std::min(best, hit_faces(object, ray).t);
+      best = std::min(best, hit_faces(object, ray, scene.section).t);
     }
   }
   return best;
@@ -161,13 +170,14 @@ class Search {
     if (!at) return false;
     const Ray ray = projector_.ray(at->head<2>());
     const double reach = (hit.point - ray.origin).norm();
-    const double slack = hiding_slack_pixels * projector_.pixel_length_at(hit.point);
+    const double slack = hiding_slack_pixels * scene_.pixel_scale * projector_.pixel_length_at(hit.point);
     return opaque_at(scene_, ray, options_.use_surface) >= reach - slack;
   }
   /// Nearest to the cursor first, then nearest to the eye; hidden ones dropped.
   std::vector<PickHit> sorted(std::vector<PickHit> hits) const {
-    std::sort(hits.begin(), hits.end(), [](const PickHit& x, const PickHit& y) {
-      const double dx = std::floor(x.distance / tie_pixels), dy = std::floor(y.distance / tie_pixels);
+    const double tie = tie_pixels * scene_.pixel_scale;
+    std::sort(hits.begin(), hits.end(), [tie](const PickHit& x, const PickHit& y) {
+      const double dx = std::floor(x.distance / tie), dy = std::floor(y.distance / tie);
       return dx != dy ? dx < dy : x.depth < y.depth;
     });
     std::erase_if(hits, [&](const PickHit& hit) { return !visible(hit); });
@@ -190,7 +200,7 @@ std::vector<PickHit> Search::vertices() {
       const auto at = projector_.project(world);
       if (!at) continue;
       const double distance = (at->head<2>() - pixel_).norm();
-      if (distance <= options_.vertex_radius)
+      if (distance <= options_.vertex_radius * scene_.pixel_scale && !cut_away(scene_.section, world))
         hits.push_back({o, Element::Kind::vertex, static_cast<Index>(v),
                         element_of(object.polyhedron->vertex_ids[v]), world, distance, at->z()});
     }
@@ -211,12 +221,14 @@ std::vector<PickHit> Search::edges() {
       const double length2 = along.squaredNorm();
       const double x = length2 > 0 ? std::clamp((pixel_ - a).dot(along) / length2, 0.0, 1.0) : 0.0;
       const double distance = (a + x * along - pixel_).norm();
-      if (distance > options_.edge_radius) continue;
+      if (distance > options_.edge_radius * scene_.pixel_scale) continue;
       // Equal steps on the screen are not equal steps in space: weigh by depth.
       const double da = edge->a.z(), db = edge->b.z();
       const double y = projector_.camera().orthographic ? x : x * da / (x * da + (1 - x) * db);
-      hits.push_back({o, Element::Kind::edge, e, element_of(object.polyhedron->edge_id(e)),
-                      edge->world_a + y * (edge->world_b - edge->world_a), distance, da + y * (db - da)});
+      const Vector3 point = edge->world_a + y * (edge->world_b - edge->world_a);
+      if (cut_away(scene_.section, point)) continue;
+      hits.push_back({o, Element::Kind::edge, e, element_of(object.polyhedron->edge_id(e)), point, distance,
+                      da + y * (db - da)});
     }
   }
   return sorted(std::move(hits));
@@ -231,7 +243,7 @@ std::vector<PickHit> Search::faces() {
     PickHit hit{o, Element::Kind::face, no_index, {}, {}, 0, infinity};
     double t = infinity;
     if (options_.use_surface && shows_surface(object)) {
-      if (const auto at = hit_surface(object, ray, infinity)) {
+      if (const auto at = hit_surface(object, ray, infinity, scene_.section)) {
         t = at->t;
         hit.element = object.mesh->provenance(at->patch).element;
         if (object.polyhedron && hit.element.kind == Element::Kind::face) {
@@ -242,7 +254,7 @@ std::vector<PickHit> Search::faces() {
         }
       }
     } else if (object.polyhedron) {
-      const FaceHit at = hit_faces(object, ray);
+      const FaceHit at = hit_faces(object, ray, scene_.section);
       t = at.t;
       hit.index = at.face;
       if (at.face != no_index) hit.element = element_of(object.polyhedron->face_ids[at.face]);
@@ -300,7 +312,7 @@ std::optional<SurfaceHit> pick_surface(const Scene& scene, const Ray& ray) {
   std::optional<SurfaceHit> best;
   for (std::size_t o = 0; o < scene.objects.size(); ++o) {
     if (!shows_surface(scene.objects[o])) continue;
-    if (auto hit = hit_surface(scene.objects[o], ray, best ? best->t : infinity)) {
+    if (auto hit = hit_surface(scene.objects[o], ray, best ? best->t : infinity, scene.section)) {
       hit->object = o;
       best = hit;
     }

@@ -11,7 +11,7 @@
 namespace hariko {
 
 struct PickOptions {
-  double vertex_radius = 9, edge_radius = 6;  ///< framebuffer pixels
+  double vertex_radius = 9, edge_radius = 6;  ///< design pixels: the scene's `pixel_scale` makes them larger
   bool vertices = true, edges = true, faces = true;
   /// Elements behind the polyhedron's own faces or the surface cannot be picked.
   bool visible_only = false;

@@ -51,6 +51,7 @@ Highlights pick_lasso(const SceneObject& object, const Projector& projector,
 
 Occlusion::Occlusion(const Scene& scene, const Projector& projector)
     : projector_(projector),
+      section_(scene.section),
       nearest_(static_cast<std::size_t>(projector.size().width) *
                    static_cast<std::size_t>(projector.size().height),
                -std::numeric_limits<float>::infinity()) {
@@ -82,6 +83,13 @@ void Occlusion::draw(const Vector3& a, const Vector3& b, const Vector3& c) {
   const double area = u.x() * v.y() - u.y() * v.x();
   if (std::abs(area) < 1e-9) return;
   const double na = nearness(pa->z()), nb = nearness(pb->z()), nc = nearness(pc->z());
+  // How far a point is beyond the section is linear on the screen when it is divided by the depth.
+  const auto beyond = [&](const Vector3& world, double depth) {
+    if (!section_) return -1.0;
+    const double distance = section_->normal.dot(world) - section_->offset;
+    return projector_.camera().orthographic ? distance : distance / depth;
+  };
+  const double ba = beyond(a, pa->z()), bb = beyond(b, pb->z()), bc = beyond(c, pc->z());
   const auto bound = [](double x, int most) {
     return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(most)));
   };
@@ -92,7 +100,7 @@ void Occlusion::draw(const Vector3& a, const Vector3& b, const Vector3& c) {
     for (int x = bound(std::floor(left), size.width); x < bound(std::ceil(right), size.width); ++x) {
       const Vector2 d = Vector2(x + 0.5, y + 0.5) - p;
       const double s = (d.x() * v.y() - d.y() * v.x()) / area, t = (u.x() * d.y() - u.y() * d.x()) / area;
-      if (s < 0 || t < 0 || s + t > 1) continue;
+      if (s < 0 || t < 0 || s + t > 1 || ba + s * (bb - ba) + t * (bc - ba) > 0) continue;
       float& nearest = nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                                 static_cast<std::size_t>(x)];
       nearest = std::max(nearest, static_cast<float>(na + s * (nb - na) + t * (nc - na)));
@@ -100,6 +108,7 @@ void Occlusion::draw(const Vector3& a, const Vector3& b, const Vector3& c) {
 }
 
 bool Occlusion::visible(const Vector3& world) const {
+  if (section_ && section_->cuts(world)) return false;
   const auto at = projector_.project(world);
   if (!at) return false;
   const int x = static_cast<int>(std::floor(at->x())), y = static_cast<int>(std::floor(at->y()));

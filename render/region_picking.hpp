@@ -15,7 +15,8 @@ Highlights pick_lasso(const SceneObject& object, const Projector& projector,
                       std::span<const Vector2> polygon);
 
 /// A depth picture of the faces of all polyhedra of a scene: which of many elements can be seen. Faces that
-/// reach behind the eye hide nothing. O(faces * pixels).
+/// reach behind the eye hide nothing, nor does what the section cuts away, which cannot be seen either.
+/// O(faces * pixels).
 class Occlusion {
  public:
   Occlusion(const Scene& scene, const Projector& projector);
@@ -28,6 +29,7 @@ class Occlusion {
   double nearness(double depth) const;
 
   Projector projector_;
+  std::optional<SectionPlane> section_;
   std::vector<float>
       nearest_;  ///< grows towards the eye and is linear on the screen; 0 or less where nothing is
 };

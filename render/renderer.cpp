@@ -315,11 +315,13 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
                      !object.failed.empty();
     if (!any) continue;
     const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
+    painter.cut(frame, true);
     painter.faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
     painter.faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
     painter.faces(frame, model, *object.polyhedron, object.failed.faces, style.failed_fill);
     if (object.x_ray) draw_polyhedron(frame, object, style, gl::Depth::hidden, scene.hidden_opacity);
     draw_polyhedron(frame, object, style, gl::Depth::visible, 1);
+    painter.cut(frame, false);
   }
   painter.overlay(frame, scene.lines);
 }

@@ -29,10 +29,12 @@ struct ZebraSettings {
   friend bool operator==(const ZebraSettings&, const ZebraSettings&) = default;
 };
 
-/// Surfaces are cut away where normal . x > offset, in world coordinates; the cage stays whole.
+/// Surfaces and polyhedra are cut away where normal . x > offset, in world coordinates: not drawn, not
+/// picked.
 struct SectionPlane {
   Vector3 normal = Vector3::UnitX();  ///< unit
   double offset = 0;
+  bool cuts(const Vector3& world) const { return normal.dot(world) > offset; }
   friend bool operator==(const SectionPlane&, const SectionPlane&) = default;
 };
 

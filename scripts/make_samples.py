@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Writes assets/samples/*.hariko from the polygon files in tests/golden. The results are checked in.
+"""Writes assets/samples/*.hariko from the polygon files in tests/golden, a knot, and a wheel arch. The results are checked in.
 
 Run it from anywhere; it needs nothing but Python. It writes exactly what the program itself would write, which a
 test checks.
 """
 
 import json
+import math
 from decimal import Decimal
 from pathlib import Path
 
@@ -55,6 +56,49 @@ def split_concave(faces):
     return result
 
 
+def knot(along=125, around=8):
+    """A trefoil knot as a tube of 1,000 quadrilaterals that swells and narrows three times: the model for measuring
+    how the program keeps up. Rounded to 6 decimals, so that every machine writes the same."""
+    def centre(t):
+        return (math.sin(t) + 2 * math.sin(2 * t), math.cos(t) - 2 * math.cos(2 * t), -1.2 * math.sin(3 * t))
+
+    def minus(a, b):
+        return tuple(x - y for x, y in zip(a, b))
+
+    def dot(a, b):
+        return sum(x * y for x, y in zip(a, b))
+
+    def cross(a, b):
+        return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+    def unit(a):
+        return tuple(x / math.sqrt(dot(a, a)) for x in a)
+
+    def carried(normal, tangent):
+        return unit(minus(normal, tuple(dot(normal, tangent) * x for x in tangent)))
+
+    step = 2 * math.pi / along
+    tangents = [unit(minus(centre((i + 1) * step), centre((i - 1) * step))) for i in range(along)]
+    normals = [carried((0, 0, 1), tangents[0])]
+    for tangent in tangents[1:]:
+        normals.append(carried(normals[-1], tangent))
+    # What the frame has turned when it comes round is shared out, so that the last ring meets the first.
+    last = carried(normals[-1], tangents[0])
+    twist = math.atan2(dot(tangents[0], cross(last, normals[0])), dot(last, normals[0]))
+    vertices, faces = [], []
+    for i in range(along):
+        c, normal = centre(i * step), normals[i]
+        binormal = cross(tangents[i], normal)
+        radius = 0.62 + 0.16 * math.cos(3 * i * step)
+        for k in range(around):
+            angle = 2 * math.pi * k / around + twist * i / along
+            vertices.append([round(c[j] + radius * (math.cos(angle) * normal[j] + math.sin(angle) * binormal[j]), 6)
+                             for j in range(3)])
+            ring, turn = (i + 1) % along, (k + 1) % around
+            faces.append([i * around + k, ring * around + k, ring * around + turn, i * around + turn])
+    return vertices, [face[::-1] for face in faces]
+
+
 def number(value):
     """The shortest text that reads back as the same double; plain notation unless the other is shorter."""
     if value == 0:
@@ -90,29 +134,95 @@ def tension_lists(tension):
     return lists
 
 
-def document(name, vertices, faces, tension):
-    source = [
+def polyhedron(vertices, faces, lists):
+    return [
         '        "kind": "polyhedron"',
         '        "mode": "fair"',
         '        "origin": [0, 0, 0]',
         rows("vertices", [(i, *vertex) for i, vertex in enumerate(vertices)]),
         rows("faces", [(i, *face) for i, face in enumerate(faces)]),
-        *tension_lists(tension),
+        *lists,
     ]
+
+
+def patches(columns, row_count, points):
+    return [
+        '        "kind": "patches"',
+        '        "origin": [0, 0, 0]',
+        f'        "columns": {columns}',
+        f'        "rows": {row_count}',
+        rows("points", points),
+    ]
+
+
+def object_text(number_, name, source, cage=True):
     members = [
-        '      "id": 1',
+        f'      "id": {number_}',
         f'      "name": {json.dumps(name, ensure_ascii=False)}',
         '      "visible": true',
         '      "locked": false',
         '      "transform": {"rotation": [1, 0, 0, 0], "scale": 1, "translation": [0, 0, 0]}',
-        '      "display": {"surface": true, "polyhedron": true, "network": true, "map": "shaded", "density": 8, '
+        '      "display": {"surface": true, "polyhedron": ' + ("true" if cage else "false") + ', "network": true, "map": "shaded", "density": 8, '
         '"colour": "#b9b4ac"}',
         '      "source": {\n' + ",\n".join(source) + "\n      }",
     ]
+    return "    {\n" + ",\n".join(members) + "\n    }"
+
+
+def document(*objects):
     return (
-        '{\n  "format": "hariko",\n  "version": 1,\n  "unit": "mm",\n  "next_object_id": 2,\n  "objects": [\n    {\n'
-        + ",\n".join(members)
-        + "\n    }\n  ]\n}\n"
+        f'{{\n  "format": "hariko",\n  "version": 1,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
+    )
+
+
+PARTS = 8  # patches round the wheel
+
+
+def fender(ring, angle):
+    """A point of the fender on curve `ring` (0: the outer edge, 3: round the wheel), and its derivative."""
+    across, up, bulge = [(95, 62, 0), (72, 55, 4), (52, 46, 12), (40, 40, 13)][ring]
+    c, s = math.cos(angle), math.sin(angle)
+    x, z = across * c, up * s + (8 if ring == 0 else 4 if ring == 1 else 0)
+    dx, dz = -across * s, up * c
+    # The side of the car is arched along and across; towards the viewer is -y.
+    return (x, x * x / 700 + z * z / 500 - bulge, z), (dx, 2 * x * dx / 700 + 2 * z * dz / 500, dz)
+
+
+def wheel_arch():
+    """Bicubic patches round a wheel's opening, and a polyhedron that closes it, tangent-continuous all round."""
+    points = []
+    for ring in range(4):
+        for i in range(3 * PARTS + 1):
+            corner = (i + 1) // 3 % PARTS
+            at, slope = fender(ring, 2 * math.pi * corner / PARTS)
+            step = ((i + 1) % 3 - 1) * 2 * math.pi / PARTS / 3
+            points.append(tuple(p + step * d for p, d in zip(at, slope)))
+    rim = [points[3 * (3 * PARTS + 1) + 3 * k] for k in range(PARTS)]
+    vertices = list(rim)
+    for share, bulge in ((0.66, 14), (0.32, 14.5)):
+        for x, y, z in rim:
+            x, z = round(share * x, 6), round(share * z, 6)
+            vertices.append((x, round(x * x / 700 + z * z / 500 - bulge, 6), z))
+    faces = []
+    for ring in (0, PARTS):
+        for k in range(PARTS):
+            after = (k + 1) % PARTS
+            faces.append([ring + k, ring + after, ring + PARTS + after, ring + PARTS + k])
+    faces.append([2 * PARTS + k for k in range(PARTS)])
+    attached = []
+    for k in range(PARTS):
+        low, high = sorted((k, (k + 1) % PARTS))
+        attached.append(((low, high), PARTS - 1 - k))
+    lines = ",\n".join(
+        f'          {{"edge": [{low}, {high}], "patch": 1, "side": [2, {place}], "reversed": true, '
+        '"continuity": "g1", "adapts": "surface"}'
+        for (low, high), place in sorted(attached)
+    )
+    joined = f'        "attached": [\n{lines}\n        ]'
+    return document(
+        object_text(1, "Fender", patches(PARTS, 1, points), cage=False),
+        object_text(2, "Wheel cover", polyhedron(vertices, faces, [joined])),
     )
 
 
@@ -123,8 +233,11 @@ def main():
         if file_name == "concave_split":
             faces = split_concave(faces)
         tension = json.loads((GOLDEN / f"{tension_name}.tension.json").read_text()) if tension_name else {}
-        text = document(name, vertices, faces, tension)
+        text = document(object_text(1, name, polyhedron(vertices, faces, tension_lists(tension))))
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
+    text = document(object_text(1, "Knot", polyhedron(*knot(), [])))
+    (SAMPLES / "knot.hariko").write_text(text, encoding="utf-8", newline="\n")
+    (SAMPLES / "wheel_arch.hariko").write_text(wheel_arch(), encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ float lines(float step_length, vec2 pixel) {
   vec2 d = abs(fract(ground / step_length + 0.5) - 0.5) * step_length;
   vec2 near = vec2(coverage(d.x, pixel.x, line_width), coverage(d.y, pixel.y, line_width));
   // Closer than four pixels the lines would merge: fade before that.
-  vec2 room = smoothstep(vec2(6.0), vec2(24.0), step_length / pixel);
+  vec2 room = smoothstep(vec2(6.0), vec2(24.0), step_length / (pixel * line_width));
   near *= room;
   return max(near.x, near.y);
 }

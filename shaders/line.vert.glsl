@@ -63,11 +63,13 @@ void main() {
   }
   side = reach * hand;
   map_value = at_end ? end_values.zw : end_values.xy;
-  gl_ClipDistance[0] = dot(section, vec4(at_end ? end : begin, 1.0));
+  gl_ClipDistance[0] = 1.0;
   if (perspective && begin.z > -near_plane && end.z > -near_plane) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // wholly behind the eye
     return;
   }
+  // By w: what is divided below is interpolated on the screen, and the cut of a long edge must not wander.
+  gl_ClipDistance[0] = dot(section, vec4(at_end ? in_front(end, begin) : in_front(begin, end), 1.0)) / here.w;
   // Divided here: depth is linear on the screen, and clipping a quad whose ends differ much in w loses its width.
   gl_Position = vec4(here.xyz / here.w + vec3(offset * 2.0 / viewport, 0.0), 1.0);
 }

@@ -9,6 +9,7 @@ uniform vec2 viewport;
 uniform float radius;  // pixels, with the outline
 uniform float bias;
 uniform bool perspective;
+uniform vec4 section;   // camera axes: what lies on its negative side is cut away
 uniform bool numbered;  // the attribute, or the instance's own number
 
 #if COLORED
@@ -27,6 +28,7 @@ void main() {
 #endif
   vec3 p = vec3(texelFetch(coordinates, at).r, texelFetch(coordinates, at + 1).r, texelFetch(coordinates, at + 2).r);
   vec3 eye = (to_eye * vec4(p, 1.0)).xyz;
+  gl_ClipDistance[0] = dot(section, vec4(eye, 1.0));
   vec4 here = projection * vec4(perspective ? eye * (1.0 - bias) : eye + vec3(0.0, 0.0, bias), 1.0);
   vec2 corner = vec2((gl_VertexID & 1) == 0 ? -1.0 : 1.0, (gl_VertexID & 2) == 0 ? -1.0 : 1.0);
   offset = corner * (radius + 1.0);

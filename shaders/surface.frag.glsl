@@ -17,6 +17,7 @@ uniform vec3 selected_tint;
 uniform vec3 hovered_tint;
 uniform bool triangles;        // the patches' domain
 uniform vec4 wire_paint;
+uniform float line_width;  // of the mesh lines, pixels
 
 in vec3 eye_normal;
 #if MODE == 3
@@ -122,7 +123,7 @@ float wire() {
   vec3 per_pixel = max(fwidth(place), 1e-6);
   vec3 d = abs(fract(place - 0.5) - 0.5) / per_pixel;
   if (!triangles) d.z = 1e3;
-  float line = clamp(1.1 - min(d.x, min(d.y, d.z)), 0.0, 1.0);
+  float line = clamp(0.5 * line_width + 0.6 - min(d.x, min(d.y, d.z)), 0.0, 1.0);
   // Cells of less than three pixels would only darken the surface.
   return line * (1.0 - smoothstep(0.15, 0.40, max(per_pixel.x, per_pixel.y)));
 }

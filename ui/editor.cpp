@@ -10,6 +10,13 @@ const SurfaceView* Editor::view_of(ObjectId id) const {
   return it == views->end() ? nullptr : &it->second;
 }
 
+const Job* Editor::cancellable_job() const {
+  const auto found = std::find_if(jobs.begin(), jobs.end(), [](const auto& job) {
+    return job->can_be_cancelled && !job->cancel.cancelled();
+  });
+  return found == jobs.end() ? nullptr : found->get();
+}
+
 void Editor::open(Document document, std::optional<std::filesystem::path> file) {
   history = History(std::move(document));
   path = std::move(file);
@@ -25,6 +32,36 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   // The views start anew; how they are arranged stays.
   layout.views = ViewLayout().views;
   wants_framing = true;
+}
+
+void Editor::begin_recording() {
+  history.cancel_preview();
+  before_recording_ = history;
+  recorded_document_ = documents;
+  history = history.fork();
+  recording = true;
+  selection = {};
+  selection.prune(history.current());
+  mode = ElementMode::vertex;
+  hovered.reset();
+  view = {};
+  transform = {};
+  selecting = {};
+  last_click.reset();
+  kept_probe.reset();
+  last_operation = {};
+  recompute = {};
+  cursor_note.reset();
+  notices_.clear();
+  guide.leave();
+  layout = {};
+  wants_framing = true;
+}
+
+void Editor::end_recording() {
+  recording = false;
+  if (before_recording_ && recorded_document_ == documents) history.prepend(*std::move(before_recording_));
+  before_recording_.reset();
 }
 
 std::string Editor::title() const {
@@ -98,7 +135,10 @@ void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
 }
 
 void Editor::notify(const Message& message) {
-  notify(message.severity == Severity::error ? Notice::Kind::error : Notice::Kind::warning,
+  // What the user cancelled is no mistake.
+  notify(message.code == e_cancelled           ? Notice::Kind::info
+         : message.severity == Severity::error ? Notice::Kind::error
+                                               : Notice::Kind::warning,
          language.text_of(message), language.remedy_of(message));
 }
 
@@ -125,11 +165,10 @@ Box3 Editor::selected_box() const {
       if (selection.objects().contains(object->id)) box.extend(world_box(*object));
       continue;
     }
-    const PolyhedronSource* source = object->polyhedron();
-    if (!source || selection.of(object->id).empty()) continue;
-    for (const VertexId id : touched_vertices(selection.of(object->id), source->polyhedron))
-      box.extend(
-          object->transform.apply(source->origin + source->polyhedron.position(source->polyhedron.find(id))));
+    const Polyhedron* cage = object->cage();
+    if (!cage || selection.of(object->id).empty()) continue;
+    for (const VertexId id : touched_vertices(selection.of(object->id), *cage))
+      box.extend(object->transform.apply(object->cage_origin() + cage->position(cage->find(id))));
   }
   return box;
 }
@@ -176,6 +215,9 @@ Box3 world_box(const Object& object) {
       p[index_of(source->mirror->axis)] *= -1;
       box.extend(object.transform.apply(p));
     }
+  if (const PatchSource* source = object.patches())
+    for (Index v = 0; v < source->net.vertex_count(); ++v)
+      box.extend(object.transform.apply(source->origin + source->net.position(v)));
   if (const MeshSource* source = object.mesh())
     for (const Vector3& position : source->mesh->positions)
       box.extend(object.transform.apply(source->origin + position));

@@ -14,6 +14,7 @@
 #include "render/scene.hpp"
 #include "ui/frame_times.hpp"
 #include "ui/guide.hpp"
+#include "ui/job.hpp"
 #include "ui/language.hpp"
 #include "ui/last_operation.hpp"
 #include "ui/recompute.hpp"
@@ -91,6 +92,7 @@ class Editor {
   bool has_document = false;
   Guide guide;                                ///< the guided first model
   int exports = 0;                            ///< files exported since the program began
+  bool recording = false;                     ///< what the user does is written as a replay
   bool rename_wanted = false;                 ///< the list of objects makes the active one's name a field
   bool wants_framing = false;                 ///< of all views, as soon as their sizes are known
   std::optional<std::filesystem::path> path;  ///< of the document on disk
@@ -100,9 +102,9 @@ class Editor {
 
   /// Written by the application each frame.
   double now = 0;                                          ///< steady clock, seconds
+  std::vector<std::shared_ptr<const Job>> jobs;            ///< long work in progress, oldest first
   const std::map<ObjectId, SurfaceView>* views = nullptr;  ///< surfaces that are ready
   std::map<ObjectId, double> stale_since;                  ///< objects whose surface is being rebuilt
-  std::string job;                                         ///< long work in progress: "Saving car.hariko"
   PixelSize viewport{1, 1};                                ///< the active view, framebuffer pixels
   double pixel_scale = 1;                                  ///< framebuffer pixels per design pixel
 
@@ -110,8 +112,15 @@ class Editor {
   const Object* active_object() const { return document().find(selection.active); }
   const SurfaceView* view_of(ObjectId id) const;
 
+  /// The oldest of the jobs that can be cancelled and was not yet; null when there is none.
+  const Job* cancellable_job() const;
+
   /// Replaces everything by another document, which counts as saved, and frames it.
   void open(Document document, std::optional<std::filesystem::path> file);
+  /// What a recording begins with, and the replay of it: nothing selected, tools and views as after opening.
+  void begin_recording();
+  /// Puts the steps from before the recording back.
+  void end_recording();
   /// The name to show: the file's, or "Untitled".
   std::string title() const;
 
@@ -157,6 +166,8 @@ class Editor {
   bool stepped(std::uint64_t left, const ChosenElements& chosen, bool changed);
 
   SelectionMemory selections_;
+  std::optional<History> before_recording_;
+  std::uint64_t recorded_document_ = 0;  ///< `documents` when the recording began
   std::deque<Notice> notices_;
 };
 

@@ -3,8 +3,12 @@
 #include <imgui.h>
 #include <imgui_freetype.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <vector>
 
+#include "ui/drawn_icons.hpp"
 #include "ui/icons.hpp"
 #include "ui/language.hpp"
 
@@ -47,6 +51,37 @@ ImVector<ImWchar> japanese_ranges(const FontRequest& request, bool common) {
   ImVector<ImWchar> ranges;
   builder.BuildRanges(&ranges);
   return ranges;
+}
+
+/// Places of the drawn icons in the atlas, which has a glyph for each in its first font.
+struct DrawnGlyphs {
+  int size = 0;
+  std::vector<int> rects;
+};
+
+DrawnGlyphs reserve_drawn_icons(ImFontAtlas& atlas, float scale) {
+  DrawnGlyphs glyphs;
+  const float line = font_size * scale, advance = 16 * scale;
+  glyphs.size = std::max(8, static_cast<int>(std::lround(icon_size * scale)));
+  const float margin = std::round((advance - static_cast<float>(glyphs.size)) / 2);
+  const float top = std::round((line - static_cast<float>(glyphs.size)) / 2);
+  for (const DrawnIcon& icon : drawn_icons())
+    glyphs.rects.push_back(atlas.AddCustomRectFontGlyph(atlas.Fonts[0], icon.code, glyphs.size, glyphs.size,
+                                                        advance, {margin, top}));
+  return glyphs;
+}
+
+/// After the atlas was built.
+void fill_drawn_icons(ImFontAtlas& atlas, const DrawnGlyphs& glyphs) {
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  atlas.GetTexDataAsAlpha8(&pixels, &width, &height);
+  for (std::size_t i = 0; i < glyphs.rects.size(); ++i) {
+    const ImFontAtlasCustomRect& rect = *atlas.GetCustomRectByIndex(glyphs.rects[i]);
+    const auto picture = rasterised(drawn_icons()[i], glyphs.size);
+    for (int y = 0; y < glyphs.size; ++y)
+      std::copy_n(picture.begin() + y * glyphs.size, glyphs.size, pixels + (rect.Y + y) * width + rect.X);
+  }
 }
 
 }  // namespace
@@ -101,7 +136,9 @@ const char* load_fonts(const FontRequest& request) {
   const ImVector<ImWchar> title_ranges = japanese_ranges(request, false);
   if (wants_japanese && request.japanese && title_ranges.size() > 1)
     atlas.AddFontFromFileTTF(noto_path, japanese_size * title_size * scale, &japanese, title_ranges.Data);
+  const DrawnGlyphs drawn = reserve_drawn_icons(atlas, scale);
   atlas.Build();
+  fill_drawn_icons(atlas, drawn);
   return missing;
 }
 

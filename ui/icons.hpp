@@ -1,7 +1,7 @@
 #pragma once
 
-// Icons by name: code points of Font Awesome 4.7 as UTF-8. Without the icon font they show as boxes, so text
-// goes with them wherever there is room.
+// Icons by name: code points of Font Awesome 4.7 as UTF-8, and behind them those of drawn_icons.hpp. Without
+// the icon font the former show as boxes, so text goes with them wherever there is room.
 
 namespace hariko::icon {
 
@@ -43,5 +43,16 @@ inline constexpr const char* keyboard = "\uf11c";  // keyboard-o
 inline constexpr const char* settings = "\uf013";  // cog
 inline constexpr const char* add = "\uf067";       // plus
 inline constexpr const char* reset = "\uf0e2";
+
+inline constexpr unsigned short extrude_code = 0xf300, inset_code = 0xf301, bevel_code = 0xf302,
+                                loop_cut_code = 0xf303, knife_code = 0xf304, lasso_code = 0xf305,
+                                mirror_code = 0xf306;
+inline constexpr const char* extrude = "\uf300";
+inline constexpr const char* inset = "\uf301";
+inline constexpr const char* bevel = "\uf302";
+inline constexpr const char* loop_cut = "\uf303";
+inline constexpr const char* knife = "\uf304";
+inline constexpr const char* lasso = "\uf305";
+inline constexpr const char* mirror = "\uf306";
 
 }  // namespace hariko::icon

@@ -3,6 +3,7 @@
 // Marks: where named parts of the interface are on the screen, for tests that drive the real window.
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <map>
 #include <string>
@@ -16,8 +17,11 @@ class Marks {
     friend bool operator==(const Rect&, const Rect&) = default;
   };
   void clear() { rects_.clear(); }
-  /// Names the last item.
-  void item(const std::string& name) { rect(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()); }
+  /// Names the last item, if it can be seen: a window that has just appeared is measured for a frame, and is
+  /// elsewhere then.
+  void item(const std::string& name) {
+    if (!GImGui->CurrentWindow->Hidden) rect(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  }
   /// Names a place that is no item.
   void rect(const std::string& name, ImVec2 low, ImVec2 high) {
     rects_[name] = {static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(high.x - low.x),

@@ -86,6 +86,10 @@ Highlights failed_of(const Message& error, const Polyhedron& polyhedron) {
 
 }  // namespace
 
+Background background_of(ThemeId theme) {
+  return theme == ThemeId::light ? Background::light : Background::dark;
+}
+
 std::optional<SectionPlane> section_plane(const ViewSettings& view) {
   if (!view.section.shown) return std::nullopt;
   const double side = view.section.flipped ? -1 : 1;
@@ -94,15 +98,16 @@ std::optional<SectionPlane> section_plane(const ViewSettings& view) {
 
 void SceneBuilder::update(const Editor& editor) {
   Scene next;
-  next.background = editor.settings.theme == ThemeId::light ? Background::light : Background::dark;
+  next.background = background_of(editor.settings.theme);
   next.grid.visible = editor.view.grid;
   next.zebra = editor.view.zebra;
   next.colour_blind_safe = editor.settings.colour_blind_maps;
   next.hidden_opacity = static_cast<float>(editor.view.x_ray_strength);
   next.section = section_plane(editor.view);
+  next.pixel_scale = editor.pixel_scale;
   ids_.clear();
   for (const auto& object : editor.document().objects) {
-    if (!object->visible || (!object->polyhedron() && !object->mesh())) continue;
+    if (!object->visible || (!object->cage() && !object->mesh())) continue;
     next.objects.push_back(describe(editor, object));
     ids_.push_back(object->id);
   }
@@ -113,7 +118,7 @@ void SceneBuilder::update(const Editor& editor) {
 
 SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<const Object>& object) {
   SceneObject out;
-  out.polyhedron = polyhedron_of(object);
+  out.polyhedron = polyhedron_of(editor.document(), object);
   out.transform = matrix_of(object->transform);
   const DisplaySettings& display = object->display;
   out.show_surface = display.surface;
@@ -125,7 +130,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   out.wire = display.wire;
   out.show_points = display.points;
   out.show_tensions = display.tensions;
-  const PolyhedronSource* source = object->polyhedron();
+  const Polyhedron* cage = object->cage();
   const SurfaceView* view = editor.view_of(object->id);
   if (editor.mode == ElementMode::object) {
     const ElementRef whole{object->id, element_of(object->id)};
@@ -137,7 +142,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     out.selected = outline(editor.selection.contains(whole));
     out.hovered = outline(editor.hovered == whole);
   }
-  if (!source) {
+  if (!cage) {
     out.show_points = false;
     if (view) out.mesh = view->mesh;
     out.map = has_values(display.map) ? SurfaceMap::shaded : display.map;
@@ -148,7 +153,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     out.combs = display.combs.shown ? view->combs : nullptr;
     out.comb_scale = display.combs.scale;
     if (display.marks && view->continuity) out.marks = marks_of(object->id, *view, editor.view.tolerance);
-    if (view->error) out.failed = failed_of(*view->error, source->polyhedron);
+    if (view->error) out.failed = failed_of(*view->error, *cage);
     // A new map shows when its values are there; until then the surface is drawn without.
     const bool ready = !has_values(display.map) || (view->object && view->object->display.map == display.map);
     out.map = ready ? display.map : SurfaceMap::shaded;
@@ -159,12 +164,12 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
                editor.recompute.outdated.contains(object->id);
   if (editor.mode == ElementMode::object) return out;
   const ElementSelection& selected = editor.selection.of(object->id);
-  out.selected = highlights_of(selected, source->polyhedron);
+  out.selected = highlights_of(selected, *cage);
   if (out.mesh) out.selected_patches = patches_of(*out.mesh, selected.faces);
   if (editor.hovered && editor.hovered->object == object->id) {
     Selection hover;
     hover.select(*editor.hovered, Selection::How::replace);
-    out.hovered = highlights_of(hover.of(object->id), source->polyhedron);
+    out.hovered = highlights_of(hover.of(object->id), *cage);
     if (out.mesh) out.hovered_patches = patches_of(*out.mesh, hover.of(object->id).faces);
   }
   return out;
@@ -186,12 +191,25 @@ std::shared_ptr<const EdgeMarks> SceneBuilder::marks_of(ObjectId id, const Surfa
 }
 
 std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
-    const std::shared_ptr<const Object>& object) {
+    const Document& document, const std::shared_ptr<const Object>& object) {
   Entry& entry = entries_[object->id];
+  if (object->polyhedron() && !object->polyhedron()->attachments->empty())
+    return attached_polyhedron_of(entry, document, object);
+  if (entry.attached) entry.object.reset();
+  entry.attached.reset();
   if (entry.object == object) return entry.polyhedron;
   const PolyhedronSource* source = object->polyhedron();
   const PolyhedronSource* before = entry.object ? entry.object->polyhedron() : nullptr;
-  if (!source) {
+  const PatchSource* patches = object->patches();
+  const PatchSource* patches_before = entry.object ? entry.object->patches() : nullptr;
+  if (patches) {
+    const bool same_net = patches_before && patches_before->origin == patches->origin &&
+                          patches_before->net.shared_topology() == patches->net.shared_topology();
+    if (!same_net)
+      entry.polyhedron = cage_of(*object);
+    else if (!(patches_before->net == patches->net))
+      entry.polyhedron = entry.polyhedron->moved(patches->net);
+  } else if (!source) {
     const MeshSource* mesh_before = entry.object ? entry.object->mesh() : nullptr;
     if (!mesh_before || !(*mesh_before == *object->mesh())) entry.polyhedron = lines_of(*object->mesh());
   } else if (before && before->polyhedron.shared_topology() == source->polyhedron.shared_topology() &&
@@ -207,11 +225,30 @@ std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
   return entry.polyhedron;
 }
 
+/// Attached vertices are shown where their sides end, which others may have moved.
+std::shared_ptr<const DisplayPolyhedron> SceneBuilder::attached_polyhedron_of(
+    Entry& entry, const Document& document, const std::shared_ptr<const Object>& object) {
+  const PolyhedronSource& source = *object->polyhedron();
+  const Polyhedron shown = attached_polyhedron(document, *object);
+  const PolyhedronSource* before = entry.object ? entry.object->polyhedron() : nullptr;
+  if (!before || !entry.attached || entry.attached->shared_topology() != shown.shared_topology() ||
+      before->origin != source.origin) {
+    entry.polyhedron = DisplayPolyhedron::build(shown, *source.shaping, source.origin);
+  } else {
+    if (!(*entry.attached == shown)) entry.polyhedron = entry.polyhedron->moved(shown);
+    if (!(before->shaping == source.shaping))
+      entry.polyhedron = entry.polyhedron->shaped(shown, *source.shaping);
+  }
+  entry.attached = shown;
+  entry.object = object;
+  return entry.polyhedron;
+}
+
 ElementRef element_at(const Document& document, ObjectId object, Element::Kind kind, Index index) {
   const Object* found = document.find(object);
-  const PolyhedronSource* source = found ? found->polyhedron() : nullptr;
-  if (!source) return {object, {}};
-  const Polyhedron& polyhedron = source->polyhedron;
+  const Polyhedron* cage = found ? found->cage() : nullptr;
+  if (!cage) return {object, {}};
+  const Polyhedron& polyhedron = *cage;
   // The surface on the screen may be that of an earlier state and know faces that are gone: they have no
   // index.
   switch (kind) {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/editor.hpp"
@@ -23,6 +24,7 @@ class SceneBuilder {
   struct Entry {
     std::shared_ptr<const Object> object;
     std::shared_ptr<const DisplayPolyhedron> polyhedron;
+    std::optional<Polyhedron> attached;  ///< what it shows, where edges are attached
     std::shared_ptr<const EdgeMarks> marks;
     std::shared_ptr<const DisplayMesh::Curves> marked_curves;  ///< what the marks were made from
     std::shared_ptr<const ContinuityReport> marked_report;
@@ -31,13 +33,19 @@ class SceneBuilder {
   std::shared_ptr<const EdgeMarks> marks_of(ObjectId id, const SurfaceView& view,
                                             const ContinuityTolerance& tolerance);
   SceneObject describe(const Editor& editor, const std::shared_ptr<const Object>& object);
-  std::shared_ptr<const DisplayPolyhedron> polyhedron_of(const std::shared_ptr<const Object>& object);
+  std::shared_ptr<const DisplayPolyhedron> polyhedron_of(const Document& document,
+                                                         const std::shared_ptr<const Object>& object);
+  std::shared_ptr<const DisplayPolyhedron> attached_polyhedron_of(
+      Entry& entry, const Document& document, const std::shared_ptr<const Object>& object);
 
   Scene scene_;
   std::vector<ObjectId> ids_;
   std::map<ObjectId, Entry> entries_;
   std::uint64_t version_ = 0;
 };
+
+/// Behind the model.
+Background background_of(ThemeId theme);
 
 /// The section plane of a view, or nothing when it is off.
 std::optional<SectionPlane> section_plane(const ViewSettings& view);

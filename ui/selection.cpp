@@ -80,7 +80,11 @@ void Selection::select(const ElementRef& ref, How how) {
     default:
       break;
   }
-  if (ref.element.kind != Element::Kind::object) select(ref.object, one, how);
+  if (ref.element.kind != Element::Kind::object) {
+    const bool begins = how == How::replace || (how == How::add && elements_.empty());
+    select(ref.object, one, how);
+    if (begins) first = ref;
+  }
   active = ref.object;
   if (how != How::remove) last = ref;
 }
@@ -100,31 +104,33 @@ void Selection::set(ObjectId object, ElementSelection elements) {
     elements_.erase(object);
   else
     elements_[object] = std::move(elements);
+  if (first && !contains(*first)) first.reset();
 }
 
 void Selection::select_all(const Object& object, ElementMode mode) {
   active = object.id;
-  const PolyhedronSource* source = object.polyhedron();
-  elements_.clear();
+  const Polyhedron* cage = object.cage();
+  clear_elements();
   if (mode == ElementMode::object)
     objects_.insert(object.id);
-  else if (source)
-    set(object.id, hariko::select_all(source->polyhedron, kind_of(mode)));
+  else if (cage)
+    set(object.id, hariko::select_all(*cage, kind_of(mode)));
 }
 
 void Selection::prune(const Document& document) {
   for (auto it = elements_.begin(); it != elements_.end();) {
     const Object* object = document.find(it->first);
-    const PolyhedronSource* source = object ? object->polyhedron() : nullptr;
-    if (source) {
-      keep_existing(it->second.vertices, source->polyhedron);
-      keep_existing(it->second.edges, source->polyhedron);
-      keep_existing(it->second.faces, source->polyhedron);
+    const Polyhedron* cage = object ? object->cage() : nullptr;
+    if (cage) {
+      keep_existing(it->second.vertices, *cage);
+      keep_existing(it->second.edges, *cage);
+      keep_existing(it->second.faces, *cage);
     }
-    it = !source || it->second.empty() ? elements_.erase(it) : std::next(it);
+    it = !cage || it->second.empty() ? elements_.erase(it) : std::next(it);
   }
   std::erase_if(objects_, [&](ObjectId id) { return !document.find(id); });
   if (last && !document.find(last->object)) last.reset();
+  if (first && !contains(*first)) first.reset();
   if (!document.find(active)) active = document.objects.empty() ? ObjectId{} : document.objects.back()->id;
 }
 
@@ -140,14 +146,14 @@ Selection converted(const Selection& selection, const Document& document, Elemen
   result.clear_elements();
   if (from == ElementMode::object) {
     for (const ObjectId id : selection.objects())
-      if (const Object* object = document.find(id); object && object->polyhedron())
-        result.set(id, select_all(object->polyhedron()->polyhedron, kind_of(to)));
+      if (const Object* object = document.find(id); object && object->cage())
+        result.set(id, select_all(*object->cage(), kind_of(to)));
     return result;
   }
   for (const auto& [id, elements] : selection.elements()) {
     const Object* object = document.find(id);
-    if (!object || !object->polyhedron()) continue;
-    const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
+    if (!object || !object->cage()) continue;
+    const Polyhedron& polyhedron = *object->cage();
     // Of corners, what they enclose; of larger elements, what they touch.
     const Reach reach = from < to ? Reach::inside : Reach::touching;
     result.set(id, to == ElementMode::vertex ? to_vertices(polyhedron, elements)

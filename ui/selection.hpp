@@ -41,6 +41,8 @@ class Selection {
   ObjectId active;
   /// What was selected last: the pivot of transformations, when that is asked for.
   std::optional<ElementRef> last;
+  /// What the selection of elements began with, as long as it is selected; nothing when many came at once.
+  std::optional<ElementRef> first;
 
   const ElementSelection& of(ObjectId object) const;
   const ElementSelection& of_active() const { return of(active); }
@@ -58,7 +60,10 @@ class Selection {
   void select_all(const Object& object, ElementMode mode);
   /// Replaces what is selected of an object.
   void set(ObjectId object, ElementSelection elements);
-  void clear_elements() { elements_.clear(); }
+  void clear_elements() {
+    elements_.clear();
+    first.reset();
+  }
   void clear_objects() { objects_.clear(); }
   /// Drops what the document does not have any more, and finds another active object when that one is gone.
   void prune(const Document& document);

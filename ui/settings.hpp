@@ -28,7 +28,9 @@ struct Settings {
   bool orbit_selection = false;  ///< about the selection instead of the view's target
   double orbit_speed = 1, zoom_speed = 1;
 
-  double autosave_seconds = 20;             ///< 1 .. 25: writing takes time too, and 30 is promised
+  /// Writing takes time too, and no more than 30 seconds of work are ever lost.
+  static constexpr double most_autosave_seconds = 25;
+  double autosave_seconds = 20;             ///< 1 .. most_autosave_seconds
   std::map<std::string, std::string> keys;  ///< command id to keys that replace the default; "" for none
   float side_width = 312;                   ///< of the right panel, design pixels
 

@@ -94,6 +94,7 @@ Palette palette_of(ThemeId theme) {
     p.text = rgb(0x1f2328), p.dim_text = rgb(0x565d66);
     p.accent = rgb(0x964f00), p.secondary = rgb(0x0b62a3);
     p.error = rgb(0xb3261e), p.warning = rgb(0x7a5700), p.good = rgb(0x1f6b34);
+    p.accent_hover = rgb(0xa85a05), p.on_accent = rgb(0xffffff), p.hot = rgb(0xa35f00);
     p.handle = rgb(0x6a737d);
     p.shade = rgb(0x30343a, 0x60), p.overlay = rgb(0xf4f5f7, 0xd8);
     return p;
@@ -104,6 +105,7 @@ Palette palette_of(ThemeId theme) {
   p.text = rgb(0xe6e6e6), p.dim_text = rgb(0xa3a9af);
   p.accent = rgb(0xf29e38), p.secondary = rgb(0x5fb0e6);
   p.error = rgb(0xf58583), p.warning = rgb(0xe8bf58), p.good = rgb(0x6fc97f);
+  p.accent_hover = rgb(0xffb254), p.on_accent = rgb(0x1e1f22), p.hot = rgb(0xffd74a);
   p.handle = rgb(0xc9ced6);
   p.shade = rgb(0x101113, 0x90), p.overlay = rgb(0x1e1f22, 0xd0);
   return p;

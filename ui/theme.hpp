@@ -14,6 +14,8 @@ namespace hariko {
 struct Palette {
   ImU32 window, panel, popup, field, field_hover, field_active, separator;
   ImU32 text, dim_text, accent, secondary, error, warning, good;
+  ImU32 accent_hover, on_accent;  ///< a filled button under the pointer; text on it
+  ImU32 hot;      ///< over the picture: the handle under the pointer, places that attract, lines to be cut
   ImU32 handle;   ///< of sliders and scroll bars
   ImU32 shade;    ///< over the window behind a dialog
   ImU32 overlay;  ///< behind text over the picture, translucent

@@ -18,6 +18,8 @@ struct TransformSettings {
   PivotMode pivot = PivotMode::median;
   bool local_axes = false;  ///< the gizmo follows the object's axes instead of the document's
   bool gizmo = true;
+  /// Vertices are edited with the tangents round them fixed; turning and scaling change their tangent plane.
+  bool local_edit = false;
   SoftSelection soft;
 };
 

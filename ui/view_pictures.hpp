@@ -13,7 +13,7 @@
 namespace hariko {
 
 /// Which of the renderer's pictures is whose; the views have the first ones, by their numbers.
-inline constexpr int export_picture = ViewLayout::count, thumbnail_picture = export_picture + 1;
+inline constexpr int thumbnail_picture = ViewLayout::count;
 static_assert(thumbnail_picture < Renderer::most_pictures);
 
 class ViewPictures {

@@ -211,7 +211,7 @@ void Viewport::show(PanelContext& context, const Place& place) {
       place.rect.min, place.rect.max, {0, 1}, {1, 0});
   const bool active = place.view == editor_.layout.active();
   draw_scale_bar(context, camera, place.rect);
-  draw_tension_numbers(context, place.rect, camera);
+  draw_tension_numbers(context, place.rect, camera, scene_.scene());
   const ToolOverlay overlay{list, place.rect.min, context.metrics};
   if (tool_ && active) tool_->draw({editor_, scene_}, overlay);
   if (active) {
@@ -227,7 +227,8 @@ void Viewport::show(PanelContext& context, const Place& place) {
   draw_view_title(context, place.view, place.rect, place.title_hovered);
   if (active && places_.size() > 1)
     list.AddRect(place.rect.min, place.rect.max,
-                 (palette().secondary & 0x00ffffff) | (0xb0U << IM_COL32_A_SHIFT), 0, 0, 1);
+                 (palette().secondary & 0x00ffffff) | (0xb0U << IM_COL32_A_SHIFT), 0, 0,
+                 context.metrics.px(1));
   list.PopClipRect();
 }
 

@@ -6,9 +6,22 @@
 
 #include <algorithm>
 
+#include "core/base/file_io.hpp"
 #include "ui/icons.hpp"
+#include "ui/key_file.hpp"
+#include "ui/panels/picture_options.hpp"
 
 namespace hariko {
+
+namespace {
+
+/// After the last frame. (io.WantTextInput is as old as the frame before that: a key that follows a click at
+/// once would miss the field.)
+bool text_field_active() {
+  return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID;
+}
+
+}  // namespace
 
 Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
                      FileActions actions)
@@ -28,10 +41,11 @@ void Workbench::add_commands() {
   add_preferences_commands(host_);
   add_select_commands(host_);
   add_add_commands(host_);
-  add_mesh_cleanup_commands(host_);
   add_transform_commands(host_);
   add_mesh_commands(host_);
+  add_mesh_cleanup_commands(host_);
   add_shape_commands(host_);
+  add_attach_commands(host_);
   add_recompute_commands(host_);
   add_view_commands(host_);
   add_analyse_commands(host_);
@@ -93,6 +107,7 @@ void Workbench::apply_keys() {
 
 void Workbench::frame() {
   marks_.clear();
+  panel_state_.field_opening = false;
   apply_keys();
   PanelContext context{editor_,
                        commands_,
@@ -182,7 +197,8 @@ void Workbench::key(const KeyPress& press) {
   }
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   // While a field takes text or a dialog is open the keys are theirs.
-  if (ImGui::GetIO().WantTextInput || dialog_.is_open() || offers_dialog_.is_open() || prompt_.is_open())
+  if (text_field_active() || field_opening() || dialog_.is_open() || offers_dialog_.is_open() ||
+      prompt_.is_open())
     return;
   // A running tool takes its own keys first: axes, numbers, Enter.
   if (viewport_.tool_key(press)) return;
@@ -209,7 +225,7 @@ void Workbench::escape() {
     ImGui::ClearActiveID();  // the slider lets go
     return;
   }
-  if (ImGui::GetIO().WantTextInput) return;  // the field restores its text
+  if (text_field_active()) return;  // the field restores its text
   if (preferences_.is_open()) return preferences_.close();
   if (!editor_.notices().empty())
     editor_.notices().clear();
@@ -273,6 +289,11 @@ void Workbench::offer_recovery() {
   if (editor_.has_document && !offers_.recoveries.empty()) show_recoveries();
 }
 
+void Workbench::show_samples() {
+  actions_.picture_samples();
+  offers_dialog_.open(OffersDialog::Kind::samples);
+}
+
 void Workbench::show_export_dialog() {
   std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
   proposal += ".obj";
@@ -291,11 +312,41 @@ void Workbench::show_export_dialog() {
                 }});
 }
 
+void Workbench::show_picture_dialog(bool turntable) {
+  std::filesystem::path proposal = name_proposal();
+  proposal.replace_extension(".png");
+  FileDialog::Request request;
+  request.title =
+      turntable ? translatable("Export a turntable as pictures") : translatable("Export a picture");
+  request.action = translatable("Export");
+  request.saving = true;
+  request.extensions = {".png"};
+  request.proposal = proposal;
+  request.accept = [this, turntable](const std::filesystem::path& path) {
+    auto order = turntable ? order_turntable(editor_, viewport_.scene(), picture_settings_, path)
+                           : order_picture(editor_, viewport_.scene(), picture_settings_, path);
+    if (!order) return editor_.notify(order.error());
+    actions_.export_pictures(std::move(order).value());
+  };
+  request.options = [this, turntable] {
+    draw_picture_options(editor_, marks_, metrics_, picture_settings_, turntable);
+  };
+  request.option_rows = [turntable] { return picture_option_rows(turntable); };
+  if (turntable)
+    request.replaces = [this](const std::filesystem::path& path) -> std::optional<std::filesystem::path> {
+      std::error_code unknown;
+      for (const auto& file : series_files(path, picture_settings_.turntable_pictures))
+        if (std::filesystem::exists(file, unknown)) return file;
+      return {};
+    };
+  dialog_.open(std::move(request));
+}
+
 void Workbench::show_open_dialog() {
   dialog_.open({translatable("Open"),
                 translatable("Open"),
                 false,
-                {".hariko", ".obj", ".off", ".ply", ".stl"},
+                {".hariko", ".obj", ".off", ".ply", ".stl", ".bpt"},
                 folder_proposal(),
                 [this](const auto& path) { open_guarded(path); }});
 }
@@ -304,9 +355,79 @@ void Workbench::show_import_dialog() {
   dialog_.open({translatable("Import a mesh"),
                 translatable("Import"),
                 false,
-                {".obj", ".off", ".ply", ".stl"},
+                {".obj", ".off", ".ply", ".stl", ".bpt"},
                 folder_proposal(),
                 [this](const auto& path) { actions_.import_file(path); }});
+}
+
+void Workbench::show_key_export() {
+  dialog_.open({translatable("Export keys"),
+                translatable("Export"),
+                true,
+                {".json"},
+                folder_proposal() / "hariko-keys.json",
+                [this](const auto& path) {
+                  const auto done = write_file_atomic(path, write_key_file(editor_.settings.keys));
+                  if (!done.ok()) return editor_.notify(done.error());
+                  editor_.notify(Notice::Kind::info,
+                                 fill(editor_.language("Exported {0}."), {path.filename().string()}));
+                }});
+}
+
+void Workbench::show_key_import() {
+  dialog_.open({translatable("Import keys"),
+                translatable("Import"),
+                false,
+                {".json"},
+                folder_proposal(),
+                [this](const auto& path) {
+                  constexpr std::size_t largest = 1 << 20;  // bytes; a file of keys has some kilobytes
+                  const auto text = read_file(path, largest);
+                  if (!text) return editor_.notify(text.error());
+                  const auto keys = read_key_file(*text);
+                  if (!keys) return editor_.notify(keys.error());
+                  editor_.settings.keys = *keys;
+                  editor_.notify(Notice::Kind::info, fill(editor_.language("The keys of {0} are in use."),
+                                                          {path.filename().string()}));
+                  apply_keys();  // says what of them cannot be
+                }});
+}
+
+void Workbench::quit() {
+  guarded([this] {
+    const Job* job = editor_.cancellable_job();
+    if (!job) return actions_.quit();
+    const Language& tr = editor_.language;
+    ask({tr("Work in progress"),
+         fill(tr("{0} is not finished. Leaving now cancels it."), {tr.phrase(job->text)}),
+         {{tr("Wait"), "wait", {}}, {tr("Leave"), "leave", actions_.quit}}});
+  });
+}
+
+void Workbench::show_record_dialog() {
+  std::filesystem::path proposal = name_proposal();
+  proposal.replace_extension(".jsonl");
+  dialog_.open({translatable("Record a replay"),
+                translatable("Record"),
+                true,
+                {".jsonl"},
+                proposal,
+                [this](const auto& path) { actions_.record(path); }});
+}
+
+void Workbench::forget_interface() {
+  viewport_.cancel_tool();
+  panel_state_ = {};
+  preferences_ = {};
+  palette_ = {};
+  cheat_sheet_ = {};
+  export_density_ = 16;
+  picture_settings_ = {};
+  ImGui::ClearActiveID();
+  for (ImGuiWindow* window : GImGui->Windows) {
+    window->StateStorage.Clear();
+    window->Scroll = {0, 0};
+  }
 }
 
 void Workbench::close_document() {

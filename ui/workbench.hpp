@@ -14,6 +14,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/panels/preferences.hpp"
 #include "ui/panels/prompt.hpp"
+#include "ui/picture_order.hpp"
 #include "ui/viewport.hpp"
 
 namespace hariko {
@@ -27,9 +28,14 @@ struct FileActions {
   std::function<void(const std::filesystem::path&)> save_copy;
   std::function<void()> revert;  ///< to what the file holds
   std::function<void(const std::filesystem::path&, int density)> export_file;
+  std::function<void(PictureOrder)> export_pictures;
   /// Opens work that an earlier session left behind, or throws it away.
   std::function<void(const std::string&id)> recover, discard_recovery;
-  std::function<void()> quit;  ///< at once
+  /// Records what the user does from now on as a replay, until it is told to stop.
+  std::function<void(const std::filesystem::path&)> record;
+  std::function<void()> stop_recording;
+  std::function<void()> picture_samples;  ///< gives the samples their pictures where they have none
+  std::function<void()> quit;             ///< at once
 };
 
 /// The command that was run or refused last, and how many there were.
@@ -49,6 +55,8 @@ class Workbench {
   void frame();
   /// A key that was pressed. Fields that take text keep theirs.
   void key(const KeyPress& press);
+  /// A field was asked for and gets the keyboard in a frame or two: keys are to wait for it.
+  bool field_opening() const { return panel_state_.field_opening || editor_.rename_wanted; }
 
   const CommandTable& commands() const { return commands_; }
   const CommandLog& command_log() const { return command_log_; }
@@ -59,6 +67,8 @@ class Workbench {
 
   /// Asks something that cannot be undone.
   void ask(Prompt::Request request) { prompt_.ask(std::move(request)); }
+  /// What is being asked; null when nothing is.
+  const Prompt::Request* question() const { return prompt_.question(); }
   /// Does something that replaces the document or ends the program, after asking about unsaved work.
   void guarded(std::function<void()> action);
   /// Opens a file, whatever kind it is, after asking about unsaved work.
@@ -71,6 +81,7 @@ class Workbench {
   /// Shows what can be recovered, where the start page does not.
   void offer_recovery();
   void show_recent() { offers_dialog_.open(OffersDialog::Kind::recent); }
+  void show_samples();
   void show_recoveries() { offers_dialog_.open(OffersDialog::Kind::recovery); }
   void show_palette() { palette_.open(); }
   void show_cheat_sheet() { cheat_sheet_.open(); }
@@ -79,8 +90,17 @@ class Workbench {
   void show_open_dialog();
   void show_import_dialog();
   void show_export_dialog();
+  void show_key_export();
+  void show_key_import();
+  /// Of the active view: one picture, or a series that turns round the model.
+  void show_picture_dialog(bool turntable);
+  void show_record_dialog();
+  void stop_recording() { actions_.stop_recording(); }
+  /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.
+  void forget_interface();
   void close_document();
-  void quit() { guarded(actions_.quit); }
+  /// Asks about unsaved work and about work on files that would be lost.
+  void quit();
 
  private:
   void add_commands();
@@ -115,6 +135,7 @@ class Workbench {
   OffersDialog offers_dialog_;
   Prompt prompt_;
   int export_density_ = 16;
+  PictureSettings picture_settings_;
 };
 
 }  // namespace hariko

@@ -15,15 +15,23 @@ namespace hariko {
 
 inline constexpr int exit_fine = 0, exit_failed = 1, exit_usage = 2;
 
+/// How the surfaces of all polyhedra are made, instead of what the document says.
+struct Construction {
+  std::optional<Mode> mode;
+  bool round = false;  ///< turns it on; never off
+};
+
 struct InfoArguments {
   std::filesystem::path file;
   bool json = false;
+  Construction construction;
 };
 int run_info(const InfoArguments& arguments);
 
 struct ExportArguments {
   std::filesystem::path file, out;
   int density = 8;  ///< 1 .. 256
+  Construction construction;
 };
 int run_export(const ExportArguments& arguments);
 
@@ -39,6 +47,7 @@ struct RenderArguments {
   std::optional<Colour> colour;      ///< likewise
   Background background = Background::dark;
   std::optional<SectionPlane> section;
+  Construction construction;
   int stripes = 9;
   bool colour_blind_safe = false;
 };
@@ -46,7 +55,7 @@ int run_render(const RenderArguments& arguments);
 
 struct EvaluateArguments {
   std::filesystem::path file;
-  std::optional<Mode> mode;  ///< instead of the document's
+  Construction construction;
   std::optional<std::filesystem::path> tension;
 };
 int run_evaluate(const EvaluateArguments& arguments);

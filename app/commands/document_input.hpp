@@ -3,11 +3,16 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/commands/commands.hpp"
 #include "app/files/open_file.hpp"
 
 namespace hariko {
 
 /// Opens the file of a subcommand; reports all messages on the error stream and gives nothing on an error.
-std::optional<Document> read_document_or_report(const std::filesystem::path& file);
+std::optional<Document> read_document_or_report(const std::filesystem::path& file,
+                                                const Construction& construction = {});
+
+/// Every polyhedron gets the construction, locked ones too: nothing is saved.
+Document with_construction(Document document, const Construction& construction);
 
 }  // namespace hariko

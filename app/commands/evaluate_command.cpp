@@ -20,7 +20,7 @@ int fail(const std::filesystem::path& file, const Message& message) {
 }  // namespace
 
 int run_evaluate(const EvaluateArguments& arguments) {
-  const auto document = read_document_or_report(arguments.file);
+  const auto document = read_document_or_report(arguments.file, arguments.construction);
   if (!document) return exit_failed;
   const PolyhedronSource* found = nullptr;
   int count = 0;
@@ -36,7 +36,6 @@ int run_evaluate(const EvaluateArguments& arguments) {
                                            "Save the polyhedron to evaluate in a file of its own."));
 
   PolyhedronSource source = *found;
-  if (arguments.mode) source.mode = *arguments.mode;
   if (arguments.tension) {
     const auto text = read_file(*arguments.tension, tension_file_limit);
     if (!text.ok()) return fail(*arguments.tension, text.error());

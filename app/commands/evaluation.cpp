@@ -7,7 +7,7 @@
 #include "app/commands/ring_residual.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/modeling/mirrored.hpp"
+#include "core/modeling/surface_input.hpp"
 #include "core/patching/fair_elements.hpp"
 #include "core/patching/quartic_patch.hpp"
 
@@ -25,7 +25,7 @@ Json to_json(const Vector3& v) {
 }
 
 const char* mode_name(Mode mode) {
-  return mode == Mode::paper ? "paper" : mode == Mode::target ? "target" : "fair";
+  return mode == Mode::paper ? "paper" : mode == Mode::target ? "target" : mode == Mode::g2 ? "g2" : "fair";
 }
 
 Json tangents_json(const Polyhedron& polyhedron, const Network& network) {
@@ -48,40 +48,49 @@ Vector3 tangent_from(const Vector3& end, const Vector3& beside) {
   return 4.0 / 3 * (beside - end);
 }
 
-Json faces_json(const Polyhedron& polyhedron, const QuarticPatchSet& patches, const Vector3& origin) {
+/// Control points are those of extended quartics: mode G2 has none, and says the points at the centres only.
+Json faces_json(const Polyhedron& polyhedron, const Surface& surface, const QuarticPatchSet* quartics) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   Json out = Json::array();
   for (Index f = 0; f < mesh.face_count(); ++f) {
     Json vertices = Json::array(), at_centre = Json::array(), at_vertex = Json::array();
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
-      const auto& d = patches.patch(h).control;
       vertices.push_back(polyhedron.vertex_id(mesh.origin(h)).value);
+      if (!quartics) continue;
+      const auto& d = quartics->patch(h).control;
       at_centre.push_back(to_json(tangent_from(d[quartic::d400], d[quartic::d310])));
       at_vertex.push_back(to_json(tangent_from(d[quartic::d040], d[quartic::d130])));
     }
-    const Vector3 centre = origin + patches.patch(mesh.face_begin(f)).control[quartic::d400];
-    out.push_back(
-        {{"vertices", vertices}, {"O", to_json(centre)}, {"Y", at_centre}, {"split_tangents", at_vertex}});
+    const Vector3 centre =
+        surface.origin() +
+        surface.patches().evaluate(mesh.face_begin(f), Vector2(0, 0), Order::first).position;
+    Json face = {{"vertices", vertices}, {"O", to_json(centre)}};
+    if (quartics) {
+      face["Y"] = at_centre;
+      face["split_tangents"] = at_vertex;
+    }
+    out.push_back(face);
   }
   return out;
 }
 
-Json patches_json(const HalfEdgeMesh& mesh, const Surface& surface, const QuarticPatchSet& patches) {
+Json patches_json(const HalfEdgeMesh& mesh, const Surface& surface, const QuarticPatchSet* quartics) {
   Json out = Json::array();
   const Vector3& origin = surface.origin();
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     Json control = Json::array(), points = Json::array(), normals = Json::array();
-    for (const Vector3& d : patches.patch(h).control) control.push_back(to_json(origin + d));
+    if (quartics)
+      for (const Vector3& d : quartics->patch(h).control) control.push_back(to_json(origin + d));
     for (const auto& uvw : samples) {
       const Vector2 parameter(uvw[1], uvw[2]);
-      points.push_back(to_json(origin + patches.evaluate(h, parameter, Order::first).position));
+      points.push_back(to_json(origin + surface.patches().evaluate(h, parameter, Order::first).position));
       normals.push_back(to_json(surface.normal(h, parameter)));
     }
-    out.push_back({{"face", mesh.face(h)},
-                   {"side", h - mesh.face_begin(mesh.face(h))},
-                   {"D", control},
-                   {"points", points},
-                   {"normals", normals}});
+    Json patch = {{"face", mesh.face(h)}, {"side", h - mesh.face_begin(mesh.face(h))}};
+    if (quartics) patch["D"] = control;
+    patch["points"] = points;
+    patch["normals"] = normals;
+    out.push_back(patch);
   }
   return out;
 }
@@ -102,7 +111,7 @@ double plate_energy(const HalfEdgeMesh& mesh, const QuarticPatchSet& patches) {
   return sum;
 }
 
-Json metrics_json(const HalfEdgeMesh& mesh, const Surface& surface, const QuarticPatchSet& patches) {
+Json metrics_json(const HalfEdgeMesh& mesh, const Surface& surface, const QuarticPatchSet* quartics) {
   const Measures measures = measure(surface);
   const ContinuityReport report = continuity(surface);
   struct Sum {
@@ -121,15 +130,15 @@ Json metrics_json(const HalfEdgeMesh& mesh, const Surface& surface, const Quarti
   }
   const double count = poly.count + split.count;
   const double norm = curvature > 0 ? std::sqrt(curvature / count) : 1;
-  return {{"area", measures.area},
-          {"bend", measures.bending},
-          {"tp", plate_energy(mesh, patches)},
-          {"g1", report.largest_normal_jump.value_or(0.0)},
-          {"gap", report.largest_gap},
-          {"jump_rms_rel", report.rms_curvature_jump.value_or(0.0)},
-          {"jump_max_rel", largest / norm},
-          {"jump_poly", poly.root() / norm},
-          {"jump_split", split.root() / norm}};
+  Json out = {{"area", measures.area}, {"bend", measures.bending}};
+  if (quartics) out["tp"] = plate_energy(mesh, *quartics);
+  out["g1"] = report.largest_normal_jump.value_or(0.0);
+  out["gap"] = report.largest_gap;
+  out["jump_rms_rel"] = report.rms_curvature_jump.value_or(0.0);
+  out["jump_max_rel"] = largest / norm;
+  out["jump_poly"] = poly.root() / norm;
+  out["jump_split"] = split.root() / norm;
+  return out;
 }
 
 }  // namespace
@@ -143,7 +152,7 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
   const Surface& surface = built->surface;
   const HalfEdgeMesh& mesh = source.polyhedron.topology();
   const auto* patches = dynamic_cast<const QuarticPatchSet*>(&surface.patches());
-  HARIKO_ASSERT(patches && built->network,
+  HARIKO_ASSERT((patches || source.mode == Mode::g2) && built->network,
                 "a polyhedron's surface is made of quartic patches over a network");
 
   long used = 0;
@@ -160,11 +169,13 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
               {"energy", built->network->energy},
               {"control_names", names},
               {"tangents", tangents_json(source.polyhedron, *built->network)},
-              {"faces", faces_json(source.polyhedron, *patches, surface.origin())},
-              {"patches", patches_json(mesh, surface, *patches)},
+              {"faces", faces_json(source.polyhedron, surface, patches)},
+              {"patches", patches_json(mesh, surface, patches)},
               {"sample_uvw", uvw},
-              {"metrics", metrics_json(mesh, surface, *patches)}};
-  if (source.mode != Mode::fair) out["dif_max"] = largest_ring_residual(source, *patches);
+              {"metrics", metrics_json(mesh, surface, patches)}};
+  if (source.mode == Mode::g2) out["round"] = built->report.round;
+  if (source.mode == Mode::paper || source.mode == Mode::target)
+    out["dif_max"] = largest_ring_residual(source, *patches);
   return out.dump(1) + "\n";
 }
 

@@ -6,7 +6,7 @@
 namespace hariko {
 
 int run_export(const ExportArguments& arguments) {
-  const auto document = read_document_or_report(arguments.file);
+  const auto document = read_document_or_report(arguments.file, arguments.construction);
   if (!document) return exit_failed;
   const auto done = export_surfaces(*document, arguments.out, arguments.density);
   if (done.ok()) return exit_fine;

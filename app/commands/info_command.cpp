@@ -2,17 +2,19 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
+#include "app/commands/document_input.hpp"
 #include "app/commands/object_info.hpp"
 
 namespace hariko {
 
 int run_info(const InfoArguments& arguments) {
   Stopwatch watch;
-  const OpenedFile input = open_file(arguments.file);
+  OpenedFile input = open_file(arguments.file);
+  if (input.document) input.document = with_construction(*std::move(input.document), arguments.construction);
   const double reading = watch.lap();
   std::vector<ObjectInfo> objects;
   if (input.document)
-    for (const auto& object : input.document->objects) objects.push_back(inspect(*object));
+    for (const auto& object : input.document->objects) objects.push_back(inspect(*input.document, *object));
   else if (input.broken_mesh)
     objects.push_back(inspect_broken(input));
 

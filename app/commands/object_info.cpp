@@ -6,7 +6,7 @@
 #include "app/commands/console.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
-#include "core/modeling/mirrored.hpp"
+#include "core/modeling/attached.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
 
@@ -49,17 +49,18 @@ Element named(const Polyhedron& polyhedron, const Element& element) {
   }
 }
 
-void inspect_surface(const PolyhedronSource& source, double scale, ObjectInfo& info) {
+void inspect_surface(const Document& document, const Object& object, ObjectInfo& info) {
+  const double scale = object.transform.scale;
   Stopwatch watch;
   const auto lap = [&](const char* step) { info.milliseconds.emplace_back(step, watch.lap()); };
-  for (Message message : validate(source.polyhedron.to_mesh())) {
-    message.element = named(source.polyhedron, message.element);
-    info.messages.push_back(std::move(message));
-  }
+  if (const PolyhedronSource* source = object.polyhedron())
+    for (Message message : validate(source->polyhedron.to_mesh())) {
+      message.element = named(source->polyhedron, message.element);
+      info.messages.push_back(std::move(message));
+    }
   lap("validate");
 
-  const auto input = surface_input(source);
-  const auto built = input ? PolyhedronSurfacer().rebuild(*input) : Result<PolyhedronSurface>(input.error());
+  const auto built = object_surface(document, object);
   lap("rebuild");
   if (!built.ok()) {
     info.messages.push_back(built.error());
@@ -125,14 +126,14 @@ bool ObjectInfo::failed() const {
                      [](const Message& message) { return message.severity == Severity::error; });
 }
 
-ObjectInfo inspect(const Object& object) {
+ObjectInfo inspect(const Document& document, const Object& object) {
   ObjectInfo info;
   info.name = object.name;
   info.kind = kind_of(object.source);
   const double scale = object.transform.scale;
-  if (const PolyhedronSource* source = object.polyhedron()) {
-    count_topology(source->polyhedron.topology(), info);
-    inspect_surface(*source, scale, info);
+  if (const Polyhedron* cage = object.cage()) {
+    count_topology(cage->topology(), info);
+    inspect_surface(document, object, info);
   } else if (const MeshSource* mesh = object.mesh()) {
     inspect_facets(*mesh->mesh, scale, info);
   }

@@ -27,7 +27,7 @@ struct ObjectInfo {
   bool failed() const;
 };
 
-ObjectInfo inspect(const Object& object);
+ObjectInfo inspect(const Document& document, const Object& object);
 /// Of a mesh file that makes no polyhedron.
 ObjectInfo inspect_broken(const OpenedFile& input);
 

@@ -5,7 +5,7 @@
 #include "app/commands/document_input.hpp"
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
-#include "core/modeling/mirrored.hpp"
+#include "core/modeling/attached.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
 
@@ -13,14 +13,10 @@ namespace hariko {
 
 namespace {
 
-constexpr Code e_nothing_to_show{"E_NOTHING_TO_SHOW"};
-
 /// The object as a part of the scene; its surface is drawn at the density that looks smooth.
-Result<SceneObject> scene_object(const Object& object, const RenderArguments& arguments) {
-  const PolyhedronSource& source = *object.polyhedron();
-  const auto input = surface_input(source);
-  if (!input) return input.error();
-  const auto built = PolyhedronSurfacer().rebuild(*input);
+Result<SceneObject> scene_object(const Document& document, const Object& object,
+                                 const RenderArguments& arguments) {
+  const auto built = object_surface(document, object);
   if (!built.ok()) return built.error();
   SceneObject out;
   // Lines of the display mesh are there to be told apart.
@@ -28,7 +24,7 @@ Result<SceneObject> scene_object(const Object& object, const RenderArguments& ar
                           ? object.display.density
                           : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
   out.mesh = DisplayMesh::build(built->surface, map_options(arguments.map, density));
-  out.polyhedron = DisplayPolyhedron::build(source.polyhedron, *source.shaping, source.origin);
+  out.polyhedron = cage_of(object);
   out.transform = matrix_of(object.transform);
   out.map = arguments.map;
   const DisplaySettings display =
@@ -66,7 +62,7 @@ void set_ranges(Scene& scene, SurfaceMap map, const MapRange& wanted, Legend& le
 
 int run_render(const RenderArguments& arguments) {
   const std::string file = arguments.file.string();
-  const auto document = read_document_or_report(arguments.file);
+  const auto document = read_document_or_report(arguments.file, arguments.construction);
   if (!document) return exit_failed;
 
   Scene scene;
@@ -76,8 +72,8 @@ int run_render(const RenderArguments& arguments) {
   scene.zebra.stripes = arguments.stripes;
   scene.colour_blind_safe = arguments.colour_blind_safe;
   for (const auto& object : document->objects) {
-    if (!object->visible || !object->polyhedron()) continue;
-    auto part = scene_object(*object, arguments);
+    if (!object->visible || !object->cage()) continue;
+    auto part = scene_object(*document, *object, arguments);
     if (!part.ok()) {
       report(file + ": " + object->name, part.error());
       return exit_failed;

@@ -93,7 +93,10 @@ bool is_png(const std::string& path) {
 }
 
 Mode mode_of(const std::string& word) {
-  return word == "paper" ? Mode::paper : word == "target" ? Mode::target : Mode::fair;
+  return word == "paper"    ? Mode::paper
+         : word == "target" ? Mode::target
+         : word == "g2"     ? Mode::g2
+                            : Mode::fair;
 }
 
 /// The arguments as strings, and the subcommand that they are for.
@@ -129,6 +132,7 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       return app_.exit(error) == 0 ? exit_fine : exit_usage;
     }
+    info_arguments_.construction = export_arguments_.construction = construction();
     if (*info_) return run_info(info_arguments_);
     if (*export_) return run_export(export_arguments_);
     if (*render_) return run_render(render_arguments());
@@ -140,6 +144,7 @@ class CommandLine {
     info_ = app_.add_subcommand("info", "Describes every object: counts, measures, continuity, messages");
     info_->add_option("FILE", info_arguments_.file, "Document or mesh")->required();
     info_->add_flag("--json", info_arguments_.json, "Print JSON");
+    add_construction(info_);
   }
   void add_export() {
     export_ = app_.add_subcommand("export", "Writes the surfaces of the visible objects as triangles");
@@ -148,6 +153,7 @@ class CommandLine {
     export_->add_option("--density", export_arguments_.density, "Intervals a patch side, 1 to 256")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    add_construction(export_);
   }
   void add_render() {
     render_ =
@@ -169,6 +175,7 @@ class CommandLine {
         ->delimiter(',')
         ->check(CLI::IsMember({"polyhedron", "network", "tensions", "marks", "combs"}));
     add_render_looks();
+    add_construction(render_);
   }
   void add_render_looks() {
     render_->add_option("--range", range_, "Of the map: symmetric, percentile, full, or LOW,HIGH")
@@ -195,9 +202,20 @@ class CommandLine {
     evaluate_ =
         app_.add_subcommand("evaluate", "Prints the network, all control points and sampled points as JSON");
     evaluate_->add_option("FILE", input_, "Document with one polyhedron, or mesh")->required();
-    evaluate_->add_option("--mode", mode_, "Construction, instead of the document's")
-        ->check(CLI::IsMember({"paper", "target", "fair"}));
+    add_construction(evaluate_);
     evaluate_->add_option("--tension", tension_, "JSON file with tensions, creases and corners");
+  }
+
+  void add_construction(CLI::App* command) {
+    command->add_option("--mode", mode_, "Construction of the surfaces, instead of the document's")
+        ->check(CLI::IsMember({"paper", "target", "fair", "g2"}));
+    command->add_flag("--round", round_, "Mode g2 measures bending over the surface of mode fair");
+  }
+  Construction construction() const {
+    Construction out;
+    if (!mode_.empty()) out.mode = mode_of(mode_);
+    out.round = round_;
+    return out;
   }
 
   void check_combinations() const {
@@ -230,6 +248,7 @@ class CommandLine {
     RenderArguments out = render_arguments_;
     out.file = input_;
     out.out = output_;
+    out.construction = construction();
     const PixelSize size = *parse_size(size_);
     out.width = size.width;
     out.height = size.height;
@@ -257,7 +276,7 @@ class CommandLine {
   EvaluateArguments evaluate_arguments() const {
     EvaluateArguments out;
     out.file = input_;
-    if (!mode_.empty()) out.mode = mode_of(mode_);
+    out.construction = construction();
     if (!tension_.empty()) out.tension = tension_;
     return out;
   }
@@ -270,6 +289,7 @@ class CommandLine {
   RenderArguments render_arguments_;
   std::string range_ = "symmetric", material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
+  bool round_ = false;
 };
 
 }  // namespace

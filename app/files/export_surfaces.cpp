@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/exchange/mesh_file.hpp"
-#include "core/modeling/mirrored.hpp"
+#include "core/modeling/attached.hpp"
 
 namespace hariko {
 
@@ -23,21 +23,28 @@ void place(TriangleMesh& mesh, const Similarity& transform) {
 }  // namespace
 
 Result<Done> export_surfaces(const Document& document, const std::filesystem::path& path, int density,
-                             const CancelToken& cancel) {
+                             const CancelToken& cancel, const Progress& progress) {
   std::deque<TriangleMesh> meshes;
   std::vector<NamedTriangles> named;
   std::size_t triangles = 0;
+  // Writing takes about a fourth of the time, solving more than cutting into triangles.
+  constexpr double writing = 0.75;
+  const auto count = static_cast<double>(document.objects.size());
+  const auto cancelled = [] { return make_error(e_cancelled, "The export was cancelled."); };
+  double number = 0;
   for (const auto& object : document.objects) {
-    const PolyhedronSource* source = object->polyhedron();
-    if (!object->visible || !source) continue;
+    const Progress part = progress.part(writing * number / count, writing * (number + 1) / count);
+    ++number;
+    part.report(0);
+    if (!object->visible || !object->cage()) continue;
     const auto named_error = [&](Message error) {
       error.text = object->name + ": " + error.text;
       return error;
     };
-    const auto input = surface_input(*source);
-    if (!input) return named_error(input.error());
-    const auto built = PolyhedronSurfacer().rebuild(*input, Quality::final, cancel);
+    const auto built = object_surface(document, *object, cancel);
+    if (cancel.cancelled()) return cancelled();
     if (!built.ok()) return named_error(built.error());
+    part.report(0.6);
     const auto n = static_cast<std::size_t>(density);
     triangles += built->surface.patch_count() * n * n;
     if (triangles > max_triangles)
@@ -48,11 +55,12 @@ Result<Done> export_surfaces(const Document& document, const std::filesystem::pa
     place(meshes.back(), object->transform);
     named.push_back({object->name, &meshes.back()});
   }
-  if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
+  if (cancel.cancelled()) return cancelled();
   if (named.empty())
     return make_error(e_no_surface, "There is no visible surface to export.",
                       "Show an object or import one.");
-  return write_mesh_file(path, named);
+  progress.report(writing);
+  return write_mesh_file(path, named, cancel);
 }
 
 }  // namespace hariko

@@ -3,16 +3,22 @@
 #include <algorithm>
 
 #include "core/base/printable.hpp"
+#include "core/document/edit_objects.hpp"
 #include "core/document/file.hpp"
 #include "core/exchange/mesh_file.hpp"
+#include "core/exchange/read_bpt.hpp"
 #include "core/polyhedron/validation.hpp"
 
 namespace hariko {
 
 namespace {
 
-void open_mesh(const std::filesystem::path& file, OpenedFile& opened) {
-  auto imported = read_mesh_file(file);
+void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress,
+               OpenedFile& opened) {
+  ReadLimits limits;
+  limits.cancel = cancel;
+  limits.progress = progress.part(0, 0.8);
+  auto imported = read_mesh_file(file, limits);
   if (!imported.ok()) {
     opened.messages.push_back(imported.error());
     return;
@@ -32,7 +38,45 @@ void open_mesh(const std::filesystem::path& file, OpenedFile& opened) {
   const auto same = [&](const Message& message) { return message.code == document.error().code; };
   if (std::none_of(opened.messages.begin(), opened.messages.end(), same))
     opened.messages.push_back(document.error());
+  if (const auto repaired = make_manifold(mesh); repaired.ok()) {
+    if (auto made = document_from_mesh(repaired->mesh, opened.name); made.ok()) {
+      opened.repaired = std::move(made).value();
+      opened.repair = repaired->report;
+    }
+  }
+  if (auto facets = MeshSource::from_mesh(mesh); facets.ok())
+    if (auto made = add_object({}, opened.name, std::move(facets).value()); made.ok())
+      opened.reference = std::move(made).value().document;
   opened.broken_mesh = std::move(mesh);
+}
+
+/// What was read of a file that the user does not want any more.
+OpenedFile cancelled() {
+  OpenedFile opened;
+  opened.messages.push_back(make_error(e_cancelled, "The import was cancelled."));
+  return opened;
+}
+
+/// One object for each patch.
+void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
+  const auto take = [&](const auto& result) {
+    if (!result.ok()) opened.messages.push_back(result.error());
+    return result.ok();
+  };
+  const auto text = read_file(file);
+  if (!take(text)) return;
+  const auto nets = read_bpt(*text);
+  if (!take(nets)) return;
+  Document document;
+  for (std::size_t k = 0; k < nets->size(); ++k) {
+    const auto source = PatchSource::from_net((*nets)[k]);
+    if (!take(source)) return;
+    const std::string number = nets->size() == 1 ? "" : " " + std::to_string(k + 1);
+    const auto added = add_object(document, opened.name + number, *source);
+    if (!take(added)) return;
+    document = added->document;
+  }
+  opened.document = std::move(document);
 }
 
 }  // namespace
@@ -43,16 +87,21 @@ const Message* OpenedFile::error() const {
   return found == messages.end() ? nullptr : &*found;
 }
 
-OpenedFile open_file(const std::filesystem::path& file) {
+OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress) {
   OpenedFile opened;
   opened.name = printable(file.stem().string(), Object::max_name_length);
   if (!check_name(opened.name).ok()) opened.name = "mesh";
   if (format_of_extension(file)) {
-    open_mesh(file, opened);
+    open_mesh(file, cancel, progress, opened);
+    return cancel.cancelled() ? cancelled() : std::move(opened);
+  }
+  if (file.extension() == ".bpt") {
+    open_patches(file, opened);
     return opened;
   }
   opened.native = true;
   auto document = load_document(file);
+  if (cancel.cancelled()) return cancelled();
   if (document.ok())
     opened.document = std::move(document).value();
   else

@@ -6,7 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
 #include "core/document/document.hpp"
+#include "core/polyhedron/repair.hpp"
 
 namespace hariko {
 
@@ -15,6 +18,9 @@ struct OpenedFile {
   std::vector<Message> messages;     ///< of reading and, for a mesh that makes no polyhedron, of validation
   /// A mesh that was read but makes no polyhedron, for reports and repairs.
   std::optional<PolygonMesh> broken_mesh;
+  /// What such a mesh becomes by `make_manifold`, and as reference facets; nothing where it cannot be that.
+  std::optional<Document> repaired, reference;
+  RepairReport repair;  ///< how `repaired` was made
   std::string name;     ///< of the object that a mesh file makes: as the file says, else after the file
   bool native = false;  ///< a *.hariko document, so that saving may go back to the same file
 
@@ -22,8 +28,10 @@ struct OpenedFile {
   const Message* error() const;
 };
 
-/// The ending of the name decides: .obj .off .ply .stl are meshes, all else is a document. Messages are those
-/// of `load_document`, `read_mesh_file`, `document_from_mesh` and `validate`.
-OpenedFile open_file(const std::filesystem::path& file);
+/// The ending of the name decides: .obj .off .ply .stl are meshes, .bpt bicubic patches, all else is a
+/// document. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and `validate`;
+/// E_CANCELLED alone where it was cancelled.
+OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
+                     const Progress& progress = {});
 
 }  // namespace hariko

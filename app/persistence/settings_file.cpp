@@ -45,7 +45,7 @@ void visit(AnySettings& s, Visitor& visitor) {
   visitor.flag("orbit_selection", s.orbit_selection);
   visitor.number("orbit_speed", s.orbit_speed, 0.05, 20);
   visitor.number("zoom_speed", s.zoom_speed, 0.05, 20);
-  visitor.number("autosave_seconds", s.autosave_seconds, 1, 25);
+  visitor.number("autosave_seconds", s.autosave_seconds, 1, Settings::most_autosave_seconds);
   visitor.texts("keys", s.keys);
   visitor.number("side_width", s.side_width, 100, 2000);
 }
@@ -134,6 +134,22 @@ fs::path aside(const fs::path& file) {
 }
 
 }  // namespace
+
+std::string settings_text(const Settings& settings) {
+  Json json = Json::object();
+  Writer writer(json);
+  visit(settings, writer);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Settings settings_of(std::string_view text) {
+  Settings settings;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return settings;
+  Reader reader(json);
+  visit(settings, reader);
+  return settings;
+}
 
 SettingsFile::Loaded SettingsFile::load() {
   Loaded loaded;

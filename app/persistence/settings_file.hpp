@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.hpp"
@@ -13,6 +14,10 @@ namespace hariko {
 
 inline constexpr Code w_settings_broken{"W_SETTINGS_BROKEN"};
 inline constexpr Code w_settings_value{"W_SETTINGS_VALUE"};
+
+/// All settings as JSON, and back; what is missing or wrong has its default.
+std::string settings_text(const Settings& settings);
+Settings settings_of(std::string_view text);
 
 /// Nothing in the file can keep the program from starting: what is missing or wrong has its default.
 class SettingsFile {

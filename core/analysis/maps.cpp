@@ -1,6 +1,7 @@
 #include "core/analysis/maps.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -28,6 +29,28 @@ double pick(const Curvature& at, MapKind kind) {
   return 0;
 }
 
+/// Where second derivatives depend on the direction, the limits along the directions are evaluated this far
+/// (in the patch's parameters) from the corner: curvature differs from its limit by about as much, and
+/// rounding is still far below.
+constexpr double limit_distance = 1e-3;
+
+/// The mean of what the map tends to at a corner along both sides and between them; undefined where it tends
+/// to nothing.
+float mean_limit(const Surface& surface, MapKind kind, Index patch, int corner) {
+  const int sides = corner_count(surface.domain());
+  const Vector2 along_next = side_parameter(surface.domain(), corner, limit_distance);
+  const Vector2 along_last =
+      side_parameter(surface.domain(), (corner + sides - 1) % sides, 1 - limit_distance);
+  double sum = 0;
+  int defined = 0;
+  for (const Vector2& parameter : {along_next, along_last, Vector2((along_next + along_last) / 2)})
+    if (const auto at = curvature(surface.patches().evaluate(patch, parameter, Order::second))) {
+      sum += pick(*at, kind);
+      ++defined;
+    }
+  return defined > 0 ? static_cast<float>(sum / defined) : undefined;
+}
+
 /// Calls body(i, first side's point, second side's point) at density + 1 places.
 template <class Body>
 void along(const Surface& surface, Index seam_index, int density, std::span<float> values, Order order,
@@ -40,7 +63,9 @@ void along(const Surface& surface, Index seam_index, int density, std::span<floa
     return surface.patches().evaluate(side.patch, parameter, order);
   };
   for (int i = 0; i <= density; ++i) {
-    const double x = grid_fraction(i, density);
+    // Along the seam itself curvature has a limit at both ends, whatever other directions have.
+    const double least = order == Order::second ? limit_distance : 0;
+    const double x = std::clamp(grid_fraction(i, density), least, 1 - least);
     values[static_cast<std::size_t>(i)] = body(at(seam.first, seam.first_begin, seam.first_end, x),
                                                at(seam.second, seam.second_begin, seam.second_end, x));
   }
@@ -59,9 +84,13 @@ void map_values(const Surface& surface, MapKind kind, std::span<const Index> pat
       const auto at = curvature(points[i]);
       values[k * count + i] = at ? static_cast<float>(pick(*at, kind)) : undefined;
     }
-    for (int c = 0; c < corner_count(pattern.domain); ++c)
-      if (surface.patches().second_order_at_corner(patches[k], c) != CornerSecondOrder::exact)
-        values[k * count + static_cast<std::size_t>(pattern.side(c)[0])] = undefined;
+    for (int c = 0; c < corner_count(pattern.domain); ++c) {
+      const CornerSecondOrder order = surface.patches().second_order_at_corner(patches[k], c);
+      if (order == CornerSecondOrder::exact) continue;
+      values[k * count + static_cast<std::size_t>(pattern.side(c)[0])] =
+          order == CornerSecondOrder::direction_dependent ? mean_limit(surface, kind, patches[k], c)
+                                                          : undefined;
+    }
   }
 }
 
@@ -87,16 +116,15 @@ void seam_curvature_jumps(const Surface& surface, Index seam, int density, std::
     const double mean = (a->tensor.norm() + b->tensor.norm()) / 2;
     return mean > 0 ? static_cast<float>((a->tensor - b->tensor).norm() / mean) : undefined;
   });
-  // At the ends only exact second derivatives can be compared.
   const Seam& sides = surface.seams()[seam];
-  const auto exact_at = [&](PatchSide side, double fraction) {
-    if (fraction != 0 && fraction != 1) return true;
+  const auto undefined_at = [&](PatchSide side, double fraction) {
+    if (fraction != 0 && fraction != 1) return false;
     const int corner = (side.side + (fraction == 1 ? 1 : 0)) % corner_count(surface.domain());
-    return surface.patches().second_order_at_corner(side.patch, corner) == CornerSecondOrder::exact;
+    return surface.patches().second_order_at_corner(side.patch, corner) == CornerSecondOrder::undefined;
   };
-  if (!exact_at(sides.first, sides.first_begin) || !exact_at(sides.second, sides.second_begin))
+  if (undefined_at(sides.first, sides.first_begin) || undefined_at(sides.second, sides.second_begin))
     values.front() = undefined;
-  if (!exact_at(sides.first, sides.first_end) || !exact_at(sides.second, sides.second_end))
+  if (undefined_at(sides.first, sides.first_end) || undefined_at(sides.second, sides.second_end))
     values.back() = undefined;
 }
 

@@ -12,8 +12,10 @@ namespace hariko {
 enum class MapKind { gauss, mean, k1, k2 };
 
 /// values[k * n + i] for grid point i of patches[k], n = pattern.point_count(). NaN where the curvature is
-/// undefined: at corners where the second derivatives depend on the direction, and where there is no normal.
-/// Signs and units as in `Curvature`. Thread-safe; runs on the calling thread. O(values).
+/// undefined: where there is no normal, and at corners without second derivatives. At corners where these
+/// depend on the direction it is the mean of the limits along three directions: a grey speck there would say
+/// that the surface is broken. Signs and units as in `Curvature`. Thread-safe; runs on the calling thread.
+/// O(values).
 void map_values(const Surface& surface, MapKind kind, std::span<const Index> patches,
                 const GridPattern& pattern, std::span<float> values);
 std::vector<float> map_values(const Surface& surface, MapKind kind, const GridPattern& pattern,
@@ -24,8 +26,8 @@ std::vector<float> map_values(const Surface& surface, MapKind kind, const GridPa
 void seam_angles(const Surface& surface, Index seam, int density, std::span<float> values);
 
 /// The jump of the curvature tensor across a seam, relative to the mean of both sides' norms, at the same
-/// points: 0 is curvature-continuous, 2 is the most. NaN where a side has no curvature, where both are flat,
-/// and at ends where the second derivatives are not exact.
+/// points: 0 is curvature-continuous, 2 is the most. At the ends it is the limit along the seam. NaN where a
+/// side has no curvature, where both are flat, and at ends without second derivatives.
 void seam_curvature_jumps(const Surface& surface, Index seam, int density, std::span<float> values);
 
 }  // namespace hariko

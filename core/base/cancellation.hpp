@@ -5,7 +5,12 @@
 #include <atomic>
 #include <memory>
 
+#include "core/base/message.hpp"
+
 namespace hariko {
+
+/// What work that was cancelled gives instead of its result.
+inline constexpr Code e_cancelled{"E_CANCELLED"};
 
 /// Copies share the flag. A default token is never cancelled. Thread-safe.
 class CancelToken {

@@ -1,6 +1,7 @@
 #include "core/base/file_io.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include <system_error>
 
 #include "core/base/printable.hpp"
+#include "core/base/temporary_files.hpp"
 
 namespace hariko {
 namespace {
@@ -165,7 +167,10 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uint64_t s
 int SystemFileLayer::create(const std::string& path, unsigned mode) {
   const int result =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, static_cast<mode_t>(mode));
-  return result < 0 ? -errno : result;
+  if (result < 0) return -errno;
+  // Says that the writer lives, also to other machines; where there are no locks the file is written without.
+  (void)::flock(result, LOCK_EX | LOCK_NB);
+  return result;
 }
 
 int SystemFileLayer::set_mode(int descriptor, unsigned mode) {
@@ -207,12 +212,10 @@ Result<Done> write_file_atomic(const std::filesystem::path& path, std::string_vi
   const Result<int> mode = existing_mode(path, target);
   if (!mode) return mode.error();
 
-  // The name is short, so that it fits wherever the target's own name fits.
   std::string temporary;
   int descriptor = -EEXIST;
   for (int attempt = 0; descriptor == -EEXIST && attempt < 1000; ++attempt) {
-    const std::string name = ".hariko-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
-    temporary = (target.parent_path() / name).native();
+    temporary = (target.parent_path() / temporary_name(attempt)).native();
     // Until the old file's permissions are set on it, nobody else may read the copy.
     descriptor = layer.create(temporary, *mode < 0 ? 0666U : 0600U);
   }

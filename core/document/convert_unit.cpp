@@ -8,15 +8,34 @@ namespace hariko {
 
 namespace {
 
-Result<Done> scale_polyhedron(PolyhedronSource& source, double factor) {
-  std::vector<Vector3> positions = source.polyhedron.positions();
+Result<Done> scale_positions(Polyhedron& polyhedron, double factor) {
+  std::vector<Vector3> positions = polyhedron.positions();
   std::vector<Index> indices(positions.size());
   std::iota(indices.begin(), indices.end(), Index{0});
   for (Vector3& position : positions) position *= factor;
-  auto scaled = source.polyhedron.with_positions(indices, positions);
+  auto scaled = polyhedron.with_positions(indices, positions);
   if (!scaled.ok()) return scaled.error();
-  source.polyhedron = std::move(scaled).value();
+  polyhedron = std::move(scaled).value();
+  return Done{};
+}
+
+/// Frozen sides lie in the object's space.
+void scale_attachments(PolyhedronSource& source, double factor) {
+  Attachments scaled = *source.attachments;
+  for (const auto& [edge, attachment] : *source.attachments) {
+    if (!attachment.frozen) continue;
+    Attachment changed = attachment;
+    for (auto* rows : {&changed.frozen->curve, &changed.frozen->row})
+      for (Vector3& point : *rows) point *= factor;
+    scaled.set(edge, changed);
+  }
+  if (!(scaled == *source.attachments)) source.attachments = std::move(scaled);
+}
+
+Result<Done> scale_polyhedron(PolyhedronSource& source, double factor) {
+  if (const auto scaled = scale_positions(source.polyhedron, factor); !scaled) return scaled.error();
   source.origin *= factor;
+  scale_attachments(source, factor);
   if (source.mirror) source.mirror->weld_distance *= factor;
   if (source.shaping->pin.empty()) return Done{};
   Shaping shaping = *source.shaping;
@@ -53,6 +72,9 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
       if (const auto scaled = scale_polyhedron(*polyhedron, factor); !scaled.ok()) return scaled.error();
     } else if (auto* mesh = std::get_if<MeshSource>(&object.source)) {
       scale_mesh(*mesh, factor);
+    } else if (auto* patches = std::get_if<PatchSource>(&object.source)) {
+      if (const auto scaled = scale_positions(patches->net, factor); !scaled.ok()) return scaled.error();
+      patches->origin *= factor;
     }
     if (!object.transform.translation.allFinite())
       return make_error(e_nonfinite, "An object would lie infinitely far away.", "Choose another unit.");

@@ -42,6 +42,17 @@ struct Object {
 
   const PolyhedronSource* polyhedron() const { return std::get_if<PolyhedronSource>(&source); }
   const MeshSource* mesh() const { return std::get_if<MeshSource>(&source); }
+  const PatchSource* patches() const { return std::get_if<PatchSource>(&source); }
+  /// What can be selected of the object: its polyhedron, or the control net of its patches. Null otherwise.
+  const Polyhedron* cage() const {
+    if (const PolyhedronSource* own = polyhedron()) return &own->polyhedron;
+    return patches() ? &patches()->net : nullptr;
+  }
+  /// What the cage's positions are relative to.
+  Vector3 cage_origin() const {
+    if (const PolyhedronSource* own = polyhedron()) return own->origin;
+    return patches() ? patches()->origin : Vector3(Vector3::Zero());
+  }
 
   friend bool operator==(const Object&, const Object&) = default;
 };

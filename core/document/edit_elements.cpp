@@ -141,11 +141,27 @@ Result<Polyhedron> seam_kept_in_plane(const PolyhedronSource& before, const Poly
   return moved.with_positions(clipped, positions);
 }
 
+Result<Document> move_control_points(const Document& document, ObjectId object,
+                                     std::span<const VertexId> points, std::span<const Vector3> positions) {
+  return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {
+    auto& source = std::get<PatchSource>(changed.source);
+    if (const auto checked = check_elements(source.net, points); !checked) return checked.error();
+    std::vector<Index> indices;
+    for (const VertexId id : points) indices.push_back(source.net.find(id));
+    Result<Polyhedron> moved = source.net.with_positions(indices, positions);
+    if (!moved) return moved.error();
+    source.net = *std::move(moved);
+    return Done{};
+  });
+}
+
 }  // namespace
 
 Result<Document> move_vertices(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                                std::span<const Vector3> positions) {
   HARIKO_ASSERT(vertices.size() == positions.size(), "one position a vertex");
+  if (const Object* found = document.find(object); found && found->patches())
+    return move_control_points(document, object, vertices, positions);
   return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
     if (const auto checked = check_elements(source.polyhedron, vertices); !checked) return checked.error();
     std::vector<Index> indices;
@@ -220,9 +236,24 @@ Result<Document> set_mirror(const Document& document, ObjectId object, const std
   });
 }
 
+Result<Document> set_preparation(const Document& document, ObjectId object, const Preparation& preparation) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    if (const auto checked = check_preparation(preparation); !checked) return checked.error();
+    source.preparation = preparation;
+    return Done{};
+  });
+}
+
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode) {
   return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
     source.mode = mode;
+    return Done{};
+  });
+}
+
+Result<Document> set_round(const Document& document, ObjectId object, bool round) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    source.round = round;
     return Done{};
   });
 }

@@ -25,6 +25,7 @@ inline constexpr std::size_t max_pin_vectors = 1000;
 /// Puts vertices at positions[i], relative to the source's origin like all positions of the polyhedron (not a
 /// displacement). Both spans have the same size; of repeated ids the last wins. Errors: E_NONFINITE. Copies
 /// 128 positions for each run of moved vertices. Vertices of the seam of a live mirror stay in its plane.
+/// Of a patch object, moves control points.
 Result<Document> move_vertices(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                                std::span<const Vector3> positions);
 
@@ -56,6 +57,10 @@ Result<Document> set_pin(const Document& document, ObjectId object, VertexId ver
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
 
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
+/// Errors: E_AUTOMATIC_TENSION_RANGE.
+Result<Document> set_preparation(const Document& document, ObjectId object, const Preparation& preparation);
+/// Whether mode G2 measures bending over the surface of mode FAIR.
+Result<Document> set_round(const Document& document, ObjectId object, bool round);
 
 /// Begins, changes or ends a live mirror; the half stays as it is. Errors: E_MIRROR_INVALID.
 Result<Document> set_mirror(const Document& document, ObjectId object, const std::optional<Mirror>& mirror);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
+#include "core/document/edit_attachments.hpp"
 #include "core/document/edit_support.hpp"
 
 namespace hariko {
@@ -103,10 +105,23 @@ Result<Added> add_object(const Document& document, std::string name, Source sour
 Result<Document> append_document(const Document& document, const Document& other) {
   if (!has_room(document, other.objects.size())) return too_many_objects();
   Document result = document;
+  std::map<ObjectId, ObjectId> renamed;
+  for (const auto& object : other.objects) {
+    renamed[object->id] = result.next_object_id;
+    ++result.next_object_id.value;
+  }
   for (const auto& object : other.objects) {
     Object copy = *object;
-    copy.id = result.next_object_id;
-    ++result.next_object_id.value;
+    copy.id = renamed[object->id];
+    if (auto* source = std::get_if<PolyhedronSource>(&copy.source); source && !source->attachments->empty()) {
+      Attachments attachments;
+      for (auto [edge, attachment] : *source->attachments) {
+        const auto found = renamed.find(attachment.patch);
+        attachment.patch = found == renamed.end() ? ObjectId{} : found->second;
+        attachments.set(edge, attachment);
+      }
+      source->attachments = std::move(attachments);
+    }
     result.objects.push_back(std::make_shared<const Object>(std::move(copy)));
   }
   return result;
@@ -119,9 +134,18 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
     if (object->locked) return detail::locked_object(*object);
   }
   Document result = document;
+  std::vector<std::shared_ptr<const Object>> gone;
   std::erase_if(result.objects, [&](const auto& object) {
-    return std::find(objects.begin(), objects.end(), object->id) != objects.end();
+    const bool chosen = std::find(objects.begin(), objects.end(), object->id) != objects.end();
+    if (chosen) gone.push_back(object);
+    return chosen;
   });
+  for (auto& object : result.objects) {
+    if (!object->polyhedron() || object->polyhedron()->attachments->empty()) continue;
+    Object changed = *object;
+    changed.source = frozen_source(*object, gone);
+    if (!(changed == *object)) object = std::make_shared<const Object>(std::move(changed));
+  }
   return result;
 }
 
@@ -155,6 +179,7 @@ Result<Added> duplicate_object(const Document& document, ObjectId object) {
   copy.id = document.next_object_id;
   copy.name = copy_name(copy.name);
   copy.locked = false;
+  if (copy.polyhedron()) copy.source = frozen_source(**original, document.objects);
   Added added{document, copy.id};
   added.document.objects.insert(added.document.objects.begin() + (original - document.objects.begin()) + 1,
                                 std::make_shared<const Object>(std::move(copy)));

@@ -28,7 +28,7 @@ Result<Added> add_object(const Document& document, std::string name, Source sour
 /// numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS.
 Result<Document> append_document(const Document& document, const Document& other);
 
-/// Errors: E_UNKNOWN_OBJECT, E_LOCKED.
+/// Edges of others that are attached to them keep copies of their sides. Errors: E_UNKNOWN_OBJECT, E_LOCKED.
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects);
 
 /// Puts objects, in their present order, before the one that is now at `position` (0 .. number of objects;
@@ -36,8 +36,8 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
 Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
                                  std::size_t position);
 
-/// The copy follows its original in order, is called "<name> copy", and is not locked. Errors:
-/// E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
+/// The copy follows its original in order, its attached edges keep copies of their sides, it is called
+/// "<name> copy", and is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
 Result<Added> duplicate_object(const Document& document, ObjectId object);
 
 /// Errors: E_UNKNOWN_OBJECT, E_NAME_EMPTY, E_NAME_INVALID.

@@ -6,5 +6,6 @@
 // history does not turn into a step. On an error nothing happened. The cost is that of the part that changes,
 // everything else is shared with the given document.
 
+#include "core/document/edit_attachments.hpp"
 #include "core/document/edit_elements.hpp"
 #include "core/document/edit_objects.hpp"

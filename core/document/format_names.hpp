@@ -19,7 +19,7 @@ inline constexpr std::array material_names{"clay"sv, "porcelain"sv, "metal"sv,
                                            "wax"sv,  "rubber"sv,    "plastic"sv};
 inline constexpr std::array wire_names{"none"sv, "borders"sv, "mesh"sv};
 inline constexpr std::array range_mode_names{"symmetric"sv, "percentile"sv, "full"sv, "manual"sv};
-inline constexpr std::array mode_names{"paper"sv, "target"sv, "fair"sv};
+inline constexpr std::array mode_names{"paper"sv, "target"sv, "fair"sv, "g2"sv};
 inline constexpr std::array tag_names{"automatic"sv, "corner"sv, "smooth"sv};
 inline constexpr std::array axis_names{"x"sv, "y"sv, "z"sv};
 inline constexpr std::array pin_names{"tangents"sv, "normal"sv};
@@ -38,9 +38,16 @@ inline constexpr std::array range_members{"mode"sv, "low"sv, "high"sv};
 /// Names of the maps in `DisplaySettings::ranges`, in that order.
 inline constexpr std::array ranges_members{"gaussian"sv, "mean"sv, "principal_max"sv, "principal_min"sv,
                                            "continuity"sv};
-inline constexpr std::array polyhedron_members{"kind"sv,     "mode"sv,  "mirror"sv, "origin"sv,
-                                               "vertices"sv, "faces"sv, "alpha"sv,  "beta"sv,
-                                               "crease"sv,   "tag"sv,   "pin"sv};
+inline constexpr std::array polyhedron_members{
+    "kind"sv,  "mode"sv,  "round"sv, "mirror"sv, "preparation"sv, "origin"sv, "vertices"sv,
+    "faces"sv, "alpha"sv, "beta"sv,  "crease"sv, "tag"sv,         "pin"sv,    "attached"sv};
+inline constexpr std::array preparation_members{"split_concave"sv, "automatic_tension"sv};
+inline constexpr std::array attachment_members{"edge"sv,       "patch"sv,  "side"sv,  "reversed"sv,
+                                               "continuity"sv, "adapts"sv, "frozen"sv};
+inline constexpr std::array frozen_members{"curve"sv, "row"sv};
+inline constexpr std::array continuity_names{"g0"sv, "g1"sv};
+inline constexpr std::array adapts_names{"surface"sv, "patch"sv};
+inline constexpr std::array patches_members{"kind"sv, "origin"sv, "columns"sv, "rows"sv, "points"sv};
 inline constexpr std::array mirror_members{"axis"sv, "weld_distance"sv};
 inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
 inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};

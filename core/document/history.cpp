@@ -65,6 +65,34 @@ std::vector<std::string> History::labels() const {
   return labels;
 }
 
+History History::fork() const {
+  History fork(current(), byte_limit_);
+  fork.steps_.front().serial = serial();
+  fork.next_serial_ = next_serial_;
+  if (dirty())
+    fork.saved_.reset();
+  else
+    fork.saved_ = serial();
+  return fork;
+}
+
+void History::prepend(History before) {
+  if (oldest_serial() != before.serial()) return;
+  const std::optional<std::uint64_t> saved = saved_ ? saved_ : before.saved_;
+  const std::size_t position = before.position_ + position_;
+  before.preview_ = std::exchange(preview_, std::nullopt);
+  if (steps_.size() > 1) before.forget_redo();
+  for (std::size_t i = 1; i < steps_.size(); ++i) {
+    before.memory_.add(steps_[i].document);
+    before.steps_.push_back(std::move(steps_[i]));
+  }
+  before.next_serial_ = next_serial_;
+  before.position_ = position;
+  before.saved_ = saved;
+  *this = std::move(before);
+  forget_oldest();
+}
+
 void History::forget_redo() {
   while (can_redo()) {
     memory_.remove(steps_.back().document);

@@ -69,6 +69,12 @@ class History {
   /// Name of the oldest state that is kept; names rise along the list.
   std::uint64_t oldest_serial() const { return steps_.front().serial; }
 
+  /// A history of the current state alone, under its name: what follows can be undone up to here.
+  History fork() const;
+  /// Puts the history in front that this one was forked from: its earlier states, and where nothing followed
+  /// here its later ones. Does nothing where the state of the fork is no longer kept.
+  void prepend(History before);
+
   /// Bytes that all states need together, shared memory counted once; previews do not count.
   std::size_t bytes() const { return memory_.bytes(); }
   std::size_t byte_limit() const { return byte_limit_; }

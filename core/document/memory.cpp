@@ -59,7 +59,12 @@ void visit_object(const Object& object, Visit&& visit) {
   if (const auto* source = object.polyhedron()) {
     visit(source->shaping.get(), bytes_of(*source->shaping));
     visit(source->kept.get(), bytes_of(*source->kept));
+    visit(source->attachments.get(),
+          block_overhead + source->attachments->size() * sizeof(std::pair<EdgeId, Attachment>));
     visit_polyhedron(source->polyhedron, visit);
+  } else if (const auto* patches = object.patches()) {
+    visit(patches->kept.get(), bytes_of(*patches->kept));
+    visit_polyhedron(patches->net, visit);
   } else if (const auto* mesh = object.mesh()) {
     visit(mesh->mesh.get(), bytes_of(*mesh->mesh));
     visit(mesh->kept.get(), bytes_of(*mesh->kept));
@@ -71,7 +76,7 @@ void visit_object(const Object& object, Visit&& visit) {
 
 std::size_t own_bytes(const Object& object) {
   std::size_t bytes = block_overhead + sizeof(Object) + object.name.capacity();
-  if (const auto* source = object.polyhedron()) bytes += chunk_table_bytes(source->polyhedron);
+  if (const Polyhedron* cage = object.cage()) bytes += chunk_table_bytes(*cage);
   return bytes;
 }
 

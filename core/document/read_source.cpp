@@ -193,13 +193,83 @@ Mirror read_mirror(JsonReader& reader, const JsonCursor& at) {
   return mirror;
 }
 
+Preparation read_preparation(JsonReader& reader, const JsonCursor& at) {
+  Preparation preparation;
+  if (!reader.is_object(at)) return preparation;
+  refuse_unknown_members(reader, at, preparation_members);
+  reader.if_member(at, "split_concave",
+                   [&](const JsonCursor& member) { preparation.split_concave = reader.boolean(member); });
+  reader.if_member(at, "automatic_tension",
+                   [&](const JsonCursor& member) { preparation.automatic_tension = reader.number(member); });
+  if (!reader.failed()) take_error(reader, at, check_preparation(preparation));
+  return preparation;
+}
+
+FrozenSide read_frozen(JsonReader& reader, const JsonCursor& at) {
+  FrozenSide frozen;
+  if (!reader.is_object(at)) return frozen;
+  refuse_unknown_members(reader, at, frozen_members);
+  const auto points = [&](std::string_view name, std::array<Vector3, 4>& out) {
+    reader.member(at, name, [&](const JsonCursor& list) {
+      if (reader.array_size(list, 4, 4) != 4) return;
+      for (std::size_t i = 0; i < 4; ++i) out[i] = reader.vector(JsonCursor(list, i));
+    });
+  };
+  points("curve", frozen.curve);
+  points("row", frozen.row);
+  return frozen;
+}
+
+/// What they refer to need not exist: that is told where they are used.
+Attachments read_attachments(JsonReader& reader, const JsonCursor& list) {
+  Attachments out;
+  std::optional<EdgeId> last;
+  reader.for_each(list, [&](const JsonCursor& row) {
+    if (!reader.is_object(row)) return;
+    refuse_unknown_members(reader, row, attachment_members);
+    EdgeId edge;
+    Attachment attachment;
+    reader.member(row, "edge", [&](const JsonCursor& at) {
+      if (reader.array_size(at, 2, 2) != 2) return;
+      edge = {{reader.integer(JsonCursor(at, 0), 0, max_id)}, {reader.integer(JsonCursor(at, 1), 0, max_id)}};
+      if (!(edge.low < edge.high)) reader.fail(at, "the smaller id comes first");
+    });
+    reader.if_member(row, "frozen",
+                     [&](const JsonCursor& at) { attachment.frozen = read_frozen(reader, at); });
+    if (!attachment.frozen) {
+      reader.member(row, "patch",
+                    [&](const JsonCursor& at) { attachment.patch.value = reader.integer(at, 0, max_id); });
+      reader.member(row, "side", [&](const JsonCursor& at) {
+        if (reader.array_size(at, 2, 2) != 2) return;
+        attachment.side.side = static_cast<std::uint8_t>(reader.integer(JsonCursor(at, 0), 0, 3));
+        attachment.side.place = reader.integer(JsonCursor(at, 1), 0, PatchSource::max_patches);
+      });
+      reader.if_member(row, "reversed",
+                       [&](const JsonCursor& at) { attachment.reversed = reader.boolean(at); });
+    }
+    reader.if_member(row, "continuity", [&](const JsonCursor& at) {
+      attachment.continuity = static_cast<Continuity>(reader.choice(at, continuity_names));
+    });
+    reader.if_member(row, "adapts", [&](const JsonCursor& at) {
+      attachment.adapts = static_cast<Adapts>(reader.choice(at, adapts_names));
+    });
+    if (ascends(reader, row, last, edge)) out.set(edge, attachment);
+  });
+  return out;
+}
+
 std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, std::string_view text) {
   Mode mode = Mode::fair;
   reader.if_member(at, "mode", [&](const JsonCursor& member) {
     mode = static_cast<Mode>(reader.choice(member, mode_names));
   });
+  bool round = false;
+  reader.if_member(at, "round", [&](const JsonCursor& member) { round = reader.boolean(member); });
   std::optional<Mirror> mirror;
   reader.if_member(at, "mirror", [&](const JsonCursor& member) { mirror = read_mirror(reader, member); });
+  Preparation preparation;
+  reader.if_member(at, "preparation",
+                   [&](const JsonCursor& member) { preparation = read_preparation(reader, member); });
   const Vector3 origin = read_origin(reader, at);
   Lists lists;
   reader.member(at, "vertices", [&](const JsonCursor& member) { read_vertices(reader, member, lists); });
@@ -214,10 +284,43 @@ std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, 
     return std::nullopt;
   }
   Shaping shaping = ShapingReader(reader, *polyhedron).read(at);
+  Attachments attachments;
+  reader.if_member(at, "attached",
+                   [&](const JsonCursor& list) { attachments = read_attachments(reader, list); });
   if (reader.failed()) return std::nullopt;
-  return PolyhedronSource{
-      origin, *std::move(polyhedron), std::move(shaping), mode, kept_members(at, polyhedron_members, text),
-      mirror};
+  return PolyhedronSource{origin,
+                          *std::move(polyhedron),
+                          std::move(shaping),
+                          mode,
+                          kept_members(at, polyhedron_members, text),
+                          mirror,
+                          preparation,
+                          round,
+                          std::move(attachments)};
+}
+
+std::optional<Source> read_patches(JsonReader& reader, const JsonCursor& at, std::string_view text) {
+  const Vector3 origin = read_origin(reader, at);
+  BicubicNet net;
+  const auto count = [&](std::string_view name, Index& value) {
+    reader.member(at, name, [&](const JsonCursor& member) {
+      value = reader.integer(member, 1, PatchSource::max_patches);
+    });
+  };
+  count("columns", net.columns);
+  count("rows", net.rows);
+  reader.member(at, "points", [&](const JsonCursor& list) {
+    reader.for_each(list, [&](const JsonCursor& row) { net.points.push_back(reader.vector(row)); });
+  });
+  if (reader.failed()) return std::nullopt;
+  Result<PatchSource> source = PatchSource::from_net(origin, net);
+  if (!source) {
+    reader.fail(at, source.error().text);
+    return std::nullopt;
+  }
+  PatchSource out = std::move(source).value();
+  out.kept = kept_members(at, patches_members, text);
+  return out;
 }
 
 std::optional<Source> read_mesh(JsonReader& reader, const JsonCursor& at, std::string_view text) {
@@ -254,6 +357,7 @@ std::optional<Source> read_source(JsonReader& reader, const JsonCursor& at, std:
   if (reader.failed()) return std::nullopt;
   if (kind == "polyhedron") return read_polyhedron(reader, at, text);
   if (kind == "mesh") return read_mesh(reader, at, text);
+  if (kind == "patches") return read_patches(reader, at, text);
   const JsonMember& whole = *at.member();
   return UnknownSource{kind, std::string(text.substr(whole.begin, whole.end - whole.begin))};
 }

@@ -37,8 +37,9 @@ Result<PolyhedronSource> PolyhedronSource::from_mesh(PolygonMesh mesh) {
 }
 
 bool operator==(const PolyhedronSource& a, const PolyhedronSource& b) {
-  return a.origin == b.origin && a.mode == b.mode && a.shaping == b.shaping && a.kept == b.kept &&
-         a.mirror == b.mirror && a.polyhedron == b.polyhedron;
+  return a.origin == b.origin && a.mode == b.mode && a.round == b.round && a.shaping == b.shaping &&
+         a.kept == b.kept && a.mirror == b.mirror && a.preparation == b.preparation &&
+         a.attachments == b.attachments && a.polyhedron == b.polyhedron;
 }
 
 Result<MeshSource> MeshSource::from_mesh(PolygonMesh mesh) {
@@ -64,9 +65,38 @@ bool operator==(const MeshSource& a, const MeshSource& b) {
          (a.mesh.get() == b.mesh.get() || equal_meshes(*a.mesh, *b.mesh));
 }
 
+Result<PatchSource> PatchSource::from_net(const Vector3& origin, const BicubicNet& net) {
+  const bool fits = net.columns > 0 && net.rows > 0 && net.columns <= max_patches / net.rows &&
+                    net.points.size() == std::size_t(net.width()) * net.height();
+  if (!fits)
+    return make_error(e_patch_grid, "The points do not make a grid of bicubic patches.",
+                      "A grid of m x n patches has (3 m + 1) x (3 n + 1) points.");
+  PolygonMesh mesh;
+  mesh.positions = net.points;
+  for (Index j = 0; j + 1 < net.height(); ++j)
+    for (Index i = 0; i + 1 < net.width(); ++i)
+      mesh.add_face({net.index(i, j), net.index(i + 1, j), net.index(i + 1, j + 1), net.index(i, j + 1)});
+  Result<Polyhedron> built = Polyhedron::build(mesh);
+  if (!built) return built.error();
+  return PatchSource{origin, net.columns, net.rows, *std::move(built), {}};
+}
+
+Result<PatchSource> PatchSource::from_net(const BicubicNet& net) {
+  BicubicNet relative = net;
+  const Result<Vector3> origin = take_origin(relative.points);
+  if (!origin) return origin.error();
+  return from_net(*origin, relative);
+}
+
+bool operator==(const PatchSource& a, const PatchSource& b) {
+  return a.origin == b.origin && a.columns == b.columns && a.rows == b.rows && a.kept == b.kept &&
+         a.net == b.net;
+}
+
 std::string_view kind_of(const Source& source) {
   if (std::holds_alternative<PolyhedronSource>(source)) return "polyhedron";
   if (std::holds_alternative<MeshSource>(source)) return "mesh";
+  if (std::holds_alternative<PatchSource>(source)) return "patches";
   return std::get<UnknownSource>(source).kind;
 }
 

@@ -9,13 +9,17 @@
 
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
+#include "core/document/attachment.hpp"
 #include "core/document/mirror.hpp"
+#include "core/document/preparation.hpp"
 #include "core/document/shared.hpp"
 #include "core/network/shaping.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
 namespace hariko {
+
+inline constexpr Code e_patch_grid{"E_PATCH_GRID"};
 
 /// A member of a file that this program does not know: kept, and written back as it was.
 struct KeptMember {
@@ -34,6 +38,12 @@ struct PolyhedronSource {
   Shared<KeptMembers> kept;
   /// The polyhedron is one half; the surface is made from both (core/modeling/mirrored.hpp).
   std::optional<Mirror> mirror = {};
+  Preparation preparation = {};
+  /// Mode G2: bending is measured over the surface of mode FAIR, which makes faces rounder. Other modes keep
+  /// it.
+  bool round = false;
+  /// Border edges that are joined to patches. An entry whose edge is gone or inside now means nothing.
+  Shared<Attachments> attachments = {};
 
   /// Takes a mesh with absolute positions, chooses the origin (`origin_for`) and subtracts it. Errors: those
   /// of `Polyhedron::build`; elements are dense indices, which are also the new ids.
@@ -55,6 +65,27 @@ struct MeshSource {
   friend bool operator==(const MeshSource& a, const MeshSource& b);
 };
 
+/// A grid of bicubic Bezier patches. The control points are the vertices 0, 1, 2, ... of a net of quads, so
+/// that they can be selected and moved as those of a polyhedron.
+struct PatchSource {
+  Vector3 origin = Vector3::Zero();
+  Index columns = 0, rows = 0;
+  Polyhedron net;  ///< (3 columns + 1) x (3 rows + 1) points relative to origin, row by row
+  Shared<KeptMembers> kept;
+
+  static constexpr Index max_patches = 1'000'000;
+
+  /// Takes a net with absolute points. Errors: E_NONFINITE, E_PATCH_GRID (no patches, too many, or not as
+  /// many points as they need).
+  static Result<PatchSource> from_net(const BicubicNet& net);
+  /// As above with points relative to `origin`.
+  static Result<PatchSource> from_net(const Vector3& origin, const BicubicNet& net);
+  /// The control points, relative to origin.
+  BicubicNet control_net() const { return {columns, rows, net.positions()}; }
+
+  friend bool operator==(const PatchSource& a, const PatchSource& b);
+};
+
 /// A kind of object that this version of the program does not know: kept, and written back as it was.
 struct UnknownSource {
   std::string kind;
@@ -62,9 +93,9 @@ struct UnknownSource {
   friend bool operator==(const UnknownSource&, const UnknownSource&) = default;
 };
 
-using Source = std::variant<PolyhedronSource, MeshSource, UnknownSource>;
+using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, UnknownSource>;
 
-/// "polyhedron", "mesh", or the kind's name in the file.
+/// "polyhedron", "mesh", "patches", or the kind's name in the file.
 std::string_view kind_of(const Source& source);
 
 }  // namespace hariko

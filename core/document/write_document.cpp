@@ -146,6 +146,36 @@ void write_shaping(Writer& out, const Shaping& shaping) {
   });
 }
 
+void write_points(Writer& out, const std::array<Vector3, 4>& points) {
+  out.row(4, [&](std::size_t i) { out.vector(points[i]); });
+}
+
+void write_attachment(Writer& out, EdgeId edge, const Attachment& attachment) {
+  out.raw("{\"edge\": ");
+  out.row(2, [&](std::size_t i) { out.number(i == 0 ? edge.low.value : edge.high.value); });
+  if (attachment.frozen) {
+    out.raw(", \"frozen\": {\"curve\": ");
+    write_points(out, attachment.frozen->curve);
+    out.raw(", \"row\": ");
+    write_points(out, attachment.frozen->row);
+    out.raw("}");
+  } else {
+    out.raw(", \"patch\": ");
+    out.number(attachment.patch.value);
+    out.raw(", \"side\": ");
+    out.row(2, [&](std::size_t i) {
+      out.number(i == 0 ? std::uint32_t(attachment.side.side) : attachment.side.place);
+    });
+    out.raw(", \"reversed\": ");
+    out.boolean(attachment.reversed);
+  }
+  out.raw(", \"continuity\": ");
+  out.string(detail::name_of(attachment.continuity, detail::continuity_names));
+  out.raw(", \"adapts\": ");
+  out.string(detail::name_of(attachment.adapts, detail::adapts_names));
+  out.raw("}");
+}
+
 void write_source(Writer& out, const PolyhedronSource& source) {
   const Polyhedron& polyhedron = source.polyhedron;
   out.open('{');
@@ -153,12 +183,24 @@ void write_source(Writer& out, const PolyhedronSource& source) {
   out.string("polyhedron");
   out.key("mode");
   out.string(detail::name_of(source.mode, detail::mode_names));
+  if (source.round) {
+    out.key("round");
+    out.raw("true");
+  }
   if (source.mirror) {
     out.key("mirror");
     out.raw("{\"axis\": ");
     out.string(detail::name_of(source.mirror->axis, detail::axis_names));
     out.raw(", \"weld_distance\": ");
     out.number(source.mirror->weld_distance);
+    out.raw("}");
+  }
+  if (source.preparation != Preparation{}) {
+    out.key("preparation");
+    out.raw("{\"split_concave\": ");
+    out.raw(source.preparation.split_concave ? "true" : "false");
+    out.raw(", \"automatic_tension\": ");
+    out.number(source.preparation.automatic_tension);
     out.raw("}");
   }
   out.key("origin");
@@ -184,6 +226,29 @@ void write_source(Writer& out, const PolyhedronSource& source) {
   }
   out.close(']');
   write_shaping(out, *source.shaping);
+  out.list("attached", *source.attachments,
+           [&](const auto& entry) { write_attachment(out, entry.first, entry.second); });
+  out.kept(*source.kept);
+  out.close('}');
+}
+
+void write_source(Writer& out, const PatchSource& source) {
+  out.open('{');
+  out.key("kind");
+  out.string("patches");
+  out.key("origin");
+  out.vector(source.origin);
+  out.key("columns");
+  out.number(source.columns);
+  out.key("rows");
+  out.number(source.rows);
+  out.key("points");
+  out.open('[');
+  for (Index v = 0; v < source.net.vertex_count(); ++v) {
+    out.next();
+    out.vector(source.net.position(v));
+  }
+  out.close(']');
   out.kept(*source.kept);
   out.close('}');
 }

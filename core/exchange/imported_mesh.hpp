@@ -2,12 +2,16 @@
 
 // What every mesh reader returns, the codes of its messages, and the limits it keeps.
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/cancellation.hpp"
 #include "core/base/file_io.hpp"
 #include "core/base/message.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
@@ -32,10 +36,19 @@ struct ImportedMesh {
 };
 
 /// Sizes above which a reader gives E_LIMIT. Memory is bounded by them and by a small multiple of the file's
-/// size.
+/// size. `cancel` makes it give E_CANCELLED within a row of the file.
 struct ReadLimits {
   std::size_t vertices = 100'000'000;
   std::size_t corners = 400'000'000;  ///< also bounds the number of faces
+  CancelToken cancel = {};
+  Progress progress = {};
+
+  /// For readers, once a row: `left` of `size` bytes are still to be read. E_CANCELLED, or nothing.
+  std::optional<Message> row(std::size_t left, std::size_t size) const {
+    progress.report(1 - static_cast<double>(left) / static_cast<double>(std::max<std::size_t>(size, 1)));
+    if (!cancel.cancelled()) return {};
+    return make_error(e_cancelled, "The import was cancelled.");
+  }
 };
 
 }  // namespace hariko

@@ -31,16 +31,17 @@ Message in_file(const std::filesystem::path& path, Message message) {
 }
 
 template <class Mesh>
-Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mesh> meshes) {
+Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mesh> meshes,
+                          const CancelToken& cancel) {
   const std::optional<MeshFormat> format = format_of_extension(path);
-  if (format == MeshFormat::obj) return write_file_atomic(path, write_obj(meshes));
-  if (format == MeshFormat::ply) return write_file_atomic(path, write_ply(meshes, PlyEncoding::binary));
-  if (format != MeshFormat::stl)
-    return in_file(
-        path, make_error(e_format_unknown, "The extension stands for no mesh format that can be written.",
-                         "Use .obj, .ply or .stl."));
-  const Result<std::string> bytes = write_stl(meshes);
+  Result<std::string> bytes =
+      make_error(e_format_unknown, "The extension stands for no mesh format that can be written.",
+                 "Use .obj, .ply or .stl.");
+  if (format == MeshFormat::obj) bytes = write_obj(meshes);
+  if (format == MeshFormat::ply) bytes = write_ply(meshes, PlyEncoding::binary);
+  if (format == MeshFormat::stl) bytes = write_stl(meshes);
   if (!bytes) return in_file(path, bytes.error());
+  if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
   return write_file_atomic(path, *bytes);
 }
 
@@ -102,12 +103,14 @@ Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const Rea
   }
 }
 
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes) {
-  return write_meshes(path, meshes);
+Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
+                             const CancelToken& cancel) {
+  return write_meshes(path, meshes, cancel);
 }
 
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes) {
-  return write_meshes(path, meshes);
+Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,
+                             const CancelToken& cancel) {
+  return write_meshes(path, meshes, cancel);
 }
 
 }  // namespace hariko

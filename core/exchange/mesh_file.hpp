@@ -28,8 +28,10 @@ Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const Rea
                                     std::uint64_t size_limit = default_file_size_limit);
 
 /// Writes meshes in the format of the extension: OBJ, PLY (binary) or STL (binary), atomically. Errors:
-/// E_FORMAT_UNKNOWN, E_FILE_WRITE, and those of `write_stl`.
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes);
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes);
+/// E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of `write_stl`.
+Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
+                             const CancelToken& cancel = {});
+Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,
+                             const CancelToken& cancel = {});
 
 }  // namespace hariko

@@ -26,7 +26,9 @@ class ObjReader {
       : scanner_(bytes, {.comments = true, .continuation = true}), limits_(limits) {}
 
   Result<ImportedMesh> read() {
+    const std::size_t size = scanner_.remaining();
     while (scanner_.find_content()) {
+      if (auto error = limits_.row(scanner_.remaining(), size)) return *error;
       if (auto error = read_statement()) return *error;
       scanner_.next_line();
     }

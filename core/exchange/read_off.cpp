@@ -21,7 +21,7 @@ bool is_keyword(std::string_view word) {
 class OffReader {
  public:
   OffReader(std::string_view bytes, const ReadLimits& limits)
-      : scanner_(bytes, {.comments = true, .continuation = false}), limits_(limits) {}
+      : scanner_(bytes, {.comments = true, .continuation = false}), limits_(limits), size_(bytes.size()) {}
 
   Result<ImportedMesh> read();
 
@@ -36,6 +36,7 @@ class OffReader {
 
   TextScanner scanner_;
   const ReadLimits& limits_;
+  std::size_t size_;
   ImportedMesh out_;
   std::int64_t vertex_count_ = 0, face_count_ = 0;
 };
@@ -113,6 +114,7 @@ std::optional<Message> OffReader::read_vertices() {
   const std::size_t possible = scanner_.remaining() / 6 + 1;
   out_.mesh.positions.reserve(std::min(static_cast<std::size_t>(vertex_count_), possible));
   for (std::int64_t i = 0; i < vertex_count_; ++i) {
+    if (auto error = limits_.row(scanner_.remaining(), size_)) return error;
     if (!scanner_.find_content()) return truncated("vertices", static_cast<std::size_t>(i), vertex_count_);
     Vector3 point;
     if (auto error = scanner_.read_point("coordinate", point)) return error;
@@ -154,6 +156,7 @@ std::optional<Message> OffReader::read_faces() {
   const std::size_t possible = scanner_.remaining() / 2 + 1;  // "0" and the line's end
   out_.mesh.face_offsets.reserve(std::min(static_cast<std::size_t>(face_count_), possible) + 1);
   for (std::int64_t f = 0; f < face_count_; ++f) {
+    if (auto error = limits_.row(scanner_.remaining(), size_)) return error;
     if (!scanner_.find_content()) return truncated("faces", static_cast<std::size_t>(f), face_count_);
     if (auto error = read_face()) return error;
     scanner_.next_line();

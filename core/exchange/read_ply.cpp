@@ -207,6 +207,7 @@ std::optional<Message> PlyReader::read_text() {
     if (element.name == "vertex") out_.mesh.positions.reserve(possible);
     if (element.name == "face") out_.mesh.face_offsets.reserve(possible + 1);
     for (std::uint64_t row = 0; row < element.count; ++row) {
+      if (auto error = limits_.row(scanner.remaining(), bytes_.size())) return error;
       if (!scanner.find_content())
         return TextScanner::error_at_line(e_truncated, scanner.line(),
                                           "The file ends after " + std::to_string(row) + " of " +
@@ -296,8 +297,10 @@ std::optional<Message> PlyReader::read_binary_element(BinarySource& source, cons
   }
   if (element.name == "vertex") out_.mesh.positions.reserve(element.count);
   if (element.name == "face") out_.mesh.face_offsets.reserve(element.count + 1);
-  for (std::uint64_t row = 0; row < element.count; ++row)
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    if (auto error = limits_.row(source.remaining(), bytes_.size())) return error;
     if (auto error = read_binary_row(source, element, roles, row)) return error;
+  }
   return {};
 }
 

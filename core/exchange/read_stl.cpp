@@ -120,6 +120,7 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
                       remedy_cut);
   TriangleCollector collector(std::min<std::size_t>(count, limits.corners / 3), limits);
   for (std::uint64_t facet = 0; facet < count; ++facet) {
+    if (auto error = limits.row((count - facet) * facet_size, bytes.size())) return *error;
     const char* numbers = bytes.data() + header_size + 4 + facet * facet_size + 12;  // behind the normal
     Vector3 corners[3];
     for (int i = 0; i < 9; ++i)
@@ -140,7 +141,10 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
 class StlTextReader {
  public:
   StlTextReader(std::string_view bytes, const ReadLimits& limits)
-      : scanner_(bytes, {}), collector_(bytes.size() / 200, limits) {}  // a facet rarely has fewer characters
+      : scanner_(bytes, {}),
+        limits_(limits),
+        size_(bytes.size()),
+        collector_(bytes.size() / 200, limits) {}  // a facet rarely has fewer characters
 
   Result<ImportedMesh> read();
 
@@ -153,6 +157,8 @@ class StlTextReader {
   std::optional<Message> read_facet();
 
   TextScanner scanner_;
+  const ReadLimits& limits_;
+  std::size_t size_;
   TriangleCollector collector_;
   std::string name_;
 };
@@ -199,6 +205,7 @@ std::optional<Message> StlTextReader::read_solid() {
     const std::string_view word = next_word();
     if (equals_lower(word, "endsolid")) break;
     if (!equals_lower(word, "facet")) return wrong_word(word, "facet");
+    if (auto error = limits_.row(scanner_.remaining(), size_)) return error;
     if (auto error = read_facet()) return error;
   }
   scanner_.next_line();  // the name may stand here again

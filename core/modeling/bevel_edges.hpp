@@ -17,6 +17,12 @@ namespace hariko {
 /// leads to the vertex, at an inner vertex of two edges the band runs into a point. Open edges among the
 /// given ones have no second face and are left as they are. The Euler number stays.
 ///
+/// Planar faces stay in their planes but where, at a vertex, two or more edges that are not bevelled lie side
+/// by side between two bands, or one or more between a band and an open border: one corner stands for the
+/// vertex in all faces of that sector, whose planes need not have another common point. It lies in the mean
+/// direction of the two bands, or on the border, and the faces tilt, the more the coarser and the less convex
+/// the corner is. Bevelling those edges too avoids it.
+///
 /// Both sides of a band have the edge's tension and crease; the ends of bands are plain
 /// (`tighten_short_edges` for narrow ones), but a crease that goes on beyond the end of a band carries on
 /// round the end face. New vertices have the tension and tag of the one they replace, whose pin is gone.

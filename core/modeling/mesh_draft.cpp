@@ -40,6 +40,17 @@ Message refusal(const Message& error, const Polyhedron& source) {
                     known ? error.element : Element{});
 }
 
+/// An edge that is gone, or inside now, is attached no more.
+void drop_attachments(PolyhedronSource& source) {
+  if (source.attachments->empty()) return;
+  Attachments kept;
+  for (const auto& [edge, attachment] : *source.attachments)
+    if (const Index e = source.polyhedron.find(edge);
+        e != no_index && source.polyhedron.topology().is_border_edge(e))
+      kept.set(edge, attachment);
+  if (!(kept == *source.attachments)) source.attachments = std::move(kept);
+}
+
 }  // namespace
 
 MeshDraft::MeshDraft(const PolyhedronSource& source)
@@ -240,6 +251,7 @@ Result<PolyhedronSource> MeshDraft::finish() && {
   PolyhedronSource out = std::move(source_);
   Shaping shaping = detail::shaping_on(*built, shaping_, out.polyhedron, *out.shaping);
   out.polyhedron = *std::move(built);
+  drop_attachments(out);
   if (!(shaping == *out.shaping)) out.shaping = std::move(shaping);
   return out;
 }

@@ -268,19 +268,6 @@ Result<MirroredPolyhedron> mirrored(const PolyhedronSource& half, const Mirrored
   return keeps ? whole.moved(*previous) : whole.make();
 }
 
-Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source,
-                                             std::optional<MirroredPolyhedron>* kept) {
-  if (!source.mirror) {
-    if (kept) kept->reset();
-    return PolyhedronSurfaceInput{source.polyhedron, *source.shaping, source.mode, source.origin, {}};
-  }
-  Result<MirroredPolyhedron> whole = mirrored(source, kept && *kept ? &**kept : nullptr);
-  if (!whole) return whole.error();
-  PolyhedronSurfaceInput input{whole->polyhedron, whole->shaping, source.mode, whole->origin, whole->aliases};
-  if (kept) *kept = std::move(whole).value();
-  return input;
-}
-
 Result<PolyhedronSource> baked(const PolyhedronSource& source) {
   if (!source.mirror) return source;
   Result<MirroredPolyhedron> whole = mirrored(source);
@@ -325,6 +312,7 @@ Modeled mirror_object(const PolyhedronSource& source, Axis axis) {
   Modeled out{source, {}};
   out.source.origin = reflected(source.origin, axis);
   out.source.polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
+  out.source.attachments = Attachments{};  // the patches have no images
   if (!source.shaping->pin.empty()) {
     Shaping shaping = *source.shaping;
     const TangentReflector reflector(polyhedron, *source.shaping, out.source.polyhedron, *source.shaping,

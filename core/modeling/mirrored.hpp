@@ -7,7 +7,7 @@
 
 #include "core/base/result.hpp"
 #include "core/modeling/modeled.hpp"
-#include "core/patching/polyhedron_surface.hpp"
+#include "core/polyhedron/element_aliases.hpp"
 
 namespace hariko {
 
@@ -30,11 +30,6 @@ struct MirroredPolyhedron {
 /// E_TOO_MANY_ELEMENTS. O(n log n).
 Result<MirroredPolyhedron> mirrored(const PolyhedronSource& half,
                                     const MirroredPolyhedron* previous = nullptr);
-
-/// What `PolyhedronSurfacer::rebuild` takes: the polyhedron itself, or the whole where it has a mirror. Keep
-/// the whole of the last call beside the surfacer and pass it again. Errors: those of `mirrored`.
-Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source,
-                                             std::optional<MirroredPolyhedron>* kept = nullptr);
 
 /// The whole as the designer's own: the live mirror ends. An object without one comes back as it is.
 Result<PolyhedronSource> baked(const PolyhedronSource& source);

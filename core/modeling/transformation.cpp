@@ -47,6 +47,18 @@ Result<PolyhedronSource> stretched(const PolyhedronSource& source, const Matrix3
   if (!moved) return moved.error();
   PolyhedronSource result = source;
   result.polyhedron = std::move(moved).value();
+  for (const auto& [edge, attachment] : *source.attachments) {
+    if (!attachment.frozen) continue;
+    Attachment changed = attachment;
+    for (auto* rows : {&changed.frozen->curve, &changed.frozen->row})
+      for (Vector3& point : *rows) point = linear * (source.origin + point) - source.origin;
+    if (linear.determinant() < 0)
+      for (auto* rows : {&changed.frozen->curve, &changed.frozen->row})
+        std::reverse(rows->begin(), rows->end());
+    Attachments changed_all = *result.attachments;
+    changed_all.set(edge, changed);
+    result.attachments = std::move(changed_all);
+  }
   if (linear.determinant() > 0) return result;
   MeshDraft draft(result);
   for (const FaceId id : draft.faces()) {
@@ -54,6 +66,17 @@ Result<PolyhedronSource> stretched(const PolyhedronSource& source, const Matrix3
     draft.set_face(id, {corners.rbegin(), corners.rend()});
   }
   return std::move(draft).finish();
+}
+
+Result<PatchSource> stretched(const PatchSource& source, const Matrix3& linear) {
+  BicubicNet net = source.control_net();
+  for (Vector3& point : net.points) point = linear * (source.origin + point) - source.origin;
+  // A reflection keeps the order of the points, to which edges may be attached.
+  Result<PatchSource> made = PatchSource::from_net(source.origin, net);
+  if (!made) return made;
+  PatchSource result = std::move(made).value();
+  result.kept = source.kept;
+  return result;
 }
 
 Result<MeshSource> stretched(const MeshSource& source, const Matrix3& linear) {
@@ -80,6 +103,7 @@ Result<Source> stretched(const Object& object, const Matrix3& linear) {
   };
   if (const PolyhedronSource* source = object.polyhedron()) return as_source(stretched(*source, linear));
   if (const MeshSource* source = object.mesh()) return as_source(stretched(*source, linear));
+  if (const PatchSource* source = object.patches()) return as_source(stretched(*source, linear));
   return make_error(e_wrong_kind,
                     "The object \"" + object.name + "\" cannot be stretched: its kind is not known here.",
                     "Scale it evenly.", element_of(object.id));

@@ -20,11 +20,12 @@ std::string name_of(VertexId id) {
 
 }  // namespace
 
-Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, const Shaping& shaping) {
+Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, const Shaping& shaping,
+                                              std::span<const FrameRequest> requests) {
   NetworkSystem system;
   system.mesh_ = polyhedron.shared_topology();
   if (auto failed = system.read_tensions(polyhedron, shaping)) return *failed;
-  auto frames = build_vertex_frames(polyhedron, shaping);
+  auto frames = build_vertex_frames(polyhedron, shaping, requests);
   if (!frames) return frames.error();
   system.frames_ = std::move(frames).value();
 
@@ -111,6 +112,59 @@ std::optional<Message> NetworkSystem::read_pins(const Polyhedron& polyhedron, co
   return std::nullopt;
 }
 
+Eigen::MatrixXd NetworkSystem::diagonal_block(Index v) const {
+  const Index first = frames_.basis_begin[v];
+  const Index count = frames_.basis_begin[v + 1] - first;
+  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(count, count);
+  for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
+    const TangentCoefficients& end = edge_ends_[incident_ends_[i]];
+    const double weight = 2 * (beta_[incident_ends_[i] / 2] + alpha_[v]);
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        if (end.basis[a] != no_index && end.basis[b] != no_index)
+          block(end.basis[a] - first, end.basis[b] - first) += weight * end.c[a] * end.c[b];
+  }
+  return block;
+}
+
+void NetworkSystem::set_conditions(std::span<const BasisCondition> conditions) {
+  conditioned_.clear();
+  plane_conditions_ = false;
+  for (const BasisCondition& condition : conditions) {
+    const Index v = condition.vertex, first = frames_.basis_begin[v];
+    const std::size_t count = frames_.basis_begin[v + 1] - first;
+    HARIKO_ASSERT(condition.basis >= first && condition.basis - first < count,
+                  "a basis vector of the vertex");
+    HARIKO_ASSERT(pin_state_.empty() || pin_state_[v] == PinState::none, "a pin and a condition at a vertex");
+    ConditionedVertex& vertex = conditioned_[v];
+    if (vertex.free.empty()) {
+      vertex.free.assign(count, Matrix3::Identity());
+      vertex.known.assign(count, Vector3::Zero());
+    }
+    const std::size_t b = condition.basis - first;
+    if (condition.kind == BasisCondition::Kind::fixed) {
+      vertex.free[b].setZero();
+      vertex.known[b] = condition.vector;
+    } else {
+      const Vector3 normal = condition.vector.stableNormalized();
+      vertex.free[b] -= normal * normal.transpose();
+      plane_conditions_ = true;
+    }
+  }
+  for (auto& [v, vertex] : conditioned_) {
+    const Eigen::MatrixXd block = diagonal_block(v);
+    const Eigen::Index count = block.rows();
+    Eigen::MatrixXd free = Eigen::MatrixXd::Zero(3 * count, 3 * count), full = free;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      free.block<3, 3>(3 * i, 3 * i) = vertex.free[std::size_t(i)];
+      for (Eigen::Index j = 0; j < count; ++j)
+        full.block<3, 3>(3 * i, 3 * j) = block(i, j) * Matrix3::Identity();
+    }
+    const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(3 * count, 3 * count) - free;
+    vertex.inverse = free * (free * full * free + rest).inverse() * free;
+  }
+}
+
 std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron) {
   block_begin_.reserve(polyhedron.vertex_count() + 1);
   std::size_t begin = 0;
@@ -126,15 +180,7 @@ std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron
     const Index first = frames_.basis_begin[v];
     const Index count = frames_.basis_begin[v + 1] - first;
     if (count == 0) continue;
-    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(count, count);
-    for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
-      const TangentCoefficients& end = edge_ends_[incident_ends_[i]];
-      const double weight = 2 * (beta_[incident_ends_[i] / 2] + alpha_[v]);
-      for (int a = 0; a < 2; ++a)
-        for (int b = 0; b < 2; ++b)
-          if (end.basis[a] != no_index && end.basis[b] != no_index)
-            block(end.basis[a] - first, end.basis[b] - first) += weight * end.c[a] * end.c[b];
-    }
+    const Eigen::MatrixXd block = diagonal_block(v);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(block, Eigen::EigenvaluesOnly);
     const double largest = eigen.eigenvalues().maxCoeff();
     const bool fixed = !pin_state_.empty() && pin_state_[v] == PinState::fixed;
@@ -192,6 +238,15 @@ void NetworkSystem::precondition(std::span<const Index> vertices, const std::vec
       }
     }
   });
+  if (conditioned_.empty()) return;
+  for (const Index v : vertices) {
+    const auto found = conditioned_.find(v);
+    if (found == conditioned_.end()) continue;
+    const Index first = frames_.basis_begin[v];
+    const Eigen::Index size = found->second.inverse.rows();
+    Eigen::Map<Eigen::VectorXd>(z[first].data(), size).noalias() =
+        found->second.inverse * Eigen::Map<const Eigen::VectorXd>(r[first].data(), size);
+  }
 }
 
 void NetworkSystem::keep_in_planes(std::span<const Index> vertices, std::vector<Vector3>& x) const {
@@ -204,10 +259,15 @@ void NetworkSystem::keep_in_planes(std::span<const Index> vertices, std::vector<
 
 void NetworkSystem::project(std::span<const Index> vertices, std::vector<Vector3>& r) const {
   keep_in_planes(vertices, r);
-  if (pin_state_.empty()) return;
-  for (const Index v : vertices)
-    if (pin_state_[v] == PinState::fixed)
-      for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b) r[b].setZero();
+  if (!pin_state_.empty())
+    for (const Index v : vertices)
+      if (pin_state_[v] == PinState::fixed)
+        for (Index b = frames_.basis_begin[v]; b < frames_.basis_begin[v + 1]; ++b) r[b].setZero();
+  for (const auto& [v, vertex] : conditioned_)
+    for (std::size_t b = 0; b < vertex.free.size(); ++b) {
+      Vector3& vector = r[frames_.basis_begin[v] + b];
+      vector = vertex.free[b] * vector;
+    }
 }
 
 std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
@@ -231,10 +291,13 @@ std::vector<Vector3> NetworkSystem::starting_point(std::span<const Index> vertic
   std::vector<Vector3> x =
       warm ? *options.start : std::vector<Vector3>(frames_.basis_count(), Vector3::Zero());
   project(vertices, x);
-  if (pin_state_.empty() || options.homogeneous) return x;
-  for (const Index v : vertices)
-    if (pin_state_[v] == PinState::fixed)
-      for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) x[i] = pinned_basis_[i];
+  if (options.homogeneous) return x;
+  if (!pin_state_.empty())
+    for (const Index v : vertices)
+      if (pin_state_[v] == PinState::fixed)
+        for (Index i = frames_.basis_begin[v]; i < frames_.basis_begin[v + 1]; ++i) x[i] = pinned_basis_[i];
+  for (const auto& [v, vertex] : conditioned_)
+    for (std::size_t b = 0; b < vertex.known.size(); ++b) x[frames_.basis_begin[v] + b] += vertex.known[b];
   return x;
 }
 
@@ -289,7 +352,14 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
     rz = next;
     ++solution.iterations;
   }
-  keep_in_planes(vertices, x);  // rounding of many steps would otherwise leave the pinned planes a little
+  // Rounding of many steps would otherwise leave the pinned planes a little.
+  keep_in_planes(vertices, x);
+  for (const auto& [v, vertex] : conditioned_)
+    for (std::size_t k = 0; k < vertex.known.size(); ++k) {
+      Vector3& vector = x[frames_.basis_begin[v] + k];
+      vector = vertex.free[k] * vector;
+      if (!options.homogeneous) vector += vertex.known[k];
+    }
   return solution;
 }
 
@@ -320,7 +390,9 @@ Network NetworkSystem::network(const Solution& solution, std::span<const Vector3
     Vector3 normal = Vector3::Zero();
     if (frames_.kind[v] == FrameKind::smooth)
       normal = x[1].cross(x[0]);
-    else if (one_sector)  // Tc, Ts of a border line; Xa, Xb of a border corner
+    else if (one_sector && frames_.kind[v] == FrameKind::corner)  // its opening may exceed a half turn
+      normal = network.start[mesh.outgoing(v)].cross(network.end[mesh.previous(mesh.outgoing(v))]);
+    else if (one_sector)  // Tc, Ts
       normal = x[0].cross(x[1]);
     network.normal[v] = normal.stableNormalized();
   }

@@ -3,7 +3,9 @@
 // NetworkSystem: the linear system of the minimum-norm network, assembled once per connectivity, tags,
 // tensions and pins, solved for any positions (Kuriyama 1991, equation (5); kuriyama.md section 2.2).
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,21 +15,38 @@
 
 namespace hariko {
 
+/// What is known of one basis vector of a border vertex before the network is solved (joins): that it lies in
+/// a plane, or what it is.
+struct BasisCondition {
+  enum class Kind : std::uint8_t { plane, fixed };
+  Index vertex = no_index;
+  Index basis = no_index;  ///< one of the vertex's
+  Kind kind = Kind::fixed;
+  Vector3 vector = Vector3::Zero();  ///< the plane's normal, or the basis vector
+};
+
 /// The matrix is applied edge by edge and never stored. With the block-Jacobi preconditioner its spectrum
 /// lies in [1/2, 3/2] for every mesh and every tension >= 0, so conjugate gradients gain a factor 0.268 a
-/// step and need no factorisation; a pin is a projection, which keeps that bound.
+/// step and need no factorisation; pins and conditions are
+/// projections, which keep that bound.
 class NetworkSystem {
  public:
   /// Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_CORNER_NEEDS_CREASE, E_PIN_MISMATCH,
-  /// E_SINGULAR_VERTEX. Settings of elements that the polyhedron does not have are ignored. O(edges).
-  static Result<NetworkSystem> assemble(const Polyhedron& polyhedron, const Shaping& shaping);
+  /// E_SINGULAR_VERTEX. Settings of elements that the polyhedron does not have are ignored. `requests` as in
+  /// `build_vertex_frames`. O(edges).
+  static Result<NetworkSystem> assemble(const Polyhedron& polyhedron, const Shaping& shaping,
+                                        std::span<const FrameRequest> requests = {});
+
+  /// Replaces all conditions; each basis vector has at most one, and its vertex no pin. O(conditions).
+  void set_conditions(std::span<const BasisCondition> conditions);
 
   const VertexFrames& frames() const { return frames_; }
   /// Dense copies of the tensions: beta per edge, alpha per vertex.
   const std::vector<double>& beta() const { return beta_; }
   const std::vector<double>& alpha() const { return alpha_; }
-  /// True when some vertex has a `normal` pin: then x, y and z depend on each other.
-  bool couples_coordinates() const { return couples_coordinates_; }
+  /// True when some vertex has a `normal` pin or some basis vector is kept in a plane: then x, y and z depend
+  /// on each other.
+  bool couples_coordinates() const { return couples_coordinates_ || plane_conditions_; }
 
   struct Solution {
     std::vector<Vector3> basis;  ///< X, one per basis vector of the frames
@@ -57,6 +76,8 @@ class NetworkSystem {
   std::optional<Message> read_tensions(const Polyhedron& polyhedron, const Shaping& shaping);
   std::optional<Message> read_pins(const Polyhedron& polyhedron, const Shaping& shaping);
   std::optional<Message> factor_blocks(const Polyhedron& polyhedron);
+  /// The vertex's diagonal block of the matrix, for one coordinate.
+  Eigen::MatrixXd diagonal_block(Index v) const;
   void apply(std::span<const Index> vertices, const std::vector<Vector3>& x,
              std::vector<Vector3>& end_tangents, std::vector<Vector3>& y) const;
   void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r,
@@ -85,6 +106,16 @@ class NetworkSystem {
   bool couples_coordinates_ = false;
   std::vector<PinState> pin_state_;  ///< empty when there are no pins
   std::vector<Vector3> pin_normal_, pinned_basis_;
+
+  /// Conditions of one vertex: per basis vector what is left free of it, and the inverse of the block on what
+  /// is left free of all of them (three rows a basis vector).
+  struct ConditionedVertex {
+    std::vector<Matrix3> free;
+    std::vector<Vector3> known;  ///< the fixed basis vectors, zero for others
+    Eigen::MatrixXd inverse;
+  };
+  std::map<Index, ConditionedVertex> conditioned_;
+  bool plane_conditions_ = false;
 };
 
 }  // namespace hariko

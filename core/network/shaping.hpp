@@ -37,6 +37,7 @@ struct Shaping {
 };
 
 /// The construction of the surface over the network (kuriyama.md, head). `fair` is the default for designers.
-enum class Mode { paper, target, fair };
+/// `g2` has continuous curvature (g2.md).
+enum class Mode { paper, target, fair, g2 };
 
 }  // namespace hariko

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 
+#include "core/base/assert.hpp"
 #include "core/network/network.hpp"
 
 namespace hariko {
@@ -42,8 +45,10 @@ Fan fan_of(const HalfEdgeMesh& mesh, Index v) {
 
 class FrameBuilder {
  public:
-  FrameBuilder(const Polyhedron& polyhedron, const Shaping& shaping)
-      : polyhedron_(polyhedron), mesh_(polyhedron.topology()), shaping_(shaping) {}
+  FrameBuilder(const Polyhedron& polyhedron, const Shaping& shaping, std::span<const FrameRequest> requests)
+      : polyhedron_(polyhedron), mesh_(polyhedron.topology()), shaping_(shaping) {
+    for (const FrameRequest& request : requests) requests_[request.vertex] = &request;
+  }
 
   Result<VertexFrames> build() {
     frames_.kind.assign(mesh_.vertex_count(), FrameKind::isolated);
@@ -82,11 +87,18 @@ class FrameBuilder {
                         "Crease two or more of its edges, or remove the tag.",
                         element_of(polyhedron_.vertex_id(v)));
 
+    const auto requested = requests_.find(v);
+    const FrameRequest* request = requested == requests_.end() ? nullptr : requested->second;
+    HARIKO_ASSERT(!request || (!fan_.closed && sharp.size() == 2), "frames are asked for on plain borders");
     const bool border_tip = !fan_.closed && fan_.edges.size() == 2;
     const bool corner =
         sharp.size() >= 3 || tag == VertexTag::corner || (border_tip && tag != VertexTag::smooth);
     if (fan_.closed && sharp.size() <= 1)
       smooth_vertex(v);
+    else if (request && request->line)
+      sharp_line_vertex(v, sharp);
+    else if (request)
+      corner_vertex(v, sharp, request->opening);
     else if (corner)
       corner_vertex(v, sharp);
     else
@@ -156,7 +168,8 @@ class FrameBuilder {
     }
   }
 
-  void corner_vertex(Index v, const std::vector<std::size_t>& sharp) {
+  /// `given`: the opening of the only sector, where it is known.
+  void corner_vertex(Index v, const std::vector<std::size_t>& sharp, std::optional<double> given = {}) {
     frames_.kind[v] = FrameKind::corner;
     const Index first_basis = take_basis(static_cast<Index>(sharp.size()));
     const auto parts = sectors(sharp);
@@ -165,9 +178,10 @@ class FrameBuilder {
       const Index xa = first_basis + static_cast<Index>(i);
       const Index xb = first_basis + static_cast<Index>((i + 1) % sharp.size());
       const double full = fan_.closed ? 2 * pi : pi;
-      const double opening = parts.size() == 1 && !fan_.closed
-                                 ? pi / 2
-                                 : std::min(full * double(m) / double(fan_.corners.size()), 2 * pi / 3);
+      const double usual = parts.size() == 1 && !fan_.closed
+                               ? pi / 2
+                               : std::min(full * double(m) / double(fan_.corners.size()), 2 * pi / 3);
+      const double opening = given.value_or(usual);
       const double step = opening / double(m);
       set_edge(first, {{xa, no_index}, {1, 0}});
       set_edge(first + m, {{xb, no_index}, {1, 0}});
@@ -182,6 +196,7 @@ class FrameBuilder {
   const Polyhedron& polyhedron_;
   const HalfEdgeMesh& mesh_;
   const Shaping& shaping_;
+  std::map<Index, const FrameRequest*> requests_;
   VertexFrames frames_;
   Fan fan_;
   Index next_basis_ = 0;
@@ -189,8 +204,9 @@ class FrameBuilder {
 
 }  // namespace
 
-Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping) {
-  return FrameBuilder(polyhedron, shaping).build();
+Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping,
+                                         std::span<const FrameRequest> requests) {
+  return FrameBuilder(polyhedron, shaping, requests).build();
 }
 
 }  // namespace hariko

@@ -4,6 +4,7 @@
 // extended to borders, creases, darts and corners; kuriyama.md section 2.1).
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/base/result.hpp"
@@ -33,7 +34,19 @@ struct VertexFrames {
   Index basis_count() const { return basis_begin.back(); }
 };
 
-/// Error: E_CORNER_NEEDS_CREASE where an inner vertex tagged corner has fewer than two sharp edges.
-Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping);
+/// What the curves on both sides of a border vertex ask of its frame when they are given (joins): a smooth
+/// line where they are one curve, else a corner with their true opening, counter-clockwise from the border
+/// edge that leaves the vertex. It comes before tags.
+struct FrameRequest {
+  Index vertex = no_index;
+  bool line = true;
+  double opening = 0;  ///< 0 .. 2 pi, its sine not near zero; not used for a line
+  friend bool operator==(const FrameRequest&, const FrameRequest&) = default;
+};
+
+/// `requests`: at border vertices where no crease ends, each at most once. Error: E_CORNER_NEEDS_CREASE where
+/// an inner vertex tagged corner has fewer than two sharp edges.
+Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping,
+                                         std::span<const FrameRequest> requests = {});
 
 }  // namespace hariko

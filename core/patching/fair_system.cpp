@@ -77,8 +77,9 @@ struct FairSystem::Workspace {
 };
 
 FairSystem::FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-                       const PatchConstants& constants, const FairWeights& weights)
-    : mesh_(std::move(mesh)), elements_(std::make_shared<FairElements>(weights)) {
+                       const PatchConstants& constants, const FairWeights& weights,
+                       const std::vector<bool>& given_side)
+    : mesh_(std::move(mesh)), given_side_(given_side), elements_(std::make_shared<FairElements>(weights)) {
   number_unknowns();
   build_elements(network, constants, weights);
   build_preconditioner();
@@ -161,6 +162,7 @@ void FairSystem::build_preconditioner() {
       const bool smooth = edge_element_[e] != nullptr;
       key.push_back(smooth ? face_element_[mesh.face(mesh.twin(h))] : nullptr);
       key.push_back(mesh.half_edge_of_edge(e) == h ? this : nullptr);
+      key.push_back(is_given(h) ? this : nullptr);
     }
     auto& block = known[key];
     if (!block) block = std::make_shared<const Block>(make_block(f));
@@ -202,6 +204,15 @@ FairSystem::Block FairSystem::make_block(Index face) const {
     const int mine[2] = {columns[7], columns[8]}, their[2] = {theirs[8], theirs[7]};
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) matrix(mine[a], mine[b]) += square * neighbour.matrix(their[a], their[b]);
+  }
+  for (Eigen::Index j = 0; j < n; ++j) {
+    if (!is_given(mesh.face_begin(face) + Index(j))) continue;
+    for (const Eigen::Index known : {3 + 2 * n + 2 * j, 4 + 2 * n + 2 * j}) {
+      matrix.row(known).setZero();
+      matrix.col(known).setZero();
+      matrix(known, known) = 1;
+      weight[known] = 0;
+    }
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   HARIKO_ASSERT(factor.info() == Eigen::Success, "the fairness energy of a face is positive definite");
@@ -245,7 +256,7 @@ void FairSystem::collect_sides(const Workspace& work, bool scaled, Field& y) con
         continue;
       }
       for (const Index side : {h, twin}) {
-        if (side == no_index || !work.active[mesh.face(side)]) continue;
+        if (side == no_index || !work.active[mesh.face(side)] || is_given(side)) continue;
         y[side_origin_[side]] = share(side, 0);
         y[side_target_[side]] = share(side, 1);
       }
@@ -378,7 +389,7 @@ FairSystem::Workspace FairSystem::make_workspace(const SolveOptions& options) co
       const Index e = mesh.edge(h), twin = mesh.twin(h);
       const bool smooth = edge_element_[e] != nullptr;
       const bool both = twin != no_index && work.active[mesh.face(twin)];
-      if (!smooth) sides.push_back(side_origin_[h]);
+      if (!smooth && !is_given(h)) sides.push_back(side_origin_[h]);
       if (both && mesh.half_edge_of_edge(e) != h) continue;  // taken from the other side
       if (smooth && both) sides.push_back(side_origin_[mesh.half_edge_of_edge(e)]);
       if (smooth) work.edges.push_back(e);

@@ -21,8 +21,11 @@ namespace hariko {
 /// of overlapping face blocks.
 class FairSystem {
  public:
+  /// `given_side`, per half-edge: the points that serve this border edge are in the base patch, their z is
+  /// zero; empty when there are none.
   FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-             const PatchConstants& constants, const FairWeights& weights = {});
+             const PatchConstants& constants, const FairWeights& weights = {},
+             const std::vector<bool>& given_side = {});
 
   std::size_t unknown_count() const { return unknown_count_; }
   const HalfEdgeMesh& mesh() const { return *mesh_; }
@@ -71,6 +74,7 @@ class FairSystem {
                       const FairWeights& weights);
   void build_preconditioner();
   Block make_block(Index face) const;
+  bool is_given(Index h) const { return !given_side_.empty() && given_side_[h]; }
   Eigen::Index local_size(Index face) const { return 3 + 4 * Eigen::Index(mesh_->side_count(face)); }
   /// The face's unknowns in the element's order, z scaled as the element expects (or not, for the
   /// preconditioner).
@@ -89,6 +93,7 @@ class FairSystem {
   std::vector<std::size_t> side_origin_;  ///< per half-edge: unknown z at its origin
   std::vector<std::size_t> side_target_;
   std::vector<double> side_scale_;  ///< per half-edge: factor of the shared z in the own face's point
+  std::vector<bool> given_side_;
   std::shared_ptr<FairElements> elements_;
   std::vector<const FaceElement*> face_element_;
   std::vector<const EdgeElement*> edge_element_;  ///< null on sharp edges

@@ -1,9 +1,11 @@
 #include "core/patching/polyhedron_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 
 #include "core/patching/drag_response.hpp"
+#include "core/patching/g2_surface.hpp"
 #include "core/patching/surface_parts.hpp"
 #include "core/patching/surface_system.hpp"
 #include "core/patching/surface_warnings.hpp"
@@ -13,19 +15,75 @@ namespace hariko {
 namespace {
 
 constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
+/// Of the object's size: faces that a drag moves less stay as they are in mode G2.
+constexpr double drag_negligible_g2 = 2e-10;
 
-std::optional<Message> check_sides(const Polyhedron& polyhedron) {
+std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
+  const bool fair = mode == Mode::fair;
+  const Index limit = fair ? largest_fair_side_count : largest_g2_side_count;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     const Index sides = polyhedron.topology().side_count(f);
-    if (sides <= largest_fair_side_count) continue;
+    if (sides <= limit) continue;
     const FaceId id = polyhedron.face_id(f);
     return make_error(e_too_many_sides,
-                      "Face " + std::to_string(id.value) + " has " + std::to_string(sides) +
-                          " sides; mode FAIR takes " + std::to_string(largest_fair_side_count) +
-                          " at the most.",
+                      "Face " + std::to_string(id.value) + " has " + std::to_string(sides) + " sides; mode " +
+                          (fair ? "FAIR" : "G2") + " takes " + std::to_string(limit) + " at the most.",
                       "Split the face, or use mode TARGET.", element_of(id));
   }
   return std::nullopt;
+}
+
+bool equal_but_pins(const Shaping& a, const Shaping& b) {
+  return a.alpha == b.alpha && a.beta == b.beta && a.crease == b.crease && a.tag == b.tag;
+}
+
+/// A long diagonal of the polyhedron's box.
+double size_of(std::span<const Vector3> positions) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3& p : positions) box.extend(p);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+/// What moved between two states of a polyhedron, each vertex by a share of one displacement.
+struct CommonMove {
+  std::vector<Index> moved;
+  std::vector<double> weight;
+  Vector3 displacement = Vector3::Zero();
+};
+
+/// Nothing where the moves are no shares of one displacement. Weights in `known`, if it moves the same
+/// vertices and they fit, are kept.
+template <class Response>
+std::optional<CommonMove> common_move(const Polyhedron& polyhedron, const std::vector<Vector3>& from,
+                                      const std::optional<Response>& known) {
+  CommonMove out;
+  std::vector<Vector3> moves;
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
+    const Vector3 move = polyhedron.position(v) - from[v];
+    if (move.isZero(0)) continue;
+    if (move.squaredNorm() > out.displacement.squaredNorm()) out.displacement = move;
+    out.moved.push_back(v);
+    moves.push_back(move);
+  }
+  if (out.moved.empty()) {
+    if (!known) return std::nullopt;
+    out.moved = known->moved;
+    out.weight = known->weight;
+    return out;
+  }
+  const auto follows = [&](const std::vector<double>& weight) {
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      if (!((moves[i] - weight[i] * out.displacement).norm() <= 1e-9 * out.displacement.norm())) return false;
+    return true;
+  };
+  if (known && known->moved == out.moved && follows(known->weight)) {
+    out.weight = known->weight;
+    return out;
+  }
+  for (const Vector3& move : moves)
+    out.weight.push_back(move.dot(out.displacement) / out.displacement.squaredNorm());
+  if (!follows(out.weight)) return std::nullopt;
+  return out;
 }
 
 }  // namespace
@@ -36,155 +94,313 @@ struct PolyhedronSurfacer::State {
   Shaping shaping;
   std::shared_ptr<const ElementAliases> aliases;
   std::optional<SurfaceSystem> system;
+  JoinPlan joins;
   Surface::Parts parts;
   std::shared_ptr<const QuarticTables> tables = std::make_shared<QuarticTables>();
 
   // Warm starts for quality `drag`; `final` never reads them.
   std::vector<Vector3> last_basis;
   FairSystem::Field last_unknowns;
+  G2System::Field last_g2;
 
   // The last `final` result, the base of a drag.
   struct Base {
     std::vector<Vector3> positions;
-    QuarticPatchArray patches;
+    double size = 0;
+    QuarticPatchArray patches;             // not in mode G2
+    std::shared_ptr<const G2PatchSet> g2;  // mode G2
     Surface surface;
+    std::vector<Vector3> basis;  ///< of the network
     std::uint64_t revision = 0;
+    std::vector<Join> joins;
+    std::shared_ptr<const std::vector<JoinCoefficients>> coefficients;
   };
   std::optional<Base> base;
   std::optional<DragResponse> response;
+  std::optional<G2DragResponse> g2_response;
   std::uint64_t revision = 0;
 
   std::optional<Message> prepare(const PolyhedronSurfaceInput& input);
+  /// The network's solution, and what joins give beside it.
+  Result<NetworkSystem::Solution> solve_network(std::span<const Vector3> positions, Quality quality,
+                                                JoinPlan::Solution& joined);
+  std::optional<Message> prepare_pins(const PolyhedronSurfaceInput& input);
+  bool base_has(const PolyhedronSurfaceInput& input) const;
   std::optional<PolyhedronSurface> drag(const PolyhedronSurfaceInput& input, const CancelToken& cancel);
+  void make_fair() {
+    if (!system->fair)
+      system->fair = std::make_unique<FairSystem>(system->mesh, system->network, system->constants,
+                                                  FairWeights{}, system->given_side);
+  }
+  bool wants_round(const PolyhedronSurfaceInput& input) const;
+  std::optional<QuarticPatchArray> fair_patches(const std::vector<Vector3>& positions, const Network& network,
+                                                const JoinGeometry& joined,
+                                                const FairSystem::SolveOptions& options,
+                                                const CancelToken& cancel, SolveReport& report);
+  std::shared_ptr<const G2PatchSet> solve_g2(const std::vector<Vector3>& positions, const Network& network,
+                                             bool round, Quality quality, const CancelToken& cancel,
+                                             SolveReport& report);
   Result<PolyhedronSurface> solve(const PolyhedronSurfaceInput& input, Quality quality,
                                   const CancelToken& cancel);
 };
+
+bool PolyhedronSurfacer::State::wants_round(const PolyhedronSurfaceInput& input) const {
+  if (input.mode != Mode::g2) return false;
+  const std::vector<double>& alpha = system->network.alpha();
+  return input.round || std::any_of(alpha.begin(), alpha.end(), [](double a) { return a > 0; });
+}
 
 std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input) {
   const bool same_mesh = polyhedron && polyhedron->shared_topology() == input.polyhedron.shared_topology();
   const bool same_names =
       aliases == input.aliases || (aliases && input.aliases && *aliases == *input.aliases);
-  const bool same =
-      same_mesh && same_names && system && shaping == input.shaping && system->mode == input.mode;
+  auto plan = JoinPlan::make(input.polyhedron, input.shaping, input.joins);
+  if (!plan) return plan.error();
+  const bool same = same_mesh && same_names && system && shaping == input.shaping &&
+                    system->mode == input.mode && joins.same_structure(*plan);
+  const bool same_but_pins = same_mesh && same_names && system && system->mode == input.mode &&
+                             joins.same_structure(*plan) && equal_but_pins(shaping, input.shaping);
+  joins = std::move(plan).value();
   polyhedron = input.polyhedron;
   aliases = input.aliases;
   if (same) return std::nullopt;
+  if (same_but_pins) return prepare_pins(input);
   system.reset();
   base.reset();
   response.reset();
+  g2_response.reset();
   if (!same_mesh) {
     last_basis.clear();
     last_unknowns = {};
+    last_g2.clear();
   }
-  if (input.mode == Mode::fair)
-    if (auto failed = check_sides(input.polyhedron)) return failed;
-  auto network = NetworkSystem::assemble(input.polyhedron, input.shaping);
+  if (input.mode == Mode::fair || input.mode == Mode::g2)
+    if (auto failed = check_sides(input.polyhedron, input.mode)) return failed;
+  if (input.mode == Mode::g2 && !joins.empty())
+    return make_error(
+        e_join_mode, "Mode G2 cannot take the sides of patches.", "Use mode FAIR, or detach the patches.",
+        element_of(
+            input.polyhedron.edge_id(input.polyhedron.topology().edge(joins.joins().front().half_edge))));
+  auto network = NetworkSystem::assemble(input.polyhedron, input.shaping, joins.requests());
   if (!network) return network.error();
   shaping = input.shaping;
   const auto& mesh = input.polyhedron.shared_topology();
-  SurfaceSystem fresh{mesh, std::move(network).value(), {}, input.mode, nullptr};
-  fresh.constants = patch_constants(*mesh, fresh.network.frames());
-  if (input.mode == Mode::fair)
-    fresh.fair = std::make_unique<FairSystem>(mesh, fresh.network, fresh.constants);
-  parts = polyhedron_surface_parts(input.polyhedron, fresh.network.frames(), aliases.get());
-  system = std::move(fresh);
+  system =
+      SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
+  system->constants = patch_constants(*mesh, system->network.frames());
+  if (input.mode == Mode::fair) make_fair();
+  if (input.mode == Mode::g2) system->g2 = std::make_unique<G2System>(mesh, system->network);
+  parts = polyhedron_surface_parts(input.polyhedron, system->network.frames(), aliases.get(),
+                                   input.mode == Mode::g2 ? Continuity::g2 : Continuity::g1);
   return std::nullopt;
+}
+
+/// Pins concern the network only. Where they fix what the base has anyway (the beginning of a local edit), it
+/// stays the base of the drag that follows.
+std::optional<Message> PolyhedronSurfacer::State::prepare_pins(const PolyhedronSurfaceInput& input) {
+  if (!joins.empty() || !base_has(input)) base.reset();
+  response.reset();
+  g2_response.reset();
+  auto network = NetworkSystem::assemble(input.polyhedron, input.shaping, joins.requests());
+  if (!network) {
+    system.reset();
+    return network.error();
+  }
+  system->network = std::move(network).value();
+  shaping = input.shaping;
+  return std::nullopt;
+}
+
+/// Whether the pins of the input are those of the base, and tangents that the base's network has.
+bool PolyhedronSurfacer::State::base_has(const PolyhedronSurfaceInput& input) const {
+  if (!base) return false;
+  const auto& before = shaping.pin;
+  const auto& after = input.shaping.pin;
+  const std::vector<Index>& begin = system->network.frames().basis_begin;
+  for (const auto& [id, pin] : before)
+    if (const Pin* kept = after.find(id); !kept || !(*kept == pin)) return false;
+  for (const auto& [id, pin] : after) {
+    const Index v = input.polyhedron.find(id);
+    if (before.contains(id) || v == no_index) continue;
+    if (pin.kind != Pin::Kind::tangents || pin.vectors.size() != begin[v + 1] - begin[v]) return false;
+    if (!std::equal(pin.vectors.begin(), pin.vectors.end(), base->basis.begin() + begin[v])) return false;
+  }
+  return true;
 }
 
 /// The fast path: since the last final result vertices moved along one displacement only, each by a share of
 /// it.
 std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const PolyhedronSurfaceInput& input,
                                                                  const CancelToken& cancel) {
-  if (!base || system->network.couples_coordinates() || base->surface.origin() != input.origin)
+  if (!base || system->network.couples_coordinates() || base->surface.origin() != input.origin ||
+      base->joins != joins.joins())
     return std::nullopt;
-  std::vector<Index> moved;
-  std::vector<Vector3> moves;
-  Vector3 displacement = Vector3::Zero();
-  for (Index v = 0; v < input.polyhedron.vertex_count(); ++v) {
-    const Vector3 move = input.polyhedron.position(v) - base->positions[v];
-    if (move.isZero(0)) continue;
-    if (move.squaredNorm() > displacement.squaredNorm()) displacement = move;
-    moved.push_back(v);
-    moves.push_back(move);
-  }
-  if (moved.empty() && !response) return std::nullopt;
-  const auto follows = [&](std::size_t i, double weight) {
-    return (moves[i] - weight * displacement).norm() <= 1e-9 * displacement.norm();
+  std::shared_ptr<const PatchSet> patches;
+  std::shared_ptr<const std::vector<Index>> changed;
+  CornerNormal normal;
+  /// Keeps `response` or makes the one for this move; false when it was cancelled.
+  const auto prepare_response = [&](auto& known, CommonMove& move, const auto& make) {
+    if (known && known->moved == move.moved && known->weight == move.weight) return true;
+    known = make(*system, std::move(move.moved), std::move(move.weight), cancel);
+    if (cancel.cancelled()) known.reset();
+    return known.has_value();
   };
-  const auto fits = [&] {
-    if (response->moved != moved) return false;
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      if (!follows(i, response->weight[i])) return false;
-    return true;
-  };
-  if (!moved.empty() && !(response && fits())) {
-    std::vector<double> weight(moved.size());
-    for (std::size_t i = 0; i < moved.size(); ++i) {
-      weight[i] = moves[i].dot(displacement) / displacement.squaredNorm();
-      if (!follows(i, weight[i])) return std::nullopt;
-    }
-    response = drag_response(*system, std::move(moved), std::move(weight), cancel);
-    if (cancel.cancelled()) {
-      response.reset();
-      return std::nullopt;
-    }
+  if (system->g2) {
+    auto move = common_move(joins.polyhedron(), base->positions, g2_response);
+    if (!move || !prepare_response(g2_response, *move, g2_drag_response)) return std::nullopt;
+    std::vector<Index> touched;
+    auto moved = displaced(*system->mesh, *base->g2, *g2_response, move->displacement,
+                           drag_negligible_g2 * base->size, touched);
+    changed = std::make_shared<const std::vector<Index>>(std::move(touched));
+    normal = [moved](Index patch, int corner) { return moved->corner_normal(patch, corner); };
+    patches = std::move(moved);
+  } else {
+    auto move = common_move(joins.polyhedron(), base->positions, response);
+    if (!move || !prepare_response(response, *move, drag_response)) return std::nullopt;
+    auto moved =
+        std::make_shared<QuarticPatchSet>(displaced(base->patches, *response, move->displacement), tables);
+    changed = response->patches;
+    normal = corner_normals(moved->array());
+    patches = std::move(moved);
   }
-  QuarticPatchArray patches = displaced(base->patches, *response, displacement);
   auto normals = std::make_shared<std::vector<Vector3>>(base->surface.node_count());
   for (Index n = 0; n < base->surface.node_count(); ++n) (*normals)[n] = base->surface.node_normal(n);
-  update_node_normals(*system->mesh, system->network.frames(), parts, patches, *response->patches, *normals);
+  update_node_normals(*system->mesh, system->network.frames(), parts, normal, *changed, *normals);
 
   PolyhedronSurface out;
-  out.surface =
-      base->surface.with_patches(std::make_shared<QuarticPatchSet>(std::move(patches), tables), normals);
+  out.surface = base->surface.with_patches(std::move(patches), normals);
   out.revision = ++revision;
   out.base_revision = base->revision;
-  out.changed = response->patches;
+  out.changed = std::move(changed);
+  out.joins = base->coefficients;
   return out;
+}
+
+/// Joined sides are met in two steps: with tangents kept in the sides' planes, and then with the lengths that
+/// one lambda for each side asks for.
+Result<NetworkSystem::Solution> PolyhedronSurfacer::State::solve_network(std::span<const Vector3> positions,
+                                                                         Quality quality,
+                                                                         JoinPlan::Solution& joined) {
+  NetworkSystem& network = system->network;
+  NetworkSystem::SolveOptions options;
+  if (quality == Quality::drag && !last_basis.empty()) options.start = &last_basis;
+  if (!joins.empty()) network.set_conditions(joins.first_conditions(network.frames()));
+  auto solution = network.solve(positions, options);
+  if (!joins.any_smooth()) return solution;
+  auto met = joins.solve(network.frames(), system->constants, solution.basis);
+  if (!met) return met.error();
+  joined = std::move(met).value();
+  network.set_conditions(joined.conditions);
+  options.start = &solution.basis;
+  auto second = network.solve(positions, options);
+  second.iterations += solution.iterations;
+  return second;
+}
+
+/// Patches of mode G2 over a solved network; nothing when cancelled.
+std::shared_ptr<const G2PatchSet> PolyhedronSurfacer::State::solve_g2(const std::vector<Vector3>& positions,
+                                                                      const Network& network, bool round,
+                                                                      Quality quality,
+                                                                      const CancelToken& cancel,
+                                                                      SolveReport& report) {
+  if (quality == Quality::final) {
+    if (round) {
+      make_fair();
+      auto reference = fair_patches(positions, network, {}, {}, cancel, report);
+      if (!reference) return nullptr;
+      system->g2->bend_over(QuarticPatchSet(std::move(*reference), tables));
+    } else {
+      system->g2->bend_over_charts();
+    }
+  }
+  G2System::SolveOptions options;
+  if (quality == Quality::drag) {
+    options.tolerance = drag_tolerance;
+    if (last_g2.size() == system->g2->unknown_count()) options.start = &last_g2;
+  }
+  const G2System::Given given{positions, &network};
+  auto solution = system->g2->solve(given, options, cancel);
+  if (solution.cancelled || cancel.cancelled()) return nullptr;
+  report.g2_iterations = solution.iterations;
+  report.g2_converged = solution.converged;
+  report.round = system->g2->round();
+  last_g2 = std::move(solution.unknowns);
+  return g2_patches(*system->g2, given, last_g2);
+}
+
+/// Patches of the other modes; nothing when cancelled.
+std::optional<QuarticPatchArray> PolyhedronSurfacer::State::fair_patches(
+    const std::vector<Vector3>& positions, const Network& network, const JoinGeometry& joined,
+    const FairSystem::SolveOptions& options, const CancelToken& cancel, SolveReport& report) {
+  const HalfEdgeMesh& mesh = *system->mesh;
+  std::vector<Index> faces(mesh.face_count()), vertices(mesh.vertex_count());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  std::iota(vertices.begin(), vertices.end(), Index(0));
+  std::vector<QuarticPatch> patches(mesh.half_edge_count());
+  auto fair = build_patches(*system, positions, network, {faces, vertices}, options, cancel, patches, joined);
+  if (fair.cancelled || cancel.cancelled()) return std::nullopt;
+  report.fair_iterations = fair.iterations;
+  report.fair_converged = fair.converged;
+  last_unknowns = std::move(fair.unknowns);
+  return QuarticPatchArray(patches);
 }
 
 Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfaceInput& input,
                                                            Quality quality, const CancelToken& cancel) {
   const HalfEdgeMesh& mesh = *system->mesh;
-  const std::vector<Vector3> positions = input.polyhedron.positions();
+  const std::vector<Vector3> positions = joins.polyhedron().positions();
   const bool warm = quality == Quality::drag;
   const auto cancelled = [] { return make_error(e_cancelled, "The surface was not finished."); };
 
-  NetworkSystem::SolveOptions network_options;
-  if (warm && !last_basis.empty()) network_options.start = &last_basis;
-  auto solution = system->network.solve(positions, network_options);
+  JoinPlan::Solution joined;
+  auto solution = solve_network(positions, quality, joined);
+  if (!solution) return solution.error();
   PolyhedronSurface out;
-  out.report.network_iterations = solution.iterations;
-  auto network = std::make_shared<Network>(system->network.network(solution, positions));
-  last_basis = std::move(solution.basis);
+  out.report.network_iterations = solution->iterations;
+  auto network = std::make_shared<Network>(system->network.network(*solution, positions));
+  last_basis = std::move(solution->basis);
   if (cancel.cancelled()) return cancelled();
 
-  std::vector<Index> faces(mesh.face_count()), vertices(mesh.vertex_count());
-  std::iota(faces.begin(), faces.end(), Index(0));
-  std::iota(vertices.begin(), vertices.end(), Index(0));
-  FairSystem::SolveOptions options;
-  if (warm) options.tolerance = drag_tolerance;
-  if (warm && system->fair && last_unknowns.size() == system->fair->unknown_count())
-    options.start = &last_unknowns;
-  std::vector<QuarticPatch> patches(mesh.half_edge_count());
-  auto fair = build_patches(*system, positions, *network, {faces, vertices}, options, cancel, patches);
-  if (fair.cancelled || cancel.cancelled()) return cancelled();
-  out.report.fair_iterations = fair.iterations;
-  out.report.fair_converged = fair.converged;
-  last_unknowns = std::move(fair.unknowns);
-
-  QuarticPatchArray array(patches);
+  Base fresh;
+  std::shared_ptr<const PatchSet> patches;
+  CornerNormal normal;
+  if (system->g2) {
+    fresh.g2 = solve_g2(positions, *network, wants_round(input), quality, cancel, out.report);
+    if (!fresh.g2) return cancelled();
+    patches = fresh.g2;
+    normal = [&](Index patch, int corner) { return fresh.g2->corner_normal(patch, corner); };
+  } else {
+    FairSystem::SolveOptions options;
+    if (warm) options.tolerance = drag_tolerance;
+    if (warm && system->fair && last_unknowns.size() == system->fair->unknown_count())
+      options.start = &last_unknowns;
+    auto array = fair_patches(positions, *network, joined.geometry, options, cancel, out.report);
+    if (!array) return cancelled();
+    fresh.patches = std::move(*array);
+    patches = std::make_shared<QuarticPatchSet>(fresh.patches, tables);
+    normal = corner_normals(fresh.patches);
+  }
   Surface::Parts full = parts;
   full.origin = input.origin;
   full.node_normals =
-      std::make_shared<std::vector<Vector3>>(node_normals(mesh, system->network.frames(), parts, array));
-  full.patches = std::make_shared<QuarticPatchSet>(array, tables);
+      std::make_shared<std::vector<Vector3>>(node_normals(mesh, system->network.frames(), parts, normal));
+  full.patches = std::move(patches);
   out.surface = Surface(std::move(full));
   out.revision = out.base_revision = ++revision;
+  out.joins = std::make_shared<std::vector<JoinCoefficients>>(std::move(joined.coefficients));
   if (quality == Quality::final) {
-    out.warnings = surface_warnings(input.polyhedron, *network, out.surface);
-    base = Base{positions, std::move(array), out.surface, out.revision};
+    out.warnings = surface_warnings(joins.polyhedron(), *network, out.surface, input.aliases.get());
+    out.warnings.insert(out.warnings.end(), joined.warnings.begin(), joined.warnings.end());
+    fresh.positions = positions;
+    fresh.size = size_of(positions);
+    fresh.surface = out.surface;
+    fresh.revision = out.revision;
+    fresh.joins = joins.joins();
+    fresh.coefficients = out.joins;
+    fresh.basis = last_basis;
+    base = std::move(fresh);
     response.reset();
+    g2_response.reset();
   }
   out.network = std::move(network);
   return out;
@@ -204,10 +420,11 @@ Result<PolyhedronSurface> PolyhedronSurfacer::rebuild(const PolyhedronSurfaceInp
   if (quality == Quality::drag)
     if (auto fast = state_->drag(input, cancel)) return std::move(*fast);
   auto made = state_->solve(input, quality, cancel);
-  // What is said of a copy was said of its original.
-  if (made && input.aliases)
-    std::erase_if(made.value().warnings,
-                  [&](const Message& warning) { return input.aliases->is_copy(warning.element); });
+  if (!made && input.aliases) {
+    Message failed = made.error();
+    failed.element = input.aliases->original(failed.element);
+    return failed;
+  }
   return made;
 }
 

@@ -10,13 +10,13 @@
 #include "core/base/result.hpp"
 #include "core/network/network.hpp"
 #include "core/network/shaping.hpp"
+#include "core/patching/join_plan.hpp"
 #include "core/polyhedron/element_aliases.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
 
-inline constexpr Code e_cancelled{"E_CANCELLED"};
 inline constexpr Code e_too_many_sides{"E_TOO_MANY_SIDES"};
 inline constexpr Code w_long_tangent{"W_LONG_TANGENT"};
 inline constexpr Code w_fold{"W_FOLD"};
@@ -26,15 +26,21 @@ struct SolveReport {
   int network_iterations = 0;
   int fair_iterations = 0;
   bool fair_converged = true;
+  int g2_iterations = 0;
+  bool g2_converged = true;
+  bool round = false;  ///< mode G2 measured bending over the surface of mode FAIR
 };
 
 /// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where
 /// vertices moved by shares of one common displacement since the last `final` result, it differs from `final`
-/// by less than 1e-6 of the displacement and touches only the patches that feel it.
+/// by less than 1e-6 of the displacement (mode G2: 1e-9 of the object's size, with a reference as it was) and
+/// touches only the patches that feel it.
 enum class Quality { drag, final };
 
 /// Mode FAIR keeps a dense matrix of (4n)^2 numbers for an n-sided face; more sides than this are refused.
 inline constexpr Index largest_fair_side_count = 128;
+/// Mode G2: beyond this, faces ripple whatever their shape (g2.md section 9).
+inline constexpr Index largest_g2_side_count = 32;
 
 struct PolyhedronSurfaceInput {
   Polyhedron polyhedron;
@@ -43,15 +49,22 @@ struct PolyhedronSurfaceInput {
   Vector3 origin = Vector3::Zero();  ///< what the polyhedron's positions are relative to
   /// Where some elements are copies of others: provenance and messages then name the originals. May be null.
   std::shared_ptr<const ElementAliases> aliases = {};
+  /// Border edges that take the sides of bicubic patches: their vertices lie where the sides end.
+  std::vector<Join> joins = {};
+  /// Mode G2: measure bending over the surface of mode FAIR (g2.md section 8). Done anyway where some alpha
+  /// is above zero. While dragging, the reference is that of the last `final` result.
+  bool round = false;
 };
 
 struct PolyhedronSurface {
   Surface surface;
   /// Curves along the polyhedron's edges; null where only some patches were updated (`changed` is set).
   std::shared_ptr<const Network> network;
-  /// W_LONG_TANGENT and W_FOLD; filled at quality `final` only.
+  /// W_LONG_TANGENT, W_FOLD and W_JOIN_SCALE; filled at quality `final` only.
   std::vector<Message> warnings;
   SolveReport report;
+  /// One a join, in the order of the half-edges; those of G0 mean nothing. Kept from the last full solve.
+  std::shared_ptr<const std::vector<JoinCoefficients>> joins;
 
   /// Every result of a surfacer has its own revision. When `changed` is set, all patches but these are equal
   /// to those of the result with revision `base_revision`; results of one drag share that base.
@@ -69,7 +82,8 @@ class PolyhedronSurfacer {
   PolyhedronSurfacer(PolyhedronSurfacer&&) noexcept;
   PolyhedronSurfacer& operator=(PolyhedronSurfacer&&) noexcept;
 
-  /// Errors: those of `NetworkSystem::assemble`, E_TOO_MANY_SIDES in mode FAIR, and E_CANCELLED.
+  /// Errors: those of `NetworkSystem::assemble`, of `JoinPlan`, E_TOO_MANY_SIDES in modes FAIR and G2,
+  /// E_JOIN_MODE in mode G2 with joins, and E_CANCELLED.
   Result<PolyhedronSurface> rebuild(const PolyhedronSurfaceInput& input, Quality quality = Quality::final,
                                     const CancelToken& cancel = {});
 

@@ -14,6 +14,7 @@ struct RingEdge {
   double a1 = 0, a2 = 0;
   Vector3* left = nullptr;
   Vector3* right = nullptr;
+  bool given = false;  ///< of a border edge: its point is known, not sought
 };
 
 /// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (f of its face) and
@@ -131,16 +132,16 @@ void solve_open(Ring& ring) {
     g[k + 1] += ring.edges[k + 1].a1 * multiplier[k];
     g[k] += ring.edges[k + 1].a2 * multiplier[k];
   }
-  *ring.edges.front().left = ring.point + g.front();
-  *ring.edges.back().right = ring.point + g.back();
+  if (!ring.edges.front().given) *ring.edges.front().left = ring.point + g.front();
+  if (!ring.edges.back().given) *ring.edges.back().right = ring.point + g.back();
   for (std::size_t k = 0; k < inner; ++k) write_pair(ring.edges[k + 1], g[k + 1], g[k], ring.point);
 }
 
 class RingSolver {
  public:
   RingSolver(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
-             std::span<QuarticPatch> patches)
-      : mesh_(mesh), constants_(constants), mode_(mode), patches_(patches) {}
+             std::span<QuarticPatch> patches, const std::vector<bool>& given_side)
+      : mesh_(mesh), constants_(constants), mode_(mode), patches_(patches), given_side_(given_side) {}
 
   void centre(Index face) {
     using namespace quartic;
@@ -193,6 +194,8 @@ class RingSolver {
   }
 
  private:
+  bool is_given(Index h) const { return !given_side_.empty() && given_side_[h]; }
+
   void begin_ring(Index v, bool closed) {
     ring_.clear();
     ring_.closed = closed;
@@ -206,20 +209,25 @@ class RingSolver {
     Vector3* left = &patches_[h].control[d121u];
     Vector3* right = twin == no_index ? nullptr : &patches_[twin].control[d112u];
     const double own = constants_.own[h];
-    ring_.edges.push_back({*left - ring_.point, own, 1 - own, left, right});
+    const bool given = is_given(h);
+    ring_.edges.push_back({*left - ring_.point, own, 1 - own, left, right, given});
     Vector3* split_left = &patches_[previous].control[d112v];
     Vector3* split_right = &patches_[h].control[d121w];
     ring_.edges.push_back({*split_left - ring_.point, 0.5, 0.5, split_left, split_right});
     const double x = constants_.f[mesh_.face(h)];
     ring_.x.push_back(x);
     ring_.x.push_back(x);
-    ring_.target.push_back(target_at(patches_[h], 1));
-    ring_.target.push_back(target_at(patches_[previous], 2));
+    // Where a point of a patch is given, its other point of the pair keeps as near to it as it can.
+    ring_.target.push_back(given ? *left : target_at(patches_[h], 1));
+    ring_.target.push_back(is_given(previous) ? patches_[previous].control[d112u]
+                                              : target_at(patches_[previous], 2));
   }
 
   void finish_sector(Index last_corner) {
     RingEdge closing;
-    closing.right = &patches_[mesh_.previous(last_corner)].control[quartic::d112u];
+    const Index side = mesh_.previous(last_corner);
+    closing.given = is_given(side);
+    closing.right = &patches_[side].control[quartic::d112u];
     ring_.edges.push_back(closing);
     solve_open(ring_);
   }
@@ -228,6 +236,7 @@ class RingSolver {
   const PatchConstants& constants_;
   Mode mode_;
   std::span<QuarticPatch> patches_;
+  const std::vector<bool>& given_side_;
   Ring ring_;
 };
 
@@ -235,14 +244,14 @@ class RingSolver {
 
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
                  std::span<const Index> vertices, std::span<const Index> faces,
-                 std::span<QuarticPatch> patches) {
+                 std::span<QuarticPatch> patches, const std::vector<bool>& given_side) {
   // Rings touch different inner points of a patch, and read only boundary points and their own inner points.
   parallel_for(vertices.size(), 512, [&](std::size_t begin, std::size_t end) {
-    RingSolver solver(mesh, constants, mode, patches);
+    RingSolver solver(mesh, constants, mode, patches, given_side);
     for (std::size_t k = begin; k < end; ++k) solver.vertex(vertices[k]);
   });
   parallel_for(faces.size(), 512, [&](std::size_t begin, std::size_t end) {
-    RingSolver solver(mesh, constants, mode, patches);
+    RingSolver solver(mesh, constants, mode, patches, given_side);
     for (std::size_t k = begin; k < end; ++k) solver.centre(faces[k]);
   });
 }

@@ -13,9 +13,10 @@ namespace hariko {
 
 /// Sets inner points for mode PAPER or TARGET, in the rings round these vertices and round the split points
 /// of these faces. `patches` holds base patches (PatchBuilder::base_patch) of all half-edges concerned on
-/// entry.
+/// entry. `given_side`, per half-edge: the points that serve this border edge stay as they are; empty when
+/// there are none.
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
                  std::span<const Index> vertices, std::span<const Index> faces,
-                 std::span<QuarticPatch> patches);
+                 std::span<QuarticPatch> patches, const std::vector<bool>& given_side);
 
 }  // namespace hariko

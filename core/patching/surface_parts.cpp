@@ -40,7 +40,7 @@ Vector3 centre_normal(const QuarticPatch& patch) {
 }  // namespace
 
 Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const VertexFrames& frames,
-                                        const ElementAliases* aliases) {
+                                        const ElementAliases* aliases, Continuity smooth) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   Surface::Parts parts;
   std::vector<Index> vertex_node(mesh.vertex_count(), no_index);
@@ -65,19 +65,20 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
     corner_nodes->push_back(vertex_node[mesh.target(h)]);
     const FaceId face = polyhedron.face_id(f);
     const Index side = h - mesh.face_begin(f);
-    if (aliases && aliases->is_copy(face))
-      provenance->push_back({element_of(aliases->original(face)), mesh.side_count(f) - 1 - side});
-    else
-      provenance->push_back({element_of(face), side});
+    const bool copy = aliases && aliases->is_copy(face);
+    provenance->push_back(
+        {element_of(aliases ? aliases->original(face) : face), copy ? mesh.side_count(f) - 1 - side : side});
     Seam split;
     split.first = {h, 0};
     split.second = {mesh.previous(h), 2};
+    split.intended = smooth;
     seams->push_back(split);
   }
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
     const EdgeId edge = polyhedron.edge_id(e);
-    const Element source = element_of(aliases ? aliases->original(edge) : edge);
+    Element source = aliases ? aliases->original(edge) : element_of(edge);
+    if (source.kind != Element::Kind::edge) source = {};  // within a face that was cut
     if (twin == no_index) {
       boundary_sides->push_back({h, 1});
       boundary_sources->push_back(source);
@@ -86,7 +87,7 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
     Seam seam;
     seam.first = {h, 1};
     seam.second = {twin, 1};
-    seam.intended = frames.sharp[e] ? Continuity::g0 : Continuity::g1;
+    seam.intended = frames.sharp[e] ? Continuity::g0 : smooth;
     seam.source = source;
     seams->push_back(seam);
   }
@@ -98,29 +99,35 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
   return parts;
 }
 
+CornerNormal corner_normals(const QuarticPatchArray& patches) {
+  return [&patches](Index patch, int corner) {
+    return corner == 0 ? centre_normal(patches[patch]) : vertex_normal(patches[patch]);
+  };
+}
+
 std::vector<Vector3> node_normals(const HalfEdgeMesh& mesh, const VertexFrames& frames,
-                                  const Surface::Parts& parts, const QuarticPatchArray& patches) {
+                                  const Surface::Parts& parts, const CornerNormal& normal) {
   std::vector<Vector3> normals(parts.node_count, Vector3::Zero());
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Index h = mesh.outgoing(v);
     if (h != no_index && has_plane(mesh, frames, v))
-      normals[(*parts.corner_nodes)[3 * std::size_t(h) + 1]] = vertex_normal(patches[h]);
+      normals[(*parts.corner_nodes)[3 * std::size_t(h) + 1]] = normal(h, 1);
   }
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Index h = mesh.face_begin(f);
-    normals[(*parts.corner_nodes)[3 * std::size_t(h)]] = centre_normal(patches[h]);
+    normals[(*parts.corner_nodes)[3 * std::size_t(h)]] = normal(h, 0);
   }
   return normals;
 }
 
 void update_node_normals(const HalfEdgeMesh& mesh, const VertexFrames& frames, const Surface::Parts& parts,
-                         const QuarticPatchArray& patches, std::span<const Index> changed,
+                         const CornerNormal& normal, std::span<const Index> changed,
                          std::vector<Vector3>& normals) {
   for (const Index h : changed) {
     const Index* nodes = parts.corner_nodes->data() + 3 * std::size_t(h);
-    if (mesh.face_begin(mesh.face(h)) == h) normals[nodes[0]] = centre_normal(patches[h]);
+    if (mesh.face_begin(mesh.face(h)) == h) normals[nodes[0]] = normal(h, 0);
     const Index v = mesh.origin(h);
-    if (mesh.outgoing(v) == h && has_plane(mesh, frames, v)) normals[nodes[1]] = vertex_normal(patches[h]);
+    if (mesh.outgoing(v) == h && has_plane(mesh, frames, v)) normals[nodes[1]] = normal(h, 1);
   }
 }
 

@@ -12,7 +12,7 @@ constexpr std::size_t face_grain = 64;
 FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const Vector3> positions,
                                    const Network& network, const PatchRegion& region,
                                    const FairSystem::SolveOptions& options, const CancelToken& cancel,
-                                   std::span<QuarticPatch> patches) {
+                                   std::span<QuarticPatch> patches, const JoinGeometry& joins) {
   const HalfEdgeMesh& mesh = *system.mesh;
   const auto& faces = region.faces;
   PatchNetwork split;
@@ -21,6 +21,8 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
   split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
   fill_split_tangents(mesh, system.network.frames(), system.constants, positions, network, faces, split);
 
+  for (const PrescribedSplit& given : joins.splits) split.split_tangent[given.half_edge] = given.tangent;
+
   const PatchBuilder builder(mesh, system.constants, positions, network, split);
   const auto build_base = [&] {
     parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
@@ -28,11 +30,15 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
         for (Index h = mesh.face_begin(faces[k]); h < mesh.face_end(faces[k]); ++h)
           patches[h] = builder.base_patch(h);
     });
+    for (const PrescribedSide& given : joins.sides) {
+      patches[given.half_edge].control[quartic::d121u] = given.at_origin;
+      patches[given.half_edge].control[quartic::d112u] = given.at_target;
+    }
   };
-  if (system.mode != Mode::fair) {
+  if (!system.fair) {
     fill_split_points(mesh, positions, faces, split);
     build_base();
-    solve_rings(mesh, system.constants, system.mode, region.vertices, faces, patches);
+    solve_rings(mesh, system.constants, system.mode, region.vertices, faces, patches, system.given_side);
     return {};
   }
   build_base();  // with O and Y zero: the part that does not depend on the unknowns

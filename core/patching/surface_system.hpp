@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
+#include "core/g2/g2_system.hpp"
 #include "core/network/network_system.hpp"
 #include "core/patching/fair_system.hpp"
+#include "core/patching/join_plan.hpp"
 #include "core/patching/patch_constants.hpp"
 
 namespace hariko {
@@ -19,7 +21,10 @@ struct SurfaceSystem {
   NetworkSystem network;
   PatchConstants constants;
   Mode mode = Mode::fair;
-  std::unique_ptr<FairSystem> fair;  ///< mode FAIR only
+  std::unique_ptr<FairSystem> fair;        ///< mode FAIR, and mode G2 where its reference is needed
+  std::unique_ptr<G2System> g2 = nullptr;  ///< mode G2 only
+  /// Per half-edge: the inner points that serve it are given by a join; empty when there are none.
+  std::vector<bool> given_side = {};
 };
 
 /// Where patches are wanted: faces, and the vertices whose rings are solved in modes PAPER and TARGET.
@@ -28,11 +33,12 @@ struct PatchRegion {
 };
 
 /// Control points of the patches of a region over its network; those of other faces are left as they are
-/// (zero, for the response to a displacement). The result is what mode FAIR solved for, empty in the other
-/// modes.
+/// (zero, for the response to a displacement). `joins`: what joins give; none for the response to a
+/// displacement, which they do not feel. With a FairSystem these are the patches of mode FAIR, whatever the
+/// mode, and the result is what it solved for; else it is empty.
 FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const Vector3> positions,
                                    const Network& network, const PatchRegion& region,
                                    const FairSystem::SolveOptions& options, const CancelToken& cancel,
-                                   std::span<QuarticPatch> patches);
+                                   std::span<QuarticPatch> patches, const JoinGeometry& joins = {});
 
 }  // namespace hariko

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <set>
 
 #include "core/base/parallel.hpp"
 #include "core/patching/polyhedron_surface.hpp"
@@ -18,19 +20,31 @@ constexpr int sample_density = 4;
 /// that do not fold reach 92 degrees (the car's sills), folded ones 129 and more (the concave sample).
 constexpr double folded_cosine = -0.3;
 
-void add_long_tangents(const Polyhedron& polyhedron, const Network& network, std::vector<Message>& out) {
+/// How the designer calls an element of the polyhedron; none for copies, which are spoken of as the original.
+template <class Id>
+std::optional<Element> designers_own(Id id, const ElementAliases* aliases) {
+  if (!aliases) return element_of(id);
+  if (aliases->is_copy(element_of(id))) return std::nullopt;
+  return aliases->original(element_of(id));
+}
+
+void add_long_tangents(const Polyhedron& polyhedron, const Network& network, const ElementAliases* aliases,
+                       std::vector<Message>& out) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   std::size_t count = 0;
   for (Index e = 0; e < mesh.edge_count() && count < message_limit; ++e) {
     const Index h = mesh.half_edge_of_edge(e);
     const double length = (polyhedron.position(mesh.target(h)) - polyhedron.position(mesh.origin(h))).norm();
     if (std::max(network.start[h].norm(), network.end[h].norm()) <= length) continue;
+    const auto element = designers_own(polyhedron.edge_id(e), aliases);
+    if (!element) continue;
     ++count;
-    const EdgeId id = polyhedron.edge_id(e);
+    const std::string name = element->kind == Element::Kind::edge
+                                 ? "edge " + to_string(EdgeId::from_packed(element->id))
+                                 : "an edge inside face " + std::to_string(element->id);
     out.push_back(make_warning(
-        w_long_tangent,
-        "The tangents of edge " + to_string(id) + " are longer than the edge, so its curve may loop.",
-        "Raise the tension of this edge or of its long neighbours, or add an edge loop.", element_of(id)));
+        w_long_tangent, "The tangents of " + name + " are longer than the edge, so its curve may loop.",
+        "Raise the tension of this edge or of its long neighbours, or add an edge loop.", *element));
   }
 }
 
@@ -47,9 +61,9 @@ bool folds(const Surface& surface, const GridPattern& pattern, Index patch, std:
 }  // namespace
 
 std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Network& network,
-                                      const Surface& surface) {
+                                      const Surface& surface, const ElementAliases* aliases) {
   std::vector<Message> out;
-  add_long_tangents(polyhedron, network, out);
+  add_long_tangents(polyhedron, network, aliases, out);
 
   const HalfEdgeMesh& mesh = polyhedron.topology();
   const GridPattern pattern{Domain::triangle, sample_density};
@@ -60,14 +74,14 @@ std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Networ
       for (Index h = mesh.face_begin(f); h < mesh.face_end(f) && !folded[f]; ++h)
         folded[f] = folds(surface, pattern, h, points);
   });
-  std::size_t count = 0;
-  for (Index f = 0; f < mesh.face_count() && count < message_limit; ++f) {
+  std::set<std::uint64_t> named;  // several pieces of a face may fold
+  for (Index f = 0; f < mesh.face_count() && named.size() < message_limit; ++f) {
     if (!folded[f]) continue;
-    ++count;
-    const FaceId id = polyhedron.face_id(f);
+    const auto element = designers_own(polyhedron.face_id(f), aliases);
+    if (!element || !named.insert(element->id).second) continue;
     out.push_back(
-        make_warning(w_fold, "The surface folds over itself in face " + std::to_string(id.value) + ".",
-                     "Split the face into convex parts, or raise the tension of its edges.", element_of(id)));
+        make_warning(w_fold, "The surface folds over itself in face " + std::to_string(element->id) + ".",
+                     "Split the face into convex parts, or raise the tension of its edges.", *element));
   }
   return out;
 }

@@ -1,26 +1,38 @@
 #pragma once
 
-// ElementAliases: from the elements of a polyhedron that was derived from another one (the whole of a
-// mirrored half) to the elements that they are copies of.
+// ElementAliases: from the elements of a polyhedron that was derived from another one (concave faces cut, a
+// half mirrored) to the elements that the designer knows.
 
 #include <vector>
 
+#include "core/base/flat_map.hpp"
 #include "core/base/ids.hpp"
 
 namespace hariko {
 
-/// Copies have ids from `first_vertex` and `first_face` on; all lower ids are those of the original.
+/// Copies have ids from `first_vertex` and `first_face` on; all lower ids are those of what was copied. Of
+/// that, faces may be pieces of a face, between inner edges that the designer does not have.
 struct ElementAliases {
-  VertexId first_vertex;
-  std::vector<VertexId> vertices;  ///< the original of each copy
-  FaceId first_face;
+  VertexId first_vertex{no_index};
+  std::vector<VertexId> vertices;  ///< what each copy is of
+  FaceId first_face{no_index};
   std::vector<FaceId> faces;
+  FlatMap<FaceId, FaceId> pieces;       ///< the face that each piece with an id of its own is part of
+  FlatMap<EdgeId, FaceId> inner_edges;  ///< the face that each inner edge lies in
 
   bool is_copy(VertexId id) const { return !(id < first_vertex); }
   bool is_copy(FaceId id) const { return !(id < first_face); }
   VertexId original(VertexId id) const { return is_copy(id) ? vertices[id.value - first_vertex.value] : id; }
-  FaceId original(FaceId id) const { return is_copy(id) ? faces[id.value - first_face.value] : id; }
-  EdgeId original(EdgeId id) const { return EdgeId::of(original(id.low), original(id.high)); }
+  FaceId original(FaceId id) const {
+    const FaceId copied = is_copy(id) ? faces[id.value - first_face.value] : id;
+    return pieces.get_or(copied, copied);
+  }
+  /// An edge, or the face where it is an inner edge.
+  Element original(EdgeId id) const {
+    const EdgeId copied = EdgeId::of(original(id.low), original(id.high));
+    const FaceId* face = inner_edges.find(copied);
+    return face ? element_of(*face) : element_of(copied);
+  }
 
   bool is_copy(const Element& element) const {
     switch (element.kind) {
@@ -39,7 +51,7 @@ struct ElementAliases {
       case Element::Kind::vertex:
         return element_of(original(VertexId{static_cast<std::uint32_t>(element.id)}));
       case Element::Kind::edge:
-        return element_of(original(EdgeId::from_packed(element.id)));
+        return original(EdgeId::from_packed(element.id));
       case Element::Kind::face:
         return element_of(original(FaceId{static_cast<std::uint32_t>(element.id)}));
       default:

@@ -142,4 +142,11 @@ std::vector<Message> mesh_warnings(const HalfEdgeMesh& topology, std::span<const
   return out;
 }
 
+std::vector<Message> face_shape_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
+                                         const ElementNames& names, std::size_t limit) {
+  std::vector<Message> out;
+  warn_face_shapes({topology, positions, names, limit, out});
+  return out;
+}
+
 }  // namespace hariko

@@ -17,4 +17,8 @@ namespace hariko {
 std::vector<Message> mesh_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
                                    const ElementNames& names, std::size_t limit);
 
+/// Of these W_CONCAVE_FACE and W_SELF_CROSSING_FACE only. O(corners log corners).
+std::vector<Message> face_shape_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
+                                         const ElementNames& names, std::size_t limit);
+
 }  // namespace hariko

@@ -47,13 +47,14 @@ Message not_orientable(Index low, Index high, std::size_t faces) {
       "Split the non-manifold edges to cut it open.", edge);
 }
 
-Result<Neighbours> find_neighbours(const PolygonMesh& mesh, const EdgeTable& edges) {
+/// `strict` refuses edges with more than two faces; else they count as borders.
+Result<Neighbours> find_neighbours(const PolygonMesh& mesh, const EdgeTable& edges, bool strict) {
   const std::vector<Index> face = faces_of_corners(mesh);
   Neighbours out;
   out.offsets.assign(mesh.face_count() + 2, 0);
   std::optional<Message> error;
   edges.for_each_edge([&](Index low, Index high, std::span<const EdgeUse> uses) {
-    if (uses.size() > 2 && !error) error = not_orientable(low, high, uses.size());
+    if (strict && uses.size() > 2 && !error) error = not_orientable(low, high, uses.size());
     if (uses.size() != 2) return;
     for (const EdgeUse& use : uses) ++out.offsets[face[use.corner] + 2];
   });
@@ -77,8 +78,9 @@ struct Part {
   bool closed = true;
 };
 
-/// Flood fill from `seed`; `flip` holds -1 for faces not reached yet. Returns the error of a one-sided part.
-Result<Part> flood(const PolygonMesh& mesh, const Neighbours& neighbours, Index seed,
+/// Flood fill from `seed`; `flip` holds -1 for faces not reached yet. A one-sided part is an error when
+/// `strict`; else it does not count as closed.
+Result<Part> flood(const PolygonMesh& mesh, const Neighbours& neighbours, Index seed, bool strict,
                    std::vector<signed char>& flip) {
   Part part;
   part.faces.push_back(seed);
@@ -94,7 +96,8 @@ Result<Part> flood(const PolygonMesh& mesh, const Neighbours& neighbours, Index 
         flip[n.face] = wanted;
         part.faces.push_back(n.face);
       } else if (flip[n.face] != wanted) {
-        return not_orientable(n.low, n.high, 2);
+        if (strict) return not_orientable(n.low, n.high, 2);
+        part.closed = false;
       }
     }
   }
@@ -117,17 +120,15 @@ double volume_of(const PolygonMesh& mesh, const Part& part, const std::vector<si
   return volume;
 }
 
-}  // namespace
-
-Result<PolygonMesh> repair_orientation(const PolygonMesh& mesh) {
+Result<PolygonMesh> orient(const PolygonMesh& mesh, bool strict) {
   const std::vector<char> sound = sound_faces(mesh);
-  const Result<Neighbours> neighbours = find_neighbours(mesh, EdgeTable(mesh, sound));
+  const Result<Neighbours> neighbours = find_neighbours(mesh, EdgeTable(mesh, sound), strict);
   if (!neighbours) return neighbours.error();
 
   std::vector<signed char> flip(mesh.face_count(), -1);
   for (Index seed = 0; seed < mesh.face_count(); ++seed) {
     if (!sound[seed] || flip[seed] >= 0) continue;
-    const Result<Part> part = flood(mesh, *neighbours, seed, flip);
+    const Result<Part> part = flood(mesh, *neighbours, seed, strict, flip);
     if (!part) return part.error();
     const auto flipped =
         std::count_if(part->faces.begin(), part->faces.end(), [&](Index f) { return flip[f] == 1; });
@@ -144,6 +145,16 @@ Result<PolygonMesh> repair_orientation(const PolygonMesh& mesh) {
       std::reverse(out.face_vertices.begin() + mesh.face_offsets[f] + 1,
                    out.face_vertices.begin() + mesh.face_offsets[f + 1]);
   return out;
+}
+
+}  // namespace
+
+Result<PolygonMesh> repair_orientation(const PolygonMesh& mesh) {
+  return orient(mesh, true);
+}
+
+PolygonMesh orient_where_possible(const PolygonMesh& mesh) {
+  return orient(mesh, false).value();
 }
 
 }  // namespace hariko

@@ -16,13 +16,26 @@ std::vector<Message> validate(const PolygonMesh& mesh, std::size_t limit) {
   return mesh_warnings(topology.value(), mesh.positions, ElementNames{}, limit);
 }
 
-std::vector<Message> warnings_of(const Polyhedron& polyhedron, std::size_t limit) {
+namespace {
+
+/// Calls warn with the mesh's topology, positions and names.
+template <class Warn>
+std::vector<Message> with_names(const Polyhedron& polyhedron, std::size_t limit, Warn&& warn) {
   std::vector<VertexId> vertex_ids(polyhedron.vertex_count());
   for (Index v = 0; v < polyhedron.vertex_count(); ++v) vertex_ids[v] = polyhedron.vertex_id(v);
   std::vector<FaceId> face_ids(polyhedron.face_count());
   for (Index f = 0; f < polyhedron.face_count(); ++f) face_ids[f] = polyhedron.face_id(f);
-  return mesh_warnings(polyhedron.topology(), polyhedron.positions(), ElementNames{vertex_ids, face_ids},
-                       limit);
+  return warn(polyhedron.topology(), polyhedron.positions(), ElementNames{vertex_ids, face_ids}, limit);
+}
+
+}  // namespace
+
+std::vector<Message> warnings_of(const Polyhedron& polyhedron, std::size_t limit) {
+  return with_names(polyhedron, limit, mesh_warnings);
+}
+
+std::vector<Message> face_shape_warnings_of(const Polyhedron& polyhedron, std::size_t limit) {
+  return with_names(polyhedron, limit, face_shape_warnings);
 }
 
 }  // namespace hariko

@@ -38,5 +38,7 @@ std::vector<Message> validate(const PolygonMesh& mesh, std::size_t limit = 100);
 
 /// The warnings of a polyhedron, with its stable ids.
 std::vector<Message> warnings_of(const Polyhedron& polyhedron, std::size_t limit = 100);
+/// Of these W_CONCAVE_FACE and W_SELF_CROSSING_FACE only.
+std::vector<Message> face_shape_warnings_of(const Polyhedron& polyhedron, std::size_t limit = 100);
 
 }  // namespace hariko

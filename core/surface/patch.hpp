@@ -38,7 +38,7 @@ struct PatchPoint {
 
 enum class Order { first, second };
 
-/// What second order means at a patch's corner (maps show grey and statistics skip where it is not exact).
+/// What second order means at a patch's corner (statistics skip where it is not exact, maps take limits).
 enum class CornerSecondOrder : std::uint8_t { exact, direction_dependent, undefined };
 
 /// Points of a uniform triangular (or square) grid with n >= 1 intervals a side, in a fixed order. Triangle:

@@ -137,7 +137,7 @@ TEST(Statistics, SkipCornersWhereSecondOrderIsNotExact) {
   EXPECT_FALSE(curvature_statistics(Surface()));
 }
 
-TEST(Maps, GiveCurvatureAndNothingAtInexactCorners) {
+TEST(Maps, GiveCurvatureAndNothingAtCornersWithoutSecondDerivatives) {
   test::AnalyticOptions options;
   const GridPattern pattern{Domain::triangle, 4};
   const Index patches[] = {3, 5};
@@ -153,6 +153,25 @@ TEST(Maps, GiveCurvatureAndNothingAtInexactCorners) {
   EXPECT_TRUE(std::isnan(values[0]) && std::isnan(values[4]) && std::isnan(values[14]));
 }
 
+TEST(Maps, WhereItDependsOnTheDirectionACornerHasTheMeanOfTheLimits) {
+  test::AnalyticOptions options;
+  options.corners = CornerSecondOrder::direction_dependent;
+  const GridPattern pattern{Domain::triangle, 4};
+  const Index patches[] = {3, 5};
+  for (const float value : map_values(test::sphere(2, options), MapKind::mean, pattern, patches))
+    EXPECT_FLOAT_EQ(value, 0.5F);
+  // Where the corners are exact after all, the limits are the values themselves.
+  const GridPattern squares{Domain::square, 4};
+  const Index first[] = {0};
+  const auto field = [](const test::AnalyticOptions& with) {
+    return test::height_field(
+        1, 1, [](Index, Index) { return cubic(); }, with);
+  };
+  const auto exact = map_values(field({}), MapKind::mean, squares, first);
+  const auto limit = map_values(field(options), MapKind::mean, squares, first);
+  for (std::size_t i = 0; i < exact.size(); ++i) EXPECT_NEAR(limit[i], exact[i], 2e-3) << i;
+}
+
 TEST(Maps, AlongSeams) {
   const auto roof = [](Index i, Index) { return test::plane(i == 0 ? 1.0 : -1.0, 0, i == 0 ? 0.0 : 2.0); };
   std::vector<float> values(5);
@@ -164,6 +183,9 @@ TEST(Maps, AlongSeams) {
   for (const float value : values) EXPECT_NEAR(value, 0, 1e-6);
   test::AnalyticOptions options;
   options.corners = CornerSecondOrder::direction_dependent;
+  seam_curvature_jumps(test::sphere(2, options), 3, 4, values);
+  for (const float value : values) EXPECT_NEAR(value, 0, 1e-6) << "the limit along the seam";
+  options.corners = CornerSecondOrder::undefined;
   seam_curvature_jumps(test::sphere(2, options), 3, 4, values);
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(std::isnan(values[i]), i == 0 || i == 4);
 }

@@ -32,6 +32,18 @@ TEST(InputQueue, AClickIsTwoFramesAtItsPlace) {
   EXPECT_TRUE(queue.take().empty());
 }
 
+TEST(InputQueue, KeysWaitForAFieldThatOpensAndKeepTheirPlace) {
+  InputQueue queue;
+  queue.push(move(1, 1));
+  queue.push(key('1', true));
+  queue.push({.kind = Kind::text, .code = '1'});
+  queue.push(button(0, true));
+  EXPECT_EQ(queue.take(true), (std::vector{move(1, 1)}));
+  EXPECT_TRUE(queue.take(true).empty());
+  EXPECT_EQ(queue.take(), (std::vector{key('1', true), InputEvent{.kind = Kind::text, .code = '1'}}));
+  EXPECT_EQ(queue.take(true), (std::vector{button(0, true)}));
+}
+
 TEST(InputQueue, AChordIsSeenWhileItsModifierIsDown) {
   InputQueue queue;
   queue.push(key(341, true));

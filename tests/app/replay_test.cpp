@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "core/base/file_io.hpp"
+#include "core/document/format.hpp"
 
 namespace hariko {
 namespace {
@@ -29,6 +30,36 @@ std::vector<std::vector<InputEvent>> all_kinds() {
           {{.kind = Kind::size, .x = 800, .y = 600}},
           {{.kind = Kind::drop, .paths = {"/tmp/a b.obj", "/tmp/\xe5\xbc\xb5.obj"}}},
           {{.kind = Kind::close}}};
+}
+
+TEST_F(ReplayFile, GivesBackTheSessionThatItBeganWith) {
+  ReplayStart start{800, 600, 1, {}};
+  start.session = {write_document(Document()), "Vase \xff \"1\".hariko", true, "{\"theme\":\"light\"}"};
+  {
+    ReplayRecorder recorder(path_, start, 0);
+    ASSERT_TRUE(recorder.ok());
+    recorder.finish(1, Document(), 0);
+  }
+  const auto replay = Replay::read(path_);
+  ASSERT_TRUE(replay.ok()) << replay.error().text;
+  ASSERT_TRUE(replay->start.session.has_value());
+  EXPECT_EQ(replay->start.session->document, start.session->document);
+  EXPECT_EQ(replay->start.session->name, "Vase \xef\xbf\xbd \"1\".hariko");
+  EXPECT_TRUE(replay->start.session->dirty);
+  EXPECT_EQ(replay->start.session->settings, start.session->settings);
+}
+
+TEST(ReplayPlayer, SkipsPausesOnlyWhileNothingIsLeftToDo) {
+  Replay replay;
+  replay.steps = {{5, {{.kind = Kind::move, .x = 1}}, false}, {5.1, {{.kind = Kind::move, .x = 2}}, false}};
+  ReplayPlayer player(replay, true);
+  EXPECT_TRUE(player.advance(0.01, false).empty()) << "the program is busy";
+  EXPECT_EQ(player.advance(0.01, true).size(), 1U);
+  EXPECT_EQ(player.now(), 5);
+  EXPECT_TRUE(player.advance(0.01, false).empty()) << "what follows closely keeps its distance";
+  EXPECT_EQ(player.advance(0.2, false).size(), 1U);
+  ReplayPlayer patient(replay);
+  EXPECT_TRUE(patient.advance(0.01, true).empty());
 }
 
 TEST_F(ReplayFile, GivesBackWhatWasRecorded) {

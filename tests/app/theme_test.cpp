@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
+
+#include "render/style.hpp"
 
 namespace hariko {
 namespace {
@@ -31,6 +34,15 @@ TEST(Theme, TextIsReadableOnItsBackgrounds) {
             << text << " on " << background << ", theme " << (theme == ThemeId::dark ? "dark" : "light");
     // Fields under the pointer keep their text readable.
     for (const ImU32 paper : {p.field_hover, p.field_active}) EXPECT_GE(contrast(p.text, paper), 4.5);
+    // So does the button that stands out, and what tools draw is seen on the picture's background.
+    for (const ImU32 paper : {p.accent, p.accent_hover}) EXPECT_GE(contrast(p.on_accent, paper), 4.5);
+    const gl::Style style = gl::style_of(theme == ThemeId::dark ? Background::dark : Background::light);
+    for (const Color& paper : {style.top, style.bottom}) {
+      const ImU32 sky =
+          IM_COL32(std::lround(255 * paper.r), std::lround(255 * paper.g), std::lround(255 * paper.b), 255);
+      EXPECT_GE(contrast(p.hot, sky), 3);
+      EXPECT_GE(contrast(p.text, sky), 4.5);
+    }
     // Handles are seen: 3 : 1 is what the guidelines want of controls.
     EXPECT_GE(contrast(p.handle, p.panel), 3);
     EXPECT_GE(contrast(p.handle, p.field), 3);

@@ -1,5 +1,6 @@
 // The arrows between the folders, checked on every #include line: app -> ui -> render -> core, and inside
-// core modeling -> document, and document, analysis, exchange -> patching -> network -> polyhedron, surface
+// core modeling -> document, and document, analysis, exchange -> patching -> g2 -> network -> polyhedron,
+// surface
 // -> base.
 
 #include <gtest/gtest.h>
@@ -26,7 +27,8 @@ const std::map<std::string, Names>& core_arrows() {
       {"polyhedron", {"polyhedron", "base"}},
       {"surface", {"surface", "base"}},
       {"network", {"network", "polyhedron", "base"}},
-      {"patching", {"patching", "network", "polyhedron", "surface", "base"}},
+      {"g2", {"g2", "network", "polyhedron", "surface", "base"}},
+      {"patching", {"patching", "g2", "network", "polyhedron", "surface", "base"}},
       {"document", {"document", "patching", "network", "polyhedron", "surface", "base"}},
       {"modeling", {"modeling", "document", "patching", "network", "polyhedron", "surface", "base"}},
       {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "base"}},

@@ -159,6 +159,16 @@ TEST(Edits, CreasesTagsPinsAndMode) {
   expect_error(set_pin(before, cube_id, {0}, {Pin::Kind::tangents, {}}), e_pin_invalid);
   expect_error(set_pin(before, cube_id, {0}, {Pin::Kind::tangents, {{nan_value, 0, 0}}}), e_pin_invalid);
 
+  Preparation preparation;
+  preparation.split_concave = true;
+  preparation.automatic_tension = 0.5;
+  const Document prepared = set_preparation(before, cube_id, preparation).value();
+  EXPECT_EQ(prepared.find(cube_id)->polyhedron()->preparation, preparation);
+  for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    preparation.automatic_tension = bad;
+    expect_error(set_preparation(before, cube_id, preparation), e_automatic_tension_range);
+  }
+
   const Document paper = set_mode(before, cube_id, Mode::paper).value();
   expect_only_change(before, paper, [](Object& o) { source_of(o).mode = Mode::fair; });
   expect_error(set_mode(before, {77}, Mode::paper), e_unknown_object);

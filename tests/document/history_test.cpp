@@ -236,5 +236,69 @@ TEST(History, AThousandMovesOf20000FacesFitIn64Megabytes) {
   EXPECT_TRUE(history.current() == start);
 }
 
+/// A document that differs by its name alone.
+Document named(int number) {
+  return document_from_mesh(test::cube(), "Object " + std::to_string(number)).value();
+}
+
+TEST(HistoryFork, BeginsAnewAndGoesBackInPlace) {
+  test::for_random(9917, 200, [](std::mt19937_64& rng) {
+    History whole(named(0)), forked(named(0));
+    int number = 0;
+    const auto act = [&](History& history, int what) {
+      if (what == 0) return void(history.undo());
+      if (what == 1) return void(history.redo());
+      if (what == 2) return history.mark_saved();
+      history.push(named(number), "Step " + std::to_string(number));
+    };
+    for (int i = test::uniform_int(rng, 0, 12); i > 0; --i) {
+      const int what = test::uniform_int(rng, 0, 5);
+      ++number;
+      act(whole, what);
+      act(forked, what);
+    }
+    const History before = forked;
+    History fork = before.fork();
+    EXPECT_FALSE(fork.can_undo());
+    EXPECT_FALSE(fork.can_redo());
+    EXPECT_EQ(fork.dirty(), before.dirty());
+    EXPECT_EQ(fork.serial(), before.serial());
+    ASSERT_TRUE(fork.current() == before.current());
+    // Steps only: an undo beyond the fork would be refused there.
+    const int steps = test::uniform_int(rng, 0, 4);
+    for (int i = 0; i < steps; ++i) {
+      ++number;
+      whole.push(named(number), "Step " + std::to_string(number));
+      fork.push(named(number), "Step " + std::to_string(number));
+    }
+    const bool saved = test::chance(rng, 0.5);
+    if (saved) {
+      whole.mark_saved();
+      fork.mark_saved();
+    }
+    if (steps > 0 && test::chance(rng, 0.5)) {
+      whole.undo();
+      fork.undo();
+    }
+    fork.prepend(before);
+    EXPECT_EQ(fork.labels(), whole.labels());
+    EXPECT_EQ(fork.position(), whole.position());
+    EXPECT_EQ(fork.dirty(), whole.dirty());
+    EXPECT_EQ(fork.bytes(), whole.bytes());
+    while (whole.undo()) {
+      ASSERT_TRUE(fork.undo());
+      ASSERT_TRUE(fork.current() == whole.current());
+      EXPECT_EQ(fork.serial(), whole.serial());
+    }
+    EXPECT_FALSE(fork.can_undo());
+    while (whole.redo()) {
+      ASSERT_TRUE(fork.redo());
+      ASSERT_TRUE(fork.current() == whole.current());
+      EXPECT_EQ(fork.dirty(), whole.dirty());
+    }
+    EXPECT_FALSE(fork.can_redo());
+  });
+}
+
 }  // namespace
 }  // namespace hariko

@@ -50,8 +50,9 @@ TEST(ReorderObjects, puts_objects_before_a_place) {
 
 TEST(SetTensions, many_at_once_equal_one_after_the_other) {
   test::for_random(7302, 100, [](std::mt19937_64& rng) {
-    Document each = cube_document();
-    const Polyhedron& cube = polyhedron_of(each).polyhedron;
+    const Document start = cube_document();
+    const Polyhedron& cube = polyhedron_of(start).polyhedron;
+    Document each = start;
     std::vector<VertexId> vertices;
     std::vector<EdgeId> edges;
     std::vector<double> alphas, betas;

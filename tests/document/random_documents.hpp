@@ -80,6 +80,35 @@ inline std::optional<Mirror> any_mirror(std::mt19937_64& rng) {
   return Mirror{static_cast<Axis>(uniform_int(rng, 0, 2)), std::abs(any_number(rng))};
 }
 
+inline Attachments any_attachments(std::mt19937_64& rng, const Polyhedron& polyhedron) {
+  Attachments out;
+  for (Index e = 0; e < polyhedron.edge_count(); ++e) {
+    if (!chance(rng, 0.05)) continue;
+    Attachment attachment;
+    attachment.continuity = chance(rng, 0.5) ? Continuity::g0 : Continuity::g1;
+    attachment.adapts = chance(rng, 0.5) ? Adapts::surface : Adapts::patch;
+    if (chance(rng, 0.3)) {
+      attachment.frozen.emplace();
+      for (auto* rows : {&attachment.frozen->curve, &attachment.frozen->row})
+        for (Vector3& point : *rows) point = any_vector(rng);
+    } else {
+      attachment.patch = {static_cast<std::uint32_t>(uniform_int(rng, 0, 9))};
+      attachment.side = {static_cast<std::uint8_t>(uniform_int(rng, 0, 3)), Index(uniform_int(rng, 0, 5))};
+      attachment.reversed = chance(rng, 0.5);
+    }
+    out.set(polyhedron.edge_id(e), attachment);
+  }
+  return out;
+}
+
+inline PatchSource any_patches(std::mt19937_64& rng) {
+  BicubicNet net{Index(uniform_int(rng, 1, 3)), Index(uniform_int(rng, 1, 3)), {}};
+  for (Index i = 0; i < net.width() * net.height(); ++i) net.points.push_back(any_vector(rng));
+  PatchSource source = PatchSource::from_net(any_vector(rng), net).value();
+  source.kept = any_kept(rng);
+  return source;
+}
+
 /// A polyhedron whose ids have gaps, at any origin.
 inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
   PolygonMesh mesh = any_mesh(rng);
@@ -94,13 +123,21 @@ inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
     face_ids.push_back({id += static_cast<std::uint32_t>(uniform_int(rng, 1, 1000))});
   Polyhedron polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
   Shaping shaping = any_shaping(rng, polyhedron);
-  return {any_vector(rng),    std::move(polyhedron),
-          std::move(shaping), static_cast<Mode>(uniform_int(rng, 0, 2)),
-          any_kept(rng),      any_mirror(rng)};
+  Attachments attachments = any_attachments(rng, polyhedron);
+  return {any_vector(rng),
+          std::move(polyhedron),
+          std::move(shaping),
+          static_cast<Mode>(uniform_int(rng, 0, 2)),
+          any_kept(rng),
+          any_mirror(rng),
+          {chance(rng, 0.3), chance(rng, 0.3) ? uniform(rng, 0, 1) : 0},
+          chance(rng, 0.3),
+          std::move(attachments)};
 }
 
 inline Source any_source(std::mt19937_64& rng) {
   if (chance(rng, 0.7)) return any_polyhedron(rng);
+  if (chance(rng, 0.4)) return any_patches(rng);
   if (chance(rng, 0.6)) return MeshSource{any_vector(rng), any_mesh(rng), any_kept(rng)};
   return UnknownSource{"envelope",
                        std::string("{ \"solids\":[1.0, 2e0,\n\n {\"r\": 1}], \"kind\":  \"envelope\" }")};

@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "core/analysis/continuity.hpp"
 #include "core/base/file_io.hpp"
 #include "core/document/file.hpp"
 #include "core/document/format.hpp"
-#include "core/modeling/mirrored.hpp"
+#include "core/modeling/attached.hpp"
 
 namespace hariko {
 namespace {
@@ -22,12 +25,13 @@ struct Expected {
 
 const std::vector<Expected>& samples() {
   static const std::vector<Expected> list{
-      {"fig2", 18, 30, 14, 0, 0, 0},      {"fig2_open", 18, 30, 13, 0, 0, 0},
-      {"fig5c", 18, 30, 14, 0, 6, 0},     {"fig5d", 18, 30, 14, 6, 0, 0},
-      {"concave", 16, 24, 10, 0, 0, 0},   {"concave_split", 16, 28, 14, 0, 0, 0},
-      {"genus3", 64, 136, 68, 0, 0, 0},   {"cube", 8, 12, 6, 0, 0, 0},
-      {"torus", 32, 64, 32, 0, 0, 0},     {"grid3", 16, 24, 9, 0, 0, 0},
-      {"cube_crease", 8, 12, 6, 0, 0, 4}, {"car", 36, 66, 32, 0, 0, 0},
+      {"fig2", 18, 30, 14, 0, 0, 0},       {"fig2_open", 18, 30, 13, 0, 0, 0},
+      {"fig5c", 18, 30, 14, 0, 6, 0},      {"fig5d", 18, 30, 14, 6, 0, 0},
+      {"concave", 16, 24, 10, 0, 0, 0},    {"concave_split", 16, 28, 14, 0, 0, 0},
+      {"genus3", 64, 136, 68, 0, 0, 0},    {"cube", 8, 12, 6, 0, 0, 0},
+      {"torus", 32, 64, 32, 0, 0, 0},      {"grid3", 16, 24, 9, 0, 0, 0},
+      {"cube_crease", 8, 12, 6, 0, 0, 4},  {"car", 36, 66, 32, 0, 0, 0},
+      {"knot", 1000, 2000, 1000, 0, 0, 0},
   };
   return list;
 }
@@ -40,7 +44,7 @@ TEST(Samples, AreAllListed) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(HARIKO_SOURCE_DIR "/assets/samples"))
     count += entry.path().extension() == ".hariko" ? 1U : 0U;
-  EXPECT_EQ(count, samples().size());
+  EXPECT_EQ(count, samples().size() + 1);  // and the wheel arch
 }
 
 TEST(Samples, OpenWithTheirElements) {
@@ -81,6 +85,41 @@ TEST(Samples, BecomeSmoothSurfacesInEveryMode) {
                                      [](const Message& warning) { return warning.code == w_fold; });
       EXPECT_EQ(folds, sample.name == std::string("concave"));
     }
+}
+
+/// A hole between patches that a polyhedron closes: the joints are as smooth as the rest.
+TEST(Samples, WheelArchHasNoKinkAtItsJoints) {
+  const Document document = load_document(path_of("wheel_arch")).value();
+  EXPECT_EQ(write_document(document), read_file(path_of("wheel_arch")).value());
+  ASSERT_EQ(document.objects.size(), 2U);
+  const Object &fender = *document.objects[0], &cover = *document.objects[1];
+  ASSERT_TRUE(fender.patches() && cover.polyhedron());
+  const auto outside = object_surface(document, fender), inside = object_surface(document, cover);
+  ASSERT_TRUE(outside.ok() && inside.ok());
+  EXPECT_TRUE(outside->warnings.empty());
+  EXPECT_TRUE(inside->warnings.empty());
+  for (const Seam& seam : outside->surface.seams()) EXPECT_EQ(seam.intended, Continuity::g1);
+  EXPECT_LE(*continuity(inside->surface).largest_normal_jump, 1e-10);
+  const Polyhedron& polyhedron = cover.polyhedron()->polyhedron;
+  EXPECT_EQ(cover.polyhedron()->attachments->size(), 8U);
+  double largest = 0, gap = 0;
+  for (const auto& [edge, attachment] : *cover.polyhedron()->attachments) {
+    const Index h = polyhedron.topology().half_edge_of_edge(polyhedron.find(edge));
+    const Index patch = patch_of(fender.patches()->control_net(), attachment.side);
+    for (int i = 0; i <= 32; ++i) {
+      const Vector2 own = side_parameter(Domain::triangle, 1, i / 32.0);
+      const Vector2 theirs = side_parameter(Domain::square, attachment.side.side, 1 - i / 32.0);
+      const Vector3 a = inside->surface.normal(h, own), b = outside->surface.normal(patch, theirs);
+      largest = std::max(largest, std::atan2(a.cross(b).norm(), a.dot(b)));
+      gap = std::max(gap, (inside->surface.patches().evaluate(h, own, Order::first).position +
+                           inside->surface.origin() - outside->surface.origin() -
+                           outside->surface.patches().evaluate(patch, theirs, Order::first).position)
+                              .norm());
+    }
+  }
+  std::printf("wheel arch: largest normal jump %.2e rad, gap %.2e mm\n", largest, gap);
+  EXPECT_LE(largest, 1e-10);
+  EXPECT_LE(gap, 1e-12);
 }
 
 }  // namespace

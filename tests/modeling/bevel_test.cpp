@@ -245,5 +245,31 @@ TEST(BevelEdges, BandsOfRegularShapesHaveTheirWidth) {
   });
 }
 
+/// As the header says: at corners of three edges no two unbevelled ones lie between bands.
+TEST(BevelEdges, PlanarFacesWithCornersOfThreeEdgesStayInTheirPlanes) {
+  int checked = 0;
+  for_random(5500, 200, [&](std::mt19937_64& rng) {
+    const PolyhedronSource source = source_of(random_closed_shape(rng));
+    const Edges edges = random_edges(source, rng);
+    if (edges.empty()) return;
+    const double width = largest_edge_bevel(source, edges).value() * uniform(rng, 0.1, 0.3);
+    const auto result = bevel_edges(source, edges, width);
+    ASSERT_TRUE(result) << to_string(result.error());
+    const HalfEdgeMesh& mesh = source.polyhedron.topology();
+    for (Index f = 0; f < source.polyhedron.face_count(); ++f) {
+      const auto corners = mesh.face_vertices(f);
+      const bool simple = std::all_of(corners.begin(), corners.end(), [&](Index v) {
+        return mesh.valence(v) == 3 && !mesh.is_border_vertex(v);
+      });
+      if (!simple || unevenness(source.polyhedron, f) > 1e-12) continue;
+      ++checked;
+      const Index kept = result->source.polyhedron.find(source.polyhedron.face_id(f));
+      for (const Vector3& p : corners_of(result->source.polyhedron, kept))
+        EXPECT_NEAR((p - face_centre(source.polyhedron, f)).dot(face_normal(source.polyhedron, f)), 0, 1e-9);
+    }
+  });
+  EXPECT_GT(checked, repetitions(200) / 2);
+}
+
 }  // namespace
 }  // namespace hariko

@@ -25,6 +25,8 @@ TEST(MeshDraft, UnchangedGivesAnEqualSource) {
     // Tags that no surface can be made with are dropped; a document may hold them.
     shaping.tag = {};
     source.shaping = shaping;
+    // So are attachments of edges that are not on the border.
+    source.attachments = Attachments{};
     EXPECT_TRUE(MeshDraft(source).finish().value() == source);
   });
 }

@@ -9,8 +9,8 @@
 #include "core/document/edits.hpp"
 #include "core/modeling/edit_modeling.hpp"
 #include "core/modeling/halve.hpp"
-#include "core/modeling/mirrored.hpp"
 #include "core/modeling/primitives.hpp"
+#include "core/modeling/surface_input.hpp"
 #include "core/network/vertex_frames.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/modeling/operation_cases.hpp"
@@ -220,8 +220,8 @@ TEST(Mirror, RandomSurfacesAreSymmetricAndSmooth) {
 TEST(Mirror, MovingKeepsTheConnectivity) {
   test::for_random(113, 100, [](std::mt19937_64& rng) {
     PolyhedronSource half = random_half(rng);
-    std::optional<MirroredPolyhedron> kept;
-    const auto first = surface_input(half, &kept);
+    SurfaceInputCache kept;
+    const auto first = surface_input(half, Quality::final, &kept);
     if (!first.ok()) return;
     const Index v = static_cast<Index>(rng() % half.polyhedron.vertex_count());
     const auto seam = mirror_seam(half.polyhedron, half.origin, *half.mirror);
@@ -229,7 +229,7 @@ TEST(Mirror, MovingKeepsTheConnectivity) {
     for (Eigen::Index k = 0; k < 3; ++k)
       if (k != index_of(half.mirror->axis)) p[k] += half.mirror->weld_distance;
     half.polyhedron = half.polyhedron.with_positions(std::span(&v, 1), std::span(&p, 1)).value();
-    const auto second = surface_input(half, &kept);
+    const auto second = surface_input(half, Quality::final, &kept);
     ASSERT_TRUE(second.ok());
     EXPECT_EQ(second->polyhedron.shared_topology(), first->polyhedron.shared_topology());
     EXPECT_EQ(second->aliases, first->aliases);
@@ -240,7 +240,7 @@ TEST(Mirror, MovingKeepsTheConnectivity) {
     if (!seam[v]) return;
     p[index_of(half.mirror->axis)] += 10 * half.mirror->weld_distance;
     half.polyhedron = half.polyhedron.with_positions(std::span(&v, 1), std::span(&p, 1)).value();
-    const auto third = surface_input(half, &kept);
+    const auto third = surface_input(half, Quality::final, &kept);
     EXPECT_TRUE(!third.ok() || third->polyhedron.shared_topology() != first->polyhedron.shared_topology());
   });
 }

@@ -12,7 +12,7 @@
 
 #include "core/document/source.hpp"
 #include "core/modeling/face_geometry.hpp"
-#include "core/modeling/mirrored.hpp"
+#include "core/modeling/surface_input.hpp"
 #include "core/polyhedron/face_shape.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/support/random.hpp"

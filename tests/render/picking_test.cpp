@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "render/region_picking.hpp"
 #include "render/surface_maps.hpp"
 #include "tests/support/analytic_patches.hpp"
 #include "tests/support/random.hpp"
@@ -77,6 +78,25 @@ TEST(Picking, VerticesBeforeEdgesBeforeFaces) {
     EXPECT_EQ(at_face->kind, Element::Kind::face);
     EXPECT_EQ(at_face->index, 4U);
     EXPECT_FALSE(pick(scene, projector, {2, 2}));
+  }
+}
+
+TEST(Picking, RadiiFollowTheScaleOfThePixels) {
+  Scene scene = scene_with(grid(3, 3));
+  const Projector projector = view_of(scene, StandardView::top);
+  const Vector2 vertex = projector.project({1, 1, 0})->head<2>();
+  const Vector2 edge = projector.project({1.5, 1, 0})->head<2>();
+  const PickOptions options;
+  for (const double scale : {1.0, 1.5, 2.0, 3.0}) {
+    scene.pixel_scale = scale;
+    const auto kind_at = [&](const Vector2& pixel) { return pick(scene, projector, pixel)->kind; };
+    const Vector2 aslant = Vector2(1, 1).normalized();
+    EXPECT_EQ(kind_at(vertex + 0.97 * options.vertex_radius * scale * aslant), Element::Kind::vertex)
+        << scale;
+    EXPECT_NE(kind_at(vertex + 1.03 * options.vertex_radius * scale * aslant), Element::Kind::vertex)
+        << scale;
+    EXPECT_EQ(kind_at(edge + Vector2(0, 0.97 * options.edge_radius * scale)), Element::Kind::edge) << scale;
+    EXPECT_EQ(kind_at(edge + Vector2(0, 1.03 * options.edge_radius * scale)), Element::Kind::face) << scale;
   }
 }
 
@@ -176,6 +196,44 @@ TEST(Picking, SurfaceHitsAreOnTheSurface) {
     EXPECT_LT((exact + Vector3(100, 0, 0) - hit->point).norm(), 0.1);
   });
   EXPECT_FALSE(pick_surface(scene, {Vector3(0, 0, 50), Vector3::UnitZ()}));
+}
+
+TEST(Picking, WhatTheSectionCutsAwayIsNotThere) {
+  Scene scene = scene_with(grid(3, 3));
+  const Projector projector = view_of(scene, StandardView::top);
+  const auto at = [&](double x, double y) { return Vector2(projector.project({x, y, 0})->head<2>()); };
+  scene.section = SectionPlane{Vector3::UnitX(), 1.6};
+  EXPECT_TRUE(pick(scene, projector, at(1, 1)));
+  EXPECT_FALSE(pick(scene, projector, at(3, 1))) << "a vertex";
+  EXPECT_FALSE(pick(scene, projector, at(2.5, 1))) << "an edge";
+  EXPECT_FALSE(pick(scene, projector, at(2.5, 1.5))) << "a face";
+  PickOptions edges;
+  edges.vertices = edges.faces = false;
+  EXPECT_TRUE(pick(scene, projector, at(1.3, 1), edges));
+  EXPECT_FALSE(pick(scene, projector, at(1.9, 1), edges)) << "the part of an edge behind the plane";
+
+  Scene ball;
+  SceneObject object;
+  object.mesh = DisplayMesh::build(sphere(2), map_options(SurfaceMap::gaussian, 16));
+  ball.objects.push_back(object);
+  const Ray down{{0, 0, 9}, -Vector3::UnitZ()};
+  EXPECT_NEAR(pick_surface(ball, down)->point.z(), 2, 0.05);
+  ball.section = SectionPlane{Vector3::UnitZ(), 0};
+  EXPECT_NEAR(pick_surface(ball, down)->point.z(), -2, 0.05) << "through the opening";
+}
+
+TEST(Occlusion, TheSectionOpensTheView) {
+  Scene scene = scene_with(cube());
+  Camera camera = Camera::standard(StandardView::top);
+  camera.distance = 20;
+  const Box3 box = scene.world_box();
+  camera.target = box.center();
+  const Vector3 bottom(box.center().x() + 0.1, box.center().y() + 0.07, box.min().z());
+  EXPECT_FALSE(Occlusion(scene, Projector(camera, size)).visible(bottom));
+  scene.section = SectionPlane{Vector3::UnitZ(), box.center().z()};
+  const Occlusion open(scene, Projector(camera, size));
+  EXPECT_TRUE(open.visible(bottom));
+  EXPECT_FALSE(open.visible(Vector3(bottom.x(), bottom.y(), box.max().z()))) << "cut away itself";
 }
 
 TEST(Picking, BoxesTakeWhatIsInsideOrTouched) {

@@ -95,6 +95,53 @@ TEST_F(LooksTest, ASectionCutsAwayOneHalfAndDrawsItsCurve) {
   EXPECT_EQ(covered(draw(scene, camera, size)), 0);
 }
 
+/// Long edges seen in perspective are cut where the plane is, as are points and the tint of selected faces.
+TEST_F(LooksTest, ASectionCutsTheCageToo) {
+  SceneObject object = golden_object("cube.obj", SurfaceMap::shaded);
+  object.show_surface = false;
+  object.show_polyhedron = true;
+  object.selected.faces = {0, 1, 2, 3, 4, 5};
+  object.selected.vertices = {0, 1, 2, 3, 4, 5, 6, 7};
+  Scene scene = plain(object);
+  scene.background = Background::transparent;
+  Camera camera = looking(scene, StandardView::iso);
+  camera.distance *= 0.7;  // strong perspective
+  const Box3 box = scene.world_box();
+  const double height = box.center().z() + 0.2 * box.sizes().z();
+  const auto painted = [&] {
+    const Image image = draw(scene, camera, size);
+    const Projector projector(camera, size);
+    std::pair<int, int> above_below;
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) {
+        if (pixel(image, x, y).a < 0.05F) continue;
+        // Whatever is kept lies on the box below the plane (points are discs of some pixels).
+        const Ray ray = projector.ray({x + 0.5, y + 0.5});
+        Box3 kept = box;
+        kept.max().z() = height;
+        const double slack = 9 * projector.pixel_length_at(box.center());
+        kept.min().array() -= slack;
+        kept.max().array() += slack;
+        double first = 0, last = 1e9;
+        for (int k = 0; k < 3; ++k) {
+          const double a = (kept.min()[k] - ray.origin[k]) / ray.direction[k];
+          const double b = (kept.max()[k] - ray.origin[k]) / ray.direction[k];
+          first = std::max(first, std::min(a, b));
+          last = std::min(last, std::max(a, b));
+        }
+        ++(first <= last ? above_below.second : above_below.first);
+      }
+    return above_below;
+  };
+  EXPECT_GT(painted().first, 300) << "the whole cage reaches above";
+  scene.section = SectionPlane{Vector3::UnitZ(), height};
+  const auto [above, below] = painted();
+  EXPECT_EQ(above, 0);
+  EXPECT_GT(below, 2000);
+  scene.objects[0].x_ray = true;
+  EXPECT_EQ(painted().first, 0);
+}
+
 TEST_F(LooksTest, TheCurveOfTheCutHasNoGaps) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 32));
   const Camera camera = looking(scene, StandardView::top);

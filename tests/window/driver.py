@@ -24,10 +24,10 @@ def check(condition, text):
 
 class Window:
     """`home` is the folder of settings, state and cache; without one each window has its own. Give the same to
-    several windows to restart a session or to run two side by side. A sample is opened as a copy of its own: the
-    lock of the shipped one would reach the tests that run beside this one."""
+    several windows to restart a session or to run two side by side. A sample is copied first, as a file of the
+    user's: the shipped one would open without a file. `arguments` are options of the program."""
 
-    def __init__(self, program, *files, size=(1280, 800), home=None):
+    def __init__(self, program, *files, size=(1280, 800), home=None, arguments=()):
         self.folder = tempfile.mkdtemp(prefix="hariko-window-")
         self.log_path = os.path.join(self.folder, "log.jsonl")
         self.display_server = self.program = None
@@ -36,7 +36,7 @@ class Window:
         self._rest = ""
         self.home = home or os.path.join(self.folder, "home")
         try:
-            self._start(program, [self._own(file) for file in files], size)
+            self._start(program, [*arguments, *(self._own(file) for file in files)], size)
         except BaseException:
             self.close()
             raise
@@ -48,7 +48,8 @@ class Window:
     def _start(self, program, files, size):
         read_end, write_end = os.pipe()
         self.display_server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0",
+             f"{max(1600, size[0])}x{max(1000, size[1])}x24", "-nolisten", "tcp"],
             pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as pipe:

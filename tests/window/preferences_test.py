@@ -1,6 +1,7 @@
 """Preferences in the real window: a key is recorded, a conflict is explained and replaced, theme and scale follow at once,
 and the key works."""
 
+import json
 import os
 import subprocess
 
@@ -58,14 +59,14 @@ def preferences(program, source, output):
         # One that another command has: nothing changes before it is decided.
         record(window, "preferences.key.shape.crease.0", "k")
         window.rect("preferences.conflict")
-        check(keys_of(window, "shape.corner") == "K" and keys_of(window, "shape.crease") == "F8",
+        check(keys_of(window, "mesh.knife") == "K" and keys_of(window, "shape.crease") == "F8",
               "the keys changed before the conflict was decided")
         window.click_on("preferences.keep")
         window.wait(lambda: "preferences.conflict" not in window.last("layout")["rects"], "the question to go")
         check(keys_of(window, "shape.crease") == "F8", "Cancel changed the key")
         record(window, "preferences.key.shape.crease.0", "k")
         window.click_on("preferences.replace")
-        window.wait(lambda: keys_of(window, "shape.crease") == "K" and keys_of(window, "shape.corner") == "",
+        window.wait(lambda: keys_of(window, "shape.crease") == "K" and keys_of(window, "mesh.knife") == "",
                     "K for Crease instead of Corner")
         # Esc while a key is awaited leaves everything.
         record(window, "preferences.key.shape.crease.0", "Escape")
@@ -82,11 +83,29 @@ def preferences(program, source, output):
         window.wait(lambda: window.count("command", id="shape.crease") == count + 1, "K to crease")
         check(window.last("cursor")["text"], "a refused key did not say why")
 
-        # Back to the defaults.
+        # The keys go to a file, the defaults come back, and the file brings the keys again.
         window.key("ctrl+comma")
         window.click_on("preferences.page.keys")
+        window.click_on("preferences.keys.export")
+        path = os.path.join(window.folder, "mine.json")
+        window.type_path(path)
+        window.wait(lambda: os.path.exists(path), "the file of keys")
+        window.wait_idle()
+        with open(path, encoding="utf-8") as file:
+            written = json.load(file)["keys"]
+        check(written == {"mesh.knife": "", "shape.crease": "K"}, f"the file of keys holds {written}")
         window.click_on("preferences.reset")
-        window.wait(lambda: keys_of(window, "shape.crease") == "C" and keys_of(window, "shape.corner") == "K",
+        window.wait(lambda: keys_of(window, "shape.crease") == "C", "the default keys")
+        window.wait_idle()
+        window.click_on("preferences.keys.import")
+        window.type_path(path)
+        window.wait(lambda: keys_of(window, "shape.crease") == "K" and keys_of(window, "mesh.knife") == "",
+                    "the keys of the file")
+        window.wait_idle()
+
+        # Back to the defaults.
+        window.click_on("preferences.reset")
+        window.wait(lambda: keys_of(window, "shape.crease") == "C" and keys_of(window, "mesh.knife") == "K",
                     "the default keys")
     finally:
         window.close()

@@ -1,5 +1,6 @@
-"""Replays: a session is recorded in the real window and played again, the saved documents are the same; a replay
-whose document is another one fails; the replay that comes with the tests ends as it was recorded."""
+"""Replays: a session is recorded in the real window and played again, the saved documents are the same; so is one that
+was recorded from the menu in the middle of a session; a replay whose document is another one fails; the replay that
+comes with the tests ends as it was recorded."""
 
 import json
 import os
@@ -38,6 +39,44 @@ def record(program, sample, recording, saved):
     return text
 
 
+def record_from_menu(program, sample, recording):
+    """Changes the document and the look of things first; records an undo to where the recording began."""
+    window = Window(program, sample)
+    try:
+        x, y, _ = window.vertex(window.nearest_vertex())
+        window.drag((x, y), (x + 40, y + 25))
+        window.wait(lambda: window.last("document")["position"] == 1, "the first step")
+        window.key("3")
+        window.drag(window.center("viewport"), tuple(c + 60 for c in window.center("viewport")), button=2)
+        window.click_on("menu.Help")
+        window.click_on("command.help.record")
+        window.type_path(recording)
+        window.wait_event("recording", 0)
+        window.wait_idle()
+        check(window.last("document")["position"] == 0, "the recording can be undone to before its beginning")
+        x, y, _ = window.vertex(window.nearest_vertex())
+        window.drag((x, y), (x - 45, y + 30))
+        window.wait(lambda: window.last("document")["position"] == 1, "the recorded step")
+        window.key("ctrl+z")
+        window.key("ctrl+z")  # there is nothing to undo beyond the beginning
+        window.key("ctrl+shift+z")
+        window.wait(lambda: window.last("document")["position"] == 1, "the step again")
+        left, top, width, height = window.rect("slider.alpha")
+        window.drag((left + 8, top + height / 2), (left + width * 0.6, top + height / 2))
+        window.wait(lambda: window.last("document")["position"] == 2, "the tension")
+        window.wait_idle()
+        window.click_on("status.stop_recording")
+        window.wait_event("recorded", 0)
+        window.wait(lambda: window.last("document")["position"] == 3, "the steps from before the recording")
+        window.key("ctrl+q")
+        window.rect("prompt.discard")
+        window.wait_idle()
+        window.click_on("prompt.discard")
+        check(window.program.wait(timeout=20) == 0, "the session did not end well")
+    finally:
+        window.close()
+
+
 def play(program, recording, folder):
     """Exit code and error output of a replay in a window of its own."""
     read_end, write_end = os.pipe()
@@ -50,7 +89,7 @@ def play(program, recording, folder):
         environment = dict(os.environ, DISPLAY=display)
         for name in ("CONFIG", "STATE", "CACHE", "DATA"):
             environment[f"XDG_{name}_HOME"] = os.path.join(folder, name.lower())
-        done = subprocess.run([program, "--replay", recording], env=environment, capture_output=True, text=True,
+        done = subprocess.run([program, "--replay", recording, "--skip-pauses"], env=environment, capture_output=True, text=True,
                               timeout=170, cwd=folder)
         return done.returncode, done.stderr
     finally:
@@ -91,6 +130,13 @@ def session(program, source, output):
         restore()
         code, errors = play(program, recording, folder)
         check(code == 1 and "otherwise" in errors, f"a spoiled replay ended with {code}: {errors}")
+
+        restore()
+        from_menu = os.path.join(folder, "from_menu.jsonl")
+        record_from_menu(program, sample, from_menu)
+        os.remove(sample)  # the replay has what it began with
+        code, errors = play(program, from_menu, folder)
+        check(code == 0, f"the replay recorded from the menu ended with {code}: {errors}")
 
         kept = os.path.join(os.path.dirname(os.path.abspath(__file__)), "replays")
         replays = sorted(name for name in os.listdir(kept) if name.endswith(".jsonl"))

@@ -36,18 +36,21 @@ def vertices(path):
 
 class Session:
     def __init__(self, window, folder):
-        self.window, self.folder, self.saves = window, folder, 0
+        self.window, self.folder, self.named = window, folder, False
         self.position = 0
 
     def place(self, vertex):
         """Where a vertex is, by what a saved file says."""
-        path = os.path.join(self.folder, f"state{self.saves}.hariko")
-        self.saves += 1
+        path = os.path.join(self.folder, "state.hariko")
         saved = self.window.count("saved")
-        self.window.key("ctrl+shift+s")
-        self.window.type_path(path)
+        if self.named:
+            self.window.key("ctrl+s")
+        else:
+            # The name is typed once: a dialog takes seconds.
+            self.window.key("ctrl+shift+s")
+            self.window.type_path(path)
+            self.named = True
         self.window.wait_event("saved", saved)
-        self.window.wait_idle()
         return vertices(path)[vertex]
 
     def step(self, label=None):

@@ -4,6 +4,7 @@
 // pictures are drawn off the screen, surfaces are computed by the real engine.
 
 #include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <memory>
@@ -20,7 +21,8 @@ namespace hariko::test {
 class HeadlessWorkbench {
  public:
   /// Asserts that OpenGL is there: where the tests run it must be.
-  explicit HeadlessWorkbench(Document document, ImVec2 size = {800, 560})
+  /// `actions`: what commands on files do; those left empty do nothing.
+  explicit HeadlessWorkbench(Document document, ImVec2 size = {800, 560}, FileActions actions = {})
       : context_(OffscreenContext::create().value()), renderer_(Renderer::create().value()) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -32,15 +34,9 @@ class HeadlessWorkbench {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    FileActions actions;
-    actions.open = [](const auto&) {};
-    actions.import_file = [](const auto&) {};
-    actions.save = [](const auto&, auto) {};
-    actions.export_file = [](const auto&, int) {};
-    actions.quit = [] {};
     editor_.views = &engine_.views();
     editor_.open(std::move(document), {});
-    workbench_ = std::make_unique<Workbench>(editor_, renderer_, 1, metrics_, actions);
+    workbench_ = std::make_unique<Workbench>(editor_, renderer_, 1, metrics_, complete(std::move(actions)));
     frame();
     frame();
   }
@@ -54,6 +50,7 @@ class HeadlessWorkbench {
 
   Editor& editor() { return editor_; }
   Workbench& workbench() { return *workbench_; }
+  Renderer& renderer() { return renderer_; }
 
   void frame() {
     editor_.now += 0.05;
@@ -97,7 +94,44 @@ class HeadlessWorkbench {
     io.KeyAlt = alt;
   }
 
+  /// Until surfaces are ready and shown.
+  void settle() {
+    frame();
+    engine_.wait();
+    frame();
+  }
+  /// Presses what bears this mark.
+  void click(const std::string& mark) {
+    const auto found = workbench_->marks().all().find(mark);
+    ASSERT_NE(found, workbench_->marks().all().end()) << mark;
+    const Marks::Rect rect = found->second;
+    move(rect.x + rect.width / 2.0, rect.y + rect.height / 2.0);
+    press();
+    release();
+  }
+
  private:
+  template <class Action>
+  static void complete(std::function<Action>& action) {
+    if (!action) action = [](const auto&...) {};
+  }
+  static FileActions complete(FileActions actions) {
+    complete(actions.open);
+    complete(actions.import_file);
+    complete(actions.save);
+    complete(actions.save_copy);
+    complete(actions.revert);
+    complete(actions.export_file);
+    complete(actions.export_pictures);
+    complete(actions.recover);
+    complete(actions.discard_recovery);
+    complete(actions.record);
+    complete(actions.stop_recording);
+    complete(actions.picture_samples);
+    complete(actions.quit);
+    return actions;
+  }
+
   OffscreenContext context_;
   Renderer renderer_;
   Metrics metrics_;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/document/edits.hpp"
+#include "core/modeling/arched_net.hpp"
 #include "core/modeling/primitives.hpp"
 #include "ui/commands/command_host.hpp"
 
@@ -34,6 +35,7 @@ double radius_for(const Editor& editor) {
 }
 
 using MakeMesh = std::function<Result<PolygonMesh>(std::span<const OperationNumber>)>;
+using MakeSource = std::function<Result<Source>(std::span<const OperationNumber>)>;
 /// The numbers to begin with, for an object of about this radius.
 using Numbers = std::function<std::vector<OperationNumber>(double radius)>;
 /// Puts a shape into the table: id, menu, label, step, help.
@@ -63,7 +65,7 @@ std::string free_name(const Document& document, const std::string& name) {
 }
 
 void add_primitive(CommandHost& host, const char* name, const char* step, const Numbers& numbers,
-                   MakeMesh make) {
+                   MakeSource make) {
   Editor& editor = host.editor;
   if (!editor.has_document) {
     Document document;
@@ -77,9 +79,7 @@ void add_primitive(CommandHost& host, const char* name, const char* step, const 
   const auto add = [place, object_name, make = std::move(make)](
                        const Document& document,
                        std::span<const OperationNumber> chosen) -> Result<OperationResult> {
-    Result<PolygonMesh> mesh = make(chosen);
-    if (!mesh) return mesh.error();
-    Result<PolyhedronSource> source = PolyhedronSource::from_mesh(std::move(mesh).value());
+    Result<Source> source = make(chosen);
     if (!source) return source.error();
     Result<Added> added = add_object(document, object_name, std::move(source).value(), place);
     if (!added) return added.error();
@@ -87,6 +87,46 @@ void add_primitive(CommandHost& host, const char* name, const char* step, const 
   };
   if (editor.last_operation.run(editor, step, numbers(radius_for(editor)), add) && first)
     editor.wants_framing = true;
+}
+
+MakeSource from_mesh(MakeMesh make) {
+  return [make = std::move(make)](std::span<const OperationNumber> chosen) -> Result<Source> {
+    Result<PolygonMesh> mesh = make(chosen);
+    if (!mesh) return mesh.error();
+    Result<PolyhedronSource> source = PolyhedronSource::from_mesh(std::move(mesh).value());
+    if (!source) return source.error();
+    return Source(std::move(source).value());
+  };
+}
+
+void add_patches(CommandHost& host) {
+  const Numbers numbers = [](double r) {
+    return std::vector{count("columns", translatable("Columns"), 1, 1, max_net_patches),
+                       count("rows", translatable("Rows"), 1, 1, max_net_patches),
+                       length("width", translatable("Width"), 2 * r),
+                       length("depth", translatable("Depth"), 2 * r),
+                       OperationNumber{"arch", translatable("Arch"), 0, 0, most, false}};
+  };
+  const MakeSource make = [](std::span<const OperationNumber> n) -> Result<Source> {
+    Result<PatchSource> source = PatchSource::from_net(
+        arched_net(Index(count_of(n[0])), Index(count_of(n[1])), n[2].value, n[3].value, n[4].value));
+    if (!source) return source.error();
+    return Source(std::move(source).value());
+  };
+  host.table.add({"add.patches",
+                  "Add",
+                  "Bicubic patches",
+                  "A grid of bicubic patches, flat or arched, whose control points can be moved.",
+                  "",
+                  "",
+                  true,
+                  false,
+                  [&host, numbers, make] {
+                    add_primitive(host, "Bicubic patches", translatable("Add patches"), numbers, make);
+                  },
+                  {},
+                  {},
+                  Context::empty});
 }
 
 void add_solids(const AddShape& add) {
@@ -199,7 +239,7 @@ void add_add_commands(CommandHost& host) {
                     true,
                     false,
                     [&host, label, step, numbers = std::move(numbers), make = std::move(make)] {
-                      add_primitive(host, label, step, numbers, make);
+                      add_primitive(host, label, step, numbers, from_mesh(make));
                     },
                     {},
                     {},
@@ -208,6 +248,7 @@ void add_add_commands(CommandHost& host) {
   add_solids(add);
   add_round(add);
   add_platonic(add);
+  add_patches(host);
 }
 
 }  // namespace hariko

@@ -1,5 +1,7 @@
 // Commands on files: open, save, import, export, close, quit.
 
+#include <algorithm>
+
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 #include "ui/workbench.hpp"
@@ -20,6 +22,13 @@ void add_file_commands(CommandHost& host) {
              [&workbench]() -> Reason {
                if (!workbench.offers().recent.empty()) return {};
                return "No file was opened or saved yet.";
+             }});
+  table.add({"file.samples", "File", "Open a sample\u2026",
+             "Open a model that came with Hariko, as a copy without a file.", "", "", false, false,
+             [&workbench] { workbench.show_samples(); },
+             [&workbench]() -> Reason {
+               if (!workbench.samples().empty()) return {};
+               return "The samples are not installed.";
              }});
   table.add({"file.recover", "File", "Recover\u2026",
              "Open unsaved work of a session that ended without saving.", "", "", false, false,
@@ -46,6 +55,26 @@ void add_file_commands(CommandHost& host) {
              "Ctrl+I", icon::import_file, true, true, [&workbench] { workbench.show_import_dialog(); }});
   table.add({"file.export", "File", "Export\u2026", "Write the surfaces as triangles.", "Ctrl+E",
              icon::export_file, false, false, [&workbench] { workbench.show_export_dialog(); }, document});
+  const WhyNot something_shown = [&editor, document]() -> Reason {
+    if (auto reason = document()) return reason;
+    const auto& objects = editor.document().objects;
+    if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->visible; }))
+      return {};
+    return "No object is visible. Show one or add one.";
+  };
+  table.add({"file.export_picture", "File", "Export picture\u2026",
+             "Write what the active view shows as a PNG picture.", "", "", false, true,
+             [&workbench] { workbench.show_picture_dialog(false); }, something_shown});
+  table.add({"file.export_turntable", "File", "Export turntable\u2026",
+             "Write a series of pictures that goes once round the model.", "", "", false, false,
+             [&workbench] { workbench.show_picture_dialog(true); }, something_shown});
+  table.add({"file.cancel_job", "File", "Cancel work on files",
+             "Stop the import, export or picture in progress; files stay as they were.", "", "", false, false,
+             [&editor] { editor.cancellable_job()->cancel.cancel(); },
+             [&editor]() -> Reason {
+               if (editor.cancellable_job()) return {};
+               return "Nothing that can be cancelled is in progress.";
+             }});
   table.add({"file.close", "File", "Close", "Close the document and go to the start page.", "Ctrl+W", "",
              false, true, [&workbench] { workbench.close_document(); }, document});
   table.add({"file.quit", "File", "Quit", "Leave Hariko.", "Ctrl+Q", "", false, false,

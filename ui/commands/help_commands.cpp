@@ -50,6 +50,21 @@ void add_help_commands(CommandHost& host) {
   table.add({"help.context_menu", translatable("Help"), translatable("Menu at the pointer"),
              translatable("What can be done with what is under the pointer."), "Menu / Shift+F10", "", false,
              false, [&workbench] { workbench.show_context_menu(); }, needs_document(editor)});
+  table.add({"help.record", translatable("Help"), translatable("Record a replay\u2026"),
+             translatable("Write what you do from here on to a file that plays it again."), "", "", false,
+             true, [&workbench] { workbench.show_record_dialog(); },
+             [&editor, document = needs_document(editor)]() -> Reason {
+               if (auto reason = document()) return reason;
+               if (editor.recording) return translatable("A replay is being recorded already.");
+               return {};
+             }});
+  table.add({"help.stop_recording", translatable("Help"), translatable("Stop recording"),
+             translatable("End the replay that is being recorded."), "", "", false, false,
+             [&workbench] { workbench.stop_recording(); },
+             [&editor]() -> Reason {
+               if (editor.recording) return {};
+               return translatable("No replay is being recorded.");
+             }});
   table.add({"help.about", translatable("Help"), translatable("About Hariko"),
              translatable("Version, graphics driver and licences."), "", icon::info, false, true,
              [&workbench, &editor] { show_about(workbench, editor.language); }});
@@ -61,6 +76,12 @@ void add_preferences_commands(CommandHost& host) {
   table.add({"edit.preferences", translatable("Edit"), translatable("Preferences\u2026"),
              translatable("Language, theme, navigation, units, keys."), "Ctrl+,", icon::settings, false, true,
              [&workbench] { workbench.show_preferences(); }});
+  table.add({"edit.export_keys", "Edit", translatable("Export keys\u2026"),
+             translatable("Write the keys that are not the default ones to a file."), "", "", false, false,
+             [&workbench] { workbench.show_key_export(); }});
+  table.add({"edit.import_keys", "Edit", translatable("Import keys\u2026"),
+             translatable("Take the keys of a file in place of those that are in use."), "", "", false, false,
+             [&workbench] { workbench.show_key_import(); }});
 }
 
 }  // namespace hariko

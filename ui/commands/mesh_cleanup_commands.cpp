@@ -25,6 +25,7 @@ namespace hariko {
 
 namespace {
 
+const std::string merge_menu = std::string("Mesh") + "/" + translatable("Merge");
 const std::string mirror_menu = std::string("Mesh") + "/" + translatable("Mirror");
 
 /// Of the live mirror's seam, and for merging by distance: this share of the object's size.
@@ -82,14 +83,23 @@ void delete_selection(Editor& editor) {
                 objects.size() == 1 ? translatable("Delete object") : translatable("Delete objects"));
 }
 
-Result<Modeled> merged_at_last(const Editor& editor, const PolyhedronSource& source) {
+/// The vertex that was clicked first or last, while it is selected.
+std::optional<VertexId> clicked_vertex(const Editor& editor, MergeAt at) {
+  const auto& clicked = at == MergeAt::first ? editor.selection.first : editor.selection.last;
+  if (!clicked || clicked->element.kind != Element::Kind::vertex) return {};
+  if (clicked->object != editor.selection.active || !editor.selection.contains(*clicked)) return {};
+  return VertexId{static_cast<std::uint32_t>(clicked->element.id)};
+}
+
+void merge_at(Editor& editor, MergeAt at, const char* label) {
   std::vector<VertexId> ids = list_of(editor.selection.of_active().vertices);
-  const auto& last = editor.selection.last;
-  if (last && last->element.kind == Element::Kind::vertex) {
-    const auto at = std::find(ids.begin(), ids.end(), VertexId{static_cast<std::uint32_t>(last->element.id)});
-    if (at != ids.end()) std::rotate(at, at + 1, ids.end());
+  if (at != MergeAt::centre) {
+    const VertexId target = *clicked_vertex(editor, at);
+    std::erase(ids, target);
+    ids.insert(at == MergeAt::first ? ids.begin() : ids.end(), target);
   }
-  return merge_vertices(source, ids, MergeAt::last);
+  run_operation(
+      editor, [&](const PolyhedronSource& source) { return merge_vertices(source, ids, at); }, label);
 }
 
 void merge_near(Editor& editor) {
@@ -132,10 +142,14 @@ void toggle_mirror(Editor& editor, Axis axis) {
                   translatable("End live mirror"));
     return;
   }
-  // What lies behind the plane goes, so that the image takes its place.
+  // What lies behind the plane goes, so that the image takes its place. Another mirror's image stays.
   const Mirror mirror{axis, weld_share * size_of(source)};
-  const auto half = edit_polyhedron(editor.history.current(), object,
-                                    [&](const PolyhedronSource& s) { return halved(s, mirror); });
+  const auto half =
+      edit_polyhedron(editor.history.current(), object, [&](const PolyhedronSource& s) -> Result<Modeled> {
+        const auto whole = baked(s);
+        if (!whole) return whole.error();
+        return halved(*whole, mirror);
+      });
   if (!half) return editor.notify(half.error());
   editor.commit(set_mirror(half->document, object, mirror), translatable("Live mirror"));
 }
@@ -175,6 +189,38 @@ class MeshMenu {
   bool separator_ = true;
 };
 
+void add_merging(MeshMenu& menu, Editor& editor) {
+  const auto merge = [&](const char* id, const char* label, const char* help, const char* keys, MergeAt at) {
+    menu.add(
+        id, merge_menu, label, help, keys,
+        [&editor, at]() -> Reason {
+          if (auto reason = needs_elements(editor, {.vertices = true})()) return reason;
+          if (at == MergeAt::centre || clicked_vertex(editor, at)) return {};
+          return translatable("Which vertex came first or last is not known. Click them one by one.");
+        },
+        Context::vertex, [&editor, at, label] { merge_at(editor, at, label); }, {});
+  };
+  merge("mesh.merge_centre", "Merge at centre", "Make one vertex of the selected ones, between them.", "M",
+        MergeAt::centre);
+  merge("mesh.merge_first", "Merge at first", "Make one vertex of the selected ones, where the first one is.",
+        "", MergeAt::first);
+  merge("mesh.merge_last", "Merge at last", "Make one vertex of the selected ones, where the last one is.",
+        "Alt+M", MergeAt::last);
+  menu.add("mesh.merge_distance", merge_menu, "Merge by distance",
+           "Merge selected vertices that are near each other.", "",
+           needs_elements(editor, {.vertices = true, .edges = true, .faces = true}), any_element,
+           [&editor] { merge_near(editor); }, {});
+  menu.add("mesh.collapse", merge_menu, "Collapse edges", "Shrink the selected edges to points.", "",
+           needs_elements(editor, {.edges = true}), Context::edge,
+           [&editor] {
+             const auto edges = list_of(editor.selection.of_active().edges);
+             run_operation(
+                 editor, [&](const PolyhedronSource& source) { return collapse_edges(source, edges); },
+                 translatable("Collapse edges"));
+           },
+           {});
+}
+
 void add_tidying(MeshMenu& menu, Editor& editor) {
   menu.add("mesh.delete", "Edit", "Delete",
            "Delete the selected elements, or the object when none are selected.", "Del", needs_object(editor),
@@ -207,25 +253,7 @@ void add_tidying(MeshMenu& menu, Editor& editor) {
            },
            {});
   menu.next_group();
-  menu.add_operation("mesh.merge_centre", "Merge at centre",
-                     "Make one vertex of the selected ones, between them.", "M", {.vertices = true},
-                     Context::vertex, [](const PolyhedronSource& source, const ElementSet& set) {
-                       return merge_vertices(source, list_of(set.vertices), MergeAt::centre);
-                     });
-  menu.add("mesh.merge_last", "Merge at last", "Make one vertex of the selected ones, where the last one is.",
-           "Alt+M", {.vertices = true}, Context::vertex, [&editor] {
-             run_operation(
-                 editor, [&](const PolyhedronSource& source) { return merged_at_last(editor, source); },
-                 translatable("Merge at last"));
-           });
-  menu.add("mesh.merge_distance", "Merge by distance", "Merge selected vertices that are near each other.",
-           "", {.vertices = true, .edges = true, .faces = true}, Context::vertex,
-           [&editor] { merge_near(editor); });
-  menu.add_operation("mesh.collapse", "Collapse edges", "Shrink the selected edges to points.", "",
-                     {.edges = true}, Context::edge,
-                     [](const PolyhedronSource& source, const ElementSet& set) {
-                       return collapse_edges(source, list_of(set.edges));
-                     });
+  add_merging(menu, editor);
 }
 
 void add_connecting(MeshMenu& menu, Editor& editor) {

@@ -11,8 +11,10 @@
 #include "core/modeling/inset.hpp"
 #include "core/modeling/subdivide.hpp"
 #include "ui/commands/command_host.hpp"
+#include "ui/icons.hpp"
 #include "ui/operations.hpp"
 #include "ui/tools/amount_tool.hpp"
+#include "ui/tools/knife_tool.hpp"
 #include "ui/tools/loop_cut_tool.hpp"
 #include "ui/viewport.hpp"
 
@@ -149,7 +151,7 @@ void add_dragged(CommandHost& host) {
              "Extrude",
              "Move the selected faces out and put walls round them, or continue the selected open edges.",
              "E",
-             "",
+             icon::extrude,
              true,
              false,
              [&host] { extrude(host, Grouping::region); },
@@ -173,7 +175,7 @@ void add_dragged(CommandHost& host) {
              "Inset",
              "Put a band of even width inside the rim of the selected faces.",
              "I",
-             "",
+             icon::inset,
              true,
              false,
              [&host] { inset(host); },
@@ -185,7 +187,7 @@ void add_dragged(CommandHost& host) {
              "Bevel edges",
              "Turn the selected edges into flat bands.",
              "Ctrl+B",
-             "",
+             icon::bevel,
              true,
              false,
              [&host] { bevel_selected_edges(host); },
@@ -197,7 +199,7 @@ void add_dragged(CommandHost& host) {
              "Bevel vertices",
              "Cut the selected corners off.",
              "Ctrl+Shift+B",
-             "",
+             icon::bevel,
              true,
              false,
              [&host] { bevel_selected_vertices(host); },
@@ -214,17 +216,29 @@ void add_cuts(CommandHost& host) {
              "Loop cut",
              "Cut a ring of four-sided faces from edge to edge.",
              "Ctrl+R",
-             "",
+             icon::loop_cut,
              true,
              true,
              [&host] { host.viewport.start_modal(make_loop_cut_tool()); },
              needs_polyhedron(editor),
              {},
              Context::edge});
+  table.add({"mesh.knife",
+             "Mesh",
+             "Knife",
+             "Cut faces from point to point along a path.",
+             "K",
+             icon::knife,
+             true,
+             false,
+             [&host] { host.viewport.start_modal(make_knife_tool()); },
+             needs_polyhedron(editor),
+             {},
+             any_element});
   table.add({"mesh.connect",
              "Mesh",
              "Connect",
-             "Cut faces between the selected vertices, and between the middles of the selected edges.",
+             "Split faces between the selected vertices, and between the middles of the selected edges.",
              "J",
              "",
              true,

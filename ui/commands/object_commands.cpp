@@ -176,12 +176,18 @@ void add_object_commands(CommandHost& host) {
              false,
              [&editor] {
                const auto ids = chosen_ids(editor);
-               editor.commit(delete_objects(editor.history.current(), ids),
-                             counted_step("Delete object", "Delete {0} objects", ids.size()));
+               const std::size_t attached = attached_to(editor.history.current(), ids);
+               if (!editor.commit(delete_objects(editor.history.current(), ids),
+                                  counted_step("Delete object", "Delete {0} objects", ids.size())))
+                 return;
+               if (attached > 0)
+                 editor.notify(Notice::Kind::info,
+                               fill(editor.language("Attached edges that keep a copy of their side: {0}"),
+                                    {std::to_string(attached)}));
              },
              object,
              {},
-             Context::object});
+             Context::none});
   add_visibility_commands(table, editor, object);
   add_order_commands(table, editor, object);
 }

@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "core/document/edits.hpp"
+#include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/local_edit.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 #include "ui/tools/tension_tool.hpp"
@@ -164,11 +166,28 @@ void add_tags(CommandHost& host) {
                },
                needs_shapeable(editor, {.vertices = true})});
   };
-  tag("shape.corner", "Corner vertices", "Tag the selected vertices as corners, or no longer.", "K",
+  tag("shape.corner", "Corner vertices", "Tag the selected vertices as corners, or no longer.", "Shift+C",
       VertexTag::corner);
   tag("shape.smooth_ends", "Smooth ends",
-      "Creases and borders run through the selected vertices smoothly, or no longer.", "Shift+K",
+      "Creases and borders run through the selected vertices smoothly, or no longer.", "Alt+Shift+C",
       VertexTag::smooth);
+  table.add({"shape.fix_tangents", "Shape", "Fix tangents",
+             "Pin the tangents of the selected vertices as they are now.", "", "", true, false,
+             [&editor] {
+               edit_selected(
+                   editor, "Fix tangents",
+                   [](const auto& document, const auto& object, const auto& elements) -> Result<Document> {
+                     const auto fixed = edit_polyhedron(
+                         document, object.id, [&](const PolyhedronSource& source) -> Result<Modeled> {
+                           auto frozen = freeze_tangents(source, vertices_of(elements));
+                           if (!frozen) return frozen.error();
+                           return Modeled{std::move(frozen).value(), {}};
+                         });
+                     if (!fixed) return fixed.error();
+                     return fixed->document;
+                   });
+             },
+             needs_shapeable(editor, {.vertices = true})});
   table.add({"shape.release_pins", "Shape", "Release pins",
              "Free the pinned tangents of the selected vertices.", "Shift+P", "", true, false,
              [&editor] {

@@ -64,6 +64,19 @@ void add_switches(CommandHost& host) {
                   [&settings] { settings.local_axes = !settings.local_axes; },
                   {},
                   [&settings] { return settings.local_axes; }});
+  host.table.add(
+      {"transform.local_edit",
+       "Transform",
+       "Local editing",
+       "Vertices change the faces round them only: tangents there are fixed, and turning or scaling "
+       "changes the tangent plane.",
+       "Shift+O",
+       "",
+       false,
+       false,
+       [&settings] { settings.local_edit = !settings.local_edit; },
+       {},
+       [&settings] { return settings.local_edit; }});
   host.table.add({"transform.soft",
                   "Transform",
                   "Soft selection",

@@ -1,6 +1,7 @@
 #include "ui/panels/command_menu.hpp"
 
 #include "ui/icons.hpp"
+#include "ui/text_lines.hpp"
 
 namespace hariko {
 
@@ -32,7 +33,7 @@ void command_tooltip(const PanelContext& context, const Command& command,
                      const std::optional<std::string>& reason, bool with_label) {
   const Language& tr = context.tr;
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(context.metrics.px(320));
+  const float right = context.metrics.px(320);
   if (with_label) {
     ImGui::TextUnformatted(tr(command.label.c_str()));
     if (!command.keys.empty()) {
@@ -41,16 +42,13 @@ void command_tooltip(const PanelContext& context, const Command& command,
     }
   }
   if (!command.help.empty()) {
-    if (with_label)
-      ImGui::TextDisabled("%s", tr(command.help.c_str()));
-    else
-      ImGui::TextUnformatted(tr(command.help.c_str()));
+    const TextColour colour(with_label ? palette().dim_text : palette().text);
+    text_in_lines(tr(command.help.c_str()), right);
   }
   if (reason) {
     const TextColour colour(palette().warning);
-    ImGui::TextUnformatted(tr.phrase(*reason).c_str());
+    text_in_lines(tr.phrase(*reason), right);
   }
-  ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
 

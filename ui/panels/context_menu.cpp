@@ -2,6 +2,8 @@
 
 #include <imgui_internal.h>
 
+#include <cctype>
+#include <cmath>
 #include <string_view>
 
 #include "ui/panels/command_menu.hpp"
@@ -35,6 +37,7 @@ std::string title_of(const PanelContext& context, const std::optional<ElementRef
   if (context.editor.mode == ElementMode::object || element->element.kind == Element::Kind::none) return name;
   std::string text = to_string(element->element);
   const std::size_t space = text.find(' ');
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));  // as the catalogue has it
   text = tr(text.substr(0, space)) + text.substr(space);
   const ElementSelection& selection = context.editor.selection.of(element->object);
   if (selection.size() > 1 && context.editor.selection.contains(*element)) text = describe(selection, tr);
@@ -60,8 +63,8 @@ void ContextMenu::watch(Editor& editor, const PanelRect& viewport, const std::op
   }
   if (!armed_) return;
   const ImVec2 by(io.MousePos.x - at_.x, io.MousePos.y - at_.y);
-  if (by.x * by.x + by.y * by.y > drag_threshold * drag_threshold ||
-      ImGui::IsMouseDown(ImGuiMouseButton_Left))
+  const double threshold = drag_threshold * editor.pixel_scale / double(io.DisplayFramebufferScale.x);
+  if (std::hypot(double(by.x), double(by.y)) > threshold || ImGui::IsMouseDown(ImGuiMouseButton_Left))
     armed_ = false;  // it moves the view
   if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
   if (armed_) {

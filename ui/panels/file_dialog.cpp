@@ -82,6 +82,17 @@ void FileDialog::go_to(const fs::path& folder) {
   error_.clear();
 }
 
+bool FileDialog::replaces_something(const fs::path& path) {
+  std::error_code error;
+  std::optional<fs::path> replaced;
+  if (request_.replaces)
+    replaced = request_.replaces(path);
+  else if (fs::exists(path, error))
+    replaced = path;
+  replaced_ = replaced ? replaced->filename().string() : std::string();
+  return replaced.has_value();
+}
+
 void FileDialog::submit(bool overwrite) {
   if (name_.empty()) return;
   fs::path path =
@@ -99,7 +110,7 @@ void FileDialog::submit(bool overwrite) {
       error_ = fill(translatable("This ending is not one of those that can be written:{0}"), {endings});
       return;
     }
-    if (fs::exists(path, error) && !overwrite) {
+    if (!overwrite && replaces_something(path)) {
       ask_overwrite_ = true;
       return;
     }
@@ -114,7 +125,9 @@ void FileDialog::submit(bool overwrite) {
 
 void FileDialog::list(PanelContext& context) {
   const float row = ImGui::GetFrameHeight();
-  const float below = row * (request_.options ? 3 : 2) + context.metrics.px(26) +
+  const int options = request_.options ? request_.option_rows() : 0;
+  const float below = row * static_cast<float>(options + 2) + context.metrics.px(26) +
+                      ImGui::GetStyle().ItemSpacing.y * static_cast<float>(std::max(options - 1, 0)) +
                       (error_.empty() && !ask_overwrite_ ? 0 : row + context.metrics.px(6));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
   ImGui::BeginChild("files", {0, -below}, false);
@@ -174,7 +187,7 @@ void FileDialog::footer(PanelContext& context) {
   if (ask_overwrite_) {
     const TextColour colour(palette().warning);
     ImGui::TextUnformatted(
-        (icon::warning + ("  " + fill(context.tr("{0} exists already."), {name_}))).c_str());
+        (icon::warning + ("  " + fill(context.tr("{0} exists already."), {replaced_}))).c_str());
   } else if (!error_.empty()) {
     const TextColour colour(palette().error);
     ImGui::TextUnformatted(context.tr.phrase(error_).c_str());
@@ -186,12 +199,8 @@ void FileDialog::footer(PanelContext& context) {
   }
   context.marks.item("dialog.cancel");
   ImGui::SameLine();
-  ImGui::PushStyleColor(ImGuiCol_Button, palette().accent);
-  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, IM_COL32(255, 178, 84, 255));
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().window);
-  const bool pressed = ImGui::Button(
-      ask_overwrite_ ? context.tr("Replace") : context.tr(request_.action).c_str(), {button, 0});
-  ImGui::PopStyleColor(3);
+  const bool pressed =
+      main_button(ask_overwrite_ ? context.tr("Replace") : context.tr(request_.action).c_str(), {button, 0});
   context.marks.item("dialog.accept");
   if (open_ && (pressed || entered)) submit(ask_overwrite_);
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,10 @@ class FileDialog {
         extensions;                  ///< ".hariko", ...; the first is added to names without one when saving
     std::filesystem::path proposal;  ///< file or folder to begin with
     std::function<void(const std::filesystem::path&)> accept;
-    std::function<void()> options = {};  ///< draws further settings above the buttons
+    std::function<void()> options = {};                   ///< draws further settings above the buttons
+    std::function<int()> option_rows = [] { return 1; };  ///< how many rows these take
+    /// When saving, a file that accepting this name would replace; without it the file of that name itself.
+    std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)> replaces = {};
   };
 
   void open(Request request);
@@ -40,12 +44,14 @@ class FileDialog {
   void footer(PanelContext& context);
   void submit(bool overwrite);
   bool matches(const std::filesystem::path& file) const;
+  bool replaces_something(const std::filesystem::path& path);
 
   Request request_;
   bool open_ = false, appearing_ = false, ask_overwrite_ = false;
   std::filesystem::path folder_;
   std::vector<Entry> entries_;
   std::string name_, error_;
+  std::string replaced_;  ///< what the question about replacing names
 };
 
 }  // namespace hariko

@@ -24,11 +24,11 @@ void draw_history(ImDrawList& list, const Metrics& m, const FrameTimes& times, I
   const auto y_of = [&](double ms) {
     return high.y - (high.y - low.y) * static_cast<float>(std::min(1.0, ms / most));
   };
-  list.AddRectFilled(low, high, IM_COL32(0, 0, 0, 90));
+  list.AddRectFilled(low, high, with_alpha(palette().window, 0.6F));
   float x = high.x - step * float(times.samples().size());
   for (const FrameSample& sample : times.samples()) {
     list.AddRectFilled({x, y_of(sample.ours + sample.renderer)}, {x + step, y_of(sample.ours)},
-                       IM_COL32(150, 155, 162, 150));
+                       with_alpha(palette().dim_text, 0.6F));
     list.AddRectFilled({x, y_of(sample.ours)}, {x + step, high.y}, palette().accent);
     x += step;
   }

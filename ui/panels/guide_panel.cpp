@@ -3,6 +3,7 @@
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/text_lines.hpp"
 
 namespace hariko {
 
@@ -29,9 +30,7 @@ void present_step(PanelContext& context, GuideStep step) {
   }
   const Command* command = *text.command ? context.commands.find(text.command) : nullptr;
   const std::string keys = command ? command->keys.substr(0, command->keys.find(" / ")) : std::string();
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(fill(context.tr(text.text), {keys}).c_str());
-  ImGui::PopTextWrapPos();
+  text_in_lines(fill(context.tr(text.text), {keys}));
   if (step == GuideStep::box) {
     if (ImGui::Button(context.tr("New from box"), {-1, 0})) context.run("file.new_from_box");
     context.marks.item("guide.box");

@@ -11,6 +11,7 @@
 #include "ui/panels/command_menu.hpp"
 #include "ui/panels/overlay_window.hpp"
 #include "ui/panels/preferences.hpp"
+#include "ui/text_lines.hpp"
 
 namespace hariko {
 
@@ -52,9 +53,21 @@ void KeyPage::assign(Editor& editor, const CommandTable& commands) {
 void KeyPage::draw(PanelContext& context) {
   const Metrics& m = context.metrics;
   const Language& tr = context.tr;
-  ImGui::SetNextItemWidth(-1);
+  const char* const import = tr("Import\u2026");
+  const char* const export_ = tr("Export\u2026");
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const auto button_width = [&](const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+  };
+  ImGui::SetNextItemWidth(-(button_width(import) + button_width(export_)));
   ImGui::InputTextWithHint("##search", tr("Search by name or key"), &search_);
   context.marks.item("preferences.search");
+  ImGui::SameLine();
+  if (ImGui::Button((std::string(import) + "###import").c_str())) context.run("edit.import_keys");
+  context.marks.item("preferences.keys.import");
+  ImGui::SameLine();
+  if (ImGui::Button((std::string(export_) + "###export").c_str())) context.run("edit.export_keys");
+  context.marks.item("preferences.keys.export");
   if (wanted_ && !recording_.empty()) draw_conflict(context);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(4), m.px(4)));
   if (ImGui::BeginChild("list")) {
@@ -82,11 +95,8 @@ void KeyPage::draw_conflict(PanelContext& context) {
   const Command* command = context.commands.find(recording_);
   if (!owner || !command) return recording_.clear();
   const TextColour colour(palette().warning);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(fill(tr("{0} belongs to \u201c{1}\u201d. Give it to \u201c{2}\u201d instead?"),
-                              {wanted_->to_string(), tr(owner->label), tr(command->label)})
-                             .c_str());
-  ImGui::PopTextWrapPos();
+  text_in_lines(fill(tr("{0} belongs to \u201c{1}\u201d. Give it to \u201c{2}\u201d instead?"),
+                     {wanted_->to_string(), tr(owner->label), tr(command->label)}));
   context.marks.item("preferences.conflict");
   ImGui::PushStyleColor(ImGuiCol_Text, palette().text);
   if (ImGui::Button(tr("Replace"))) assign(context.editor, context.commands);

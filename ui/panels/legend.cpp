@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/document/edits.hpp"
+#include "render/region_picking.hpp"
 #include "render/tension_colors.hpp"
 
 namespace hariko {
@@ -34,18 +36,20 @@ void range_end(PanelContext& context, const Object& object, const ValueRange& sh
   const double value = high ? shown.high : shown.low;
   const float width = context.metrics.px(96);
   const std::string mark = high ? "legend.high" : "legend.low";
-  constexpr int opened = 1, open = 2;
-  if (const int phase = storage.GetInt(editing); phase != 0) {
+  // Frames since the click that asked for the field, plus one; the keyboard comes a frame or two later.
+  constexpr int patience = 8;
+  if (const int frames = storage.GetInt(editing); frames != 0) {
     ImGui::SetNextItemWidth(width);
     double typed = value;
-    if (phase == opened) {
-      ImGui::SetKeyboardFocusHere();
-      storage.SetInt(editing, open);
-    }
+    const bool waiting = frames < patience;
+    if (waiting) ImGui::SetKeyboardFocusHere();
     if (ImGui::InputDouble(high ? "##high" : "##low", &typed, 0, 0, "%.6g",
                            ImGuiInputTextFlags_AutoSelectAll))
       context.state.typed = typed;
     context.marks.item(mark);
+    const bool active = ImGui::IsItemActive();
+    if (waiting) storage.SetInt(editing, active ? patience : frames + 1);
+    if (waiting && !active) context.state.field_opening = true;
     if (ImGui::IsItemDeactivated()) {
       if (ImGui::IsItemDeactivatedAfterEdit()) {
         MapRange range{RangeMode::manual, shown.low, shown.high};
@@ -53,14 +57,17 @@ void range_end(PanelContext& context, const Object& object, const ValueRange& sh
         set_range(context, object, range);
       }
       storage.SetInt(editing, 0);
+    } else if (!waiting && !active) {
+      storage.SetInt(editing, 0);  // something else took the keyboard
     }
     return;
   }
   const std::string label = format_number(value, 4);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton(high ? "high" : "low", {width, ImGui::GetTextLineHeight()})) {
-    storage.SetInt(editing, opened);
+    storage.SetInt(editing, 1);
     context.state.typed = value;
+    context.state.field_opening = true;
   }
   context.marks.item(mark);
   const bool hovered = ImGui::IsItemHovered();
@@ -250,6 +257,18 @@ std::vector<NumberLabel> labels_of(const Object& object) {
   return labels;
 }
 
+/// What the objects hide that are drawn solid, coarsely: a number need not vanish to the pixel.
+Occlusion hiding_of(const Scene& scene, const Projector& projector) {
+  constexpr int coarse = 4;  // pixels a side, of one that is looked at
+  Scene solid;
+  solid.section = scene.section;
+  for (const SceneObject& object : scene.objects)
+    if (object.mesh && object.show_surface) solid.objects.push_back(object);
+  const PixelSize size{std::max(1, projector.size().width / coarse),
+                       std::max(1, projector.size().height / coarse)};
+  return {solid, Projector(projector.camera(), size)};
+}
+
 }  // namespace
 
 void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBuilder& scene) {
@@ -292,7 +311,8 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
   ImGui::PopStyleVar(3);
 }
 
-void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera) {
+void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera,
+                          const Scene& scene) {
   const Editor& editor = context.editor;
   constexpr std::size_t most = 400;
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -300,22 +320,29 @@ void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Ca
                                      std::max(1, static_cast<int>(view.height() * scale.y))});
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const Metrics& m = context.metrics;
+  const bool through = editor.view.x_ray || editor.selecting.through;
+  std::optional<Occlusion> occlusion;
   Room room;
   for (const auto& object : editor.document().objects) {
     if (!object->visible || !object->polyhedron() || !object->display.tensions || !object->display.polyhedron)
       continue;
+    if (!occlusion) occlusion = hiding_of(scene, projector);
     struct Seen {
       NumberLabel label;
       Vector3 at;
+      bool hidden;
     };
     std::vector<Seen> seen;
-    for (const NumberLabel& label : labels_of(*object))
-      if (const auto at = projector.project(label.world)) seen.push_back({label, *at});
-    if (seen.empty()) continue;
-    // The nearest have room first; those of the far half are pale.
-    std::stable_sort(seen.begin(), seen.end(),
-                     [](const Seen& a, const Seen& b) { return a.at.z() < b.at.z(); });
-    const double middle = (seen.front().at.z() + seen.back().at.z()) / 2;
+    for (const NumberLabel& label : labels_of(*object)) {
+      const auto at = projector.project(label.world);
+      if (!at || (scene.section && scene.section->cuts(label.world))) continue;
+      const bool hidden = !occlusion->visible(label.world);
+      if (!hidden || through) seen.push_back({label, *at, hidden});
+    }
+    // What can be seen has room first, of that the nearest; what only shows through is pale.
+    std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
+      return a.hidden != b.hidden ? b.hidden : a.at.z() < b.at.z();
+    });
     for (const Seen& one : seen) {
       if (room.size() >= most) break;
       const std::string text = one.label.letter + format_number(one.label.value, 3);
@@ -326,7 +353,7 @@ void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Ca
           high(at.x + size.x + m.px(4), at.y + size.y + m.px(1));
       if (high.x < view.min.x || low.x > view.max.x || high.y < view.min.y || low.y > view.max.y) continue;
       if (!room.take(low, high)) continue;
-      const float strength = one.at.z() <= middle ? 1.0F : 0.45F;
+      const float strength = one.hidden ? 0.45F : 1.0F;
       draw.AddRectFilled(low, high, with_alpha(palette().window, 0.78F * strength), m.px(4));
       if (one.label.place != 0)
         draw.AddRectFilled(low, {low.x + m.px(3), high.y},

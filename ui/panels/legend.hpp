@@ -14,6 +14,7 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
 
 /// Tensions beside their elements, on objects that show them: all where they are few, else those that were
 /// changed, as many as have room. Into the current window.
-void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera);
+void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera,
+                          const Scene& scene);
 
 }  // namespace hariko

@@ -1,6 +1,12 @@
 #include "ui/panels/message_list.hpp"
 
+#include <algorithm>
+
+#include "core/document/edits.hpp"
+#include "core/patching/join.hpp"
+#include "core/polyhedron/validation.hpp"
 #include "ui/icons.hpp"
+#include "ui/text_lines.hpp"
 
 namespace hariko {
 
@@ -19,11 +25,11 @@ bool message_row(PanelContext& context, const Message& message, int number) {
   }
   ImGui::SameLine(start + context.metrics.px(10));
   ImGui::BeginGroup();
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(context.tr.text_of(message).c_str());
-  if (const std::string remedy = context.tr.remedy_of(message); !remedy.empty())
-    ImGui::TextDisabled("%s", remedy.c_str());
-  ImGui::PopTextWrapPos();
+  text_in_lines(context.tr.text_of(message));
+  if (const std::string remedy = context.tr.remedy_of(message); !remedy.empty()) {
+    const TextColour dim(palette().dim_text);
+    text_in_lines(remedy);
+  }
   ImGui::EndGroup();
   ImGui::EndGroup();
   context.marks.item("message." + std::to_string(number));
@@ -35,6 +41,27 @@ bool message_row(PanelContext& context, const Message& message, int number) {
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   ImGui::SetTooltip("%s", context.tr("Click to select it and look at it."));
   return ImGui::IsMouseClicked(0);
+}
+
+/// Joined patches that do not fit: one of them can follow the surface instead.
+void draw_adapt(PanelContext& context, const Message& error) {
+  if (!(error.code == e_join_corner) && !(error.code == e_join_twist)) return;
+  if (ImGui::Button(context.tr("Let the patch adapt"), {-1, 0})) context.run("shape.adapt_patch");
+  context.marks.item("button.adapt_patch");
+}
+
+/// What the panel itself can do about a message of the object; nothing where that is for the designer.
+void draw_fix(PanelContext& context, const Object& object, const std::vector<Message>& warnings) {
+  const bool concave = std::any_of(warnings.begin(), warnings.end(),
+                                   [](const Message& warning) { return warning.code == w_concave_face; });
+  if (!concave || !object.polyhedron() || object.locked) return;
+  if (ImGui::Button(context.tr("Split concave faces in the surface"), {-1, 0})) {
+    Preparation preparation = object.polyhedron()->preparation;
+    preparation.split_concave = true;
+    context.editor.commit(set_preparation(context.editor.history.current(), object.id, preparation),
+                          "Split concave faces");
+  }
+  context.marks.item("button.split_concave");
 }
 
 }  // namespace
@@ -75,6 +102,8 @@ void draw_message_list(PanelContext& context, const Object& object) {
   if (view->warnings.size() > most)
     ImGui::TextDisabled(
         "%s", fill(context.tr("and {0} more"), {std::to_string(view->warnings.size() - most)}).c_str());
+  if (view->error) draw_adapt(context, *view->error);
+  draw_fix(context, object, view->warnings);
   if (clicked) show_element(context.editor, object.id, *clicked);
 }
 

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
 
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
@@ -95,6 +96,7 @@ void name_field(PanelContext& context, const Object& object, float width) {
   }
   // The keyboard comes a frame or two after it was asked for.
   if (ImGui::IsItemActive()) state.focus_name = false;
+  if (state.focus_name) context.state.field_opening = true;
 }
 
 /// A small button at the right end of a row: shown when it says something, or under the pointer.
@@ -119,6 +121,23 @@ void badge(PanelContext& context, const SurfaceView* view, float x) {
   if (!view->error && view->warnings.size() > 1)
     text += "\n" + fill(context.tr("and {0} more"), {std::to_string(view->warnings.size() - 1)});
   ImGui::SetTooltip("%s", text.c_str());
+}
+
+constexpr std::array mirror_names{translatable("Live mirror X"), translatable("Live mirror Y"),
+                                  translatable("Live mirror Z")};
+
+/// Says that what is modelled is half of what is seen.
+void mirror_badge(PanelContext& context, const Object& object, float x) {
+  ImGui::SameLine(x);
+  ImGui::AlignTextToFramePadding();
+  {
+    const TextColour colour(palette().secondary);
+    ImGui::TextUnformatted(icon::mirror);
+  }
+  context.marks.item("mirror." + std::to_string(object.id.value));
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s",
+                      context.tr(mirror_names[static_cast<std::size_t>(object.polyhedron()->mirror->axis)]));
 }
 
 void context_menu(PanelContext& context, const Object& object) {
@@ -193,7 +212,8 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   const TextColour colour(object.visible ? palette().text : palette().dim_text);
   ImGui::TextUnformatted(object.mesh() ? icon::mesh : icon::object);
   ImGui::SameLine(left + m.px(28));
-  const float name_end = right - m.px(84);
+  const bool mirrored = object.polyhedron() && object.polyhedron()->mirror;
+  const float name_end = right - m.px(mirrored ? 106.0F : 84.0F);
   if (renaming) {
     name_field(context, object, name_end - ImGui::GetCursorPosX());
   } else {
@@ -203,6 +223,7 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
     ImGui::TextUnformatted(object.name.c_str());
     ImGui::PopClipRect();
   }
+  if (mirrored) mirror_badge(context, object, right - m.px(100));
   badge(context, editor.view_of(object.id), right - m.px(78));
   if (row_switch(context, object.locked ? icon::locked : icon::unlocked, "lock",
                  object.locked ? "Unlock" : "Lock", object.locked || hovered, right - m.px(52)))

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "ui/icons.hpp"
+#include "ui/panels/sample_cards.hpp"
 
 namespace hariko {
 
@@ -136,19 +137,25 @@ void OffersDialog::draw(PanelContext& context) {
   if (open_ && !shown) ImGui::OpenPopup(id);
   const bool recovery = kind_ == Kind::recovery;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = std::min(m.px(recovery ? 620 : 760), screen.x - m.px(40));
+  const float width = std::min(m.px(recovery                ? 620
+                                    : kind_ == Kind::recent ? 760
+                                                            : 1000),
+                               screen.x - m.px(40));
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - m.px(80)});
-  const std::string title =
-      std::string(recovery ? tr("Unsaved work of an earlier session") : tr("Recent files")) + id;
+  const std::string title = std::string(recovery                ? tr("Unsaved work of an earlier session")
+                                        : kind_ == Kind::recent ? tr("Recent files")
+                                                                : tr("Samples")) +
+                            id;
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize))
     return;
   const float inner = ImGui::GetContentRegionAvail().x;
   if (recovery) {
     draw_recovery_offers(context, inner);
     if (context.offers.recoveries.empty()) open_ = false;
-  } else if (draw_recent_files(context, inner, 12)) {
+  } else if (kind_ == Kind::recent ? draw_recent_files(context, inner, 12)
+                                   : draw_samples(context, ImGui::GetCursorPosX(), inner, 4)) {
     open_ = false;
   }
   ImGui::Dummy({0, m.px(4)});

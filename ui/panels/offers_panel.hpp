@@ -1,6 +1,7 @@
 #pragma once
 
-// Offers as pictures: unsaved work of earlier sessions, and recent files; on the start page and in a dialog.
+// Offers as pictures: unsaved work of earlier sessions, recent files and samples; on the start page and in a
+// dialog.
 
 #include "ui/panels/panels.hpp"
 
@@ -18,7 +19,7 @@ bool draw_recent_files(PanelContext& context, float width, std::size_t most);
 /// The same over a document.
 class OffersDialog {
  public:
-  enum class Kind { recovery, recent };
+  enum class Kind { recovery, recent, samples };
   void open(Kind kind) {
     kind_ = kind;
     open_ = true;

@@ -5,6 +5,7 @@
 
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/text_lines.hpp"
 
 namespace hariko {
 
@@ -35,11 +36,12 @@ void draw_notices(PanelContext& context, const PanelRect& viewport) {
     ImGui::PopStyleColor();
     ImGui::SameLine();
     ImGui::BeginGroup();
-    ImGui::PushTextWrapPos(width - m.px(48));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(notice.text.c_str());
-    if (!notice.remedy.empty()) ImGui::TextDisabled("%s", notice.remedy.c_str());
-    ImGui::PopTextWrapPos();
+    text_in_lines(notice.text, width - m.px(48));
+    if (!notice.remedy.empty()) {
+      const TextColour dim(palette().dim_text);
+      text_in_lines(notice.remedy, width - m.px(48));
+    }
     ImGui::EndGroup();
     ImGui::SameLine(width - m.px(36));
     if (icon_button(context, icon::close, "dismiss", context.tr("Dismiss"), false, 24)) dismissed = number;

@@ -26,6 +26,16 @@ bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVe
   return open;
 }
 
+bool main_button(const char* label, ImVec2 size) {
+  ImGui::PushStyleColor(ImGuiCol_Button, palette().accent);
+  ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette().accent_hover);
+  ImGui::PushStyleColor(ImGuiCol_ButtonActive, palette().accent_hover);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().on_accent);
+  const bool pressed = ImGui::Button(label, size);
+  ImGui::PopStyleColor(4);
+  return pressed;
+}
+
 void heading(const PanelContext& context, const char* text) {
   ImGui::Dummy({0, context.metrics.px(2)});
   const TextColour colour(palette().dim_text);

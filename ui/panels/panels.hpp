@@ -34,10 +34,11 @@ struct OutlinerState {
 
 /// What panels remember between frames.
 struct PanelState {
-  double typed = 0;        ///< value of the number field of the legend being edited
-  std::string typed_text;  ///< contents of the text field being edited
-  std::string typed_from;  ///< what the number field held before
-  unsigned typing = 0;     ///< ImGui id of the number field being edited, 0 for none
+  double typed = 0;            ///< value of the number field of the legend being edited
+  std::string typed_text;      ///< contents of the text field being edited
+  std::string typed_from;      ///< what the number field held before
+  unsigned typing = 0;         ///< ImGui id of the number field being edited, 0 for none
+  bool field_opening = false;  ///< in this frame a field waits for the keyboard
   OutlinerState outliner;
   bool history_open = false;
   std::uint64_t history_shown = 0;  ///< serial of the state that the list of steps has scrolled to
@@ -91,6 +92,8 @@ void draw_cursor_note(PanelContext& context);
 void draw_guide(PanelContext& context, const PanelRect& rect);
 void draw_start_page(PanelContext& context, const PanelRect& rect);
 
+/// The button that most people want next, in the accent colour.
+bool main_button(const char* label, ImVec2 size = {0, 0});
 /// A small heading; translates it.
 void heading(const PanelContext& context, const char* text);
 /// A borderless button with an icon and a tooltip, which it translates; `on` tints it.

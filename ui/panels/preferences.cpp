@@ -7,6 +7,7 @@
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/navigation_rows.hpp"
+#include "ui/text_lines.hpp"
 
 namespace hariko {
 
@@ -25,9 +26,8 @@ void row(const PanelContext& context, const char* label) {
 /// A sentence below a row.
 void note(const PanelContext& context, const char* text) {
   ImGui::SetCursorPosX(context.metrics.px(label_column));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextDisabled("%s", context.tr(text));
-  ImGui::PopTextWrapPos();
+  const TextColour dim(palette().dim_text);
+  text_in_lines(context.tr(text));
 }
 
 /// One of several choices side by side. True when it was chosen now.
@@ -84,9 +84,8 @@ void navigation_table(PanelContext& context) {
     ImGui::SetCursorPosX(context.metrics.px(label_column));
     ImGui::TextUnformatted(motion.c_str());
     ImGui::SameLine(context.metrics.px(label_column + 80));
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("%s", drags.c_str());
-    ImGui::PopTextWrapPos();
+    const TextColour dim(palette().dim_text);
+    text_in_lines(drags);
   }
 }
 
@@ -162,7 +161,7 @@ void units_page(PanelContext& context) {
 
 void files_page(PanelContext& context) {
   slider(context, translatable("Save a copy for recovery every"), "autosave_seconds",
-         context.editor.settings.autosave_seconds, 1, 30, "%.0f s", false);
+         context.editor.settings.autosave_seconds, 1, Settings::most_autosave_seconds, "%.0f s", false);
   note(
       context,
       translatable("After a crash the next start offers the copy. Your file is written only when you save."));

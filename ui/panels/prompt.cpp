@@ -1,4 +1,5 @@
 #include "ui/panels/prompt.hpp"
+#include "ui/text_lines.hpp"
 
 #include <imgui.h>
 
@@ -22,9 +23,7 @@ void Prompt::draw(PanelContext& context) {
     return;
   }
   const Request request = requests_.back();
-  ImGui::PushTextWrapPos(m.px(420));
-  ImGui::TextUnformatted(request.text.c_str());
-  ImGui::PopTextWrapPos();
+  text_in_lines(request.text, m.px(420));
   if (request.picture) request.picture();
   ImGui::Dummy({0, m.px(8)});
   const Answer* chosen = nullptr;

@@ -26,6 +26,7 @@ class Prompt {
   /// Shows a question; one that is open waits behind it.
   void ask(Request request) { requests_.push_back(std::move(request)); }
   bool is_open() const { return !requests_.empty(); }
+  const Request* question() const { return is_open() ? &requests_.back() : nullptr; }
   /// Closes the question without an answer.
   void dismiss() {
     if (is_open()) requests_.pop_back();

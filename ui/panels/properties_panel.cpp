@@ -8,6 +8,7 @@
 
 #include "core/document/angles.hpp"
 #include "core/document/convert_unit.hpp"
+#include "ui/panels/attachment_rows.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/display_panel.hpp"
 #include "ui/panels/message_list.hpp"
@@ -20,15 +21,22 @@ namespace {
 
 constexpr std::array mode_choices{
     Choice{"Fair", "Balances the curvature inside the faces: the smoothest result"},
+    Choice{"G2", "Curvature runs on without a break over edges and through vertices"},
     Choice{"Target", "Puts face centres where the boundary curves aim"},
     Choice{"Paper", "The construction as first published"},
 };
-constexpr std::array mode_steps{"Surface Fair", "Surface Target", "Surface Paper"};
-constexpr std::array<Mode, 3> modes{Mode::fair, Mode::target, Mode::paper};
+constexpr std::array mode_steps{"Surface Fair", "Surface G2", "Surface Target", "Surface Paper"};
+constexpr std::array<Mode, 4> modes{Mode::fair, Mode::g2, Mode::target, Mode::paper};
 constexpr std::array tag_choices{
     Choice{"Automatic", "A corner where creases or the border demand it"},
     Choice{"Corner", "Every curve ends here with its own direction"},
     Choice{"Smooth", "Creases and the border run smoothly through"},
+};
+constexpr std::array mirror_choices{
+    Choice{"None", "All of the object is modelled"},
+    Choice{"Across X", "The plane x = 0 of the object"},
+    Choice{"Across Y", "The plane y = 0 of the object"},
+    Choice{"Across Z", "The plane z = 0 of the object"},
 };
 constexpr std::array unit_choices{
     Choice{"Millimetres", ""},
@@ -196,12 +204,95 @@ void mode_row(PanelContext& context, const Objects& objects) {
   context.editor.commit(result, mode_steps[static_cast<std::size_t>(*chosen)]);
 }
 
+/// The live mirror of one object: its plane, and making the image the object's own.
+void mirror_row(PanelContext& context, const Object& object) {
+  const PolyhedronSource* source = object.polyhedron();
+  if (!source || context.editor.selection.active != object.id) return;
+  constexpr std::array commands{"mirror.live_x", "mirror.live_y", "mirror.live_z"};
+  const int current = source->mirror ? static_cast<int>(source->mirror->axis) + 1 : 0;
+  const auto chosen =
+      choose(context, "mirror", "Mirror", "Model one half; its image completes the object at once.",
+             mirror_choices, current);
+  // The command of the present axis ends the mirror.
+  if (chosen && *chosen != current)
+    context.run(commands[static_cast<std::size_t>(*chosen == 0 ? current : *chosen) - 1]);
+  if (current == 0) return;
+  row_label(context, "", "");
+  if (ImGui::Button((std::string(context.tr("Apply live mirror")) + "###apply_mirror").c_str(), {-1, 0}))
+    context.run("mirror.apply");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr("Make both halves the object's own."));
+  context.marks.item("button.apply_mirror");
+}
+
+/// Only mode G2 knows it.
+void round_row(PanelContext& context, const Objects& objects) {
+  Objects curved;
+  for (const auto& object : objects)
+    if (object->polyhedron() && object->polyhedron()->mode == Mode::g2) curved.push_back(object);
+  if (curved.empty()) return;
+  const auto round = common<bool>(curved, [](const auto& object) { return object->polyhedron()->round; });
+  const auto on = check_row(context, "round", "Rounder",
+                            "Measures bending over the surface itself: rounder, and slower to finish", round);
+  if (!on) return;
+  Result<Document> result = context.editor.history.current();
+  for (const auto& object : curved)
+    if (result.ok()) result = set_round(*result, object->id, *on);
+  context.editor.commit(result, *on ? "Rounder surface" : "Plain surface");
+}
+
+Result<Document> edit_preparations(const Document& document, const Objects& objects,
+                                   const std::function<void(Preparation&)>& change) {
+  Result<Document> result = document;
+  for (const auto& object : objects) {
+    const Object* found = result.ok() ? result->find(object->id) : nullptr;
+    if (!found || !found->polyhedron()) continue;
+    Preparation preparation = found->polyhedron()->preparation;
+    change(preparation);
+    result = set_preparation(*result, object->id, preparation);
+  }
+  return result;
+}
+
+void preparation_rows(PanelContext& context, const Objects& objects) {
+  Objects polyhedra;
+  for (const auto& object : objects)
+    if (object->polyhedron()) polyhedra.push_back(object);
+  if (polyhedra.empty()) return;
+  const auto split = common<bool>(
+      polyhedra, [](const auto& object) { return object->polyhedron()->preparation.split_concave; });
+  if (const auto on = check_row(context, "split_concave", "Split concave",
+                                "The surface is made as if concave faces were cut into convex ones", split))
+    context.editor.commit(
+        edit_preparations(context.editor.history.current(), polyhedra,
+                          [&](Preparation& preparation) { preparation.split_concave = *on; }),
+        *on ? "Split concave faces" : "Keep concave faces");
+  Quantity power = plain_quantity(2, 0.05);
+  power.low = 0;
+  power.high = 1;
+  power.standard = 0;
+  slider_row(
+      context,
+      {"automatic_tension", "Even tension",
+       "Stretches short edges and relaxes long ones; at rest while you drag", "Even tension", power},
+      0, 1, false,
+      common<double>(polyhedra,
+                     [](const auto& object) { return object->polyhedron()->preparation.automatic_tension; }),
+      [polyhedra, power](const Document& document, const ValueChange& change) {
+        return edit_preparations(document, polyhedra, [&](Preparation& preparation) {
+          preparation.automatic_tension = change.apply(power, preparation.automatic_tension);
+        });
+      });
+}
+
 void object_section(PanelContext& context, const Objects& objects) {
   counted_heading(context, "Object", "{0} objects", objects.size());
   if (objects.size() == 1) object_name(context, *objects.front());
   if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->locked; }))
     hint_text(context, "Locked: unlock it in the list above to change it.");
   mode_row(context, objects);
+  round_row(context, objects);
+  if (objects.size() == 1) mirror_row(context, *objects.front());
+  preparation_rows(context, objects);
   if (ImGui::TreeNodeEx("##place",
                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
                             (objects.size() > 1 ? ImGuiTreeNodeFlags_DefaultOpen : 0),
@@ -319,6 +410,7 @@ void edge_section(PanelContext& context, const SelectedIds<EdgeId>& selected) {
     context.editor.commit(set_crease(context.editor.history.current(), selected.object->id, ids, *on),
                           *on ? counted("Crease of edge", "Crease of {0} edges", ids.size())
                               : counted("Smooth of edge", "Smooth of {0} edges", ids.size()));
+  attachment_rows(context, selected);
 }
 
 void face_section(PanelContext& context, const SelectedIds<FaceId>& selected) {

@@ -6,6 +6,7 @@ namespace {
 
 template <class Id>
 SelectedIds<Id> ids_of_active(const Editor& editor, std::set<Id> ElementSelection::*member) {
+  if (editor.mode == ElementMode::object) return {};
   const auto object = editor.document().find_shared(editor.selection.active);
   if (!object || !object->polyhedron()) return {};
   // What a gesture shows may lack elements that are selected in the document it began with.

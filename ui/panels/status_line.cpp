@@ -10,42 +10,95 @@ namespace hariko {
 
 namespace {
 
-/// Computing that takes long enough to notice, with a button that stops it, or surfaces that are not up to
-/// date, with one that brings them there. Both end at `right`.
-void draw_recompute(PanelContext& context, float right) {
-  const Editor& editor = context.editor;
+/// Work in progress, or to be done: a text, how far it is, and a button.
+struct WorkRow {
+  std::string text;
+  ImU32 colour;
+  bool bar = false;
+  double fraction = -1;  ///< negative: not known
+  const char* button = nullptr;
+  const char* mark = nullptr;
+};
+
+/// Draws a row that ends at `right`, which becomes its left end. True when the button was pressed.
+bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   const Metrics& m = context.metrics;
+  const float padding = m.px(8), bar = row.bar ? m.px(72) : 0;
+  const float words = ImGui::CalcTextSize(row.text.c_str()).x;
+  const float box = row.button ? ImGui::CalcTextSize(row.button).x + 2 * padding : 0;
+  const float width = words + bar + box + 3 * padding;
+  right -= width;
+  ImGui::SameLine(right);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(at, row.colour, row.text.c_str());
+  if (row.bar) {
+    const ImVec2 low(at.x + words + padding, at.y + height / 2 - m.px(2));
+    const ImVec2 high(low.x + bar - padding, low.y + m.px(4));
+    list.AddRectFilled(low, high, palette().field, m.px(2));
+    // Where it is not known how long it will take a part wanders.
+    const float whole = high.x - low.x, length = row.fraction < 0 ? 0.3F : static_cast<float>(row.fraction);
+    const float phase = row.fraction < 0
+                            ? static_cast<float>(0.5 - 0.5 * std::cos(3 * context.editor.now)) * whole * 0.7F
+                            : 0;
+    list.AddRectFilled({low.x + phase, low.y}, {low.x + phase + whole * length, high.y}, palette().accent,
+                       m.px(2));
+  }
+  if (!row.button) return false;
+  ImGui::SetCursorScreenPos({at.x + words + bar + padding, at.y - m.px(2)});
+  const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + box, low.y + height + m.px(4));
+  const bool pressed = ImGui::InvisibleButton(row.mark, {high.x - low.x, high.y - low.y});
+  context.marks.item(row.mark);
+  list.AddRectFilled(low, high, ImGui::IsItemHovered() ? palette().field_hover : palette().field, m.px(4));
+  list.AddText({low.x + padding, low.y + m.px(2)}, palette().text, row.button);
+  return pressed;
+}
+
+/// Computing that takes long enough to notice, with a button that stops it, or surfaces that are not up to
+/// date, with one that brings them there.
+void draw_recompute(PanelContext& context, float& right) {
+  const Editor& editor = context.editor;
   constexpr double noticeable = 0.3;  // seconds
   const bool computes =
       std::any_of(editor.stale_since.begin(), editor.stale_since.end(),
                   [&](const auto& entry) { return editor.now - entry.second > noticeable; });
   if (!computes && editor.recompute.outdated.empty()) return;
-  const char* text = context.tr(computes ? "computing\u2026" : "not up to date");
-  const char* button = context.tr(computes ? "Cancel" : "Recompute");
-  const float padding = m.px(8), bar = computes ? m.px(72) : 0;
-  const float words = ImGui::CalcTextSize(text).x, box = ImGui::CalcTextSize(button).x + 2 * padding;
-  const float width = words + bar + box + 3 * padding;
-  ImGui::SameLine(right - width);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight();
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText(at, computes ? palette().text : palette().warning, text);
-  if (computes) {
-    // How long it will take is not known: a part wanders.
-    const ImVec2 low(at.x + words + padding, at.y + height / 2 - m.px(2));
-    const ImVec2 high(low.x + bar - padding, low.y + m.px(4));
-    list.AddRectFilled(low, high, palette().field, m.px(2));
-    const float phase = static_cast<float>(0.5 - 0.5 * std::cos(3 * editor.now)) * (high.x - low.x) * 0.7F;
-    list.AddRectFilled({low.x + phase, low.y}, {low.x + phase + (high.x - low.x) * 0.3F, high.y},
-                       palette().accent, m.px(2));
-  }
-  ImGui::SetCursorScreenPos({at.x + words + bar + padding, at.y - m.px(2)});
-  const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + box, low.y + height + m.px(4));
-  if (ImGui::InvisibleButton("recompute", {high.x - low.x, high.y - low.y}))
-    context.run(computes ? "surface.cancel" : "surface.recompute");
-  context.marks.item(computes ? "status.cancel" : "status.recompute");
-  list.AddRectFilled(low, high, ImGui::IsItemHovered() ? palette().field_hover : palette().field, m.px(4));
-  list.AddText({low.x + padding, low.y + m.px(2)}, palette().text, button);
+  WorkRow row;
+  row.text = context.tr(computes ? "computing\u2026" : "not up to date");
+  row.colour = computes ? palette().text : palette().warning;
+  row.bar = computes;
+  row.button = context.tr(computes ? "Cancel" : "Recompute");
+  row.mark = computes ? "status.cancel" : "status.recompute";
+  if (draw_work(context, row, right)) context.run(computes ? "surface.cancel" : "surface.recompute");
+}
+
+/// That everything is written down, with a button that ends it.
+void draw_recording(PanelContext& context, float& right) {
+  if (!context.editor.recording) return;
+  WorkRow row;
+  row.text = std::string("\u25cf ") + context.tr("Recording");
+  row.colour = palette().error;
+  row.button = context.tr("Stop");
+  row.mark = "status.stop_recording";
+  if (draw_work(context, row, right)) context.run("help.stop_recording");
+}
+
+/// Work on files: what runs, and how many wait behind it.
+void draw_job(PanelContext& context, float& right) {
+  const auto& jobs = context.editor.jobs;
+  if (jobs.empty()) return;
+  const Job& job = *jobs.front();
+  WorkRow row;
+  row.text = context.tr.phrase(job.text) + "\u2026";
+  row.fraction = job.progress.fraction();
+  if (row.fraction >= 0) row.text += "  " + std::to_string(percent_of(job)) + " %";
+  if (jobs.size() > 1) row.text += "  (+" + std::to_string(jobs.size() - 1) + ")";
+  row.colour = palette().text;
+  row.bar = job.can_be_cancelled;
+  if (job.can_be_cancelled) row.button = context.tr("Cancel");
+  row.mark = "status.cancel_job";
+  if (draw_work(context, row, right)) context.run("file.cancel_job");
 }
 
 }  // namespace
@@ -77,12 +130,13 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
                                                {format_number(*view->largest_normal_jump * 57.29577951, 3)});
       }
     }
-    if (!editor.job.empty()) right = context.tr.phrase(editor.job) + "\u2026   " + right;
     const float width = ImGui::CalcTextSize(right.c_str()).x;
-    const bool busy = !editor.stale_since.empty() || !editor.recompute.outdated.empty();
+    const bool busy =
+        !editor.stale_since.empty() || !editor.recompute.outdated.empty() || !editor.jobs.empty();
     // The state is short and always whole; the hint gives way to it.
     const std::string hint = context.tr.phrase(context.tool_hint);
-    const float room = rect.width() - width - m.px(48) - (busy ? m.px(240) : 0);
+    const float room = rect.width() - width - m.px(48) - (busy ? m.px(editor.jobs.empty() ? 240 : 420) : 0) -
+                       (editor.recording ? m.px(170) : 0);
     const std::string shown = elided(hint, std::max(room, m.px(120)));
     ImGui::TextUnformatted(shown.c_str());
     context.marks.item("status.left");
@@ -90,10 +144,12 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     ImGui::SameLine(
         std::max(ImGui::GetItemRectMax().x - rect.min.x + m.px(16), rect.width() - width - m.px(12)));
     const TextColour text(colour);
-    const float state_left = ImGui::GetCursorPosX();
+    float left = ImGui::GetCursorPosX() - m.px(12);
     ImGui::TextUnformatted(right.c_str());
     context.marks.item("status.right");
-    draw_recompute(context, state_left - m.px(12));
+    draw_recompute(context, left);
+    draw_job(context, left);
+    draw_recording(context, left);
     ImGui::PopStyleColor();
   }
   ImGui::End();

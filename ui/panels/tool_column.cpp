@@ -20,11 +20,14 @@ void command_button(PanelContext& context, const char* id) {
   context.marks.item(std::string("button.") + id);
 }
 
-/// Groups from top to bottom.
-std::vector<std::vector<const char*>> tool_groups() {
+/// Groups from top to bottom. The bevel is that of what clicks select.
+std::vector<std::vector<const char*>> tool_groups(ElementMode mode) {
+  const char* bevel = mode == ElementMode::vertex ? "mesh.bevel_vertices" : "mesh.bevel_edges";
   return {
       {"select.vertices", "select.edges", "select.faces", "select.objects"},
+      {"select.lasso"},
       {"transform.move", "transform.rotate", "transform.scale"},
+      {"mesh.extrude", "mesh.inset", bevel, "mesh.loop_cut", "mesh.knife"},
       {"edit.undo", "edit.redo"},
       {"view.frame_all", "view.x_ray"},
   };
@@ -35,7 +38,7 @@ constexpr float button = 36, spacing = 2, gap = 8;
 
 float tool_column_width(const Metrics& m, float height) {
   float needed = m.px(2 * gap);
-  for (const auto& group : tool_groups())
+  for (const auto& group : tool_groups(ElementMode::vertex))
     needed += m.px(button + spacing) * static_cast<float>(group.size()) + m.px(gap);
   return needed <= height ? m.px(button + 8) : m.px(2 * button + spacing + 8);
 }
@@ -45,7 +48,7 @@ void draw_tool_column(PanelContext& context, const PanelRect& rect) {
   if (begin_panel("Tools", rect, palette().window, {m.px(4), m.px(gap)}, ImGuiWindowFlags_NoScrollbar)) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(spacing), m.px(spacing)));
     const bool pairs = rect.width() > m.px(2 * button);
-    for (const auto& group : tool_groups()) {
+    for (const auto& group : tool_groups(context.editor.mode)) {
       for (std::size_t i = 0; i < group.size(); ++i) {
         if (pairs && i % 2 == 1) ImGui::SameLine();
         command_button(context, group[i]);

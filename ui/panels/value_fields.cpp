@@ -1,4 +1,5 @@
 #include "ui/panels/value_fields.hpp"
+#include "ui/text_lines.hpp"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -103,9 +104,8 @@ void row_label(const PanelContext& context, const char* label, const char* help)
 }
 
 void hint_text(const PanelContext& context, const char* english) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextDisabled("%s", context.tr(english));
-  ImGui::PopTextWrapPos();
+  const TextColour dim(palette().dim_text);
+  text_in_lines(context.tr(english));
 }
 
 void value_row(PanelContext& context, const FieldSpec& spec, std::optional<double> value,

@@ -155,8 +155,8 @@ void draw_scale_bar(const PanelContext& context, const Camera& camera, const Pan
     list.AddText({at.x + by.x, at.y + by.y}, colour, text.c_str());
   };
   // A shadow keeps it readable on every surface.
-  bar({m.px(1), m.px(1)}, IM_COL32(0, 0, 0, 150), m.px(1.5F));
-  bar({0, 0}, IM_COL32(220, 222, 226, 255), m.px(1.5F));
+  bar({m.px(1), m.px(1)}, with_alpha(palette().window, 0.6F), m.px(1.5F));
+  bar({0, 0}, palette().text, m.px(1.5F));
 }
 
 }  // namespace hariko

@@ -63,7 +63,7 @@ class AmountTool final : public Tool {
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     if (!operation_.axis.isZero(0))
       draw_axis_line(overlay, context.projector(), operation_.anchor, operation_.axis,
-                     IM_COL32(230, 230, 230, 120));
+                     with_alpha(palette().text, 0.5F));
     const std::string value = value_text(context.editor.language);
     draw_value_label(overlay, pointer_, error_.empty() ? value : value + "   " + error_, !error_.empty());
   }
@@ -117,7 +117,7 @@ class AmountTool final : public Tool {
     const Projector projector = context.projector();
     double amount = dragged(projector);
     if (stepped_) {
-      const DecimalStep step = grid_step(projector, operation_.anchor);
+      const DecimalStep step = grid_step(context, operation_.anchor);
       amount = (fine_ ? step.tenth() : step).nearest(amount);
     }
     if (!operation_.negative) amount = std::max(amount, 0.0);

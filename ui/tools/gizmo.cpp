@@ -47,14 +47,19 @@ std::string name_of(const GizmoHandle& handle) {
 
 void Gizmo::update(const Editor& editor, bool busy) {
   shapes_.clear();
+  plane_.clear();
+  plane_axes_.clear();
   if (busy || !editor.transform.gizmo || !editor.has_document || editor.history.in_gesture()) return;
   const Document& document = editor.document();
   const bool same = known_ && document == document_ && editor.selection == selection_ &&
-                    editor.mode == mode_ && editor.transform.pivot == pivot_mode_;
+                    editor.mode == mode_ && editor.transform.pivot == pivot_mode_ &&
+                    editor.transform.local_edit == local_edit_;
   if (!same) {
     const TransformTarget target = TransformTarget::of(editor);
     pivot_ = target.empty() ? std::nullopt : std::optional<Vector3>(target.pivot());
     object_frame_ = target.local_frame();
+    tangents_ = target.tangents();
+    local_edit_ = editor.transform.local_edit;
     document_ = document;
     selection_ = editor.selection;
     mode_ = editor.mode;
@@ -69,7 +74,8 @@ void Gizmo::place(const Editor& editor) {
   const auto centre = projector.project(*pivot_);
   if (!centre) return;
   scale_ = editor.pixel_scale;
-  const bool local = editor.transform.local_axes;
+  const bool local = editor.transform.local_axes || tangents_;
+  if (tangents_) place_plane(projector);
   const Matrix3 frame = local ? object_frame_ : Matrix3(Matrix3::Identity());
   const double pixel = scale_ * projector.pixel_length_at(*pivot_);
   const auto at = [&](const Vector3& design_pixels) -> Vector2 {
@@ -114,6 +120,22 @@ void Gizmo::place(const Editor& editor) {
   }
 }
 
+void Gizmo::place_plane(const Projector& projector) {
+  const auto& [first, second] = *tangents_;
+  constexpr int parts = 48;
+  for (int k = 0; k < parts; ++k) {
+    const double angle = 2 * std::numbers::pi * k / parts;
+    const auto p = projector.project(*pivot_ + std::cos(angle) * first + std::sin(angle) * second);
+    if (!p) {
+      plane_.clear();
+      return;
+    }
+    plane_.push_back(p->head<2>());
+  }
+  for (const Vector3& to : {Vector3(*pivot_), Vector3(*pivot_ + first), Vector3(*pivot_ + second)})
+    if (const auto p = projector.project(to)) plane_axes_.push_back(p->head<2>());
+}
+
 std::optional<GizmoHandle> Gizmo::hit(const Vector2& pixel) const {
   std::optional<GizmoHandle> best;
   double least = hit_radius * scale_;
@@ -137,9 +159,19 @@ std::optional<GizmoHandle> Gizmo::hit(const Vector2& pixel) const {
 void Gizmo::draw(const ToolOverlay& overlay, const std::optional<GizmoHandle>& hot) const {
   ImDrawList& list = overlay.list;
   const Metrics& m = overlay.metrics;
+  if (!plane_.empty()) {
+    std::vector<ImVec2> disc;
+    for (const Vector2& point : plane_) disc.push_back(on_screen(overlay, point));
+    const int count = static_cast<int>(disc.size());
+    list.AddConvexPolyFilled(disc.data(), count, with_alpha(palette().hot, 0.18F));
+    list.AddPolyline(disc.data(), count, palette().hot, ImDrawFlags_Closed, m.px(1.5F));
+    for (std::size_t i = 1; i < plane_axes_.size(); ++i)
+      list.AddLine(on_screen(overlay, plane_axes_[0]), on_screen(overlay, plane_axes_[i]), palette().hot,
+                   m.px(2));
+  }
   for (const Shape& shape : shapes_) {
     const bool lit = hot == shape.handle;
-    const ImU32 colour = lit ? IM_COL32(0xff, 0xd7, 0x4a, 255) : axis_colour(shape.handle.lock.axis);
+    const ImU32 colour = lit ? palette().hot : axis_colour(shape.handle.lock.axis);
     const float width = m.px(lit ? 3.5F : 2.5F);
     std::vector<ImVec2> line;
     for (const Vector2& point : shape.line) line.push_back(on_screen(overlay, point));

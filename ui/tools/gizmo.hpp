@@ -18,7 +18,8 @@ struct GizmoHandle {
 };
 
 /// Keeps where the selection is between frames. Arrows move along an axis and squares in a plane, arcs
-/// rotate, boxes scale. Sizes are of the screen; what points at the viewer is left out.
+/// rotate, boxes scale. Sizes are of the screen; what points at the viewer is left out. In a local edit of
+/// one vertex the handles follow its tangent plane, which is drawn with its two tangents in their own size.
 class Gizmo {
  public:
   /// Looks at the present selection. Hidden when nothing is selected, when it is switched off, and while
@@ -29,7 +30,7 @@ class Gizmo {
   /// Names a point of each handle for tests: "gizmo.move.x", "gizmo.rotate.z", "gizmo.move.xy".
   void mark(Marks& marks, const ToolOverlay& overlay) const;
 
-  /// Framebuffer pixels times the scale of the interface, round a handle, that hit it.
+  /// Design pixels round a handle, that hit it.
   static constexpr double hit_radius = 8;
 
  private:
@@ -40,16 +41,21 @@ class Gizmo {
     Vector2 mark = Vector2::Zero();
   };
   void place(const Editor& editor);
+  void place_plane(const Projector& projector);
 
   // What the pivot was made for.
   Document document_;
   Selection selection_;
   ElementMode mode_ = ElementMode::vertex;
   PivotMode pivot_mode_ = PivotMode::median;
+  bool local_edit_ = false;
   bool known_ = false;
 
   std::optional<Vector3> pivot_;
   Matrix3 object_frame_ = Matrix3::Identity();
+  std::optional<std::array<Vector3, 2>> tangents_;  ///< of the vertex of a local edit
+  std::vector<Vector2> plane_;                      ///< outline of the disc that they span
+  std::vector<Vector2> plane_axes_;                 ///< the centre and the tips of both
   double scale_ = 1;
   std::vector<Shape> shapes_;
 };

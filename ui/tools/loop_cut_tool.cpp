@@ -123,7 +123,7 @@ class LoopCutTool final : public Tool {
         context.projector().project(world(*object, source, source.polyhedron.find(edge_->high)));
     if (!low || !high) return;
     const Vector2 along = high->head<2>() - low->head<2>();
-    const double length = std::max(along.norm(), 20.0);
+    const double length = std::max(along.norm(), 20 * context.editor.pixel_scale);
     const double part = along.norm() > 1e-9 ? by.dot(along) / along.norm() : by.x();
     raw_ += (event.shift ? fine_share : 1) * part / length * (options_.count + 1);
     options_.slide = std::clamp(event.control ? std::round(raw_ * 10) / 10 : raw_, -most_slide, most_slide);
@@ -176,7 +176,7 @@ class LoopCutTool final : public Tool {
         const auto &a = points[i], &b = points[(i + 1) % count];
         if (a && b)
           overlay.list.AddLine(on_screen(overlay, a->head<2>()), on_screen(overlay, b->head<2>()),
-                               IM_COL32(0xff, 0xd7, 0x4a, 255), overlay.metrics.px(2));
+                               palette().hot, overlay.metrics.px(2));
       }
     }
   }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double wheel_step = 0.85;   ///< factor of the distance for one step
 constexpr double wheel_orbit = 0.06;  ///< radians a step
-constexpr double wheel_pan = 24;      ///< pixels a step
+constexpr double wheel_pan = 24;      ///< design pixels a step
 using Action = std::optional<NavigationAction>;
 
 /// The modifiers that most presets share: none orbits, Shift pans, Control zooms.
@@ -104,7 +104,7 @@ void turn_wheel(ToolContext& context, const WheelEvent& wheel, bool new_step) {
       return view.set(zoomed(context, std::pow(wheel_step, steps.y() * settings.zoom_speed), wheel.pixel));
     case NavigationAction::pan: {
       // A wheel that cannot tilt pans upwards and downwards.
-      const Vector2 by = wheel_pan * steps;
+      const Vector2 by = wheel_pan * editor.pixel_scale * steps;
       return view.set(camera.pan(by.x(), by.y(), editor.viewport));
     }
     case NavigationAction::orbit: {

@@ -37,9 +37,9 @@ void draw_value_label(const ToolOverlay& overlay, const Vector2& beside, const s
   at.y = std::clamp(at.y + m.px(16), low.y + m.px(4),
                     std::max(low.y, high.y - size.y - 2 * padding.y - m.px(4)));
   overlay.list.AddRectFilled(at, {at.x + size.x + 2 * padding.x, at.y + size.y + 2 * padding.y},
-                             IM_COL32(30, 31, 34, 225), m.px(4));
-  overlay.list.AddText({at.x + padding.x, at.y + padding.y},
-                       warning ? palette().warning : IM_COL32(235, 235, 235, 255), text.c_str());
+                             with_alpha(palette().popup, 0.9F), m.px(4));
+  overlay.list.AddText({at.x + padding.x, at.y + padding.y}, warning ? palette().warning : palette().text,
+                       text.c_str());
 }
 
 void draw_axis_line(const ToolOverlay& overlay, const Projector& projector, const Vector3& through,

@@ -27,7 +27,7 @@ class RegionTool final : public Tool {
     at_ = event.pixel;
     if (modal_ && event.kind == PointerEvent::Kind::press) start(context, event);
     if (!drawing_) return ToolState::stay;
-    if (lasso_ && (path_.back() - at_).norm() > 2) path_.push_back(at_);
+    if (lasso_ && (path_.back() - at_).norm() > 2 * context.editor.pixel_scale) path_.push_back(at_);
     choose(context);
     return event.kind == PointerEvent::Kind::release ? ToolState::commit : ToolState::stay;
   }
@@ -35,7 +35,9 @@ class RegionTool final : public Tool {
   void cancel(ToolContext& context) override { context.editor.selection = before_; }
 
   std::string hint(const Language& tr) const override {
-    if (!drawing_) return tr("Drag a box   Shift adds   Ctrl removes   Esc cancels");
+    if (!drawing_)
+      return lasso_ ? tr("Draw a lasso   Shift adds   Ctrl removes   Esc cancels")
+                    : tr("Drag a box   Shift adds   Ctrl removes   Esc cancels");
     if (lasso_) return tr("Lasso takes what lies inside");
     return crossing() ? tr("Crossing box takes what it touches") : tr("Window box takes what lies inside");
   }
@@ -102,12 +104,12 @@ class RegionTool final : public Tool {
       if (taken && !held.empty()) selection.select({id, element_of(id)}, how);
       return;
     }
-    if (!object->polyhedron()) return;
+    if (!object->cage()) return;
     if (editor.mode != ElementMode::vertex) held.vertices.clear();
     if (editor.mode != ElementMode::edge) held.edges.clear();
     if (editor.mode != ElementMode::face) held.faces.clear();
     if (occlusion_) held = occlusion_->visible(held, shown);
-    const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
+    const Polyhedron& polyhedron = *object->cage();
     ElementSelection elements;
     for (const Index v : held.vertices) elements.vertices.insert(polyhedron.vertex_id(v));
     for (const Index e : held.edges) elements.edges.insert(polyhedron.edge_id(e));

@@ -31,7 +31,8 @@ class SelectTool final : public Tool {
       click(context.editor);
       return ToolState::commit;
     }
-    if ((event.pixel - press_.pixel).norm() <= drag_threshold) return ToolState::stay;
+    if ((event.pixel - press_.pixel).norm() <= drag_threshold * context.editor.pixel_scale)
+      return ToolState::stay;
     if (under_.empty() || press_.control) {
       successor_ = make_region_tool(false);
       return ToolState::commit;
@@ -67,7 +68,7 @@ class SelectTool final : public Tool {
     }
     std::size_t index = 0;
     const auto& last = editor.last_click;
-    const bool again = last && (last->pixel - press_.pixel).norm() <= drag_threshold &&
+    const bool again = last && (last->pixel - press_.pixel).norm() <= drag_threshold * editor.pixel_scale &&
                        last->index < under_.size() && editor.selection.contains(under_[last->index]);
     if ((plain && again) || (press_.alt && again)) index = (last->index + 1) % under_.size();
     editor.selection.select(under_[index], how);
@@ -80,8 +81,8 @@ class SelectTool final : public Tool {
         editor.last_click && editor.last_click->index < under_.size() ? editor.last_click->index : 0;
     const ElementRef& ref = under_[press_.alt ? 0 : index];
     const Object* object = editor.document().find(ref.object);
-    if (!object || !object->polyhedron()) return false;
-    const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
+    if (!object || !object->cage()) return false;
+    const Polyhedron& polyhedron = *object->cage();
     ElementSelection elements;
     if (ref.element.kind == Element::Kind::edge) {
       const EdgeId edge = EdgeId::from_packed(ref.element.id);

@@ -25,9 +25,9 @@ double DecimalStep::nearest(double value) const {
   return exponent < 0 ? count / power_of_ten(-exponent) : count * power_of_ten(exponent);
 }
 
-DecimalStep grid_step(const Projector& projector, const Vector3& at) {
+DecimalStep grid_step(const ToolContext& context, const Vector3& at) {
   constexpr double least_pixels = 10;
-  const double length = least_pixels * projector.pixel_length_at(at);
+  const double length = least_pixels * context.editor.pixel_scale * context.projector().pixel_length_at(at);
   return {1, std::clamp(static_cast<int>(std::ceil(std::log10(length))), -12, 12)};
 }
 
@@ -35,7 +35,7 @@ std::optional<SnapTarget> snap_to_elements(const ToolContext& context, const Tra
                                            const Vector2& pixel) {
   const Projector projector = context.projector();
   std::optional<SnapTarget> best;
-  double least = snap_radius;
+  double least = snap_radius * context.editor.pixel_scale;
   const auto offer = [&](SnapTarget::Kind kind, const Vector3& point) {
     const auto at = projector.project(point);
     if (!at) return;
@@ -47,24 +47,23 @@ std::optional<SnapTarget> snap_to_elements(const ToolContext& context, const Tra
   // Of the committed document: what moves is not looked at, and its place must not depend on the last frame.
   const auto each = [&](const auto& visit) {
     for (const auto& object : context.editor.history.current().objects)
-      if (object->visible && object->polyhedron()) visit(*object, *object->polyhedron());
+      if (object->visible && object->cage()) visit(*object, *object->cage());
   };
-  const auto world = [](const Object& object, const PolyhedronSource& source, Index v) {
-    return object.transform.apply(source.origin + source.polyhedron.position(v));
+  const auto world = [](const Object& object, const Polyhedron& cage, Index v) {
+    return object.transform.apply(object.cage_origin() + cage.position(v));
   };
-  each([&](const Object& object, const PolyhedronSource& source) {
-    for (Index v = 0; v < source.polyhedron.vertex_count(); ++v)
-      if (target.stands(object.id, source.polyhedron.vertex_id(v)))
-        offer(SnapTarget::Kind::vertex, world(object, source, v));
+  each([&](const Object& object, const Polyhedron& cage) {
+    for (Index v = 0; v < cage.vertex_count(); ++v)
+      if (target.stands(object.id, cage.vertex_id(v)))
+        offer(SnapTarget::Kind::vertex, world(object, cage, v));
   });
   if (best) return best;
-  each([&](const Object& object, const PolyhedronSource& source) {
-    const Polyhedron& polyhedron = source.polyhedron;
+  each([&](const Object& object, const Polyhedron& polyhedron) {
     for (Index e = 0; e < polyhedron.edge_count(); ++e) {
       const EdgeId id = polyhedron.edge_id(e);
       if (!target.stands(object.id, id.low) || !target.stands(object.id, id.high)) continue;
-      offer(SnapTarget::Kind::midpoint, (world(object, source, polyhedron.find(id.low)) +
-                                         world(object, source, polyhedron.find(id.high))) /
+      offer(SnapTarget::Kind::midpoint, (world(object, polyhedron, polyhedron.find(id.low)) +
+                                         world(object, polyhedron, polyhedron.find(id.high))) /
                                             2);
     }
   });

@@ -15,7 +15,7 @@ struct SnapTarget {
   Vector3 point = Vector3::Zero();  ///< in the document's space
 };
 
-/// Pixels round the pointer within which a vertex or the middle of an edge attracts.
+/// Design pixels round the pointer within which a vertex or the middle of an edge attracts.
 inline constexpr double snap_radius = 14;
 
 /// The vertex or middle of an edge under the pointer that the target does not move; vertices first.
@@ -31,7 +31,7 @@ struct DecimalStep {
   DecimalStep tenth() const { return {mantissa, exponent - 1}; }
 };
 
-/// A power of ten that covers at least 10 pixels: the lines of the ground grid or a tenth of them.
-DecimalStep grid_step(const Projector& projector, const Vector3& at);
+/// A power of ten that covers at least 10 design pixels: the lines of the ground grid or a tenth of them.
+DecimalStep grid_step(const ToolContext& context, const Vector3& at);
 
 }  // namespace hariko

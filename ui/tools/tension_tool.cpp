@@ -92,7 +92,7 @@ ToolState TensionTool::show(ToolContext& context) {
 
 ToolState TensionTool::update(ToolContext& context, const PointerEvent& event) {
   if (alphas_.empty() && betas_.empty()) return ToolState::cancel;
-  way_ += (event.shift ? 0.1 : 1.0) * (event.pixel.x() - pointer_.x());
+  way_ += (event.shift ? 0.1 : 1.0) * (event.pixel.x() - pointer_.x()) / context.editor.pixel_scale;
   const bool moved = event.pixel != pointer_;
   pointer_ = event.pixel;
   if (moved && !input_.active())
@@ -133,8 +133,8 @@ void TensionTool::draw(const ToolContext& context, const ToolOverlay& overlay) c
     const ImVec2 low(c.x + m.px(8), c.y - size.y - m.px(4));
     overlay.list.AddRectFilled({low.x - m.px(4), low.y - m.px(1)},
                                {low.x + size.x + m.px(4), low.y + size.y + m.px(1)},
-                               IM_COL32(30, 31, 34, 210), m.px(3));
-    overlay.list.AddText(low, IM_COL32(0xf2, 0xb8, 0x6b, 255), text.c_str());
+                               with_alpha(palette().popup, 0.85F), m.px(3));
+    overlay.list.AddText(low, palette().accent, text.c_str());
   };
   for (const auto& [object, before] : alphas_)
     for (const auto& [id, old] : before) number({object, element_of(id)}, alpha(old));

@@ -19,7 +19,7 @@ class TensionTool final : public Tool {
   void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
   std::string hint(const Language& tr) const override;
 
-  /// Pixels that double a tension.
+  /// Design pixels that double a tension.
   static constexpr double doubling_pixels = 80;
 
  private:

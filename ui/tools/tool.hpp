@@ -69,7 +69,7 @@ class Tool {
   virtual std::unique_ptr<Tool> successor() { return nullptr; }
 };
 
-/// Pixels that the pointer must move before a press becomes a drag.
+/// Design pixels (`Editor::pixel_scale`) that the pointer must move before a press becomes a drag.
 inline constexpr double drag_threshold = 3;
 
 /// What a click would take, by the element mode; in object mode the front-most face or edge.

@@ -1,8 +1,14 @@
 #include "ui/tools/transform_target.hpp"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <map>
 #include <numeric>
+
+#include "core/document/edits.hpp"
+#include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/local_edit.hpp"
 
 namespace hariko {
 
@@ -14,8 +20,8 @@ Vector3 mean(const std::vector<Vector3>& points) {
   return sum / static_cast<double>(std::max<std::size_t>(1, points.size()));
 }
 
-Vector3 world(const Object& object, const PolyhedronSource& source, Index vertex) {
-  return object.transform.apply(source.origin + source.polyhedron.position(vertex));
+Vector3 world(const Object& object, Index vertex) {
+  return object.transform.apply(object.cage_origin() + object.cage()->position(vertex));
 }
 
 /// For each of the vertices (ascending) a number that those share which selected elements connect.
@@ -67,7 +73,7 @@ TransformTarget TransformTarget::of(const Editor& editor) {
   } else {
     for (const auto& [id, elements] : editor.selection.elements()) {
       const Object* object = target.document_.find(id);
-      if (object && object->visible && object->polyhedron()) target.add_elements(*object, elements);
+      if (object && object->visible && object->cage()) target.add_elements(*object, elements);
     }
     target.what_ = counted(target.selected_.size(), "vertex", "vertices");
   }
@@ -75,7 +81,25 @@ TransformTarget TransformTarget::of(const Editor& editor) {
   target.choose_pivot(editor);
   if (const Object* active = target.document_.find(editor.selection.active))
     target.local_frame_ = active->transform.rotation.toRotationMatrix();
+  if (editor.transform.local_edit && editor.mode == ElementMode::vertex) target.freeze();
   return target;
+}
+
+void TransformTarget::freeze() {
+  for (Part& part : parts_)
+    part.frozen = freeze_tangents(*document_.find(part.object)->polyhedron(),
+                                  vertices_around(*part.polyhedron, part.vertices));
+  if (parts_.size() != 1 || parts_[0].vertices.size() != 1 || !*parts_[0].frozen) return;
+  const Part& part = parts_[0];
+  const Pin* pin = (*part.frozen)->shaping->pin.find(part.vertices[0]);
+  if (!pin || pin->kind != Pin::Kind::tangents || pin->vectors.size() < 2) return;
+  const Matrix3 turn = part.transform.rotation.toRotationMatrix();
+  const Vector3 first = part.transform.scale * turn * pin->vectors[0],
+                second = part.transform.scale * turn * pin->vectors[1];
+  const Vector3 normal = first.cross(second);
+  if (!(normal.norm() > 1e-12 * first.norm() * second.norm())) return;  // no plane to show
+  tangents_ = {first, second};
+  local_frame_ << first.normalized(), normal.cross(first).normalized(), normal.normalized();
 }
 
 std::string TransformTarget::describe() const {
@@ -94,18 +118,18 @@ void TransformTarget::add_object(const Object& object) {
 }
 
 void TransformTarget::add_elements(const Object& object, const ElementSelection& elements) {
-  const PolyhedronSource& source = *object.polyhedron();
+  const Polyhedron& cage = *object.cage();
   Part part;
   part.object = object.id;
   part.transform = object.transform;
-  part.origin = source.origin;
-  part.polyhedron = &source.polyhedron;
-  part.vertices = touched_vertices(elements, source.polyhedron);
+  part.origin = object.cage_origin();
+  part.polyhedron = &cage;
+  part.vertices = touched_vertices(elements, cage);
   part.selected = part.vertices.size();
   for (const VertexId id : part.vertices) {
-    const Index v = source.polyhedron.find(id);
-    part.start.push_back(source.polyhedron.position(v));
-    selected_.push_back(world(object, source, v));
+    const Index v = cage.find(id);
+    part.start.push_back(cage.position(v));
+    selected_.push_back(world(object, v));
   }
   part.weight.assign(part.selected, 1);
   parts_.push_back(std::move(part));
@@ -152,7 +176,7 @@ bool TransformTarget::stands(ObjectId object, VertexId vertex) const {
 
 void TransformTarget::follow(double radius, Falloff kind) {
   for (Part& part : parts_) {
-    if (part.whole) continue;
+    if (part.whole || part.frozen) continue;  // a local edit moves nothing else
     part.vertices.resize(part.selected);
     part.start.resize(part.selected);
     part.weight.resize(part.selected);
@@ -197,12 +221,36 @@ Result<Document> TransformTarget::apply(const Document& document,
       continue;
     }
     const Transformation local = transformation.in_space_of(part.transform);
+    if (part.frozen) {
+      result = apply_locally(*result, part, local);
+      continue;
+    }
     std::vector<Vector3> positions(part.vertices.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
       positions[i] = local.apply(part.start[i], part.pivots[i], part.weight[i]);
     result = move_vertices(*result, part.object, part.vertices, positions);
   }
   return result;
+}
+
+/// Moves the vertices, or turns and stretches their tangents where they stand.
+Result<Document> TransformTarget::apply_locally(const Document& document, const Part& part,
+                                                const Transformation& local) const {
+  if (!*part.frozen) return part.frozen->error();
+  const bool moves = local.only_translates();
+  const Matrix3 linear = local.linear();
+  if (!moves && !(std::abs(linear.determinant()) > 1e-12))
+    return make_error(e_transform_invalid, "Tangents cannot be scaled to nothing.",
+                      "Scale by another number.");
+  const auto fixed = edit_polyhedron(document, part.object, [&](const PolyhedronSource&) -> Result<Modeled> {
+    if (moves) return Modeled{**part.frozen, {}};
+    return Modeled{with_turned_tangents(**part.frozen, part.vertices, linear), {}};
+  });
+  if (!fixed) return fixed.error();
+  if (!moves) return fixed->document;
+  std::vector<Vector3> positions;
+  for (const Vector3& start : part.start) positions.push_back(start + local.translation);
+  return move_vertices(fixed->document, part.object, part.vertices, positions);
 }
 
 std::optional<Vector3> place_of(const Document& document, const ElementRef& ref) {
@@ -212,14 +260,14 @@ std::optional<Vector3> place_of(const Document& document, const ElementRef& ref)
     const Box3 box = world_box(*object);
     return box.isEmpty() ? object->transform.translation : Vector3(box.center());
   }
-  const PolyhedronSource* source = object->polyhedron();
-  if (!source) return std::nullopt;
+  const Polyhedron* cage = object->cage();
+  if (!cage) return std::nullopt;
   Selection one;
   one.select(ref, Selection::How::replace);
   std::vector<Vector3> points;
-  for (const VertexId id : touched_vertices(one.of(ref.object), source->polyhedron)) {
-    const Index v = source->polyhedron.find(id);
-    if (v != no_index) points.push_back(world(*object, *source, v));
+  for (const VertexId id : touched_vertices(one.of(ref.object), *cage)) {
+    const Index v = cage->find(id);
+    if (v != no_index) points.push_back(world(*object, v));
   }
   return points.empty() ? std::nullopt : std::optional<Vector3>(mean(points));
 }

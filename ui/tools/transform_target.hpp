@@ -2,6 +2,8 @@
 
 // TransformTarget: what a transform tool acts on, as it was when the tool began.
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,11 @@ class TransformTarget {
   /// The point that rotations and scalings leave in place: the middle of all pivots when each part has its
   /// own.
   const Vector3& pivot() const { return pivot_; }
-  /// Axes of the active object, as columns.
+  /// Axes of the active object, as columns; in a local edit of one vertex its tangent, what is square to it
+  /// in the tangent plane, and the normal.
   const Matrix3& local_frame() const { return local_frame_; }
+  /// The tangent plane of the one vertex of a local edit: its first two tangents, in the document's space.
+  const std::optional<std::array<Vector3, 2>>& tangents() const { return tangents_; }
   /// World places of what is selected (not of what follows softly).
   const std::vector<Vector3>& selected_points() const { return selected_; }
   /// Whether a vertex stays where it is: those can be snapped to.
@@ -57,18 +62,24 @@ class TransformTarget {
     // All vertices of the object, for followers.
     const Polyhedron* polyhedron = nullptr;
     std::vector<double> distance;  ///< from the selection; empty until asked for
+    /// In a local edit: the object with the tangents round the vertices fixed, or why they cannot be.
+    std::optional<Result<PolyhedronSource>> frozen;
   };
 
   void add_object(const Object& object);
   void add_elements(const Object& object, const ElementSelection& elements);
   void choose_pivot(const Editor& editor);
   void choose_own_pivots(const Editor& editor);
+  void freeze();
+  Result<Document> apply_locally(const Document& document, const Part& part,
+                                 const Transformation& local) const;
 
   Document document_;  ///< keeps the polyhedra alive
   std::vector<Part> parts_;
   std::vector<Vector3> selected_;
   Vector3 pivot_ = Vector3::Zero();
   Matrix3 local_frame_ = Matrix3::Identity();
+  std::optional<std::array<Vector3, 2>> tangents_;
   std::string what_;
 };
 

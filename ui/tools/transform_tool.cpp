@@ -109,7 +109,8 @@ void TransformTool::follow_pointer(const ToolContext& context, const PointerEven
   }
   at_ += share * by;
   pointer_ = event.pixel;
-  if ((at_ - from_).norm() > (by_ == DrivenBy::handle ? drag_threshold : 0)) moved_ = true;
+  const double threshold = by_ == DrivenBy::handle ? drag_threshold * context.editor.pixel_scale : 0;
+  if ((at_ - from_).norm() > threshold) moved_ = true;
 }
 
 /// After the view has turned, what was reached counts as done, and the pointer begins anew where it is.
@@ -145,9 +146,10 @@ double TransformTool::drag_ratio(const ToolContext& context) const {
   const auto pivot = context.projector().project(target_.pivot());
   if (!pivot) return base_ratio_;
   const Vector2 a = from_ - pivot->head<2>(), b = at_ - pivot->head<2>();
-  constexpr double near_pixels = 12;
+  const double near_pixels = 12 * context.editor.pixel_scale;
   // Begun on the pivot there is no distance to compare with: to the right is larger.
-  if (a.norm() < near_pixels) return base_ratio_ * (1 + (at_ - from_).x() / 100);
+  if (a.norm() < near_pixels)
+    return base_ratio_ * (1 + (at_ - from_).x() / (100 * context.editor.pixel_scale));
   return base_ratio_ * (a.dot(b) < 0 ? -1 : 1) * b.norm() / a.norm();
 }
 
@@ -189,7 +191,7 @@ Vector3 TransformTool::snapped(const ToolContext& context, const Vector3& transl
   };
   snap_ = snap_to_elements(context, target_, pointer_);
   if (snap_) return allowed(snap_->point - source_);
-  DecimalStep step = grid_step(context.projector(), source_);
+  DecimalStep step = grid_step(context, source_);
   if (fine_) step = step.tenth();
   // Local axes have no grid of their own: steps along them count from where the drag began.
   Vector3 result;
@@ -408,7 +410,7 @@ void TransformTool::draw_guides(const ToolContext& context, const ToolOverlay& o
   }
   if (kind_ == TransformKind::move || by_ == DrivenBy::typing) return;
   if (const auto pivot = projector.project(target_.pivot()))
-    draw_dashed_line(overlay, pivot->head<2>(), pointer_, IM_COL32(230, 230, 230, 150));
+    draw_dashed_line(overlay, pivot->head<2>(), pointer_, with_alpha(palette().text, 0.6F));
 }
 
 void TransformTool::draw_falloff(const ToolContext& context, const ToolOverlay& overlay) const {
@@ -419,7 +421,7 @@ void TransformTool::draw_falloff(const ToolContext& context, const ToolOverlay& 
   if (pixels < 20000)
     overlay.list.AddCircle(on_screen(overlay, pivot->head<2>()),
                            static_cast<float>(pixels) / ImGui::GetIO().DisplayFramebufferScale.x,
-                           IM_COL32(230, 230, 230, 170), 96, overlay.metrics.px(1.2F));
+                           with_alpha(palette().text, 0.7F), 96, overlay.metrics.px(1.2F));
   for (const TransformTarget::Follower& follower : target_.followers()) {
     const auto at = projector.project(done_.apply(follower.place, target_.pivot(), follower.weight));
     if (!at) continue;
@@ -440,7 +442,7 @@ void TransformTool::draw_snap(const ToolContext& context, const ToolOverlay& ove
   if (!at) return;
   const ImVec2 centre = on_screen(overlay, at->head<2>());
   const float r = overlay.metrics.px(7), w = overlay.metrics.px(2);
-  const ImU32 colour = IM_COL32(0xff, 0xd7, 0x4a, 255);
+  const ImU32 colour = palette().hot;
   if (snap_->kind == SnapTarget::Kind::vertex) {
     overlay.list.AddRect({centre.x - r, centre.y - r}, {centre.x + r, centre.y + r}, colour, 0, 0, w);
   } else if (snap_->kind == SnapTarget::Kind::midpoint) {

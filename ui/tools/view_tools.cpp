@@ -25,7 +25,7 @@ class ViewTool : public Tool {
     if (by != Vector2::Zero()) context.editor.set_camera(moved(context, by));
     if (event.kind != PointerEvent::Kind::release) return ToolState::stay;
     // Alt with the left button turns the view, and a click selects: what lies behind, or an edge loop.
-    const bool still = (event.pixel - press_.pixel).norm() <= drag_threshold;
+    const bool still = (event.pixel - press_.pixel).norm() <= drag_threshold * context.editor.pixel_scale;
     clicks_ = still && press_.alt && press_.button == PointerButton::left;
     if (clicks_) cancel(context);
     return ToolState::commit;

@@ -1,0 +1,24 @@
+#pragma once
+
+// Preparation: what is done to a polyhedron on the way to its surface, beside the designer's own settings.
+
+#include "core/base/result.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_automatic_tension_range{"E_AUTOMATIC_TENSION_RANGE"};
+
+/// The designer's polyhedron stays as it is; only what the surface is made from changes.
+struct Preparation {
+  /// Concave faces are cut into convex ones (core/modeling/convex_faces.hpp).
+  bool split_concave = false;
+  /// 0 (off) .. 1: the tension of every edge is multiplied by (mean length / its length) to this power
+  /// (core/modeling/automatic_tension.hpp).
+  double automatic_tension = 0;
+  friend bool operator==(const Preparation&, const Preparation&) = default;
+};
+
+/// E_AUTOMATIC_TENSION_RANGE: not a number from 0 to 1.
+Result<Done> check_preparation(const Preparation& preparation);
+
+}  // namespace hariko

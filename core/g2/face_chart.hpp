@@ -1,0 +1,95 @@
+#pragma once
+
+// FaceChart: how a face's surface depends on its controls. The face lives over the regular n-gon of unit
+// side; ribbons of second order along its sides and a polynomial in its middle are blended by rational
+// weights (g2.md sections 3 and 4).
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.hpp"
+#include "core/g2/jet2.hpp"
+
+namespace hariko {
+
+/// Controls of a corner, in the frame of the edge that opens it (turned from the sector's by the edge's
+/// angle): position, derivatives, second derivatives.
+enum CornerControl { corner_p, corner_g1, corner_g2, corner_g11, corner_g12, corner_g22 };
+inline constexpr int corner_control_count = 6;
+/// Controls of a side, in the direction in which the face runs along it: of the curve, and pairs of the first
+/// and of the second cross derivative.
+enum SideControl { side_e0, side_e1, side_e1_odd, side_e2, side_e2_odd };
+inline constexpr int side_control_count = 5;
+
+/// Shared by all faces with the same corner angles. Controls are numbered: six a corner, five a side, then
+/// the coefficients of the centre's polynomial in (x, y) / circumradius by ascending degree. All in the
+/// face's own numbering of corners, which begins at the rotation that makes equal faces equal.
+class FaceChart {
+ public:
+  /// `angles`: angular step of the sector at each corner, in (0, pi]; pi means a straight corner, whose
+  /// second tangent is free.
+  explicit FaceChart(std::vector<double> angles);
+
+  int sides() const { return static_cast<int>(angles_.size()); }
+  double angle(int corner) const { return angles_[static_cast<std::size_t>(corner)]; }
+  bool straight(int corner) const { return straight_[static_cast<std::size_t>(corner)]; }
+  const Vector2& vertex(int corner) const { return vertices_[static_cast<std::size_t>(corner)]; }
+  double area() const;
+
+  int corner_control(int corner, CornerControl which) const { return corner_control_count * corner + which; }
+  int side_control(int side, SideControl which) const {
+    return corner_control_count * sides() + side_control_count * side + which;
+  }
+  int first_centre_control() const { return (corner_control_count + side_control_count) * sides(); }
+  int centre_control_count() const { return (degree_ + 1) * (degree_ + 2) / 2; }
+  int control_count() const { return first_centre_control() + centre_control_count(); }
+
+  /// Controls, ascending, that the triangle (centre, vertex(side), vertex(side + 1)) depends on.
+  std::span<const int> active_controls(int side) const { return active_[static_cast<std::size_t>(side)]; }
+
+  /// Room for `basis`; one a thread.
+  struct Scratch {
+    std::vector<Jet2> all, distance;
+  };
+  /// The functions of the active controls of a triangle at a point of it, with derivatives by the chart's x
+  /// and y, aligned with `active_controls(side)`. At a vertex and closer than 1e-6 to it: those of the
+  /// vertex's quadratic alone. Bit for bit the same from both triangles where they meet.
+  void basis(int side, const Vector2& point, std::span<Jet2> out, Scratch& scratch) const;
+
+  /// Coefficients of a side's curve at fraction t from the corner controls at both ends and E0:
+  /// (P_a, g1_a, g11_a, P_b, g1_b, g11_b, E0), g1_b and g11_b along the edge seen from b.
+  struct Curve {
+    double value[7], first[7], second[7];
+  };
+  static Curve curve(double t);
+  /// Coefficients of the seven become those of ten of the face's controls, because g1_b and g11_b turn with
+  /// the angle at b.
+  static constexpr int curve_control_count = 10;
+  std::array<int, curve_control_count> curve_controls(int side) const;
+  std::array<double, curve_control_count> spread_curve(int side, const double (&seven)[7]) const;
+
+ private:
+  struct CornerMap {
+    Jet2 t, s;
+  };
+  Jet2 line(const Vector2& point, const Vector2& at, const Vector2& along, const Vector2& other) const;
+  CornerMap outgoing(int corner, const Vector2& point) const;
+  CornerMap incoming(int corner, const Vector2& point) const;
+  void vertex_jet(int corner, const Vector2& point, std::vector<Jet2>& all) const;
+  void add_ribbon(int side, const Vector2& point, const Jet2& weight, Scratch& scratch) const;
+  void add_centre(const Vector2& point, const Jet2& weight, std::vector<Jet2>& all) const;
+
+  std::vector<double> angles_, cosine_, sine_;
+  std::vector<bool> straight_;
+  std::vector<Vector2> vertices_, normals_;  ///< normals: inward, of unit length
+  double radius_ = 0, apothem_ = 0, reach_ = 1;
+  int degree_ = 4;
+  std::vector<std::vector<int>> near_sides_;  ///< per triangle: sides whose ribbon reaches into it, ascending
+  std::vector<std::vector<int>> active_;
+};
+
+/// True for the angle of a straight corner.
+bool is_straight(double angle);
+
+}  // namespace hariko

@@ -1,0 +1,569 @@
+#include "core/g2/g2_system.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "core/base/parallel.hpp"
+#include "core/g2/round_energy.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::size_t face_grain = 32;
+constexpr std::size_t unknown_grain = 2048;
+using Array3 = Eigen::Array3d;
+
+}  // namespace
+
+/// Unknowns of some faces, numbered without gaps, and where faces' local vectors meet them.
+struct G2System::Region {
+  std::vector<Index> faces;
+  std::vector<std::size_t> first_slot;  ///< per face of the region, plus one
+  std::vector<Index> slot;              ///< own number of each slot's unknown; no_index where held at zero
+  std::vector<Index> global;            ///< unknown of each own number
+  std::vector<std::size_t> begin;       ///< per own number, plus one: its slots in `slots`
+  std::vector<std::size_t> slots;
+  std::vector<Vector3> local;  ///< one vector a slot
+
+  std::size_t size() const { return global.size(); }
+
+  template <class Body>
+  void for_unknowns(const Body& body) const {
+    parallel_for(size(), unknown_grain, body);
+  }
+  Array3 dot(const Field& a, const Field& b) const {
+    std::vector<Array3> parts((size() + unknown_grain - 1) / unknown_grain, Array3::Zero());
+    for_unknowns([&](std::size_t begin_at, std::size_t end) {
+      for (std::size_t i = begin_at; i < end; ++i) parts[i / unknown_grain] += a[i].array() * b[i].array();
+    });
+    return std::accumulate(parts.begin(), parts.end(), Array3(Array3::Zero()));
+  }
+  /// y = scale y + factor x
+  void combine(Field& y, const Array3& scale, const Array3& factor, const Field& x) const {
+    for_unknowns([&](std::size_t begin_at, std::size_t end) {
+      for (std::size_t i = begin_at; i < end; ++i) y[i] = scale * y[i].array() + factor * x[i].array();
+    });
+  }
+  /// Sums the slots of each unknown, in order.
+  void collect(Field& y) const {
+    for_unknowns([&](std::size_t begin_at, std::size_t end) {
+      for (std::size_t i = begin_at; i < end; ++i) {
+        Vector3 sum = Vector3::Zero();
+        for (std::size_t k = begin[i]; k < begin[i + 1]; ++k) sum += local[slots[k]];
+        y[i] = sum;
+      }
+    });
+  }
+};
+
+G2System::G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
+                   const G2Weights& weights)
+    : mesh_(std::move(mesh)), frames_(network.frames()), unknowns_(g2_unknowns(*mesh_, frames_)) {
+  for (const CornerUnknowns& corner : unknowns_.corner) inverse_turn_.push_back(corner.turn.inverse());
+  choose_charts(network, weights);
+  incidence_.assign(unknowns_.count, 0);
+  for (Index f = 0; f < mesh_->face_count(); ++f)
+    for (int i = 0; i < unknown_slots(f); ++i) ++incidence_[slot_unknown(f, i)];
+  for (const std::uint32_t count : incidence_) share_.push_back(1 / std::sqrt(double(std::max(count, 1U))));
+  bend_over_charts();
+  whole_ = std::make_unique<Region>(make_region(nullptr));
+}
+
+G2System::~G2System() = default;
+
+void G2System::choose_charts(const NetworkSystem& network, const G2Weights& weights) {
+  const HalfEdgeMesh& mesh = *mesh_;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    double excess = 0, alpha = 0;
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+      excess += std::max(network.beta()[mesh.edge(h)] - 1, 0.0);
+      alpha += network.alpha()[mesh.origin(h)];
+    }
+    tau_.push_back(weights.tension * (excess + alpha) / double(mesh.side_count(f)));
+  }
+  curve_weight_.resize(mesh.half_edge_count());
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
+    const double loose = 1 + network.alpha()[mesh.origin(h)] + network.alpha()[mesh.target(h)];
+    const double tau =
+        twin == no_index ? tau_[mesh.face(h)] : (tau_[mesh.face(h)] + tau_[mesh.face(twin)]) / 2;
+    const double weight = weights.curve / (loose * loose) + weights.curve_tension * tau +
+                          (frames_.sharp[e] ? weights.sharp_curve : 0);
+    // Both faces carry half of an inner edge.
+    curve_weight_[h] = twin == no_index ? weight : weight / 2;
+    if (twin != no_index) curve_weight_[twin] = weight / 2;
+  }
+  chart_half_edge_.resize(mesh.half_edge_count());
+  chart_side_.resize(mesh.half_edge_count());
+  std::vector<double> angles;
+  std::vector<std::pair<double, double>> turned, best;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const Index n = mesh.side_count(f), first = mesh.face_begin(f);
+    Index shift = 0;
+    for (Index s = 0; s < n; ++s) {
+      turned.clear();
+      for (Index j = 0; j < n; ++j) {
+        const Index h = first + (j + s) % n;
+        turned.emplace_back(frames_.step[h], curve_weight_[h]);
+      }
+      if (s > 0 && !(turned < best)) continue;
+      best = turned;
+      shift = s;
+    }
+    for (Index j = 0; j < n; ++j) {
+      chart_half_edge_[first + j] = first + (j + shift) % n;
+      chart_side_[first + (j + shift) % n] = static_cast<int>(j);
+    }
+    angles.clear();
+    for (const auto& [angle, weight] : best) angles.push_back(angle);
+    charts_.push_back(elements_.chart(angles));
+  }
+  auto atlas = std::make_shared<G2Atlas>();
+  for (const auto& energy : charts_) atlas->chart.emplace_back(energy, &energy->chart);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    atlas->face.push_back(mesh.face(h));
+    atlas->side.push_back(chart_side_[h]);
+  }
+  atlas_ = std::move(atlas);
+}
+
+std::vector<double> G2System::curve_weights(Index face) const {
+  std::vector<double> out;
+  for (int j = 0; j < int(mesh_->side_count(face)); ++j) out.push_back(curve_weight_[half_edge(face, j)]);
+  return out;
+}
+
+void G2System::bend_over_charts() {
+  if (!round_ && !element_.empty()) return;
+  round_ = false;
+  element_.resize(mesh_->face_count());
+  for (Index f = 0; f < mesh_->face_count(); ++f)
+    element_[f] = elements_.element(charts_[f], tau_[f], curve_weights(f));
+  build_blocks();
+}
+
+void G2System::bend_over(const PatchSet& reference) {
+  round_ = true;
+  const double scale = round_scale(
+      *mesh_, reference, [&](Index f) -> const FaceChart& { return chart(f); },
+      [&](Index f, int side) { return half_edge(f, side); });
+  parallel_for(mesh_->face_count(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<Index>(begin); f < end; ++f) {
+      Eigen::MatrixXd plate = charts_[f]->plate;
+      if (mesh_->side_count(f) <= largest_round_side_count)
+        plate = scale * round_plate(chart(f), reference, [&](int side) { return half_edge(f, side); });
+      element_[f] = std::make_shared<const CondensedFace>(
+          condense(charts_[f]->places, face_energy(*charts_[f], plate, tau_[f], curve_weights(f))));
+    }
+  });
+  build_blocks();
+}
+
+void G2System::build_blocks() {
+  const Index faces = mesh_->face_count();
+  block_.assign(faces, nullptr);
+  std::vector<Index> fresh;  // faces whose block is new
+  std::vector<Index> same_as(faces);
+  std::map<std::vector<std::uintptr_t>, Index> known;
+  for (Index f = 0; f < faces; ++f) {
+    same_as[f] = f;
+    if (!round_) same_as[f] = known.try_emplace(block_key(f), f).first->second;
+    if (same_as[f] == f) fresh.push_back(f);
+  }
+  parallel_for(fresh.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      block_[fresh[k]] = std::make_shared<const PaddedMatrix>(make_block(fresh[k]));
+  });
+  for (Index f = 0; f < faces; ++f) block_[f] = block_[same_as[f]];
+}
+
+/// Everything that a block depends on: the elements round each corner, in order from the face itself.
+std::vector<std::uintptr_t> G2System::block_key(Index face) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  std::vector<std::uintptr_t> key;
+  const auto add = [&](Index h) {
+    key.push_back(reinterpret_cast<std::uintptr_t>(element_[mesh.face(h)].get()));
+    key.push_back(static_cast<std::uintptr_t>(2 * chart_side(h) + (frames_.sharp[mesh.edge(h)] ? 1 : 0)));
+  };
+  for (int j = 0; j < int(mesh.side_count(face)); ++j) {
+    const Index own = half_edge(face, j);
+    key.push_back(static_cast<std::uintptr_t>(frames_.kind[mesh.origin(own)]));
+    Index h = own;
+    do {
+      add(h);
+      h = mesh.rotate(h);
+    } while (h != no_index && h != own);
+    if (h == own) continue;
+    key.push_back(0);
+    for (h = mesh.twin(own); h != no_index; h = mesh.twin(h)) {
+      h = mesh.next(h);
+      add(h);
+    }
+  }
+  return key;
+}
+
+/// Inverse of the whole matrix restricted to the face's unknowns, seen in its own controls.
+PaddedMatrix G2System::make_block(Index face) const {
+  const HalfEdgeMesh& mesh = *mesh_;
+  const int size = unknown_slots(face);
+  std::map<Index, int> place;  // of the face's unknowns
+  for (int i = 0; i < size; ++i) place[slot_unknown(face, i)] = i;
+  std::set<Index> around;
+  for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {
+    Index g = h;
+    do {
+      around.insert(mesh.face(g));
+      g = mesh.rotate(g);
+    } while (g != no_index && g != h);
+    for (g = g == no_index ? mesh.twin(h) : no_index; g != no_index; g = mesh.twin(g)) {
+      g = mesh.next(g);
+      around.insert(mesh.face(g));
+    }
+  }
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+  std::vector<Vector3> column;
+  for (const Index g : around) {
+    const int slots = unknown_slots(g);
+    std::vector<int> columns;          // slots of g whose unknown is one of the face's
+    std::vector<Eigen::VectorXd> map;  // what each moves of g's controls
+    for (int i = 0; i < slots; ++i) {
+      if (!place.contains(slot_unknown(g, i))) continue;
+      column.assign(std::size_t(slots), Vector3::Zero());
+      column[std::size_t(i)].setOnes();
+      turn(g, false, false, column.data());
+      Eigen::VectorXd moved(slots);
+      for (int r = 0; r < slots; ++r) moved[r] = column[std::size_t(r)].x();
+      columns.push_back(i);
+      map.push_back(std::move(moved));
+    }
+    const PaddedMatrix& m = element_[g]->matrix;
+    const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> element(
+        m.value.data(), slots, slots, Eigen::OuterStride<>(Eigen::Index(m.stride)));
+    for (std::size_t a = 0; a < columns.size(); ++a) {
+      // A column of the map has at most three entries.
+      Eigen::VectorXd image = Eigen::VectorXd::Zero(slots);
+      for (int r = 0; r < slots; ++r)
+        if (map[a][r] != 0) image += map[a][r] * element.col(r);
+      for (std::size_t b = 0; b < columns.size(); ++b) {
+        double sum = 0;
+        for (int r = 0; r < slots; ++r)
+          if (map[b][r] != 0) sum += map[b][r] * image[r];
+        matrix(place[slot_unknown(g, columns[b])], place[slot_unknown(g, columns[a])]) += sum;
+      }
+    }
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(0.5 * (matrix + matrix.transpose()));
+  HARIKO_ASSERT(factor.info() == Eigen::Success, "the energy round a face is positive definite");
+  Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(size, size));
+  // In the face's controls: turn * inverse * turn^T, a column at a time, then a row at a time.
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int k = 0; k < size; ++k) {
+      column.assign(std::size_t(size), Vector3::Zero());
+      for (int r = 0; r < size; ++r) column[std::size_t(r)].setConstant(inverse(r, k));
+      turn(face, false, false, column.data());
+      for (int r = 0; r < size; ++r) inverse(r, k) = column[std::size_t(r)].x();
+    }
+    inverse.transposeInPlace();
+  }
+  return PaddedMatrix(0.5 * (inverse + inverse.transpose()));
+}
+
+Index G2System::slot_unknown(Index face, int slot) const {
+  const int n = static_cast<int>(mesh_->side_count(face));
+  if (slot < 3 * n) return unknowns_.corner[half_edge(face, slot / 3)].unknown[std::size_t(slot % 3)];
+  if (slot < 8 * n)
+    return unknowns_.side[half_edge(face, (slot - 3 * n) / 5)].unknown[std::size_t((slot - 3 * n) % 5)];
+  const int control = charts_[face]->places.unknown[std::size_t(slot)];
+  return unknowns_.corner[half_edge(face, control / corner_control_count)].tangent;
+}
+
+void G2System::turn(Index face, bool inverse, bool transposed, Vector3* local) const {
+  const int n = static_cast<int>(mesh_->side_count(face)), slots = unknown_slots(face);
+  for (int j = 0; j < n; ++j) {
+    const Index h = half_edge(face, j);
+    Matrix3 m = inverse ? inverse_turn_[h] : unknowns_.corner[h].turn;
+    if (transposed) m.transposeInPlace();
+    Vector3* x = local + 3 * j;
+    const Vector3 a = x[0], b = x[1], c = x[2];
+    for (int i = 0; i < 3; ++i) x[i] = m(i, 0) * a + m(i, 1) * b + m(i, 2) * c;
+    const auto& sign = unknowns_.side[h].sign;
+    for (int i = 0; i < 5; ++i) local[3 * n + 5 * j + i] *= sign[std::size_t(i)];
+  }
+  for (int k = 8 * n; k < slots; ++k) {
+    const int control = charts_[face]->places.unknown[std::size_t(k)];
+    local[k] *= unknowns_.corner[half_edge(face, control / corner_control_count)].tangent_sign;
+  }
+}
+
+Vector3 G2System::face_mean(Index face, const Given& given) const {
+  Vector3 sum = Vector3::Zero();
+  for (const Index v : mesh_->face_vertices(face)) sum += given.positions[v];
+  return sum / double(mesh_->side_count(face));
+}
+
+/// In the order of `ControlPlaces::given`; positions are relative to `origin`.
+void G2System::given_controls(Index face, const Given& given, const Vector3& origin, Vector3* out) const {
+  const FaceChart& of = chart(face);
+  for (int j = 0; j < of.sides(); ++j) {
+    const Index h = half_edge(face, j);
+    const Vector3 g1 = 3 * given.network->start[h];
+    *out++ = given.positions[mesh_->origin(h)] - origin;
+    *out++ = g1;
+    if (of.straight(j)) continue;
+    // The edge that closes the corner lies at its angle: 3 T = cos g1 + sin g2.
+    const double angle = of.angle(j);
+    *out++ = (3 * given.network->end[mesh_->previous(h)] - std::cos(angle) * g1) / std::sin(angle);
+  }
+}
+
+G2System::Region G2System::make_region(const std::vector<Index>* active_faces) const {
+  Region region;
+  if (active_faces) {
+    region.faces = *active_faces;
+  } else {
+    region.faces.resize(mesh_->face_count());
+    std::iota(region.faces.begin(), region.faces.end(), Index(0));
+  }
+  std::vector<std::uint32_t> met(unknowns_.count, 0);
+  for (const Index f : region.faces) {
+    region.first_slot.push_back(region.slot.size());
+    for (int i = 0; i < unknown_slots(f); ++i) {
+      region.slot.push_back(slot_unknown(f, i));
+      ++met[region.slot.back()];
+    }
+  }
+  region.first_slot.push_back(region.slot.size());
+  std::vector<Index> own(unknowns_.count, no_index);
+  for (Index i = 0; i < unknowns_.count; ++i) {
+    if (met[i] == 0 || met[i] != incidence_[i]) continue;  // not here, or shared with a face outside
+    own[i] = static_cast<Index>(region.global.size());
+    region.global.push_back(i);
+  }
+  region.begin.assign(region.global.size() + 1, 0);
+  for (Index& slot : region.slot) {
+    slot = own[slot];
+    if (slot != no_index) ++region.begin[slot + 1];
+  }
+  std::partial_sum(region.begin.begin(), region.begin.end(), region.begin.begin());
+  region.slots.resize(region.begin.back());
+  std::vector<std::size_t> cursor(region.begin.begin(), region.begin.end() - 1);
+  for (std::size_t k = 0; k < region.slot.size(); ++k)
+    if (region.slot[k] != no_index) region.slots[cursor[region.slot[k]]++] = k;
+  region.local.resize(region.slot.size());
+  return region;
+}
+
+namespace {
+
+/// Room for one face's vectors.
+struct FaceScratch {
+  std::vector<Vector3> in, out;
+  void reserve(std::size_t size) {
+    if (in.size() < size) {
+      in.resize(size);
+      out.resize(size);
+    }
+  }
+};
+
+}  // namespace
+
+void G2System::apply(Region& region, const Field& x, Field& y) const {
+  parallel_for(region.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    FaceScratch scratch;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = region.faces[k];
+      const std::size_t first = region.first_slot[k], count = region.first_slot[k + 1] - first;
+      scratch.reserve(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Index at = region.slot[first + i];
+        scratch.in[i] = at == no_index ? Vector3(Vector3::Zero()) : x[at];
+      }
+      turn(f, false, false, scratch.in.data());
+      hariko::multiply(element_[f]->matrix, scratch.in.data(), region.local.data() + first);
+      turn(f, false, true, region.local.data() + first);
+    }
+  });
+  region.collect(y);
+}
+
+void G2System::precondition(Region& region, const Field& r, Field& z) const {
+  parallel_for(region.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    FaceScratch scratch;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = region.faces[k];
+      const std::size_t first = region.first_slot[k], count = region.first_slot[k + 1] - first;
+      scratch.reserve(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const Index at = region.slot[first + i];
+        scratch.in[i] =
+            at == no_index ? Vector3(Vector3::Zero()) : Vector3(share_[region.global[at]] * r[at]);
+      }
+      turn(f, true, true, scratch.in.data());
+      hariko::multiply(*block_[f], scratch.in.data(), region.local.data() + first);
+      turn(f, true, false, region.local.data() + first);
+    }
+  });
+  region.collect(z);
+  region.for_unknowns([&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) z[i] *= share_[region.global[i]];
+  });
+}
+
+void G2System::right_side(Region& region, const Given& given, Field& b) const {
+  parallel_for(region.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector3> known;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = region.faces[k];
+      known.resize(charts_[f]->places.given.size());
+      given_controls(f, given, face_mean(f, given), known.data());
+      Vector3* local = region.local.data() + region.first_slot[k];
+      hariko::multiply(element_[f]->load, known.data(), local);
+      turn(f, false, true, local);
+      for (std::size_t i = 0; i < region.first_slot[k + 1] - region.first_slot[k]; ++i) local[i] = -local[i];
+    }
+  });
+  region.collect(b);
+}
+
+G2System::Solution G2System::solve(const Given& given, const SolveOptions& options,
+                                   const CancelToken& cancel) const {
+  Region region = options.active_faces ? make_region(options.active_faces) : *whole_;
+  const Array3 one = Array3::Ones();
+  const auto ratio = [](const Array3& a, const Array3& b) {
+    return Array3((b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0));
+  };
+  const Vector3 zero = Vector3::Zero();
+  Field x(region.size(), zero), r(region.size(), zero), z(region.size(), zero), q(region.size(), zero);
+  if (options.start)
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = (*options.start)[region.global[i]];
+  right_side(region, given, r);
+  precondition(region, r, z);
+  const Array3 energy = region.dot(r, z);
+  // A coordinate in which the object is flat needs no digits beyond rounding of the largest one.
+  const Array3 enough = (options.tolerance * options.tolerance * energy).max(1e-32 * energy.maxCoeff());
+  if (options.start) {
+    apply(region, x, q);
+    region.combine(r, one, -one, q);
+    precondition(region, r, z);
+  }
+  Field p = z;
+  Array3 rz = region.dot(r, z);
+  Solution solution;
+  while ((rz > enough).any()) {
+    if (solution.iterations == options.max_steps) {
+      solution.converged = false;
+      break;
+    }
+    if (cancel.cancelled()) {
+      solution.cancelled = true;
+      break;
+    }
+    apply(region, p, q);
+    const Array3 step = ratio(rz, region.dot(p, q));
+    region.combine(x, one, step, p);
+    region.combine(r, one, -step, q);
+    precondition(region, r, z);
+    const Array3 next = region.dot(r, z);
+    region.combine(p, ratio(next, rz), one, z);
+    rz = next;
+    ++solution.iterations;
+  }
+  solution.unknowns.assign(unknowns_.count, zero);
+  for (std::size_t i = 0; i < x.size(); ++i) solution.unknowns[region.global[i]] = x[i];
+  return solution;
+}
+
+G2System::Field G2System::multiply(const Field& x) const {
+  Region region = *whole_;
+  Field y(region.size(), Vector3::Zero());
+  apply(region, x, y);
+  return y;
+}
+
+/// Bezier points of degree six along the edge's first half-edge.
+std::array<Vector3, 7> G2System::edge_curve(Index edge, const Given& given, const Field& unknowns) const {
+  const Index h = mesh_->half_edge_of_edge(edge), following = mesh_->next(h);
+  const auto form = [&](Index corner) {
+    const CornerUnknowns& at = unknowns_.corner[corner];
+    std::array<Vector3, 3> out;
+    for (int i = 0; i < 3; ++i)
+      out[std::size_t(i)] = at.turn(i, 0) * unknowns[at.unknown[0]] +
+                            at.turn(i, 1) * unknowns[at.unknown[1]] + at.turn(i, 2) * unknowns[at.unknown[2]];
+    return out;
+  };
+  const Vector3 a = given.positions[mesh_->origin(h)], b = given.positions[mesh_->target(h)];
+  const Vector3 ga = 3 * given.network->start[h], gb = 3 * given.network->end[h];
+  const Vector3 second_a = form(h)[0];
+  const auto at_b = form(following);
+  const double angle = frames_.step[following];
+  const double c = is_straight(angle) ? -1 : std::cos(angle), s = is_straight(angle) ? 0 : std::sin(angle);
+  const Vector3 second_b = c * c * at_b[0] + 2 * c * s * at_b[1] + s * s * at_b[2];
+  const Vector3 five[6] = {
+      a, a + ga / 5, a + 2 * ga / 5 + second_a / 20, b + 2 * gb / 5 + second_b / 20, b + gb / 5, b};
+  std::array<Vector3, 7> out;
+  out[0] = a;
+  out[6] = b;
+  for (int i = 1; i < 6; ++i) out[std::size_t(i)] = (double(i) * five[i - 1] + double(6 - i) * five[i]) / 6;
+  out[3] += unknowns[unknowns_.side[h].unknown[side_e0]] / 20;
+  return out;
+}
+
+G2Face G2System::controls(Index face, const Given& given, const Field& unknowns) const {
+  const FaceChart& of = chart(face);
+  const ControlPlaces& places = charts_[face]->places;
+  const Vector3 mean = face_mean(face, given);
+  const int slots = unknown_slots(face);
+  std::vector<Vector3> local(std::size_t(slots) + places.given.size());
+  for (int i = 0; i < slots; ++i) local[std::size_t(i)] = unknowns[slot_unknown(face, i)];
+  turn(face, false, false, local.data());
+  given_controls(face, given, mean, local.data() + slots);
+  std::vector<Vector3> centre(places.centre.size());
+  hariko::multiply(element_[face]->centre, local.data(), centre.data());
+  centre[0] += mean;
+
+  G2Face out(std::size_t(of.control_count()) + 7 * std::size_t(of.sides()));
+  for (int i = 0; i < slots; ++i) out[std::size_t(places.unknown[std::size_t(i)])] = local[std::size_t(i)];
+  for (std::size_t i = 0; i < places.given.size(); ++i)
+    out[std::size_t(places.given[i])] = local[std::size_t(slots) + i];
+  for (std::size_t i = 0; i < centre.size(); ++i) out[std::size_t(places.centre[i])] = centre[i];
+  for (int j = 0; j < of.sides(); ++j) {
+    const Index h = half_edge(face, j), e = mesh_->edge(h);
+    out[std::size_t(of.corner_control(j, corner_p))] = given.positions[mesh_->origin(h)];
+    const auto curve = edge_curve(e, given, unknowns);
+    Vector3* side = out.data() + of.control_count() + 7 * j;
+    const bool forward = mesh_->half_edge_of_edge(e) == h;
+    for (std::size_t i = 0; i < 7; ++i) side[i] = curve[forward ? i : 6 - i];
+  }
+  return out;
+}
+
+std::size_t G2System::element_count() const {
+  std::set<const CondensedFace*> all;
+  for (const auto& element : element_) all.insert(element.get());
+  return all.size();
+}
+
+std::size_t G2System::matrix_bytes() const {
+  std::set<const void*> seen;
+  std::size_t bytes = 0;
+  const auto add = [&](const void* owner, const PaddedMatrix& matrix) {
+    if (seen.insert(owner).second) bytes += matrix.value.size() * sizeof(double);
+  };
+  for (const auto& element : element_) {
+    add(&element->matrix, element->matrix);
+    add(&element->load, element->load);
+    add(&element->centre, element->centre);
+  }
+  for (const auto& block : block_) add(block.get(), *block);
+  return bytes;
+}
+
+}  // namespace hariko

@@ -1,0 +1,54 @@
+#pragma once
+
+// Jet2: a function of two variables with its first and second derivatives at a point.
+
+namespace hariko {
+
+struct Jet2 {
+  double v = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+
+  static Jet2 constant(double c) { return {c, 0, 0, 0, 0, 0}; }
+  /// value + ax (x - x0) + ay (y - y0)
+  static Jet2 linear(double value, double ax, double ay) { return {value, ax, ay, 0, 0, 0}; }
+
+  Jet2& operator+=(const Jet2& b) {
+    v += b.v, x += b.x, y += b.y, xx += b.xx, xy += b.xy, yy += b.yy;
+    return *this;
+  }
+};
+
+inline Jet2 operator+(Jet2 a, const Jet2& b) {
+  return a += b;
+}
+inline Jet2 operator*(double c, const Jet2& a) {
+  return {c * a.v, c * a.x, c * a.y, c * a.xx, c * a.xy, c * a.yy};
+}
+inline Jet2 operator-(const Jet2& a, const Jet2& b) {
+  return {a.v - b.v, a.x - b.x, a.y - b.y, a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
+}
+inline Jet2 operator*(const Jet2& a, const Jet2& b) {
+  return {a.v * b.v,
+          a.v * b.x + a.x * b.v,
+          a.v * b.y + a.y * b.v,
+          a.v * b.xx + 2 * (a.x * b.x) + a.xx * b.v,
+          a.v * b.xy + a.x * b.y + a.y * b.x + a.xy * b.v,
+          a.v * b.yy + 2 * (a.y * b.y) + a.yy * b.v};
+}
+/// f(a) from f, f' and f'' at a.v
+inline Jet2 compose(double f, double f1, double f2, const Jet2& a) {
+  return {f,
+          f1 * a.x,
+          f1 * a.y,
+          f2 * (a.x * a.x) + f1 * a.xx,
+          f2 * (a.x * a.y) + f1 * a.xy,
+          f2 * (a.y * a.y) + f1 * a.yy};
+}
+inline Jet2 reciprocal(const Jet2& a) {
+  const double r = 1 / a.v;
+  return compose(r, -r * r, 2 * r * r * r, a);
+}
+inline Jet2 cube(const Jet2& a) {
+  return compose(a.v * a.v * a.v, 3 * a.v * a.v, 6 * a.v, a);
+}
+
+}  // namespace hariko

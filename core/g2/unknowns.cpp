@@ -1,0 +1,146 @@
+#include "core/g2/unknowns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/base/assert.hpp"
+#include "core/g2/face_chart.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// (H11, H12, H22) seen in a frame turned by an angle.
+Matrix3 turned(double cosine, double sine) {
+  const double c = cosine, s = sine;
+  Matrix3 m;
+  m << c * c, 2 * c * s, s * s, -c * s, c * c - s * s, c * s, s * s, -2 * c * s, c * c;
+  return m;
+}
+
+/// (H11, H12, H22) of a corner sector with opening phi from (c_a, m, c_b) = (H(a, a), H(a, b), H(b, b)).
+Matrix3 from_sharp_edges(double phi) {
+  const double c = std::cos(phi), s = std::sin(phi);
+  Matrix3 m;
+  m << 1, 0, 0, -c / s, 1 / s, 0, c * c / (s * s), -2 * c / (s * s), 1 / (s * s);
+  return m;
+}
+
+class UnknownBuilder {
+ public:
+  UnknownBuilder(const HalfEdgeMesh& mesh, const VertexFrames& frames) : mesh_(mesh), frames_(frames) {}
+
+  G2Unknowns build() {
+    out_.corner.resize(mesh_.half_edge_count());
+    out_.side.resize(mesh_.half_edge_count());
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (mesh_.outgoing(v) != no_index) add_vertex(v);
+    for (Index e = 0; e < mesh_.edge_count(); ++e) add_edge(e);
+    return std::move(out_);
+  }
+
+ private:
+  Index take(Index count) {
+    const Index first = out_.count;
+    out_.count += count;
+    return first;
+  }
+  bool opens_sector(Index h) const { return frames_.sharp[mesh_.edge(h)]; }
+
+  /// Corners of v counter-clockwise, from the first sharp edge where sectors are told apart.
+  std::vector<Index> fan(Index v) const {
+    std::vector<Index> corners;
+    const Index first = mesh_.outgoing(v);
+    Index h = first;
+    do {
+      corners.push_back(h);
+      h = mesh_.rotate(h);
+    } while (h != no_index && h != first);
+    if (h == no_index || frames_.kind[v] == FrameKind::smooth || frames_.kind[v] == FrameKind::straight)
+      return corners;
+    std::size_t begin = 0;
+    while (!opens_sector(corners[begin])) ++begin;
+    std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(begin), corners.end());
+    return corners;
+  }
+
+  /// Corners of one sector, whose form is base * (x[unknown...]).
+  void add_sector(std::span<const Index> corners, const std::array<Index, 3>& unknown, const Matrix3& base) {
+    Index tangent = no_index;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const double step = frames_.step[corners[k]];
+      CornerUnknowns& corner = out_.corner[corners[k]];
+      corner.unknown = unknown;
+      if (!is_straight(step)) {
+        const double angle = double(k) * step;
+        corner.turn = turned(std::cos(angle), std::sin(angle)) * base;
+        continue;
+      }
+      // Half turns leave a quadratic form as it is and reverse both tangents.
+      if (tangent == no_index) tangent = take(1);
+      corner.turn = base;
+      corner.tangent = tangent;
+      corner.tangent_sign = k % 2 == 0 ? 1 : -1;
+    }
+  }
+
+  void add_vertex(Index v) {
+    const std::vector<Index> corners = fan(v);
+    if (frames_.kind[v] == FrameKind::smooth || frames_.kind[v] == FrameKind::straight) {
+      const Index h = take(3);
+      add_sector(corners, {h, h + 1, h + 2}, Matrix3::Identity());
+      return;
+    }
+    std::vector<std::size_t> begin;  // of each sector
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      if (opens_sector(corners[k])) begin.push_back(k);
+    const std::size_t sectors = begin.size();
+    begin.push_back(corners.size());
+    const auto part = [&](std::size_t i) {
+      return std::span<const Index>(corners).subspan(begin[i], begin[i + 1] - begin[i]);
+    };
+    if (frames_.kind[v] == FrameKind::sharp_line) {
+      const Index along = take(1);
+      for (std::size_t i = 0; i < sectors; ++i) {
+        const Index across = take(2);
+        add_sector(part(i), {along, across, across + 1}, Matrix3::Identity());
+      }
+      return;
+    }
+    HARIKO_ASSERT(frames_.kind[v] == FrameKind::corner, "every vertex with faces has a frame");
+    const bool closed = !mesh_.is_border_vertex(v);
+    const Index edges = static_cast<Index>(closed ? sectors : sectors + 1), first = take(edges);
+    for (std::size_t i = 0; i < sectors; ++i) {
+      const Index a = first + static_cast<Index>(i), b = first + static_cast<Index>((i + 1) % edges);
+      const double phi = frames_.step[part(i)[0]] * double(part(i).size());
+      add_sector(part(i), {a, take(1), b}, from_sharp_edges(phi));
+    }
+  }
+
+  void add_edge(Index e) {
+    const Index h = mesh_.half_edge_of_edge(e), twin = mesh_.twin(h);
+    const Index curve = take(1), cross = take(4);
+    out_.side[h] = {{curve, cross, cross + 1, cross + 2, cross + 3}, {1, 1, 1, 1, 1}};
+    if (twin == no_index) return;
+    if (frames_.sharp[e]) {
+      const Index other = take(4);
+      out_.side[twin] = {{curve, other, other + 1, other + 2, other + 3}, {1, 1, 1, 1, 1}};
+    } else {
+      // From the other side t runs backwards and s downwards.
+      out_.side[twin] = {{curve, cross, cross + 1, cross + 2, cross + 3}, {1, -1, 1, 1, -1}};
+    }
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const VertexFrames& frames_;
+  G2Unknowns out_;
+};
+
+}  // namespace
+
+G2Unknowns g2_unknowns(const HalfEdgeMesh& mesh, const VertexFrames& frames) {
+  return UnknownBuilder(mesh, frames).build();
+}
+
+}  // namespace hariko

@@ -1,0 +1,16 @@
+#pragma once
+
+// Automatic tension: short edges are stretched more than long ones, so that a long edge beside them does not
+// push their tangents sideways (kuriyama.md section 7.6).
+
+#include "core/network/shaping.hpp"
+#include "core/polyhedron/polyhedron.hpp"
+
+namespace hariko {
+
+/// `shaping` with the tension of every edge multiplied by (mean length / its length)^exponent, within the
+/// limits of edge tension. Edges without length get the upper limit. Ratios of lengths only: the same at any
+/// scale. exponent 0 .. 1; 0 changes nothing. O(edges log edges).
+Shaping with_automatic_tension(const Polyhedron& polyhedron, const Shaping& shaping, double exponent);
+
+}  // namespace hariko

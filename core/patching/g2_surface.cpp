@@ -1,0 +1,81 @@
+#include "core/patching/g2_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+#include "core/patching/drag_region.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::size_t face_grain = 64;
+/// Rings of faces to solve in: 0.27^18 is 6e-11.
+constexpr int ring_count = 18;
+constexpr double response_tolerance = 1e-11;
+/// Faces that feel less of a displacement than this share are not kept in a response.
+constexpr double negligible_share = 1e-11;
+
+}  // namespace
+
+std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2System::Given& given,
+                                             const G2System::Field& unknowns) {
+  std::vector<std::shared_ptr<const G2Face>> faces(system.mesh().face_count());
+  parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+      faces[f] = std::make_shared<const G2Face>(system.controls(static_cast<Index>(f), given, unknowns));
+  });
+  return std::make_shared<const G2PatchSet>(system.atlas(), std::move(faces));
+}
+
+G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> moved,
+                                std::vector<double> weight, const CancelToken& cancel) {
+  HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
+  HARIKO_ASSERT(moved.size() == weight.size(), "one weight a vertex");
+  const HalfEdgeMesh& mesh = *system.mesh;
+  G2DragResponse response;
+  response.moved = std::move(moved);
+  response.weight = std::move(weight);
+  const Neighbourhood near = neighbourhood(mesh, response.moved, ring_count);
+  const std::vector<Vector3> field = unit_displacement(mesh, response.moved, response.weight);
+  const Network network = local_network(system, near, field, response_tolerance);
+  G2System::SolveOptions options;
+  options.active_faces = &near.faces;
+  options.tolerance = response_tolerance;
+  const G2System::Given given{field, &network};
+  const auto solution = system.g2->solve(given, options, cancel);
+  if (solution.cancelled) return response;
+  for (const Index f : near.faces) {
+    const G2Face controls = system.g2->controls(f, given, solution.unknowns);
+    std::vector<double> share;
+    double largest = 0;
+    for (const Vector3& control : controls) {
+      share.push_back(control.x());
+      largest = std::max(largest, std::abs(control.x()));
+    }
+    if (largest < negligible_share) continue;
+    response.faces.push_back(f);
+    response.share.push_back(std::move(share));
+    response.largest.push_back(largest);
+  }
+  return response;
+}
+
+std::shared_ptr<const G2PatchSet> displaced(const HalfEdgeMesh& mesh, const G2PatchSet& base,
+                                            const G2DragResponse& response, const Vector3& displacement,
+                                            double negligible, std::vector<Index>& changed) {
+  std::vector<std::shared_ptr<const G2Face>> faces = base.faces();
+  const double length = displacement.norm();
+  for (std::size_t k = 0; k < response.faces.size(); ++k) {
+    if (!(response.largest[k] * length > negligible)) continue;
+    const Index f = response.faces[k];
+    auto moved = std::make_shared<G2Face>(*faces[f]);
+    for (std::size_t i = 0; i < moved->size(); ++i) (*moved)[i] += response.share[k][i] * displacement;
+    faces[f] = std::move(moved);
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) changed.push_back(h);
+  }
+  return std::make_shared<const G2PatchSet>(base.atlas(), std::move(faces));
+}
+
+}  // namespace hariko

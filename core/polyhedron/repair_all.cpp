@@ -1,0 +1,121 @@
+// make_manifold: the repairs in the order in which they help one another.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "core/base/ids.hpp"
+#include "core/polyhedron/edge_table.hpp"
+#include "core/polyhedron/face_check.hpp"
+#include "core/polyhedron/repair.hpp"
+#include "core/polyhedron/validation.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double near = 1e-6;  // of the size of the box round all used vertices
+
+/// Appends the rounds of a cycle of vertices: it is cut wherever it comes back to a vertex.
+void add_rounds(std::span<const Index> face, PolygonMesh& out) {
+  std::vector<Index> open;
+  for (const Index v : face) {
+    const auto before = std::find(open.begin(), open.end(), v);
+    if (before != open.end()) {
+      const std::vector<Index> round(before, open.end());
+      open.erase(before, open.end());
+      if (round.size() >= 3) out.add_face(round);
+    }
+    open.push_back(v);
+  }
+  if (open.size() >= 3) out.add_face(open);
+}
+
+template <class Keep>
+PolygonMesh with_faces(const PolygonMesh& mesh, Keep&& keep) {
+  PolygonMesh out;
+  out.positions = mesh.positions;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    if (keep(f)) out.add_face(mesh.face(f));
+  return out;
+}
+
+/// Drops faces with the vertices of an earlier one where an edge of theirs has more than two faces: without
+/// them two faces back to back are a closed surface.
+PolygonMesh without_doubles(const PolygonMesh& mesh) {
+  std::vector<char> crowded(mesh.face_count(), 0);
+  std::vector<Index> face_of(mesh.face_vertices.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    std::fill(face_of.begin() + mesh.face_offsets[f], face_of.begin() + mesh.face_offsets[f + 1],
+              static_cast<Index>(f));
+  EdgeTable(mesh, sound_faces(mesh)).for_each_edge([&](Index, Index, std::span<const EdgeUse> uses) {
+    if (uses.size() <= 2) return;
+    for (const EdgeUse& use : uses) crowded[face_of[use.corner]] = 1;
+  });
+  std::set<std::vector<Index>> seen;
+  return with_faces(mesh, [&](std::size_t f) {
+    if (!crowded[f]) return true;
+    std::vector<Index> corners(mesh.face(f).begin(), mesh.face(f).end());
+    std::sort(corners.begin(), corners.end());
+    return seen.insert(std::move(corners)).second;
+  });
+}
+
+/// Length of the diagonal of the box round the used vertices.
+double size_of(const PolygonMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Index v : mesh.face_vertices) box.extend(mesh.positions[v]);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+bool same_face(const PolygonMesh& a, const PolygonMesh& b, std::size_t f) {
+  return std::equal(a.face(f).begin(), a.face(f).end(), b.face(f).begin());
+}
+
+}  // namespace
+
+PolygonMesh split_repeated_corners(const PolygonMesh& mesh) {
+  PolygonMesh out;
+  out.positions = mesh.positions;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) add_rounds(mesh.face(f), out);
+  return out;
+}
+
+Result<Repaired> make_manifold(const PolygonMesh& given) {
+  Repaired out;
+  RepairReport& report = out.report;
+  PolygonMesh mesh = with_faces(given, [&](std::size_t f) {
+    return std::all_of(given.face(f).begin(), given.face(f).end(),
+                       [&](Index v) { return v < given.positions.size(); });
+  });
+  for (const Index v : mesh.face_vertices)
+    if (!mesh.positions[v].allFinite())
+      return make_error(e_nonfinite, "Vertex " + std::to_string(v) + " has a coordinate that is not finite.",
+                        "Repair the file in the program that wrote it.", element_of(VertexId{v}));
+  const std::size_t unused = mesh.positions.size();
+  mesh = remove_isolated_vertices(mesh);
+  report.removed_vertices = unused - mesh.positions.size();
+  const std::size_t separate = mesh.positions.size();
+  mesh = weld(mesh, near * size_of(mesh));
+  report.merged_vertices = separate - mesh.positions.size();
+  mesh = without_doubles(split_repeated_corners(mesh));
+  report.dropped_faces = given.face_count() - std::min(given.face_count(), mesh.face_count());
+  if (mesh.face_count() == 0)
+    return make_error(e_no_faces, "No face is left after the repair.",
+                      "Repair the file in the program that wrote it.");
+  const PolygonMesh oriented = orient_where_possible(mesh);
+  const PolygonMesh split = split_nonmanifold_vertices(split_nonmanifold_edges(oriented));
+  report.split_vertices = split.positions.size() - oriented.positions.size();
+  // What was cut apart may have become closed: those parts are turned outward now.
+  out.mesh = orient_where_possible(split);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    report.turned_faces += same_face(mesh, oriented, f) != same_face(split, out.mesh, f);
+  // Faces that were dropped may have left vertices behind.
+  const std::size_t kept = out.mesh.positions.size();
+  out.mesh = remove_isolated_vertices(out.mesh);
+  report.removed_vertices += kept - out.mesh.positions.size();
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,79 @@
+#pragma once
+
+// Grids of bicubic Bezier patches: the control net as a value, the patches as a PatchSet, and the Surface.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+/// columns x rows patches over (3 columns + 1) x (3 rows + 1) control points, row by row: point (i, j) is
+/// points[j (3 columns + 1) + i]. Patch (k, l), number l columns + k, has the points 3k .. 3k + 3 by
+/// 3l .. 3l + 3; its s runs with i and its t with j. Neighbours share a row or column of points.
+struct BicubicNet {
+  Index columns = 0, rows = 0;
+  std::vector<Vector3> points;
+
+  Index width() const { return 3 * columns + 1; }
+  Index height() const { return 3 * rows + 1; }
+  Index patch_count() const { return columns * rows; }
+  Index index(Index i, Index j) const { return j * width() + i; }
+  const Vector3& at(Index i, Index j) const { return points[index(i, j)]; }
+  /// Index of point (i, j), 0 .. 3, of a patch.
+  Index index(Index patch, int i, int j) const {
+    return index(3 * (patch % columns) + Index(i), 3 * (patch / columns) + Index(j));
+  }
+  friend bool operator==(const BicubicNet&, const BicubicNet&) = default;
+};
+
+/// The outer side of one patch of a net: side 0 .. 3 of the grid as of a patch, and which patch along it,
+/// counted in the side's own direction (counter-clockwise).
+struct NetSide {
+  std::uint8_t side = 0;
+  Index place = 0;
+  friend auto operator<=>(const NetSide&, const NetSide&) = default;
+};
+inline Index places_of(const BicubicNet& net, int side) {
+  return side % 2 == 0 ? net.columns : net.rows;
+}
+/// The patch that the side belongs to.
+Index patch_of(const BicubicNet& net, NetSide side);
+/// Indices of the side's four points in its direction, and of the row behind them (P(i,0) and P(i,1)).
+struct SideRows {
+  std::array<Index, 4> curve, row;
+};
+SideRows side_rows(const BicubicNet& net, NetSide side);
+
+class BicubicPatchSet final : public PatchSet {
+ public:
+  /// The net has as many points as it says (asserted).
+  explicit BicubicPatchSet(BicubicNet net);
+
+  const BicubicNet& net() const { return net_; }
+
+  Domain domain() const override { return Domain::square; }
+  Index patch_count() const override { return net_.patch_count(); }
+  PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
+                     std::span<Vector3> normals) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                     std::span<PatchPoint> points) const override;
+  /// Exact; undefined where a side is shrunk to the corner.
+  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
+
+ private:
+  using Controls = std::array<Vector3, 16>;
+  Controls controls(Index patch) const;
+  BicubicNet net_;
+};
+
+/// The grid as a surface. Seams between neighbours are G1 where the tangent planes of both agree to 1e-6 rad
+/// all along, else G0. A grid whose first and last column (row) of points are equal, bit for bit, closes.
+/// Sources number the net's quads and points: a patch comes from the quad in its middle, a side from the
+/// middle edge of its three. O(patches).
+Surface bicubic_surface(const Vector3& origin, BicubicNet net);
+
+}  // namespace hariko

@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Draws the sheets of materials, maps and marks of docs/manual.md with the program's own command line.
+
+    python3 scripts/manual_pictures.py build/release/app/hariko
+
+Needs ImageMagick (montage) to put the pictures side by side. The pictures of the window are taken by hand."""
+
+import os
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PICTURES = os.path.join(ROOT, "docs", "pictures")
+SIZE = "720x540"  # drawn larger than shown: legends take less room
+
+# Sheet -> (caption, sample, options) from left to right and down.
+SHEETS = {
+    "manual_materials": [(name.capitalize(), "car", ["--material", name])
+                         for name in ("clay", "porcelain", "metal", "wax", "rubber", "plastic")],
+    "manual_maps": [
+        ("Gaussian curvature", "fig2", ["--map", "gauss"]),
+        ("Mean curvature", "fig2", ["--map", "mean"]),
+        ("Continuity", "fig5d", ["--map", "continuity"]),
+        ("Greatest curvature k1", "fig2", ["--map", "k1"]),
+        ("Least curvature k2", "fig2", ["--map", "k2"]),
+        ("Isophotes", "car", ["--map", "isophotes", "--stripes", "16"]),
+        ("Zebra", "car", ["--map", "zebra", "--stripes", "16"]),
+        ("Patches", "car", ["--map", "patches"]),
+        ("Gaussian, safe colours", "fig2", ["--map", "gauss", "--colour-blind-safe"]),
+    ],
+    "manual_marks": [
+        ("Tensions", "fig5d", ["--show", "polyhedron,network,tensions"]),
+        ("Continuity of edges", "fig5c", ["--show", "marks"]),
+        ("Curvature combs", "fig2", ["--show", "network,combs"]),
+        ("Borders of patches", "genus3", ["--wire", "borders"]),
+        ("Display mesh", "fig2", ["--wire", "mesh"]),
+        ("Section", "genus3", ["--section", "y=0.1", "--show", "network"]),
+    ],
+}
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    with tempfile.TemporaryDirectory() as folder:
+        for sheet, cells in SHEETS.items():
+            arguments = []
+            for number, (caption, sample, options) in enumerate(cells):
+                path = os.path.join(folder, f"{sheet}_{number}.png")
+                model = os.path.join(ROOT, "assets", "samples", sample + ".hariko")
+                subprocess.run([program, "render", model, path, "--size", SIZE, "--background", "transparent", *options],
+                               check=True, timeout=300)
+                arguments += ["-label", caption, path]
+            whole = os.path.join(folder, sheet + ".png")
+            subprocess.run(["montage", *arguments, "-tile", "3x", "-geometry", "400x300+3+3", "-background", "#2b2d31",
+                            "-fill", "#e6e6e6", "-font", "Inter-Regular", "-pointsize", "15", whole],
+                           check=True, timeout=120)
+            subprocess.run(["convert", whole, "-alpha", "off", "-strip", "+dither", "-colors", "160",
+                            "PNG8:" + os.path.join(PICTURES, sheet + ".png")], check=True, timeout=120)
+
+
+main()

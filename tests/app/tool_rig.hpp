@@ -1,0 +1,123 @@
+#pragma once
+
+// What the tests of tools share: an editor without a window, and a tool driven as the viewport drives it.
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+
+#include "core/document/edits.hpp"
+#include "ui/tools/tool.hpp"
+
+namespace hariko::test {
+
+inline Document cube_document() {
+  PolygonMesh mesh;
+  mesh.positions = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                    {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  mesh.add_face({0, 3, 2, 1});
+  mesh.add_face({4, 5, 6, 7});
+  mesh.add_face({0, 1, 5, 4});
+  mesh.add_face({1, 2, 6, 5});
+  mesh.add_face({2, 3, 7, 6});
+  mesh.add_face({3, 0, 4, 7});
+  return document_from_mesh(mesh, "cube").value();
+}
+
+/// n x n squares of side 1 in the plane z = 0.
+inline Document grid_document(int n) {
+  PolygonMesh mesh;
+  for (int y = 0; y <= n; ++y)
+    for (int x = 0; x <= n; ++x) mesh.positions.emplace_back(x, y, 0);
+  const auto at = [n](int x, int y) { return static_cast<Index>(y * (n + 1) + x); };
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x) mesh.add_face({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+  return document_from_mesh(mesh, "grid").value();
+}
+
+/// An editor of 800 x 600 pixels, the scene that it shows, and the tool that runs.
+struct Rig {
+  Editor editor;
+  SceneBuilder scene;
+  std::unique_ptr<Tool> tool;
+  PointerEvent at;
+
+  explicit Rig(Document document = cube_document()) {
+    editor.viewport = {800, 600};
+    editor.open(std::move(document), {});
+    editor.frame_all(true);
+    scene.update(editor);
+  }
+  ToolContext context() { return {editor, scene}; }
+  const PolyhedronSource& source(std::size_t object = 0) const {
+    return *editor.document().objects[object]->polyhedron();
+  }
+  Vector3 place(VertexId id, std::size_t object = 0) const {
+    const PolyhedronSource& s = source(object);
+    return editor.document().objects[object]->transform.apply(s.origin +
+                                                              s.polyhedron.position(s.polyhedron.find(id)));
+  }
+  Vector2 pixel(const Vector3& world) const {
+    return Projector(editor.camera(), editor.viewport).project(world)->head<2>();
+  }
+  void choose(std::initializer_list<unsigned> vertices) {
+    editor.mode = ElementMode::vertex;
+    editor.selection.clear_elements();
+    for (const unsigned v : vertices)
+      editor.selection.select({editor.document().objects[0]->id, element_of(VertexId{v})},
+                              Selection::How::add);
+    scene.update(editor);
+  }
+  void start(std::unique_ptr<Tool> next, const Vector2& pixel = {400, 300}) {
+    at = {};
+    at.pixel = pixel;
+    tool = std::move(next);
+    ToolContext now = context();
+    tool->begin(now, at);
+  }
+  void handle(ToolState state) {
+    if (state == ToolState::stay) return;
+    const std::unique_ptr<Tool> done = std::move(tool);
+    if (auto next = state == ToolState::commit ? done->successor() : nullptr) {
+      tool = std::move(next);
+      ToolContext now = context();
+      tool->begin(now, at);
+      handle(tool->update(now, at));
+    }
+    scene.update(editor);
+  }
+  void send(PointerEvent::Kind kind, const Vector2& pixel, bool shift = false, bool control = false) {
+    ASSERT_NE(tool, nullptr);
+    PointerEvent event;
+    event.kind = kind;
+    event.pixel = pixel;
+    event.shift = shift;
+    event.control = control;
+    at.pixel = pixel;
+    ToolContext now = context();
+    handle(tool->update(now, event));
+  }
+  void move(const Vector2& pixel, bool shift = false, bool control = false) {
+    send(PointerEvent::Kind::move, pixel, shift, control);
+  }
+  void key(int code, bool shift = false, char32_t text = 0) {
+    ASSERT_NE(tool, nullptr);
+    ToolContext now = context();
+    const auto state = tool->key(now, {{code, false, shift, false}, text});
+    if (state) handle(*state);
+  }
+  void type(std::string_view text) {
+    for (const char c : text) {
+      const int code = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
+      key(code, false, static_cast<char32_t>(c));
+    }
+  }
+  void enter() { key(GLFW_KEY_ENTER); }
+  void escape() {
+    ToolContext now = context();
+    tool->cancel(now);
+    tool.reset();
+    scene.update(editor);
+  }
+};
+
+}  // namespace hariko::test

@@ -1,0 +1,113 @@
+#pragma once
+
+// What tests of mode G2 measure: jumps over edges at many points, and how curvature varies round vertices.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "core/analysis/curvature.hpp"
+#include "core/g2/g2_patch_set.hpp"
+#include "core/network/vertex_frames.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+
+namespace hariko::test {
+
+inline const G2PatchSet& g2_set(const PolyhedronSurface& surface) {
+  return dynamic_cast<const G2PatchSet&>(surface.surface.patches());
+}
+
+/// Over all smooth seams that come from edges and, apart, those inside faces.
+struct Jumps {
+  double gap = 0, normal = 0, curvature = 0;  ///< curvature: largest jump
+  double rms = 0;                             ///< of the curvature over all samples
+  double relative() const { return rms > 0 ? curvature / rms : 0; }
+};
+
+/// 33 points a seam, ends included, where both sides have a curvature.
+inline Jumps jumps_of(const Surface& surface) {
+  Jumps out;
+  double square = 0, count = 0;
+  for (const Seam& seam : surface.seams()) {
+    for (int k = 0; k <= 32; ++k) {
+      const double x = k / 32.0;
+      const auto at = [&](const PatchSide& side, double fraction) {
+        return surface.patches().evaluate(side.patch, side_parameter(Domain::triangle, side.side, fraction),
+                                          Order::second);
+      };
+      const PatchPoint a = at(seam.first, x), b = at(seam.second, 1 - x);
+      out.gap = std::max(out.gap, (a.position - b.position).norm());
+      if (seam.intended == Continuity::g0) continue;
+      const auto p = curvature(a), q = curvature(b);
+      if (!p || !q) continue;
+      const double sine = p->normal.cross(q->normal).norm(), cosine = p->normal.dot(q->normal);
+      // Where the surface folds along the edge, normals are opposite and the planes are compared.
+      out.normal = std::max(out.normal, std::atan2(sine, std::abs(cosine)));
+      const double sign = cosine < 0 ? -1 : 1;
+      out.curvature = std::max(out.curvature, (p->tensor - sign * q->tensor).norm());
+      square += p->tensor.squaredNorm() + q->tensor.squaredNorm();
+      count += 2;
+    }
+  }
+  out.rms = count > 0 ? std::sqrt(square / count) : 0;
+  return out;
+}
+
+/// Largest minus smallest mean and Gaussian curvature on circles round vertices of one sector, in the
+/// vertex's own chart: 9 directions a corner, radius in edges. Relative to rms curvature: (rms, rms^2). Worst
+/// vertex.
+struct Spread {
+  double mean = 0, gauss = 0;
+};
+inline Spread spread_round(const HalfEdgeMesh& mesh, const VertexFrames& frames, const G2PatchSet& set,
+                           double radius, double rms, bool straight_too = false) {
+  Spread out;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.outgoing(v) == no_index) continue;
+    const bool plain =
+        frames.kind[v] == FrameKind::smooth || (straight_too && frames.kind[v] == FrameKind::straight);
+    if (!plain) continue;
+    double low = std::numeric_limits<double>::infinity(), high = -low, gauss_low = low, gauss_high = -low;
+    Index h = mesh.outgoing(v);
+    do {
+      const Index f = mesh.face(h);
+      const FaceChart& chart = *set.atlas()->chart[f];
+      const int corner = set.atlas()->side[h], n = chart.sides();
+      const Vector2 &at = chart.vertex(corner), forward = chart.vertex((corner + 1) % n) - at,
+                    back = chart.vertex((corner + n - 1) % n) - at;
+      for (int i = 0; i < 9; ++i) {
+        // y = (alpha + beta cos d, beta sin d) at this angle and radius; at straight corners (alpha - beta,
+        // q).
+        const double d = chart.angle(corner), angle = d * (i + 0.5) / 9;
+        double alpha = 0, beta = 0;
+        if (chart.straight(corner)) {
+          const double s = std::sin(angle),
+                       c = std::cos(angle);  // alpha - beta = c, 2 alpha beta = s (alpha + beta)
+          const double sum = s + std::sqrt(s * s + c * c);
+          alpha = (sum + c) / 2;
+          beta = (sum - c) / 2;
+        } else {
+          beta = std::sin(angle) / std::sin(d);
+          alpha = std::cos(angle) - beta * std::cos(d);
+        }
+        const auto k =
+            curvature(set.evaluate_chart(f, at + radius * (alpha * forward + beta * back), Order::second));
+        if (!k) continue;
+        low = std::min(low, k->mean);
+        high = std::max(high, k->mean);
+        gauss_low = std::min(gauss_low, k->gauss);
+        gauss_high = std::max(gauss_high, k->gauss);
+      }
+      h = mesh.rotate(h);
+    } while (h != no_index && h != mesh.outgoing(v));
+    if (high < low) continue;
+    out.mean = std::max(out.mean, (high - low) / rms);
+    out.gauss = std::max(out.gauss, (gauss_high - gauss_low) / (rms * rms));
+  }
+  return out;
+}
+
+}  // namespace hariko::test

@@ -1,0 +1,426 @@
+// The open document and its file, driven as the window drives it: samples, saving, locks, changes by other
+// programs, recovery.
+
+#include "app/document_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "core/document/edits.hpp"
+#include "core/document/file.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+using test::spill;
+
+Document box(const std::string& name = "Box") {
+  return document_from_mesh(test::prism(4), name).value();
+}
+
+/// A window without a window, with folders of its own.
+class Session {
+ public:
+  explicit Session(const std::filesystem::path& folder)
+      : bench_(box(), {800, 560}, actions()),
+        session_(bench_.editor(), bench_.workbench(), {folder / "config", folder / "state", folder / "cache"},
+                 folder / "samples",
+                 {[] {}, [] {}, [this](const char* what, const auto&) { happened_.emplace_back(what); }}) {}
+
+  DocumentSession& operator*() { return session_; }
+  DocumentSession* operator->() { return &session_; }
+  Editor& editor() { return bench_.editor(); }
+  HeadlessWorkbench& bench() { return bench_; }
+  bool happened(const std::string& what) const {
+    return std::find(happened_.begin(), happened_.end(), what) != happened_.end();
+  }
+  bool shows(const std::string& mark) { return bench_.workbench().marks().all().contains(mark); }
+
+  /// Until all work on files is done and shown.
+  void settle() {
+    while (!session_.idle()) {
+      session_.publish();
+      std::this_thread::yield();
+    }
+    session_.update();
+    bench_.frame();
+    bench_.frame();
+  }
+  void click(const std::string& mark) {
+    bench_.click(mark);
+    settle();
+  }
+  void rename_object(const std::string& name) {
+    Editor& editor = bench_.editor();
+    const Document& document = editor.history.current();
+    ASSERT_TRUE(editor.commit(hariko::rename_object(document, document.objects[0]->id, name), "Rename"));
+    session_.update();
+  }
+
+ private:
+  FileActions actions() {
+    FileActions actions;
+    actions.open = [this](const auto& path) { session_.open(path); };
+    actions.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
+    return actions;
+  }
+
+  std::vector<std::string> happened_;
+  HeadlessWorkbench bench_;
+  DocumentSession session_;
+};
+
+std::size_t files_in(const std::filesystem::path& folder) {
+  std::filesystem::directory_iterator it(folder), end;
+  return static_cast<std::size_t>(std::distance(it, end));
+}
+
+TEST(DocumentSession, ASampleOpensAsACopyWithoutAFile) {
+  const test::TemporaryFolder folder;
+  const auto samples = folder.path() / "samples";
+  std::filesystem::create_directory(samples);
+  const auto sample = samples / "vase.hariko";
+  ASSERT_TRUE(save_document(box("Vase"), sample).ok());
+  const std::string bytes = test::slurp(sample);
+  Session session(folder.path());
+  session->open(sample);
+  session.settle();
+  ASSERT_EQ(session.editor().document().objects[0]->name, "Vase");
+  EXPECT_FALSE(session.editor().path.has_value());
+  EXPECT_FALSE(session.editor().history.dirty());
+  EXPECT_EQ(session.editor().title(), "vase copy");
+  EXPECT_EQ(files_in(samples), 1U) << "a lock beside the sample";
+  // It is no file of the user's.
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "state" / "recent.json"));
+
+  session.rename_object("Mine");
+  session.bench().key("Ctrl+S");
+  session.settle();
+  EXPECT_TRUE(session.shows("dialog.name")) << "saving does not ask for a name";
+  EXPECT_EQ(test::slurp(sample), bytes);
+}
+
+TEST(DocumentSession, AnotherFileOfTheSameNameIsNoSample) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "samples");
+  const auto file = folder.path() / "vase.hariko";
+  ASSERT_TRUE(save_document(box("Vase"), file).ok());
+  Session session(folder.path());
+  session->open(file);
+  session.settle();
+  EXPECT_EQ(session.editor().path, file);
+  EXPECT_TRUE(std::filesystem::exists(lock_path_of(file)));
+}
+
+/// A document in a file, as most sessions begin.
+class OpenFile : public ::testing::Test {
+ protected:
+  OpenFile() { EXPECT_TRUE(save_document(box("Saved"), file_).ok()); }
+  void SetUp() override {
+    session_.emplace(folder_.path());
+    (*session_)->open(file_);
+    session_->settle();
+    ASSERT_EQ(session_->editor().path, file_);
+  }
+  /// The name of the object that a file holds.
+  static std::string name_in(const std::filesystem::path& file) {
+    const auto document = load_document(file);
+    return document.ok() ? document->objects[0]->name : to_string(document.error());
+  }
+  std::string last_notice() {
+    const auto& notices = session_->editor().notices();
+    return notices.empty() ? std::string() : notices.back().text;
+  }
+  void save() {
+    session_->bench().key("Ctrl+S");
+    session_->settle();
+  }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "model.hariko";
+  std::optional<Session> session_;
+};
+
+TEST_F(OpenFile, SavingWritesTheDocumentAndCountsAsSaved) {
+  session_->rename_object("Changed");
+  EXPECT_TRUE(session_->editor().history.dirty());
+  save();
+  EXPECT_EQ(name_in(file_), "Changed");
+  EXPECT_FALSE(session_->editor().history.dirty());
+  EXPECT_TRUE(session_->happened("saved"));
+}
+
+TEST_F(OpenFile, AFileThatWasOnlyTouchedIsOverwrittenWithoutAQuestion) {
+  session_->rename_object("Changed");
+  std::filesystem::last_write_time(file_, std::filesystem::file_time_type::clock::now());
+  save();
+  EXPECT_EQ(name_in(file_), "Changed");
+}
+
+TEST_F(OpenFile, AFileThatAnotherProgramChangedIsAskedAbout) {
+  session_->rename_object("Mine");
+  ASSERT_TRUE(save_document(box("Theirs"), file_).ok());
+  save();
+  ASSERT_TRUE(session_->shows("prompt.overwrite"));
+  session_->bench().key("Esc");
+  session_->settle();
+  EXPECT_FALSE(session_->shows("prompt.overwrite"));
+  EXPECT_EQ(name_in(file_), "Theirs");
+  EXPECT_TRUE(session_->editor().history.dirty());
+
+  save();
+  session_->click("prompt.save_as");
+  EXPECT_TRUE(session_->shows("dialog.name"));
+  session_->bench().key("Esc");
+  session_->settle();
+  EXPECT_EQ(name_in(file_), "Theirs");
+
+  save();
+  session_->click("prompt.overwrite");
+  session_->settle();
+  EXPECT_EQ(name_in(file_), "Mine");
+  EXPECT_FALSE(session_->editor().history.dirty());
+  // What was read or written last is known again.
+  session_->rename_object("Again");
+  save();
+  EXPECT_EQ(name_in(file_), "Again");
+}
+
+TEST_F(OpenFile, RevertIsAStepThatCanBeUndone) {
+  session_->rename_object("Mine");
+  (*session_)->revert();
+  session_->settle();
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Saved");
+  EXPECT_FALSE(session_->editor().history.dirty());
+  session_->editor().undo();
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Mine");
+  EXPECT_TRUE(session_->editor().history.dirty());
+}
+
+TEST_F(OpenFile, SavingSweepsUpWhatAKilledSaveLeft) {
+  const auto left = folder_.path() / ".hariko-2147483646-0.tmp";  // above the highest number of a process
+  test::spill(left, "half");
+  std::filesystem::last_write_time(left,
+                                   std::filesystem::file_time_type::clock::now() - std::chrono::minutes(1));
+  session_->rename_object("Mine");
+  save();
+  EXPECT_FALSE(std::filesystem::exists(left));
+}
+
+TEST_F(OpenFile, AFileThatIsOpenElsewhereIsReadOnlyOrACopy) {
+  const auto other = folder_.path() / "other.hariko";
+  ASSERT_TRUE(save_document(box("Other"), other).ok());
+  const auto held = FileLock::try_lock(lock_path_of(other), 0);  // as another window does
+  ASSERT_EQ(held.outcome, FileLock::Attempt::Outcome::acquired);
+
+  (*session_)->open(other);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.read_only"));
+  session_->bench().key("Esc");
+  session_->settle();
+  EXPECT_EQ(session_->editor().path, file_) << "no answer opens nothing";
+
+  (*session_)->open(other);
+  session_->settle();
+  session_->click("prompt.read_only");
+  EXPECT_EQ(session_->editor().path, other);
+  EXPECT_TRUE(session_->editor().read_only);
+  session_->rename_object("Changed");
+  save();
+  EXPECT_TRUE(session_->shows("dialog.name")) << "a read-only file is saved under another name";
+  session_->bench().key("Esc");
+  // The dialog lets the name be chosen; the lock does not.
+  (*session_)->save(other, {});
+  session_->settle();
+  EXPECT_EQ(name_in(other), "Other");
+  EXPECT_NE(last_notice().find("another window"), std::string::npos) << last_notice();
+
+  (*session_)->open(other);
+  session_->settle();
+  session_->click("prompt.copy");
+  EXPECT_FALSE(session_->editor().path.has_value());
+  EXPECT_EQ(session_->editor().title(), "other copy");
+}
+
+TEST_F(OpenFile, AnotherDocumentGivesTheLockBack) {
+  EXPECT_EQ(FileLock::try_lock(lock_path_of(file_), 0).outcome, FileLock::Attempt::Outcome::taken);
+  session_->editor().open({}, {});
+  session_->settle();
+  EXPECT_EQ(FileLock::try_lock(lock_path_of(file_), 0).outcome, FileLock::Attempt::Outcome::acquired);
+}
+
+/// Work of a session that was killed: what `session` holds is written, and the session is gone.
+void kill_with_work(std::optional<Session>& session) {
+  (*session)->update();
+  (*session)->write_autosave();
+  session.reset();
+}
+
+class Recovery : public OpenFile {
+ protected:
+  void start_again() {
+    session_.emplace(folder_.path());
+    pictures_.emplace(session_->bench().renderer(), work_, folder_.path() / "cache");
+    (*session_)->find_offers(*pictures_);
+    session_->settle();
+  }
+  const std::vector<RecoveryOffer>& offers() { return session_->bench().workbench().offers().recoveries; }
+  void TearDown() override {
+    pictures_.reset();
+    session_.reset();
+  }
+
+  Editor of_pictures_;
+  BackgroundWork work_{of_pictures_, {}};
+  std::optional<Pictures> pictures_;
+};
+
+TEST_F(Recovery, KilledWorkIsOfferedAndComesBackWithItsFile) {
+  session_->rename_object("Not saved");
+  kill_with_work(session_);
+  EXPECT_EQ(name_in(file_), "Saved");
+  start_again();
+  ASSERT_EQ(offers().size(), 1U);
+  EXPECT_EQ(offers()[0].path, file_);
+  EXPECT_FALSE(offers()[0].file_changed);
+  const auto& recent = session_->bench().workbench().offers().recent;
+  ASSERT_EQ(recent.size(), 1U);
+  EXPECT_EQ(recent[0].path, file_);
+  (*session_)->recover(offers()[0].id);
+  session_->settle();
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Not saved");
+  EXPECT_EQ(session_->editor().path, file_);
+  EXPECT_TRUE(session_->editor().history.dirty());
+  EXPECT_EQ(name_in(file_), "Saved") << "recovering wrote the file";
+  EXPECT_TRUE(offers().empty());
+  // Killed again before it was saved: still there.
+  kill_with_work(session_);
+  start_again();
+  ASSERT_EQ(offers().size(), 1U);
+  (*session_)->recover(offers()[0].id);
+  session_->settle();
+  save();
+  EXPECT_EQ(name_in(file_), "Not saved");
+  (*session_)->end();
+  start_again();
+  EXPECT_TRUE(offers().empty()) << "saved work is offered again";
+}
+
+TEST_F(Recovery, WorkThatWasNeverSavedComesBackWithoutAFile) {
+  session_->editor().open(box("Never saved"), {});
+  session_->rename_object("Still never saved");
+  kill_with_work(session_);
+  start_again();
+  ASSERT_EQ(offers().size(), 1U);
+  EXPECT_TRUE(offers()[0].path.empty());
+  (*session_)->recover(offers()[0].id);
+  session_->settle();
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Still never saved");
+  EXPECT_FALSE(session_->editor().path.has_value());
+}
+
+TEST_F(Recovery, AutosaveFollowsTheChangeWithoutBeingAsked) {
+  session_->rename_object("Changed");
+  EXPECT_EQ((*session_)->due_in(), -1) << "the first change is written at once";
+  session_->settle();
+  EXPECT_TRUE(session_->happened("autosaved"));
+  session_->rename_object("Changed again");
+  const double due = (*session_)->due_in();
+  EXPECT_GT(due, 0);
+  EXPECT_LE(due, 25) << "30 seconds are promised";
+  session_->editor().now += 30;
+  (*session_)->update();
+  session_->settle();
+  session_.reset();
+  start_again();
+  ASSERT_EQ(offers().size(), 1U);
+  (*session_)->recover(offers()[0].id);
+  session_->settle();
+  EXPECT_EQ(session_->editor().document().objects[0]->name, "Changed again");
+}
+
+TEST_F(Recovery, ALivingWindowsWorkIsNotOffered) {
+  session_->rename_object("Changed");
+  (*session_)->write_autosave();
+  const RecoveryStore store(folder_.path() / "state" / "recovery");
+  EXPECT_TRUE(store.leftovers(0).empty());
+  (*session_)->end();
+  session_.reset();
+  EXPECT_TRUE(store.leftovers(0).empty()) << "what was discarded at the end is kept";
+}
+
+TEST_F(Recovery, DiscardingAsksByNameAndRemovesTheWork) {
+  session_->rename_object("Not saved");
+  kill_with_work(session_);
+  start_again();
+  ASSERT_EQ(offers().size(), 1U);
+  const std::string id = offers()[0].id;
+  const RecoveryStore store(folder_.path() / "state" / "recovery");
+  (*session_)->discard_recovery(id);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.discard_recovery"));
+  const Prompt::Request* question = session_->bench().workbench().question();
+  ASSERT_NE(question, nullptr);
+  EXPECT_NE(question->text.find("model.hariko"), std::string::npos) << question->text;
+  session_->bench().key("Esc");
+  session_->settle();
+  EXPECT_EQ(store.leftovers(0).size(), 1U) << "Esc discarded the work";
+  (*session_)->discard_recovery(id);
+  session_->settle();
+  session_->click("prompt.discard_recovery");
+  EXPECT_TRUE(store.leftovers(0).empty());
+  EXPECT_TRUE(offers().empty());
+}
+
+/// A cube of which two faces are turned and one edge has a third face.
+std::string broken_obj() {
+  return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 2 0 2\nv 2 1 2\n"
+         "f 1 4 3 2\nf 5 8 7 6\nf 1 2 6 5\nf 7 3 2 6\nf 3 4 8 7\nf 4 1 5 8\nf 6 7 10 9\n";
+}
+
+TEST_F(OpenFile, ABrokenMeshIsRepairedKeptAsFacetsOrLeft) {
+  const auto mesh = folder_.path() / "broken.obj";
+  test::spill(mesh, broken_obj());
+  (*session_)->open(mesh);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.repair"));
+  const std::string text = session_->bench().workbench().question()->text;
+  EXPECT_NE(text.find("broken.obj"), std::string::npos) << text;
+  EXPECT_NE(text.find("edge "), std::string::npos) << "no element is named: " << text;
+  session_->click("prompt.cancel");
+  EXPECT_EQ(session_->editor().path, file_) << "Cancel opened something";
+
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->click("prompt.reference");
+  ASSERT_TRUE(session_->editor().document().objects[0]->mesh());
+  EXPECT_EQ(session_->editor().document().objects[0]->mesh()->mesh->face_count(), 7U);
+
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->click("prompt.repair");
+  const PolyhedronSource* source = session_->editor().document().objects[0]->polyhedron();
+  ASSERT_NE(source, nullptr);
+  EXPECT_EQ(source->polyhedron.face_count(), 7);
+  EXPECT_FALSE(session_->editor().path.has_value());
+  EXPECT_NE(last_notice().find("turned"), std::string::npos) << last_notice();
+}
+
+TEST_F(OpenFile, AMeshOfWhichNothingIsLeftSaysSo) {
+  const auto mesh = folder_.path() / "empty.obj";
+  test::spill(mesh, "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\nf 1 1 2\n");
+  (*session_)->open(mesh);
+  session_->settle();
+  EXPECT_FALSE(session_->shows("prompt.repair"));
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,93 @@
+#include "ui/panels/picture_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "render/picture.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr float label_width = 96;
+
+void label(const Language& tr, const Metrics& metrics, const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(tr(text));
+  ImGui::SameLine(metrics.px(label_width));
+}
+
+void check(const Language& tr, Marks& marks, const char* id, const char* text, const char* help,
+           bool& value) {
+  ImGui::Checkbox((std::string(tr(text)) + "##" + id).c_str(), &value);
+  marks.item(std::string("picture.") + id);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(help));
+}
+
+void whole_number(Marks& marks, const Metrics& metrics, const char* id, int& value, int most) {
+  ImGui::SetNextItemWidth(metrics.px(72));
+  if (ImGui::InputInt((std::string("##") + id).c_str(), &value, 0)) value = std::clamp(value, 1, most);
+  marks.item(std::string("picture.") + id);
+}
+
+std::string text_of(PixelSize size) {
+  return std::to_string(size.width) + " \u00d7 " + std::to_string(size.height);
+}
+
+void size_row(const Language& tr, PixelSize view, Marks& marks, const Metrics& metrics,
+              PictureSettings& settings) {
+  using Size = PictureSettings::Size;
+  const std::array names{fill(tr("As the view, {0}"), {text_of(view)}), std::string("1920 \u00d7 1080"),
+                         std::string("3840 \u00d7 2160 (4K)"), std::string(tr("Custom"))};
+  label(tr, metrics, translatable("Size"));
+  ImGui::SetNextItemWidth(metrics.px(220));
+  const bool open = ImGui::BeginCombo("##size", names[static_cast<std::size_t>(settings.size)].c_str());
+  marks.item("picture.size");
+  if (open) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (ImGui::Selectable(names[i].c_str(), settings.size == static_cast<Size>(i)))
+        settings.size = static_cast<Size>(i);
+      marks.item("picture.size." + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  if (settings.size != Size::custom) return;
+  ImGui::SameLine();
+  whole_number(marks, metrics, "width", settings.custom.width, max_picture_side);
+  ImGui::SameLine();
+  ImGui::TextUnformatted("\u00d7");
+  ImGui::SameLine();
+  whole_number(marks, metrics, "height", settings.custom.height, max_picture_side);
+}
+
+}  // namespace
+
+int picture_option_rows(bool turntable) {
+  return turntable ? 3 : 2;
+}
+
+void draw_picture_options(const Editor& editor, Marks& marks, const Metrics& metrics,
+                          PictureSettings& settings, bool turntable) {
+  const Language& tr = editor.language;
+  size_row(tr, editor.viewport, marks, metrics, settings);
+  label(tr, metrics, translatable("Show"));
+  check(tr, marks, "transparent", translatable("transparent background"),
+        translatable("Only the model is drawn; what lies behind shows through."), settings.transparent);
+  ImGui::SameLine();
+  check(tr, marks, "grid", translatable("grid"), translatable("Where the view shows it."), settings.grid);
+  ImGui::SameLine();
+  check(tr, marks, "selection", translatable("selection"), translatable("The marks of what is selected."),
+        settings.selection);
+  ImGui::SameLine();
+  check(tr, marks, "legend", translatable("legend"),
+        translatable("The scale of the map of the chosen object, where one shows."), settings.legend);
+  if (!turntable) return;
+  label(tr, metrics, translatable("Pictures"));
+  whole_number(marks, metrics, "count", settings.turntable_pictures, most_turntable_pictures);
+  ImGui::SameLine();
+  check(tr, marks, "fit", translatable("whole model in every picture"),
+        translatable("Moves the camera back as far as the model needs while it turns."), settings.fit);
+}
+
+}  // namespace hariko

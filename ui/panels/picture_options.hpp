@@ -1,0 +1,16 @@
+#pragma once
+
+// What an exported picture shows and how large it is, as rows in the file dialog.
+
+#include "ui/panels/panels.hpp"
+#include "ui/picture_order.hpp"
+
+namespace hariko {
+
+/// Rows below the cursor; `turntable` adds those of a series. Changes the settings.
+void draw_picture_options(const Editor& editor, Marks& marks, const Metrics& metrics,
+                          PictureSettings& settings, bool turntable);
+/// How many rows these are.
+int picture_option_rows(bool turntable);
+
+}  // namespace hariko

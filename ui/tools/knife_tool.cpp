@@ -1,0 +1,291 @@
+#include "ui/tools/knife_tool.hpp"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/modeling/cut_between.hpp"
+#include "core/modeling/edit_modeling.hpp"
+#include "ui/operations.hpp"
+#include "ui/tools/overlay_drawing.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double vertex_radius = 11, edge_radius = 14, point_radius = 10;  // design pixels
+constexpr double least_share = 1e-3;  ///< nearer to an end the end is meant
+
+/// A place where a point can be put.
+struct Place {
+  enum class Kind { vertex, edge, middle, point };
+  Kind kind = Kind::vertex;
+  CutPoint point;
+};
+
+bool same(const CutPoint& a, const CutPoint& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* vertex = std::get_if<VertexId>(&a)) return *vertex == std::get<VertexId>(b);
+  const auto &p = std::get<EdgePoint>(a), &q = std::get<EdgePoint>(b);
+  return p.edge == q.edge && p.share == q.share;
+}
+
+class KnifeTool final : public Tool {
+ public:
+  bool modal() const override { return true; }
+
+  void begin(ToolContext& context, const PointerEvent& press) override {
+    pointer_ = press.pixel;
+    look(context, press.control);
+  }
+
+  ToolState update(ToolContext& context, const PointerEvent& event) override {
+    pointer_ = event.pixel;
+    if (event.kind == PointerEvent::Kind::release) return ToolState::stay;
+    look(context, event.control);
+    if (event.kind == PointerEvent::Kind::press) put(context);
+    return ToolState::stay;
+  }
+
+  std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
+    const KeyChord& chord = press.chord;
+    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER || chord.key == GLFW_KEY_SPACE)
+      return confirm(context);
+    if (chord.key == GLFW_KEY_BACKSPACE) {
+      if (!legs_.empty()) legs_.pop_back();
+      look(context, false);
+      return ToolState::stay;
+    }
+    if (chord.control || chord.alt || press.text == 0) return std::nullopt;
+    return ToolState::stay;
+  }
+
+  void cancel(ToolContext&) override {}
+
+  void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
+    if (const Object* object = cut_object(context)) {
+      const std::vector<CutPoint> cut = path();
+      draw_line(context, overlay, *object, cut, true);
+      if (place_ && !legs_.empty() && error_.empty()) {
+        std::vector<CutPoint> next{cut.back()};
+        next.insert(next.end(), ahead_.begin(), ahead_.end());
+        draw_line(context, overlay, *object, next, false);
+      } else if (!legs_.empty()) {
+        if (const auto from = pixel_of(context, *object, cut.back()))
+          draw_dashed_line(overlay, *from, pointer_, error_.empty() ? palette().hot : palette().warning);
+      }
+      if (place_) draw_place(context, overlay, *object);
+    }
+    const Language& tr = context.editor.language;
+    draw_value_label(overlay, pointer_, error_.empty() ? value_text(tr) : error_, !error_.empty());
+  }
+
+  std::string hint(const Language& tr) const override {
+    return value_text(tr) + "   |   " +
+           tr("Click vertices and edges   Ctrl: middle of the edge   Backspace: last point   Enter cuts   "
+              "Esc "
+              "cancels");
+  }
+
+ private:
+  /// What one click added: the points that the line passes, and its end.
+  using Leg = std::vector<CutPoint>;
+
+  const Object* cut_object(const ToolContext& context) const {
+    const Object* object = context.editor.document().find(object_);
+    return object && object->polyhedron() ? object : nullptr;
+  }
+
+  std::vector<CutPoint> path() const {
+    std::vector<CutPoint> out;
+    for (const Leg& leg : legs_) out.insert(out.end(), leg.begin(), leg.end());
+    return out;
+  }
+
+  static Vector3 world(const Object& object, const CutPoint& point) {
+    const PolyhedronSource& source = *object.polyhedron();
+    return object.transform.apply(source.origin + position_of(source.polyhedron, point));
+  }
+
+  static std::optional<Vector2> pixel_of(const ToolContext& context, const Object& object,
+                                         const CutPoint& point) {
+    const auto at = context.projector().project(world(object, point));
+    return at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;
+  }
+
+  /// Finds the place under the pointer and the way to it, or why there is none.
+  void look(const ToolContext& context, bool middles) {
+    place_.reset();
+    ahead_.clear();
+    error_.clear();
+    PickOptions options;
+    options.vertex_radius = middles ? 0 : vertex_radius;
+    options.edge_radius = edge_radius;
+    options.faces = options.use_surface = false;
+    options.vertices = !middles;
+    options.visible_only = !context.editor.view.x_ray && !context.editor.selecting.through;
+    for (const PickHit& hit : pick_all(context.scene.scene(), context.projector(), pointer_, options)) {
+      const ObjectId id = context.scene.object_id(hit.object);
+      const Object* object = context.editor.document().find(id);
+      if (!object || !object->polyhedron() || (!legs_.empty() && id != object_)) continue;
+      object_ = id;
+      place_ = place_of(context, *object, hit, middles);
+      break;
+    }
+    if (place_ && !legs_.empty()) look_ahead(context);
+  }
+
+  Place place_of(const ToolContext& context, const Object& object, const PickHit& hit, bool middles) const {
+    if (hit.kind == Element::Kind::vertex)
+      return {Place::Kind::vertex, VertexId{static_cast<std::uint32_t>(hit.element.id)}};
+    const EdgeId edge = EdgeId::from_packed(hit.element.id);
+    if (middles) return {Place::Kind::middle, EdgePoint{edge, 0.5}};
+    // A point of the path attracts: so a cut can be closed.
+    for (const CutPoint& point : path()) {
+      const auto* on = std::get_if<EdgePoint>(&point);
+      if (!on || on->edge != edge) continue;
+      const auto at = pixel_of(context, object, point);
+      if (at && (*at - pointer_).norm() < point_radius * context.editor.pixel_scale)
+        return {Place::Kind::point, point};
+    }
+    const Vector3 low = world(object, edge.low), high = world(object, edge.high);
+    const double share = (hit.point - low).dot(high - low) / (high - low).squaredNorm();
+    if (!(share > least_share)) return {Place::Kind::vertex, edge.low};
+    if (share > 1 - least_share) return {Place::Kind::vertex, edge.high};
+    return {Place::Kind::edge, EdgePoint{edge, share}};
+  }
+
+  /// The line from the last point to the place, as it runs over the faces where it is seen.
+  void look_ahead(const ToolContext& context) {
+    const Object& object = *cut_object(context);
+    const CutPoint from = legs_.back().back();
+    if (same(from, place_->point)) return;
+    const Camera camera = context.editor.camera();
+    const Vector3 a = world(object, from), b = world(object, place_->point);
+    const Vector3 normal =
+        camera.orthographic ? camera.forward().cross(b - a) : (a - camera.eye()).cross(b - camera.eye());
+    auto between = cut_between(object.polyhedron()->polyhedron, from, place_->point,
+                               object.transform.rotation.conjugate() * normal);
+    if (!between) {
+      error_ = context.editor.language.text_of(between.error());
+      return;
+    }
+    ahead_ = std::move(between).value();
+    ahead_.push_back(place_->point);
+  }
+
+  void put(const ToolContext& context) {
+    if (!place_) {
+      error_ = context.editor.language("Click a vertex or an edge.");
+      return;
+    }
+    if (!error_.empty()) return;
+    if (legs_.empty()) {
+      legs_.push_back({place_->point});
+      return;
+    }
+    if (ahead_.empty()) return;  // the last point once more
+    std::vector<CutPoint> longer = path();
+    longer.insert(longer.end(), ahead_.begin(), ahead_.end());
+    const auto done = cut(context, longer);
+    if (!done) {
+      error_ = context.editor.language.text_of(done.error());
+      return;
+    }
+    legs_.push_back(ahead_);
+    ahead_.clear();
+  }
+
+  Result<ModeledDocument> cut(const ToolContext& context, const std::vector<CutPoint>& along) const {
+    return edit_polyhedron(context.editor.history.current(), object_,
+                           [&](const PolyhedronSource& source) { return cut_path(source, along); });
+  }
+
+  ToolState confirm(ToolContext& context) {
+    Editor& editor = context.editor;
+    const auto done = cut(context, path());
+    if (!done) {
+      error_ = editor.language.text_of(done.error());
+      return ToolState::stay;
+    }
+    if (!editor.commit(done->document, translatable("Knife"))) return ToolState::cancel;
+    select_result(editor, object_, done->selection);
+    return ToolState::commit;
+  }
+
+  void draw_line(const ToolContext& context, const ToolOverlay& overlay, const Object& object,
+                 const std::vector<CutPoint>& points, bool made) const {
+    std::optional<Vector2> last;
+    const float half = overlay.metrics.px(3);
+    for (const CutPoint& point : points) {
+      const auto at = pixel_of(context, object, point);
+      if (at && last)
+        overlay.list.AddLine(on_screen(overlay, *last), on_screen(overlay, *at), palette().hot,
+                             overlay.metrics.px(made ? 2.0F : 1.4F));
+      last = at;
+    }
+    for (const CutPoint& point : points)
+      if (const auto at = pixel_of(context, object, point)) {
+        const ImVec2 p = on_screen(overlay, *at);
+        if (made)
+          overlay.list.AddRectFilled({p.x - half, p.y - half}, {p.x + half, p.y + half}, palette().hot);
+        else
+          overlay.list.AddCircleFilled(p, overlay.metrics.px(2.5F), palette().hot);
+      }
+  }
+
+  /// What the point would snap to: a square round vertices and points, a triangle on middles, a circle else.
+  void draw_place(const ToolContext& context, const ToolOverlay& overlay, const Object& object) const {
+    const auto at = pixel_of(context, object, place_->point);
+    if (!at) return;
+    const ImVec2 p = on_screen(overlay, *at);
+    const float r = overlay.metrics.px(7), thick = overlay.metrics.px(1.8F);
+    const ImU32 colour = error_.empty() ? palette().text : palette().warning;
+    const auto mark = [&](ImU32 in, float width) {
+      if (place_->kind == Place::Kind::middle)
+        overlay.list.AddTriangle({p.x, p.y - r}, {p.x + r, p.y + 0.75F * r}, {p.x - r, p.y + 0.75F * r}, in,
+                                 width);
+      else if (place_->kind == Place::Kind::edge)
+        overlay.list.AddCircle(p, r, in, 0, width);
+      else
+        overlay.list.AddRect({p.x - r, p.y - r}, {p.x + r, p.y + r}, in, 0, 0, width);
+    };
+    mark(with_alpha(palette().window, 0.8F), 2.2F * thick);
+    mark(colour, thick);
+  }
+
+  std::string value_text(const Language& tr) const {
+    std::string text = tr("Knife");
+    if (!legs_.empty())
+      text += "  " + fill(tr(legs_.size() == 1 ? "{0} point" : "{0} points"), {std::to_string(legs_.size())});
+    if (!place_) return text;
+    switch (place_->kind) {
+      case Place::Kind::vertex:
+        return text + "   " + tr("Vertex");
+      case Place::Kind::middle:
+        return text + "   " + tr("Middle");
+      case Place::Kind::point:
+        return text + "   " + tr("On the cut");
+      case Place::Kind::edge:
+        return text + "   " + fixed_text(100 * std::get<EdgePoint>(place_->point).share, 0) + " %";
+    }
+    return text;
+  }
+
+  Vector2 pointer_ = Vector2::Zero();
+  ObjectId object_;        ///< the one that is cut, or was pointed at last
+  std::vector<Leg> legs_;  ///< one for every click
+  std::optional<Place> place_;
+  std::vector<CutPoint> ahead_;  ///< from the last point to the place, without the former
+  std::string error_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_knife_tool() {
+  return std::make_unique<KnifeTool>();
+}
+
+}  // namespace hariko
