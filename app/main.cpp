@@ -6,6 +6,7 @@
 
 #include "app/application.hpp"
 #include "app/commands/run_command.hpp"
+#include "app/crash_report.hpp"
 
 namespace {
 
@@ -22,6 +23,9 @@ bool asks_for_window(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifndef __SANITIZE_ADDRESS__  // whose own report says more
+  hariko::report_crashes();
+#endif
   if (!asks_for_window(argc, argv))
     if (const auto exit_code = hariko::run_command(argc, argv)) return *exit_code;
   hariko::WindowOptions options;

@@ -115,9 +115,10 @@ def frame_times(program, folder, output):
             before = window.count("document")
             window.press()
             window.move(at[0] + 12, at[1] - 10)
-            time.sleep(0.2)
-            window.read()
-            found = window.count("document") > before and window.last("document")["gesture"]
+            patience = time.monotonic() + 1  # a frame may take long; where there is no vertex nothing comes
+            while not found and time.monotonic() < patience:
+                time.sleep(0.05)
+                found = window.count("document") > before and window.last("document")["gesture"]
             if found:
                 break
             window.release()
