@@ -71,13 +71,19 @@ bool is_straight(double angle) {
   return angle > pi - 1e-9;
 }
 
-FaceChart::FaceChart(std::vector<double> angles) : angles_(std::move(angles)) {
+FaceChart::FaceChart(std::vector<double> angles, const std::vector<int>& joined)
+    : angles_(std::move(angles)) {
   const int n = sides();
   HARIKO_ASSERT(n >= 3, "a face has three sides or more");
   radius_ = 1 / (2 * std::sin(pi / n));
   apothem_ = 1 / (2 * std::tan(pi / n));
   reach_ = n == 3 ? 1.0 : std::min(1.0, 0.9 / apothem_);
   degree_ = centre_degree(n);
+  departure_.assign(static_cast<std::size_t>(n), -1);
+  for (const int side : joined) {
+    departure_[std::size_t(side)] = first_departure_control() + departure_count_;
+    departure_count_ += side_departure_count;
+  }
   for (int j = 0; j < n; ++j) {
     const double turn = 2 * pi * j / n, middle = 2 * pi * (j + 0.5) / n;
     vertices_.emplace_back(radius_ * std::cos(turn), radius_ * std::sin(turn));
@@ -104,7 +110,10 @@ FaceChart::FaceChart(std::vector<double> angles) : angles_(std::move(angles)) {
         active.push_back(corner_control_count * c + i);
     for (const int m : near)
       for (int i = 0; i < side_control_count; ++i) active.push_back(side_control(m, SideControl(i)));
-    for (int i = first_centre_control(); i < control_count(); ++i) active.push_back(i);
+    for (int i = first_centre_control(); i < first_departure_control(); ++i) active.push_back(i);
+    for (const int m : near)
+      for (int i = 0; this->joined(m) && i < side_departure_count; ++i)
+        active.push_back(departure_control(m, SideDeparture(i)));
     near_sides_.push_back(std::move(near));
     active_.push_back(std::move(active));
   }
@@ -208,6 +217,14 @@ void FaceChart::add_ribbon(int side, const Vector2& point, const Jet2& weight, S
   own(side_e1_odd) = f1[5];
   own(side_e2) = f2[2];
   own(side_e2_odd) = f2[3];
+  if (!joined(side)) return;
+  const auto departs = [&](SideDeparture which) -> Jet2& {
+    return all[std::size_t(departure_control(side, which))];
+  };
+  departs(departs_curve_a) = f0[2];
+  departs(departs_cross_a) = f1[1];
+  departs(departs_curve_b) = f0[5];
+  departs(departs_cross_b) = f1[3];
 }
 
 void FaceChart::add_centre(const Vector2& point, const Jet2& weight, std::vector<Jet2>& all) const {

@@ -21,15 +21,20 @@ inline constexpr int corner_control_count = 6;
 /// and of the second cross derivative.
 enum SideControl { side_e0, side_e1, side_e1_odd, side_e2, side_e2_odd };
 inline constexpr int side_control_count = 5;
+/// By how much the ribbon of a joined side departs from the quadratics of its corners: second derivative of
+/// its curve and derivative of its cross derivative at both ends, along the side.
+enum SideDeparture { departs_curve_a, departs_cross_a, departs_curve_b, departs_cross_b };
+inline constexpr int side_departure_count = 4;
 
 /// Shared by all faces with the same corner angles. Controls are numbered: six a corner, five a side, then
-/// the coefficients of the centre's polynomial in (x, y) / circumradius by ascending degree. All in the
-/// face's own numbering of corners, which begins at the rotation that makes equal faces equal.
+/// the coefficients of the centre's polynomial in (x, y) / circumradius by ascending degree, then the
+/// departures of joined sides. All in the face's own numbering of corners, which begins at the rotation that
+/// makes equal faces equal.
 class FaceChart {
  public:
   /// `angles`: angular step of the sector at each corner, in (0, pi]; pi means a straight corner, whose
-  /// second tangent is free.
-  explicit FaceChart(std::vector<double> angles);
+  /// second tangent is free. `joined`: sides whose ribbons may depart from the corners, ascending.
+  explicit FaceChart(std::vector<double> angles, const std::vector<int>& joined = {});
 
   int sides() const { return static_cast<int>(angles_.size()); }
   double angle(int corner) const { return angles_[static_cast<std::size_t>(corner)]; }
@@ -43,7 +48,13 @@ class FaceChart {
   }
   int first_centre_control() const { return (corner_control_count + side_control_count) * sides(); }
   int centre_control_count() const { return (degree_ + 1) * (degree_ + 2) / 2; }
-  int control_count() const { return first_centre_control() + centre_control_count(); }
+  int first_departure_control() const { return first_centre_control() + centre_control_count(); }
+  bool joined(int side) const { return departure_[static_cast<std::size_t>(side)] >= 0; }
+  /// Joined sides only.
+  int departure_control(int side, SideDeparture which) const {
+    return departure_[static_cast<std::size_t>(side)] + which;
+  }
+  int control_count() const { return first_departure_control() + departure_count_; }
 
   /// Controls, ascending, that the triangle (centre, vertex(side), vertex(side + 1)) depends on.
   std::span<const int> active_controls(int side) const { return active_[static_cast<std::size_t>(side)]; }
@@ -82,6 +93,8 @@ class FaceChart {
 
   std::vector<double> angles_, cosine_, sine_;
   std::vector<bool> straight_;
+  std::vector<int> departure_;  ///< per side: its first departure's control, or -1
+  int departure_count_ = 0;
   std::vector<Vector2> vertices_, normals_;  ///< normals: inward, of unit length
   double radius_ = 0, apothem_ = 0, reach_ = 1;
   int degree_ = 4;

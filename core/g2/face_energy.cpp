@@ -76,7 +76,8 @@ ControlPlaces::ControlPlaces(const FaceChart& chart) {
     given.push_back(chart.corner_control(j, corner_g1));
     (chart.straight(j) ? unknown : given).push_back(chart.corner_control(j, corner_g2));
   }
-  for (int i = chart.first_centre_control(); i < chart.control_count(); ++i) centre.push_back(i);
+  for (int i = chart.first_departure_control(); i < chart.control_count(); ++i) given.push_back(i);
+  for (int i = chart.first_centre_control(); i < chart.first_departure_control(); ++i) centre.push_back(i);
 }
 
 Eigen::MatrixXd bending_matrix(const FaceChart& chart, const BendingRows& rows) {
@@ -127,8 +128,11 @@ CondensedFace condense(const ControlPlaces& places, const Eigen::MatrixXd& energ
   return {PaddedMatrix(0.5 * (uu + uu.transpose())), PaddedMatrix(ug), PaddedMatrix(centre)};
 }
 
-ChartEnergy::ChartEnergy(std::vector<double> angles)
-    : chart(std::move(angles)), places(chart), plate(plate_matrix(chart)), membrane(membrane_matrix(chart)) {
+ChartEnergy::ChartEnergy(std::vector<double> angles, const std::vector<int>& joined)
+    : chart(std::move(angles), joined),
+      places(chart),
+      plate(plate_matrix(chart)),
+      membrane(membrane_matrix(chart)) {
   for (int side = 0; side < chart.sides(); ++side) curve.push_back(curve_matrix(chart, side));
 }
 
@@ -146,9 +150,10 @@ Eigen::MatrixXd face_energy(const ChartEnergy& chart, const Eigen::MatrixXd& pla
   return energy;
 }
 
-std::shared_ptr<const ChartEnergy> G2Elements::chart(const std::vector<double>& angles) {
-  auto& slot = charts_[angles];
-  if (!slot) slot = std::make_shared<const ChartEnergy>(angles);
+std::shared_ptr<const ChartEnergy> G2Elements::chart(const std::vector<double>& angles,
+                                                     const std::vector<int>& joined) {
+  auto& slot = charts_[{angles, joined}];
+  if (!slot) slot = std::make_shared<const ChartEnergy>(angles, joined);
   return slot;
 }
 

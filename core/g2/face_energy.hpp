@@ -33,7 +33,8 @@ struct ChartPoint {
 std::vector<ChartPoint> chart_quadrature(const FaceChart& chart, int side);
 
 /// Places of a chart's controls in local vectors: first what is unknown (three of each corner, five of each
-/// side, then the second tangents of straight corners), then what the network gives, then the centre's.
+/// side, then the second tangents of straight corners), then what the network and joins give, then the
+/// centre's.
 struct ControlPlaces {
   std::vector<int> unknown, given, centre;
   explicit ControlPlaces(const FaceChart& chart);
@@ -66,13 +67,13 @@ struct ChartEnergy {
   Eigen::MatrixXd plate, membrane;
   std::vector<CurveMatrix> curve;  ///< per side
 
-  explicit ChartEnergy(std::vector<double> angles);
+  ChartEnergy(std::vector<double> angles, const std::vector<int>& joined);
 };
 
 /// Charts and elements by what they depend on; equal faces share them. Not thread-safe.
 class G2Elements {
  public:
-  std::shared_ptr<const ChartEnergy> chart(const std::vector<double>& angles);
+  std::shared_ptr<const ChartEnergy> chart(const std::vector<double>& angles, const std::vector<int>& joined);
   /// `tau`: membrane weight; `curve_weight`: one a side.
   std::shared_ptr<const CondensedFace> element(const std::shared_ptr<const ChartEnergy>& chart, double tau,
                                                std::span<const double> curve_weight);
@@ -80,7 +81,7 @@ class G2Elements {
   std::size_t element_count() const { return elements_.size(); }
 
  private:
-  std::map<std::vector<double>, std::shared_ptr<const ChartEnergy>> charts_;
+  std::map<std::pair<std::vector<double>, std::vector<int>>, std::shared_ptr<const ChartEnergy>> charts_;
   std::map<std::pair<const ChartEnergy*, std::vector<double>>, std::shared_ptr<const CondensedFace>>
       elements_;
 };

@@ -153,6 +153,47 @@ Vector3 G2PatchSet::corner_normal(Index patch, int corner) const {
       .stableNormalized();
 }
 
+std::array<Vector3, 4> G2PatchSet::side_cross_derivative(Index patch) const {
+  const FaceChart& chart = chart_of(patch);
+  const G2Face& controls = face(atlas_->face[patch]);
+  const int a = atlas_->side[patch], b = (a + 1) % chart.sides();
+  const auto at = [&](int corner, CornerControl which) -> const Vector3& {
+    return controls[std::size_t(chart.corner_control(corner, which))];
+  };
+  HARIKO_ASSERT(controls[std::size_t(chart.side_control(a, side_e1))].isZero(0) &&
+                    controls[std::size_t(chart.side_control(a, side_e1_odd))].isZero(0),
+                "the side's cross derivative is cubic");
+  const auto turn = [&](int corner) {
+    const double angle = chart.angle(corner);
+    return chart.straight(corner) ? Vector2(-1, 0) : Vector2(std::cos(angle), std::sin(angle));
+  };
+  const double sa = chart.straight(a) ? 1 : turn(a).y(), sb = chart.straight(b) ? 1 : turn(b).y();
+  const double c = turn(b).x(), s = turn(b).y();
+  const Vector3 value_a = sa * at(a, corner_g2), first_a = sa * at(a, corner_g12);
+  // In the frame of the edge that closes corner b, as in `FaceChart::add_ribbon`.
+  const Vector3 value_b = -sb * (c * at(b, corner_g2) - s * at(b, corner_g1));
+  const Vector3 first_b =
+      sb * ((c * c - s * s) * at(b, corner_g12) + c * s * (at(b, corner_g22) - at(b, corner_g11)));
+  return {value_a, value_a + first_a / 3, value_b - first_b / 3, value_b};
+}
+
+CornerSecondOrder G2PatchSet::second_order_at_corner(Index patch, int corner) const {
+  const FaceChart& chart = chart_of(patch);
+  if (corner == 0 || chart.control_count() == chart.first_departure_control())
+    return CornerSecondOrder::exact;
+  const int n = chart.sides(), at = (atlas_->side[patch] + corner - 1) % n, before = (at + n - 1) % n;
+  const G2Face& controls = face(atlas_->face[patch]);
+  double departure = 0, size = 0;
+  const auto add = [&](int side, SideDeparture which) {
+    departure += controls[std::size_t(chart.departure_control(side, which))].norm();
+  };
+  if (chart.joined(at)) add(at, departs_curve_a), add(at, departs_cross_a);
+  if (chart.joined(before)) add(before, departs_curve_b), add(before, departs_cross_b);
+  for (const CornerControl which : {corner_g1, corner_g2, corner_g11, corner_g12, corner_g22})
+    size += controls[std::size_t(chart.corner_control(at, which))].norm();
+  return departure <= 1e-9 * size ? CornerSecondOrder::exact : CornerSecondOrder::direction_dependent;
+}
+
 /// each(k, active, table, controls) for every patch; one look-up for patches of the same triangle in a row.
 template <class Each>
 void G2PatchSet::for_tables(std::span<const Index> patches, int density, G2Tables::Derivatives which,

@@ -3,6 +3,7 @@
 // The patches of mode G2 as a PatchSet: one a triangle (centre, vertex, next vertex) of a face, all of a face
 // drawing on the same controls.
 
+#include <array>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -71,6 +72,10 @@ class G2PatchSet final : public PatchSet {
   /// if there is none.
   Vector3 corner_normal(Index patch, int corner) const;
 
+  /// Bezier points of r1 along the patch's outer side, which must be cubic: no freedom of its own, and no
+  /// departure.
+  std::array<Vector3, 4> side_cross_derivative(Index patch) const;
+
   Domain domain() const override { return Domain::triangle; }
   Index patch_count() const override { return static_cast<Index>(atlas_->face.size()); }
   PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
@@ -78,8 +83,9 @@ class G2PatchSet final : public PatchSet {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Exact: every sector of a vertex has one quadratic form.
-  CornerSecondOrder second_order_at_corner(Index, int) const override { return CornerSecondOrder::exact; }
+  /// Exact, since every sector of a vertex has one quadratic form; but where a joined side departs from it
+  /// the second order depends on the direction.
+  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
  private:
   const FaceChart& chart_of(Index patch) const { return *atlas_->chart[atlas_->face[patch]]; }

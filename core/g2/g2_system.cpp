@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 #include "core/base/parallel.hpp"
 #include "core/g2/round_energy.hpp"
@@ -63,10 +64,13 @@ struct G2System::Region {
 };
 
 G2System::G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-                   const G2Weights& weights)
-    : mesh_(std::move(mesh)), frames_(network.frames()), unknowns_(g2_unknowns(*mesh_, frames_)) {
+                   const G2Weights& weights, const std::vector<GivenRibbon>& ribbons)
+    : mesh_(std::move(mesh)),
+      frames_(network.frames()),
+      unknowns_(g2_unknowns(*mesh_, frames_)),
+      given_(given_unknowns(*mesh_, unknowns_, ribbons)) {
   for (const CornerUnknowns& corner : unknowns_.corner) inverse_turn_.push_back(corner.turn.inverse());
-  choose_charts(network, weights);
+  choose_charts(network, weights, ribbons);
   incidence_.assign(unknowns_.count, 0);
   for (Index f = 0; f < mesh_->face_count(); ++f)
     for (int i = 0; i < unknown_slots(f); ++i) ++incidence_[slot_unknown(f, i)];
@@ -77,7 +81,8 @@ G2System::G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem
 
 G2System::~G2System() = default;
 
-void G2System::choose_charts(const NetworkSystem& network, const G2Weights& weights) {
+void G2System::choose_charts(const NetworkSystem& network, const G2Weights& weights,
+                             const std::vector<GivenRibbon>& ribbons) {
   const HalfEdgeMesh& mesh = *mesh_;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     double excess = 0, alpha = 0;
@@ -101,8 +106,10 @@ void G2System::choose_charts(const NetworkSystem& network, const G2Weights& weig
   }
   chart_half_edge_.resize(mesh.half_edge_count());
   chart_side_.resize(mesh.half_edge_count());
+  const auto is_joined = [&](Index h) { return !ribbons.empty() && ribbons[h] != GivenRibbon::none; };
   std::vector<double> angles;
-  std::vector<std::pair<double, double>> turned, best;
+  std::vector<int> joined;
+  std::vector<std::tuple<double, double, bool>> turned, best;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Index n = mesh.side_count(f), first = mesh.face_begin(f);
     Index shift = 0;
@@ -110,7 +117,7 @@ void G2System::choose_charts(const NetworkSystem& network, const G2Weights& weig
       turned.clear();
       for (Index j = 0; j < n; ++j) {
         const Index h = first + (j + s) % n;
-        turned.emplace_back(frames_.step[h], curve_weight_[h]);
+        turned.emplace_back(frames_.step[h], curve_weight_[h], is_joined(h));
       }
       if (s > 0 && !(turned < best)) continue;
       best = turned;
@@ -121,8 +128,12 @@ void G2System::choose_charts(const NetworkSystem& network, const G2Weights& weig
       chart_side_[first + (j + shift) % n] = static_cast<int>(j);
     }
     angles.clear();
-    for (const auto& [angle, weight] : best) angles.push_back(angle);
-    charts_.push_back(elements_.chart(angles));
+    joined.clear();
+    for (const auto& [angle, weight, is_given] : best) {
+      if (is_given) joined.push_back(static_cast<int>(angles.size()));
+      angles.push_back(angle);
+    }
+    charts_.push_back(elements_.chart(angles, joined));
   }
   auto atlas = std::make_shared<G2Atlas>();
   for (const auto& energy : charts_) atlas->chart.emplace_back(energy, &energy->chart);
@@ -321,6 +332,12 @@ void G2System::given_controls(Index face, const Given& given, const Vector3& ori
     const double angle = of.angle(j);
     *out++ = (3 * given.network->end[mesh_->previous(h)] - std::cos(angle) * g1) / std::sin(angle);
   }
+  for (int j = 0; j < of.sides(); ++j) {
+    if (!of.joined(j)) continue;
+    const GivenSides::Side* side = given.sides ? given.sides->find(half_edge(face, j)) : nullptr;
+    for (int i = 0; i < side_departure_count; ++i)
+      *out++ = side ? side->departure[std::size_t(i)] : Vector3(Vector3::Zero());
+  }
 }
 
 G2System::Region G2System::make_region(const std::vector<Index>* active_faces) const {
@@ -342,7 +359,8 @@ G2System::Region G2System::make_region(const std::vector<Index>* active_faces) c
   region.first_slot.push_back(region.slot.size());
   std::vector<Index> own(unknowns_.count, no_index);
   for (Index i = 0; i < unknowns_.count; ++i) {
-    if (met[i] == 0 || met[i] != incidence_[i]) continue;  // not here, or shared with a face outside
+    // Not here, or shared with a face outside, or given.
+    if (met[i] == 0 || met[i] != incidence_[i] || given_[i]) continue;
     own[i] = static_cast<Index>(region.global.size());
     region.global.push_back(i);
   }
@@ -418,16 +436,30 @@ void G2System::precondition(Region& region, const Field& r, Field& z) const {
 }
 
 void G2System::right_side(Region& region, const Given& given, Field& b) const {
+  Field joined;  // given unknowns, others zero
+  if (given.sides) {
+    joined.assign(unknowns_.count, Vector3::Zero());
+    for (const auto& [unknown, value] : given.sides->unknowns) joined[unknown] = value;
+  }
   parallel_for(region.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Vector3> known;
+    std::vector<Vector3> known, fixed, load;
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = region.faces[k];
       known.resize(charts_[f]->places.given.size());
       given_controls(f, given, face_mean(f, given), known.data());
       Vector3* local = region.local.data() + region.first_slot[k];
+      const std::size_t count = region.first_slot[k + 1] - region.first_slot[k];
       hariko::multiply(element_[f]->load, known.data(), local);
+      if (given.sides) {
+        fixed.clear();
+        for (int i = 0; i < int(count); ++i) fixed.push_back(joined[slot_unknown(f, i)]);
+        turn(f, false, false, fixed.data());
+        load.resize(count);
+        hariko::multiply(element_[f]->matrix, fixed.data(), load.data());
+        for (std::size_t i = 0; i < count; ++i) local[i] += load[i];
+      }
       turn(f, false, true, local);
-      for (std::size_t i = 0; i < region.first_slot[k + 1] - region.first_slot[k]; ++i) local[i] = -local[i];
+      for (std::size_t i = 0; i < count; ++i) local[i] = -local[i];
     }
   });
   region.collect(b);
@@ -478,6 +510,8 @@ G2System::Solution G2System::solve(const Given& given, const SolveOptions& optio
   }
   solution.unknowns.assign(unknowns_.count, zero);
   for (std::size_t i = 0; i < x.size(); ++i) solution.unknowns[region.global[i]] = x[i];
+  if (given.sides)
+    for (const auto& [unknown, value] : given.sides->unknowns) solution.unknowns[unknown] = value;
   return solution;
 }
 
@@ -501,11 +535,15 @@ std::array<Vector3, 7> G2System::edge_curve(Index edge, const Given& given, cons
   };
   const Vector3 a = given.positions[mesh_->origin(h)], b = given.positions[mesh_->target(h)];
   const Vector3 ga = 3 * given.network->start[h], gb = 3 * given.network->end[h];
-  const Vector3 second_a = form(h)[0];
+  Vector3 second_a = form(h)[0];
   const auto at_b = form(following);
   const double angle = frames_.step[following];
   const double c = is_straight(angle) ? -1 : std::cos(angle), s = is_straight(angle) ? 0 : std::sin(angle);
-  const Vector3 second_b = c * c * at_b[0] + 2 * c * s * at_b[1] + s * s * at_b[2];
+  Vector3 second_b = c * c * at_b[0] + 2 * c * s * at_b[1] + s * s * at_b[2];
+  if (const GivenSides::Side* side = given.sides ? given.sides->find(h) : nullptr) {
+    second_a = side->given.second_origin;
+    second_b = side->given.second_target;
+  }
   const Vector3 five[6] = {
       a, a + ga / 5, a + 2 * ga / 5 + second_a / 20, b + 2 * gb / 5 + second_b / 20, b + gb / 5, b};
   std::array<Vector3, 7> out;

@@ -10,6 +10,7 @@
 #include "core/base/cancellation.hpp"
 #include "core/g2/face_energy.hpp"
 #include "core/g2/g2_patch_set.hpp"
+#include "core/g2/given_sides.hpp"
 #include "core/g2/unknowns.hpp"
 #include "core/network/network_system.hpp"
 #include "core/surface/patch.hpp"
@@ -25,8 +26,9 @@ inline constexpr Index largest_round_side_count = 12;
 /// inverses of overlapping blocks, one a face.
 class G2System {
  public:
+  /// `ribbons`, per half-edge: what joins give; empty when there are none.
   G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-           const G2Weights& weights = {});
+           const G2Weights& weights = {}, const std::vector<GivenRibbon>& ribbons = {});
   ~G2System();
 
   /// Measures bending over this surface instead of over the faces' charts ("round", g2.md section 8): patch h
@@ -47,11 +49,17 @@ class G2System {
     return chart_half_edge_[mesh_->face_begin(face) + static_cast<Index>(chart_side)];
   }
 
-  /// What positions and network give.
+  /// What positions, network and joins give. Without `sides` all that joins give is zero: the answer to a
+  /// displacement, which they do not feel.
   struct Given {
     std::span<const Vector3> positions;
     const Network* network = nullptr;
+    const GivenSides* sides = nullptr;
   };
+  /// The sides must be those that the system was made for.
+  GivenSides resolve(std::vector<GivenSide> sides) const {
+    return resolve_given_sides(*mesh_, frames_, unknowns_, std::move(sides));
+  }
   using Field = std::vector<Vector3>;  ///< one vector per unknown
   struct SolveOptions {
     const Field* start = nullptr;  ///< begin here instead of at zero
@@ -83,7 +91,8 @@ class G2System {
  private:
   struct Region;
 
-  void choose_charts(const NetworkSystem& network, const G2Weights& weights);
+  void choose_charts(const NetworkSystem& network, const G2Weights& weights,
+                     const std::vector<GivenRibbon>& ribbons);
   std::vector<double> curve_weights(Index face) const;
   void build_blocks();
   std::vector<std::uintptr_t> block_key(Index face) const;
@@ -104,6 +113,7 @@ class G2System {
   std::shared_ptr<const HalfEdgeMesh> mesh_;
   VertexFrames frames_;
   G2Unknowns unknowns_;
+  std::vector<bool> given_;               ///< per unknown: joins give it
   std::vector<Matrix3> inverse_turn_;     ///< per half-edge
   std::vector<std::uint32_t> incidence_;  ///< per unknown: faces that have it
   std::vector<double> share_;             ///< per unknown: 1 / sqrt(incidence)

@@ -72,6 +72,7 @@ class UnknownBuilder {
       const double step = frames_.step[corners[k]];
       CornerUnknowns& corner = out_.corner[corners[k]];
       corner.unknown = unknown;
+      corner.sector_size = static_cast<Index>(corners.size());
       if (!is_straight(step)) {
         const double angle = double(k) * step;
         corner.turn = turned(std::cos(angle), std::sin(angle)) * base;
@@ -115,6 +116,7 @@ class UnknownBuilder {
       const Index a = first + static_cast<Index>(i), b = first + static_cast<Index>((i + 1) % edges);
       const double phi = frames_.step[part(i)[0]] * double(part(i).size());
       add_sector(part(i), {a, take(1), b}, from_sharp_edges(phi));
+      for (const Index corner : part(i)) out_.corner[corner].between_sharp_edges = true;
     }
   }
 

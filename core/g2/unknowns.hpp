@@ -18,6 +18,10 @@ struct CornerUnknowns {
   /// Straight corners only: g2 = tangent_sign * x[tangent]. Elsewhere the network gives g2.
   Index tangent = no_index;
   double tangent_sign = 1;
+  /// Corner vertices: the unknowns are H(a, a), H(a, b), H(b, b) of the sharp edges a and b that bound the
+  /// sector.
+  bool between_sharp_edges = false;
+  Index sector_size = 0;  ///< corners of the sector
 };
 
 /// The five controls of a half-edge's side: control i = sign[i] * x[unknown[i]].

@@ -174,7 +174,8 @@ Result<PolyhedronSurfaceInput> ObjectSurfacer::Call::input(const Object& object,
     if (!seen) return seen.error();
     Join join;
     join.half_edge = mesh.half_edge_of_edge(h);
-    join.continuity = patch_follows(attachment) ? Continuity::g0 : attachment.continuity;
+    join.patch_follows = patch_follows(attachment);
+    join.continuity = join.patch_follows ? Continuity::g0 : attachment.continuity;
     // The whole of a mirrored polyhedron has its own origin.
     const Vector3 shift = source.origin - made.origin;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -228,15 +229,13 @@ Result<ObjectSurfacer::Adapted> ObjectSurfacer::Call::adapted(const Object& patc
         continue;
       const Index e = polyhedron.find(edge);
       if (e == no_index || !polyhedron.topology().is_border_edge(e)) continue;
-      const QuarticPatchSet* quartic =
-          beyond && *beyond ? dynamic_cast<const QuarticPatchSet*>(&(*beyond)->surface.patches()) : nullptr;
-      if (!patch_follows(attachment) || !quartic) {
+      if (!patch_follows(attachment) || !beyond || !*beyond) {
         held.push_back(attachment.side);
         continue;
       }
       const Polyhedron& whole = (*beyond)->made_from->polyhedron;
       const Index h = whole.topology().half_edge_of_edge(whole.find(edge));
-      CrossRow row = cross_row(quartic->patch(h), attachment.reversed);
+      CrossRow row = cross_row((*beyond)->surface.patches(), h, attachment.reversed);
       for (Vector3& vector : row) vector = place.linear * vector;
       sides.push_back({attachment.side, row});
       owners.emplace_back(object, edge);

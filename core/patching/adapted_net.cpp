@@ -202,6 +202,17 @@ CrossRow cross_row(const QuarticPatch& patch, bool reversed) {
   return {d[d040] - d[d130], d[d031] - d[d121u], d[d022] - d[d112u], d[d013] - d[d103]};
 }
 
+CrossRow cross_row(const PatchSet& patches, Index patch, bool reversed) {
+  if (const auto* quartic = dynamic_cast<const QuarticPatchSet*>(&patches))
+    return cross_row(quartic->patch(patch), reversed);
+  const auto* g2 = dynamic_cast<const G2PatchSet*>(&patches);
+  HARIKO_ASSERT(g2, "patches of a polyhedron's surface");
+  CrossRow row = g2->side_cross_derivative(patch);
+  for (Vector3& vector : row) vector *= -0.25;
+  if (reversed) std::reverse(row.begin(), row.end());
+  return row;
+}
+
 AdaptedNet adapted_net(const BicubicNet& net, const std::vector<AdaptingSide>& sides,
                        const std::vector<NetSide>& held) {
   AdaptedNet out{net, {}};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/message.hpp"
+#include "core/g2/g2_patch_set.hpp"
 #include "core/patching/quartic_patch.hpp"
 #include "core/surface/bicubic_patch.hpp"
 
@@ -17,6 +18,9 @@ inline constexpr Code w_join_refused{"W_JOIN_REFUSED"};
 /// D(i,4-i,0) - D(i,3-i,1), i = 0 .. 3, along a patch's side, from its end to its start if `reversed`.
 using CrossRow = std::array<Vector3, 4>;
 CrossRow cross_row(const QuarticPatch& patch, bool reversed = false);
+/// Along the outer side of a patch of a polyhedron's surface, whatever its mode. In mode G2 the quarter of
+/// the ribbon's cross derivative, which must be cubic (`Join::patch_follows`), outwards.
+CrossRow cross_row(const PatchSet& patches, Index patch, bool reversed = false);
 
 /// A side whose row adapts. `row`: of the surface beyond it, in the side's own direction and the net's space.
 struct AdaptingSide {

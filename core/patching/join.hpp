@@ -18,7 +18,6 @@ inline constexpr Code e_join_corner{"E_JOIN_CORNER"};
 inline constexpr Code e_join_angle{"E_JOIN_ANGLE"};
 inline constexpr Code e_join_twist{"E_JOIN_TWIST"};
 inline constexpr Code e_join_pinned{"E_JOIN_PINNED"};
-inline constexpr Code e_join_mode{"E_JOIN_MODE"};
 inline constexpr Code w_join_scale{"W_JOIN_SCALE"};
 
 /// Control points P(i, 0) and P(i, 1) of the bicubic patch, from the half-edge's origin to its target,
@@ -27,6 +26,9 @@ struct Join {
   Index half_edge = no_index;  ///< on the border
   Continuity continuity = Continuity::g1;
   std::array<Vector3, 4> curve, row;
+  /// With G0: the patch's row will follow the surface. Mode G2 then keeps the cross derivative cubic along
+  /// the edge, since a bicubic patch has no other.
+  bool patch_follows = false;
   friend bool operator==(const Join&, const Join&) = default;
 };
 

@@ -191,7 +191,7 @@ std::vector<bool> JoinPlan::smooth_sides() const {
 
 bool JoinPlan::same_structure(const JoinPlan& other) const {
   const auto same = [](const Join& a, const Join& b) {
-    return a.half_edge == b.half_edge && a.continuity == b.continuity;
+    return a.half_edge == b.half_edge && a.continuity == b.continuity && a.patch_follows == b.patch_follows;
   };
   return std::equal(joins_.begin(), joins_.end(), other.joins_.begin(), other.joins_.end(), same) &&
          requests_ == other.requests_;

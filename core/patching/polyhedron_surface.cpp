@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/patching/drag_response.hpp"
+#include "core/patching/g2_joins.hpp"
 #include "core/patching/g2_surface.hpp"
 #include "core/patching/surface_parts.hpp"
 #include "core/patching/surface_system.hpp"
@@ -138,8 +139,8 @@ struct PolyhedronSurfacer::State {
                                                 const FairSystem::SolveOptions& options,
                                                 const CancelToken& cancel, SolveReport& report);
   std::shared_ptr<const G2PatchSet> solve_g2(const std::vector<Vector3>& positions, const Network& network,
-                                             bool round, Quality quality, const CancelToken& cancel,
-                                             SolveReport& report);
+                                             const JoinPlan::Solution& joined, bool round, Quality quality,
+                                             const CancelToken& cancel, SolveReport& report);
   Result<PolyhedronSurface> solve(const PolyhedronSurfaceInput& input, Quality quality,
                                   const CancelToken& cancel);
 };
@@ -176,11 +177,6 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   }
   if (input.mode == Mode::fair || input.mode == Mode::g2)
     if (auto failed = check_sides(input.polyhedron, input.mode)) return failed;
-  if (input.mode == Mode::g2 && !joins.empty())
-    return make_error(
-        e_join_mode, "Mode G2 cannot take the sides of patches.", "Use mode FAIR, or detach the patches.",
-        element_of(
-            input.polyhedron.edge_id(input.polyhedron.topology().edge(joins.joins().front().half_edge))));
   auto network = NetworkSystem::assemble(input.polyhedron, input.shaping, joins.requests());
   if (!network) return network.error();
   shaping = input.shaping;
@@ -189,7 +185,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
       SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
   system->constants = patch_constants(*mesh, system->network.frames());
   if (input.mode == Mode::fair) make_fair();
-  if (input.mode == Mode::g2) system->g2 = std::make_unique<G2System>(mesh, system->network);
+  if (input.mode == Mode::g2)
+    system->g2 = std::make_unique<G2System>(mesh, system->network, G2Weights{}, given_ribbons(joins));
   parts = polyhedron_surface_parts(input.polyhedron, system->network.frames(), aliases.get(),
                                    input.mode == Mode::g2 ? Continuity::g2 : Continuity::g1);
   return std::nullopt;
@@ -298,15 +295,13 @@ Result<NetworkSystem::Solution> PolyhedronSurfacer::State::solve_network(std::sp
 }
 
 /// Patches of mode G2 over a solved network; nothing when cancelled.
-std::shared_ptr<const G2PatchSet> PolyhedronSurfacer::State::solve_g2(const std::vector<Vector3>& positions,
-                                                                      const Network& network, bool round,
-                                                                      Quality quality,
-                                                                      const CancelToken& cancel,
-                                                                      SolveReport& report) {
+std::shared_ptr<const G2PatchSet> PolyhedronSurfacer::State::solve_g2(
+    const std::vector<Vector3>& positions, const Network& network, const JoinPlan::Solution& joined,
+    bool round, Quality quality, const CancelToken& cancel, SolveReport& report) {
   if (quality == Quality::final) {
     if (round) {
       make_fair();
-      auto reference = fair_patches(positions, network, {}, {}, cancel, report);
+      auto reference = fair_patches(positions, network, joined.geometry, {}, cancel, report);
       if (!reference) return nullptr;
       system->g2->bend_over(QuarticPatchSet(std::move(*reference), tables));
     } else {
@@ -318,7 +313,11 @@ std::shared_ptr<const G2PatchSet> PolyhedronSurfacer::State::solve_g2(const std:
     options.tolerance = drag_tolerance;
     if (last_g2.size() == system->g2->unknown_count()) options.start = &last_g2;
   }
-  const G2System::Given given{positions, &network};
+  std::optional<GivenSides> sides;
+  if (!joins.empty())
+    sides =
+        system->g2->resolve(given_sides(joins, joined, system->network.frames(), system->constants, network));
+  const G2System::Given given{positions, &network, sides ? &*sides : nullptr};
   auto solution = system->g2->solve(given, options, cancel);
   if (solution.cancelled || cancel.cancelled()) return nullptr;
   report.g2_iterations = solution.iterations;
@@ -365,7 +364,7 @@ Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfa
   std::shared_ptr<const PatchSet> patches;
   CornerNormal normal;
   if (system->g2) {
-    fresh.g2 = solve_g2(positions, *network, wants_round(input), quality, cancel, out.report);
+    fresh.g2 = solve_g2(positions, *network, joined, wants_round(input), quality, cancel, out.report);
     if (!fresh.g2) return cancelled();
     patches = fresh.g2;
     normal = [&](Index patch, int corner) { return fresh.g2->corner_normal(patch, corner); };

@@ -83,7 +83,7 @@ class PolyhedronSurfacer {
   PolyhedronSurfacer& operator=(PolyhedronSurfacer&&) noexcept;
 
   /// Errors: those of `NetworkSystem::assemble`, of `JoinPlan`, E_TOO_MANY_SIDES in modes FAIR and G2,
-  /// E_JOIN_MODE in mode G2 with joins, and E_CANCELLED.
+  /// and E_CANCELLED.
   Result<PolyhedronSurface> rebuild(const PolyhedronSurfaceInput& input, Quality quality = Quality::final,
                                     const CancelToken& cancel = {});
 

@@ -35,7 +35,7 @@ Joined random_joined(std::mt19937_64& rng, double smooth, Adapts adapts, const S
     out.patches.push_back(added.id);
   }
   PolyhedronSource source{
-      Vector3::Zero(), given.polyhedron, given.shaping, static_cast<Mode>(uniform_int(rng, 0, 2)), {}};
+      Vector3::Zero(), given.polyhedron, given.shaping, static_cast<Mode>(uniform_int(rng, 0, 3)), {}};
   auto added = add_object(out.document, "Hood", source, place).value();
   out.document = added.document;
   out.polyhedron = added.id;

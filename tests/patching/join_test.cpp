@@ -6,6 +6,7 @@
 
 #include "core/analysis/continuity.hpp"
 #include "core/patching/adapted_net.hpp"
+#include "tests/patching/g2_support.hpp"
 #include "tests/support/random_joins.hpp"
 
 namespace hariko {
@@ -13,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr Mode modes[] = {Mode::paper, Mode::target, Mode::fair};
+constexpr Mode modes[] = {Mode::paper, Mode::target, Mode::fair, Mode::g2};
 
 JoinCase scaled(JoinCase given, double factor) {
   std::vector<Vector3> positions = given.polyhedron.positions();
@@ -27,37 +28,6 @@ JoinCase scaled(JoinCase given, double factor) {
     for (auto* rows : {&join.curve, &join.row})
       for (Vector3& point : *rows) point *= factor;
   return given;
-}
-
-TEST(Join, SurfaceTakesCurveAndTangentPlanes) {
-  double largest_jump = 0, largest_gap = 0, largest_inner = 0;
-  int joins = 0;
-  for_random(4101, 200, [&](std::mt19937_64& rng) {
-    const double factor = chance(rng, 0.5) ? 1.0 : std::pow(10.0, uniform_int(rng, -3, 6));
-    const JoinCase given = scaled(random_join_case(rng), factor);
-    for (const Mode mode : modes) {
-      PolyhedronSurfacer surfacer;
-      const auto made = surfacer.rebuild(given.input(mode));
-      ASSERT_TRUE(made.ok()) << to_string(made.error());
-      EXPECT_TRUE(made->report.fair_converged);
-      for (const Join& join : given.joins) {
-        const double open = gap(made->surface, join) / factor;
-        EXPECT_LT(open, 1e-14);
-        largest_gap = std::max(largest_gap, open);
-        if (join.continuity == Continuity::g0) continue;
-        ++joins;
-        const double jump = normal_jump(made->surface, join);
-        EXPECT_LT(jump, 1e-10) << "mode " << int(mode) << " half-edge " << join.half_edge;
-        largest_jump = std::max(largest_jump, jump);
-      }
-      // The rest of the surface is as smooth as ever.
-      const double inner = continuity(made->surface).largest_normal_jump.value_or(0);
-      EXPECT_LT(inner, 1e-10);
-      largest_inner = std::max(largest_inner, inner);
-    }
-  });
-  std::printf("joins %d  largest normal jump %.2e rad  gap %.2e of the size  inner seams %.2e rad\n", joins,
-              largest_jump, largest_gap, largest_inner);
 }
 
 /// A square face and the sides round it, all of them smooth lines or corners as they come.
@@ -78,6 +48,103 @@ JoinCase square(std::uint64_t seed, bool both_smooth) {
     out.joins.push_back(join);
   }
   return out;
+}
+
+struct Largest {
+  double jump = 0, gap = 0, inner = 0, curvature = 0;
+  int joins = 0;
+  ~Largest() {
+    std::printf("joins %d  largest normal jump %.2e rad  gap %.2e of the size  inner seams %.2e rad", joins,
+                jump, gap, inner);
+    std::printf(curvature > 0 ? ", curvature %.2e rms\n" : "\n", curvature);
+  }
+};
+
+/// A random case of any size: joined sides as they should be, and the rest of the surface as smooth as ever.
+void expect_joined(std::mt19937_64& rng, std::span<const Mode> wanted, Largest& largest) {
+  const double factor = chance(rng, 0.5) ? 1.0 : std::pow(10.0, uniform_int(rng, -3, 6));
+  const JoinCase given = scaled(random_join_case(rng), factor);
+  for (const Mode mode : wanted) {
+    PolyhedronSurfacer surfacer;
+    const auto made = surfacer.rebuild(given.input(mode));
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    EXPECT_TRUE(made->report.fair_converged && made->report.g2_converged);
+    for (const Join& join : given.joins) {
+      const double open = gap(made->surface, join) / factor;
+      EXPECT_LT(open, 1e-14);
+      largest.gap = std::max(largest.gap, open);
+      if (join.continuity == Continuity::g0) continue;
+      ++largest.joins;
+      const double jump = normal_jump(made->surface, join);
+      EXPECT_LT(jump, 1e-10) << "mode " << int(mode) << " half-edge " << join.half_edge;
+      largest.jump = std::max(largest.jump, jump);
+    }
+    const double inner = continuity(made->surface).largest_normal_jump.value_or(0);
+    EXPECT_LT(inner, 1e-10);
+    largest.inner = std::max(largest.inner, inner);
+    if (mode != Mode::g2) continue;
+    const Jumps jumps = jumps_of(made->surface);
+    EXPECT_LT(jumps.curvature, 1e-8 * jumps.rms);
+    largest.curvature = std::max(largest.curvature, jumps.relative());
+  }
+}
+
+TEST(Join, SurfaceTakesCurveAndTangentPlanes) {
+  Largest largest;
+  for_random(4101, 200,
+             [&](std::mt19937_64& rng) { expect_joined(rng, std::span(modes).first(3), largest); });
+}
+
+TEST(Join, SurfaceOfModeG2TakesThemAndStaysCurvatureContinuous) {
+  Largest largest;
+  for_random(4102, 24, [&](std::mt19937_64& rng) { expect_joined(rng, std::span(modes).last(1), largest); });
+}
+
+/// A grid with one side joined: its corners keep one quadratic each, and curvature in the joined face tends
+/// to it in proportion to the distance.
+TEST(Join, VerticesKeepTheirCurvatureInModeG2) {
+  for_random(4103, 6, [](std::mt19937_64& rng) {
+    JoinCase given = random_join_case(rng, 1, 1);
+    given.joins = {given.joins[rng() % given.joins.size()]};
+    const auto made = PolyhedronSurfacer().rebuild(given.input(Mode::g2));
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const G2PatchSet& set = g2_set(*made);
+    for (Index p = 0; p < set.patch_count(); ++p)
+      for (const int corner : {1, 2})
+        ASSERT_EQ(set.second_order_at_corner(p, corner), CornerSecondOrder::exact);
+    const double rms = jumps_of(made->surface).rms;
+    const Index patch = given.joins.front().half_edge;
+    for (const int corner : {1, 2}) {
+      const auto away = [&](double radius, double turn) {
+        const Vector2 at = corner_parameter(Domain::triangle, corner);
+        const Vector2 to = side_parameter(Domain::triangle, corner == 1 ? 2 : 0, turn);
+        return curvature(set.evaluate(patch, at + radius * (to - at), Order::second));
+      };
+      const auto limit = away(0, 0);
+      if (!limit) continue;
+      for (const double turn : {0.1, 0.5, 0.9}) {
+        const auto near = away(1e-4, turn), far = away(1e-3, turn);
+        ASSERT_TRUE(near && far);
+        EXPECT_LT((near->tensor - limit->tensor).norm(),
+                  0.2 * (far->tensor - limit->tensor).norm() + 1e-4 * rms);
+      }
+    }
+  });
+}
+
+/// Two sides that meet in a corner with different second fundamental forms: tangent planes still agree, and
+/// the corner says that its curvature depends on the direction.
+TEST(Join, SidesThatDisagreeInACornerKeepTheirTangentPlanesInModeG2) {
+  JoinCase given = square(1, true);
+  EXPECT_EQ(g2_set(PolyhedronSurfacer().rebuild(given.input(Mode::g2)).value()).second_order_at_corner(1, 1),
+            CornerSecondOrder::exact);
+  given.joins[0].row[2] += Vector3(0, 0, 0.2);  // a twist that the other side has not
+  const auto made = PolyhedronSurfacer().rebuild(given.input(Mode::g2)).value();
+  for (const Join& join : given.joins) EXPECT_LT(normal_jump(made.surface, join), 1e-10);
+  EXPECT_EQ(g2_set(made).second_order_at_corner(1, 1), CornerSecondOrder::direction_dependent);
+  EXPECT_EQ(g2_set(made).second_order_at_corner(0, 1), CornerSecondOrder::exact);
+  const Jumps jumps = jumps_of(made.surface);
+  EXPECT_LT(jumps.curvature, 1e-8 * jumps.rms);
 }
 
 Message refusal(const JoinCase& given, Mode mode = Mode::fair) {
@@ -132,7 +199,7 @@ TEST(Join, MessagesNameTheCorner) {
 TEST(Join, StaysLiveWhenEitherSideMoves) {
   for_random(4501, 20, [&](std::mt19937_64& rng) {
     JoinCase given = random_join_case(rng);
-    const Mode mode = modes[uniform_int(rng, 0, 2)];
+    const Mode mode = modes[uniform_int(rng, 0, 3)];
     PolyhedronSurfacer surfacer;
     ASSERT_TRUE(surfacer.rebuild(given.input(mode)).ok());
     const auto largest = [&](const Surface& surface) {
@@ -172,19 +239,19 @@ TEST(Join, StaysLiveWhenEitherSideMoves) {
 }
 
 /// Surface first, by the curve alone; then the patch's row follows.
-TEST(Join, PatchAdaptsToTheSurface) {
+void expect_patch_adapts(std::uint64_t seed, int repeats, std::span<const Mode> wanted) {
   double largest = 0, share = 0;
   int count = 0;
-  for_random(4601, 200, [&](std::mt19937_64& rng) {
+  for_random(seed, repeats, [&](std::mt19937_64& rng) {
     const double factor = chance(rng, 0.5) ? 1.0 : std::pow(10.0, uniform_int(rng, -3, 6));
     JoinCase given = scaled(random_join_case(rng, 0.75, 0), factor);
-    for (const Mode mode : modes) {
+    for (Join& join : given.joins) join.patch_follows = true;
+    for (const Mode mode : wanted) {
       const auto made = PolyhedronSurfacer().rebuild(given.input(mode));
       ASSERT_TRUE(made.ok()) << to_string(made.error());
-      const auto& set = static_cast<const QuarticPatchSet&>(made->surface.patches());
       for (const Join& join : given.joins) {
         const AdaptedNet adapted =
-            adapted_net(net_of(join), {{{0, 0}, cross_row(set.patch(join.half_edge))}});
+            adapted_net(net_of(join), {{{0, 0}, cross_row(made->surface.patches(), join.half_edge)}});
         ASSERT_TRUE(adapted.adapted.front());
         Join after = join;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -200,6 +267,14 @@ TEST(Join, PatchAdaptsToTheSurface) {
     }
   });
   std::printf("patches %d  largest normal jump %.2e rad  points moved up to %.2f\n", count, largest, share);
+}
+
+TEST(Join, PatchAdaptsToTheSurface) {
+  expect_patch_adapts(4601, 200, std::span(modes).first(3));
+}
+
+TEST(Join, PatchAdaptsToTheSurfaceOfModeG2) {
+  expect_patch_adapts(4602, 24, std::span(modes).last(1));
 }
 
 }  // namespace
