@@ -38,11 +38,11 @@ std::string repair_text(const Language& tr, const RepairReport& report) {
     if (!text.empty()) text += tr(", ");
     text += fill(tr(sentence), {std::to_string(count)});
   };
-  part(translatable("{0} vertices merged"), report.merged_vertices);
-  part(translatable("{0} faces turned"), report.turned_faces);
-  part(translatable("{0} faces dropped"), report.dropped_faces);
-  part(translatable("{0} vertices added where it was cut apart"), report.split_vertices);
-  part(translatable("{0} unused vertices removed"), report.removed_vertices);
+  part(translatable("vertices merged: {0}"), report.merged_vertices);
+  part(translatable("faces turned: {0}"), report.turned_faces);
+  part(translatable("faces dropped: {0}"), report.dropped_faces);
+  part(translatable("vertices added where it was cut apart: {0}"), report.split_vertices);
+  part(translatable("unused vertices removed: {0}"), report.removed_vertices);
   return text;
 }
 

@@ -12,7 +12,7 @@
 
 namespace hariko {
 
-/// "12 vertices merged, 3 faces turned": what a repair did, in the language of the interface.
+/// "vertices merged: 12, faces turned: 3": what a repair did, in the language of the interface.
 std::string repair_text(const Language& language, const RepairReport& report);
 
 /// Asks whether the mesh is to be repaired or kept as reference facets; the answers are offered as far as the

@@ -21,6 +21,8 @@ constexpr const char* awesome_path = "/usr/share/fonts/truetype/font-awesome/fon
 constexpr const char* noto_path = "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc";
 constexpr int noto_japanese_face = 0;
 constexpr float font_size = 15, icon_size = 14, title_size = 26;
+/// Inter's widest digit (4, 0.642 em) as a share of the line height (1.21 em) by which ImGui sizes fonts.
+constexpr float digit_advance = 0.642F / 1.21F;
 /// ImGui sizes fonts by their line height, which is larger in Noto Sans CJK: this makes its characters as
 /// large as those of Inter.
 constexpr float japanese_size = 1.2F;
@@ -112,7 +114,7 @@ const char* load_fonts(const FontRequest& request) {
   // Digits first and with one advance, so that columns of numbers stand still; what is merged later does not
   // replace.
   ImFontConfig tabular;
-  tabular.GlyphMinAdvanceX = tabular.GlyphMaxAdvanceX = static_cast<float>(static_cast<int>(9.4F * scale));
+  tabular.GlyphMinAdvanceX = tabular.GlyphMaxAdvanceX = std::ceil(digit_advance * font_size * scale);
   atlas.AddFontFromFileTTF(inter_path, font_size * scale, &tabular, digits);
   ImFontConfig merged;
   merged.MergeMode = true;

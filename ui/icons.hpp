@@ -43,6 +43,7 @@ inline constexpr const char* keyboard = "\uf11c";  // keyboard-o
 inline constexpr const char* settings = "\uf013";  // cog
 inline constexpr const char* add = "\uf067";       // plus
 inline constexpr const char* reset = "\uf0e2";
+inline constexpr const char* record = "\uf111";  // circle
 
 inline constexpr unsigned short extrude_code = 0xf300, inset_code = 0xf301, bevel_code = 0xf302,
                                 loop_cut_code = 0xf303, knife_code = 0xf304, lasso_code = 0xf305,

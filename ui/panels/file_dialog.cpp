@@ -130,7 +130,7 @@ void FileDialog::list(PanelContext& context) {
                       ImGui::GetStyle().ItemSpacing.y * static_cast<float>(std::max(options - 1, 0)) +
                       (error_.empty() && !ask_overwrite_ ? 0 : row + context.metrics.px(6));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
-  ImGui::BeginChild("files", {0, -below}, false);
+  ImGui::BeginChild("files", {0, -below}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(entries_.size()));
   fs::path enter;

@@ -77,7 +77,7 @@ void draw_recompute(PanelContext& context, float& right) {
 void draw_recording(PanelContext& context, float& right) {
   if (!context.editor.recording) return;
   WorkRow row;
-  row.text = std::string("\u25cf ") + context.tr("Recording");
+  row.text = std::string(icon::record) + " " + context.tr("Recording");
   row.colour = palette().error;
   row.button = context.tr("Stop");
   row.mark = "status.stop_recording";
