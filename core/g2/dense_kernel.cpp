@@ -31,22 +31,57 @@ HARIKO_INLINE void multiply_body(const PaddedMatrix& matrix, const Vector3* x, V
   }
 }
 
+HARIKO_INLINE void multiply_one_body(const PaddedMatrix& matrix, const double* x, double* y) {
+  for (std::size_t row = 0; row < matrix.rows; row += 8) {
+    // Two sums each, so that additions do not wait for each other.
+    Lane4 a0{}, a1{}, b0{}, b1{};
+    const double* column = matrix.value.data() + row;
+    const auto add = [&](Lane4 & a, Lane4 & b, double v) __attribute__((always_inline)) {
+      Lane4 p, q;
+      __builtin_memcpy(&p, column, sizeof p);
+      __builtin_memcpy(&q, column + 4, sizeof q);
+      a += p * v;
+      b += q * v;
+      column += matrix.stride;
+    };
+    std::size_t k = 0;
+    for (; k + 2 <= matrix.columns; k += 2) {
+      add(a0, b0, x[k]);
+      add(a1, b1, x[k + 1]);
+    }
+    if (k < matrix.columns) add(a0, b0, x[k]);
+    const Lane4 a = a0 + a1, b = b0 + b1;
+    const std::size_t count = std::min<std::size_t>(8, matrix.rows - row);
+    for (std::size_t i = 0; i < count; ++i) y[row + i] = i < 4 ? a[i] : b[i - 4];
+  }
+}
+
 void multiply_base(const PaddedMatrix& matrix, const Vector3* x, Vector3* y) {
   multiply_body(matrix, x, y);
+}
+void multiply_one_base(const PaddedMatrix& matrix, const double* x, double* y) {
+  multiply_one_body(matrix, x, y);
 }
 #if defined(__x86_64__)
 __attribute__((target("avx2"))) void multiply_avx2(const PaddedMatrix& matrix, const Vector3* x, Vector3* y) {
   multiply_body(matrix, x, y);
 }
+__attribute__((target("avx2"))) void multiply_one_avx2(const PaddedMatrix& matrix, const double* x,
+                                                       double* y) {
+  multiply_one_body(matrix, x, y);
+}
 #endif
 
-using Multiply = void (*)(const PaddedMatrix&, const Vector3*, Vector3*);
+struct Multiply {
+  void (*three)(const PaddedMatrix&, const Vector3*, Vector3*);
+  void (*one)(const PaddedMatrix&, const double*, double*);
+};
 
 Multiply best() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) return multiply_avx2;
+  if (__builtin_cpu_supports("avx2")) return {multiply_avx2, multiply_one_avx2};
 #endif
-  return multiply_base;
+  return {multiply_base, multiply_one_base};
 }
 
 }  // namespace
@@ -60,7 +95,12 @@ PaddedMatrix::PaddedMatrix(const Eigen::MatrixXd& matrix)
 
 void multiply(const PaddedMatrix& matrix, const Vector3* x, Vector3* y) {
   static const Multiply kernel = best();
-  kernel(matrix, x, y);
+  kernel.three(matrix, x, y);
+}
+
+void multiply(const PaddedMatrix& matrix, const double* x, double* y) {
+  static const Multiply kernel = best();
+  kernel.one(matrix, x, y);
 }
 
 }  // namespace hariko

@@ -1,7 +1,7 @@
 #pragma once
 
-// Small dense matrix times three right-hand sides: the inner loop of mode G2's solver, for the processor at
-// hand. All variants add in the same order, so results do not depend on the processor.
+// Small dense matrix times three right-hand sides, or one: the inner loop of mode G2's solver, for the
+// processor at hand. All variants add in the same order, so results do not depend on the processor.
 
 #include <cstddef>
 #include <vector>
@@ -23,5 +23,6 @@ struct PaddedMatrix {
 
 /// y[i] = sum_k m(i, k) x[k].
 void multiply(const PaddedMatrix& matrix, const Vector3* x, Vector3* y);
+void multiply(const PaddedMatrix& matrix, const double* x, double* y);
 
 }  // namespace hariko

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -17,51 +16,8 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t face_grain = 32;
-constexpr std::size_t unknown_grain = 2048;
-using Array3 = Eigen::Array3d;
 
 }  // namespace
-
-/// Unknowns of some faces, numbered without gaps, and where faces' local vectors meet them.
-struct G2System::Region {
-  std::vector<Index> faces;
-  std::vector<std::size_t> first_slot;  ///< per face of the region, plus one
-  std::vector<Index> slot;              ///< own number of each slot's unknown; no_index where held at zero
-  std::vector<Index> global;            ///< unknown of each own number
-  std::vector<std::size_t> begin;       ///< per own number, plus one: its slots in `slots`
-  std::vector<std::size_t> slots;
-  std::vector<Vector3> local;  ///< one vector a slot
-
-  std::size_t size() const { return global.size(); }
-
-  template <class Body>
-  void for_unknowns(const Body& body) const {
-    parallel_for(size(), unknown_grain, body);
-  }
-  Array3 dot(const Field& a, const Field& b) const {
-    std::vector<Array3> parts((size() + unknown_grain - 1) / unknown_grain, Array3::Zero());
-    for_unknowns([&](std::size_t begin_at, std::size_t end) {
-      for (std::size_t i = begin_at; i < end; ++i) parts[i / unknown_grain] += a[i].array() * b[i].array();
-    });
-    return std::accumulate(parts.begin(), parts.end(), Array3(Array3::Zero()));
-  }
-  /// y = scale y + factor x
-  void combine(Field& y, const Array3& scale, const Array3& factor, const Field& x) const {
-    for_unknowns([&](std::size_t begin_at, std::size_t end) {
-      for (std::size_t i = begin_at; i < end; ++i) y[i] = scale * y[i].array() + factor * x[i].array();
-    });
-  }
-  /// Sums the slots of each unknown, in order.
-  void collect(Field& y) const {
-    for_unknowns([&](std::size_t begin_at, std::size_t end) {
-      for (std::size_t i = begin_at; i < end; ++i) {
-        Vector3 sum = Vector3::Zero();
-        for (std::size_t k = begin[i]; k < begin[i + 1]; ++k) sum += local[slots[k]];
-        y[i] = sum;
-      }
-    });
-  }
-};
 
 G2System::G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
                    const G2Weights& weights, const std::vector<GivenRibbon>& ribbons)
@@ -74,9 +30,8 @@ G2System::G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem
   incidence_.assign(unknowns_.count, 0);
   for (Index f = 0; f < mesh_->face_count(); ++f)
     for (int i = 0; i < unknown_slots(f); ++i) ++incidence_[slot_unknown(f, i)];
-  for (const std::uint32_t count : incidence_) share_.push_back(1 / std::sqrt(double(std::max(count, 1U))));
   bend_over_charts();
-  whole_ = std::make_unique<Region>(make_region(nullptr));
+  whole_ = make_region(nullptr);
 }
 
 G2System::~G2System() = default;
@@ -248,7 +203,7 @@ PaddedMatrix G2System::make_block(Index face) const {
       if (!place.contains(slot_unknown(g, i))) continue;
       column.assign(std::size_t(slots), Vector3::Zero());
       column[std::size_t(i)].setOnes();
-      turn(g, false, false, column.data());
+      turn<Turn::plain>(g, column.data());
       Eigen::VectorXd moved(slots);
       for (int r = 0; r < slots; ++r) moved[r] = column[std::size_t(r)].x();
       columns.push_back(i);
@@ -278,7 +233,7 @@ PaddedMatrix G2System::make_block(Index face) const {
     for (int k = 0; k < size; ++k) {
       column.assign(std::size_t(size), Vector3::Zero());
       for (int r = 0; r < size; ++r) column[std::size_t(r)].setConstant(inverse(r, k));
-      turn(face, false, false, column.data());
+      turn<Turn::plain>(face, column.data());
       for (int r = 0; r < size; ++r) inverse(r, k) = column[std::size_t(r)].x();
     }
     inverse.transposeInPlace();
@@ -293,24 +248,6 @@ Index G2System::slot_unknown(Index face, int slot) const {
     return unknowns_.side[half_edge(face, (slot - 3 * n) / 5)].unknown[std::size_t((slot - 3 * n) % 5)];
   const int control = charts_[face]->places.unknown[std::size_t(slot)];
   return unknowns_.corner[half_edge(face, control / corner_control_count)].tangent;
-}
-
-void G2System::turn(Index face, bool inverse, bool transposed, Vector3* local) const {
-  const int n = static_cast<int>(mesh_->side_count(face)), slots = unknown_slots(face);
-  for (int j = 0; j < n; ++j) {
-    const Index h = half_edge(face, j);
-    Matrix3 m = inverse ? inverse_turn_[h] : unknowns_.corner[h].turn;
-    if (transposed) m.transposeInPlace();
-    Vector3* x = local + 3 * j;
-    const Vector3 a = x[0], b = x[1], c = x[2];
-    for (int i = 0; i < 3; ++i) x[i] = m(i, 0) * a + m(i, 1) * b + m(i, 2) * c;
-    const auto& sign = unknowns_.side[h].sign;
-    for (int i = 0; i < 5; ++i) local[3 * n + 5 * j + i] *= sign[std::size_t(i)];
-  }
-  for (int k = 8 * n; k < slots; ++k) {
-    const int control = charts_[face]->places.unknown[std::size_t(k)];
-    local[k] *= unknowns_.corner[half_edge(face, control / corner_control_count)].tangent_sign;
-  }
 }
 
 Vector3 G2System::face_mean(Index face, const Given& given) const {
@@ -338,188 +275,6 @@ void G2System::given_controls(Index face, const Given& given, const Vector3& ori
     for (int i = 0; i < side_departure_count; ++i)
       *out++ = side ? side->departure[std::size_t(i)] : Vector3(Vector3::Zero());
   }
-}
-
-G2System::Region G2System::make_region(const std::vector<Index>* active_faces) const {
-  Region region;
-  if (active_faces) {
-    region.faces = *active_faces;
-  } else {
-    region.faces.resize(mesh_->face_count());
-    std::iota(region.faces.begin(), region.faces.end(), Index(0));
-  }
-  std::vector<std::uint32_t> met(unknowns_.count, 0);
-  for (const Index f : region.faces) {
-    region.first_slot.push_back(region.slot.size());
-    for (int i = 0; i < unknown_slots(f); ++i) {
-      region.slot.push_back(slot_unknown(f, i));
-      ++met[region.slot.back()];
-    }
-  }
-  region.first_slot.push_back(region.slot.size());
-  std::vector<Index> own(unknowns_.count, no_index);
-  for (Index i = 0; i < unknowns_.count; ++i) {
-    // Not here, or shared with a face outside, or given.
-    if (met[i] == 0 || met[i] != incidence_[i] || given_[i]) continue;
-    own[i] = static_cast<Index>(region.global.size());
-    region.global.push_back(i);
-  }
-  region.begin.assign(region.global.size() + 1, 0);
-  for (Index& slot : region.slot) {
-    slot = own[slot];
-    if (slot != no_index) ++region.begin[slot + 1];
-  }
-  std::partial_sum(region.begin.begin(), region.begin.end(), region.begin.begin());
-  region.slots.resize(region.begin.back());
-  std::vector<std::size_t> cursor(region.begin.begin(), region.begin.end() - 1);
-  for (std::size_t k = 0; k < region.slot.size(); ++k)
-    if (region.slot[k] != no_index) region.slots[cursor[region.slot[k]]++] = k;
-  region.local.resize(region.slot.size());
-  return region;
-}
-
-namespace {
-
-/// Room for one face's vectors.
-struct FaceScratch {
-  std::vector<Vector3> in, out;
-  void reserve(std::size_t size) {
-    if (in.size() < size) {
-      in.resize(size);
-      out.resize(size);
-    }
-  }
-};
-
-}  // namespace
-
-void G2System::apply(Region& region, const Field& x, Field& y) const {
-  parallel_for(region.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
-    FaceScratch scratch;
-    for (std::size_t k = begin; k < end; ++k) {
-      const Index f = region.faces[k];
-      const std::size_t first = region.first_slot[k], count = region.first_slot[k + 1] - first;
-      scratch.reserve(count);
-      for (std::size_t i = 0; i < count; ++i) {
-        const Index at = region.slot[first + i];
-        scratch.in[i] = at == no_index ? Vector3(Vector3::Zero()) : x[at];
-      }
-      turn(f, false, false, scratch.in.data());
-      hariko::multiply(element_[f]->matrix, scratch.in.data(), region.local.data() + first);
-      turn(f, false, true, region.local.data() + first);
-    }
-  });
-  region.collect(y);
-}
-
-void G2System::precondition(Region& region, const Field& r, Field& z) const {
-  parallel_for(region.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
-    FaceScratch scratch;
-    for (std::size_t k = begin; k < end; ++k) {
-      const Index f = region.faces[k];
-      const std::size_t first = region.first_slot[k], count = region.first_slot[k + 1] - first;
-      scratch.reserve(count);
-      for (std::size_t i = 0; i < count; ++i) {
-        const Index at = region.slot[first + i];
-        scratch.in[i] =
-            at == no_index ? Vector3(Vector3::Zero()) : Vector3(share_[region.global[at]] * r[at]);
-      }
-      turn(f, true, true, scratch.in.data());
-      hariko::multiply(*block_[f], scratch.in.data(), region.local.data() + first);
-      turn(f, true, false, region.local.data() + first);
-    }
-  });
-  region.collect(z);
-  region.for_unknowns([&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) z[i] *= share_[region.global[i]];
-  });
-}
-
-void G2System::right_side(Region& region, const Given& given, Field& b) const {
-  Field joined;  // given unknowns, others zero
-  if (given.sides) {
-    joined.assign(unknowns_.count, Vector3::Zero());
-    for (const auto& [unknown, value] : given.sides->unknowns) joined[unknown] = value;
-  }
-  parallel_for(region.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Vector3> known, fixed, load;
-    for (std::size_t k = begin; k < end; ++k) {
-      const Index f = region.faces[k];
-      known.resize(charts_[f]->places.given.size());
-      given_controls(f, given, face_mean(f, given), known.data());
-      Vector3* local = region.local.data() + region.first_slot[k];
-      const std::size_t count = region.first_slot[k + 1] - region.first_slot[k];
-      hariko::multiply(element_[f]->load, known.data(), local);
-      if (given.sides) {
-        fixed.clear();
-        for (int i = 0; i < int(count); ++i) fixed.push_back(joined[slot_unknown(f, i)]);
-        turn(f, false, false, fixed.data());
-        load.resize(count);
-        hariko::multiply(element_[f]->matrix, fixed.data(), load.data());
-        for (std::size_t i = 0; i < count; ++i) local[i] += load[i];
-      }
-      turn(f, false, true, local);
-      for (std::size_t i = 0; i < count; ++i) local[i] = -local[i];
-    }
-  });
-  region.collect(b);
-}
-
-G2System::Solution G2System::solve(const Given& given, const SolveOptions& options,
-                                   const CancelToken& cancel) const {
-  Region region = options.active_faces ? make_region(options.active_faces) : *whole_;
-  const Array3 one = Array3::Ones();
-  const auto ratio = [](const Array3& a, const Array3& b) {
-    return Array3((b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0));
-  };
-  const Vector3 zero = Vector3::Zero();
-  Field x(region.size(), zero), r(region.size(), zero), z(region.size(), zero), q(region.size(), zero);
-  if (options.start)
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = (*options.start)[region.global[i]];
-  right_side(region, given, r);
-  precondition(region, r, z);
-  const Array3 energy = region.dot(r, z);
-  // A coordinate in which the object is flat needs no digits beyond rounding of the largest one.
-  const Array3 enough = (options.tolerance * options.tolerance * energy).max(1e-32 * energy.maxCoeff());
-  if (options.start) {
-    apply(region, x, q);
-    region.combine(r, one, -one, q);
-    precondition(region, r, z);
-  }
-  Field p = z;
-  Array3 rz = region.dot(r, z);
-  Solution solution;
-  while ((rz > enough).any()) {
-    if (solution.iterations == options.max_steps) {
-      solution.converged = false;
-      break;
-    }
-    if (cancel.cancelled()) {
-      solution.cancelled = true;
-      break;
-    }
-    apply(region, p, q);
-    const Array3 step = ratio(rz, region.dot(p, q));
-    region.combine(x, one, step, p);
-    region.combine(r, one, -step, q);
-    precondition(region, r, z);
-    const Array3 next = region.dot(r, z);
-    region.combine(p, ratio(next, rz), one, z);
-    rz = next;
-    ++solution.iterations;
-  }
-  solution.unknowns.assign(unknowns_.count, zero);
-  for (std::size_t i = 0; i < x.size(); ++i) solution.unknowns[region.global[i]] = x[i];
-  if (given.sides)
-    for (const auto& [unknown, value] : given.sides->unknowns) solution.unknowns[unknown] = value;
-  return solution;
-}
-
-G2System::Field G2System::multiply(const Field& x) const {
-  Region region = *whole_;
-  Field y(region.size(), Vector3::Zero());
-  apply(region, x, y);
-  return y;
 }
 
 /// Bezier points of degree six along the edge's first half-edge.
@@ -561,7 +316,7 @@ G2Face G2System::controls(Index face, const Given& given, const Field& unknowns)
   const int slots = unknown_slots(face);
   std::vector<Vector3> local(std::size_t(slots) + places.given.size());
   for (int i = 0; i < slots; ++i) local[std::size_t(i)] = unknowns[slot_unknown(face, i)];
-  turn(face, false, false, local.data());
+  turn<Turn::plain>(face, local.data());
   given_controls(face, given, mean, local.data() + slots);
   std::vector<Vector3> centre(places.centre.size());
   hariko::multiply(element_[face]->centre, local.data(), centre.data());

@@ -65,6 +65,7 @@ class G2System {
     const Field* start = nullptr;  ///< begin here instead of at zero
     /// Solve in these faces (ascending) only; unknowns that other faces share are held at zero.
     const std::vector<Index>* active_faces = nullptr;
+    bool only_x = false;       ///< positions and network are zero in y and z: a third of the work
     double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
     int max_steps = 600;
   };
@@ -90,6 +91,9 @@ class G2System {
 
  private:
   struct Region;
+  template <class Value>
+  class Restricted;
+  enum class Turn { plain, transposed, inverse, inverse_transposed };
 
   void choose_charts(const NetworkSystem& network, const G2Weights& weights,
                      const std::vector<GivenRibbon>& ribbons);
@@ -97,18 +101,19 @@ class G2System {
   void build_blocks();
   std::vector<std::uintptr_t> block_key(Index face) const;
   PaddedMatrix make_block(Index face) const;
-  Region make_region(const std::vector<Index>* active_faces) const;
+  std::shared_ptr<const Region> make_region(const std::vector<Index>* active_faces) const;
   Index slot_unknown(Index face, int slot) const;
   int unknown_slots(Index face) const { return static_cast<int>(charts_[face]->places.unknown.size()); }
   /// In place: local vectors from unknowns to the face's controls, by its corners' turns and sides' signs.
-  void turn(Index face, bool inverse, bool transposed, Vector3* local) const;
+  template <Turn which, class Value>
+  void turn(Index face, Value* local) const;
   void given_controls(Index face, const Given& given, const Vector3& origin, Vector3* out) const;
   std::array<Vector3, 7> edge_curve(Index edge, const Given& given, const Field& unknowns) const;
   Vector3 face_mean(Index face, const Given& given) const;
 
-  void apply(Region& region, const Field& x, Field& y) const;
-  void precondition(Region& region, const Field& r, Field& z) const;
-  void right_side(Region& region, const Given& given, Field& b) const;
+  template <class Value>
+  Solution solve_in(const Region& region, const Given& given, const SolveOptions& options,
+                    const CancelToken& cancel) const;
 
   std::shared_ptr<const HalfEdgeMesh> mesh_;
   VertexFrames frames_;
@@ -116,7 +121,6 @@ class G2System {
   std::vector<bool> given_;               ///< per unknown: joins give it
   std::vector<Matrix3> inverse_turn_;     ///< per half-edge
   std::vector<std::uint32_t> incidence_;  ///< per unknown: faces that have it
-  std::vector<double> share_;             ///< per unknown: 1 / sqrt(incidence)
   G2Elements elements_;
   std::vector<std::shared_ptr<const ChartEnergy>> charts_;  ///< per face
   std::vector<Index> chart_half_edge_;  ///< per corner of the face list: the half-edge of that chart side
@@ -126,7 +130,7 @@ class G2System {
   std::vector<double> curve_weight_;                           ///< per half-edge
   std::vector<std::shared_ptr<const CondensedFace>> element_;  ///< per face
   std::vector<std::shared_ptr<const PaddedMatrix>> block_;     ///< per face
-  std::unique_ptr<Region> whole_;
+  std::shared_ptr<const Region> whole_;
   bool round_ = false;
 };
 

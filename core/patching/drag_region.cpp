@@ -34,33 +34,31 @@ Neighbourhood neighbourhood(const HalfEdgeMesh& mesh, const std::vector<Index>& 
   return out;
 }
 
-std::vector<Vector3> unit_displacement(const HalfEdgeMesh& mesh, const std::vector<Index>& moved,
-                                       const std::vector<double>& weight) {
-  std::vector<Vector3> field(mesh.vertex_count(), Vector3::Zero());
-  for (std::size_t i = 0; i < moved.size(); ++i) field[moved[i]] = weight[i] * Vector3::UnitX();
-  return field;
-}
-
-Network local_network(const SurfaceSystem& system, const Neighbourhood& near, std::span<const Vector3> field,
-                      double tolerance) {
+LocalDrag local_drag(const SurfaceSystem& system, const std::vector<Index>& moved,
+                     const std::vector<double>& weight, int rings, double tolerance) {
+  HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
   const HalfEdgeMesh& mesh = *system.mesh;
+  LocalDrag out;
+  out.near = neighbourhood(mesh, moved, rings);
+  out.field.assign(mesh.vertex_count(), Vector3::Zero());
+  for (std::size_t i = 0; i < moved.size(); ++i) out.field[moved[i]] = weight[i] * Vector3::UnitX();
   NetworkSystem::SolveOptions options;
-  options.active_vertices = &near.vertices;
+  options.active_vertices = &out.near.vertices;
   options.tolerance = tolerance;
   options.homogeneous = true;
-  const auto solution = system.network.solve(field, options);
-  Network network;
+  const auto solution = system.network.solve(out.field, options);
+  Network& network = out.network;
   network.start.assign(mesh.half_edge_count(), Vector3::Zero());
   network.end.assign(mesh.half_edge_count(), Vector3::Zero());
   const auto set_tangents = [&](Index h) {
     std::tie(network.start[h], network.end[h]) = system.network.tangents(h, solution.basis);
   };
-  for (const Index f : near.faces)
+  for (const Index f : out.near.faces)
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       set_tangents(h);
       if (mesh.twin(h) != no_index) set_tangents(mesh.twin(h));
     }
-  return network;
+  return out;
 }
 
 }  // namespace hariko

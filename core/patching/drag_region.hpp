@@ -16,12 +16,14 @@ struct Neighbourhood {
 /// `rings` rings of faces round the vertices; the influence of a vertex fades by about 0.27 a ring.
 Neighbourhood neighbourhood(const HalfEdgeMesh& mesh, const std::vector<Index>& moved, int rings);
 
-/// Each vertex's share of a unit displacement along x; the other coordinates stay zero.
-std::vector<Vector3> unit_displacement(const HalfEdgeMesh& mesh, const std::vector<Index>& moved,
-                                       const std::vector<double>& weight);
-
-/// Tangents that answer a displacement field: zero outside the neighbourhood.
-Network local_network(const SurfaceSystem& system, const Neighbourhood& near, std::span<const Vector3> field,
-                      double tolerance);
+/// What a response starts from.
+struct LocalDrag {
+  Neighbourhood near;
+  std::vector<Vector3> field;  ///< each vertex's share of a unit displacement along x; y and z stay zero
+  Network network;             ///< tangents that answer it: zero outside the neighbourhood
+};
+/// Requires `!system.network.couples_coordinates()`.
+LocalDrag local_drag(const SurfaceSystem& system, const std::vector<Index>& moved,
+                     const std::vector<double>& weight, int rings, double tolerance);
 
 }  // namespace hariko

@@ -3,40 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/patching/drag_region.hpp"
-
 namespace hariko {
 
 namespace {
 
-/// Rings of faces to solve in: 0.27^12 is 1.5e-7.
-constexpr int ring_count = 12;
-/// Patches whose control points all move by less than this share of the displacement are left alone.
-constexpr double negligible_share = 2e-7;
-constexpr double response_tolerance = 1e-8;
+/// Rings of faces to solve in: 0.27^16 is 8e-10, of a displacement that is a part of the object's size.
+constexpr int ring_count = 16;
+/// Patches that feel less of a displacement than this share are not kept in a response.
+constexpr double negligible_share = 1e-11;
+constexpr double response_tolerance = 1e-10;
+constexpr int steps_a_frame = 10;
 
 }  // namespace
 
 DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, std::vector<double> weight,
                            const CancelToken& cancel) {
-  HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
-  const HalfEdgeMesh& mesh = *system.mesh;
-  DragResponse response;
   HARIKO_ASSERT(moved.size() == weight.size(), "one weight a vertex");
+  DragResponse response;
   response.moved = std::move(moved);
   response.weight = std::move(weight);
-  const Neighbourhood near = neighbourhood(mesh, response.moved, ring_count);
+  response.local = local_drag(system, response.moved, response.weight, ring_count, response_tolerance);
+  refine(system, response, cancel);
+  return response;
+}
 
-  const std::vector<Vector3> field = unit_displacement(mesh, response.moved, response.weight);
+void refine(const SurfaceSystem& system, DragResponse& response, const CancelToken& cancel) {
+  const HalfEdgeMesh& mesh = *system.mesh;
+  const LocalDrag& local = response.local;
   FairSystem::SolveOptions options;
-  options.active_faces = &near.faces;
+  options.active_faces = &local.near.faces;
   options.tolerance = response_tolerance;
+  options.max_steps = steps_a_frame;
+  if (response.unknowns.size() > 0) options.start = &response.unknowns;
   ZeroedArray<QuarticPatch> patches(mesh.half_edge_count());
-  build_patches(system, field, local_network(system, near, field, response_tolerance),
-                {near.faces, near.vertices}, options, cancel, patches.span());
-
-  auto felt = std::make_shared<std::vector<Index>>();
-  for (const Index f : near.faces)
+  auto solution = build_patches(system, local.field, local.network, {local.near.faces, local.near.vertices},
+                                options, cancel, patches.span());
+  if (solution.cancelled) return;
+  response.settled = solution.converged;
+  response.unknowns = std::move(solution.unknowns);
+  response.patches.clear();
+  response.share.clear();
+  response.largest.clear();
+  for (const Index f : local.near.faces)
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       std::array<double, quartic_control_count> share;
       double largest = 0;
@@ -45,18 +53,20 @@ DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved
         largest = std::max(largest, std::abs(share[i]));
       }
       if (largest < negligible_share) continue;
-      felt->push_back(h);
+      response.patches.push_back(h);
       response.share.push_back(share);
+      response.largest.push_back(largest);
     }
-  response.patches = std::move(felt);
-  return response;
 }
 
 QuarticPatchArray displaced(const QuarticPatchArray& base, const DragResponse& response,
-                            const Vector3& displacement) {
+                            const Vector3& displacement, double negligible, std::vector<Index>& changed) {
   QuarticPatchArray out = base;
+  const double length = displacement.norm();
   for (std::size_t k = 0; k < response.share.size(); ++k) {
-    QuarticPatch& patch = out.edit((*response.patches)[k]);
+    if (!(response.largest[k] * length > negligible)) continue;
+    changed.push_back(response.patches[k]);
+    QuarticPatch& patch = out.edit(response.patches[k]);
     for (std::size_t i = 0; i < quartic_control_count; ++i)
       patch.control[i] += response.share[k][i] * displacement;
   }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/patching/drag_region.hpp"
 #include "core/patching/quartic_patch.hpp"
 #include "core/patching/surface_system.hpp"
 
@@ -16,19 +17,27 @@ namespace hariko {
 struct DragResponse {
   std::vector<Index> moved;    ///< vertices that move together, ascending
   std::vector<double> weight;  ///< the share of the displacement that each of them makes
-  /// Patches that feel the move by more than 2e-7 of it, ascending, and the share of each of their control
-  /// points.
-  std::shared_ptr<const std::vector<Index>> patches;
+  /// Patches that feel the move, ascending, the share of each of their control points, and the largest share.
+  std::vector<Index> patches;
   std::vector<std::array<double, quartic_control_count>> share;
+  std::vector<double> largest;
+  /// Solved to the end. Until then shares are good to about 1e-4, and the surface is as smooth as ever.
+  bool settled = false;
+
+  LocalDrag local;
+  FairSystem::Field unknowns;  ///< so far
 };
 
 /// Requires `!system.network.couples_coordinates()`: x, y and z must not depend on each other. Solves within
-/// the rings of faces that matter: the influence of a vertex fades by about 0.27 a ring.
+/// the rings of faces that matter: the influence of a vertex fades by about 0.27 a ring. Mode FAIR takes some
+/// steps only, so that the first frame of a drag does not wait; `refine` takes as many more.
 DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, std::vector<double> weight,
                            const CancelToken& cancel = {});
+void refine(const SurfaceSystem& system, DragResponse& response, const CancelToken& cancel = {});
 
-/// base + share * displacement, copying only what changes.
+/// base + share * displacement in the patches that move by more than `negligible` (a length), copying only
+/// what changes; `changed` gets those patches, ascending.
 QuarticPatchArray displaced(const QuarticPatchArray& base, const DragResponse& response,
-                            const Vector3& displacement);
+                            const Vector3& displacement, double negligible, std::vector<Index>& changed);
 
 }  // namespace hariko

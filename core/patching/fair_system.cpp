@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/base/conjugate_gradients.hpp"
 #include "core/base/parallel.hpp"
 
 namespace hariko {
@@ -20,7 +21,7 @@ constexpr std::size_t dot_grain = 4096;
 /// Local vectors are column-major, three columns.
 using LocalMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>>;
 using ConstLocalMap = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>>;
-using Array3 = Eigen::Array3d;
+using Array3 = Coefficients3;
 
 void apply_element(const Eigen::MatrixXd& matrix, const double* x, double* y) {
   const Eigen::Index n = matrix.rows();
@@ -73,6 +74,19 @@ struct FairSystem::Workspace {
     for_chunks([&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) y[i] = scale * y[i].array() + factor * x[i].array();
     });
+  }
+};
+
+/// The system as `conjugate_gradients` sees it.
+struct FairSystem::Iteration {
+  const FairSystem& system;
+  Workspace& work;
+
+  void apply(const Field& x, Field& y) { system.apply(work, x, y); }
+  void precondition(const Field& r, Field& z) { system.precondition(work, r, z); }
+  Array3 dot(const Field& a, const Field& b) const { return work.dot(a, b); }
+  void combine(Field& y, const Array3& scale, const Array3& factor, const Field& x) const {
+    work.combine(y, scale, factor, x);
   }
 };
 
@@ -410,45 +424,19 @@ FairSystem::Workspace FairSystem::make_workspace(const SolveOptions& options) co
 FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const SolveOptions& options,
                                        const CancelToken& cancel) const {
   Workspace work = make_workspace(options);
-  const Array3 one = Array3::Ones();
-  const auto ratio = [](const Array3& a, const Array3& b) {
-    return Array3((b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0));
-  };
-  Field r(unknown_count_), z(unknown_count_), q(unknown_count_), p(unknown_count_);
   Solution solution;
   solution.unknowns = Field(unknown_count_);
-  if (options.start) work.combine(solution.unknowns, one, one, *options.start);
-  right_side(work, base, r);
-  precondition(work, r, z);
-  const Array3 energy = work.dot(r, z);
-  // A coordinate in which the object is flat needs no digits beyond rounding of the largest one.
-  const Array3 enough = (options.tolerance * options.tolerance * energy).max(1e-32 * energy.maxCoeff());
-  if (options.start) {
-    apply(work, solution.unknowns, q);
-    work.combine(r, one, -one, q);
-    precondition(work, r, z);
-  }
-  work.combine(p, one, one, z);
-  Array3 rz = work.dot(r, z);
-  while ((rz > enough).any()) {
-    if (solution.iterations == options.max_steps) {
-      solution.converged = false;
-      break;
-    }
-    if (cancel.cancelled()) {
-      solution.cancelled = true;
-      break;
-    }
-    apply(work, p, q);
-    const Array3 step = ratio(rz, work.dot(p, q));
-    work.combine(solution.unknowns, one, step, p);
-    work.combine(r, one, -step, q);
-    precondition(work, r, z);
-    const Array3 next = work.dot(r, z);
-    work.combine(p, ratio(next, rz), one, z);
-    rz = next;
-    ++solution.iterations;
-  }
+  if (options.start) work.combine(solution.unknowns, Array3::Ones(), Array3::Ones(), *options.start);
+  ConjugateGradientsRoom<Field> room{Field(unknown_count_), Field(unknown_count_), Field(unknown_count_),
+                                     Field(unknown_count_)};
+  right_side(work, base, room.residual);
+  Iteration iteration{*this, work};
+  const auto report =
+      conjugate_gradients(iteration, solution.unknowns, room,
+                          {options.start != nullptr, options.tolerance, options.max_steps}, cancel);
+  solution.iterations = report.iterations;
+  solution.converged = report.converged;
+  solution.cancelled = report.cancelled;
   return solution;
 }
 

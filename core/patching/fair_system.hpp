@@ -67,6 +67,7 @@ class FairSystem {
   /// faces.
   using Block = Eigen::MatrixXd;
   struct Workspace;
+  struct Iteration;
 
   Workspace make_workspace(const SolveOptions& options) const;
   void number_unknowns();

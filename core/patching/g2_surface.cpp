@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/patching/drag_region.hpp"
 
 namespace hariko {
 
@@ -14,6 +13,7 @@ constexpr std::size_t face_grain = 64;
 /// Rings of faces to solve in: 0.27^18 is 6e-11.
 constexpr int ring_count = 18;
 constexpr double response_tolerance = 1e-11;
+constexpr int steps_a_frame = 14;
 /// Faces that feel less of a displacement than this share are not kept in a response.
 constexpr double negligible_share = 1e-11;
 
@@ -31,24 +31,35 @@ std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2Sys
 
 G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> moved,
                                 std::vector<double> weight, const CancelToken& cancel) {
-  HARIKO_ASSERT(!system.network.couples_coordinates(), "normal pins couple the coordinates");
   HARIKO_ASSERT(moved.size() == weight.size(), "one weight a vertex");
-  const HalfEdgeMesh& mesh = *system.mesh;
   G2DragResponse response;
   response.moved = std::move(moved);
   response.weight = std::move(weight);
-  const Neighbourhood near = neighbourhood(mesh, response.moved, ring_count);
-  const std::vector<Vector3> field = unit_displacement(mesh, response.moved, response.weight);
-  const Network network = local_network(system, near, field, response_tolerance);
+  response.local = local_drag(system, response.moved, response.weight, ring_count, response_tolerance);
+  refine(system, response, cancel);
+  return response;
+}
+
+void refine(const SurfaceSystem& system, G2DragResponse& response, const CancelToken& cancel) {
+  const LocalDrag& local = response.local;
   G2System::SolveOptions options;
-  options.active_faces = &near.faces;
+  options.active_faces = &local.near.faces;
+  options.only_x = true;
   options.tolerance = response_tolerance;
-  const G2System::Given given{field, &network};
-  const auto solution = system.g2->solve(given, options, cancel);
-  if (solution.cancelled) return response;
-  for (const Index f : near.faces) {
-    const G2Face controls = system.g2->controls(f, given, solution.unknowns);
+  options.max_steps = steps_a_frame;
+  if (!response.unknowns.empty()) options.start = &response.unknowns;
+  const G2System::Given given{local.field, &local.network};
+  auto solution = system.g2->solve(given, options, cancel);
+  if (solution.cancelled) return;
+  response.settled = solution.converged;
+  response.unknowns = std::move(solution.unknowns);
+  response.faces.clear();
+  response.share.clear();
+  response.largest.clear();
+  for (const Index f : local.near.faces) {
+    const G2Face controls = system.g2->controls(f, given, response.unknowns);
     std::vector<double> share;
+    share.reserve(controls.size());
     double largest = 0;
     for (const Vector3& control : controls) {
       share.push_back(control.x());
@@ -59,7 +70,6 @@ G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> 
     response.share.push_back(std::move(share));
     response.largest.push_back(largest);
   }
-  return response;
 }
 
 std::shared_ptr<const G2PatchSet> displaced(const HalfEdgeMesh& mesh, const G2PatchSet& base,

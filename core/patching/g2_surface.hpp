@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/g2/g2_patch_set.hpp"
+#include "core/patching/drag_region.hpp"
 #include "core/patching/surface_system.hpp"
 
 namespace hariko {
@@ -21,12 +22,18 @@ struct G2DragResponse {
   std::vector<Index> faces;                ///< that feel it, ascending
   std::vector<std::vector<double>> share;  ///< per face: of each of its controls
   std::vector<double> largest;             ///< per face: largest share
+  bool settled = false;                    ///< as in `DragResponse`
+
+  LocalDrag local;
+  G2System::Field unknowns;  ///< so far
 };
 
 /// Requires `!system.network.couples_coordinates()`. Solves within the rings of faces that matter, with the
-/// matrix as it is: where it measures bending over a reference, that stays frozen.
+/// matrix as it is: where it measures bending over a reference, that stays frozen. Takes some steps only;
+/// `refine` takes as many more.
 G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> moved,
                                 std::vector<double> weight, const CancelToken& cancel = {});
+void refine(const SurfaceSystem& system, G2DragResponse& response, const CancelToken& cancel = {});
 
 /// base + share * displacement in the faces that move by more than `negligible` (a length); `changed` gets
 /// their patches, ascending.

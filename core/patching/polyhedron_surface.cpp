@@ -16,8 +16,8 @@ namespace hariko {
 namespace {
 
 constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
-/// Of the object's size: faces that a drag moves less stay as they are in mode G2.
-constexpr double drag_negligible_g2 = 2e-10;
+/// Of the object's size: patches that a drag moves less stay as they are.
+constexpr double drag_negligible = 1e-10;
 
 std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
   const bool fair = mode == Mode::fair;
@@ -233,33 +233,37 @@ std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const Polyhedro
       base->joins != joins.joins())
     return std::nullopt;
   std::shared_ptr<const PatchSet> patches;
-  std::shared_ptr<const std::vector<Index>> changed;
   CornerNormal normal;
   /// Keeps `response` or makes the one for this move; false when it was cancelled.
   const auto prepare_response = [&](auto& known, CommonMove& move, const auto& make) {
-    if (known && known->moved == move.moved && known->weight == move.weight) return true;
+    if (known && known->moved == move.moved && known->weight == move.weight) {
+      if (!known->settled) refine(*system, *known, cancel);
+      return !cancel.cancelled();
+    }
     known = make(*system, std::move(move.moved), std::move(move.weight), cancel);
     if (cancel.cancelled()) known.reset();
     return known.has_value();
   };
+  std::vector<Index> touched;
+  bool settled = true;
+  const double negligible = drag_negligible * base->size;
   if (system->g2) {
     auto move = common_move(joins.polyhedron(), base->positions, g2_response);
     if (!move || !prepare_response(g2_response, *move, g2_drag_response)) return std::nullopt;
-    std::vector<Index> touched;
-    auto moved = displaced(*system->mesh, *base->g2, *g2_response, move->displacement,
-                           drag_negligible_g2 * base->size, touched);
-    changed = std::make_shared<const std::vector<Index>>(std::move(touched));
+    auto moved = displaced(*system->mesh, *base->g2, *g2_response, move->displacement, negligible, touched);
+    settled = g2_response->settled;
     normal = [moved](Index patch, int corner) { return moved->corner_normal(patch, corner); };
     patches = std::move(moved);
   } else {
     auto move = common_move(joins.polyhedron(), base->positions, response);
     if (!move || !prepare_response(response, *move, drag_response)) return std::nullopt;
-    auto moved =
-        std::make_shared<QuarticPatchSet>(displaced(base->patches, *response, move->displacement), tables);
-    changed = response->patches;
+    auto moved = std::make_shared<QuarticPatchSet>(
+        displaced(base->patches, *response, move->displacement, negligible, touched), tables);
+    settled = response->settled;
     normal = corner_normals(moved->array());
     patches = std::move(moved);
   }
+  auto changed = std::make_shared<const std::vector<Index>>(std::move(touched));
   auto normals = std::make_shared<std::vector<Vector3>>(base->surface.node_count());
   for (Index n = 0; n < base->surface.node_count(); ++n) (*normals)[n] = base->surface.node_normal(n);
   update_node_normals(*system->mesh, system->network.frames(), parts, normal, *changed, *normals);
@@ -269,6 +273,7 @@ std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const Polyhedro
   out.revision = ++revision;
   out.base_revision = base->revision;
   out.changed = std::move(changed);
+  out.settled = settled;
   out.joins = base->coefficients;
   return out;
 }

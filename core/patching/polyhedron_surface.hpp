@@ -70,6 +70,9 @@ struct PolyhedronSurface {
   /// to those of the result with revision `base_revision`; results of one drag share that base.
   std::uint64_t revision = 0, base_revision = 0;
   std::shared_ptr<const std::vector<Index>> changed;
+  /// False in the first frames of a drag: the answer to the move is not solved to the end yet, which the next
+  /// calls with quality `drag` go on with. The surface is smooth, but some 1e-4 of the move off.
+  bool settled = true;
 };
 
 /// Keeps what depends on connectivity and tensions only (assembled systems, factorisations, responses)

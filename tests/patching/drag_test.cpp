@@ -1,6 +1,7 @@
-// A dragged vertex: few patches change, and what is shown differs from the full solution by less than 1e-6 of
-// the move.
+// A dragged vertex: few patches change, and what is shown differs from the full solution by less than 1e-9 of
+// the object's size.
 
+#include <Eigen/Geometry>
 #include <set>
 
 #include "core/patching/quartic_patch.hpp"
@@ -24,6 +25,12 @@ double largest_difference(const QuarticPatchSet& a, const QuarticPatchSet& b) {
   return largest;
 }
 
+double size_of(const Polyhedron& polyhedron) {
+  Eigen::AlignedBox3d box;
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) box.extend(polyhedron.position(v));
+  return box.diagonal().norm();
+}
+
 void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Mode mode, std::vector<Index> vertices,
                       std::mt19937_64& rng, std::size_t* changed_count = nullptr, bool soft = false) {
   PolyhedronSurfaceInput input{start, shaping, mode, Vector3::Zero()};
@@ -34,7 +41,8 @@ void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Mode mode
   Vector3 move;
   std::vector<double> shares(vertices.size(), 1);
   for (std::size_t i = 1; soft && i < shares.size(); ++i) shares[i] = uniform(rng, 0.01, 1);
-  for (int frame = 0; frame < 3; ++frame) {
+  for (int frame = 0; frame < 3 || !dragged.settled; ++frame) {
+    ASSERT_LT(frame, 40);
     move = random_vector(rng, 0.3);
     std::vector<Vector3> positions;
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -46,7 +54,7 @@ void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Mode mode
   }
   PolyhedronSurfacer fresh;
   const auto full = fresh.rebuild(input);
-  EXPECT_LT(largest_difference(set_of(dragged), set_of(*full)), 1e-6 * move.norm());
+  EXPECT_LT(largest_difference(set_of(dragged), set_of(*full)), 1e-9 * size_of(start));
   std::set<Index> changed(dragged.changed->begin(), dragged.changed->end());
   for (Index h = 0; h < set_of(dragged).patch_count(); ++h)
     if (!changed.contains(h)) {
@@ -70,7 +78,7 @@ TEST(Drag, OneVertexOfTwentyThousandFaces) {
   for (const Mode mode : {Mode::paper, Mode::target, Mode::fair}) {
     std::size_t changed = 0;
     drag_and_compare(polyhedron, {}, mode, {12345}, rng, &changed);
-    EXPECT_LT(changed, 2000U);
+    EXPECT_LT(changed, 3000U);
     EXPECT_GT(changed, 100U);
   }
 }

@@ -1,0 +1,106 @@
+#pragma once
+
+// Preconditioned conjugate gradients, one coordinate or three at once.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/cancellation.hpp"
+
+namespace hariko {
+
+/// Numbers of a step: one a coordinate. Three coordinates are three systems with the same matrix.
+using Coefficients3 = Eigen::Array3d;
+
+namespace conjugate_gradients_detail {
+
+inline Coefficients3 ratio(const Coefficients3& a, const Coefficients3& b) {
+  return (b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0);
+}
+inline double ratio(double a, double b) {
+  return std::abs(b) > 0 ? a / b : 0.0;
+}
+/// A coordinate in which the object is flat needs no digits beyond rounding of the largest one.
+inline Coefficients3 enough(const Coefficients3& energy, double tolerance) {
+  return (tolerance * tolerance * energy).max(1e-32 * energy.maxCoeff());
+}
+inline double enough(double energy, double tolerance) {
+  return std::max(tolerance * tolerance, 1e-32) * energy;
+}
+inline bool exceeds(const Coefficients3& a, const Coefficients3& b) {
+  return (a > b).any();
+}
+inline bool exceeds(double a, double b) {
+  return a > b;
+}
+inline Coefficients3 one(const Coefficients3&) {
+  return Coefficients3::Ones();
+}
+inline double one(double) {
+  return 1;
+}
+
+}  // namespace conjugate_gradients_detail
+
+struct ConjugateGradientsOptions {
+  bool warm = false;  ///< x is a start, and not zero
+  double tolerance =
+      1e-13;  ///< residual in the preconditioner's norm, relative to that of the right-hand side
+  int max_steps = 600;
+};
+struct ConjugateGradientsReport {
+  int iterations = 0;
+  bool converged = true;
+  bool cancelled = false;
+};
+
+/// What a solve works in beside x; all zero at the beginning but `residual`, the right-hand side.
+template <class Field>
+struct ConjugateGradientsRoom {
+  Field residual, preconditioned, direction, image;
+};
+
+/// `system`: apply(x, y), precondition(r, z), both symmetric and positive definite; dot(a, b), one number a
+/// coordinate, summed in a fixed order; combine(y, a, b, x): y = a y + b x.
+template <class System, class Field>
+ConjugateGradientsReport conjugate_gradients(System& system, Field& x, ConjugateGradientsRoom<Field>& room,
+                                             const ConjugateGradientsOptions& options,
+                                             const CancelToken& cancel) {
+  namespace detail = conjugate_gradients_detail;
+  auto& [r, z, p, q] = room;
+  system.precondition(r, z);
+  auto rz = system.dot(r, z);
+  const auto one = detail::one(rz);
+  const auto enough = detail::enough(rz, options.tolerance);
+  if (options.warm) {
+    system.apply(x, q);
+    system.combine(r, one, -one, q);
+    system.precondition(r, z);
+    rz = system.dot(r, z);
+  }
+  system.combine(p, one, one, z);
+  ConjugateGradientsReport report;
+  while (detail::exceeds(rz, enough)) {
+    if (report.iterations == options.max_steps) {
+      report.converged = false;
+      break;
+    }
+    if (cancel.cancelled()) {
+      report.cancelled = true;
+      break;
+    }
+    system.apply(p, q);
+    const auto step = detail::ratio(rz, system.dot(p, q));
+    system.combine(x, one, step, p);
+    system.combine(r, one, -step, q);
+    system.precondition(r, z);
+    const auto next = system.dot(r, z);
+    system.combine(p, detail::ratio(next, rz), one, z);
+    rz = next;
+    ++report.iterations;
+  }
+  return report;
+}
+
+}  // namespace hariko
