@@ -1,6 +1,6 @@
 // The arrows between the folders, checked on every #include line: app -> ui -> render -> core, and inside
-// core modeling -> document, and document, analysis, exchange -> patching -> g2 -> network -> polyhedron,
-// surface
+// core modeling -> document, unfolding -> exchange, and document, analysis, exchange -> patching -> g2 ->
+// network -> polyhedron, surface
 // -> base.
 
 #include <gtest/gtest.h>
@@ -33,6 +33,7 @@ const std::map<std::string, Names>& core_arrows() {
       {"modeling", {"modeling", "document", "patching", "network", "polyhedron", "surface", "base"}},
       {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "base"}},
       {"exchange", {"exchange", "patching", "network", "polyhedron", "surface", "base"}},
+      {"unfolding", {"unfolding", "exchange", "polyhedron", "surface", "base"}},
   };
   return arrows;
 }
