@@ -194,7 +194,7 @@ std::vector<PickHit> Search::vertices() {
   std::vector<PickHit> hits;
   for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
     const SceneObject& object = scene_.objects[o];
-    if (!object.polyhedron) continue;
+    if (!object.polyhedron || !object.elements_pickable) continue;
     for (std::size_t v = 0; v < object.polyhedron->positions.size(); ++v) {
       const Vector3 world = world_position(object, static_cast<Index>(v));
       const auto at = projector_.project(world);
@@ -212,7 +212,7 @@ std::vector<PickHit> Search::edges() {
   std::vector<PickHit> hits;
   for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
     const SceneObject& object = scene_.objects[o];
-    if (!object.polyhedron) continue;
+    if (!object.polyhedron || !object.elements_pickable) continue;
     const std::vector<Vector3> pixels = project_vertices(object, projector_);
     for (Index e = 0; e < object.polyhedron->edges.size(); ++e) {
       const auto edge = screen_edge(object, projector_, pixels, e);

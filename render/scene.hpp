@@ -60,8 +60,9 @@ struct SceneObject {
   Color color = color_from_hex("#b9b4ac");  ///< of the outside, for `shaded` and `isophotes`
 
   bool show_surface = true;
-  bool show_polyhedron = false;  ///< edges and points
-  bool show_network = false;     ///< curves over source edges; creases and boundaries are drawn with it
+  bool show_polyhedron = false;   ///< edges and points
+  bool show_network = false;      ///< curves over source edges; creases and boundaries are drawn with it
+  bool elements_pickable = true;  ///< vertices and edges: not those of a net that is not shown
   PatchWire wire = PatchWire::none;
   bool show_points = true;     ///< with the polyhedron
   bool show_tensions = false;  ///< colours of the polyhedron's edges and points

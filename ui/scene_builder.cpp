@@ -13,9 +13,9 @@ bool same(const GridSettings& a, const GridSettings& b) {
 bool same(const SceneObject& a, const SceneObject& b) {
   return a.mesh == b.mesh && a.polyhedron == b.polyhedron && a.transform == b.transform && a.map == b.map &&
          a.range == b.range && a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
-         a.show_network == b.show_network && a.wire == b.wire && a.material == b.material &&
-         a.color == b.color && a.show_tensions == b.show_tensions && a.marks == b.marks &&
-         a.combs == b.combs && a.comb_scale == b.comb_scale && a.failed == b.failed &&
+         a.show_network == b.show_network && a.elements_pickable == b.elements_pickable && a.wire == b.wire &&
+         a.material == b.material && a.color == b.color && a.show_tensions == b.show_tensions &&
+         a.marks == b.marks && a.combs == b.combs && a.comb_scale == b.comb_scale && a.failed == b.failed &&
          a.show_points == b.show_points && a.x_ray == b.x_ray && a.dimmed == b.dimmed &&
          a.selected == b.selected && a.hovered == b.hovered && a.selected_patches == b.selected_patches &&
          a.hovered_patches == b.hovered_patches;
@@ -124,6 +124,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   out.show_surface = display.surface;
   out.show_polyhedron = display.polyhedron;
   out.show_network = display.network;
+  out.elements_pickable = !object->patches() || display.polyhedron;
   out.x_ray = editor.view.x_ray;
   out.material = display.material;
   out.color = color_of(display.colour);

@@ -113,6 +113,18 @@ TEST(Picking, TypesCanBeSwitchedOff) {
   EXPECT_FALSE(pick(scene, projector, vertex, options));
 }
 
+TEST(Picking, ANetThatDoesNotShowIsNotPicked) {
+  Scene scene = scene_with(grid(3, 3));
+  const Projector projector = view_of(scene, StandardView::top);
+  const Vector2 corner = projector.project(Vector3(1, 1, 0))->head<2>();
+  ASSERT_EQ(pick(scene, projector, corner)->kind, Element::Kind::vertex);
+  scene.objects[0].elements_pickable = false;
+  EXPECT_EQ(pick(scene, projector, corner)->kind, Element::Kind::face);
+  PickOptions elements_only;
+  elements_only.faces = false;
+  EXPECT_FALSE(pick(scene, projector, corner, elements_only));
+}
+
 TEST(Picking, OfTwoVerticesBehindEachOtherTheNearWins) {
   const Scene scene = scene_with(cube());
   const Projector projector = view_of(scene, StandardView::front, true);

@@ -116,13 +116,16 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
         right = fill(context.tr("{0} vertices  {1} edges  {2} faces"),
                      {std::to_string(p.vertex_count()), std::to_string(p.edge_count()),
                       std::to_string(p.face_count())});
+      } else if (const PatchSource* patches = object->patches()) {
+        right = fill(context.tr("patches: {0} \u00d7 {1}"),
+                     {std::to_string(patches->columns), std::to_string(patches->rows)});
       }
       const SurfaceView* view = editor.view_of(object->id);
       if (view && view->error) {
         right = context.tr.text_of(*view->error);
         colour = palette().error;
       } else if (view) {
-        right += "   \u00b7   " + format_number(view->milliseconds, 3) + " ms";
+        right += (right.empty() ? "" : "   \u00b7   ") + format_number(view->milliseconds, 3) + " ms";
         if (view->largest_normal_jump)
           right += *view->largest_normal_jump < 1e-9
                        ? std::string("   \u00b7   ") + context.tr("tangent-continuous")

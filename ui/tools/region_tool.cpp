@@ -104,7 +104,7 @@ class RegionTool final : public Tool {
       if (taken && !held.empty()) selection.select({id, element_of(id)}, how);
       return;
     }
-    if (!object->cage()) return;
+    if (!object->cage() || !shown.elements_pickable) return;
     if (editor.mode != ElementMode::vertex) held.vertices.clear();
     if (editor.mode != ElementMode::edge) held.edges.clear();
     if (editor.mode != ElementMode::face) held.faces.clear();
