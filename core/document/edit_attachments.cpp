@@ -207,6 +207,14 @@ Polyhedron attached_polyhedron(const Document& document, const Object& object) {
   return placed.ok() ? *placed : source.polyhedron;
 }
 
+Document with_seen_ends(const Document& document, ObjectId id) {
+  const Object* object = document.find(id);
+  if (!object || !object->polyhedron() || object->polyhedron()->attachments->empty()) return document;
+  Object changed = *object;
+  std::get<PolyhedronSource>(changed.source).polyhedron = attached_polyhedron(document, *object);
+  return changed == *object ? document : detail::with_object(document, std::move(changed));
+}
+
 Result<Document> release_edges(const Document& document, ObjectId id, std::span<const EdgeId> edges) {
   return detail::change_object(document, id, true, [&](Object& object) -> Result<Done> {
     auto* source = std::get_if<PolyhedronSource>(&object.source);

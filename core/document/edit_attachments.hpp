@@ -54,6 +54,9 @@ Attachment attachment_to(const Object& polyhedron, EdgeId edge, const Object& pa
 /// The polyhedron of an object as it is seen: with the ends of attached edges where their sides end, as far
 /// as those exist. O(attachments).
 Polyhedron attached_polyhedron(const Document& document, const Object& polyhedron);
+/// The document with the ends of the object's attached edges stored where they are seen. The same document
+/// for objects without attached edges.
+Document with_seen_ends(const Document& document, ObjectId id);
 
 /// Attachments to these objects become copies of their sides; a patch that adapted does so no more.
 Source frozen_source(const Object& polyhedron, std::span<const std::shared_ptr<const Object>> gone);

@@ -5,6 +5,7 @@
 #include "tests/app/tool_rig.hpp"
 #include "tests/support/random.hpp"
 #include "ui/tools/snapping.hpp"
+#include "ui/tools/transform_target.hpp"
 #include "ui/tools/transform_tool.hpp"
 
 namespace hariko {
@@ -37,6 +38,30 @@ TEST(TransformTool, TypedMovesAreExact) {
   EXPECT_EQ(rig.editor.selection, chosen) << "undo brings back the selection";
   rig.editor.redo();
   EXPECT_EQ(rig.editor.document(), after);
+}
+
+TEST(TransformTool, AttachedEndsAreTakenWhereTheyAreSeen) {
+  Rig rig(grid_document(1));
+  const ObjectId grid = rig.editor.document().objects[0]->id;
+  const BicubicNet net = [] {
+    BicubicNet out{1, 1, {}};
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i) out.points.emplace_back(i / 3.0, -j / 3.0, 0);
+    return out;
+  }();
+  const auto added =
+      add_object(rig.editor.document(), "Patch", PatchSource::from_net(net).value(), Similarity{}).value();
+  const EdgeId edge{VertexId{0}, VertexId{1}};
+  auto document = attach_edge(added.document, grid, edge,
+                              *nearest_side(added.document, *added.document.find(grid), edge));
+  Similarity moved;
+  moved.translation = {0, 0, 2};
+  document = set_transform(*document, added.id, moved);
+  ASSERT_TRUE(document.ok());
+  rig.editor.open(*document, {});
+  rig.scene.update(rig.editor);
+  rig.choose({0, 1});
+  EXPECT_TRUE(TransformTarget::of(rig.editor).pivot().isApprox(Vector3(0.5, 0, 2), 1e-12));
 }
 
 TEST(TransformTool, UnitsExpressionsAndFields) {

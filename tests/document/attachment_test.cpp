@@ -117,6 +117,25 @@ TEST(Attachment, StaysLiveWhenAPatchMoves) {
   });
 }
 
+TEST(Attachment, EndsCanBeStoredWhereTheyAreSeen) {
+  for_random(4731, 20, [&](std::mt19937_64& rng) {
+    Joined joined = random_joined(rng, 1, Adapts::surface);
+    if (joined.patches.empty()) return;
+    const Similarity turn = random_place(rng, 1, 0.2);
+    for (const ObjectId id : joined.patches)
+      joined.document = set_transform(joined.document, id, turn).value();
+    const Document stored = with_seen_ends(joined.document, joined.polyhedron);
+    EXPECT_NE(stored, joined.document);
+    const Object& hood = *stored.find(joined.polyhedron);
+    EXPECT_EQ(attached_polyhedron(joined.document, *joined.document.find(joined.polyhedron)),
+              hood.polyhedron()->polyhedron);
+    // What is seen does not change by it.
+    EXPECT_EQ(attached_polyhedron(stored, hood), hood.polyhedron()->polyhedron);
+    EXPECT_EQ(with_seen_ends(stored, joined.polyhedron), stored);
+    EXPECT_EQ(with_seen_ends(joined.document, joined.patches.front()), joined.document);
+  });
+}
+
 TEST(Attachment, DeletingThePatchKeepsACopyOfItsSide) {
   for_random(4741, 20, [&](std::mt19937_64& rng) {
     const Joined joined = random_joined(rng, 0.75, Adapts::surface, random_place(rng, 2, 10));

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/document/edit_attachments.hpp"
 #include "core/document/edits.hpp"
 #include "core/modeling/edit_modeling.hpp"
 #include "core/modeling/local_edit.hpp"
@@ -72,6 +73,7 @@ TransformTarget TransformTarget::of(const Editor& editor) {
     target.what_ = counted(target.parts_.size(), "object", "objects");
   } else {
     for (const auto& [id, elements] : editor.selection.elements()) {
+      target.document_ = with_seen_ends(target.document_, id);
       const Object* object = target.document_.find(id);
       if (object && object->visible && object->cage()) target.add_elements(*object, elements);
     }
