@@ -3,7 +3,8 @@
 
     python3 scripts/manual_pictures.py build/release/app/hariko
 
-Needs ImageMagick (montage) to put the pictures side by side. The pictures of the window are taken by hand."""
+Needs ImageMagick (montage) to put the pictures side by side. The pictures of the window come from
+manual_windows.py."""
 
 import os
 import subprocess

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""Takes the pictures of the window in docs/manual.md and README.md with real mouse and key events.
+
+    python3 scripts/manual_windows.py build/release/app/hariko [name ...]
+
+Needs what the window tests need: Xvfb, xdotool and ImageMagick."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PICTURES = os.path.join(ROOT, "docs", "pictures")
+sys.path.insert(0, os.path.join(ROOT, "tests", "window"))
+sys.dont_write_bytecode = True
+from driver import Window  # noqa: E402  (beside the tests)
+
+
+def sample(name):
+    return os.path.join(ROOT, "assets", "samples", name + ".hariko")
+
+
+def command(window, name):
+    window.key("ctrl+shift+p")
+    window.rect("palette.input")
+    window.type(name)
+    window.wait_idle()
+    window.key("Return")
+    window.wait_idle()
+
+
+def nothing(window):
+    pass
+
+
+def extrude(window):
+    window.key("3")
+    window.click(*[sum(window.vertex(v)[k] for v in window.last("vertices")["objects"]["1"]) /
+                   len(window.last("vertices")["objects"]["1"]) for k in (0, 1)])
+    window.wait_idle()
+    window.key("e")
+    x, y = window.center("viewport")
+    window.move(x + 30, y - 20)
+    window.move(x + 60, y - 45)
+
+
+def four(window):
+    window.key("ctrl+alt+q")
+    window.wait_idle()
+    window.key("alt+e")
+
+
+def zebra(window):
+    window.key("alt+z")
+
+
+def mean(window):
+    command(window, "Mean curvature")
+    window.key("alt+c")
+
+
+def section(window):
+    window.key("alt+s")
+
+
+def palette(window):
+    window.key("ctrl+shift+p")
+    window.rect("palette.input")
+    window.type("cre")
+
+
+def local_editing(window):
+    window.key("shift+o")
+    x, y, _ = window.vertex(window.nearest_vertex())
+    window.click(x, y)
+    for key in ("r", "x", "2", "0", "Return"):
+        window.key(key)
+    window.wait_idle()
+
+
+def attached(window):
+    pixels = window.last("vertices")["objects"]["2"]
+    nearest = sorted(pixels, key=lambda v: pixels[v][2])[:2]
+    window.key("2")
+    window.wait_idle()
+    window.click(*[sum(pixels[v][k] for v in nearest) / 2 for k in (0, 1)])
+
+
+# Picture -> (sample or none, what is done, settings of the interface)
+WINDOWS = {
+    "manual_start": (None, nothing, {}),
+    "manual_four": ("car", four, {}),
+    "manual_extrude": ("fig2", extrude, {}),
+    "manual_zebra": ("car", zebra, {}),
+    "manual_mean": ("car", mean, {}),
+    "manual_section": ("cube", section, {}),
+    "manual_palette": ("fig2", palette, {}),
+    "manual_keys": ("fig2", lambda window: window.key("F1"), {}),
+    "manual_prefs": ("fig2", lambda window: window.key("ctrl+comma"), {}),
+    "manual_japanese": ("fig2", nothing, {"language": "japanese"}),
+    "manual_light": ("car", nothing, {"theme": "light"}),
+    "manual_local": ("fig2", local_editing, {}),
+    "manual_joins": ("wheel_arch", attached, {}),
+}
+
+
+def take(program, name):
+    model, action, settings = WINDOWS[name]
+    with tempfile.TemporaryDirectory() as home:
+        folder = os.path.join(home, "config", "hariko")
+        os.makedirs(folder)
+        if settings:
+            with open(os.path.join(folder, "settings.json"), "w", encoding="utf-8") as file:
+                json.dump(settings, file)
+        window = Window(program, *([sample(model)] if model else []), home=home)
+        try:
+            window.move(4, 796)  # off everything that answers to the pointer
+            time.sleep(2 if model is None else 0.5)  # the cards of the start page draw themselves one by one
+            window.wait_idle()
+            action(window)
+            time.sleep(0.6)
+            path = os.path.join(home, "picture.png")
+            window.screenshot(path)
+            subprocess.run(["convert", path, "-resize", "1000x", "-strip", "+dither", "-colors", "224",
+                            "PNG8:" + os.path.join(PICTURES, name + ".png")], check=True, timeout=120)
+        finally:
+            window.close()
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    for name in sys.argv[2:] or WINDOWS:
+        take(program, name)
+
+
+main()
