@@ -10,7 +10,7 @@
 
 #include "core/base/chunked_array.hpp"
 #include "core/patching/quartic_basis.hpp"
-#include "core/surface/patch.hpp"
+#include "core/surface/facet_evaluation.hpp"
 
 namespace hariko {
 
@@ -41,7 +41,7 @@ class QuarticTables {
 /// Copies of the patch array share memory four patches at a time (a quad's).
 using QuarticPatchArray = ChunkedArray<QuarticPatch, 4>;
 
-class QuarticPatchSet final : public PatchSet {
+class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
  public:
   QuarticPatchSet(QuarticPatchArray patches, std::shared_ptr<const QuarticTables> tables);
 
@@ -59,6 +59,15 @@ class QuarticPatchSet final : public PatchSet {
   /// Exact where the corner's two inner points coincide (to 1e-12 of the patch's size): the patch is an
   /// ordinary quartic there.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
+
+  void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
+  void first_order(Index patch, std::span<const Vector2> parameters,
+                   std::span<PatchPoint> out) const override;
+  int hull_degree(Index) const override { return 4; }
+  /// The inner points slide between two ends each; intervals of where they are over the triangle give the
+  /// radii.
+  void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
+            std::span<HullBall> out) const override;
 
  private:
   QuarticPatchArray patches_;

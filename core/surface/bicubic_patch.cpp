@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include "core/base/assert.hpp"
+#include "core/surface/tensor_sums.hpp"
+#include "core/surface/triangle_collocation.hpp"
 
 namespace hariko {
 
@@ -181,6 +183,24 @@ void BicubicPatchSet::evaluate_grid(std::span<const Index> patches, const GridPa
         set_side_position(p, fraction[i], fraction[j], point, basis[i], basis[j]);
       }
   }
+}
+
+void BicubicPatchSet::positions(Index patch, std::span<const Vector2> parameters,
+                                std::span<Vector3> out) const {
+  const Controls p = controls(patch);
+  tensor_positions(3, 3, p.data(), parameters, out);
+}
+
+void BicubicPatchSet::first_order(Index patch, std::span<const Vector2> parameters,
+                                  std::span<PatchPoint> out) const {
+  const Controls p = controls(patch);
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    out[k] = point_of(p, parameters[k].x(), parameters[k].y(), Order::first);
+}
+
+void BicubicPatchSet::hull(Index, const ParameterTriangle&, std::span<const Vector3> samples,
+                           std::span<HullBall> out) const {
+  triangle_collocation(6).controls(samples, out);
 }
 
 CornerSecondOrder BicubicPatchSet::second_order_at_corner(Index patch, int corner) const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/surface/facet_evaluation.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
@@ -47,7 +48,7 @@ struct SideRows {
 };
 SideRows side_rows(const BicubicNet& net, NetSide side);
 
-class BicubicPatchSet final : public PatchSet {
+class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
  public:
   /// The net has as many points as it says (asserted).
   explicit BicubicPatchSet(BicubicNet net);
@@ -63,6 +64,13 @@ class BicubicPatchSet final : public PatchSet {
                      std::span<PatchPoint> points) const override;
   /// Exact; undefined where a side is shrunk to the corner.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
+
+  void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
+  void first_order(Index patch, std::span<const Vector2> parameters,
+                   std::span<PatchPoint> out) const override;
+  int hull_degree(Index) const override { return 6; }
+  void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
+            std::span<HullBall> out) const override;
 
  private:
   using Controls = std::array<Vector3, 16>;

@@ -32,6 +32,7 @@ const std::map<std::string, Names>& core_arrows() {
       {"document", {"document", "patching", "network", "polyhedron", "surface", "base"}},
       {"modeling", {"modeling", "document", "patching", "network", "polyhedron", "surface", "base"}},
       {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "base"}},
+      {"approximation", {"approximation", "surface", "base"}},
       {"exchange", {"exchange", "patching", "network", "polyhedron", "surface", "base"}},
       {"unfolding", {"unfolding", "exchange", "polyhedron", "surface", "base"}},
   };

@@ -1,0 +1,75 @@
+#include "core/approximation/approximate.hpp"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "core/approximation/bisection.hpp"
+#include "core/approximation/initial_mesh.hpp"
+#include "core/approximation/mesh_report.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Diagonal of the box of a few points of every patch; not a number where they are none.
+double size_of(const SurfaceSampler& sampler) {
+  const Surface& surface = sampler.surface();
+  const std::vector<Vector2> parameters = GridPattern{surface.domain(), 3}.parameters();
+  std::vector<Vector3> points(parameters.size());
+  Eigen::AlignedBox3d box;
+  for (Index p = 0; p < surface.patch_count(); ++p) {
+    sampler.positions(p, parameters, points);
+    for (const Vector3& q : points) box.extend(q);
+  }
+  return box.diagonal().norm();
+}
+
+std::string limit_text(const MeshOptions& options) {
+  return "The limit of " + std::to_string(options.facet_limit) +
+         " facets was reached before the tolerance was.";
+}
+
+/// What the measured errors say beside what the refinement knew.
+void add_warnings(const MeshOptions& options, const BisectionResult& refined, MeshApproximation& out) {
+  out.unreached = refined.unreached;
+  if (refined.limit_reached)
+    out.warnings.push_back(make_warning(w_mesh_limit, limit_text(options), "Choose a larger tolerance."));
+  if (refined.unreached > 0)
+    out.warnings.push_back(
+        make_warning(w_mesh_unreached,
+                     "The tolerance was not reached: " + std::to_string(refined.unreached) +
+                         " facets are above it (edges too short).",
+                     "Look for kinks, cusps or folds of the surface there."));
+  const std::optional<double>& angle = options.criteria.min_angle;
+  if (angle && out.smallest_angle < *angle)
+    out.warnings.push_back(make_warning(
+        w_mesh_unreached,
+        "The smallest angle of a facet is " +
+            std::to_string(int(out.smallest_angle * 180 / std::numbers::pi * 10) / 10) + " degrees.",
+        "Ask for a smaller angle, or let the mesh be optimised."));
+}
+
+}  // namespace
+
+Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions& options,
+                                      const CancelToken& cancel, const Progress& progress) {
+  if (surface.patch_count() == 0)
+    return make_error(e_mesh_nothing, "There is nothing to approximate.", "Select an object with a surface.");
+  const SurfaceSampler sampler(surface);
+  const double size = size_of(sampler);
+  if (!(size > 0)) return make_error(e_mesh_surface, "The surface is shrunk to a point.", "Give it a size.");
+  if (auto error = check_criteria(options.criteria, size)) return *error;
+  const FacetErrors errors(sampler, options.criteria);
+  ParameterMesh mesh = initial_mesh(surface);
+  const BisectionResult refined = bisect(sampler, errors, options, mesh, cancel, progress.part(0, 0.85));
+  const auto cancelled = [] { return make_error(e_cancelled, "The meshing was cancelled."); };
+  if (refined.cancelled) return cancelled();
+  MeshApproximation out = mesh_report(sampler, errors, options, mesh, cancel, progress.part(0.85, 1));
+  if (cancel.cancelled()) return cancelled();
+  if (out.mesh.triangles.empty())
+    return make_error(e_mesh_surface, "The surface has no area.", "Give it an extent in two directions.");
+  add_warnings(options, refined, out);
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,283 @@
+#include "core/approximation/bisection.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "core/approximation/fold_error.hpp"
+#include "core/base/parallel.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double shortest_edge = 2e-4;  ///< of the patch
+constexpr int longest_path = 200, most_detours = 200, most_detours_of_halving = 3;
+constexpr std::size_t largest_batch = 512, facets_per_task = 32;
+/// Cuts in a row that do not lower a facet's error before the paper's rule is given up for it.
+constexpr std::uint8_t patience = 3;
+/// What an error must come below, of that before the cut, to count as lowered.
+constexpr double lowered = 0.9;
+constexpr int most_failures = 1;  ///< in one patch before all of it gives the paper's rule up
+
+class Bisection {
+ public:
+  Bisection(const SurfaceSampler& sampler, const FacetErrors& errors, const MeshOptions& options,
+            ParameterMesh& mesh)
+      : sampler_(sampler),
+        errors_(errors),
+        options_(options),
+        criteria_(options.criteria),
+        mesh_(mesh),
+        crease_(criteria_.fold_angle ? std::min(crease_angle, 0.5 * *criteria_.fold_angle) : crease_angle) {}
+
+  BisectionResult run(const CancelToken& cancel, const Progress& progress) {
+    measure_patches();
+    grow();
+    for (Index h = 0; h < mesh_.twin.size(); ++h) set_split(h);
+    for (Index f = 0; f < mesh_.facets.size(); ++f) touch(f);
+    evaluate_touched();
+    while (!queue_.empty() && !result_.limit_reached) {
+      if (cancel.cancelled()) {
+        result_.cancelled = true;
+        break;
+      }
+      const std::size_t batch = std::clamp<std::size_t>(queue_.size() / 8, 1, largest_batch);
+      for (std::size_t i = 0; i < batch && !queue_.empty(); ++i) {
+        const Entry top = queue_.top();
+        queue_.pop();
+        if (state_[top.facet].version == top.version) cut(top.facet);
+      }
+      evaluate_touched();
+      const auto count = static_cast<double>(mesh_.facets.size());
+      progress.report(count / (count + std::max(pending_, 0.0)));
+    }
+    return result_;
+  }
+
+ private:
+  struct Entry {
+    double error;
+    Index facet;
+    std::uint32_t version;
+    bool operator<(const Entry& other) const {
+      return error < other.error || (error == other.error && facet > other.facet);
+    }
+  };
+  struct State {
+    double error = 0;
+    double pending = 0;  ///< its part of pending_
+    std::uint32_t version = 0;
+    std::uint8_t futile = 0;  ///< cuts in a row that did not lower the error
+    bool touched = false;
+  };
+
+  void measure_patches() {
+    const Surface& surface = sampler_.surface();
+    const std::vector<Vector2> parameters = GridPattern{surface.domain(), 3}.parameters();
+    std::vector<Vector3> points(parameters.size());
+    shortest_.resize(surface.patch_count());
+    failures_.assign(surface.patch_count(), 0);
+    for (Index p = 0; p < surface.patch_count(); ++p) {
+      sampler_.positions(p, parameters, points);
+      Eigen::AlignedBox3d box;
+      for (const Vector3& q : points) box.extend(q);
+      shortest_[p] = shortest_edge * box.diagonal().norm();
+    }
+  }
+
+  void grow() {
+    state_.resize(mesh_.facets.size());
+    split_.resize(mesh_.twin.size());
+  }
+  bool gave_up(Index facet) const {
+    return state_[facet].futile >= patience || failures_[mesh_.facets[facet].patch] > most_failures;
+  }
+  void set_split(Index h) {
+    const Index other = mesh_.twin[h];
+    const bool given_up = options_.split == SplitRule::halving &&
+                          (gave_up(facet_of(h)) || (other != no_index && gave_up(facet_of(other))));
+    const SplitRule rule = given_up ? SplitRule::gauss : options_.split;
+    split_[h] = edge_split(sampler_, mesh_, h, rule);
+    if (other != no_index) split_[other] = split_[h];
+  }
+  void forget(State& state) {
+    pending_ -= state.pending;
+    state.pending = 0;
+  }
+  void touch(Index facet) {
+    if (state_[facet].touched) return;
+    state_[facet].touched = true;
+    touched_.push_back(facet);
+  }
+
+  /// True when edge a comes before edge b.
+  bool before(Index a, Index b) const {
+    if (split_[a].priority != split_[b].priority) return split_[a].priority > split_[b].priority;
+    const auto ends = [&](Index h) {
+      const Index from = mesh_.from(h), to = mesh_.to(h);
+      return std::pair{std::max(from, to), std::min(from, to)};
+    };
+    return ends(a) > ends(b);
+  }
+  Index best_edge(Index facet) const {
+    Index best = 3 * facet;
+    for (Index h = 3 * facet + 1; h < 3 * facet + 3; ++h)
+      if (before(h, best)) best = h;
+    return best;
+  }
+
+  /// The edge to cut first when this facet's best edge is to be cut.
+  Index end_of_path(Index edge) const {
+    for (int step = 0; step < longest_path; ++step) {
+      const Index other = mesh_.twin[edge];
+      if (other == no_index) break;
+      const Index best = best_edge(facet_of(other));
+      if (!(split_[best].priority > split_[edge].priority)) break;
+      edge = best;
+    }
+    return edge;
+  }
+
+  /// Cuts edges until one of this facet's is. Priorities that are not lengths may lead on and on: then its
+  /// own edge is cut without asking the neighbours.
+  void cut(Index facet) {
+    const std::uint32_t version = state_[facet].version;
+    const int asked = options_.propagation == Propagation::direct ? 0
+                      : options_.split == SplitRule::halving      ? most_detours_of_halving
+                                                                  : most_detours;
+    for (int round = 0; state_[facet].version == version; ++round) {
+      if (options_.split == SplitRule::halving && round == asked && round > 0) give_up(facet);
+      const Index own = best_edge(facet);
+      const Index edge = round < asked ? end_of_path(own) : own;
+      if (split_[edge].priority < 0 || mesh_.length(edge) <= shortest_[mesh_.facets[facet_of(edge)].patch]) {
+        if (options_.split == SplitRule::halving && !gave_up(facet)) {
+          give_up(facet);
+          continue;
+        }
+        ++result_.unreached;
+        return;
+      }
+      if (mesh_.facets.size() + 2 > options_.facet_limit) {
+        result_.limit_reached = true;
+        return;
+      }
+      split_edge(edge);
+    }
+  }
+  /// From now on the facet's edges and those made of them follow the Gauss image; after a few such facets
+  /// those of the whole patch do.
+  void give_up(Index facet) {
+    state_[facet].futile = patience;
+    const Index patch = mesh_.facets[facet].patch;
+    if (++failures_[patch] <= most_failures) {
+      for (Index h = 3 * facet; h < 3 * facet + 3; ++h) set_split(h);
+    } else if (failures_[patch] == most_failures + 1) {
+      for (Index h = 0; h < mesh_.twin.size(); ++h)
+        if (mesh_.facets[facet_of(h)].patch == patch) set_split(h);
+    }
+  }
+
+  void split_edge(Index edge) {
+    const Index other = mesh_.twin[edge];
+    const ParameterLine line = mesh_.canonical_line(edge);
+    const double t = split_[edge].parameter;
+    // A cut facet's second side moves to the new facet and takes its split along.
+    const EdgeSplit moved[2] = {split_[next_of(edge)],
+                                other == no_index ? EdgeSplit{} : split_[next_of(other)]};
+    const Vector2 at = line.at(t);
+    Vector3 position;
+    sampler_.positions(line.patch, {&at, 1}, {&position, 1});
+    const ParameterMesh::Split made = mesh_.split(edge, t, position);
+    grow();
+    for (int k = 0; k < made.count; k += 2) {
+      const Index f = made.facets[std::size_t(k)], g = made.facets[std::size_t(k + 1)];
+      split_[3 * g + next_of(k == 0 ? edge : other) % 3] = moved[k / 2];
+      State& old = state_[f];
+      forget(old);
+      ++old.version;
+      state_[g].error = old.error;
+      state_[g].futile = old.futile;
+      touch(f);
+      touch(g);
+    }
+    for (int k = 0; k < made.edge_count; ++k) set_split(made.edges[std::size_t(k)]);
+    // Folds change across the sides of what was cut.
+    if (!criteria_.fold_angle) return;
+    for (int k = 0; k < made.count; ++k)
+      for (Index h = 3 * made.facets[std::size_t(k)]; h < 3 * made.facets[std::size_t(k)] + 3; ++h)
+        if (mesh_.twin[h] != no_index) touch_neighbour(facet_of(mesh_.twin[h]));
+  }
+  void touch_neighbour(Index facet) {
+    if (state_[facet].touched) return;
+    forget(state_[facet]);
+    ++state_[facet].version;
+    touch(facet);
+  }
+
+  double error_of(Index facet) const {
+    const double worst = errors_.relative_error(mesh_, facet);
+    if (!criteria_.fold_angle || worst > 1 || mesh_.facets[facet].degenerate()) return worst;
+    const Index edge = best_edge(facet);
+    const ParameterLine line = mesh_.canonical_line(edge);
+    const Vector2 at = line.at(split_[edge].parameter);
+    Vector3 m;
+    sampler_.positions(line.patch, {&at, 1}, {&m, 1});
+    double fold = facet_fold(sampler_, mesh_, facet, crease_);
+    if (!is_crease(sampler_, mesh_, edge, crease_)) fold = std::max(fold, virtual_fold(mesh_, edge, m));
+    // Without this a middle that happens to lie in the facet's plane would end the refinement.
+    fold = std::max(fold, errors_.normal_spread(mesh_, facet));
+    return std::max(worst, fold / *criteria_.fold_angle);
+  }
+
+  void evaluate_touched() {
+    fresh_.resize(touched_.size());
+    parallel_for(touched_.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) fresh_[i] = error_of(touched_[i]);
+    });
+    for (std::size_t i = 0; i < touched_.size(); ++i) {
+      const Index facet = touched_[i];
+      State& state = state_[facet];
+      state.touched = false;
+      if (options_.split == SplitRule::halving && state.futile < patience) {
+        state.futile =
+            fresh_[i] < lowered * state.error || state.version == 0 ? 0 : std::uint8_t(state.futile + 1);
+        if (state.futile >= patience) give_up(facet);
+      }
+      state.error = fresh_[i];
+      if (!(state.error > 1)) continue;
+      state.pending = std::min(state.error, most_pending);
+      pending_ += state.pending;
+      queue_.push({state.error, facet, state.version});
+    }
+    touched_.clear();
+  }
+
+  static constexpr double most_pending = 1e4;
+
+  const SurfaceSampler& sampler_;
+  const FacetErrors& errors_;
+  const MeshOptions& options_;
+  const MeshCriteria& criteria_;
+  ParameterMesh& mesh_;
+  double crease_;
+  std::vector<double> shortest_;  ///< per patch
+  std::vector<int> failures_;     ///< per patch: facets at which halving was given up
+  std::vector<State> state_;      ///< per facet
+  std::vector<EdgeSplit> split_;  ///< per half-edge
+  std::priority_queue<Entry> queue_;
+  std::vector<Index> touched_;
+  std::vector<double> fresh_;
+  double pending_ = 0;  ///< about how many facets those in the queue will become
+  BisectionResult result_;
+};
+
+}  // namespace
+
+BisectionResult bisect(const SurfaceSampler& sampler, const FacetErrors& errors, const MeshOptions& options,
+                       ParameterMesh& mesh, const CancelToken& cancel, const Progress& progress) {
+  return Bisection(sampler, errors, options, mesh).run(cancel, progress);
+}
+
+}  // namespace hariko

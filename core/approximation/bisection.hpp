@@ -1,0 +1,24 @@
+#pragma once
+
+// Refinement by cutting facets in two until all errors are within their tolerances.
+
+#include "core/approximation/facet_error.hpp"
+#include "core/approximation/mesh_options.hpp"
+#include "core/approximation/parameter_mesh.hpp"
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
+
+namespace hariko {
+
+struct BisectionResult {
+  /// Facets above the tolerance that were left because their edges are shorter than 2e-4 of their patch.
+  std::size_t unreached = 0;
+  bool limit_reached = false, cancelled = false;
+};
+
+/// Refines the mesh in place, facets with the largest errors first (Yamamoto and Saitoh, sections 2 and 4).
+/// The result does not depend on the number of threads. O(n log n) for n facets.
+BisectionResult bisect(const SurfaceSampler& sampler, const FacetErrors& errors, const MeshOptions& options,
+                       ParameterMesh& mesh, const CancelToken& cancel = {}, const Progress& progress = {});
+
+}  // namespace hariko

@@ -1,0 +1,82 @@
+#pragma once
+
+// Distances to segments and closed triangles; shapes of triangles.
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+using FacetCorners = std::array<Vector3, 3>;
+
+inline double squared_distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const Vector3 edge = b - a, offset = p - a;
+  const double length = edge.squaredNorm();
+  const double t = length > 0 ? std::clamp(offset.dot(edge) / length, 0.0, 1.0) : 0.0;
+  return (offset - t * edge).squaredNorm();
+}
+
+/// A triangle prepared for many distances. One without area is its longest edge.
+class ClosedTriangle {
+ public:
+  explicit ClosedTriangle(const FacetCorners& corners) : p_(corners) {
+    const Vector3 e = p_[1] - p_[0], f = p_[2] - p_[0];
+    const Vector3 normal = e.cross(f);
+    const double square = normal.squaredNorm(), size = std::max(e.squaredNorm(), f.squaredNorm());
+    flat_ = square > 1e-24 * size * size;
+    if (!flat_) return;
+    normal_ = normal / std::sqrt(square);
+    second_ = f.cross(normal) / square;  // second_ . (x - p0) is the coordinate of corner 1
+    third_ = normal.cross(e) / square;
+  }
+
+  /// Unit; zero for a triangle without area.
+  const Vector3& normal() const { return normal_; }
+  bool has_area() const { return flat_; }
+
+  double squared_distance(const Vector3& p) const {
+    if (flat_) {
+      const Vector3 w = p - p_[0];
+      const double b = second_.dot(w), c = third_.dot(w);
+      if (b >= 0 && c >= 0 && b + c <= 1) {
+        const double height = normal_.dot(w);
+        return height * height;
+      }
+    }
+    return std::min({squared_distance_to_segment(p, p_[0], p_[1]),
+                     squared_distance_to_segment(p, p_[1], p_[2]),
+                     squared_distance_to_segment(p, p_[2], p_[0])});
+  }
+  double distance(const Vector3& p) const { return std::sqrt(squared_distance(p)); }
+
+ private:
+  FacetCorners p_;
+  Vector3 normal_ = Vector3::Zero(), second_ = Vector3::Zero(), third_ = Vector3::Zero();
+  bool flat_ = false;
+};
+
+/// Angle between two vectors, radians; accurate for small ones. Zero where one of them is zero.
+inline double angle_between(const Vector3& a, const Vector3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Unit normal; zero for a triangle without area.
+inline Vector3 facet_normal(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 normal = (b - a).cross(c - a);
+  const double size = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
+  const double length = normal.norm();
+  return length > 1e-12 * size ? Vector3(normal / length) : Vector3::Zero();
+}
+
+inline double smallest_angle(const FacetCorners& p) {
+  double out = 4;
+  for (std::size_t c = 0; c < 3; ++c)
+    out = std::min(out, angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]));
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,54 @@
+#include "core/approximation/surface_sampler.hpp"
+
+namespace hariko {
+
+BarycentricGrid::BarycentricGrid(int n) : density(n) {
+  const GridPattern pattern{Domain::triangle, n};
+  points = pattern.parameters();
+  for (int side = 0; side < 3; ++side) sides[std::size_t(side)] = pattern.side(side);
+}
+
+Vector3 SurfaceSampler::position(Index patch, const Vector2& parameter) const {
+  return surface_.patches().evaluate(patch, parameter, Order::first).position;
+}
+
+Vector3 SurfaceSampler::normal(Index patch, const Vector2& parameter) const {
+  Vector3 out;
+  normals(patch, {&parameter, 1}, {&out, 1});
+  return out;
+}
+
+void SurfaceSampler::positions(Index patch, std::span<const Vector2> parameters,
+                               std::span<Vector3> out) const {
+  if (fast_) {
+    fast_->positions(patch, parameters, out);
+    return;
+  }
+  for (std::size_t k = 0; k < parameters.size(); ++k) out[k] = position(patch, parameters[k]);
+}
+
+void SurfaceSampler::normals(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const {
+  constexpr std::size_t block = 32;
+  std::array<PatchPoint, block> points;
+  for (std::size_t begin = 0; begin < parameters.size(); begin += block) {
+    const std::size_t count = std::min(block, parameters.size() - begin);
+    if (fast_)
+      fast_->first_order(patch, parameters.subspan(begin, count), {points.data(), count});
+    else
+      for (std::size_t k = 0; k < count; ++k)
+        points[k] = surface_.patches().evaluate(patch, parameters[begin + k], Order::first);
+    for (std::size_t k = 0; k < count; ++k) {
+      out[begin + k] = unit_normal(points[k]);
+      if (out[begin + k].isZero(0)) out[begin + k] = inner_normal(patch, parameters[begin + k]);
+    }
+  }
+}
+
+Vector3 SurfaceSampler::inner_normal(Index patch, const Vector2& parameter) const {
+  const Vector2 centre =
+      surface_.domain() == Domain::triangle ? Vector2(1.0 / 3, 1.0 / 3) : Vector2(0.5, 0.5);
+  return unit_normal(
+      surface_.patches().evaluate(patch, parameter + 1e-4 * (centre - parameter), Order::first));
+}
+
+}  // namespace hariko

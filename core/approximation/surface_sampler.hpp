@@ -1,0 +1,54 @@
+#pragma once
+
+// Points, normals and hulls of a surface for small parameter triangles, whatever its patches offer.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/surface/facet_evaluation.hpp"
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+/// The points of a uniform grid on a triangle in barycentric coordinates, in the order of GridPattern.
+struct BarycentricGrid {
+  explicit BarycentricGrid(int density);
+  int density;
+  std::vector<Vector2> points;  ///< coordinates of corners 1 and 2
+  /// Points on the side from corner 0 to 1, 1 to 2, 2 to 0, in this direction.
+  std::array<std::vector<int>, 3> sides;
+};
+
+/// Borrows the surface. Thread-safe.
+class SurfaceSampler {
+ public:
+  explicit SurfaceSampler(const Surface& surface)
+      : surface_(surface), fast_(facet_evaluation(surface.patches())) {}
+
+  const Surface& surface() const { return surface_; }
+
+  Vector3 position(Index patch, const Vector2& parameter) const;
+  /// Unit; at a point without one, that of a point 1e-4 of the domain further inside. Zero if both fail.
+  Vector3 normal(Index patch, const Vector2& parameter) const;
+  void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const;
+  void normals(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const;
+  PatchPoint second_order(Index patch, const Vector2& parameter) const {
+    return surface_.patches().evaluate(patch, parameter, Order::second);
+  }
+
+  /// 0 where the patch has no bound; see FacetEvaluation.
+  int hull_degree(Index patch) const { return fast_ ? fast_->hull_degree(patch) : 0; }
+  void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
+            std::span<HullBall> out) const {
+    fast_->hull(patch, triangle, samples, out);
+  }
+
+ private:
+  Vector3 inner_normal(Index patch, const Vector2& parameter) const;
+
+  const Surface& surface_;
+  const FacetEvaluation* fast_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,69 @@
+#pragma once
+
+// Tensor-product Bezier patches of any degree, polynomial or rational, as a PatchSet.
+
+#include <optional>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/surface/facet_evaluation.hpp"
+#include "core/surface/triangle_collocation.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_patch_degree{"E_PATCH_DEGREE"};
+inline constexpr Code e_patch_points{"E_PATCH_POINTS"};
+inline constexpr Code e_patch_weights{"E_PATCH_WEIGHTS"};
+inline constexpr int max_bezier_degree = 15;
+
+/// Control point (i, j), i = 0 .. degree_s along s, is points[j (degree_s + 1) + i].
+struct BezierPatch {
+  int degree_s = 3, degree_t = 3;
+  std::vector<Vector3> points;
+  std::vector<double> weights;  ///< one a point, positive; none for a polynomial patch
+
+  bool rational() const { return !weights.empty(); }
+  std::size_t index(int i, int j) const { return std::size_t(j * (degree_s + 1) + i); }
+};
+
+/// Errors: E_PATCH_DEGREE outside of 1 .. 15, E_PATCH_POINTS (number, not finite), E_PATCH_WEIGHTS (number,
+/// not positive). `number`, from 0, names the patch.
+std::optional<Message> check_patch(const BezierPatch& patch, std::size_t number);
+
+/// The same surface with s and t swapped: the other side is outside.
+BezierPatch flipped(const BezierPatch& patch);
+
+class BezierPatchSet final : public PatchSet, public FacetEvaluation {
+ public:
+  /// Patches pass `check_patch` (asserted).
+  explicit BezierPatchSet(std::vector<BezierPatch> patches);
+
+  const BezierPatch& patch(Index i) const { return patches_[i]; }
+
+  Domain domain() const override { return Domain::square; }
+  Index patch_count() const override { return static_cast<Index>(patches_.size()); }
+  PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
+                     std::span<Vector3> normals) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                     std::span<PatchPoint> points) const override;
+  /// Exact; undefined where a side is shrunk to the corner.
+  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
+
+  void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
+  void first_order(Index patch, std::span<const Vector2> parameters,
+                   std::span<PatchPoint> out) const override;
+  /// degree_s + degree_t where that is at most TriangleCollocation::max_degree.
+  int hull_degree(Index patch) const override;
+  void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
+            std::span<HullBall> out) const override;
+
+ private:
+  void rational_hull(Index patch, const ParameterTriangle& triangle, std::span<HullBall> out) const;
+
+  std::vector<BezierPatch> patches_;
+  /// Homogeneous control points (w x, w y, w z, w) of rational patches.
+  std::vector<std::vector<Eigen::Vector4d>> homogeneous_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,314 @@
+#include "core/surface/weld_patches.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double weld_tolerance = 1e-9;  ///< of the whole's size
+constexpr double smooth_angle = 1e-6;
+constexpr int samples = 16;  ///< intervals at which sides are compared
+/// Above this number of free sides T-joints are not looked for.
+constexpr std::size_t max_free_sides = 5000;
+
+struct SideCurve {
+  std::array<Vector3, samples + 1> point;
+  Eigen::AlignedBox3d box;
+  bool collapsed = false;
+};
+
+/// Two sides that meet; begins and ends as in Seam, but of patches that are not turned yet.
+struct Meeting {
+  Index first, second;  ///< slots: 4 patch + side
+  double first_begin, first_end, second_begin, second_end;
+  /// Both run the same way, so that one of the two patches must be flipped.
+  bool parallel() const { return (first_end > first_begin) == (second_end > second_begin); }
+};
+
+class Welder {
+ public:
+  Welder(const Vector3& origin, std::vector<BezierPatch> patches)
+      : origin_(origin), loose_(std::move(patches)) {}
+
+  Surface weld() {
+    sample_sides();
+    match_whole_sides();
+    match_parts();
+    orient();
+    std::vector<BezierPatch> turned;
+    for (std::size_t k = 0; k < count_; ++k)
+      turned.push_back(flip_[k] ? flipped(loose_.patch(Index(k))) : loose_.patch(Index(k)));
+    patches_ = std::make_shared<const BezierPatchSet>(std::move(turned));
+    return assemble();
+  }
+
+ private:
+  Vector3 on_side(Index slot, double x) const {
+    return loose_.evaluate(slot / 4, side_parameter(Domain::square, int(slot % 4), x), Order::first).position;
+  }
+
+  void sample_sides() {
+    count_ = loose_.patch_count();
+    curves_.resize(4 * count_);
+    Eigen::AlignedBox3d all;
+    for (Index slot = 0; slot < curves_.size(); ++slot) {
+      SideCurve& curve = curves_[slot];
+      for (int i = 0; i <= samples; ++i) {
+        curve.point[std::size_t(i)] = on_side(slot, grid_fraction(i, samples));
+        curve.box.extend(curve.point[std::size_t(i)]);
+      }
+      all.extend(curve.box);
+    }
+    tolerance_ = weld_tolerance * all.diagonal().norm();
+    for (SideCurve& curve : curves_) curve.collapsed = curve.box.diagonal().norm() <= tolerance_;
+    matched_.assign(curves_.size(), 0);
+  }
+
+  bool same(const SideCurve& a, const SideCurve& b, bool reversed) const {
+    for (int i = 0; i <= samples; ++i)
+      if ((a.point[std::size_t(i)] - b.point[std::size_t(reversed ? samples - i : i)]).norm() > tolerance_)
+        return false;
+    return true;
+  }
+
+  /// Sides that are the same curve have the same middle: a sweep over sorted middles finds them.
+  void match_whole_sides() {
+    std::vector<Index> order;
+    for (Index slot = 0; slot < curves_.size(); ++slot)
+      if (!curves_[slot].collapsed) order.push_back(slot);
+    const auto middle = [&](Index slot) { return curves_[slot].point[samples / 2].x(); };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return middle(a) < middle(b); });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t j = i + 1; j < order.size() && !matched_[order[i]]; ++j) {
+        if (middle(order[j]) - middle(order[i]) > tolerance_) break;
+        if (matched_[order[j]]) continue;
+        const Index a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
+        const bool reversed = same(curves_[a], curves_[b], true);
+        if (!reversed && !same(curves_[a], curves_[b], false)) continue;
+        meetings_.push_back({a, b, 0, 1, reversed ? 1.0 : 0.0, reversed ? 0.0 : 1.0});
+        matched_[a] = matched_[b] = 1;
+      }
+    }
+  }
+
+  /// Parameter of the point on a side that is nearest to p; negative when it is farther than the tolerance.
+  double parameter_on(Index slot, const Vector3& p) const {
+    const SideCurve& curve = curves_[slot];
+    if ((curve.box.exteriorDistance(p)) > tolerance_) return -1;
+    int nearest = 0;
+    for (int i = 1; i <= samples; ++i)
+      if ((curve.point[std::size_t(i)] - p).squaredNorm() <
+          (curve.point[std::size_t(nearest)] - p).squaredNorm())
+        nearest = i;
+    double low = double(std::max(nearest - 1, 0)) / samples;
+    double high = double(std::min(nearest + 1, samples)) / samples;
+    constexpr double golden = 0.6180339887498949;
+    for (int round = 0; round < 60; ++round) {
+      const double a = high - golden * (high - low), b = low + golden * (high - low);
+      if ((on_side(slot, a) - p).squaredNorm() < (on_side(slot, b) - p).squaredNorm())
+        high = b;
+      else
+        low = a;
+    }
+    // Golden sections stop at the square root of rounding; Gauss-Newton goes on.
+    double x = 0.5 * (low + high);
+    for (int round = 0; round < 4; ++round) {
+      const double h = 1e-6;
+      const double left = std::max(0.0, x - h), right = std::min(1.0, x + h);
+      const Vector3 tangent = (on_side(slot, right) - on_side(slot, left)) / (right - left);
+      if (tangent.squaredNorm() == 0) break;
+      x = std::clamp(x + (p - on_side(slot, x)).dot(tangent) / tangent.squaredNorm(), 0.0, 1.0);
+    }
+    for (const double end : {0.0, 1.0})
+      if (std::abs(x - end) < 1e-7 && (on_side(slot, end) - p).norm() <= tolerance_) x = end;
+    return (on_side(slot, x) - p).norm() <= tolerance_ ? x : -1;
+  }
+
+  void match_parts() {
+    std::vector<Index> open;
+    for (Index slot = 0; slot < curves_.size(); ++slot)
+      if (!matched_[slot] && !curves_[slot].collapsed) open.push_back(slot);
+    if (open.size() > max_free_sides) return;
+    for (const Index small : open)
+      for (const Index large : open) {
+        if (small == large || matched_[small]) continue;
+        Eigen::AlignedBox3d box = curves_[large].box;
+        box.min().array() -= tolerance_;
+        box.max().array() += tolerance_;
+        if (!box.contains(curves_[small].box)) continue;
+        const double begin = parameter_on(large, curves_[small].point[0]);
+        const double end = parameter_on(large, curves_[small].point[samples]);
+        if (begin < 0 || end < 0 || std::abs(end - begin) < 1e-6 || !is_part(small, large, begin, end))
+          continue;
+        meetings_.push_back({large, small, begin, end, 0, 1});
+        matched_[small] = 1;
+      }
+  }
+  bool is_part(Index small, Index large, double begin, double end) const {
+    for (int i = 1; i < samples; ++i) {
+      const double x = double(i) / samples;
+      if ((on_side(large, begin + x * (end - begin)) - curves_[small].point[std::size_t(i)]).norm() >
+          4 * tolerance_)
+        return false;
+    }
+    return true;
+  }
+
+  /// Chooses which patches are flipped, so that all sides that meet run against each other.
+  void orient() {
+    std::vector<std::vector<Index>> at(count_);
+    for (Index m = 0; m < meetings_.size(); ++m) {
+      at[meetings_[m].first / 4].push_back(m);
+      at[meetings_[m].second / 4].push_back(m);
+    }
+    flip_.assign(count_, 0);
+    std::vector<char> seen(count_, 0);
+    std::vector<Index> stack;
+    for (Index start = 0; start < count_; ++start) {
+      if (seen[start]) continue;
+      seen[start] = 1;
+      stack.push_back(start);
+      while (!stack.empty()) {
+        const Index patch = stack.back();
+        stack.pop_back();
+        for (const Index m : at[patch]) {
+          const Index a = meetings_[m].first / 4, b = meetings_[m].second / 4;
+          const Index other = a == patch ? b : a;
+          if (seen[other]) continue;
+          seen[other] = 1;
+          flip_[other] = flip_[patch] != char(meetings_[m].parallel());
+          stack.push_back(other);
+        }
+      }
+    }
+    std::erase_if(meetings_, [&](const Meeting& m) {
+      return (flip_[m.first / 4] != flip_[m.second / 4]) != m.parallel();
+    });
+  }
+
+  /// The side of a patch that may have been flipped, and a parameter along it.
+  PatchSide turned_side(Index slot) const {
+    const Index patch = slot / 4, side = slot % 4;
+    return {patch, static_cast<std::uint8_t>(flip_[patch] ? 3 - side : side)};
+  }
+  double turned(Index slot, double x) const { return flip_[slot / 4] ? 1 - x : x; }
+
+  Surface assemble() {
+    std::vector<Seam> seams;
+    std::vector<double> covered(4 * count_, 0.0);
+    std::vector<Index> parent(4 * count_);
+    std::iota(parent.begin(), parent.end(), Index{0});
+    const auto find = [&](Index i) {
+      while (parent[i] != i) i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    const auto join = [&](Index a, Index b) {
+      a = find(a);
+      b = find(b);
+      parent[std::max(a, b)] = std::min(a, b);
+    };
+    const auto corner = [](PatchSide side, double x) {
+      return 4 * side.patch + (x == 0 ? side.side : (side.side + 1U) % 4U);
+    };
+    for (const Meeting& m : meetings_) {
+      Seam seam;
+      seam.first = turned_side(m.first);
+      seam.second = turned_side(m.second);
+      seam.first_begin = turned(m.first, m.first_begin);
+      seam.first_end = turned(m.first, m.first_end);
+      seam.second_begin = turned(m.second, m.second_begin);
+      seam.second_end = turned(m.second, m.second_end);
+      if (seam.first_begin > seam.first_end) {
+        std::swap(seam.first_begin, seam.first_end);
+        std::swap(seam.second_begin, seam.second_end);
+      }
+      seam.intended = smooth(seam) ? Continuity::g1 : Continuity::g0;
+      covered[4 * seam.first.patch + seam.first.side] += std::abs(seam.first_end - seam.first_begin);
+      covered[4 * seam.second.patch + seam.second.side] += std::abs(seam.second_end - seam.second_begin);
+      const auto is_end = [](double x) { return x == 0 || x == 1; };
+      if (is_end(seam.first_begin) && is_end(seam.second_begin))
+        join(corner(seam.first, seam.first_begin), corner(seam.second, seam.second_begin));
+      if (is_end(seam.first_end) && is_end(seam.second_end))
+        join(corner(seam.first, seam.first_end), corner(seam.second, seam.second_end));
+      seams.push_back(seam);
+    }
+    std::vector<Index> nodes(4 * count_);
+    Index node_count = 0;
+    for (Index k = 0; k < nodes.size(); ++k) nodes[k] = find(k) == k ? node_count++ : nodes[find(k)];
+
+    Surface::Parts parts;
+    parts.origin = origin_;
+    parts.patches = patches_;
+    parts.node_count = node_count;
+    parts.node_normals = std::make_shared<const std::vector<Vector3>>(node_normals(nodes, node_count));
+    parts.corner_nodes = std::make_shared<const std::vector<Index>>(std::move(nodes));
+    parts.seams = std::make_shared<const std::vector<Seam>>(std::move(seams));
+    std::vector<Provenance> provenance;
+    for (Index k = 0; k < count_; ++k) provenance.push_back({element_of(FaceId{k}), 0});
+    parts.provenance = std::make_shared<const std::vector<Provenance>>(std::move(provenance));
+    std::vector<PatchSide> boundary;
+    for (Index slot = 0; slot < covered.size(); ++slot)
+      if (covered[slot] < 1 - 1e-9) boundary.push_back({slot / 4, static_cast<std::uint8_t>(slot % 4)});
+    parts.boundary_sources = std::make_shared<const std::vector<Element>>(boundary.size());
+    parts.boundary_sides = std::make_shared<const std::vector<PatchSide>>(std::move(boundary));
+    return Surface(std::move(parts));
+  }
+
+  Vector3 side_normal(PatchSide side, double x) const {
+    return unit_normal(
+        patches_->evaluate(side.patch, side_parameter(Domain::square, side.side, x), Order::first));
+  }
+  bool smooth(const Seam& seam) const {
+    for (int i = 0; i <= samples; ++i) {
+      const double x = double(i) / samples;
+      const Vector3 a = side_normal(seam.first, seam.first_begin + x * (seam.first_end - seam.first_begin));
+      const Vector3 b =
+          side_normal(seam.second, seam.second_begin + x * (seam.second_end - seam.second_begin));
+      // Where a side is shrunk to a point there is nothing to compare.
+      if (!a.isZero(0) && !b.isZero(0) && (a - b).norm() > smooth_angle) return false;
+    }
+    return true;
+  }
+  /// The common normal of the patches at each node, zero where they have none.
+  std::vector<Vector3> node_normals(const std::vector<Index>& nodes, Index node_count) const {
+    std::vector<Vector3> normals(node_count, Vector3::Zero());
+    std::vector<char> seen(node_count, 0);
+    for (Index p = 0; p < count_; ++p)
+      for (int c = 0; c < 4; ++c) {
+        const Index node = nodes[4 * p + Index(c)];
+        const Vector3 normal =
+            unit_normal(patches_->evaluate(p, corner_parameter(Domain::square, c), Order::first));
+        if (!seen[node])
+          normals[node] = normal;
+        else if ((normals[node] - normal).norm() > smooth_angle)
+          normals[node].setZero();
+        seen[node] = 1;
+      }
+    return normals;
+  }
+
+  Vector3 origin_;
+  BezierPatchSet loose_;
+  std::shared_ptr<const BezierPatchSet> patches_;
+  Index count_ = 0;
+  double tolerance_ = 0;
+  std::vector<SideCurve> curves_;
+  std::vector<char> matched_, flip_;
+  std::vector<Meeting> meetings_;
+};
+
+}  // namespace
+
+Result<Surface> weld_patches(const Vector3& origin, std::vector<BezierPatch> patches) {
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    if (auto error = check_patch(patches[k], k)) return *error;
+  return Welder(origin, std::move(patches)).weld();
+}
+
+}  // namespace hariko
