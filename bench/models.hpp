@@ -10,7 +10,7 @@
 namespace hariko {
 
 /// A slightly wavy torus of about `faces` quads.
-inline Polyhedron bench_torus(std::int64_t faces) {
+inline PolygonMesh bench_torus_mesh(std::int64_t faces) {
   const int m = static_cast<int>(std::lround(std::sqrt(double(faces) / 2))), n = 2 * m;
   PolygonMesh mesh;
   for (int i = 0; i < n; ++i)
@@ -22,7 +22,10 @@ inline Polyhedron bench_torus(std::int64_t faces) {
   const auto at = [&](int i, int j) { return static_cast<Index>((i % n) * m + j % m); };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) mesh.add_face({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-  return Polyhedron::build(mesh).value();
+  return mesh;
+}
+inline Polyhedron bench_torus(std::int64_t faces) {
+  return Polyhedron::build(bench_torus_mesh(faces)).value();
 }
 
 }  // namespace hariko

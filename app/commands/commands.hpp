@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/document/display.hpp"
 #include "core/network/shaping.hpp"
+#include "core/unfolding/unfolding.hpp"
 #include "render/camera.hpp"
 #include "render/scene.hpp"
 
@@ -59,5 +61,26 @@ struct EvaluateArguments {
   std::optional<std::filesystem::path> tension;
 };
 int run_evaluate(const EvaluateArguments& arguments);
+
+/// Real size of the model along an axis: 0 width (x), 1 depth (y), 2 height (z).
+struct PaperModelSize {
+  int axis = 2;
+  double millimetres = 0;
+};
+
+enum class SheetFormat { pdf, svg, dxf, json };
+/// By the ending of the name, in any case of letters.
+std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path);
+
+struct UnfoldArguments {
+  std::filesystem::path file;
+  std::vector<std::filesystem::path> outs;
+  int density = 2;                     ///< of the triangles of a document's surfaces
+  std::optional<PaperModelSize> size;  ///< otherwise lengths are as in the file
+  PaperSettings settings;              ///< but for the scale
+  UnfoldOptions options;
+  bool json = false;
+};
+int run_unfold(const UnfoldArguments& arguments);
 
 }  // namespace hariko

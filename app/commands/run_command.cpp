@@ -8,6 +8,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
+#include "app/commands/unfold_command_line.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "render/color_map.hpp"
 #include "render/picture.hpp"
@@ -112,6 +113,7 @@ class CommandLine {
     add_export();
     add_render();
     add_evaluate();
+    unfold_.add_to(app_);
     app_.footer(
         "Files are Hariko documents (*.hariko) or meshes (*.obj, *.off, *.ply, *.stl).\n"
         "Exit codes: 0 fine, 1 the input or the job failed, 2 wrong usage.");
@@ -120,7 +122,8 @@ class CommandLine {
   /// True when the first word is one that this class answers to; all else is for the window.
   bool answers(std::string_view word) const {
     if (word == "--help" || word == "-h" || word == "--version") return true;
-    const auto commands = {info_, export_, render_, evaluate_};
+    const std::initializer_list<const CLI::App*> commands = {info_, export_, render_, evaluate_,
+                                                             unfold_.command()};
     return std::any_of(commands.begin(), commands.end(),
                        [&](const CLI::App* command) { return command->get_name() == word; });
   }
@@ -136,6 +139,7 @@ class CommandLine {
     if (*info_) return run_info(info_arguments_);
     if (*export_) return run_export(export_arguments_);
     if (*render_) return run_render(render_arguments());
+    if (*unfold_.command()) return run_unfold(unfold_.arguments());
     return run_evaluate(evaluate_arguments());
   }
 
@@ -219,6 +223,7 @@ class CommandLine {
   }
 
   void check_combinations() const {
+    if (*unfold_.command()) unfold_.check();
     if (*export_) {
       const auto format = format_of_extension(export_arguments_.out);
       if (!format || *format == MeshFormat::off)
@@ -287,6 +292,7 @@ class CommandLine {
   InfoArguments info_arguments_;
   ExportArguments export_arguments_;
   RenderArguments render_arguments_;
+  UnfoldCommandLine unfold_;
   std::string range_ = "symmetric", material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
   bool round_ = false;

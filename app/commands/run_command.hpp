@@ -1,6 +1,6 @@
 #pragma once
 
-// The command line: `hariko info`, `export`, `render`, `evaluate`. docs/cli.md describes it.
+// The command line: `hariko info`, `export`, `render`, `evaluate`, `unfold`. docs/cli.md describes it.
 
 #include <optional>
 

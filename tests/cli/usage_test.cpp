@@ -8,9 +8,9 @@ class Usage : public ProgramTest {};
 TEST_F(Usage, HelpAndVersion) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.exit_code, 0);
-  for (const char* word : {"info", "export", "render", "evaluate", "Exit codes"})
+  for (const char* word : {"info", "export", "render", "evaluate", "unfold", "Exit codes"})
     EXPECT_NE(help.out.find(word), std::string::npos) << word;
-  for (const std::string command : {"info", "export", "render", "evaluate"}) {
+  for (const std::string command : {"info", "export", "render", "evaluate", "unfold"}) {
     const Outcome own = run(command + " --help");
     EXPECT_EQ(own.exit_code, 0) << command;
     EXPECT_NE(own.out.find("FILE"), std::string::npos) << command;

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/console.hpp"
+#include "app/files/model_facets.hpp"
+#include "core/base/file_io.hpp"
+#include "core/exchange/number_text.hpp"
+#include "core/unfolding/unfolding.hpp"
+#include "core/unfolding/write_sheets.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Millimetres of paper for one unit of the mesh. Errors: E_PAPER_SETTING where the model has no extent
+/// there.
+Result<double> paper_scale(const UnfoldArguments& arguments, const PolygonMesh& mesh, double millimetres) {
+  if (!arguments.size) return millimetres;
+  double low = 1e300, high = -1e300;
+  for (const Index v : mesh.face_vertices) {
+    if (v >= mesh.positions.size()) continue;
+    low = std::min(low, mesh.positions[v][arguments.size->axis]);
+    high = std::max(high, mesh.positions[v][arguments.size->axis]);
+  }
+  if (!(high > low))
+    return make_error(e_paper_setting, "The model has no extent in the direction whose size is given.",
+                      "Give another of --height, --width and --depth.");
+  return arguments.size->millimetres / (high - low);
+}
+
+std::string summary_json(const Unfolding& unfolding, std::size_t overlaps) {
+  std::string out = "{\"facets\":";
+  append_integer(out, unfolding.graph->facet_count());
+  const auto number = [&](const char* name, std::size_t value) {
+    out += std::string(",\"") + name + "\":";
+    append_integer(out, value);
+  };
+  const auto real = [&](const char* name, double value) {
+    out += std::string(",\"") + name + "\":";
+    append_real(out, value);
+  };
+  number("components", unfolding.graph->component_count());
+  number("pieces", unfolding.pieces.size());
+  number("pages", unfolding.page_count);
+  number("joints", unfolding.joints.size());
+  number("tabs", unfolding.joints.size() - strip_count(unfolding));
+  number("strips", strip_count(unfolding));
+  number("overlaps", overlaps);
+  real("paper_use", paper_use(unfolding));
+  real("scale", unfolding.settings.scale);
+  return out + "}\n";
+}
+
+std::string summary_text(const Unfolding& unfolding) {
+  const auto count = [](std::size_t n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+  };
+  std::string out = count(unfolding.pieces.size(), "piece", "pieces") + " on " +
+                    count(unfolding.page_count, "page", "pages") + ", " +
+                    count(unfolding.joints.size(), "joint", "joints") + " with " +
+                    count(unfolding.joints.size() - strip_count(unfolding), "tab", "tabs") + " and " +
+                    count(strip_count(unfolding), "strip", "strips") + ", ";
+  return out + std::to_string(static_cast<int>(100 * paper_use(unfolding))) + " % of the paper\n";
+}
+
+std::string sheet_bytes(const SheetDrawing& drawing, const std::filesystem::path& out) {
+  switch (*sheet_format_of(out)) {
+    case SheetFormat::svg:
+      return write_sheet_svg(drawing);
+    case SheetFormat::dxf:
+      return write_sheet_dxf(drawing);
+    case SheetFormat::pdf:
+      return write_sheet_pdf(drawing);
+    case SheetFormat::json:
+      break;
+  }
+  return write_layout_json(drawing);
+}
+
+}  // namespace
+
+std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (extension == ".pdf") return SheetFormat::pdf;
+  if (extension == ".svg") return SheetFormat::svg;
+  if (extension == ".dxf") return SheetFormat::dxf;
+  if (extension == ".json") return SheetFormat::json;
+  return {};
+}
+
+int run_unfold(const UnfoldArguments& arguments) {
+  const std::string file = arguments.file.string();
+  const auto fail = [&](const Message& message) {
+    report(file, message);
+    return exit_failed;
+  };
+  auto facets = model_facets(arguments.file, arguments.density);
+  if (!facets.ok()) return fail(facets.error());
+  for (const Message& message : facets->warnings) report(file, message);
+  if (const auto errors = unfolding_errors(facets->mesh); !errors.empty()) {
+    for (const Message& message : errors) report(file, message);
+    return exit_failed;
+  }
+  auto graph = FacetGraph::build(facets->mesh);
+  if (!graph.ok()) return fail(graph.error());
+  PaperSettings settings = arguments.settings;
+  const auto scale = paper_scale(arguments, facets->mesh, facets->millimetres_per_unit);
+  if (!scale.ok()) return fail(scale.error());
+  settings.scale = *scale;
+  const auto unfolded =
+      unfold(std::make_shared<const FacetGraph>(std::move(graph).value()), settings, arguments.options);
+  if (!unfolded.ok()) return fail(unfolded.error());
+  bool fits = true;
+  for (const Message& message : unfolding_messages(*unfolded)) {
+    report(file, message);
+    fits = fits && message.severity != Severity::error;
+  }
+  if (!fits) return exit_failed;
+  const SheetDrawing drawing = draw_sheets(*unfolded);
+  for (const std::filesystem::path& out : arguments.outs)
+    if (const auto written = write_file_atomic(out, sheet_bytes(drawing, out)); !written.ok()) {
+      report(out.string(), written.error());
+      return exit_failed;
+    }
+  const auto overlaps = overlapping_pairs(printed_polygons(*unfolded), paper_tolerance(*unfolded)).size();
+  return print(arguments.json ? summary_json(*unfolded, overlaps) : summary_text(*unfolded)) ? exit_fine
+                                                                                             : exit_failed;
+}
+
+}  // namespace hariko

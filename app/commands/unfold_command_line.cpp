@@ -1,0 +1,102 @@
+#include "app/commands/unfold_command_line.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace hariko {
+
+namespace {
+
+std::optional<double> parse_length(std::string_view text) {
+  double value = 0;
+  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool fine = status == std::errc() && stop == text.data() + text.size() && std::isfinite(value);
+  return fine && value > 0 ? std::optional(value) : std::nullopt;
+}
+
+/// "A4", "A3", "Letter", or "WxH" in mm.
+std::optional<PaperSize> parse_page(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (text == "a4") return a4_paper;
+  if (text == "a3") return a3_paper;
+  if (text == "letter") return letter_paper;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return {};
+  const auto width = parse_length(std::string_view(text).substr(0, cross));
+  const auto height = parse_length(std::string_view(text).substr(cross + 1));
+  if (!width || !height) return {};
+  return PaperSize{*width, *height};
+}
+
+}  // namespace
+
+void UnfoldCommandLine::add_to(CLI::App& app) {
+  PaperSettings& settings = arguments_.settings;
+  command_ = app.add_subcommand("unfold", "Makes a paper model: pages to print, cut out and glue");
+  command_->add_option("FILE", file_, "Mesh of triangles, or document")->required();
+  command_->add_option("OUT", outs_, "Files to write: *.pdf, *.svg, *.dxf, *.json")->required();
+  command_->add_option("--page", page_, "A4, A3, Letter, or WxH in mm")->capture_default_str();
+  command_->add_option("--margin", settings.margin, "Round each page, mm")->capture_default_str();
+  auto* height =
+      command_->add_option("--height", height_, "Of the model (z), mm")->check(CLI::PositiveNumber);
+  auto* width = command_->add_option("--width", width_, "Of the model (x), mm")->check(CLI::PositiveNumber);
+  auto* depth = command_->add_option("--depth", depth_, "Of the model (y), mm")->check(CLI::PositiveNumber);
+  height->excludes(width)->excludes(depth);
+  width->excludes(depth);
+  command_->add_option("--goal", goal_, "What matters most")
+      ->check(CLI::IsMember({"fewest", "balanced", "easiest"}))
+      ->capture_default_str();
+  command_->add_option("--method", method_, "search, or paper: the published method, which leaves overlaps")
+      ->check(CLI::IsMember({"search", "paper"}))
+      ->capture_default_str();
+  command_->add_option("--steps", arguments_.options.steps, "Budget of the search")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}))
+      ->capture_default_str();
+  command_->add_flag("--inside", settings.inside, "The print comes to lie inside the model");
+  command_->add_option("--flat-fold", flat_degrees_, "Folds below this angle have no line, degrees")
+      ->check(CLI::Range(0.0, 180.0))
+      ->capture_default_str();
+  command_->add_option("--merge", merge_degrees_, "Facets that fold less than this are one polygon, degrees")
+      ->check(CLI::Range(0.0, 180.0));
+  command_->add_option("--tab", settings.tab_height, "Height of glue tabs, mm")->capture_default_str();
+  command_->add_flag("--fold-angles", settings.fold_angles, "Write the angle beside each fold");
+  command_
+      ->add_option("--density", arguments_.density,
+                   "Intervals a patch side of a document's surfaces, 1 to 64")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command_->add_flag("--json", arguments_.json, "Print the counts as JSON");
+}
+
+void UnfoldCommandLine::check() const {
+  if (!parse_page(page_)) throw CLI::ValidationError("--page", "must be A4, A3, Letter, or like 210x297");
+  for (const std::string& out : outs_) {
+    if (!sheet_format_of(out))
+      throw CLI::ValidationError("OUT", "the name must end in .pdf, .svg, .dxf or .json");
+    std::error_code ignored;
+    if (out == file_ || std::filesystem::equivalent(out, file_, ignored))
+      throw CLI::ValidationError("OUT", "must be another file than FILE");
+  }
+}
+
+UnfoldArguments UnfoldCommandLine::arguments() const {
+  constexpr double radians = std::numbers::pi / 180;
+  UnfoldArguments out = arguments_;
+  out.file = file_;
+  out.outs.assign(outs_.begin(), outs_.end());
+  out.settings.page = *parse_page(page_);
+  out.settings.flat_fold = flat_degrees_ * radians;
+  if (merge_degrees_ >= 0) out.settings.merge_angle = merge_degrees_ * radians;
+  if (width_ > 0) out.size = PaperModelSize{0, width_};
+  if (depth_ > 0) out.size = PaperModelSize{1, depth_};
+  if (height_ > 0) out.size = PaperModelSize{2, height_};
+  out.options.goal = goal_ == "balanced"  ? CutGoal::balanced
+                     : goal_ == "easiest" ? CutGoal::easiest
+                                          : CutGoal::fewest;
+  out.options.method = method_ == "paper" ? CutMethod::reference : CutMethod::search;
+  return out;
+}
+
+}  // namespace hariko

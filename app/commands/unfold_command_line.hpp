@@ -1,0 +1,30 @@
+#pragma once
+
+// The options of `hariko unfold`. Internal to app/commands.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands/commands.hpp"
+
+namespace hariko {
+
+class UnfoldCommandLine {
+ public:
+  void add_to(CLI::App& app);
+  const CLI::App* command() const { return command_; }
+  /// Throws CLI::ValidationError for what the parser itself cannot refuse.
+  void check() const;
+  /// After `check`.
+  UnfoldArguments arguments() const;
+
+ private:
+  CLI::App* command_ = nullptr;
+  std::string file_, page_ = "A4", goal_ = "fewest", method_ = "search";
+  std::vector<std::string> outs_;
+  double height_ = 0, width_ = 0, depth_ = 0, flat_degrees_ = 0.5, merge_degrees_ = -1;
+  UnfoldArguments arguments_;
+};
+
+}  // namespace hariko

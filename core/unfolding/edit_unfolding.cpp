@@ -1,0 +1,273 @@
+#include "core/unfolding/edit_unfolding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/base/ids.hpp"
+#include "core/unfolding/facet_forest.hpp"
+#include "core/unfolding/growth.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Element named_edge(const Unfolding& unfolding, Index e) {
+  const FacetEdge& edge = unfolding.graph->edge(e);
+  return element_of(EdgeId{{edge.low}, {edge.high}});
+}
+
+Message border_error(const Unfolding& unfolding, Index edge) {
+  return make_error(e_edge_on_border, "The edge is on the border of the mesh: there is one facet only.",
+                    "Choose an edge between two facets.", named_edge(unfolding, edge));
+}
+
+/// The tabs of a piece, by joint.
+template <class Visit>
+void for_each_tab(const Unfolding& unfolding, Index piece, Visit&& visit) {
+  for (Index j = 0; j < unfolding.joints.size(); ++j) {
+    const auto& tab = unfolding.joints[j].tab;
+    if (tab && unfolding.piece_of[tab->facet] == piece) visit(j);
+  }
+}
+
+/// The copy with one piece at another place. Facets and tabs are laid anew, not shifted, so that no rounding
+/// adds up.
+Unfolding with_placement(const Unfolding& unfolding, Index piece, const PiecePlacement& placement) {
+  Unfolding out = unfolding;
+  const std::vector<FacetCorners> shapes = facet_shapes(*out.graph, out.settings.scale);
+  const FlatLayout layout = lay_out(*out.graph, shapes, out.folds);
+  const PiecePlacement before = out.pieces[piece].placement;
+  out.pieces[piece].placement = placement;
+  for (const Index facet : out.pieces[piece].facets)
+    out.corners[facet] = placement.apply(layout.corners[facet]);
+  for_each_tab(out, piece, [&](Index j) {
+    GlueTab& tab = *out.joints[j].tab;
+    // From the page back to the piece, and to the page again.
+    for (Vector2& corner : tab.corners) {
+      const PiecePlacement back{0, -before.angle, Vector2::Zero()};
+      corner = placement.apply(back.apply(corner - before.offset));
+    }
+    const FacetCorners& facet = out.corners[tab.facet];
+    tab.corners[0] = facet[(tab.side + 1) % 3];
+    tab.corners[1] = facet[tab.side];
+  });
+  out.page_count = 0;
+  for (const PaperPiece& each : out.pieces)
+    out.page_count = std::max(out.page_count, each.placement.page + 1);
+  for (Index j = 0; j < out.joints.size(); ++j)
+    if (!out.joints[j].tab) out.page_count = std::max(out.page_count, out.strips[j].page + 1);
+  return out;
+}
+
+struct Box {
+  Vector2 low = Vector2::Constant(1e300), high = Vector2::Constant(-1e300);
+};
+
+Box box_of(const Unfolding& unfolding, Index piece, double angle) {
+  const PiecePlacement turn{0, angle, Vector2::Zero()};
+  Box out;
+  for (const Index facet : unfolding.pieces[piece].facets)
+    for (const Vector2& corner : unfolding.corners[facet]) {
+      const Vector2 p = turn.apply(corner);
+      out.low = out.low.cwiseMin(p);
+      out.high = out.high.cwiseMax(p);
+    }
+  return out;
+}
+
+/// For each facet of the new mesh the one of the old mesh with the same vertices in the same order round;
+/// no_index where there is none.
+std::vector<Index> matching_facets(const FacetGraph& old, const FacetGraph& graph) {
+  const auto key = [](std::array<Index, 3> corners) {
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    return corners;
+  };
+  std::map<std::array<Index, 3>, Index> known;
+  for (Index f = 0; f < old.facet_count(); ++f) known.emplace(key(old.triangle(f)), f);
+  std::vector<Index> out(graph.facet_count(), no_index);
+  for (Index f = 0; f < out.size(); ++f)
+    if (const auto found = known.find(key(graph.triangle(f))); found != known.end()) out[f] = found->second;
+  return out;
+}
+
+}  // namespace
+
+Result<Unfolding> join_at(const Unfolding& unfolding, Index e) {
+  const FacetEdge& edge = unfolding.graph->edge(e);
+  if (edge.border()) return border_error(unfolding, e);
+  if (unfolding.folds[e])
+    return make_error(e_already_folded, "The edge is a fold already.", "Choose a cut edge.",
+                      named_edge(unfolding, e));
+  const Index first = unfolding.piece_of[edge.facets[0]], second = unfolding.piece_of[edge.facets[1]];
+  if (first == second)
+    return make_error(e_same_piece,
+                      "Both sides of the edge belong to one piece; joined they would close a ring.",
+                      "Split the piece elsewhere first.", named_edge(unfolding, e));
+  Folds folds = unfolding.folds;
+  folds[e] = 1;
+  EdgeRules wishes = unfolding.wishes;
+  wishes[e] = EdgeRule::folded;
+  // The smaller piece has no place of its own any more.
+  const std::size_t sizes[] = {unfolding.pieces[first].facets.size(), unfolding.pieces[second].facets.size()};
+  const Index moved = sizes[0] < sizes[1] ? first : second;
+  std::vector<Index> matches(unfolding.corners.size());
+  for (Index f = 0; f < matches.size(); ++f) matches[f] = unfolding.piece_of[f] == moved ? no_index : f;
+  return assemble(unfolding.graph, unfolding.settings, std::move(folds), std::move(wishes),
+                  unfolding.tab_choices, &unfolding, matches);
+}
+
+Result<Unfolding> split_at(const Unfolding& unfolding, Index e) {
+  if (unfolding.graph->edge(e).border()) return border_error(unfolding, e);
+  if (!unfolding.folds[e])
+    return make_error(e_already_cut, "The edge is cut already.", "Choose a fold.", named_edge(unfolding, e));
+  Folds folds = unfolding.folds;
+  folds[e] = 0;
+  EdgeRules wishes = unfolding.wishes;
+  wishes[e] = EdgeRule::cut;
+  return assemble(unfolding.graph, unfolding.settings, std::move(folds), std::move(wishes),
+                  unfolding.tab_choices, &unfolding);
+}
+
+Unfolding move_piece(const Unfolding& unfolding, Index piece, Index page, const Vector2& shift) {
+  PiecePlacement placement = unfolding.pieces[piece].placement;
+  placement.page = page;
+  placement.offset += shift;
+  return with_placement(unfolding, piece, placement);
+}
+
+Unfolding turn_piece(const Unfolding& unfolding, Index piece, double angle) {
+  const Box box = box_of(unfolding, piece, 0);
+  return with_placement(unfolding, piece,
+                        unfolding.pieces[piece].placement.turned(angle, 0.5 * (box.low + box.high)));
+}
+
+Unfolding straighten_piece(const Unfolding& unfolding, Index piece) {
+  // The smallest box has a side along a side of the convex hull, so along a line between two corners that are
+  // both extreme; sides of facets and every half degree find it closely enough for paper.
+  double best_angle = 0, best_area = 1e300;
+  const auto consider = [&](double angle) {
+    angle = std::remainder(angle, pi / 2);
+    const Box box = box_of(unfolding, piece, angle);
+    const double area = (box.high.x() - box.low.x()) * (box.high.y() - box.low.y());
+    const bool better = area < best_area * (1 - 1e-9);
+    if (!better && !(area <= best_area * (1 + 1e-9) && std::abs(angle) < std::abs(best_angle))) return;
+    best_area = std::min(area, best_area);
+    best_angle = angle;
+  };
+  for (int k = -90; k < 90; ++k) consider(k * pi / 360);
+  const std::size_t stride = unfolding.pieces[piece].facets.size() / 200 + 1;
+  for (std::size_t f = 0; f < unfolding.pieces[piece].facets.size(); f += stride) {
+    const FacetCorners& c = unfolding.corners[unfolding.pieces[piece].facets[f]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector2 side = c[(k + 1) % 3] - c[k];
+      consider(-std::atan2(side.y(), side.x()));
+    }
+  }
+  return turn_piece(unfolding, piece, best_angle);
+}
+
+Unfolding choose_tab(const Unfolding& unfolding, Index edge, TabChoice choice) {
+  std::vector<TabChoice> choices = unfolding.tab_choices;
+  choices[edge] = choice;
+  return assemble(unfolding.graph, unfolding.settings, unfolding.folds, unfolding.wishes, std::move(choices),
+                  &unfolding);
+}
+
+Unfolding rearrange(const Unfolding& unfolding) {
+  return assemble(unfolding.graph, unfolding.settings, unfolding.folds, unfolding.wishes,
+                  unfolding.tab_choices);
+}
+
+Unfolding split_to_fit(const Unfolding& unfolding, Index piece) {
+  const FacetGraph& graph = *unfolding.graph;
+  EdgeRules rules(graph.edge_count(), EdgeRule::cut);
+  for (Index e = 0; e < rules.size(); ++e) {
+    if (!unfolding.folds[e]) continue;
+    const bool inside = unfolding.piece_of[graph.edge(e).facets[0]] == piece;
+    rules[e] = inside && unfolding.wishes[e] != EdgeRule::folded ? EdgeRule::free : EdgeRule::folded;
+  }
+  const std::vector<FacetCorners> shapes = facet_shapes(graph, unfolding.settings.scale);
+  const auto found = search_cuts(graph, shapes, rules, {unfolding.settings.piece_room(), 0});
+  return assemble(unfolding.graph, unfolding.settings, found.value().back(), unfolding.wishes,
+                  unfolding.tab_choices, &unfolding);
+}
+
+Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings& settings) {
+  if (const auto fine = check_settings(settings, unfolding.graph->longest_edge()); !fine.ok())
+    return fine.error();
+  const PaperSettings& old = unfolding.settings;
+  const bool same_lengths = settings.scale == old.scale && settings.page == old.page &&
+                            settings.margin == old.margin && settings.gap == old.gap &&
+                            settings.tab_height == old.tab_height && settings.strip_width == old.strip_width;
+  return assemble(unfolding.graph, settings, unfolding.folds, unfolding.wishes, unfolding.tab_choices,
+                  same_lengths ? &unfolding : nullptr);
+}
+
+Unfolding carried_over(const Unfolding& unfolding, std::shared_ptr<const FacetGraph> graph) {
+  const FacetGraph &old = *unfolding.graph, &next = *graph;
+  const std::vector<Index> matches = matching_facets(old, next);
+  EdgeRules wishes(next.edge_count(), EdgeRule::free), rules(next.edge_count(), EdgeRule::free);
+  std::vector<TabChoice> choices(next.edge_count(), TabChoice::automatic);
+  for (Index e = 0; e < next.edge_count(); ++e) {
+    const Index before = old.find_edge(next.edge(e).low, next.edge(e).high);
+    if (before == no_index || old.edge(before).border() || next.edge(e).border()) continue;
+    wishes[e] = unfolding.wishes[before];
+    choices[e] = unfolding.tab_choices[before];
+    const bool known =
+        matches[next.edge(e).facets[0]] != no_index && matches[next.edge(e).facets[1]] != no_index;
+    if (unfolding.folds[before])
+      rules[e] = EdgeRule::folded;
+    else if (known || wishes[e] == EdgeRule::cut)
+      rules[e] = EdgeRule::cut;
+  }
+  // Old folds form a forest, and each of them is between the same facets or has a new one; new facets could
+  // close a ring, so a fold that would is free.
+  std::vector<Index> group(next.facet_count());
+  for (Index f = 0; f < group.size(); ++f) group[f] = f;
+  const auto root = [&](Index f) {
+    while (group[f] != f) f = group[f] = group[group[f]];
+    return f;
+  };
+  for (Index e = 0; e < rules.size(); ++e) {
+    if (rules[e] != EdgeRule::folded) continue;
+    const Index a = root(next.edge(e).facets[0]), b = root(next.edge(e).facets[1]);
+    if (a == b)
+      rules[e] = EdgeRule::free;
+    else
+      group[a] = b;
+  }
+  const std::vector<FacetCorners> shapes = facet_shapes(next, unfolding.settings.scale);
+  FacetForest forest(next, shapes, rules, search_tolerance(next, shapes), unfolding.settings.piece_room());
+  gather(forest, {GrowthOrder::long_edges}, {});
+  Folds folds = forest.folds();
+  return assemble(std::move(graph), unfolding.settings, std::move(folds), std::move(wishes),
+                  std::move(choices), &unfolding, matches);
+}
+
+std::vector<std::pair<Index, Index>> overlaps_of(const Unfolding& unfolding) {
+  return overlapping_pairs(printed_polygons(unfolding), paper_tolerance(unfolding));
+}
+
+std::vector<Index> pieces_off_page(const Unfolding& unfolding) {
+  const PaperSettings& s = unfolding.settings;
+  std::vector<char> off(unfolding.pieces.size(), 0);
+  const auto look = [&](std::span<const Vector2> polygon, Index piece) {
+    for (const Vector2& p : polygon)
+      if (p.x() < s.margin - 1e-6 || p.y() < s.margin - 1e-6 || p.x() > s.page.width - s.margin + 1e-6 ||
+          p.y() > s.page.height - s.margin + 1e-6)
+        off[piece] = 1;
+  };
+  for (Index f = 0; f < unfolding.corners.size(); ++f) look(unfolding.corners[f], unfolding.piece_of[f]);
+  for (const Joint& joint : unfolding.joints)
+    if (joint.tab) look(joint.tab->corners, unfolding.piece_of[joint.tab->facet]);
+  std::vector<Index> out;
+  for (Index p = 0; p < off.size(); ++p)
+    if (off[p]) out.push_back(p);
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,223 @@
+#include "core/unfolding/sheet_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hariko {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Text that is never upside down.
+double upright(double angle) {
+  angle = std::remainder(angle, 2 * pi);
+  if (angle > pi / 2 + 1e-9) angle -= pi;
+  if (angle <= -pi / 2 - 1e-9) angle += pi;
+  return angle;
+}
+
+class Draftsman {
+ public:
+  explicit Draftsman(const Unfolding& unfolding) : u_(unfolding), graph_(*unfolding.graph) {
+    out_.page = u_.settings.page;
+    out_.page_count = u_.page_count;
+    out_.scale = u_.settings.scale;
+  }
+
+  SheetDrawing draw() {
+    for (Index f = 0; f < graph_.facet_count(); ++f)
+      out_.facets.push_back({f, u_.piece_of[f], u_.page_of(f), u_.corners[f]});
+    for (Index e = 0; e < graph_.edge_count(); ++e) {
+      if (u_.folds[e])
+        fold(e);
+      else if (graph_.edge(e).border())
+        cut_side(e, 0);
+    }
+    for (Index j = 0; j < u_.joints.size(); ++j) joint(j);
+    for (Index p = 0; p < u_.pieces.size(); ++p) name(p);
+    for (Index page = 0; page < u_.page_count; ++page) furnish(page);
+    if (u_.settings.inside) mirror();
+    return std::move(out_);
+  }
+
+ private:
+  struct Side {
+    Index facet, page;
+    Vector2 from, to;
+    Vector2 along() const { return (to - from).normalized(); }
+    Vector2 inward() const { return {-along().y(), along().x()}; }
+  };
+  Side side(Index e, std::size_t k) const {
+    const FacetEdge& edge = graph_.edge(e);
+    const FacetCorners& corners = u_.corners[edge.facets[k]];
+    return {edge.facets[k], u_.page_of(edge.facets[k]), corners[edge.sides[k]],
+            corners[(edge.sides[k] + 1) % 3]};
+  }
+  void line(SheetLayer layer, Index page, const Vector2& from, const Vector2& to) {
+    out_.lines.push_back({layer, page, from, to, false});
+  }
+  void text(Index page, const Vector2& centre, double angle, double height, std::string words) {
+    out_.texts.push_back({page, centre, upright(angle), height, std::move(words)});
+  }
+
+  void fold_line(FoldKind kind, Index page, const Vector2& from, const Vector2& to, bool inner) {
+    if (kind == FoldKind::flat) return;
+    line(kind == FoldKind::mountain ? SheetLayer::fold_mountain : SheetLayer::fold_valley, page, from, to);
+    out_.lines.back().inner_fold = inner;
+  }
+
+  void fold(Index e) {
+    const FacetEdge& edge = graph_.edge(e);
+    const Side at = side(e, 0);
+    const FoldKind kind = fold_kind(edge.fold_angle, u_.settings);
+    out_.folds.push_back({kind, at.page, edge.facets, at.from, at.to, edge.fold_angle});
+    fold_line(kind, at.page, at.from, at.to, true);
+    if (!u_.settings.fold_angles || kind == FoldKind::flat) return;
+    const double length = (at.to - at.from).norm(), height = label_height(length);
+    if (length < 6 * height) return;
+    const auto degrees = std::lround(std::abs(edge.fold_angle) * 180 / pi);
+    text(at.page, 0.5 * (at.from + at.to) + 0.9 * height * at.inward(), angle_of(at.along()), 0.8 * height,
+         std::to_string(degrees));
+  }
+
+  void cut_side(Index e, std::size_t k) {
+    const Side at = side(e, k);
+    line(SheetLayer::cut, at.page, at.from, at.to);
+  }
+
+  static double label_height(double length) { return std::clamp(0.12 * length, 1.5, 3.0); }
+  static double angle_of(const Vector2& v) { return std::atan2(v.y(), v.x()); }
+
+  /// Height of a facet over one of its sides.
+  double depth(const Side& at) const {
+    double out = 0;
+    for (const Vector2& corner : u_.corners[at.facet])
+      out = std::max(out, (corner - at.from).dot(at.inward()));
+    return out;
+  }
+
+  void joint(Index j) {
+    const Joint& joint = u_.joints[j];
+    const double length = u_.settings.scale * graph_.edge(joint.edge).length;
+    const double height = label_height(length);
+    const bool labelled = length >= 2 * height;
+    const std::string number = std::to_string(j + 1);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Side at = side(joint.edge, k);
+      const bool has_tab =
+          joint.tab && joint.tab->facet == at.facet && joint.tab->side == graph_.edge(joint.edge).sides[k];
+      if (has_tab)
+        tab(joint, at);
+      else
+        line(SheetLayer::cut, at.page, at.from, at.to);
+      // In a flat triangle the number stands where it is still wide.
+      const double inset = std::min(0.9 * height, 0.33 * depth(at));
+      if (labelled)
+        text(at.page, 0.5 * (at.from + at.to) + inset * at.inward(), angle_of(at.along()), height, number);
+      if (labelled && has_tab) {
+        const double tab_text = std::min(height, 0.7 * joint.tab->height);
+        text(at.page, 0.5 * (at.from + at.to) - 0.5 * joint.tab->height * at.inward(), angle_of(at.along()),
+             tab_text, number);
+      }
+    }
+    if (!joint.tab) strip(j, number, height);
+  }
+
+  void tab(const Joint& joint, const Side& at) {
+    const auto& c = joint.tab->corners;
+    fold_line(fold_kind(graph_.edge(joint.edge).fold_angle, u_.settings), at.page, at.from, at.to, false);
+    for (std::size_t k = 1; k < 4; ++k) line(SheetLayer::tab, at.page, c[k], c[(k + 1) % 4]);
+  }
+
+  void strip(Index j, const std::string& number, double height) {
+    const auto c = strip_corners(u_, j);
+    const Index page = u_.strips[j].page;
+    for (std::size_t k = 0; k < 4; ++k) line(SheetLayer::strip, page, c[k], c[(k + 1) % 4]);
+    const Vector2 from = 0.5 * (c[3] + c[0]), to = 0.5 * (c[1] + c[2]);
+    line(SheetLayer::strip, page, from, to);
+    height = std::min(height, 0.3 * u_.settings.strip_width);
+    if ((to - from).norm() < height) return;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
+      text(page, 0.25 * (from + to + c[k] + c[k + 1]), angle_of(to - from), height, number);
+  }
+
+  void name(Index p) {
+    Index largest = u_.pieces[p].facets.front();
+    for (const Index facet : u_.pieces[p].facets)
+      if (graph_.area(facet) > graph_.area(largest)) largest = facet;
+    const FacetCorners& c = u_.corners[largest];
+    const double a = (c[2] - c[1]).norm(), b = (c[0] - c[2]).norm(), d = (c[1] - c[0]).norm();
+    const double radius = 2 * u_.settings.scale * u_.settings.scale * graph_.area(largest) / (a + b + d);
+    const Vector2 centre = (a * c[0] + b * c[1] + d * c[2]) / (a + b + d);
+    text(u_.page_of(largest), centre, 0, std::clamp(0.5 * radius, 0.8, 6.0), piece_name(p));
+  }
+
+  /// What helps whoever holds the page.
+  void furnish(Index page) {
+    const PaperSettings& s = u_.settings;
+    if (s.margin < 4) return;
+    const double right = s.page.width - s.margin, top = s.page.height - s.margin;
+    for (const double x : {s.margin, right})
+      for (const double y : {s.margin, top}) {
+        const double dx = x < s.page.width / 2 ? -2 : 2, dy = y < s.page.height / 2 ? -2 : 2;
+        line(SheetLayer::label, page, {x, y}, {x + dx, y});
+        line(SheetLayer::label, page, {x, y}, {x, y + dy});
+      }
+    const double y = 0.4 * s.margin;
+    text(page, {right - 8, y}, 0, 2.5, std::to_string(page + 1) + " / " + std::to_string(u_.page_count));
+    if (s.page.width - 2 * s.margin < 90) return;
+    const double left = s.margin + 4;
+    line(SheetLayer::label, page, {left, y}, {left + 50, y});
+    for (const double x : {left, left + 50}) line(SheetLayer::label, page, {x, y - 1}, {x, y + 1});
+    text(page, {left + 59, y}, 0, 2, "50 mm");
+  }
+
+  void mirror() {
+    const auto flip = [&](Vector2& p) { p.x() = out_.page.width - p.x(); };
+    for (DrawnFacet& facet : out_.facets)
+      for (Vector2& corner : facet.corners) flip(corner);
+    for (DrawnLine& each : out_.lines) {
+      flip(each.from);
+      flip(each.to);
+      if (each.layer == SheetLayer::fold_mountain)
+        each.layer = SheetLayer::fold_valley;
+      else if (each.layer == SheetLayer::fold_valley)
+        each.layer = SheetLayer::fold_mountain;
+    }
+    for (DrawnFold& each : out_.folds) {
+      flip(each.from);
+      flip(each.to);
+      each.angle = -each.angle;
+      if (each.kind != FoldKind::flat)
+        each.kind = each.kind == FoldKind::mountain ? FoldKind::valley : FoldKind::mountain;
+    }
+    for (DrawnText& each : out_.texts) {
+      flip(each.centre);
+      each.angle = upright(-each.angle);
+    }
+  }
+
+  const Unfolding& u_;
+  const FacetGraph& graph_;
+  SheetDrawing out_;
+};
+
+}  // namespace
+
+std::string_view to_string(SheetLayer layer) {
+  constexpr std::string_view names[] = {"cut", "fold-mountain", "fold-valley", "tab", "label", "strip"};
+  return names[static_cast<std::size_t>(layer)];
+}
+
+FoldKind fold_kind(double angle, const PaperSettings& settings) {
+  if (std::abs(angle) < settings.flat_fold) return FoldKind::flat;
+  return angle > 0 ? FoldKind::mountain : FoldKind::valley;
+}
+
+SheetDrawing draw_sheets(const Unfolding& unfolding) {
+  return Draftsman(unfolding).draw();
+}
+
+}  // namespace hariko

@@ -1,0 +1,71 @@
+#pragma once
+
+// SheetDrawing: what is printed and cut, as lines and words on layers. All writers and views draw this.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/unfolding/unfolding.hpp"
+
+namespace hariko {
+
+/// One for each operation of a cutter or plotter.
+enum class SheetLayer : std::uint8_t { cut, fold_mountain, fold_valley, tab, label, strip };
+inline constexpr SheetLayer sheet_layers[] = {SheetLayer::cut,         SheetLayer::fold_mountain,
+                                              SheetLayer::fold_valley, SheetLayer::tab,
+                                              SheetLayer::label,       SheetLayer::strip};
+/// "cut", "fold-mountain", "fold-valley", "tab", "label", "strip".
+std::string_view to_string(SheetLayer layer);
+
+struct DrawnLine {
+  SheetLayer layer = SheetLayer::cut;
+  Index page = 0;
+  Vector2 from, to;
+  bool inner_fold = false;  ///< between two facets: it is among `folds` too
+};
+
+/// Mountains are solid lines and fold away from the reader, valleys are dashed and fold towards the reader.
+enum class FoldKind : std::uint8_t { mountain, valley, flat };
+
+/// A fold between two facets of a piece.
+struct DrawnFold {
+  FoldKind kind = FoldKind::flat;  ///< flat ones have no line
+  Index page = 0;
+  std::array<Index, 2> facets;
+  Vector2 from, to;
+  double angle = 0;  ///< radians, as the kind's sign says: > 0 mountain
+};
+
+struct DrawnFacet {
+  Index facet = 0, piece = 0, page = 0;
+  FacetCorners corners;  ///< counter-clockwise, clockwise where the print is inside
+};
+
+/// Reads along `angle`, its middle at `centre`. ASCII.
+struct DrawnText {
+  Index page = 0;
+  Vector2 centre;
+  double angle = 0, height = 0;  ///< height of capitals, mm
+  std::string text;
+};
+
+/// Millimetres on the page, x to the right, y up from the lower left corner.
+struct SheetDrawing {
+  PaperSize page;
+  Index page_count = 0;
+  double scale = 1;  ///< mm for one unit of the mesh
+  std::vector<DrawnFacet> facets;
+  std::vector<DrawnFold> folds;
+  std::vector<DrawnLine> lines;  ///< visible folds are among them
+  std::vector<DrawnText> texts;
+};
+
+FoldKind fold_kind(double angle, const PaperSettings& settings);
+
+/// Lines of cuts, folds, tabs and strips; the number of each joint on both sides of the cut, on its tab and
+/// on both halves of its strip; names of pieces; page numbers, marks at the corners of the printable area and
+/// a scale bar of 50 mm where the margin has room. Mirrored where the print is inside. O(edges).
+SheetDrawing draw_sheets(const Unfolding& unfolding);
+
+}  // namespace hariko

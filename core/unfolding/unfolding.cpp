@@ -1,0 +1,329 @@
+#include "core/unfolding/unfolding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/ids.hpp"
+#include "core/unfolding/best_turn.hpp"
+#include "core/unfolding/convex_overlap.hpp"
+#include "core/unfolding/reference_method.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// The rectangle in its own frame.
+std::array<Vector2, 4> strip_shape(double length, double width) {
+  return {Vector2(0, -width / 2), Vector2(length, -width / 2), Vector2(length, width / 2),
+          Vector2(0, width / 2)};
+}
+
+double strip_length(const FacetGraph& graph, const PaperSettings& settings, Index edge) {
+  return settings.scale * graph.edge(edge).length;
+}
+
+std::vector<PackItem> pack_items(const FacetGraph& graph, const PaperSettings& settings,
+                                 const FlatLayout& layout, const std::vector<Joint>& joints) {
+  std::vector<PackItem> items(layout.pieces.size());
+  for (Index f = 0; f < layout.corners.size(); ++f)
+    items[layout.piece_of[f]].polygons.emplace_back(layout.corners[f], 0);
+  for (const Joint& joint : joints)
+    if (joint.tab) items[layout.piece_of[joint.tab->facet]].polygons.emplace_back(joint.tab->corners, 0);
+  for (const Joint& joint : joints)
+    if (!joint.tab) {
+      const auto shape = strip_shape(strip_length(graph, settings, joint.edge), settings.strip_width);
+      items.push_back({{SheetPolygon(shape, 0)}, false});
+    }
+  return items;
+}
+
+PackOptions pack_options(const PaperSettings& settings, std::size_t pieces) {
+  PackOptions out{settings.page, settings.margin, settings.gap};
+  out.tries = pieces <= 60 ? 12 : (pieces <= 200 ? 3 : 1);
+  return out;
+}
+
+/// Places of what `before` has, and page numbers from it; the others are packed where there is room.
+void keep_places(Unfolding& out, const FlatLayout& layout, const Unfolding& before,
+                 const std::vector<Index>& matches) {
+  std::vector<char> placed(out.pieces.size(), 0);
+  for (std::size_t p = 0; p < out.pieces.size(); ++p) {
+    // The facet that was nearest to the root of its old piece leads.
+    for (const Index facet : out.pieces[p].facets) {
+      const Index old = matches.empty() ? facet : matches[facet];
+      if (old == no_index) continue;
+      out.pieces[p].placement =
+          placement_between(layout.corners[facet], before.corners[old], before.page_of(old));
+      placed[p] = 1;
+      break;
+    }
+  }
+  const auto place_rest = [&](bool strips) {
+    std::vector<PackItem> items;
+    std::vector<Index> owners;
+    PackOptions options = pack_options(out.settings, out.pieces.size());
+    options.tries = 1;
+    const auto add = [&](bool known, Index owner, PackItem item, const PiecePlacement& placement) {
+      if (!known) {
+        items.push_back(std::move(item));
+        owners.push_back(owner);
+        return;
+      }
+      for (const SheetPolygon& polygon : item.polygons) {
+        SheetPolygon moved = polygon;
+        moved.corners = placement.apply(polygon.corners);
+        moved.sheet = placement.page;
+        options.occupied.push_back(moved);
+      }
+    };
+    const std::vector<PackItem> all = pack_items(*out.graph, out.settings, layout, out.joints);
+    for (Index p = 0; p < out.pieces.size(); ++p)
+      add(strips || placed[p], p, all[p], out.pieces[p].placement);
+    std::size_t next = out.pieces.size();
+    for (Index j = 0; j < out.joints.size(); ++j) {
+      if (out.joints[j].tab) continue;
+      const PackItem& item = all[next++];
+      const FacetEdge& edge = out.graph->edge(out.joints[j].edge);
+      const Index old_edge = before.graph->find_edge(edge.low, edge.high);
+      const Index old = old_edge == no_index ? no_index : before.joint_at(old_edge);
+      const bool known = old != no_index && !before.joints[old].tab;
+      if (known) out.strips[j] = before.strips[old];
+      if (known || strips) add(known, j, item, out.strips[j]);
+    }
+    const Packing packing = pack_pages(items, options);
+    for (std::size_t k = 0; k < items.size(); ++k)
+      (strips ? out.strips[owners[k]] : out.pieces[owners[k]].placement) = packing.placements[k];
+  };
+  if (std::find(placed.begin(), placed.end(), 0) != placed.end()) place_rest(false);
+  place_rest(true);
+}
+
+void pack_everything(Unfolding& out, const FlatLayout& layout, const CancelToken& cancel) {
+  const Packing packing = pack_pages(pack_items(*out.graph, out.settings, layout, out.joints),
+                                     pack_options(out.settings, out.pieces.size()), cancel);
+  std::size_t next = 0;
+  for (PaperPiece& piece : out.pieces) piece.placement = packing.placements[next++];
+  for (Index j = 0; j < out.joints.size(); ++j)
+    if (!out.joints[j].tab) out.strips[j] = packing.placements[next++];
+}
+
+/// Everything that follows from the placements.
+void move_to_pages(Unfolding& out, const FlatLayout& layout) {
+  out.corners.resize(layout.corners.size());
+  for (Index f = 0; f < out.corners.size(); ++f)
+    out.corners[f] = out.pieces[out.piece_of[f]].placement.apply(layout.corners[f]);
+  out.page_count = 0;
+  for (const PaperPiece& piece : out.pieces)
+    out.page_count = std::max(out.page_count, piece.placement.page + 1);
+  for (Index j = 0; j < out.joints.size(); ++j) {
+    Joint& joint = out.joints[j];
+    if (joint.tab)
+      joint.tab->corners = out.pieces[out.piece_of[joint.tab->facet]].placement.apply(joint.tab->corners);
+    else
+      out.page_count = std::max(out.page_count, out.strips[j].page + 1);
+  }
+}
+
+struct Candidate {
+  Folds folds;
+  std::size_t pieces = 0, strips = 0;
+  Index pages = 0;
+};
+
+Candidate judged(const FacetGraph& graph, const PaperSettings& settings,
+                 const std::vector<FacetCorners>& shapes, Folds folds, const CancelToken& cancel) {
+  const FlatLayout layout = lay_out(graph, shapes, folds);
+  const std::vector<Joint> joints = find_joints(graph, folds, layout, {}, settings.tab_height);
+  Candidate out;
+  out.pieces = layout.pieces.size();
+  out.strips = static_cast<std::size_t>(
+      std::count_if(joints.begin(), joints.end(), [](const Joint& joint) { return !joint.tab; }));
+  PackOptions options = pack_options(settings, out.pieces);
+  options.tries = 1;
+  out.pages = pack_pages(pack_items(graph, settings, layout, joints), options, cancel).page_count;
+  out.folds = std::move(folds);
+  return out;
+}
+
+/// Lowest is best.
+std::array<double, 3> score(const Candidate& candidate, CutGoal goal) {
+  const double pieces = double(candidate.pieces), strips = double(candidate.strips);
+  switch (goal) {
+    case CutGoal::balanced:
+      return {pieces + double(candidate.pages) + 0.05 * strips, pieces, strips};
+    case CutGoal::easiest:
+      return {strips + 0.5 * pieces, pieces, double(candidate.pages)};
+    case CutGoal::fewest:
+      break;
+  }
+  return {pieces, double(candidate.pages), strips};
+}
+
+Folds best_candidate(const FacetGraph& graph, const PaperSettings& settings,
+                     const std::vector<FacetCorners>& shapes, std::vector<Folds> candidates, CutGoal goal,
+                     const CancelToken& cancel) {
+  const std::size_t fewest = piece_count(graph, candidates.back());
+  if (goal == CutGoal::fewest)
+    std::erase_if(candidates, [&](const Folds& folds) { return piece_count(graph, folds) > fewest; });
+  if (candidates.size() == 1) return candidates.front();
+  std::optional<Candidate> best;
+  for (Folds& folds : candidates) {
+    Candidate next = judged(graph, settings, shapes, std::move(folds), cancel);
+    if (!best || score(next, goal) < score(*best, goal)) best = std::move(next);
+  }
+  return best->folds;
+}
+
+/// How the facets of a piece fit the page.
+BestTurn best_fit(const Unfolding& unfolding, const PaperPiece& piece) {
+  std::vector<Vector2> points;
+  for (const Index facet : piece.facets)
+    points.insert(points.end(), unfolding.corners[facet].begin(), unfolding.corners[facet].end());
+  return best_turn(points, unfolding.settings.piece_room());
+}
+
+std::string rounded(double value, int decimals) {
+  const double power = std::pow(10, decimals);
+  const auto scaled = static_cast<std::int64_t>(std::floor(value * power));
+  std::string out = std::to_string(scaled / static_cast<std::int64_t>(power));
+  if (decimals > 0) out += "." + std::to_string(scaled % static_cast<std::int64_t>(power));
+  return out;
+}
+
+bool within_margins(const Unfolding& unfolding, std::span<const Vector2> polygon) {
+  const PaperSettings& s = unfolding.settings;
+  return std::all_of(polygon.begin(), polygon.end(), [&](const Vector2& p) {
+    return p.x() >= s.margin - 1e-6 && p.y() >= s.margin - 1e-6 && p.x() <= s.page.width - s.margin + 1e-6 &&
+           p.y() <= s.page.height - s.margin + 1e-6;
+  });
+}
+
+}  // namespace
+
+Index Unfolding::joint_at(Index edge) const {
+  const auto found = std::lower_bound(joints.begin(), joints.end(), edge,
+                                      [](const Joint& joint, Index e) { return joint.edge < e; });
+  return found != joints.end() && found->edge == edge ? static_cast<Index>(found - joints.begin()) : no_index;
+}
+
+std::array<Vector2, 4> strip_corners(const Unfolding& unfolding, Index joint) {
+  const double length = strip_length(*unfolding.graph, unfolding.settings, unfolding.joints[joint].edge);
+  return unfolding.strips[joint].apply(strip_shape(length, unfolding.settings.strip_width));
+}
+
+std::vector<SheetPolygon> printed_polygons(const Unfolding& unfolding) {
+  std::vector<SheetPolygon> out;
+  for (Index f = 0; f < unfolding.corners.size(); ++f)
+    out.emplace_back(unfolding.corners[f], unfolding.page_of(f));
+  for (Index j = 0; j < unfolding.joints.size(); ++j) {
+    const Joint& joint = unfolding.joints[j];
+    if (joint.tab)
+      out.emplace_back(joint.tab->corners, unfolding.page_of(joint.tab->facet));
+    else
+      out.emplace_back(strip_corners(unfolding, j), unfolding.strips[j].page);
+  }
+  return out;
+}
+
+double paper_tolerance(const Unfolding& unfolding) {
+  return overlap_tolerance * unfolding.settings.scale * unfolding.graph->longest_edge();
+}
+
+std::string piece_name(Index piece) {
+  std::string out;
+  for (std::uint64_t rest = std::uint64_t{piece} + 1; rest > 0; rest = (rest - 1) / 26)
+    out.insert(out.begin(), static_cast<char>('A' + (rest - 1) % 26));
+  return out;
+}
+
+double paper_use(const Unfolding& unfolding) {
+  const PaperSettings& s = unfolding.settings;
+  const double pages = s.printable().width * s.printable().height * unfolding.page_count;
+  return pages > 0 ? s.scale * s.scale * unfolding.graph->total_area() / pages : 0;
+}
+
+std::size_t strip_count(const Unfolding& unfolding) {
+  return static_cast<std::size_t>(std::count_if(unfolding.joints.begin(), unfolding.joints.end(),
+                                                [](const Joint& joint) { return !joint.tab; }));
+}
+
+Unfolding assemble(std::shared_ptr<const FacetGraph> graph, const PaperSettings& settings, Folds folds,
+                   EdgeRules wishes, std::vector<TabChoice> tab_choices, const Unfolding* before,
+                   const std::vector<Index>& matches) {
+  Unfolding out;
+  out.graph = std::move(graph);
+  out.settings = settings;
+  out.folds = std::move(folds);
+  out.wishes = std::move(wishes);
+  out.tab_choices = std::move(tab_choices);
+  out.wishes.resize(out.graph->edge_count(), EdgeRule::free);
+  out.tab_choices.resize(out.graph->edge_count(), TabChoice::automatic);
+  FlatLayout layout = lay_out(*out.graph, facet_shapes(*out.graph, settings.scale), out.folds);
+  out.joints = find_joints(*out.graph, out.folds, layout, out.tab_choices, settings.tab_height);
+  out.strips.resize(out.joints.size());
+  out.piece_of = layout.piece_of;
+  out.pieces.resize(layout.pieces.size());
+  for (std::size_t p = 0; p < out.pieces.size(); ++p)
+    out.pieces[p].facets = std::move(layout.pieces[p].facets);
+  if (before)
+    keep_places(out, layout, *before, matches);
+  else
+    pack_everything(out, layout, {});
+  move_to_pages(out, layout);
+  return out;
+}
+
+Result<Unfolding> unfold(std::shared_ptr<const FacetGraph> graph, const PaperSettings& settings,
+                         const UnfoldOptions& options, const CancelToken& cancel, const Progress& progress) {
+  if (const auto fine = check_settings(settings, graph->longest_edge()); !fine.ok()) return fine.error();
+  const std::vector<FacetCorners> shapes = facet_shapes(*graph, settings.scale);
+  Folds folds;
+  if (options.method == CutMethod::reference) {
+    auto found = reference_unfolding(*graph, shapes, cancel);
+    if (!found.ok()) return found.error();
+    folds = std::move(found).value().folds;
+  } else {
+    // A little less, so that the packer, which turns pieces in its own steps, finds a turn that fits.
+    const PaperSize room{settings.piece_room().width - 0.2, settings.piece_room().height - 0.2};
+    const EdgeRules rules =
+        settled_rules(*graph, shapes, options.wishes, settings.merge_angle.value_or(-1), room);
+    auto found = search_cuts(*graph, shapes, rules, {.room = room, .steps = options.steps}, cancel,
+                             progress.part(0, 0.8));
+    if (!found.ok()) return found.error();
+    folds = best_candidate(*graph, settings, shapes, std::move(found).value(), options.goal, cancel);
+  }
+  if (cancel.cancelled()) return make_error(e_cancelled, "Unfolding was cancelled.");
+  progress.report(0.9);
+  Unfolding out = assemble(std::move(graph), settings, std::move(folds), options.wishes, {});
+  progress.report(1);
+  return out;
+}
+
+std::vector<Message> unfolding_messages(const Unfolding& unfolding) {
+  std::vector<Message> out;
+  const std::vector<SheetPolygon> polygons = printed_polygons(unfolding);
+  std::vector<char> off(unfolding.pieces.size(), 0);
+  for (Index f = 0; f < unfolding.corners.size(); ++f)
+    if (!within_margins(unfolding, polygons[f].span())) off[unfolding.piece_of[f]] = 1;
+  for (Index p = 0; p < off.size(); ++p) {
+    if (!off[p]) continue;
+    const BestTurn fit = best_fit(unfolding, unfolding.pieces[p]);
+    if (fit.factor >= 1) continue;  // only moved off its page
+    out.push_back(make_error(
+        e_piece_too_large,
+        "Piece " + piece_name(p) + ": piece " + std::to_string(p) +
+            " does not fit on the page at this scale (needs " + rounded(fit.size.width + 0.5, 0) + " x " +
+            rounded(fit.size.height + 0.5, 0) + " mm).",
+        "Scale to " + rounded(100 * fit.factor, 1) + " %, split the piece, or choose a larger page.",
+        element_of(FaceId{unfolding.pieces[p].facets.front()})));
+  }
+  const auto pairs = overlapping_pairs(polygons, paper_tolerance(unfolding));
+  if (!pairs.empty())
+    out.push_back(make_warning(w_unfolding_overlaps,
+                               std::to_string(pairs.size()) + " pairs of facets, tabs or strips overlap.",
+                               "Split the pieces there, or move them apart."));
+  return out;
+}
+
+}  // namespace hariko

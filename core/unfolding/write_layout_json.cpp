@@ -1,0 +1,54 @@
+#include "core/exchange/number_text.hpp"
+#include "core/unfolding/write_sheets.hpp"
+
+namespace hariko {
+
+namespace {
+
+void append_point(std::string& out, const Vector2& p) {
+  out += '[';
+  append_real(out, p.x());
+  out += ',';
+  append_real(out, p.y());
+  out += ']';
+}
+
+}  // namespace
+
+std::string write_layout_json(const SheetDrawing& drawing) {
+  std::string out = "{\"format\":\"unfolding-1\",\"unit\":\"mm\",\"scale\":";
+  append_real(out, drawing.scale);
+  out += ",\"page_size\":[";
+  append_real(out, drawing.page.width);
+  out += ',';
+  append_real(out, drawing.page.height);
+  out += "],\"pages\":";
+  append_integer(out, drawing.page_count);
+  out += ",\n\"faces\":[";
+  for (std::size_t k = 0; k < drawing.facets.size(); ++k) {
+    const DrawnFacet& facet = drawing.facets[k];
+    out += k ? ",\n{\"id\":" : "\n{\"id\":";
+    append_integer(out, facet.facet);
+    out += ",\"piece\":";
+    append_integer(out, facet.piece);
+    out += ",\"page\":";
+    append_integer(out, facet.page);
+    out += ",\"xy\":[";
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (c) out += ',';
+      append_point(out, facet.corners[c]);
+    }
+    out += "]}";
+  }
+  out += "],\n\"folds\":[";
+  for (std::size_t k = 0; k < drawing.folds.size(); ++k) {
+    out += k ? ",[" : "[";
+    append_integer(out, drawing.folds[k].facets[0]);
+    out += ',';
+    append_integer(out, drawing.folds[k].facets[1]);
+    out += ']';
+  }
+  return out + "]}\n";
+}
+
+}  // namespace hariko

@@ -1,0 +1,29 @@
+#pragma once
+
+// Sheets as the bytes of files: SVG, DXF, PDF, and the layout as JSON.
+
+#include <string>
+
+#include "core/unfolding/sheet_drawing.hpp"
+
+namespace hariko {
+
+/// Room between pages where a file has them side by side, mm.
+inline constexpr double page_spacing = 20;
+
+/// The layout for programs (approximation.md 9): every facet once with its corners in the mesh's order, and
+/// all folds, also those without a line. Coordinates are exact: they read back as the same doubles.
+std::string write_layout_json(const SheetDrawing& drawing);
+
+/// SVG in mm, pages side by side. Layers are groups with their names; facets are polygons of class `face`
+/// with data-face, data-piece and data-page; folds are lines of class `fold mountain`, `fold valley` or `fold
+/// flat` (not visible) with data-faces and data-angle in degrees.
+std::string write_sheet_svg(const SheetDrawing& drawing);
+
+/// DXF R12 (AC1009) in mm, pages side by side, a layer for each kind of line.
+std::string write_sheet_dxf(const SheetDrawing& drawing);
+
+/// PDF 1.4, one page each, lines and Helvetica.
+std::string write_sheet_pdf(const SheetDrawing& drawing);
+
+}  // namespace hariko
