@@ -12,6 +12,7 @@
 #include "bench/models.hpp"
 #include "core/base/parallel.hpp"
 #include "core/network/network_system.hpp"
+#include "core/patching/g2_surface.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/patching/quartic_patch.hpp"
 #include "render/display_mesh.hpp"
@@ -79,7 +80,8 @@ void g2_memory(benchmark::State& state) {
     G2System system(polyhedron.shared_topology(), network);
     const double faces = polyhedron.face_count();
     state.counters["shared"] = double(system.matrix_bytes()) / faces;
-    system.bend_over(reference->surface.patches());
+    system.bend_over(
+        reference_points(dynamic_cast<const QuarticPatchSet&>(reference->surface.patches()).array()));
     state.counters["round"] = double(system.matrix_bytes()) / faces;
     const FaceChart& chart = system.chart(0);
     state.counters["controls"] = 24.0 * (chart.control_count() + 7 * chart.sides());

@@ -16,28 +16,28 @@ constexpr int curve_points = 6;
 
 /// Adds up rows^T rows over all quadrature points of a face; rows(side, point, basis, out) fills one point's.
 template <int RowCount, class Rows>
-Eigen::MatrixXd integrate(const FaceChart& chart, const Rows& rows) {
+Eigen::MatrixXd integrate(const ChartSamples& samples, const Rows& rows) {
+  const FaceChart& chart = *samples.chart;
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(chart.control_count(), chart.control_count());
-  FaceChart::Scratch scratch;
-  std::vector<Jet2> basis;
+  Eigen::MatrixXd all, square;
   for (int side = 0; side < chart.sides(); ++side) {
     const std::span<const int> active = chart.active_controls(side);
+    const ChartSamples::Side& of = samples.sides[std::size_t(side)];
     const auto width = static_cast<Eigen::Index>(active.size());
-    basis.resize(active.size());
-    const std::vector<ChartPoint> points = chart_quadrature(chart, side);
-    Eigen::MatrixXd all(RowCount * Eigen::Index(points.size()), width);
+    all.resize(RowCount * Eigen::Index(of.points.size()), width);
     Eigen::Matrix<double, RowCount, Eigen::Dynamic> own(RowCount, width);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      chart.basis(side, points[i].point, basis, scratch);
-      rows(side, points[i], std::span<const Jet2>(basis), own);
-      all.middleRows(RowCount * Eigen::Index(i), RowCount) = std::sqrt(points[i].weight) * own;
+    for (std::size_t i = 0; i < of.points.size(); ++i) {
+      rows(side, i, of.at(i), own);
+      all.middleRows(RowCount * Eigen::Index(i), RowCount) = std::sqrt(of.points[i].weight) * own;
     }
-    const Eigen::MatrixXd square = all.transpose() * all;
+    square = Eigen::MatrixXd::Zero(width, width);
+    square.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
     for (Eigen::Index a = 0; a < width; ++a)
-      for (Eigen::Index b = 0; b < width; ++b)
+      for (Eigen::Index b = 0; b <= a; ++b)
         out(active[std::size_t(a)], active[std::size_t(b)]) += square(a, b);
   }
-  return out;
+  // Active controls ascend, so all went below the diagonal.
+  return out.selfadjointView<Eigen::Lower>();
 }
 
 Eigen::MatrixXd part(const Eigen::MatrixXd& from, const std::vector<int>& rows,
@@ -80,19 +80,31 @@ ControlPlaces::ControlPlaces(const FaceChart& chart) {
   for (int i = chart.first_centre_control(); i < chart.first_departure_control(); ++i) centre.push_back(i);
 }
 
-Eigen::MatrixXd bending_matrix(const FaceChart& chart, const BendingRows& rows) {
-  return integrate<3>(chart, rows);
+ChartSamples::ChartSamples(const FaceChart& of) : chart(&of) {
+  FaceChart::Scratch scratch;
+  for (int side = 0; side < of.sides(); ++side) {
+    Side made{chart_quadrature(of, side), {}};
+    const std::size_t width = of.active_controls(side).size();
+    made.basis.resize(width * made.points.size());
+    for (std::size_t i = 0; i < made.points.size(); ++i)
+      of.basis(side, made.points[i].point, std::span(made.basis).subspan(i * width, width), scratch);
+    sides.push_back(std::move(made));
+  }
 }
 
-Eigen::MatrixXd plate_matrix(const FaceChart& chart) {
-  return integrate<3>(chart, [](int, const ChartPoint&, std::span<const Jet2> basis, auto& rows) {
+Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& rows) {
+  return integrate<3>(samples, rows);
+}
+
+Eigen::MatrixXd plate_matrix(const ChartSamples& samples) {
+  return integrate<3>(samples, [](int, std::size_t, std::span<const Jet2> basis, auto& rows) {
     for (std::size_t k = 0; k < basis.size(); ++k)
       rows.col(Eigen::Index(k)) << basis[k].xx, std::numbers::sqrt2 * basis[k].xy, basis[k].yy;
   });
 }
 
-Eigen::MatrixXd membrane_matrix(const FaceChart& chart) {
-  return integrate<2>(chart, [](int, const ChartPoint&, std::span<const Jet2> basis, auto& rows) {
+Eigen::MatrixXd membrane_matrix(const ChartSamples& samples) {
+  return integrate<2>(samples, [](int, std::size_t, std::span<const Jet2> basis, auto& rows) {
     for (std::size_t k = 0; k < basis.size(); ++k) rows.col(Eigen::Index(k)) << basis[k].x, basis[k].y;
   });
 }
@@ -129,10 +141,10 @@ CondensedFace condense(const ControlPlaces& places, const Eigen::MatrixXd& energ
 }
 
 ChartEnergy::ChartEnergy(std::vector<double> angles, const std::vector<int>& joined)
-    : chart(std::move(angles), joined),
-      places(chart),
-      plate(plate_matrix(chart)),
-      membrane(membrane_matrix(chart)) {
+    : chart(std::move(angles), joined), places(chart) {
+  const ChartSamples samples(chart);
+  plate = plate_matrix(samples);
+  membrane = membrane_matrix(samples);
   for (int side = 0; side < chart.sides(); ++side) curve.push_back(curve_matrix(chart, side));
 }
 

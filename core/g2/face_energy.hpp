@@ -40,13 +40,29 @@ struct ControlPlaces {
   explicit ControlPlaces(const FaceChart& chart);
 };
 
-/// Second derivatives of the functions of a triangle at a point become the rows whose squares the energy
-/// sums; the default takes (xx, sqrt(2) xy, yy).
-using BendingRows = std::function<void(int side, const ChartPoint& at, std::span<const Jet2> basis,
+/// The quadrature of a chart with the functions at its points.
+struct ChartSamples {
+  const FaceChart* chart;
+  struct Side {
+    std::vector<ChartPoint> points;
+    std::vector<Jet2> basis;  ///< of each point: one function an active control
+    std::span<const Jet2> at(std::size_t point) const {
+      const std::size_t width = basis.size() / points.size();
+      return std::span(basis).subspan(point * width, width);
+    }
+  };
+  std::vector<Side> sides;
+
+  explicit ChartSamples(const FaceChart& of);
+};
+
+/// Derivatives of the functions of a triangle at a point (its number in the quadrature of the side) become
+/// the rows whose squares the energy sums; the default takes (xx, sqrt(2) xy, yy).
+using BendingRows = std::function<void(int side, std::size_t point, std::span<const Jet2> basis,
                                        Eigen::Ref<Eigen::Matrix<double, 3, Eigen::Dynamic>> rows)>;
-Eigen::MatrixXd bending_matrix(const FaceChart& chart, const BendingRows& rows);
-Eigen::MatrixXd plate_matrix(const FaceChart& chart);
-Eigen::MatrixXd membrane_matrix(const FaceChart& chart);
+Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& rows);
+Eigen::MatrixXd plate_matrix(const ChartSamples& samples);
+Eigen::MatrixXd membrane_matrix(const ChartSamples& samples);
 /// Of the squared distance between a side's curve and the cubic with the same ends and end tangents, over
 /// `FaceChart::curve_controls`.
 using CurveMatrix = Eigen::Matrix<double, FaceChart::curve_control_count, FaceChart::curve_control_count>;

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <tuple>
 
 #include "core/base/parallel.hpp"
-#include "core/g2/round_energy.hpp"
 
 namespace hariko {
 
@@ -114,16 +115,27 @@ void G2System::bend_over_charts() {
   build_blocks();
 }
 
-void G2System::bend_over(const PatchSet& reference) {
+void G2System::bend_over(const ReferencePoints& reference) {
   round_ = true;
   const double scale = round_scale(
       *mesh_, reference, [&](Index f) -> const FaceChart& { return chart(f); },
       [&](Index f, int side) { return half_edge(f, side); });
-  parallel_for(mesh_->face_count(), face_grain, [&](std::size_t begin, std::size_t end) {
-    for (auto f = static_cast<Index>(begin); f < end; ++f) {
+  // Faces with equal charts one after the other, so that a chart's functions are computed once a task.
+  std::vector<Index> order(mesh_->face_count());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::map<const ChartEnergy*, Index> first;
+  for (const Index f : order) first.try_emplace(charts_[f].get(), f);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return first.at(charts_[a].get()) < first.at(charts_[b].get()); });
+  parallel_for(order.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    std::optional<ChartSamples> samples;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index f = order[k];
       Eigen::MatrixXd plate = charts_[f]->plate;
-      if (mesh_->side_count(f) <= largest_round_side_count)
-        plate = scale * round_plate(chart(f), reference, [&](int side) { return half_edge(f, side); });
+      if (mesh_->side_count(f) <= largest_round_side_count) {
+        if (!samples || samples->chart != &chart(f)) samples.emplace(chart(f));
+        plate = scale * round_plate(*samples, reference, [&](int side) { return half_edge(f, side); });
+      }
       element_[f] = std::make_shared<const CondensedFace>(
           condense(charts_[f]->places, face_energy(*charts_[f], plate, tau_[f], curve_weights(f))));
     }

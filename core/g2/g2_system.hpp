@@ -11,9 +11,9 @@
 #include "core/g2/face_energy.hpp"
 #include "core/g2/g2_patch_set.hpp"
 #include "core/g2/given_sides.hpp"
+#include "core/g2/round_energy.hpp"
 #include "core/g2/unknowns.hpp"
 #include "core/network/network_system.hpp"
-#include "core/surface/patch.hpp"
 
 namespace hariko {
 
@@ -34,7 +34,7 @@ class G2System {
   /// Measures bending over this surface instead of over the faces' charts ("round", g2.md section 8): patch h
   /// belongs to half-edge h, corners: centre, origin, target. O(faces), slow:
   /// no two faces are equal then.
-  void bend_over(const PatchSet& reference);
+  void bend_over(const ReferencePoints& reference);
   void bend_over_charts();
   bool round() const { return round_; }
 

@@ -245,13 +245,21 @@ Result<ObjectSurfacer::Adapted> ObjectSurfacer::Call::adapted(const Object& patc
   if (sides.empty()) return out;
   AdaptedNet made = adapted_net(out.net, sides, held);
   out.net = std::move(made.net);
-  for (std::size_t k = 0; k < sides.size(); ++k)
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (made.kinked[k])
+      out.warnings.push_back(make_warning(
+          w_join_kink,
+          "Beside the side attached to edge " + to_string(owners[k].second) + " of \"" +
+              owners[k].first->name +
+              "\" two patches that were smooth have a kink between them: both follow the surface.",
+          "Use mode G2 for the surface, or let it adapt at one of the edges.", element_of(patches.id)));
     if (!made.adapted[k])
       out.warnings.push_back(make_warning(
           w_join_refused,
           "The side attached to edge " + to_string(owners[k].second) + " of \"" + owners[k].first->name +
               "\" cannot follow it: its control points are held by another edge.",
           "Join one of the edges by position only, or let the surface adapt.", element_of(patches.id)));
+  }
   return out;
 }
 

@@ -29,11 +29,41 @@ RowMatrix dependence(const std::array<Vector3, 4>& curve, const CrossRow& row, i
   return out / 3;
 }
 
+/// Three neighbours of an adapting row, over the end of an inner side: beyond - end = ratio (end - inner).
+struct RowJoint {
+  Index inner, end, beyond;
+  double ratio;
+};
+
+/// Where the net's row is smooth, at both ends of the side.
+std::vector<RowJoint> row_joints(const BicubicNet& net, const std::vector<Index>& same, NetSide side) {
+  std::vector<RowJoint> out;
+  const int places = int(places_of(net, side.side));
+  const SideRows own = side_rows(net, side);
+  for (const bool forwards : {true, false}) {
+    // The next place along the grid's side; round a closed grid the first follows the last.
+    int place = int(side.place) + (forwards ? 1 : -1);
+    const Index end = same[own.row[forwards ? 3 : 0]], inner = same[own.row[forwards ? 2 : 1]];
+    if (place < 0 || place >= places) {
+      place = (place + places) % places;
+      const SideRows other = side_rows(net, {side.side, Index(place)});
+      if (same[other.row[forwards ? 0 : 3]] != end) continue;
+    }
+    const SideRows other = side_rows(net, {side.side, Index(place)});
+    const Index beyond = same[other.row[forwards ? 1 : 2]];
+    const Vector3 a = net.points[end] - net.points[inner], b = net.points[beyond] - net.points[end];
+    const double ratio = a.squaredNorm() > 0 ? b.dot(a) / a.squaredNorm() : 0;
+    if (!(ratio > 0) || (b - ratio * a).norm() > straight_tolerance * b.norm()) continue;
+    out.push_back({inner, end, beyond, ratio});
+  }
+  return out;
+}
+
 class Fit {
  public:
   Fit(const BicubicNet& net, const std::vector<AdaptingSide>& sides, const std::set<Index>& held,
-      const std::vector<Index>& same)
-      : net_(net), sides_(sides), held_(held), same_(same) {}
+      const std::vector<Index>& same, const std::vector<RowJoint>& joints)
+      : net_(net), sides_(sides), held_(held), same_(same), joints_(joints) {}
 
   /// New places of points, or nothing where the sides have no common solution.
   std::optional<std::map<Index, Vector3>> solve() {
@@ -102,6 +132,22 @@ class Fit {
         condition.middleCols<unknowns>(unknowns * Eigen::Index(other)) -= matrix(other, j);
         conditions.emplace_back(condition, base(other, j) - base(k, i));
       }
+    for (const RowJoint& joint : joints_) {
+      const auto first = claimed.find(joint.inner), middle = claimed.find(joint.end),
+                 last = claimed.find(joint.beyond);
+      if (first == claimed.end() || middle == claimed.end() || last == claimed.end()) continue;
+      Eigen::MatrixXd condition = Eigen::MatrixXd::Zero(3, n);
+      Vector3 value = Vector3::Zero();
+      const auto add = [&](double factor, const std::pair<std::size_t, int>& at) {
+        condition.middleCols<unknowns>(unknowns * Eigen::Index(at.first)) +=
+            factor * matrix(at.first, at.second);
+        value -= factor * base(at.first, at.second);
+      };
+      add(1, last->second);
+      add(-(1 + joint.ratio), middle->second);
+      add(joint.ratio, first->second);
+      conditions.emplace_back(condition, value);
+    }
     conditions_.resize(3 * Eigen::Index(conditions.size()), n);
     values_.resize(conditions_.rows());
     for (std::size_t c = 0; c < conditions.size(); ++c) {
@@ -142,6 +188,7 @@ class Fit {
   const std::vector<AdaptingSide>& sides_;
   const std::set<Index>& held_;
   const std::vector<Index>& same_;
+  const std::vector<RowJoint>& joints_;
   Eigen::MatrixXd objective_, conditions_;
   Eigen::VectorXd pull_, values_;
   double size_ = 1;
@@ -161,35 +208,17 @@ std::vector<Index> same_points(const BicubicNet& net) {
   return out;
 }
 
-/// Where an inner side ends on an adapting one, the point of the row beyond it keeps the row smooth.
-void follow(const BicubicNet& before, const std::vector<Index>& same, const std::vector<AdaptingSide>& sides,
-            const std::set<Index>& held, std::map<Index, Vector3>& moved) {
+/// Where an inner side that ended on an adapting one keeps its row smooth: the point beyond follows. Points
+/// that adapting sides claim have their own places.
+void follow(const BicubicNet& before, const std::vector<RowJoint>& joints, const std::set<Index>& held,
+            std::map<Index, Vector3>& moved) {
   const std::map<Index, Vector3> given = moved;
-  const auto now = [&](Index p) {
-    const auto found = given.find(p);
-    return found == given.end() ? before.points[p] : found->second;
-  };
-  for (const AdaptingSide& side : sides) {
-    const int places = int(places_of(before, side.side.side));
-    for (const bool forwards : {true, false}) {
-      // The next place along the grid's side; round a closed grid the first follows the last.
-      int place = int(side.side.place) + (forwards ? 1 : -1);
-      const SideRows own = side_rows(before, side.side);
-      const Index end = same[own.row[forwards ? 3 : 0]], inner = same[own.row[forwards ? 2 : 1]];
-      if (place < 0 || place >= places) {
-        place = (place + places) % places;
-        const SideRows other = side_rows(before, {side.side.side, Index(place)});
-        if (same[other.row[forwards ? 0 : 3]] != end) continue;
-      }
-      const SideRows other = side_rows(before, {side.side.side, Index(place)});
-      const Index beyond = same[other.row[forwards ? 1 : 2]];
-      if (given.contains(beyond) || held.contains(beyond)) continue;
-      const Vector3 a = before.points[end] - before.points[inner],
-                    b = before.points[beyond] - before.points[end];
-      const double ratio = a.squaredNorm() > 0 ? b.dot(a) / a.squaredNorm() : 0;
-      if (!(ratio > 0) || (b - ratio * a).norm() > straight_tolerance * b.norm()) continue;
-      moved[beyond] = now(end) + ratio * (now(end) - now(inner));
-    }
+  for (const RowJoint& joint : joints) {
+    if (!given.contains(joint.end) || given.contains(joint.beyond) || held.contains(joint.beyond)) continue;
+    const auto inner = given.find(joint.inner);
+    const Vector3& from = inner == given.end() ? before.points[joint.inner] : inner->second;
+    const Vector3& end = given.at(joint.end);
+    moved[joint.beyond] = end + joint.ratio * (end - from);
   }
 }
 
@@ -215,7 +244,7 @@ CrossRow cross_row(const PatchSet& patches, Index patch, bool reversed) {
 
 AdaptedNet adapted_net(const BicubicNet& net, const std::vector<AdaptingSide>& sides,
                        const std::vector<NetSide>& held) {
-  AdaptedNet out{net, {}};
+  AdaptedNet out{net, {}, {}};
   const std::vector<Index> same = same_points(net);
   std::set<Index> still;
   const auto hold = [&](NetSide side) {
@@ -224,17 +253,34 @@ AdaptedNet adapted_net(const BicubicNet& net, const std::vector<AdaptingSide>& s
   for (const NetSide side : held) hold(side);
   for (const AdaptingSide& side : sides) hold(side.side);
   std::vector<AdaptingSide> accepted;
+  std::vector<RowJoint> joints;
   std::map<Index, Vector3> moved;
   for (const AdaptingSide& side : sides) {
     accepted.push_back(side);
-    auto fit = Fit(net, accepted, still, same).solve();
+    const std::vector<RowJoint> own = row_joints(net, same, side.side);
+    std::vector<RowJoint> all = joints;
+    all.insert(all.end(), own.begin(), own.end());
+    auto fit = Fit(net, accepted, still, same, all).solve();
+    bool kinked = false;
+    if (!fit) {
+      // Tangent planes along whole sides count more than the smoothness of an inner side.
+      std::erase_if(all, [&](const RowJoint& joint) {
+        return std::any_of(own.begin(), own.end(),
+                           [&](const RowJoint& mine) { return mine.end == joint.end; });
+      });
+      fit = Fit(net, accepted, still, same, all).solve();
+      kinked = fit.has_value();
+    }
     out.adapted.push_back(fit.has_value());
-    if (fit)
+    out.kinked.push_back(kinked);
+    if (fit) {
       moved = std::move(*fit);
-    else
+      joints = std::move(all);
+    } else {
       accepted.pop_back();
+    }
   }
-  follow(net, same, accepted, still, moved);
+  follow(net, joints, still, moved);
   for (Index p = 0; p < out.net.points.size(); ++p)
     if (const auto found = moved.find(same[p]); found != moved.end()) out.net.points[p] = found->second;
   return out;

@@ -14,6 +14,7 @@
 namespace hariko {
 
 inline constexpr Code w_join_refused{"W_JOIN_REFUSED"};
+inline constexpr Code w_join_kink{"W_JOIN_KINK"};
 
 /// D(i,4-i,0) - D(i,3-i,1), i = 0 .. 3, along a patch's side, from its end to its start if `reversed`.
 using CrossRow = std::array<Vector3, 4>;
@@ -33,13 +34,17 @@ struct AdaptedNet {
   /// One entry a side, in order: false where it was refused, since a point is claimed by two sides that want
   /// it in different places.
   std::vector<bool> adapted;
+  /// One entry a side: it was accepted, but an inner side of the grid that ends on it, next to a side before
+  /// it, was smooth and is no more.
+  std::vector<bool> kinked;
 };
 
 /// The net with second rows P(i,1) = P(i,0) + (4 row_i - B_i) / (3 lambda), whose lambda > 0, l1, l2 bring
 /// them nearest to where they were. Points of `held` sides stay: others are joined to their curves. Where the
 /// net was smooth across an inner side that ends on an adapting one, the point beyond follows; between two
-/// adapting sides it is theirs, and the inner side may lose its smoothness (its seam then says so). Sides are
-/// taken in order; one that has no solution together with those before it is refused.
+/// adapting sides it is theirs, and smoothness is one more condition. Where that has no solution (surfaces of
+/// mode G2 always leave one) the inner side loses it. Sides are taken in order; one that has no solution
+/// together with those before it is refused.
 AdaptedNet adapted_net(const BicubicNet& net, const std::vector<AdaptingSide>& sides,
                        const std::vector<NetSide>& held = {});
 

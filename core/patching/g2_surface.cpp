@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/patching/quartic_kernel.hpp"
 
 namespace hariko {
 
@@ -18,6 +19,14 @@ constexpr int steps_a_frame = 14;
 constexpr double negligible_share = 1e-11;
 
 }  // namespace
+
+ReferencePoints reference_points(const QuarticPatchArray& patches) {
+  const std::vector<Vector2> parameters = reference_parameters();
+  return [patches, table = quartic_point_table(parameters), kernel = quartic_kernel()](
+             Index patch, std::span<PatchPoint> out) {
+    kernel.second_order(patches[patch], table, out.size(), out.data());
+  };
+}
 
 std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2System::Given& given,
                                              const G2System::Field& unknowns) {

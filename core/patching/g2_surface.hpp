@@ -11,6 +11,9 @@
 
 namespace hariko {
 
+/// The points of a surface of mode FAIR that bending is measured over.
+ReferencePoints reference_points(const QuarticPatchArray& patches);
+
 /// Controls of all faces.
 std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2System::Given& given,
                                              const G2System::Field& unknowns);

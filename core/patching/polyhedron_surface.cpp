@@ -308,7 +308,7 @@ std::shared_ptr<const G2PatchSet> PolyhedronSurfacer::State::solve_g2(
       make_fair();
       auto reference = fair_patches(positions, network, joined.geometry, {}, cancel, report);
       if (!reference) return nullptr;
-      system->g2->bend_over(QuarticPatchSet(std::move(*reference), tables));
+      system->g2->bend_over(reference_points(*reference));
     } else {
       system->g2->bend_over_charts();
     }

@@ -3,6 +3,8 @@
 // The inner loop of grid evaluation, for the processor at hand. All variants do the same additions and
 // multiplications in the same order: results do not depend on the processor.
 
+#include <span>
+
 #include "core/patching/quartic_patch.hpp"
 
 namespace hariko {
@@ -14,6 +16,9 @@ struct QuarticKernel {
   void (*second_order)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
                        PatchPoint* out);
 };
+
+/// Basis functions at any points (the table's pattern is meaningless).
+QuarticGridTable quartic_point_table(std::span<const Vector2> parameters);
 
 /// The fastest variant that this processor runs.
 QuarticKernel quartic_kernel();

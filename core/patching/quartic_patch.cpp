@@ -28,15 +28,15 @@ OnSide side_of(double u, double v, double w) {
   return {};
 }
 
-QuarticGridTable make_table(int density) {
+}  // namespace
+
+QuarticGridTable quartic_point_table(std::span<const Vector2> parameters) {
   QuarticGridTable table;
-  table.pattern = {Domain::triangle, density};
-  const std::size_t points = static_cast<std::size_t>(table.pattern.point_count());
+  const std::size_t points = parameters.size();
   constexpr std::size_t width = QuarticGridTable::width;
   table.blocks = (points + width - 1) / width;
   table.first.assign(table.blocks * quartic_control_count * 3 * width, 0.0);
   table.second = table.first;
-  const std::vector<Vector2> parameters = table.pattern.parameters();
   for (std::size_t i = 0; i < table.blocks * width; ++i) {
     const Vector2& p = parameters[std::min(i, points - 1)];  // the last block repeats the last point
     const QuarticBasis basis = quartic_basis(1 - p.x() - p.y(), p.x(), p.y());
@@ -57,6 +57,8 @@ QuarticGridTable make_table(int density) {
   }
   return table;
 }
+
+namespace {
 
 /// Normal of a point where the derivatives are parallel: from slightly further inside.
 Vector3 inner_normal(const QuarticPatch& patch, const Vector2& parameter) {
@@ -100,7 +102,12 @@ PatchPoint evaluate_patch(const QuarticPatch& patch, const Vector2& parameter, O
 std::shared_ptr<const QuarticGridTable> QuarticTables::table(int density) const {
   const std::lock_guard lock(mutex_);
   auto& table = tables_[density];
-  if (!table) table = std::make_shared<QuarticGridTable>(make_table(density));
+  if (!table) {
+    const GridPattern pattern{Domain::triangle, density};
+    QuarticGridTable made = quartic_point_table(pattern.parameters());
+    made.pattern = pattern;
+    table = std::make_shared<QuarticGridTable>(std::move(made));
+  }
   return table;
 }
 

@@ -303,38 +303,56 @@ TEST(Attachment, Units) {
   });
 }
 
-/// Points of patches that keep their grid smooth, and the second of two sides that want the same point.
+/// A wavy strip of three patches that follows a polyhedron along its side 0: points that two sides claim, and
+/// smoothness between the patches, which a surface of mode G2 leaves and others need not.
 TEST(AdaptedNet, SidesOfOneGridAgree) {
-  // A wavy strip of three patches; the surface beyond is a polyhedron along its side 0.
-  BicubicNet net{3, 1, {}};
-  for (Index j = 0; j < net.height(); ++j)
-    for (Index i = 0; i < net.width(); ++i) net.points.emplace_back(i, j, 0.1 * i * j);
-  PolygonMesh mesh;
-  for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 4; ++i) mesh.positions.emplace_back(3 * i, -3 * j, 0.3 * j * j + 0.2 * i);
-  for (Index j = 0; j < 2; ++j)
-    for (Index i = 0; i < 3; ++i)
-      mesh.add_face({4 * j + i, 4 * (j + 1) + i, 4 * (j + 1) + i + 1, 4 * j + i + 1});
-  Document document = add_object({}, "Strip", PatchSource::from_net(net).value()).value().document;
-  document = add_object(document, "Apron", PolyhedronSource::from_mesh(mesh).value()).value().document;
-  const ObjectId strip = document.objects[0]->id, apron = document.objects[1]->id;
-  for (Index k = 0; k < 3; ++k) {
-    const Attachment attachment{strip, {0, k}, true, Continuity::g1, Adapts::patch, {}};
-    document = attach_edge(document, apron, EdgeId::of({k}, {k + 1}), attachment).value();
-  }
-  const Surface surface = surface_in(document, strip), beyond = surface_in(document, apron);
-  EXPECT_EQ(surface.seams().size(),
-            2U);  // in one piece; whether smooth is not promised between two that adapt
-  const Polyhedron& polyhedron = document.objects[1]->polyhedron()->polyhedron;
-  double largest = 0;
-  for (Index k = 0; k < 3; ++k)
-    for (int i = 0; i <= 16; ++i) {
-      const Index h = polyhedron.topology().half_edge_of_edge(polyhedron.find(EdgeId::of({k}, {k + 1})));
-      const Vector3 a = surface.normal(k, {i / 16.0, 0});
-      const Vector3 b = beyond.normal(h, side_parameter(Domain::triangle, 1, 1 - i / 16.0));
-      largest = std::max(largest, a.cross(b).norm());
+  for (const Mode mode : {Mode::target, Mode::fair, Mode::g2}) {
+    SCOPED_TRACE(int(mode));
+    BicubicNet net{3, 1, {}};
+    for (Index j = 0; j < net.height(); ++j)
+      for (Index i = 0; i < net.width(); ++i) net.points.emplace_back(i, j, 0.1 * i * j);
+    PolygonMesh mesh;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 4; ++i) mesh.positions.emplace_back(3 * i, -3 * j, 0.3 * j * j + 0.2 * i);
+    for (Index j = 0; j < 2; ++j)
+      for (Index i = 0; i < 3; ++i)
+        mesh.add_face({4 * j + i, 4 * (j + 1) + i, 4 * (j + 1) + i + 1, 4 * j + i + 1});
+    PolyhedronSource source = PolyhedronSource::from_mesh(mesh).value();
+    source.mode = mode;
+    Document document = add_object({}, "Strip", PatchSource::from_net(net).value()).value().document;
+    document = add_object(document, "Apron", source).value().document;
+    const ObjectId strip = document.objects[0]->id, apron = document.objects[1]->id;
+    for (Index k = 0; k < 3; ++k) {
+      const Attachment attachment{strip, {0, k}, true, Continuity::g1, Adapts::patch, {}};
+      document = attach_edge(document, apron, EdgeId::of({k}, {k + 1}), attachment).value();
     }
-  EXPECT_LT(largest, 1e-10);
+    const auto made = object_surface(document, *document.find(strip)).value();
+    const Surface &surface = made.surface, beyond = surface_in(document, apron);
+    ASSERT_EQ(surface.seams().size(), 2U);  // in one piece
+    std::size_t kinks = 0;
+    for (const Message& warning : made.warnings) {
+      EXPECT_EQ(warning.code, w_join_kink);
+      EXPECT_FALSE(warning.remedy.empty());
+      ++kinks;
+    }
+    std::size_t smooth = 0;
+    for (const Seam& seam : surface.seams()) smooth += seam.intended == Continuity::g1 ? 1U : 0U;
+    EXPECT_GE(smooth + kinks, 2U);
+    if (mode == Mode::g2) {
+      EXPECT_EQ(smooth, 2U);
+      EXPECT_EQ(kinks, 0U);
+    }
+    const Polyhedron& polyhedron = document.objects[1]->polyhedron()->polyhedron;
+    double largest = 0;
+    for (Index k = 0; k < 3; ++k)
+      for (int i = 0; i <= 16; ++i) {
+        const Index h = polyhedron.topology().half_edge_of_edge(polyhedron.find(EdgeId::of({k}, {k + 1})));
+        const Vector3 a = surface.normal(k, {i / 16.0, 0});
+        const Vector3 b = beyond.normal(h, side_parameter(Domain::triangle, 1, 1 - i / 16.0));
+        largest = std::max(largest, a.cross(b).norm());
+      }
+    EXPECT_LT(largest, 1e-10);
+  }
 }
 
 }  // namespace

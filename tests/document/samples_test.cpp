@@ -13,6 +13,7 @@
 #include "core/document/file.hpp"
 #include "core/document/format.hpp"
 #include "core/modeling/attached.hpp"
+#include "tests/patching/g2_support.hpp"
 
 namespace hariko {
 namespace {
@@ -65,6 +66,36 @@ TEST(Samples, OpenWithTheirElements) {
   }
 }
 
+Document in_mode_g2(Document document) {
+  for (auto& object : document.objects) {
+    if (!object->polyhedron()) continue;
+    auto changed = std::make_shared<Object>(*object);
+    std::get<PolyhedronSource>(changed->source).mode = Mode::g2;
+    object = std::move(changed);
+  }
+  return document;
+}
+
+/// Every object of every sample, the wheel arch's joined ones included (must be as smooth as g2.md says).
+TEST(Samples, AreCurvatureContinuousInModeG2) {
+  std::vector<std::string> names{"wheel_arch"};
+  for (const Expected& sample : samples()) names.emplace_back(sample.name);
+  for (const std::string& name : names) {
+    const Document document = in_mode_g2(load_document(path_of(name)).value());
+    for (const auto& object : document.objects) {
+      if (!object->polyhedron()) continue;
+      SCOPED_TRACE(name + " " + object->name);
+      const auto made = object_surface(document, *object);
+      ASSERT_TRUE(made) << to_string(made.error());
+      EXPECT_TRUE(made->report.g2_converged);
+      const test::Jumps jumps = test::jumps_of(made->surface);
+      EXPECT_EQ(jumps.gap, 0);
+      EXPECT_LE(jumps.normal, 1e-11);
+      EXPECT_LE(jumps.curvature, 1e-8 * jumps.rms);
+    }
+  }
+}
+
 TEST(Samples, BecomeSmoothSurfacesInEveryMode) {
   for (const Expected& sample : samples())
     for (const Mode mode : {Mode::paper, Mode::target, Mode::fair}) {
@@ -87,10 +118,7 @@ TEST(Samples, BecomeSmoothSurfacesInEveryMode) {
     }
 }
 
-/// A hole between patches that a polyhedron closes: the joints are as smooth as the rest.
-TEST(Samples, WheelArchHasNoKinkAtItsJoints) {
-  const Document document = load_document(path_of("wheel_arch")).value();
-  EXPECT_EQ(write_document(document), read_file(path_of("wheel_arch")).value());
+void expect_smooth_joints(const Document& document) {
   ASSERT_EQ(document.objects.size(), 2U);
   const Object &fender = *document.objects[0], &cover = *document.objects[1];
   ASSERT_TRUE(fender.patches() && cover.polyhedron());
@@ -120,6 +148,14 @@ TEST(Samples, WheelArchHasNoKinkAtItsJoints) {
   std::printf("wheel arch: largest normal jump %.2e rad, gap %.2e mm\n", largest, gap);
   EXPECT_LE(largest, 1e-10);
   EXPECT_LE(gap, 1e-12);
+}
+
+/// A hole between patches that a polyhedron closes: the joints are as smooth as the rest.
+TEST(Samples, WheelArchHasNoKinkAtItsJoints) {
+  const Document document = load_document(path_of("wheel_arch")).value();
+  EXPECT_EQ(write_document(document), read_file(path_of("wheel_arch")).value());
+  expect_smooth_joints(document);
+  expect_smooth_joints(in_mode_g2(document));
 }
 
 }  // namespace
