@@ -25,6 +25,7 @@ struct Construction {
 
 struct InfoArguments {
   std::filesystem::path file;
+  std::optional<std::filesystem::path> against;  ///< document to compare surfaces with
   bool json = false;
   Construction construction;
 };

@@ -11,10 +11,16 @@ int run_info(const InfoArguments& arguments) {
   Stopwatch watch;
   OpenedFile input = open_file(arguments.file);
   if (input.document) input.document = with_construction(*std::move(input.document), arguments.construction);
+  std::optional<Document> against;
+  if (arguments.against) {
+    against = read_document_or_report(*arguments.against, arguments.construction);
+    if (!against) return exit_failed;
+  }
   const double reading = watch.lap();
   std::vector<ObjectInfo> objects;
   if (input.document)
-    for (const auto& object : input.document->objects) objects.push_back(inspect(*input.document, *object));
+    for (const auto& object : input.document->objects)
+      objects.push_back(inspect(*input.document, *object, against ? &*against : nullptr));
   else if (input.broken_mesh)
     objects.push_back(inspect_broken(input));
 

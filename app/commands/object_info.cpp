@@ -49,7 +49,17 @@ Element named(const Polyhedron& polyhedron, const Element& element) {
   }
 }
 
-void inspect_surface(const Document& document, const Object& object, ObjectInfo& info) {
+std::optional<SurfaceComparison> compare(const Surface& surface, const Object& object,
+                                         const Document& against) {
+  const Object* other = against.find(object.id);
+  if (!other || !other->cage()) return std::nullopt;
+  const auto built = object_surface(against, *other);
+  if (!built.ok()) return std::nullopt;
+  return compare_surfaces(surface, built->surface);
+}
+
+void inspect_surface(const Document& document, const Object& object, const Document* against,
+                     ObjectInfo& info) {
   const double scale = object.transform.scale;
   Stopwatch watch;
   const auto lap = [&](const char* step) { info.milliseconds.emplace_back(step, watch.lap()); };
@@ -69,6 +79,10 @@ void inspect_surface(const Document& document, const Object& object, ObjectInfo&
   info.messages.insert(info.messages.end(), built->warnings.begin(), built->warnings.end());
   const Surface& surface = built->surface;
   info.patches = surface.patch_count();
+  if (against) {
+    info.against = compare(surface, object, *against);
+    lap("against");
+  }
 
   const Measures measures = measure(surface);
   lap("measures");
@@ -126,14 +140,15 @@ bool ObjectInfo::failed() const {
                      [](const Message& message) { return message.severity == Severity::error; });
 }
 
-ObjectInfo inspect(const Document& document, const Object& object) {
+ObjectInfo inspect(const Document& document, const Object& object, const Document* against) {
   ObjectInfo info;
+  if (against) info.against.emplace();
   info.name = object.name;
   info.kind = kind_of(object.source);
   const double scale = object.transform.scale;
   if (const Polyhedron* cage = object.cage()) {
     count_topology(cage->topology(), info);
-    inspect_surface(document, object, info);
+    inspect_surface(document, object, against, info);
   } else if (const MeshSource* mesh = object.mesh()) {
     inspect_facets(*mesh->mesh, scale, info);
   }

@@ -10,6 +10,7 @@
 #include "app/files/open_file.hpp"
 #include "core/analysis/statistics.hpp"
 #include "core/document/document.hpp"
+#include "core/patching/compare_surfaces.hpp"
 
 namespace hariko {
 
@@ -21,13 +22,17 @@ struct ObjectInfo {
   std::optional<double> area, volume, bending, largest_gap, largest_normal_jump, rms_curvature_jump;
   std::optional<CurvatureRange> gauss_range, mean_range;
   std::optional<std::size_t> degenerate_samples, folded_samples;
+  /// Present when the object was compared with another document's; empty inside where that one has no such
+  /// object, or one of the two has no surface.
+  std::optional<std::optional<SurfaceComparison>> against;
   std::vector<Message> messages;
   std::vector<std::pair<std::string, double>> milliseconds;  ///< step, time
 
   bool failed() const;
 };
 
-ObjectInfo inspect(const Document& document, const Object& object);
+/// `against`: the document whose object of the same id it is compared with, or null.
+ObjectInfo inspect(const Document& document, const Object& object, const Document* against = nullptr);
 /// Of a mesh file that makes no polyhedron.
 ObjectInfo inspect_broken(const OpenedFile& input);
 

@@ -30,6 +30,15 @@ Json to_json(const Message& message) {
           {"text", message.remedy.empty() ? message.text : message.text + " " + message.remedy}};
 }
 
+Json to_json(const std::optional<SurfaceComparison>& comparison) {
+  if (!comparison) return nullptr;
+  return {{"patches", comparison->patches},
+          {"unchanged", comparison->unchanged},
+          {"changed", comparison->changed},
+          {"unmatched", comparison->unmatched},
+          {"largest_distance", value_or_null(comparison->largest_distance)}};
+}
+
 Json to_json(const ObjectInfo& info) {
   Json out = {{"name", info.name},
               {"kind", info.kind},
@@ -50,6 +59,7 @@ Json to_json(const ObjectInfo& info) {
               {"mean_range", range_or_null(info.mean_range)},
               {"degenerate_samples", value_or_null(info.degenerate_samples)},
               {"folded_samples", value_or_null(info.folded_samples)}};
+  if (info.against) out["against"] = to_json(*info.against);
   out["messages"] = Json::array();
   for (const Message& message : info.messages) out["messages"].push_back(to_json(message));
   out["milliseconds"] = Json::object();

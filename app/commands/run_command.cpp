@@ -148,6 +148,8 @@ class CommandLine {
     info_ = app_.add_subcommand("info", "Describes every object: counts, measures, continuity, messages");
     info_->add_option("FILE", info_arguments_.file, "Document or mesh")->required();
     info_->add_flag("--json", info_arguments_.json, "Print JSON");
+    info_->add_option("--against", info_arguments_.against,
+                      "Another state of the document: how many patches of each surface are the same there");
     add_construction(info_);
   }
   void add_export() {

@@ -1,6 +1,8 @@
 #include <set>
 
 #include "core/document/file.hpp"
+#include "core/exchange/mesh_file.hpp"
+#include "core/modeling/local_edit.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hariko::test {
@@ -139,6 +141,65 @@ TEST_F(Info, DocumentInItsOwnUnitAndScale) {
   EXPECT_EQ(block["name"], "block");
   EXPECT_NEAR(block["area"].get<double>(), 4 * 36.2953247283, 1e-8);
   EXPECT_NEAR(block["bending"].get<double>(), 27.0618627308, 1e-9);
+}
+
+/// A local edit (kuriyama.md section 10): tangents round a vertex are fixed, then it moves.
+TEST_F(Info, CountsThePatchesThatALocalEditLeavesAlone) {
+  for (const char* mode : {"paper", "target", "fair", "g2"}) {
+    SCOPED_TRACE(mode);
+    const auto mesh = read_mesh_file(golden("torus.obj"));
+    ASSERT_TRUE(mesh.ok());
+    Document before = document_from_mesh(mesh->mesh, "torus").value();
+    Object object = *before.objects[0];
+    PolyhedronSource source = *object.polyhedron();
+    const VertexId moved = source.polyhedron.vertex_id(7);
+    const auto around = vertices_around(source.polyhedron, std::span(&moved, 1));
+    source = freeze_tangents(source, around).value();
+    const auto with = [&](const PolyhedronSource& changed) {
+      Document out = before;
+      object.source = changed;
+      out.objects[0] = std::make_shared<const Object>(object);
+      return out;
+    };
+    ASSERT_TRUE(save_document(with(source), path("before.hariko")).ok());
+    const Index v = source.polyhedron.find(moved);
+    const Vector3 to = source.polyhedron.position(v) + Vector3(0.1, 0.2, 0.1);
+    source.polyhedron = source.polyhedron.with_positions(std::span(&v, 1), std::span(&to, 1)).value();
+    ASSERT_TRUE(save_document(with(source), path("after.hariko")).ok());
+
+    // Patches of faces that share a vertex with those round the moved one.
+    const HalfEdgeMesh& topology = source.polyhedron.topology();
+    std::size_t touched = 0;
+    for (Index f = 0; f < topology.face_count(); ++f) {
+      const auto corners = topology.face_vertices(f);
+      if (std::any_of(corners.begin(), corners.end(), [&](Index corner) {
+            return std::find(around.begin(), around.end(), source.polyhedron.vertex_id(corner)) !=
+                   around.end();
+          }))
+        touched += topology.side_count(f);
+    }
+    const std::string files = "info '" + path("after.hariko") + "' --json --mode " + mode + " --against '";
+    const Json against = run(files + path("before.hariko") + "'").object()["against"];
+    EXPECT_EQ(against["patches"], topology.half_edge_count());
+    EXPECT_EQ(against["unmatched"], 0);
+    EXPECT_EQ(against["unchanged"].get<std::size_t>() + against["changed"].get<std::size_t>(),
+              topology.half_edge_count());
+    EXPECT_GT(against["largest_distance"].get<double>(), 1e-3);
+    EXPECT_GT(against["changed"].get<std::size_t>(), 0U);
+    if (std::string(mode) == "paper" || std::string(mode) == "target") {
+      EXPECT_LE(against["changed"].get<std::size_t>(), touched);
+      EXPECT_LT(touched, topology.half_edge_count());
+    }
+    const Json itself = run(files + path("after.hariko") + "'").object()["against"];
+    EXPECT_EQ(itself["unchanged"], topology.half_edge_count());
+    EXPECT_EQ(itself["largest_distance"], 0.0);
+  }
+  const Outcome missing = run("info '" + path("after.hariko") + "' --against '" + path("none.hariko") + "'");
+  EXPECT_EQ(missing.exit_code, 1);
+  const Json other =
+      run("info '" + golden("cube.obj") + "' --json --against '" + golden("octahedron.obj") + "'")
+          .object()["against"];
+  EXPECT_EQ(other["unmatched"].get<int>() + other["changed"].get<int>(), 24);
 }
 
 TEST_F(Info, TextForPeople) {
