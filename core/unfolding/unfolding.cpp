@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/ids.hpp"
+#include "core/polyhedron/message_group.hpp"
 #include "core/unfolding/best_turn.hpp"
 #include "core/unfolding/convex_overlap.hpp"
 #include "core/unfolding/reference_method.hpp"
@@ -191,6 +192,28 @@ std::string rounded(double value, int decimals) {
   return out;
 }
 
+/// Pieces marked in `off` that no turn puts on the page; those that were only moved off it are fine.
+void report_too_large(const Unfolding& unfolding, const std::vector<char>& off, std::vector<Message>& out) {
+  constexpr std::size_t limit = 20;
+  std::vector<std::pair<Index, BestTurn>> large;
+  double factor = 1;
+  for (Index p = 0; p < off.size(); ++p) {
+    if (!off[p]) continue;
+    const BestTurn fit = best_fit(unfolding, unfolding.pieces[p]);
+    if (fit.factor < 1) large.emplace_back(p, fit);
+    factor = std::min(factor, fit.factor);
+  }
+  MessageGroup group(out, Severity::error, e_piece_too_large,
+                     "Scale to " + rounded(100 * factor, 1) + " %, split the piece, or choose a larger page.",
+                     limit);
+  for (const auto& [p, fit] : large)
+    group.add(element_of(FaceId{unfolding.pieces[p].facets.front()}), [p = p, fit = fit] {
+      return "Piece " + piece_name(p) + ": piece " + std::to_string(p) +
+             " does not fit on the page at this scale (needs " + rounded(fit.size.width + 0.5, 0) + " x " +
+             rounded(fit.size.height + 0.5, 0) + " mm).";
+    });
+}
+
 bool within_margins(const Unfolding& unfolding, std::span<const Vector2> polygon) {
   const PaperSettings& s = unfolding.settings;
   return std::all_of(polygon.begin(), polygon.end(), [&](const Vector2& p) {
@@ -306,18 +329,7 @@ std::vector<Message> unfolding_messages(const Unfolding& unfolding) {
   std::vector<char> off(unfolding.pieces.size(), 0);
   for (Index f = 0; f < unfolding.corners.size(); ++f)
     if (!within_margins(unfolding, polygons[f].span())) off[unfolding.piece_of[f]] = 1;
-  for (Index p = 0; p < off.size(); ++p) {
-    if (!off[p]) continue;
-    const BestTurn fit = best_fit(unfolding, unfolding.pieces[p]);
-    if (fit.factor >= 1) continue;  // only moved off its page
-    out.push_back(make_error(
-        e_piece_too_large,
-        "Piece " + piece_name(p) + ": piece " + std::to_string(p) +
-            " does not fit on the page at this scale (needs " + rounded(fit.size.width + 0.5, 0) + " x " +
-            rounded(fit.size.height + 0.5, 0) + " mm).",
-        "Scale to " + rounded(100 * fit.factor, 1) + " %, split the piece, or choose a larger page.",
-        element_of(FaceId{unfolding.pieces[p].facets.front()})));
-  }
+  report_too_large(unfolding, off, out);
   const auto pairs = overlapping_pairs(polygons, paper_tolerance(unfolding));
   if (!pairs.empty())
     out.push_back(make_warning(w_unfolding_overlaps,
