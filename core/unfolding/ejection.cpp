@@ -21,7 +21,8 @@ class Eliminator {
         weight_(forest.graph().facet_count(), 1),
         placed_at_(forest.graph().facet_count(), 0),
         seen_(forest.graph().facet_count(), 0),
-        pool_place_(forest.graph().facet_count(), no_index) {}
+        pool_place_(forest.graph().facet_count(), no_index),
+        stale_(forest.piece_slots(), 0) {}
 
   /// Breaks the piece up and places its facets elsewhere; false when `steps` did not suffice: the forest is
   /// then without some facets.
@@ -39,6 +40,8 @@ class Eliminator {
       if (facet == no_index) return false;
       place(facet);
     }
+    for (Index each = 0; each < stale_.size(); ++each)
+      if (stale_[each]) refresh(each);
     return true;
   }
 
@@ -95,12 +98,25 @@ class Eliminator {
     if (best_.from == no_index) return;
     const Index piece = forest_.piece(best_.from);
     for (const Index other : best_.ejected) eject(other);
-    if (!best_.ejected.empty()) forest_.shrink_extent(piece);
+    if (!best_.ejected.empty()) stale_[piece] = 1;
     for (const FacetMove& move : best_.moves) {
       leave_pool(move.facet);
       placed_at_[move.facet] = now_;
     }
     forest_.attach(piece, best_.moves);
+  }
+
+  /// Whether the piece fits with the moves of `option_`. What a piece covers is taken anew only where what it
+  /// covered before it lost facets does not fit.
+  bool fits(Index piece) {
+    if (forest_.fits(piece, option_.moves)) return true;
+    if (!stale_[piece]) return false;
+    refresh(piece);
+    return forest_.fits(piece, option_.moves);
+  }
+  void refresh(Index piece) {
+    stale_[piece] = 0;
+    forest_.shrink_extent(piece);
   }
 
   void weigh(Index from, Index side) {
@@ -109,7 +125,7 @@ class Eliminator {
     option_.cost = noise * random_.unit();
     forest_.find_moves(from, side, option_.moves);
     const Index piece = forest_.piece(from);
-    if (!forest_.fits(piece, option_.moves)) return;
+    if (!fits(piece)) return;
     overlapped_.clear();
     for (const FacetMove& move : option_.moves) forest_.find_overlapped(piece, move.corners, overlapped_);
     ++stamp_;
@@ -155,6 +171,7 @@ class Eliminator {
   std::vector<double> weight_;
   std::vector<std::uint64_t> placed_at_, seen_;
   std::vector<Index> pool_, pool_place_, overlapped_;
+  std::vector<char> stale_;  ///< pieces that lost facets since their extent was taken
   std::uint64_t now_ = 0, stamp_ = 0;
   Option best_, option_;
 };
