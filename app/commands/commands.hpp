@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/approximation/mesh_options.hpp"
 #include "core/document/display.hpp"
 #include "core/network/shaping.hpp"
 #include "core/unfolding/unfolding.hpp"
@@ -55,6 +56,14 @@ struct RenderArguments {
   bool colour_blind_safe = false;
 };
 int run_render(const RenderArguments& arguments);
+
+struct MeshArguments {
+  std::filesystem::path file, out;
+  MeshOptions options;  ///< lengths in the document's unit
+  bool json = false;
+  Construction construction;
+};
+int run_mesh(const MeshArguments& arguments);
 
 struct EvaluateArguments {
   std::filesystem::path file;

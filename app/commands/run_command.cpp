@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
@@ -114,16 +116,19 @@ class CommandLine {
     add_render();
     add_evaluate();
     unfold_.add_to(app_);
+    add_mesh();
     app_.footer(
-        "Files are Hariko documents (*.hariko) or meshes (*.obj, *.off, *.ply, *.stl).\n"
+        "Files are Hariko documents (*.hariko), meshes (*.obj, *.off, *.ply, *.stl) or Bezier patches "
+        "(*.bpt, "
+        "*.json).\n"
         "Exit codes: 0 fine, 1 the input or the job failed, 2 wrong usage.");
   }
 
   /// True when the first word is one that this class answers to; all else is for the window.
   bool answers(std::string_view word) const {
     if (word == "--help" || word == "-h" || word == "--version") return true;
-    const std::initializer_list<const CLI::App*> commands = {info_, export_, render_, evaluate_,
-                                                             unfold_.command()};
+    const std::initializer_list<const CLI::App*> commands = {info_,     export_, render_,
+                                                             evaluate_, mesh_,   unfold_.command()};
     return std::any_of(commands.begin(), commands.end(),
                        [&](const CLI::App* command) { return command->get_name() == word; });
   }
@@ -140,6 +145,7 @@ class CommandLine {
     if (*export_) return run_export(export_arguments_);
     if (*render_) return run_render(render_arguments());
     if (*unfold_.command()) return run_unfold(unfold_.arguments());
+    if (*mesh_) return run_mesh(mesh_arguments());
     return run_evaluate(evaluate_arguments());
   }
 
@@ -212,6 +218,26 @@ class CommandLine {
     evaluate_->add_option("--tension", tension_, "JSON file with tensions, creases and corners");
   }
 
+  void add_mesh() {
+    mesh_ = app_.add_subcommand("mesh",
+                                "Writes the surfaces of the visible objects as triangles under tolerances");
+    mesh_->add_option("FILE", input_, "Document, mesh, or file of Bezier patches (*.bpt, *.json)")
+        ->required();
+    mesh_->add_option("OUT", output_, "File to write: *.obj, *.ply or *.stl")->required();
+    mesh_->add_option("--distance", distance_, "Between surface and facets, in the document's unit");
+    mesh_->add_option("--normal", normal_, "Between the normals of surface and facet, degrees");
+    mesh_->add_option("--fold", fold_, "Between neighbouring facets, degrees");
+    mesh_->add_option("--luminance", luminance_, "Difference of brightness, 0 to 1");
+    mesh_->add_option("--max-edge", max_edge_, "Length of edges");
+    mesh_->add_option("--min-angle", min_angle_, "Smallest angle of a facet, degrees");
+    mesh_->add_option("--split", split_, "Which edge is split, and where")
+        ->check(CLI::IsMember({"mid", "halving", "gauss", "curvature"}))
+        ->capture_default_str();
+    mesh_->add_flag("--optimise", optimise_, "Fewer facets, in more time");
+    mesh_->add_flag("--json", mesh_json_, "Print JSON");
+    add_construction(mesh_);
+  }
+
   void add_construction(CLI::App* command) {
     command->add_option("--mode", mode_, "Construction of the surfaces, instead of the document's")
         ->check(CLI::IsMember({"paper", "target", "fair", "g2"}));
@@ -226,12 +252,8 @@ class CommandLine {
 
   void check_combinations() const {
     if (*unfold_.command()) unfold_.check();
-    if (*export_) {
-      const auto format = format_of_extension(export_arguments_.out);
-      if (!format || *format == MeshFormat::off)
-        throw CLI::ValidationError("OUT", "the name must end in .obj, .ply or .stl");
-      check_distinct(export_arguments_.file, export_arguments_.out);
-    }
+    if (*export_) check_mesh_output(export_arguments_.file, export_arguments_.out);
+    if (*mesh_) check_mesh_output(input_, output_);
     if (*render_) {
       if (!parse_size(size_))
         throw CLI::ValidationError("--size", "must be like 1280x960, each side from 1 to " +
@@ -244,6 +266,12 @@ class CommandLine {
         throw CLI::ValidationError("--section", "must be like x=10, y=-2.5 or -z=3");
       if (!is_png(output_)) throw CLI::ValidationError("OUT", "the name must end in .png");
     }
+  }
+  static void check_mesh_output(const std::filesystem::path& in, const std::filesystem::path& out) {
+    const auto format = format_of_extension(out);
+    if (!format || *format == MeshFormat::off)
+      throw CLI::ValidationError("OUT", "the name must end in .obj, .ply or .stl");
+    check_distinct(in, out);
   }
   static void check_distinct(const std::filesystem::path& in, const std::filesystem::path& out) {
     std::error_code ignored;
@@ -280,6 +308,30 @@ class CommandLine {
                                                     : Background::dark;
     return out;
   }
+  MeshArguments mesh_arguments() const {
+    MeshArguments out;
+    out.file = input_;
+    out.out = output_;
+    out.json = mesh_json_;
+    out.construction = construction();
+    const auto radians = [](const std::optional<double>& degrees) {
+      return degrees ? std::optional(*degrees * std::numbers::pi / 180) : std::nullopt;
+    };
+    MeshCriteria& criteria = out.options.criteria;
+    criteria.distance = distance_;
+    criteria.normal_angle = radians(normal_);
+    criteria.fold_angle = radians(fold_);
+    criteria.luminance = luminance_;
+    criteria.max_edge = max_edge_;
+    criteria.min_angle = radians(min_angle_);
+    out.options.split = split_ == "halving"     ? SplitRule::halving
+                        : split_ == "gauss"     ? SplitRule::gauss
+                        : split_ == "curvature" ? SplitRule::curvature
+                                                : SplitRule::midpoint;
+    out.options.optimise = optimise_;
+    out.options.measure_all = true;
+    return out;
+  }
   EvaluateArguments evaluate_arguments() const {
     EvaluateArguments out;
     out.file = input_;
@@ -289,7 +341,7 @@ class CommandLine {
   }
 
   CLI::App app_;
-  CLI::App *info_ = nullptr, *export_ = nullptr, *render_ = nullptr, *evaluate_ = nullptr;
+  CLI::App *info_ = nullptr, *export_ = nullptr, *render_ = nullptr, *evaluate_ = nullptr, *mesh_ = nullptr;
   std::vector<std::string> files_, show_;
   InfoArguments info_arguments_;
   ExportArguments export_arguments_;
@@ -297,7 +349,9 @@ class CommandLine {
   UnfoldCommandLine unfold_;
   std::string range_ = "symmetric", material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
-  bool round_ = false;
+  std::string split_ = "mid";
+  std::optional<double> distance_, normal_, fold_, luminance_, max_edge_, min_angle_;
+  bool round_ = false, mesh_json_ = false, optimise_ = false;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/document/file.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/read_bpt.hpp"
+#include "core/exchange/read_patches.hpp"
 #include "core/polyhedron/validation.hpp"
 
 namespace hariko {
@@ -63,18 +64,21 @@ void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
     if (!result.ok()) opened.messages.push_back(result.error());
     return result.ok();
   };
-  const auto text = read_file(file);
-  if (!take(text)) return;
-  const auto nets = read_bpt(*text);
-  if (!take(nets)) return;
+  const auto named = read_patch_file(file);
+  if (!take(named)) return;
   Document document;
-  for (std::size_t k = 0; k < nets->size(); ++k) {
-    const auto source = PatchSource::from_net((*nets)[k]);
-    if (!take(source)) return;
-    const std::string number = nets->size() == 1 ? "" : " " + std::to_string(k + 1);
-    const auto added = add_object(document, opened.name + number, *source);
-    if (!take(added)) return;
-    document = added->document;
+  for (const NamedPatches& group : *named) {
+    const auto nets = bicubic_nets(group.patches);
+    if (!take(nets)) return;
+    const std::string name = check_name(group.name).ok() ? group.name : opened.name;
+    for (std::size_t k = 0; k < nets->size(); ++k) {
+      const auto source = PatchSource::from_net((*nets)[k]);
+      if (!take(source)) return;
+      const std::string number = nets->size() == 1 ? "" : " " + std::to_string(k + 1);
+      const auto added = add_object(document, name + number, *source);
+      if (!take(added)) return;
+      document = added->document;
+    }
   }
   opened.document = std::move(document);
 }
@@ -95,7 +99,7 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
     open_mesh(file, cancel, progress, opened);
     return cancel.cancelled() ? cancelled() : std::move(opened);
   }
-  if (file.extension() == ".bpt") {
+  if (is_patch_file(file)) {
     open_patches(file, opened);
     return opened;
   }

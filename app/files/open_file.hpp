@@ -28,9 +28,9 @@ struct OpenedFile {
   const Message* error() const;
 };
 
-/// The ending of the name decides: .obj .off .ply .stl are meshes, .bpt bicubic patches, all else is a
-/// document. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and `validate`;
-/// E_CANCELLED alone where it was cancelled.
+/// The ending of the name decides: .obj .off .ply .stl are meshes, .bpt and .json bicubic patches, all else
+/// is a document. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and
+/// `validate`; E_CANCELLED alone where it was cancelled.
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
                      const Progress& progress = {});
 

@@ -6,6 +6,7 @@
 #include "core/approximation/bisection.hpp"
 #include "core/approximation/initial_mesh.hpp"
 #include "core/approximation/mesh_report.hpp"
+#include "core/approximation/optimise.hpp"
 
 namespace hariko {
 
@@ -60,8 +61,11 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
   if (!(size > 0)) return make_error(e_mesh_surface, "The surface is shrunk to a point.", "Give it a size.");
   if (auto error = check_criteria(options.criteria, size)) return *error;
   const FacetErrors errors(sampler, options.criteria);
-  ParameterMesh mesh = initial_mesh(surface);
-  const BisectionResult refined = bisect(sampler, errors, options, mesh, cancel, progress.part(0, 0.85));
+  // What the optimiser leaves is good already but for the folds, which it only estimates.
+  ParameterMesh mesh = options.optimise ? optimised_mesh(sampler, options, cancel, progress.part(0, 0.8))
+                                        : initial_mesh(surface);
+  const BisectionResult refined =
+      bisect(sampler, errors, options, mesh, cancel, progress.part(options.optimise ? 0.8 : 0, 0.85));
   const auto cancelled = [] { return make_error(e_cancelled, "The meshing was cancelled."); };
   if (refined.cancelled) return cancelled();
   MeshApproximation out = mesh_report(sampler, errors, options, mesh, cancel, progress.part(0.85, 1));

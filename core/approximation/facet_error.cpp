@@ -70,6 +70,11 @@ class DistanceSearch {
     return out;
   }
 
+  double sample(const ParameterPieces& pieces, const std::array<Sides, 2>& sides) {
+    for (int k = 0; k < pieces.count; ++k) estimate(pieces.triangle[std::size_t(k)], sides[std::size_t(k)]);
+    return std::sqrt(sampled_);
+  }
+
   DistanceError measure(const ParameterPieces& pieces, const std::array<Sides, 2>& sides) {
     DistanceError out;
     out.certified = degree_ > 0;
@@ -320,6 +325,22 @@ double FacetErrors::relative_error(const ParameterMesh& mesh, Index facet) const
       std::any_of(normals.begin(), normals.end(), [&](const Vector3& n) { return n.dot(normal) < 0; });
   // Which way a sliver looks says nothing, and cutting it makes more of them.
   return turned && smallest_angle(corners) > sliver_angle ? fold_over : worst;
+}
+
+double FacetErrors::sampled_error(const ParameterMesh& mesh, Index facet) const {
+  double worst = 0;
+  if (criteria_.distance)
+    worst = DistanceSearch(*this, mesh, facet, 0)
+                .sample(pieces_of(mesh.facets[facet]), watched_sides(mesh, facet)) /
+            *criteria_.distance;
+  if (criteria_.max_edge) {
+    const auto p = mesh.corners(facet);
+    for (std::size_t c = 0; c < 3; ++c)
+      worst = std::max(worst, (p[(c + 1) % 3] - p[c]).norm() / *criteria_.max_edge);
+  }
+  if (criteria_.normal_angle) worst = std::max(worst, normal_angle(mesh, facet) / *criteria_.normal_angle);
+  if (criteria_.luminance) worst = std::max(worst, luminance(mesh, facet) / *criteria_.luminance);
+  return worst;
 }
 
 }  // namespace hariko

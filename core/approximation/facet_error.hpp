@@ -42,6 +42,9 @@ class FacetErrors {
   /// facet that would be good counts as 2 where the surface at a corner looks the other way.
   double relative_error(const ParameterMesh& mesh, Index facet) const;
 
+  /// The same from samples alone and without stopping at the tolerance, for comparing meshes with each other.
+  double sampled_error(const ParameterMesh& mesh, Index facet) const;
+
  private:
   struct Lamp {
     Vector3 light, half;

@@ -42,7 +42,9 @@ class ClosedTriangle {
     if (flat_) {
       const Vector3 w = p - p_[0];
       const double b = second_.dot(w), c = third_.dot(w);
-      if (b >= 0 && c >= 0 && b + c <= 1) {
+      // Feet on a side count as inside although rounding puts them beyond it.
+      constexpr double rounding = 1e-13;
+      if (b >= -rounding && c >= -rounding && b + c <= 1 + rounding) {
         const double height = normal_.dot(w);
         return height * height;
       }

@@ -1,0 +1,31 @@
+#pragma once
+
+// The surfaces of a file, or of a document, as triangles under tolerances.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/approximation/approximate.hpp"
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+/// One object's mesh, placed in the document's space, with its errors in the document's unit.
+struct MeshedObject {
+  std::string name;
+  MeshApproximation result;
+};
+
+/// The visible surfaces of a document, each at quality `final`. Errors: those of rebuilding and of
+/// `approximate`, with the object's name; E_NO_SURFACE when there is nothing to mesh; E_CANCELLED.
+Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshOptions& options,
+                                                const CancelToken& cancel = {},
+                                                const Progress& progress = {});
+
+/// The patches of a file, welded: one object for each of its names.
+Result<std::vector<MeshedObject>> mesh_patch_file(const std::filesystem::path& file,
+                                                  const MeshOptions& options, const CancelToken& cancel = {},
+                                                  const Progress& progress = {});
+
+}  // namespace hariko

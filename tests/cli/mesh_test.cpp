@@ -1,0 +1,86 @@
+// `hariko mesh`: counts, errors, files of patches, refusals.
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/cli/program.hpp"
+
+namespace hariko {
+namespace {
+
+using namespace test;
+
+class Mesh : public ProgramTest {};
+
+constexpr const char* pipe_patch =
+    "1\n3 3\n"
+    "2 0 0\n2 2 0\n2 4 0\n2 6 0\n"
+    "2 0 1.1\n2 2 1.1\n2 4 1.1\n2 6 1.1\n"
+    "1.1 0 2\n1.1 2 2\n1.1 4 2\n1.1 6 2\n"
+    "0 0 2\n0 2 2\n0 4 2\n0 6 2\n";
+
+TEST_F(Mesh, JsonTellsCountsAndErrors) {
+  const Outcome result =
+      run("mesh " + golden("cube.obj") + " " + path("out.obj") + " --distance 0.01 --json");
+  EXPECT_EQ(result.exit_code, 0) << result.error;
+  const Json json = result.json();
+  ASSERT_TRUE(json.is_object()) << result.out;
+  const Json& object = json["objects"].at(0);
+  EXPECT_GT(object["facets"].get<int>(), 50);
+  EXPECT_EQ(object["facets"], json["facets"]);
+  EXPECT_LE(object["distance"]["bound"].get<double>(), 0.01);
+  EXPECT_LE(object["distance"]["measured"].get<double>(), object["distance"]["bound"].get<double>());
+  EXPECT_GT(object["normal_angle"]["measured"].get<double>(), 0);
+  EXPECT_TRUE(object["luminance"].is_null());
+  const std::string text = read_text(path("out.obj"));
+  EXPECT_EQ(std::size_t(std::count(text.begin(), text.end(), 'f')), object["facets"].get<std::size_t>());
+}
+
+TEST_F(Mesh, FilesOfPatches) {
+  write_text(path("pipe.bpt"), pipe_patch);
+  const Outcome plain =
+      run("mesh " + path("pipe.bpt") + " " + path("a.stl") + " --distance 0.01 --split gauss --json");
+  EXPECT_EQ(plain.exit_code, 0) << plain.error;
+  const int facets = plain.json()["facets"].get<int>();
+  EXPECT_GT(facets, 10);
+  EXPECT_EQ(std::filesystem::file_size(path("a.stl")), 84U + 50U * std::size_t(facets));
+  // The same by numbers of points.
+  std::string indexed = "1\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16\n16\n", points = pipe_patch;
+  points = points.substr(points.find("3 3\n") + 4);
+  std::replace(points.begin(), points.end(), ' ', ',');
+  write_text(path("indexed.bpt"), indexed + points);
+  const Outcome second =
+      run("mesh " + path("indexed.bpt") + " " + path("b.ply") + " --distance 0.01 --split gauss --json");
+  EXPECT_EQ(second.json()["facets"].get<int>(), facets) << second.error;
+  // Rational and of another degree.
+  write_text(path("arc.json"),
+             R"({"arc": [{"ctrl": [[[1,0,0],[1,0,2]],[[1,1,0],[1,1,2]],[[0,1,0],[0,1,2]]],
+                 "weights": [[1,1],[0.70710678118654752,0.70710678118654752],[1,1]]}]})");
+  const Outcome rational = run("mesh " + path("arc.json") + " " + path("c.obj") + " --distance 0.001 --json");
+  EXPECT_EQ(rational.exit_code, 0) << rational.error;
+  EXPECT_EQ(rational.json()["objects"].at(0)["name"], "arc");
+  EXPECT_LE(rational.json()["objects"].at(0)["distance"]["bound"].get<double>(), 0.001);
+}
+
+TEST_F(Mesh, Refusals) {
+  const std::string cube = "mesh " + golden("cube.obj") + " ";
+  const auto fails = [&](const std::string& arguments, const char* code) {
+    const Outcome result = run(arguments);
+    EXPECT_EQ(result.exit_code, 1) << arguments;
+    EXPECT_NE(result.error.find(code), std::string::npos) << result.error;
+  };
+  fails(cube + path("o.obj"), "E_MESH_NOTHING");
+  fails(cube + path("o.obj") + " --distance 0", "E_MESH_TOLERANCE");
+  fails(cube + path("o.obj") + " --distance 1e-12", "E_MESH_TOLERANCE");
+  fails(cube + path("o.obj") + " --distance nan", "E_MESH_TOLERANCE");
+  write_text(path("broken.bpt"), "1\n3 3\n0 0 0\n");
+  fails("mesh " + path("broken.bpt") + " " + path("o.obj") + " --distance 1", "E_TRUNCATED");
+  write_text(path("broken.json"), "{\"a\": [{\"ctrl\": [[[1, 2]]]}]}");
+  fails("mesh " + path("broken.json") + " " + path("o.obj") + " --distance 1", "E_PARSE");
+  EXPECT_FALSE(std::filesystem::exists(path("o.obj")));
+  EXPECT_EQ(run(cube + path("o.txt") + " --distance 1").exit_code, 2);
+  EXPECT_EQ(run(cube + path("o.obj") + " --split nothing").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace hariko
