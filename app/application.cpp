@@ -15,8 +15,8 @@
 #include "app/broken_mesh.hpp"
 #include "app/display_loss.hpp"
 #include "app/document_session.hpp"
+#include "app/export_triangles.hpp"
 #include "app/failure_dialog.hpp"
-#include "app/files/export_surfaces.hpp"
 #include "app/files/open_file.hpp"
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
@@ -144,7 +144,8 @@ class Application {
     actions.revert = [this] { session_.revert(); };
     actions.recover = [this](const std::string& id) { session_.recover(id); };
     actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
-    actions.export_file = [this](const auto& path, int density) { export_file(path, density); };
+    actions.export_file = [this](const auto& path, const auto& settings) { export_file(path, settings); };
+    actions.count_export = [this](const ExportSettings& settings) { count_export(settings); };
     actions.export_pictures = [this](PictureOrder order) { export_pictures(std::move(order)); };
     actions.record = [this](const auto& path) { record_to_ = path; };
     actions.stop_recording = [this] { recording_ends_ = true; };
@@ -411,12 +412,27 @@ class Application {
     log_.file("imported", path);
   }
 
-  void export_file(const std::filesystem::path& path, int density) {
+  void count_export(const ExportSettings& settings) {
+    counting_.cancel();
+    counting_ = CancelToken::make();
+    long_.run(
+        "",
+        [settings, document = editor_.history.current(), counting = counting_](const CancelToken&) {
+          return count_triangles(document, settings, counting);
+        },
+        [this, settings](const Result<ExportCount>& count) {
+          workbench_.take_export_count(settings, count);
+          log_.file("export_counted", {});
+        });
+  }
+
+  void export_file(const std::filesystem::path& path, const ExportSettings& settings) {
+    counting_.cancel();  // or the file would wait for it
     long_.run_cancellable(
         fill(translatable("Exporting {0}"), {path.filename().string()}),
-        [path, density, document = editor_.history.current()](const CancelToken& cancel,
-                                                              const Progress& progress) {
-          return export_surfaces(document, path, density, cancel, progress);
+        [path, settings, document = editor_.history.current()](const CancelToken& cancel,
+                                                               const Progress& progress) {
+          return export_triangles(document, path, settings, cancel, progress);
         },
         [this, path](const Result<Done>& exported) {
           if (!exported.ok()) {
@@ -477,6 +493,7 @@ class Application {
   InterfaceText text_{assets_folder() / "languages"};
   Editor editor_;
   RebuildEngine engine_;
+  CancelToken counting_;  ///< of the last count for the export dialog
   BackgroundWork long_;
   Workbench workbench_;
   DocumentSession session_;

@@ -302,14 +302,14 @@ void Workbench::show_export_dialog() {
                 true,
                 {".obj", ".stl", ".ply"},
                 proposal,
-                [this](const auto& path) { actions_.export_file(path, export_density_); },
+                [this](const auto& path) { actions_.export_file(path, export_options_.settings()); },
                 [this] {
-                  ImGui::AlignTextToFramePadding();
-                  ImGui::TextUnformatted(editor_.language("Density"));
-                  ImGui::SameLine(metrics_.px(80));
-                  ImGui::SetNextItemWidth(metrics_.px(220));
-                  ImGui::SliderInt(editor_.language("intervals a patch side"), &export_density_, 1, 64);
-                }});
+                  if (export_options_.draw(editor_, marks_, metrics_))
+                    actions_.count_export(export_options_.settings());
+                },
+                [] { return ExportOptions::rows; }});
+  export_options_.begin(editor_);
+  actions_.count_export(export_options_.settings());
 }
 
 void Workbench::show_picture_dialog(bool turntable) {
@@ -421,7 +421,7 @@ void Workbench::forget_interface() {
   preferences_ = {};
   palette_ = {};
   cheat_sheet_ = {};
-  export_density_ = 16;
+  export_options_ = {};
   picture_settings_ = {};
   ImGui::ClearActiveID();
   for (ImGuiWindow* window : GImGui->Windows) {

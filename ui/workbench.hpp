@@ -9,6 +9,7 @@
 #include "ui/panels/cheat_sheet.hpp"
 #include "ui/panels/command_palette.hpp"
 #include "ui/panels/context_menu.hpp"
+#include "ui/panels/export_options.hpp"
 #include "ui/panels/file_dialog.hpp"
 #include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
@@ -27,7 +28,10 @@ struct FileActions {
   std::function<void(const std::filesystem::path&, std::function<void()> then)> save;
   std::function<void(const std::filesystem::path&)> save_copy;
   std::function<void()> revert;  ///< to what the file holds
-  std::function<void(const std::filesystem::path&, int density)> export_file;
+  std::function<void(const std::filesystem::path&, const ExportSettings&)> export_file;
+  /// Finds out what the triangles would be like; ends in `Workbench::take_export_count`. Only the last one
+  /// asked for counts.
+  std::function<void(const ExportSettings&)> count_export;
   std::function<void(PictureOrder)> export_pictures;
   /// Opens work that an earlier session left behind, or throws it away.
   std::function<void(const std::string&id)> recover, discard_recovery;
@@ -90,6 +94,9 @@ class Workbench {
   void show_open_dialog();
   void show_import_dialog();
   void show_export_dialog();
+  void take_export_count(const ExportSettings& settings, const Result<ExportCount>& count) {
+    export_options_.take(settings, count);
+  }
   void show_key_export();
   void show_key_import();
   /// Of the active view: one picture, or a series that turns round the model.
@@ -134,7 +141,7 @@ class Workbench {
   FileDialog dialog_;
   OffersDialog offers_dialog_;
   Prompt prompt_;
-  int export_density_ = 16;
+  ExportOptions export_options_;
   PictureSettings picture_settings_;
 };
 

@@ -108,6 +108,10 @@ def session(program, source, output):
             check(last != first, "the session changed nothing")
             exported = os.path.join(folder, "last.obj")
             window.key("ctrl+e")
+            window.rect("export.distance")
+            window.wait_event("export_counted", 0)  # how many triangles there will be, before they are written
+            window.wait_idle()
+            window.screenshot(os.path.join(output, "first_session_export.png"))
             window.type_path(exported)
             window.wait_event("exported", 0)
             check(os.path.getsize(exported) > 1000, "the export is empty")

@@ -122,6 +122,7 @@ class HeadlessWorkbench {
     complete(actions.save_copy);
     complete(actions.revert);
     complete(actions.export_file);
+    complete(actions.count_export);
     complete(actions.export_pictures);
     complete(actions.recover);
     complete(actions.discard_recovery);

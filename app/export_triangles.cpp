@@ -1,0 +1,72 @@
+#include "app/export_triangles.hpp"
+
+#include <algorithm>
+
+#include "app/files/export_surfaces.hpp"
+#include "app/files/mesh_surfaces.hpp"
+#include "core/exchange/mesh_file.hpp"
+#include "core/modeling/attached.hpp"
+
+namespace hariko {
+
+namespace {
+
+MeshOptions options_of(const ExportSettings& settings) {
+  MeshOptions options;
+  options.criteria.distance = settings.distance;
+  if (settings.angle > 0) options.criteria.normal_angle = settings.angle;
+  options.optimise = settings.optimise;
+  return options;
+}
+
+/// A mesh of the whole density, without making it.
+Result<ExportCount> count_by_density(const Document& document, int density, const CancelToken& cancel) {
+  ExportCount count;
+  const auto n = static_cast<std::size_t>(density);
+  for (const auto& object : document.objects) {
+    if (!object->visible || !object->cage()) continue;
+    const auto built = object_surface(document, *object, cancel);
+    if (!built.ok()) return built.error();
+    const Surface& surface = built->surface;
+    count.triangles += surface.patch_count() * n * n * (surface.domain() == Domain::triangle ? 1 : 2);
+  }
+  return count;
+}
+
+}  // namespace
+
+Result<ExportCount> count_triangles(const Document& document, const ExportSettings& settings,
+                                    const CancelToken& cancel) {
+  if (settings.by == ExportSettings::By::density) return count_by_density(document, settings.density, cancel);
+  MeshOptions options = options_of(settings);
+  options.measure_all = true;
+  const auto meshed = mesh_surfaces(document, options, cancel);
+  if (!meshed.ok()) return meshed.error();
+  ExportCount count;
+  count.certain = true;
+  for (const MeshedObject& object : *meshed) {
+    const MeshApproximation& made = object.result;
+    count.triangles += made.mesh.triangles.size();
+    count.certain = count.certain && made.distance.certified;
+    count.distance = std::max(count.distance, std::max(made.distance.largest, made.distance.bound));
+    count.angle = std::max(count.angle, made.normal_angle.largest);
+    count.reached = count.reached && made.reached();
+  }
+  return count;
+}
+
+Result<Done> export_triangles(const Document& document, const std::filesystem::path& path,
+                              const ExportSettings& settings, const CancelToken& cancel,
+                              const Progress& progress) {
+  if (settings.by == ExportSettings::By::density)
+    return export_surfaces(document, path, settings.density, cancel, progress);
+  constexpr double writing = 0.75;  // what making the triangles takes of the whole, about
+  const auto meshed = mesh_surfaces(document, options_of(settings), cancel, progress.part(0, writing));
+  if (!meshed.ok()) return meshed.error();
+  std::vector<NamedTriangles> named;
+  for (const MeshedObject& object : *meshed) named.push_back({object.name, &object.result.mesh});
+  progress.report(writing);
+  return write_mesh_file(path, named, cancel);
+}
+
+}  // namespace hariko

@@ -1,0 +1,25 @@
+#pragma once
+
+// Exporting as the dialog says: by tolerance or by density. For a worker.
+
+#include <filesystem>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
+#include "core/document/document.hpp"
+#include "ui/export_settings.hpp"
+
+namespace hariko {
+
+/// What `export_triangles` would write. Takes as long as making it. Errors: those of `mesh_surfaces` and of
+/// rebuilding; E_CANCELLED.
+Result<ExportCount> count_triangles(const Document& document, const ExportSettings& settings,
+                                    const CancelToken& cancel);
+
+/// Writes the visible surfaces in the format that the ending names. Errors: those of `mesh_surfaces`,
+/// `export_surfaces` and writing; E_CANCELLED, and the file is as it was.
+Result<Done> export_triangles(const Document& document, const std::filesystem::path& path,
+                              const ExportSettings& settings, const CancelToken& cancel,
+                              const Progress& progress);
+
+}  // namespace hariko

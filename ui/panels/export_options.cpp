@@ -1,0 +1,145 @@
+#include "ui/panels/export_options.hpp"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hariko {
+
+namespace {
+
+constexpr float label_width = 96;
+constexpr double to_degrees = 180 / std::numbers::pi;
+/// Of the size: about what an eye tells apart on a screen, and the finest that makes sense to ask for.
+constexpr double usual_tolerance = 5e-4, finest_tolerance = 1e-6;
+
+void label(const Language& tr, const Metrics& metrics, const char* text) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(tr(text));
+  ImGui::SameLine(metrics.px(label_width));
+}
+
+Quantity degrees() {
+  Quantity quantity = angle_quantity();
+  quantity.low = 0;
+  quantity.high = 80;
+  return quantity;
+}
+
+/// One leading digit: 0.0347 becomes 0.03.
+double rounded(double value) {
+  if (!(value > 0)) return 1;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)));
+  return std::floor(value / unit) * unit;
+}
+
+}  // namespace
+
+void ExportOptions::begin(const Editor& editor) {
+  Box3 box;
+  for (const auto& object : editor.document().objects)
+    if (object->visible) box.extend(world_box(*object));
+  size_ = box.isEmpty() ? 1 : box.diagonal().norm();
+  const bool suits = settings_.distance >= finest_tolerance * size_ && settings_.distance <= 0.1 * size_;
+  if (!suits) settings_.distance = rounded(usual_tolerance * size_);
+  distance_text_ = angle_text_ = {};
+  count_.reset();
+}
+
+bool ExportOptions::field(const char* id, const char* help, Marks& marks, float width,
+                          const Quantity& quantity, std::string& text, double& value) {
+  if (text.empty()) text = format_quantity(quantity, value);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputText((std::string("##") + id).c_str(), &text);
+  marks.item(std::string("export.") + id);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
+  const double before = value;
+  if (const auto change = parse_change(text, quantity)) value = change->apply(quantity, value);
+  text = format_quantity(quantity, value);
+  return value != before;
+}
+
+void ExportOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
+  const Language& tr = editor.language;
+  label(tr, metrics, translatable("Distance"));
+  Quantity length = length_quantity(editor.document().unit, settings_.distance);
+  length.low = finest_tolerance * size_;
+  length.high = size_;
+  field("distance", tr("The farthest that the surface may be from its triangles"), marks, metrics.px(110),
+        length, distance_text_, settings_.distance);
+  ImGui::SameLine();
+  ImGui::TextUnformatted(tr("Angle"));
+  ImGui::SameLine();
+  double angle = settings_.angle * to_degrees;
+  if (field("angle", tr("The largest angle between the surface and its triangles; 0 for any"), marks,
+            metrics.px(80), degrees(), angle_text_, angle))
+    settings_.angle = angle / to_degrees;
+  ImGui::SameLine();
+  ImGui::Checkbox((std::string(tr("fewest triangles")) + "##optimise").c_str(), &settings_.optimise);
+  marks.item("export.optimise");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", tr("Looks for the smallest mesh within the tolerance. Takes many times longer."));
+}
+
+void ExportOptions::result_row(const Editor& editor) const {
+  const Language& tr = editor.language;
+  ImGui::AlignTextToFramePadding();
+  if (!count_) return ImGui::TextDisabled("%s", tr("Counting triangles\u2026"));
+  if (!count_->ok()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().error);
+    ImGui::TextWrapped("%s", tr.text_of(count_->error()).c_str());
+    return ImGui::PopStyleColor();
+  }
+  const ExportCount& count = count_->value();
+  std::string text = fill(tr("triangles: {0}"), {std::to_string(count.triangles)});
+  if (settings_.by == ExportSettings::By::tolerance) {
+    const Quantity length = length_quantity(editor.document().unit, count.distance);
+    text += "   \u00b7   " +
+            fill(count.certain ? tr("off by {0} at the most") : tr("off by {0} at the most, by samples"),
+                 {format_quantity(length, count.distance)}) +
+            "   \u00b7   " +
+            fill(tr("turned by {0} at the most"), {format_quantity(degrees(), count.angle * to_degrees)});
+    if (!count.reached) text += "   \u00b7   " + std::string(tr("the tolerance is not reached everywhere"));
+  }
+  ImGui::TextUnformatted(text.c_str());
+}
+
+bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics) {
+  const Language& tr = editor.language;
+  const ExportSettings before = settings_;
+  constexpr std::array names{translatable("Within a tolerance"), translatable("By density")};
+  label(tr, metrics, translatable("Triangles"));
+  ImGui::SetNextItemWidth(metrics.px(220));
+  const bool open = ImGui::BeginCombo("##by", tr(names[static_cast<std::size_t>(settings_.by)]));
+  marks.item("export.by");
+  if (open) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (ImGui::Selectable(tr(names[i]), settings_.by == static_cast<ExportSettings::By>(i)))
+        settings_.by = static_cast<ExportSettings::By>(i);
+      marks.item("export.by." + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  if (settings_.by == ExportSettings::By::tolerance) {
+    tolerance_row(editor, marks, metrics);
+  } else {
+    label(tr, metrics, translatable("Density"));
+    ImGui::SetNextItemWidth(metrics.px(220));
+    ImGui::SliderInt(tr("intervals a patch side"), &settings_.density, 1, 64);
+    marks.item("export.density");
+  }
+  result_row(editor);
+  if (settings_ == before) return false;
+  count_.reset();
+  return true;
+}
+
+void ExportOptions::take(const ExportSettings& settings, const Result<ExportCount>& count) {
+  if (settings == settings_) count_ = count;
+}
+
+}  // namespace hariko
