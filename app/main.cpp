@@ -1,33 +1,16 @@
 // hariko: subcommands run without a window; files alone, or nothing, open it.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <string_view>
 
 #include "app/application.hpp"
 #include "app/commands/run_command.hpp"
 #include "app/crash_report.hpp"
 
-namespace {
-
-/// Options that only the window has: the subcommands do not know them.
-bool asks_for_window(int argc, char** argv) {
-  return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
-    return argument.starts_with("--test-log") || argument.starts_with("--width") ||
-           argument.starts_with("--height") || argument.starts_with("--scale") ||
-           argument.starts_with("--record") || argument.starts_with("--replay") ||
-           argument.starts_with("--skip-pauses");
-  });
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
 #ifndef __SANITIZE_ADDRESS__  // whose own report says more
   hariko::report_crashes();
 #endif
-  if (!asks_for_window(argc, argv))
-    if (const auto exit_code = hariko::run_command(argc, argv)) return *exit_code;
+  if (const auto exit_code = hariko::run_command(argc, argv)) return *exit_code;
   hariko::WindowOptions options;
   CLI::App arguments("A modeler for free-form shapes");
   arguments.add_option("FILE", options.files, "Files to open");
