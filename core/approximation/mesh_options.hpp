@@ -69,8 +69,8 @@ struct MeshOptions {
   MeshCriteria criteria;
   SplitRule split = SplitRule::midpoint;
   Propagation propagation = Propagation::longest_path;
-  /// Fewer facets by flips, collapses and moves along the surface; many times slower. `split` and `propagation` then
-  /// have no effect.
+  /// Fewer facets by flips, collapses and moves along the surface; many times slower. `split` and
+  /// `propagation` then have no effect.
   bool optimise = false;
   std::size_t facet_limit = 5'000'000;
   /// Measures distance and normal angle of the result even where they are not asked for.
