@@ -89,6 +89,11 @@ def attached(window):
     window.click(*[sum(pixels[v][k] for v in nearest) / 2 for k in (0, 1)])
 
 
+def export(window):
+    window.key("ctrl+e")
+    window.wait_event("export_counted", 0)
+
+
 # Picture -> (sample or none, what is done, settings of the interface)
 WINDOWS = {
     "manual_start": (None, nothing, {}),
@@ -102,6 +107,7 @@ WINDOWS = {
     "manual_prefs": ("fig2", lambda window: window.key("ctrl+comma"), {}),
     "manual_japanese": ("fig2", nothing, {"language": "japanese"}),
     "manual_light": ("car", nothing, {"theme": "light"}),
+    "manual_export": ("car", export, {}),
     "manual_local": ("fig2", local_editing, {}),
     "manual_joins": ("wheel_arch", attached, {}),
 }
