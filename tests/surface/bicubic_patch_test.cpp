@@ -107,10 +107,10 @@ TEST(BicubicPatch, SeamsHaveTheSameBitsOnBothSides) {
 
 TEST(BicubicPatch, SeamsAreAsSmoothAsTheNet) {
   for_random(621, 20, [](std::mt19937_64& rng) {
-    for (const Seam& seam : bicubic_surface(Vector3::Zero(), smooth_net(rng, 3, 2)).seams())
-      EXPECT_EQ(seam.intended, Continuity::g1);
-    for (const Seam& seam : bicubic_surface(Vector3::Zero(), random_net(rng, 3, 2)).seams())
-      EXPECT_EQ(seam.intended, Continuity::g0);
+    const Surface smooth = bicubic_surface(Vector3::Zero(), smooth_net(rng, 3, 2));
+    for (const Seam& seam : smooth.seams()) EXPECT_EQ(seam.intended, Continuity::g1);
+    const Surface rough = bicubic_surface(Vector3::Zero(), random_net(rng, 3, 2));
+    for (const Seam& seam : rough.seams()) EXPECT_EQ(seam.intended, Continuity::g0);
   });
 }
 
