@@ -231,8 +231,10 @@ class InitialMesh {
     for (int round = 0; round < 16; ++round) {
       bool changed = false;
       for (const Seam* seam : partial) {
-        changed |= cut_side(seam->first, seam->first_begin) | cut_side(seam->first, seam->first_end) |
-                   cut_side(seam->second, seam->second_begin) | cut_side(seam->second, seam->second_end);
+        for (const bool cut :
+             {cut_side(seam->first, seam->first_begin), cut_side(seam->first, seam->first_end),
+              cut_side(seam->second, seam->second_begin), cut_side(seam->second, seam->second_end)})
+          changed = changed || cut;
         changed |= copy_cuts(seam->first, seam->first_begin, seam->first_end, seam->second,
                              seam->second_begin, seam->second_end);
         changed |= copy_cuts(seam->second, seam->second_begin, seam->second_end, seam->first,
