@@ -264,7 +264,7 @@ Source frozen_source(const Object& polyhedron, std::span<const std::shared_ptr<c
   Attachments attachments = *out.attachments;
   for (const auto& [edge, attachment] : *out.attachments) {
     const auto found = std::find_if(gone.begin(), gone.end(),
-                                    [&](const auto& object) { return object->id == attachment.patch; });
+                                    [id = attachment.patch](const auto& object) { return object->id == id; });
     if (attachment.frozen || found == gone.end() || !(*found)->patches() ||
         !has_side(*(*found)->patches(), attachment.side))
       continue;

@@ -43,7 +43,8 @@ class PlaneWalk {
     reached_[from] = {0, from, through_, 0};
     queue.push({0, from});
     while (!queue.empty()) {
-      const auto [length, at] = queue.top();
+      const double length = queue.top().first;
+      const Crossing at = queue.top().second;
       queue.pop();
       if (at == to) return way_to(to, from);
       const Reached here = reached_.at(at);
