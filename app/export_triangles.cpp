@@ -40,7 +40,7 @@ Result<ExportCount> count_triangles(const Document& document, const ExportSettin
   if (settings.by == ExportSettings::By::density) return count_by_density(document, settings.density, cancel);
   MeshOptions options = options_of(settings);
   options.measure_all = true;
-  const auto meshed = mesh_surfaces(document, options, cancel);
+  const auto meshed = mesh_surfaces(document, {options}, cancel);
   if (!meshed.ok()) return meshed.error();
   ExportCount count;
   count.certain = true;
@@ -61,7 +61,7 @@ Result<Done> export_triangles(const Document& document, const std::filesystem::p
   if (settings.by == ExportSettings::By::density)
     return export_surfaces(document, path, settings.density, cancel, progress);
   constexpr double writing = 0.75;  // what making the triangles takes of the whole, about
-  const auto meshed = mesh_surfaces(document, options_of(settings), cancel, progress.part(0, writing));
+  const auto meshed = mesh_surfaces(document, {options_of(settings)}, cancel, progress.part(0, writing));
   if (!meshed.ok()) return meshed.error();
   std::vector<NamedTriangles> named;
   for (const MeshedObject& object : *meshed) named.push_back({object.name, &object.result.mesh});

@@ -59,7 +59,8 @@ int run_render(const RenderArguments& arguments);
 
 struct MeshArguments {
   std::filesystem::path file, out;
-  MeshOptions options;  ///< lengths in the document's unit
+  MeshOptions options;           ///< lengths in the document's unit
+  std::filesystem::path errors;  ///< where error maps are written; empty: nowhere
   bool json = false;
   Construction construction;
 };

@@ -6,6 +6,7 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/files/mesh_surfaces.hpp"
+#include "core/base/file_io.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/number_text.hpp"
 #include "core/exchange/read_patches.hpp"
@@ -25,6 +26,24 @@ Json json_of(const CriterionErrors& errors, double unit) {
           {"bound", errors.certified ? Json(errors.bound * unit) : Json(nullptr)}};
 }
 
+Json json_of(const ErrorField& field, const Vector3& origin, double unit) {
+  const Vector3 place = origin + field.place;
+  return {{"largest", field.largest * unit},
+          {"mean", field.mean * unit},
+          {"facet", field.facet == no_index ? Json(nullptr) : Json(field.facet)},
+          {"place", {place.x(), place.y(), place.z()}}};
+}
+
+Json json_of_map(const MeshedObject& object) {
+  if (!object.errors) return nullptr;
+  const MeshErrorMap& map = *object.errors;
+  const Vector3& origin = object.surface_origin;
+  return {{"distance", json_of(map.distance, origin, 1)},
+          {"mesh_distance", json_of(map.mesh_distance, origin, 1)},
+          {"normal_angle", json_of(map.normal_angle, origin, to_degrees)},
+          {"fold_angle", json_of(map.fold_angle, origin, to_degrees)}};
+}
+
 Json json_of(const MeshedObject& object) {
   const MeshApproximation& result = object.result;
   Json warnings = Json::array();
@@ -40,6 +59,7 @@ Json json_of(const MeshedObject& object) {
           {"longest_edge", result.longest_edge},
           {"smallest_angle", result.smallest_angle * to_degrees},
           {"unreached", result.unreached},
+          {"errors", json_of_map(object)},
           {"warnings", warnings}};
 }
 
@@ -68,6 +88,14 @@ std::string text_of(const MeshedObject& object) {
   return out;
 }
 
+std::string error_text(const std::vector<MeshedObject>& objects) {
+  std::string out;
+  for (const MeshedObject& object : objects)
+    if (object.errors)
+      out += error_csv(*object.errors, object.result.mesh, object.surface_origin, object.name, out.empty());
+  return out;
+}
+
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
@@ -76,19 +104,24 @@ int run_mesh(const MeshArguments& arguments) {
     report(arguments.file.string(), error);
     return exit_failed;
   };
+  const MeshRequest request{arguments.options, !arguments.errors.empty()};
   Result<std::vector<MeshedObject>> meshed = std::vector<MeshedObject>{};
   if (is_patch_file(arguments.file)) {
-    meshed = mesh_patch_file(arguments.file, arguments.options);
+    meshed = mesh_patch_file(arguments.file, request);
   } else {
     const auto document = read_document_or_report(arguments.file, arguments.construction);
     if (!document) return exit_failed;
-    meshed = mesh_surfaces(*document, arguments.options);
+    meshed = mesh_surfaces(*document, request);
   }
   if (!meshed.ok()) return failed(meshed.error());
   const double meshing = watch.lap();
   std::vector<NamedTriangles> named;
   for (const MeshedObject& object : *meshed) named.push_back({object.name, &object.result.mesh});
   if (const auto done = write_mesh_file(arguments.out, named); !done.ok()) return failed(done.error());
+  if (!arguments.errors.empty()) {
+    const auto done = write_file_atomic(arguments.errors, error_text(*meshed));
+    if (!done.ok()) return failed(done.error());
+  }
   const double writing = watch.lap();
   for (const MeshedObject& object : *meshed)
     for (const Message& warning : object.result.warnings) report(arguments.file.string(), warning);

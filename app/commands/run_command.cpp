@@ -234,6 +234,7 @@ class CommandLine {
         ->check(CLI::IsMember({"mid", "halving", "gauss", "curvature"}))
         ->capture_default_str();
     mesh_->add_flag("--optimise", optimise_, "Fewer facets, in more time");
+    mesh_->add_option("--errors", errors_, "File to write the error of every facet and sample to: *.csv");
     mesh_->add_flag("--json", mesh_json_, "Print JSON");
     add_construction(mesh_);
   }
@@ -253,7 +254,11 @@ class CommandLine {
   void check_combinations() const {
     if (*unfold_.command()) unfold_.check();
     if (*export_) check_mesh_output(export_arguments_.file, export_arguments_.out);
-    if (*mesh_) check_mesh_output(input_, output_);
+    if (*mesh_) {
+      check_mesh_output(input_, output_);
+      if (!errors_.empty() && std::filesystem::path(errors_).extension() != ".csv")
+        throw CLI::ValidationError("--errors", "the name must end in .csv");
+    }
     if (*render_) {
       if (!parse_size(size_))
         throw CLI::ValidationError("--size", "must be like 1280x960, each side from 1 to " +
@@ -312,6 +317,7 @@ class CommandLine {
     MeshArguments out;
     out.file = input_;
     out.out = output_;
+    out.errors = errors_;
     out.json = mesh_json_;
     out.construction = construction();
     const auto radians = [](const std::optional<double>& degrees) {
@@ -349,7 +355,7 @@ class CommandLine {
   UnfoldCommandLine unfold_;
   std::string range_ = "symmetric", material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
-  std::string split_ = "mid";
+  std::string split_ = "mid", errors_;
   std::optional<double> distance_, normal_, fold_, luminance_, max_edge_, min_angle_;
   bool round_ = false, mesh_json_ = false, optimise_ = false;
 };

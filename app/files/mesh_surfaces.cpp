@@ -19,9 +19,27 @@ MeshOptions in_object_space(MeshOptions options, double scale) {
   return options;
 }
 
+void scale(ErrorField& field, double factor) {
+  for (std::vector<float>* values : {&field.points, &field.facets})
+    for (float& value : *values) value *= static_cast<float>(factor);
+  field.largest *= factor;
+  field.mean *= factor;
+}
+
+void place(MeshErrorMap& map, const Similarity& transform) {
+  for (SurfaceSample& sample : map.samples) sample.position = transform.apply_to_vector(sample.position);
+  for (ErrorField* field : {&map.distance, &map.normal_angle, &map.mesh_distance, &map.fold_angle})
+    field->place = transform.apply_to_vector(field->place);
+  scale(map.distance, transform.scale);
+  scale(map.mesh_distance, transform.scale);
+}
+
 /// From object space to the document's.
-void place(MeshApproximation& result, const Similarity& transform) {
+void place(MeshedObject& object, const Similarity& transform) {
   if (transform == Similarity{}) return;
+  object.surface_origin = transform.apply(object.surface_origin);
+  if (object.errors) place(*object.errors, transform);
+  MeshApproximation& result = object.result;
   TriangleMesh& mesh = result.mesh;
   mesh.origin = transform.apply(mesh.origin);
   for (Vector3& position : mesh.positions) position = transform.apply_to_vector(position);
@@ -38,6 +56,21 @@ Message named(Message error, const std::string& name) {
   return error;
 }
 
+/// The mesh of one surface, in its own space.
+Result<MeshedObject> mesh_of(const Surface& surface, const std::string& name, const MeshRequest& request,
+                             const CancelToken& cancel, const Progress& progress) {
+  const double meshing = request.errors ? 0.7 : 1;
+  auto made = approximate(surface, request.options, cancel, progress.part(0, meshing));
+  if (!made.ok()) return named(made.error(), name);
+  MeshedObject out{name, std::move(made).value(), {}, surface.origin()};
+  if (!request.errors) return out;
+  auto map =
+      mesh_error_map(surface, out.result.mesh, out.result.parts, {}, cancel, progress.part(meshing, 1));
+  if (!map.ok()) return named(map.error(), name);
+  out.errors = std::move(map).value();
+  return out;
+}
+
 Vector3 centre_of(const std::vector<BezierPatch>& patches) {
   Eigen::AlignedBox3d box;
   for (const BezierPatch& patch : patches)
@@ -47,7 +80,7 @@ Vector3 centre_of(const std::vector<BezierPatch>& patches) {
 
 }  // namespace
 
-Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshOptions& options,
+Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel, const Progress& progress) {
   std::vector<MeshedObject> out;
   const auto count = static_cast<double>(document.objects.size());
@@ -59,10 +92,11 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
     const auto built = object_surface(document, *object, cancel);
     if (cancel.cancelled()) return make_error(e_cancelled, "The meshing was cancelled.");
     if (!built.ok()) return named(built.error(), object->name);
-    auto made = approximate(built->surface, in_object_space(options, object->transform.scale), cancel, part);
-    if (!made.ok()) return named(made.error(), object->name);
+    const MeshRequest own{in_object_space(request.options, object->transform.scale), request.errors};
+    auto made = mesh_of(built->surface, object->name, own, cancel, part);
+    if (!made.ok()) return made.error();
     place(made.value(), object->transform);
-    out.push_back({object->name, std::move(made).value()});
+    out.push_back(std::move(made).value());
   }
   if (out.empty())
     return make_error(e_no_surface, "There is nothing to approximate.", "Show an object or import one.");
@@ -70,7 +104,7 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
 }
 
 Result<std::vector<MeshedObject>> mesh_patch_file(const std::filesystem::path& file,
-                                                  const MeshOptions& options, const CancelToken& cancel,
+                                                  const MeshRequest& request, const CancelToken& cancel,
                                                   const Progress& progress) {
   auto groups = read_patch_file(file);
   if (!groups.ok()) return groups.error();
@@ -84,9 +118,9 @@ Result<std::vector<MeshedObject>> mesh_patch_file(const std::filesystem::path& f
     const auto surface = weld_patches(origin, std::move(group.patches));
     if (!surface.ok()) return named(surface.error(), name);
     const double done = double(out.size());
-    auto made = approximate(*surface, options, cancel, progress.part(done / count, (done + 1) / count));
-    if (!made.ok()) return named(made.error(), name);
-    out.push_back({name, std::move(made).value()});
+    auto made = mesh_of(*surface, name, request, cancel, progress.part(done / count, (done + 1) / count));
+    if (!made.ok()) return made.error();
+    out.push_back(std::move(made).value());
   }
   return out;
 }

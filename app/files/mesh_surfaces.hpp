@@ -3,10 +3,12 @@
 // The surfaces of a file, or of a document, as triangles under tolerances.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/approximation/approximate.hpp"
+#include "core/approximation/error_map.hpp"
 #include "core/document/document.hpp"
 
 namespace hariko {
@@ -15,17 +17,25 @@ namespace hariko {
 struct MeshedObject {
   std::string name;
   MeshApproximation result;
+  std::optional<MeshErrorMap> errors;  ///< where asked for; places are relative to `surface_origin`
+  Vector3 surface_origin = Vector3::Zero();
+};
+
+/// How to mesh, and whether to map the errors too.
+struct MeshRequest {
+  MeshOptions options;
+  bool errors = false;
 };
 
 /// The visible surfaces of a document, each at quality `final`. Errors: those of rebuilding and of
 /// `approximate`, with the object's name; E_NO_SURFACE when there is nothing to mesh; E_CANCELLED.
-Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshOptions& options,
+Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel = {},
                                                 const Progress& progress = {});
 
 /// The patches of a file, welded: one object for each of its names.
 Result<std::vector<MeshedObject>> mesh_patch_file(const std::filesystem::path& file,
-                                                  const MeshOptions& options, const CancelToken& cancel = {},
+                                                  const MeshRequest& request, const CancelToken& cancel = {},
                                                   const Progress& progress = {});
 
 }  // namespace hariko

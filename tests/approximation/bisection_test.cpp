@@ -6,6 +6,7 @@
 
 #include "core/approximation/approximate.hpp"
 #include "core/approximation/initial_mesh.hpp"
+#include "core/base/parallel.hpp"
 #include "tests/approximation/checker.hpp"
 #include "tests/approximation/surfaces.hpp"
 
@@ -200,10 +201,16 @@ TEST(Bisection, FlatShadingNeedsMoreFacetsThanGouraud) {
 
 TEST(Bisection, SameMeshOnAnyNumberOfThreads) {
   const Surface surface = golden_surface("pair");
-  const MeshApproximation a = mesh_of(surface, by_distance(0.002));
-  const MeshApproximation b = mesh_of(surface, by_distance(0.002));
-  EXPECT_EQ(a.mesh.positions, b.mesh.positions);
-  EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+  std::vector<MeshApproximation> made;
+  for (const int threads : {1, 2, 4}) {
+    const ParallelLimit limit(threads);
+    made.push_back(mesh_of(surface, by_distance(0.002)));
+  }
+  for (const MeshApproximation& other : made) {
+    EXPECT_EQ(other.mesh.positions, made[0].mesh.positions);
+    EXPECT_EQ(other.mesh.triangles, made[0].mesh.triangles);
+    EXPECT_EQ(other.distance.facets, made[0].distance.facets);
+  }
 }
 
 TEST(Bisection, RemovingAFacetIsSeenAsThreeCracks) {

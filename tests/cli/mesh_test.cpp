@@ -62,6 +62,27 @@ TEST_F(Mesh, FilesOfPatches) {
   EXPECT_LE(rational.json()["objects"].at(0)["distance"]["bound"].get<double>(), 0.001);
 }
 
+TEST_F(Mesh, ErrorsOfEveryFacetAndSample) {
+  const Outcome result = run("mesh " + golden("cube.obj") + " " + path("out.obj") +
+                             " --normal 15 --json --errors " + path("errors.csv"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json object = result.json()["objects"].at(0);
+  const std::string text = read_text(path("errors.csv"));
+  EXPECT_EQ(text.rfind("object,kind,number,facet,x,y,z,distance", 0), 0U);
+  std::size_t facets = 0;
+  for (std::size_t at = text.find(",facet,"); at != std::string::npos; at = text.find(",facet,", at + 1))
+    ++facets;
+  EXPECT_EQ(facets, 1 + object["facets"].get<std::size_t>());  // and the head
+  const Json& errors = object["errors"];
+  EXPECT_NEAR(errors["normal_angle"]["largest"].get<double>(),
+              object["normal_angle"]["measured"].get<double>(), 0.5);
+  EXPECT_GT(errors["distance"]["largest"].get<double>(), errors["distance"]["mean"].get<double>());
+  EXPECT_LE(errors["distance"]["largest"].get<double>(), object["distance"]["bound"].get<double>());
+  EXPECT_EQ(errors["distance"]["place"].size(), 3U);
+  EXPECT_EQ(run("mesh " + golden("cube.obj") + " " + path("o.obj") + " --normal 15 --errors x.txt").exit_code,
+            2);
+}
+
 TEST_F(Mesh, Refusals) {
   const std::string cube = "mesh " + golden("cube.obj") + " ";
   const auto fails = [&](const std::string& arguments, const char* code) {

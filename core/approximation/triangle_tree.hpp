@@ -1,0 +1,45 @@
+#pragma once
+
+// The nearest of many triangles, by a tree of boxes.
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/approximation/facet_geometry.hpp"
+#include "core/base/ids.hpp"
+
+namespace hariko {
+
+/// Closed triangles over a copy of their corners. Immutable; queries are thread-safe. O(n log n) to make,
+/// O(log n) a query near the triangles.
+class TriangleTree {
+ public:
+  TriangleTree(std::span<const Vector3> positions, std::span<const std::array<Index, 3>> triangles);
+
+  struct Nearest {
+    Index triangle = no_index;  ///< of several as near, the one of the smallest number; no_index when none
+    double distance = std::numeric_limits<double>::infinity();
+  };
+  /// The nearest triangle that is not farther than `limit`.
+  Nearest nearest(const Vector3& point, double limit = std::numeric_limits<double>::infinity()) const;
+
+  const ClosedTriangle& triangle(Index t) const { return closed_[t]; }
+
+ private:
+  struct Node {
+    Eigen::AlignedBox3d box;
+    /// A leaf holds order_[first .. first + count); an inner node has count 0, its children are the next
+    /// node and node `first`.
+    Index first = 0, count = 0;
+  };
+  void build(Index begin, Index end, std::span<const Vector3> positions,
+             std::span<const std::array<Index, 3>> triangles, std::span<const Vector3> middles);
+
+  std::vector<ClosedTriangle> closed_;
+  std::vector<Index> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace hariko
