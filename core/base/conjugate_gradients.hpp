@@ -48,6 +48,7 @@ struct ConjugateGradientsOptions {
   double tolerance =
       1e-13;  ///< residual in the preconditioner's norm, relative to that of the right-hand side
   int max_steps = 600;
+  bool resumed = false;  ///< x and room are as an earlier call left them, and its tolerance holds
 };
 struct ConjugateGradientsReport {
   int iterations = 0;
@@ -55,31 +56,37 @@ struct ConjugateGradientsReport {
   bool cancelled = false;
 };
 
-/// What a solve works in beside x; all zero at the beginning but `residual`, the right-hand side.
-template <class Field>
+/// What a solve works in beside x; all zero at the beginning but `residual`, the right-hand side. A solve
+/// that ran out of steps goes on from it without losing its directions: begun anew it would need many more.
+template <class Field, class Coefficient = Coefficients3>
 struct ConjugateGradientsRoom {
   Field residual, preconditioned, direction, image;
+  Coefficient square{}, enough{};  ///< of the residual in the preconditioner's norm: now, and in the end
 };
 
 /// `system`: apply(x, y), precondition(r, z), both symmetric and positive definite; dot(a, b), one number a
 /// coordinate, summed in a fixed order; combine(y, a, b, x): y = a y + b x.
-template <class System, class Field>
-ConjugateGradientsReport conjugate_gradients(System& system, Field& x, ConjugateGradientsRoom<Field>& room,
+template <class System, class Field, class Coefficient>
+ConjugateGradientsReport conjugate_gradients(System& system, Field& x,
+                                             ConjugateGradientsRoom<Field, Coefficient>& room,
                                              const ConjugateGradientsOptions& options,
                                              const CancelToken& cancel) {
   namespace detail = conjugate_gradients_detail;
-  auto& [r, z, p, q] = room;
-  system.precondition(r, z);
-  auto rz = system.dot(r, z);
-  const auto one = detail::one(rz);
-  const auto enough = detail::enough(rz, options.tolerance);
-  if (options.warm) {
-    system.apply(x, q);
-    system.combine(r, one, -one, q);
+  auto& [r, z, p, q, rz, enough] = room;
+  if (!options.resumed) {
     system.precondition(r, z);
     rz = system.dot(r, z);
+    const auto one = detail::one(rz);
+    enough = detail::enough(rz, options.tolerance);
+    if (options.warm) {
+      system.apply(x, q);
+      system.combine(r, one, -one, q);
+      system.precondition(r, z);
+      rz = system.dot(r, z);
+    }
+    system.combine(p, one, one, z);
   }
-  system.combine(p, one, one, z);
+  const auto one = detail::one(rz);
   ConjugateGradientsReport report;
   while (detail::exceeds(rz, enough)) {
     if (report.iterations == options.max_steps) {
@@ -95,7 +102,7 @@ ConjugateGradientsReport conjugate_gradients(System& system, Field& x, Conjugate
     system.combine(x, one, step, p);
     system.combine(r, one, -step, q);
     system.precondition(r, z);
-    const auto next = system.dot(r, z);
+    const Coefficient next = system.dot(r, z);
     system.combine(p, detail::ratio(next, rz), one, z);
     rz = next;
     ++report.iterations;

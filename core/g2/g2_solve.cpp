@@ -3,6 +3,7 @@
 #include <numeric>
 #include <type_traits>
 
+#include "core/base/assert.hpp"
 #include "core/base/conjugate_gradients.hpp"
 #include "core/base/parallel.hpp"
 #include "core/g2/g2_system.hpp"
@@ -232,36 +233,58 @@ std::shared_ptr<const G2System::Region> G2System::make_region(const std::vector<
   return made;
 }
 
+struct G2System::Paused {
+  std::shared_ptr<const Region> region;
+  std::vector<double> x;
+  ConjugateGradientsRoom<std::vector<double>, double> room;
+};
+
 template <class Value>
-G2System::Solution G2System::solve_in(const Region& region, const Given& given, const SolveOptions& options,
-                                      const CancelToken& cancel) const {
-  Restricted<Value> system(*this, region);
-  const std::vector<Value> none(region.size(), zero<Value>());
-  std::vector<Value> x = none;
-  if (options.start)
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = part<Value>((*options.start)[region.global[i]]);
-  ConjugateGradientsRoom<std::vector<Value>> room{none, none, none, none};
-  system.right_side(given, room.residual);
+G2System::Solution G2System::solve_in(std::shared_ptr<const Region> region, const Given& given,
+                                      const SolveOptions& options, const CancelToken& cancel) const {
+  using System = Restricted<Value>;
+  System system(*this, *region);
+  std::vector<Value> x;
+  ConjugateGradientsRoom<std::vector<Value>, typename System::Coefficient> room;
+  bool resumed = false;
+  if constexpr (std::is_same_v<Value, double>) {
+    if (options.paused) x = options.paused->x, room = options.paused->room, resumed = true;
+  }
+  if (!resumed) {
+    const std::vector<Value> none(region->size(), zero<Value>());
+    x = room.residual = room.preconditioned = room.direction = room.image = none;
+    if (options.start)
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] = part<Value>((*options.start)[region->global[i]]);
+    system.right_side(given, room.residual);
+  }
   const auto report = conjugate_gradients(
-      system, x, room, {options.start != nullptr, options.tolerance, options.max_steps}, cancel);
+      system, x, room, {options.start != nullptr, options.tolerance, options.max_steps, resumed}, cancel);
   Solution solution{Field(unknowns_.count, Vector3::Zero()), report.iterations, report.converged,
-                    report.cancelled};
+                    report.cancelled, nullptr};
   for (std::size_t i = 0; i < x.size(); ++i) {
     if constexpr (std::is_same_v<Value, double>)
-      solution.unknowns[region.global[i]].x() = x[i];
+      solution.unknowns[region->global[i]].x() = x[i];
     else
-      solution.unknowns[region.global[i]] = x[i];
+      solution.unknowns[region->global[i]] = x[i];
   }
   if (given.sides)
     for (const auto& [unknown, value] : given.sides->unknowns) solution.unknowns[unknown] = value;
+  if constexpr (std::is_same_v<Value, double>) {
+    if (!report.converged)
+      solution.paused =
+          std::make_shared<const Paused>(Paused{std::move(region), std::move(x), std::move(room)});
+  }
   return solution;
 }
 
 G2System::Solution G2System::solve(const Given& given, const SolveOptions& options,
                                    const CancelToken& cancel) const {
-  const auto region = options.active_faces ? make_region(options.active_faces) : whole_;
-  return options.only_x ? solve_in<double>(*region, given, options, cancel)
-                        : solve_in<Vector3>(*region, given, options, cancel);
+  HARIKO_ASSERT(!options.paused || options.only_x, "only solutions in x alone pause");
+  auto region = options.paused         ? options.paused->region
+                : options.active_faces ? make_region(options.active_faces)
+                                       : whole_;
+  return options.only_x ? solve_in<double>(std::move(region), given, options, cancel)
+                        : solve_in<Vector3>(std::move(region), given, options, cancel);
 }
 
 G2System::Field G2System::multiply(const Field& x) const {

@@ -61,8 +61,12 @@ class G2System {
     return resolve_given_sides(*mesh_, frames_, unknowns_, std::move(sides));
   }
   using Field = std::vector<Vector3>;  ///< one vector per unknown
+  /// A solution in x alone that ran out of steps, to be gone on with.
+  struct Paused;
   struct SolveOptions {
     const Field* start = nullptr;  ///< begin here instead of at zero
+    /// Go on here, with the faces and the tolerance of that solution; `only_x`.
+    std::shared_ptr<const Paused> paused;
     /// Solve in these faces (ascending) only; unknowns that other faces share are held at zero.
     const std::vector<Index>* active_faces = nullptr;
     bool only_x = false;       ///< positions and network are zero in y and z: a third of the work
@@ -74,6 +78,7 @@ class G2System {
     int iterations = 0;
     bool converged = true;
     bool cancelled = false;
+    std::shared_ptr<const Paused> paused;  ///< with `only_x`, where it has not converged
   };
   Solution solve(const Given& given, const SolveOptions& options, const CancelToken& cancel = {}) const;
 
@@ -112,7 +117,7 @@ class G2System {
   Vector3 face_mean(Index face, const Given& given) const;
 
   template <class Value>
-  Solution solve_in(const Region& region, const Given& given, const SolveOptions& options,
+  Solution solve_in(std::shared_ptr<const Region> region, const Given& given, const SolveOptions& options,
                     const CancelToken& cancel) const;
 
   std::shared_ptr<const HalfEdgeMesh> mesh_;

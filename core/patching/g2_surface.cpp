@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t face_grain = 64;
 /// Rings of faces to solve in: 0.27^18 is 6e-11.
 constexpr int ring_count = 18;
-constexpr double response_tolerance = 1e-11;
+constexpr double response_tolerance = 1e-12;
 constexpr int steps_a_frame = 14;
 /// Faces that feel less of a displacement than this share are not kept in a response.
 constexpr double negligible_share = 1e-11;
@@ -56,17 +56,17 @@ void refine(const SurfaceSystem& system, G2DragResponse& response, const CancelT
   options.only_x = true;
   options.tolerance = response_tolerance;
   options.max_steps = steps_a_frame;
-  if (!response.unknowns.empty()) options.start = &response.unknowns;
+  options.paused = response.paused;
   const G2System::Given given{local.field, &local.network};
-  auto solution = system.g2->solve(given, options, cancel);
+  const auto solution = system.g2->solve(given, options, cancel);
   if (solution.cancelled) return;
   response.settled = solution.converged;
-  response.unknowns = std::move(solution.unknowns);
+  response.paused = solution.paused;
   response.faces.clear();
   response.share.clear();
   response.largest.clear();
   for (const Index f : local.near.faces) {
-    const G2Face controls = system.g2->controls(f, given, response.unknowns);
+    const G2Face controls = system.g2->controls(f, given, solution.unknowns);
     std::vector<double> share;
     share.reserve(controls.size());
     double largest = 0;

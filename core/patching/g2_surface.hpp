@@ -28,7 +28,7 @@ struct G2DragResponse {
   bool settled = false;                    ///< as in `DragResponse`
 
   LocalDrag local;
-  G2System::Field unknowns;  ///< so far
+  std::shared_ptr<const G2System::Paused> paused;  ///< where `refine` goes on
 };
 
 /// Requires `!system.network.couples_coordinates()`. Solves within the rings of faces that matter, with the

@@ -20,17 +20,36 @@ inline const G2PatchSet& g2_set(const PolyhedronSurface& surface) {
   return dynamic_cast<const G2PatchSet&>(surface.surface.patches());
 }
 
-/// Over all smooth seams that come from edges and, apart, those inside faces.
+/// What rounding of a point's derivatives may do: they are sums of terms as large as the second ones. It
+/// matters where the surface all but folds.
+struct Rounding {
+  double normal = 0, curvature = 0;  ///< radians; 1 / length
+
+  explicit Rounding(const PatchPoint& point) {
+    const double first = std::max(point.ds.norm(), point.dt.norm()),
+                 terms = first + point.dss.norm() + point.dst.norm() + point.dtt.norm(),
+                 width = point.ds.cross(point.dt).norm() / first;
+    normal = 64 * std::numeric_limits<double>::epsilon() * terms / width;
+    curvature = normal * terms / (width * width);
+  }
+};
+
+/// Over all smooth seams.
 struct Jumps {
-  double gap = 0, normal = 0, curvature = 0;  ///< curvature: largest jump
+  double gap = 0, normal = 0, curvature = 0;  ///< the largest ones
   double rms = 0;                             ///< of the curvature over all samples
+  struct Sample {
+    double normal = 0, curvature = 0;
+    double normal_rounding = 0, curvature_rounding = 0;  ///< what rounding on both sides can make of them
+  };
+  std::vector<Sample> samples;
   double relative() const { return rms > 0 ? curvature / rms : 0; }
 };
 
 /// 33 points a seam, ends included, where both sides have a curvature.
 inline Jumps jumps_of(const Surface& surface) {
   Jumps out;
-  double square = 0, count = 0;
+  double square = 0;
   for (const Seam& seam : surface.seams()) {
     for (int k = 0; k <= 32; ++k) {
       const double x = k / 32.0;
@@ -45,14 +64,17 @@ inline Jumps jumps_of(const Surface& surface) {
       if (!p || !q) continue;
       const double sine = p->normal.cross(q->normal).norm(), cosine = p->normal.dot(q->normal);
       // Where the surface folds along the edge, normals are opposite and the planes are compared.
-      out.normal = std::max(out.normal, std::atan2(sine, std::abs(cosine)));
       const double sign = cosine < 0 ? -1 : 1;
-      out.curvature = std::max(out.curvature, (p->tensor - sign * q->tensor).norm());
+      const Rounding ra(a), rb(b);
+      const Jumps::Sample sample{std::atan2(sine, std::abs(cosine)), (p->tensor - sign * q->tensor).norm(),
+                                 ra.normal + rb.normal, ra.curvature + rb.curvature};
+      out.normal = std::max(out.normal, sample.normal);
+      out.curvature = std::max(out.curvature, sample.curvature);
+      out.samples.push_back(sample);
       square += p->tensor.squaredNorm() + q->tensor.squaredNorm();
-      count += 2;
     }
   }
-  out.rms = count > 0 ? std::sqrt(square / count) : 0;
+  if (!out.samples.empty()) out.rms = std::sqrt(square / (2 * double(out.samples.size())));
   return out;
 }
 
