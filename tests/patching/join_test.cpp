@@ -84,7 +84,8 @@ void expect_joined(std::mt19937_64& rng, std::span<const Mode> wanted, Largest& 
     largest.inner = std::max(largest.inner, inner);
     if (mode != Mode::g2) continue;
     const Jumps jumps = jumps_of(made->surface);
-    EXPECT_LT(jumps.curvature, 1e-8 * jumps.rms);
+    // A flat surface has the curvature that rounding gives it.
+    EXPECT_LT(jumps.curvature, 1e-8 * std::max(jumps.rms, 1e-3 / factor));
     largest.curvature = std::max(largest.curvature, jumps.relative());
   }
 }
@@ -196,46 +197,57 @@ TEST(Join, MessagesNameTheCorner) {
   EXPECT_EQ(refusal(point).code, e_join_degenerate);
 }
 
+void expect_live(std::mt19937_64& rng) {
+  JoinCase given = random_join_case(rng);
+  const Mode mode = modes[uniform_int(rng, 0, 3)];
+  PolyhedronSurfacer surfacer;
+  ASSERT_TRUE(surfacer.rebuild(given.input(mode)).ok());
+  const auto largest = [&](const Surface& surface) {
+    double out = 0;
+    for (const Join& join : given.joins)
+      out =
+          std::max(out, join.continuity == Continuity::g0 ? gap(surface, join) : normal_jump(surface, join));
+    return out;
+  };
+  // The polyhedron moves, first in a drag: joined vertices stay.
+  const Index v = Index(uniform_int(rng, 0, int(given.polyhedron.vertex_count()) - 1));
+  const Vector3 to = given.polyhedron.position(v) + random_vector(rng, 0.2);
+  given.polyhedron = given.polyhedron.with_positions(std::span(&v, 1), std::span(&to, 1)).value();
+  const auto dragged = surfacer.rebuild(given.input(mode), Quality::drag);
+  ASSERT_TRUE(dragged.ok());
+  EXPECT_LT(largest(dragged->surface), 1e-10);
+  const auto released = surfacer.rebuild(given.input(mode));
+  ASSERT_TRUE(released.ok());
+  EXPECT_LT(largest(released->surface), 1e-10);
+  // All the sides move together.
+  const Eigen::AngleAxisd turn(0.1, Vector3(1, 2, 3).normalized());
+  for (Join& join : given.joins)
+    for (auto* rows : {&join.curve, &join.row})
+      for (Vector3& point : *rows) point = turn * point + Vector3(0.05, 0, 0.1);
+  for (const Quality quality : {Quality::drag, Quality::final}) {
+    const auto followed = surfacer.rebuild(given.input(mode), quality);
+    ASSERT_TRUE(followed.ok()) << to_string(followed.error());
+    EXPECT_LT(largest(followed->surface), 1e-10);
+    if (quality == Quality::drag) continue;
+    // What was done before does not matter.
+    const auto cold = PolyhedronSurfacer().rebuild(given.input(mode));
+    for (Index h = 0; h < cold->surface.patch_count(); ++h)
+      EXPECT_EQ(cold->surface.patches().evaluate(h, {0.3, 0.3}, Order::first).position,
+                followed->surface.patches().evaluate(h, {0.3, 0.3}, Order::first).position);
+  }
+}
+
 TEST(Join, StaysLiveWhenEitherSideMoves) {
-  for_random(4501, 20, [&](std::mt19937_64& rng) {
-    JoinCase given = random_join_case(rng);
-    const Mode mode = modes[uniform_int(rng, 0, 3)];
-    PolyhedronSurfacer surfacer;
-    ASSERT_TRUE(surfacer.rebuild(given.input(mode)).ok());
-    const auto largest = [&](const Surface& surface) {
-      double out = 0;
-      for (const Join& join : given.joins)
-        out = std::max(out,
-                       join.continuity == Continuity::g0 ? gap(surface, join) : normal_jump(surface, join));
-      return out;
-    };
-    // The polyhedron moves, first in a drag: joined vertices stay.
-    const Index v = Index(uniform_int(rng, 0, int(given.polyhedron.vertex_count()) - 1));
-    const Vector3 to = given.polyhedron.position(v) + random_vector(rng, 0.2);
-    given.polyhedron = given.polyhedron.with_positions(std::span(&v, 1), std::span(&to, 1)).value();
-    const auto dragged = surfacer.rebuild(given.input(mode), Quality::drag);
-    ASSERT_TRUE(dragged.ok());
-    EXPECT_LT(largest(dragged->surface), 1e-10);
-    const auto released = surfacer.rebuild(given.input(mode));
-    ASSERT_TRUE(released.ok());
-    EXPECT_LT(largest(released->surface), 1e-10);
-    // All the sides move together.
-    const Eigen::AngleAxisd turn(0.1, Vector3(1, 2, 3).normalized());
-    for (Join& join : given.joins)
-      for (auto* rows : {&join.curve, &join.row})
-        for (Vector3& point : *rows) point = turn * point + Vector3(0.05, 0, 0.1);
-    for (const Quality quality : {Quality::drag, Quality::final}) {
-      const auto followed = surfacer.rebuild(given.input(mode), quality);
-      ASSERT_TRUE(followed.ok()) << to_string(followed.error());
-      EXPECT_LT(largest(followed->surface), 1e-10);
-      if (quality == Quality::drag) continue;
-      // What was done before does not matter.
-      const auto cold = PolyhedronSurfacer().rebuild(given.input(mode));
-      for (Index h = 0; h < cold->surface.patch_count(); ++h)
-        EXPECT_EQ(cold->surface.patches().evaluate(h, {0.3, 0.3}, Order::first).position,
-                  followed->surface.patches().evaluate(h, {0.3, 0.3}, Order::first).position);
-    }
-  });
+  for_random(4501, 20, expect_live);
+}
+
+/// Cases where the moved vertex lies in a face with a joined half-turn corner.
+TEST(Join, HalfTurnCornersStayInADrag) {
+  for (const std::uint64_t seed : {85, 173, 4242471, 4242580}) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 rng(seed);
+    expect_live(rng);
+  }
 }
 
 /// Surface first, by the curve alone; then the patch's row follows.
