@@ -104,7 +104,8 @@ TEST(Join, SurfaceOfModeG2TakesThemAndStaysCurvatureContinuous) {
 /// A grid with one side joined: its corners keep one quadratic each, and curvature in the joined face tends
 /// to it in proportion to the distance.
 TEST(Join, VerticesKeepTheirCurvatureInModeG2) {
-  for_random(4103, 6, [](std::mt19937_64& rng) {
+  int measured = 0;
+  for_random(4103, 6, [&](std::mt19937_64& rng) {
     JoinCase given = random_join_case(rng, 1, 1);
     given.joins = {given.joins[rng() % given.joins.size()]};
     const auto made = PolyhedronSurfacer().rebuild(given.input(Mode::g2));
@@ -122,7 +123,9 @@ TEST(Join, VerticesKeepTheirCurvatureInModeG2) {
         return curvature(set.evaluate(patch, at + radius * (to - at), Order::second));
       };
       const auto limit = away(0, 0);
-      if (!limit) continue;
+      // Where sides almost meet in one line, curvature is so large that a radius of 1e-3 is not near.
+      if (!limit || limit->tensor.norm() > 100) continue;
+      ++measured;
       for (const double turn : {0.1, 0.5, 0.9}) {
         const auto near = away(1e-4, turn), far = away(1e-3, turn);
         ASSERT_TRUE(near && far);
@@ -131,6 +134,7 @@ TEST(Join, VerticesKeepTheirCurvatureInModeG2) {
       }
     }
   });
+  EXPECT_GE(measured, repetitions(6));
 }
 
 /// Two sides that meet in a corner with different second fundamental forms: tangent planes still agree, and
