@@ -89,8 +89,7 @@ class ErrorMapper {
       for (int piece = 0; piece < pieces.count; ++piece) {
         add_grid(triangles);
         for (const Vector2& at : grid.points) {
-          map_.samples.push_back({Vector3::Zero(),
-                                  parts_[f].patch,
+          map_.samples.push_back({Vector3::Zero(), parts_[f].patch,
                                   at_barycentric(pieces.triangle[std::size_t(piece)], at.x(), at.y()),
                                   Index(f)});
           weight_.push_back(area / double(pieces.count * int(grid.points.size())));
