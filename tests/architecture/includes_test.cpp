@@ -26,6 +26,7 @@ const std::map<std::string, Names>& core_arrows() {
       {"base", {"base"}},
       {"polyhedron", {"polyhedron", "base"}},
       {"surface", {"surface", "base"}},
+      {"skinning", {"skinning", "polyhedron", "surface", "base"}},
       {"network", {"network", "polyhedron", "base"}},
       {"g2", {"g2", "network", "polyhedron", "surface", "base"}},
       {"patching", {"patching", "g2", "network", "polyhedron", "surface", "base"}},
