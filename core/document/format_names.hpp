@@ -50,6 +50,13 @@ inline constexpr std::array adapts_names{"surface"sv, "patch"sv};
 inline constexpr std::array patches_members{"kind"sv, "origin"sv, "columns"sv, "rows"sv, "points"sv};
 inline constexpr std::array mirror_members{"axis"sv, "weld_distance"sv};
 inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
+inline constexpr std::array solids_members{"kind"sv,        "primitives"sv, "roundness"sv, "waist"sv,
+                                           "tightness"sv,   "clearance"sv,  "detail"sv,    "merge_deg"sv,
+                                           "cage_detail"sv, "method"sv,     "surface"sv,   "symmetry"sv,
+                                           "waists"sv,      "fullness"sv,   "offsets"sv};
+inline constexpr std::array method_names{"auto"sv, "network"sv, "field"sv};
+inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};
+inline constexpr std::array symmetry_names{"none"sv, "x"sv, "y"sv, "z"sv};
 inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};
 
 template <class Enum>

@@ -1,0 +1,172 @@
+#include "core/document/read_solids.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "core/document/format_names.hpp"
+
+namespace hariko {
+
+namespace detail {
+
+namespace {
+
+constexpr double scene_roundness = 0.5;
+constexpr std::uint32_t max_number = no_index - 1;
+
+class SolidsReader {
+ public:
+  explicit SolidsReader(JsonReader& reader) : reader_(reader) {}
+
+  EnvelopeInput read(const JsonCursor& at) {
+    EnvelopeInput out;
+    reader_.member(at, "primitives", [&](const JsonCursor& list) {
+      reader_.for_each(list, [&](const JsonCursor& row) {
+        if (out.solids.size() <= max_solids) out.solids.push_back(solid(row));
+      });
+    });
+    number_solids(out.solids);
+    EnvelopeSettings& s = out.settings;
+    s.roundness = scene_roundness;
+    number(at, "roundness", s.roundness);
+    number(at, "waist", s.waist);
+    number(at, "tightness", s.tightness);
+    number(at, "clearance", s.clearance);
+    number(at, "detail", s.detail);
+    number(at, "merge_deg", s.merge_angle);
+    number(at, "cage_detail", s.cage_detail);
+    choice(at, "method", method_names, s.method);
+    choice(at, "surface", envelope_surface_names, s.patches);
+    choice(at, "symmetry", symmetry_names, s.symmetry);
+    overrides(at, s);
+    return out;
+  }
+
+ private:
+  void number(const JsonCursor& at, std::string_view name, double& value) {
+    reader_.if_member(at, name, [&](const JsonCursor& member) { value = reader_.number(member); });
+  }
+  void vector(const JsonCursor& at, std::string_view name, Vector3& value) {
+    reader_.if_member(at, name, [&](const JsonCursor& member) { value = reader_.vector(member); });
+  }
+  template <class Choice>
+  void choice(const JsonCursor& at, std::string_view name, std::span<const std::string_view> names,
+              Choice& value) {
+    reader_.if_member(at, name,
+                      [&](const JsonCursor& member) { value = Choice(reader_.choice(member, names)); });
+  }
+
+  Solid solid(const JsonCursor& at) {
+    Solid out;
+    if (!reader_.is_object(at)) return out;
+    reader_.member(at, "type", [&](const JsonCursor& member) {
+      const std::string name = reader_.string(member);
+      if (const auto kind = solid_kind_named(name))
+        out.kind = *kind;
+      else
+        reader_.fail(member, "there is no solid \"" + name.substr(0, 40) + "\"");
+    });
+    out.id = no_index;
+    reader_.if_member(at, "id",
+                      [&](const JsonCursor& member) { out.id = reader_.integer(member, 0, max_number); });
+    vector(at, "size", out.size);
+    number(at, "radius", out.radius);
+    number(at, "height", out.height);
+    number(at, "length", out.length);
+    number(at, "tube", out.tube);
+    reader_.if_member(at, "sides",
+                      [&](const JsonCursor& member) { out.sides = reader_.integer(member, 0, max_number); });
+    vector(at, "position", out.position);
+    vector(at, "rotation", out.rotation);
+    vector(at, "scale", out.scale);
+    reader_.if_member(at, "roundness",
+                      [&](const JsonCursor& member) { out.roundness = reader_.number(member); });
+    reader_.if_member(at, "vertices", [&](const JsonCursor& list) {
+      reader_.for_each(list, [&](const JsonCursor& row) {
+        if (out.points.size() <= max_solid_points) out.points.push_back(reader_.vector(row));
+      });
+    });
+    return out;
+  }
+
+  /// Solids without an id, or with one that is taken, get the least free one.
+  static void number_solids(std::vector<Solid>& solids) {
+    std::set<std::uint32_t> taken;
+    std::vector<Solid*> open;
+    for (Solid& solid : solids)
+      if (solid.id == no_index || !taken.insert(solid.id).second) open.push_back(&solid);
+    std::uint32_t next = 0;
+    for (Solid* solid : open) {
+      while (taken.contains(next)) ++next;
+      taken.insert(solid->id = next);
+    }
+  }
+
+  std::uint32_t integer(const JsonCursor& row, std::size_t i) {
+    return reader_.integer(JsonCursor(row, i), 0, max_number);
+  }
+
+  void overrides(const JsonCursor& at, EnvelopeSettings& s) {
+    reader_.if_member(at, "waists", [&](const JsonCursor& list) {
+      reader_.for_each(list, [&](const JsonCursor& row) {
+        if (reader_.array_size(row, 3, 3) != 3) return;
+        s.waists.set(SolidPair::of(integer(row, 0), integer(row, 1)), reader_.number(JsonCursor(row, 2)));
+      });
+    });
+    reader_.if_member(at, "fullness", [&](const JsonCursor& list) {
+      reader_.for_each(list, [&](const JsonCursor& row) {
+        if (reader_.array_size(row, 5, 5) != 5) return;
+        s.fullness.set(
+            NetworkEdgeKey::of({integer(row, 0), integer(row, 1)}, {integer(row, 2), integer(row, 3)}),
+            reader_.number(JsonCursor(row, 4)));
+      });
+    });
+    reader_.if_member(at, "offsets", [&](const JsonCursor& list) {
+      reader_.for_each(list, [&](const JsonCursor& row) {
+        if (reader_.array_size(row, 5, 5) != 5) return;
+        Vector3 offset;
+        for (std::size_t i = 0; i < 3; ++i) offset[Eigen::Index(i)] = reader_.number(JsonCursor(row, i + 2));
+        s.offsets.set({integer(row, 0), integer(row, 1)}, offset);
+      });
+    });
+  }
+
+  JsonReader& reader_;
+};
+
+}  // namespace
+
+std::optional<EnvelopeInput> read_solids(JsonReader& reader, const JsonCursor& at) {
+  EnvelopeInput input = SolidsReader(reader).read(at);
+  if (reader.failed()) return std::nullopt;
+  if (const auto checked = check_envelope(input); !checked) {
+    Message message = checked.error();
+    message.text = at.path() + ": " + message.text;
+    reader.fail(std::move(message));
+    return std::nullopt;
+  }
+  return input;
+}
+
+}  // namespace detail
+
+Result<EnvelopeInput> read_scene(std::string_view text) {
+  using namespace detail;
+  const Result<JsonValue> root = parse_json(text);
+  if (!root) return root.error();
+  JsonReader reader;
+  const JsonCursor at(*root);
+  if (!reader.is_object(at)) return reader.error();
+  auto input = read_solids(reader, at);
+  if (!input) return reader.error();
+  return *std::move(input);
+}
+
+bool is_scene(std::string_view text) {
+  const auto root = detail::parse_json(text);
+  if (!root || !root->object()) return false;
+  return std::any_of(root->object()->begin(), root->object()->end(),
+                     [](const detail::JsonMember& member) { return member.name == "primitives"; });
+}
+
+}  // namespace hariko

@@ -1,0 +1,25 @@
+#pragma once
+
+// Convex hulls of points in space.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+/// Triangles are counter-clockwise seen from outside; indices are those of the points given. Empty where all
+/// points lie in a plane.
+struct ConvexHull {
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> vertices;  ///< ascending
+};
+
+/// Points that lie within `tolerance` (a length) of the hull of the others are not vertices of it. Points in
+/// one plane make triangles in that plane. The same for the same input. O(n log n) typically, O(n^2) at
+/// worst.
+ConvexHull convex_hull(std::span<const Vector3> points, double tolerance);
+
+}  // namespace hariko

@@ -1,0 +1,63 @@
+#pragma once
+
+// The rational cubic curves over a cage, the split of faces that are not quads, and the patches in between
+// (docs/envelope.md, spec 3.3 - 5).
+
+#include <map>
+#include <optional>
+
+#include "core/envelope/envelope_patch.hpp"
+#include "core/envelope/network_cage.hpp"
+
+namespace hariko {
+
+struct NetworkCurve {
+  Index low = 0, high = 0;  ///< vertices, low < high; the curve runs from low to high
+  bool primitive = false;   ///< both ends belong to one solid
+  bool matched = false;     ///< its weights give the vertices' common curvatures
+  RibbonCurve ribbon;       ///< seen from the face to the left
+};
+
+/// The star of an n-gon: a centre, and a curve from the middle of each side to it.
+struct FaceSplit {
+  Vector3 centre = Vector3::Zero(), normal = Vector3::UnitZ();
+  std::vector<RibbonCurve> spokes;  ///< from the middle of side k to the centre
+};
+
+struct CurveNetwork {
+  NetworkCage cage;
+  std::vector<NetworkCurve> curves;              ///< ascending in (low, high)
+  std::vector<std::optional<FaceSplit>> splits;  ///< one a face, none for quads
+  std::vector<EnvelopePatch> patches;
+  struct Place {
+    Index face, side;
+  };
+  std::vector<Place> patch_places;  ///< one a patch; side of the face for n-gons
+
+  /// Number of the curve between two vertices; no_index if there is none.
+  Index find(Index a, Index b) const;
+  /// The curve from a to b with the face to the left.
+  RibbonCurve ribbon(Index a, Index b) const;
+  double least_weight() const;
+};
+
+struct CurveSettings {
+  std::span<const PlacedSolid> solids;
+  double waist = 0.5;
+  /// Factors on the waist of bridges: the designer's and those of the search for enclosure.
+  const std::map<std::pair<Index, Index>, double>* cuts = nullptr;
+  /// Factors on the tangents of single curves; may be null.
+  const FlatMap<NetworkEdgeKey, double>* fullness = nullptr;
+};
+
+CurveNetwork curve_network(NetworkCage cage, const CurveSettings& settings);
+
+/// Name of a vertex that stays while solids move.
+NetworkVertexKey key_of(const CageVertex& vertex, std::span<const PlacedSolid> solids);
+
+/// All patches and their seams as a surface relative to `origin`. Where some face is split, quads are cut
+/// into four parts, so that every seam is a whole side of both patches. Provenance: the cage's faces; seams
+/// name the cage's edges by numbers of vertices.
+Surface network_surface(const CurveNetwork& network, const Vector3& origin);
+
+}  // namespace hariko

@@ -1,0 +1,49 @@
+#pragma once
+
+// Solids become one smooth surface round them: the producer that the rest of the program calls.
+
+#include <memory>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/result.hpp"
+#include "core/envelope/enclosure.hpp"
+#include "core/envelope/enclosure_check.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_envelope_flat{"E_ENVELOPE_FLAT"};
+inline constexpr Code w_not_enclosed{"W_NOT_ENCLOSED"};
+inline constexpr Code w_envelope_fold{"W_ENVELOPE_FOLD"};
+inline constexpr Code w_tightness_reduced{"W_TIGHTNESS_REDUCED"};
+
+struct EnvelopeSurface {
+  Surface surface;
+  std::shared_ptr<const CurveNetwork> network;  ///< null on a field's cage
+  Vector3 origin = Vector3::Zero();             ///< what everything is relative to
+  double diagonal = 0;                          ///< of the solids
+  bool enclosed = false;                        ///< by the search's own test, to 1e-4 of the diagonal
+  double worst = 0;                             ///< of that test, length
+  std::optional<EnclosureReport> check;         ///< quality `final` only: the independent one
+  int level = 0;  ///< 0: the tightness asked for; higher: the field's cage with other settings; 9: the hull
+  std::size_t folds = 0;                        ///< patches with a fold
+  int builds = 0;
+  std::vector<Message> warnings;
+};
+
+/// Keeps the last result to start a drag from. One per object; calls must not overlap. The result of a
+/// `final` call does not depend on earlier calls.
+class EnvelopeSurfacer {
+ public:
+  /// Errors: those of `check_envelope`; E_ENVELOPE_FLAT. Warnings: W_NOT_ENCLOSED, W_ENVELOPE_FOLD,
+  /// W_TIGHTNESS_REDUCED.
+  Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
+                                  const CancelToken& cancel = {});
+
+ private:
+  GrowthState last_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> last_solids_;  ///< id and part
+};
+
+}  // namespace hariko

@@ -1,0 +1,423 @@
+#include "core/envelope/envelope_patch.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+namespace {
+
+template <std::size_t N>
+struct Polynomials {
+  std::array<double, N> value, first, second;
+};
+
+/// Bernstein polynomials, the same bits from either end.
+template <std::size_t N>
+std::array<double, N> bernstein_values(double x, double y) {
+  constexpr auto choose = [](std::size_t n, std::size_t k) {
+    double out = 1;
+    for (std::size_t i = 0; i < k; ++i) out = out * double(n - i) / double(i + 1);
+    return out;
+  };
+  std::array<double, N> px, py, out;
+  px[0] = py[0] = 1;
+  for (std::size_t i = 1; i < N; ++i) px[i] = px[i - 1] * x, py[i] = py[i - 1] * y;
+  for (std::size_t i = 0; i < N; ++i) out[i] = choose(N - 1, i) * (px[i] * py[N - 1 - i]);
+  return out;
+}
+template <std::size_t N>
+Polynomials<N> bernstein_at(double x) {
+  const double y = 1 - x;
+  Polynomials<N> out;
+  out.value = bernstein_values<N>(x, y);
+  const auto lower = bernstein_values<N - 1>(x, y);
+  const auto lowest = bernstein_values<N - 2>(x, y);
+  const auto at = [](const auto& values, std::size_t i, std::size_t back) {
+    return i >= back && i - back < values.size() ? values[i - back] : 0.0;
+  };
+  for (std::size_t i = 0; i < N; ++i) {
+    out.first[i] = double(N - 1) * (at(lower, i, 1) - at(lower, i, 0));
+    out.second[i] = double((N - 1) * (N - 2)) * (at(lowest, i, 2) - 2 * at(lowest, i, 1) + at(lowest, i, 0));
+  }
+  return out;
+}
+
+/// Blends of value, derivative, derivative, value.
+Polynomials<4> hermite_at(double t) {
+  Polynomials<4> out;
+  out.value = {1 - 3 * t * t + 2 * t * t * t, t - 2 * t * t + t * t * t, t * t * t - t * t,
+               3 * t * t - 2 * t * t * t};
+  out.first = {-6 * t + 6 * t * t, 1 - 4 * t + 3 * t * t, 3 * t * t - 2 * t, 6 * t - 6 * t * t};
+  out.second = {-6 + 12 * t, -4 + 6 * t, 6 * t - 2, 6 - 12 * t};
+  return out;
+}
+
+/// Everything of a direction at one parameter.
+struct Direction {
+  double t;
+  Polynomials<4> cubic, hermite;
+  Polynomials<6> quintic;
+  explicit Direction(double x)
+      : t(x), cubic(bernstein_at<4>(x)), hermite(hermite_at(x)), quintic(bernstein_at<6>(x)) {}
+};
+
+template <std::size_t N>
+Homogeneous sum(const std::array<double, N>& weight, const std::array<Homogeneous, N>& point) {
+  Homogeneous out = weight[0] * point[0];
+  for (std::size_t i = 1; i < N; ++i) out += weight[i] * point[i];
+  return out;
+}
+
+/// The four curves of one direction (value, cross, cross, value) at a parameter, with derivatives.
+struct Rails {
+  std::array<Homogeneous, 4> value, first, second;
+};
+Rails rails(const HomogeneousCubic& a, const HomogeneousQuintic& cross_a, const HomogeneousQuintic& cross_b,
+            const HomogeneousCubic& b, const Direction& at) {
+  return {{sum(at.cubic.value, a), sum(at.quintic.value, cross_a), sum(at.quintic.value, cross_b),
+           sum(at.cubic.value, b)},
+          {sum(at.cubic.first, a), sum(at.quintic.first, cross_a), sum(at.quintic.first, cross_b),
+           sum(at.cubic.first, b)},
+          {sum(at.cubic.second, a), sum(at.quintic.second, cross_a), sum(at.quintic.second, cross_b),
+           sum(at.cubic.second, b)}};
+}
+
+/// The corner terms M, twists without the variable share, and that share: T = constant + x share with
+/// x = p / (p + q), p and q the distances from the corner along u and v.
+struct Corners {
+  std::array<std::array<Homogeneous, 4>, 4> constant;
+  std::array<std::array<Homogeneous, 2>, 2> share;
+};
+Corners corners_of(const EnvelopePatch& p) {
+  const auto rate = [](const auto& c, bool end) -> Homogeneous {
+    const double n = double(c.size() - 1);
+    return end ? Homogeneous(n * (c[c.size() - 1] - c[c.size() - 2])) : Homogeneous(n * (c[1] - c[0]));
+  };
+  Corners out;
+  out.constant[0] = {p.c0[0], rate(p.e0, false), rate(p.e0, true), p.c1[0]};
+  out.constant[3] = {p.c0[3], rate(p.e1, false), rate(p.e1, true), p.c1[3]};
+  const std::array<Homogeneous, 2> start{rate(p.c0, false), rate(p.c1, false)},
+      end{rate(p.c0, true), rate(p.c1, true)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    out.constant[1 + i][0] = i == 0 ? start[0] : end[0];
+    out.constant[1 + i][3] = i == 0 ? start[1] : end[1];
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Homogeneous by_u = rate(i == 0 ? p.cross_e0 : p.cross_e1, j == 1);
+      const Homogeneous by_v = rate(j == 0 ? p.cross_c0 : p.cross_c1, i == 1);
+      out.constant[1 + i][1 + j] = by_v;
+      out.share[i][j] = by_u - by_v;
+    }
+  }
+  return out;
+}
+
+/// p / (p + q) with derivatives by p and q; 1/2 at the corner, where its factor vanishes.
+struct Ratio {
+  double value, p, q, pp, pq, qq;
+};
+Ratio ratio(double p, double q) {
+  const double s = p + q;
+  if (!(s > 0)) return {0.5, 0, 0, 0, 0, 0};
+  const double s2 = s * s, s3 = s2 * s;
+  return {p / s, q / s2, -p / s2, -2 * q / s3, (p - q) / s3, 2 * p / s3};
+}
+
+struct HomogeneousPoint {
+  Homogeneous value, u, v, uu, uv, vv;
+};
+
+HomogeneousPoint homogeneous_point(const Corners& m, const Rails& e, const Rails& c, const Direction& u,
+                                   const Direction& v, Order order) {
+  const bool second = order == Order::second;
+  HomogeneousPoint out;
+  out.value = out.u = out.v = out.uu = out.uv = out.vv = Homogeneous::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    Homogeneous row = e.value[k], row_v = e.first[k], row_vv = e.second[k];
+    for (std::size_t l = 0; l < 4; ++l) {
+      row -= v.hermite.value[l] * m.constant[k][l];
+      row_v -= v.hermite.first[l] * m.constant[k][l];
+      if (second) row_vv -= v.hermite.second[l] * m.constant[k][l];
+    }
+    out.value += u.hermite.value[k] * row + v.hermite.value[k] * c.value[k];
+    out.u += u.hermite.first[k] * row + v.hermite.value[k] * c.first[k];
+    out.v += u.hermite.value[k] * row_v + v.hermite.first[k] * c.value[k];
+    if (!second) continue;
+    out.uu += u.hermite.second[k] * row + v.hermite.value[k] * c.second[k];
+    out.uv += u.hermite.first[k] * row_v + v.hermite.first[k] * c.first[k];
+    out.vv += u.hermite.value[k] * row_vv + v.hermite.second[k] * c.value[k];
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double su = i == 0 ? 1 : -1, sv = j == 0 ? 1 : -1;
+      const Ratio x = ratio(i == 0 ? u.t : 1 - u.t, j == 0 ? v.t : 1 - v.t);
+      const double xu = su * x.p, xv = sv * x.q;
+      const double a = u.hermite.value[1 + i], au = u.hermite.first[1 + i], auu = u.hermite.second[1 + i];
+      const double b = v.hermite.value[1 + j], bv = v.hermite.first[1 + j], bvv = v.hermite.second[1 + j];
+      const Homogeneous& share = m.share[i][j];
+      out.value -= a * b * x.value * share;
+      out.u -= b * (au * x.value + a * xu) * share;
+      out.v -= a * (bv * x.value + b * xv) * share;
+      if (!second) continue;
+      out.uu -= b * (auu * x.value + 2 * au * xu + a * x.pp) * share;
+      out.vv -= a * (bvv * x.value + 2 * bv * xv + b * x.qq) * share;
+      out.uv -= (au * bv * x.value + au * b * xv + a * bv * xu + a * b * su * sv * x.pq) * share;
+    }
+  return out;
+}
+
+/// `scale`: derivative of the patch's parameters by those of the part.
+PatchPoint cartesian_point(const HomogeneousPoint& h, double scale, Order order) {
+  PatchPoint out;
+  const double w = h.value.w();
+  out.position = h.value.head<3>() / w;
+  out.ds = scale / w * (h.u.head<3>() - out.position * h.u.w());
+  out.dt = scale / w * (h.v.head<3>() - out.position * h.v.w());
+  if (order != Order::second) return out;
+  const double square = scale * scale;
+  out.dss = (square * (h.uu.head<3>() - out.position * h.uu.w()) - 2 * scale * h.u.w() * out.ds) / w;
+  out.dtt = (square * (h.vv.head<3>() - out.position * h.vv.w()) - 2 * scale * h.v.w() * out.dt) / w;
+  out.dst =
+      (square * (h.uv.head<3>() - out.position * h.uv.w()) - scale * (h.v.w() * out.ds + h.u.w() * out.dt)) /
+      w;
+  return out;
+}
+
+/// The middle derivative that a side wants, from the chord between the middles of two facing sides (spec 4).
+Vector3 wanted(const RibbonCurve& side, const Vector3& chord, double fullness) {
+  const Vector3 across = 0.5 * (side.across[0] + side.across[1]);
+  const Vector3 n = side.middle_derivative().cross(across).stableNormalized();
+  const Vector3 r = chord - chord.dot(n) * n;
+  return r.stableNormalized() * (chord.norm() * fullness);
+}
+
+double speed_ratio(const Vector3& derivative, const RibbonCurve& side) {
+  const double chord = (side.end() - side.start()).norm();
+  return chord > 0 ? derivative.norm() / chord : 1;
+}
+
+}  // namespace
+
+EnvelopePatch EnvelopePatch::from_loop(const std::array<RibbonCurve, 4>& loop) {
+  const RibbonCurve &c0 = loop[0], &e1 = loop[1];
+  const RibbonCurve c1 = loop[2].reversed(), e0 = loop[3].reversed();
+  const Vector3 along_v = c1.middle() - c0.middle(), along_u = e1.middle() - e0.middle();
+  const double f_c0 = 0.5 * (speed_ratio(e0.start_derivative(), e0) + speed_ratio(e1.start_derivative(), e1));
+  const double f_c1 = 0.5 * (speed_ratio(e0.end_derivative(), e0) + speed_ratio(e1.end_derivative(), e1));
+  const double f_e0 = 0.5 * (speed_ratio(c0.start_derivative(), c0) + speed_ratio(c1.start_derivative(), c1));
+  const double f_e1 = 0.5 * (speed_ratio(c0.end_derivative(), c0) + speed_ratio(c1.end_derivative(), c1));
+  const auto field = [](const RibbonCurve& side, const Homogeneous& start, const Homogeneous& end,
+                        const Vector3& middle) {
+    return cross_field(side, cross_coefficients(side, start, end, middle));
+  };
+  EnvelopePatch out{c0.curve, e1.curve, c1.curve, e0.curve, {}, {}, {}, {}};
+  out.cross_c0 = field(c0, e0.start_rate(), e1.start_rate(), wanted(c0, along_v, f_c0));
+  out.cross_c1 = field(c1, e0.end_rate(), e1.end_rate(), wanted(c1, along_v, f_c1));
+  out.cross_e0 = field(e0, c0.start_rate(), c1.start_rate(), wanted(e0, along_u, f_e0));
+  out.cross_e1 = field(e1, c0.end_rate(), c1.end_rate(), wanted(e1, along_u, f_e1));
+  return out;
+}
+
+/// A part's patch with what its points share.
+struct EnvelopePatchSet::Frame {
+  const Part& part;
+  const EnvelopePatch& patch;
+  Corners corners;
+
+  Rails across_u(const Direction& v) const {
+    return rails(patch.e0, patch.cross_e0, patch.cross_e1, patch.e1, v);
+  }
+  Rails across_v(const Direction& u) const {
+    return rails(patch.c0, patch.cross_c0, patch.cross_c1, patch.c1, u);
+  }
+  /// Of outer sides the curve alone decides, from both patches with the same bits.
+  void set_side_position(double s, double t, PatchPoint& point) const {
+    const auto set = [&](std::size_t side, double x) {
+      if (!part.sides[side].outer) return false;
+      const auto weight = bernstein_values<4>(x, 1 - x);
+      const HomogeneousCubic& c = part.sides[side].curve;
+      const Homogeneous at = (weight[0] * c[0] + weight[3] * c[3]) + (weight[1] * c[1] + weight[2] * c[2]);
+      point.position = cartesian(at);
+      return true;
+    };
+    if (t == 0 && set(0, s)) return;
+    if (s == 1 && set(1, t)) return;
+    if (t == 1 && set(2, 1 - s)) return;
+    if (s == 0) set(3, 1 - t);
+  }
+};
+
+EnvelopePatchSet::EnvelopePatchSet(std::vector<EnvelopePatch> patches, std::vector<Part> parts)
+    : patches_(std::move(patches)), parts_(std::move(parts)) {
+  for (const Part& part : parts_)
+    HARIKO_ASSERT(part.part.patch < patches_.size(), "a part of a patch that does not exist");
+}
+
+PatchPoint EnvelopePatchSet::evaluate(Index at, const Vector2& parameter, Order order) const {
+  const Part& part = parts_[at];
+  const EnvelopePatch& patch = patches_[part.part.patch];
+  const Frame frame{part, patch, corners_of(patch)};
+  const Direction u(part.part.u0 + part.part.size * parameter.x()),
+      v(part.part.v0 + part.part.size * parameter.y());
+  const HomogeneousPoint h =
+      homogeneous_point(frame.corners, frame.across_u(v), frame.across_v(u), u, v, order);
+  PatchPoint out = cartesian_point(h, part.part.size, order);
+  frame.set_side_position(parameter.x(), parameter.y(), out);
+  return out;
+}
+
+void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                                     std::span<PatchPoint> points) const {
+  HARIKO_ASSERT(pattern.domain == Domain::square, "patches of envelopes are squares");
+  HARIKO_ASSERT(points.size() >= patches.size() * std::size_t(pattern.point_count()),
+                "output array is too small");
+  const int n = pattern.density;
+  std::size_t at = 0;
+  for (const Index index : patches) {
+    const Part& part = parts_[index];
+    const EnvelopePatch& patch = patches_[part.part.patch];
+    const Frame frame{part, patch, corners_of(patch)};
+    std::vector<Direction> us;
+    std::vector<Rails> along;
+    for (int i = 0; i <= n; ++i) {
+      us.emplace_back(part.part.u0 + part.part.size * grid_fraction(i, n));
+      along.push_back(frame.across_v(us.back()));
+    }
+    for (int j = 0; j <= n; ++j) {
+      const double t = grid_fraction(j, n);
+      const Direction v(part.part.v0 + part.part.size * t);
+      const Rails across = frame.across_u(v);
+      for (int i = 0; i <= n; ++i) {
+        const auto k = std::size_t(i);
+        points[at] =
+            cartesian_point(homogeneous_point(frame.corners, across, along[k], us[k], v, Order::second),
+                            part.part.size, Order::second);
+        frame.set_side_position(grid_fraction(i, n), t, points[at]);
+        ++at;
+      }
+    }
+  }
+}
+
+void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                                     std::span<Vector3> positions, std::span<Vector3> normals) const {
+  HARIKO_ASSERT(pattern.domain == Domain::square, "patches of envelopes are squares");
+  const int n = pattern.density;
+  std::size_t at = 0;
+  for (const Index index : patches) {
+    const Part& part = parts_[index];
+    const EnvelopePatch& patch = patches_[part.part.patch];
+    const Frame frame{part, patch, corners_of(patch)};
+    std::vector<Direction> us;
+    std::vector<Rails> along;
+    for (int i = 0; i <= n; ++i) {
+      us.emplace_back(part.part.u0 + part.part.size * grid_fraction(i, n));
+      along.push_back(frame.across_v(us.back()));
+    }
+    for (int j = 0; j <= n; ++j) {
+      const double t = grid_fraction(j, n);
+      const Direction v(part.part.v0 + part.part.size * t);
+      const Rails across = frame.across_u(v);
+      for (int i = 0; i <= n; ++i, ++at) {
+        const auto k = std::size_t(i);
+        const double s = grid_fraction(i, n);
+        PatchPoint point =
+            cartesian_point(homogeneous_point(frame.corners, across, along[k], us[k], v, Order::first),
+                            part.part.size, Order::first);
+        frame.set_side_position(s, t, point);
+        positions[at] = point.position;
+        normals[at] = unit_normal(point);
+        if (normals[at].isZero(0))
+          normals[at] =
+              unit_normal(evaluate(index, Vector2(s + 1e-4 * (0.5 - s), t + 1e-4 * (0.5 - t)), Order::first));
+      }
+    }
+  }
+}
+
+CornerSecondOrder EnvelopePatchSet::second_order_at_corner(Index at, int corner) const {
+  const EnvelopePart& part = parts_[at].part;
+  const Vector2 local = corner_parameter(Domain::square, corner);
+  const double u = part.u0 + part.size * local.x(), v = part.v0 + part.size * local.y();
+  if ((u != 0 && u != 1) || (v != 0 && v != 1)) return CornerSecondOrder::exact;
+  return unit_normal(evaluate(at, local, Order::first)).isZero(0) ? CornerSecondOrder::undefined
+                                                                  : CornerSecondOrder::direction_dependent;
+}
+
+EnvelopeGrid::EnvelopeGrid(int intervals) : intervals_(intervals) {
+  for (int i = 0; i <= intervals; ++i) {
+    const Direction at(grid_fraction(i, intervals));
+    Basis basis;
+    std::copy_n(at.cubic.value.data(), 4, basis.cubic);
+    std::copy_n(at.cubic.first.data(), 4, basis.cubic_rate);
+    std::copy_n(at.quintic.value.data(), 6, basis.quintic);
+    std::copy_n(at.quintic.first.data(), 6, basis.quintic_rate);
+    std::copy_n(at.hermite.value.data(), 4, basis.hermite);
+    std::copy_n(at.hermite.first.data(), 4, basis.hermite_rate);
+    basis_.push_back(basis);
+  }
+}
+
+void EnvelopeGrid::evaluate(const EnvelopePatch& patch, std::span<Vector3> positions,
+                            std::span<Vector3> normals) const {
+  const Corners m = corners_of(patch);
+  struct Pair {
+    std::array<Homogeneous, 4> value, rate;
+  };
+  const auto combine = [](const auto& control, const double* weight) {
+    Homogeneous out = weight[0] * control[0];
+    for (std::size_t i = 1; i < control.size(); ++i) out += weight[i] * control[i];
+    return out;
+  };
+  const std::size_t n = basis_.size();
+  std::vector<Pair> along(n), across(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Basis& b = basis_[i];
+    along[i].value = {combine(patch.c0, b.cubic), combine(patch.cross_c0, b.quintic),
+                      combine(patch.cross_c1, b.quintic), combine(patch.c1, b.cubic)};
+    along[i].rate = {combine(patch.c0, b.cubic_rate), combine(patch.cross_c0, b.quintic_rate),
+                     combine(patch.cross_c1, b.quintic_rate), combine(patch.c1, b.cubic_rate)};
+    across[i].value = {combine(patch.e0, b.cubic), combine(patch.cross_e0, b.quintic),
+                       combine(patch.cross_e1, b.quintic), combine(patch.e1, b.cubic)};
+    across[i].rate = {combine(patch.e0, b.cubic_rate), combine(patch.cross_e0, b.quintic_rate),
+                      combine(patch.cross_e1, b.quintic_rate), combine(patch.e1, b.cubic_rate)};
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t l = 0; l < 4; ++l) {
+        across[i].value[k] -= b.hermite[l] * m.constant[k][l];
+        across[i].rate[k] -= b.hermite_rate[l] * m.constant[k][l];
+      }
+  }
+  std::size_t at = 0;
+  const double step = 1.0 / intervals_;
+  for (std::size_t j = 0; j < n; ++j) {
+    const Basis& v = basis_[j];
+    for (std::size_t i = 0; i < n; ++i, ++at) {
+      const Basis& u = basis_[i];
+      Homogeneous value = Homogeneous::Zero(), du = Homogeneous::Zero(), dv = Homogeneous::Zero();
+      for (std::size_t k = 0; k < 4; ++k) {
+        value += u.hermite[k] * across[j].value[k] + v.hermite[k] * along[i].value[k];
+        du += u.hermite_rate[k] * across[j].value[k] + v.hermite[k] * along[i].rate[k];
+        dv += u.hermite[k] * across[j].rate[k] + v.hermite_rate[k] * along[i].value[k];
+      }
+      for (std::size_t a = 0; a < 2; ++a)
+        for (std::size_t b = 0; b < 2; ++b) {
+          const double p = double(a == 0 ? i : n - 1 - i) * step, q = double(b == 0 ? j : n - 1 - j) * step;
+          const Ratio x = ratio(p, q);
+          const double fu = u.hermite[1 + a], fv = v.hermite[1 + b];
+          value -= fu * fv * x.value * m.share[a][b];
+          du -= fv * (u.hermite_rate[1 + a] * x.value + (a == 0 ? fu : -fu) * x.p) * m.share[a][b];
+          dv -= fu * (v.hermite_rate[1 + b] * x.value + (b == 0 ? fv : -fv) * x.q) * m.share[a][b];
+        }
+      positions[at] = cartesian(value);
+      const Vector3 su = du.head<3>() - positions[at] * du.w(), sv = dv.head<3>() - positions[at] * dv.w();
+      const Vector3 cross = su.cross(sv);
+      const double length = cross.norm();
+      normals[at] =
+          length > 1e-12 * su.norm() * sv.norm() && length > 0 ? Vector3(cross / length) : Vector3::Zero();
+    }
+  }
+}
+
+}  // namespace hariko

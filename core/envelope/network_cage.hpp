@@ -1,0 +1,59 @@
+#pragma once
+
+// The coarse polygons whose edges become the curves of the network: vertices of solids with their frames, and
+// faces with their owners (docs/envelope.md, spec 3.1, 3.2).
+
+#include <set>
+#include <span>
+#include <vector>
+
+#include "core/envelope/placed_solid.hpp"
+
+namespace hariko {
+
+struct CageVertex {
+  Index solid = no_index;  ///< placed solid
+  Index vertex = 0;        ///< of its unit vertices
+  Vector3 position = Vector3::Zero();
+  Vector3 unit = Vector3::Zero();     ///< place in the solid's unit frame, growth included
+  Vector3 normal = Vector3::UnitZ();  ///< unit, of the tangent plane
+  Vector3 radial = Vector3::UnitZ();  ///< unit, away from the centre of curvature
+  bool guarded = false;               ///< the normal was turned and is not the solid's any more
+
+  /// Tangent of an edge that leaves along the chord: radial projection to the tangent plane, unit.
+  Vector3 tangent(const Vector3& chord) const;
+};
+
+struct CageFace {
+  std::vector<Index> loop;  ///< counter-clockwise seen from outside
+  Index solid = no_index;   ///< all corners are of this solid (a primitive part); none: an inserted part
+};
+
+struct NetworkCage {
+  std::vector<CageVertex> vertices;
+  std::vector<CageFace> faces;
+};
+
+using SolidVertex = std::pair<Index, Index>;  ///< placed solid, unit vertex
+
+struct HullCageInput {
+  std::span<const PlacedSolid> solids;
+  std::span<const double> growth;  ///< sigma, one a solid
+  double diagonal = 1;             ///< of the scene
+  double detail = 0.09;
+  double merge_angle = 40;                        ///< degrees
+  const std::set<SolidVertex>* pinned = nullptr;  ///< never thinned
+  const std::set<SolidVertex>* kept = nullptr;    ///< vertices of the last frame, preferred while dragging
+};
+
+/// Thinned hull of the solids' vertices with pairs of triangles merged to quads. Closed, of genus 0. Faces
+/// empty where all vertices lie in a plane.
+NetworkCage hull_cage(const HullCageInput& input);
+
+/// Diagonal of the box of all vertices of the solids.
+double scene_diagonal(std::span<const PlacedSolid> solids);
+
+/// Normal of a loop by Newell's formula: unit, zero for a degenerate loop.
+Vector3 newell_normal(std::span<const Index> loop, std::span<const CageVertex> vertices);
+
+}  // namespace hariko

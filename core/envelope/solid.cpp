@@ -1,0 +1,171 @@
+#include "core/envelope/solid.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace hariko {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> kind_names{"box",     "sphere",  "cylinder", "cone",      "prism",
+                                                     "pyramid", "capsule", "torus",    "polyhedron"};
+
+bool positive(double x) {
+  return std::isfinite(x) && x > 0;
+}
+
+/// Lengths of a scene lie in a range in which no product of three of them overflows.
+constexpr double largest_length = 1e12;
+
+class SolidCheck {
+ public:
+  SolidCheck(const Solid& solid, std::size_t index) : solid_(solid), index_(index) {}
+
+  Result<Done> check() {
+    sizes();
+    shape();
+    if (!solid_.position.allFinite() || solid_.position.cwiseAbs().maxCoeff() > largest_length)
+      fail(e_solid_place, "position is not a finite place", "Give it three finite numbers.");
+    if (!solid_.rotation.allFinite())
+      fail(e_solid_place, "rotation is not finite", "Give it three angles in degrees.");
+    for (int i = 0; i < 3; ++i)
+      if (!positive(solid_.scale[i]))
+        fail(e_solid_size, "scale must be positive", "Give it three positive factors.");
+    if (solid_.roundness && !(*solid_.roundness > 0 && *solid_.roundness <= 1))
+      fail(e_envelope_setting, "roundness must be above 0 and at most 1", "Choose a value such as 0.35.");
+    if (error_) return *error_;
+    return Done{};
+  }
+
+ private:
+  void fail(Code code, const std::string& what, std::string remedy) {
+    if (error_) return;
+    error_ = make_error(
+        code,
+        "Solid " + std::to_string(index_) + " (" + std::string(name_of(solid_.kind)) + "): " + what + ".",
+        std::move(remedy), {Element::Kind::object, index_});
+  }
+  void length(double value, const char* field) {
+    if (!positive(value) || value > largest_length)
+      fail(e_solid_size, std::string(field) + " must be a positive length", "Make it larger than zero.");
+  }
+  void sizes() {
+    const SolidKind kind = solid_.kind;
+    if (kind == SolidKind::box)
+      for (int i = 0; i < 3; ++i) length(solid_.size[i], "size");
+    else if (kind != SolidKind::polyhedron)
+      length(solid_.radius, "radius");
+    if (kind == SolidKind::cylinder || kind == SolidKind::cone || kind == SolidKind::prism ||
+        kind == SolidKind::pyramid)
+      length(solid_.height, "height");
+    if (kind == SolidKind::capsule) length(solid_.length, "length");
+    if (kind == SolidKind::torus) length(solid_.tube, "tube");
+  }
+  void shape() {
+    const SolidKind kind = solid_.kind;
+    if ((kind == SolidKind::prism || kind == SolidKind::pyramid) &&
+        (solid_.sides < 3 || solid_.sides > max_solid_sides))
+      fail(e_solid_sides, "sides must be 3 to " + std::to_string(max_solid_sides),
+           "Choose a number such as 6.");
+    if (kind == SolidKind::torus && !(solid_.tube < solid_.radius))
+      fail(e_solid_tube, "tube must be smaller than radius", "Make the tube thinner or the radius larger.");
+    if (kind == SolidKind::polyhedron) points();
+  }
+  void points() {
+    const std::string name = "vertices";
+    if (solid_.points.size() < 4) {
+      fail(e_solid_points, name + " must be at least 4 points", "Add points.");
+      return;
+    }
+    if (solid_.points.size() > max_solid_points)
+      fail(e_solid_points, name + " must be at most " + std::to_string(max_solid_points) + " points",
+           "Leave points out that lie inside.");
+    Vector3 mean = Vector3::Zero();
+    for (const Vector3& p : solid_.points) {
+      if (!p.allFinite() || p.cwiseAbs().maxCoeff() > largest_length) {
+        fail(e_solid_points, name + " has a point that is not finite",
+             "Give every point finite coordinates.");
+        return;
+      }
+      mean += p / double(solid_.points.size());
+    }
+    double size = 0;
+    for (const Vector3& p : solid_.points) size = std::max(size, (p - mean).norm());
+    if (size == 0) {
+      fail(e_solid_flat, name + " lie in one point", "Move them apart.");
+      return;
+    }
+    Matrix3 spread = Matrix3::Zero();
+    for (const Vector3& p : solid_.points) spread += (p - mean) * (p - mean).transpose() / (size * size);
+    const double least = Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvalues()[0];
+    if (!(std::sqrt(std::max(least, 0.0)) > 1e-9))
+      fail(e_solid_flat, name + " lie in a plane", "Move one of them out of the plane.");
+  }
+
+  const Solid& solid_;
+  std::size_t index_;
+  std::optional<Message> error_;
+};
+
+Message setting_error(const char* name, const char* range) {
+  return make_error(e_envelope_setting, std::string("The setting \"") + name + "\" must be " + range + ".",
+                    "Choose a value in this range.");
+}
+
+}  // namespace
+
+std::string_view name_of(SolidKind kind) {
+  return kind_names[std::size_t(kind)];
+}
+
+std::optional<SolidKind> solid_kind_named(std::string_view name) {
+  for (std::size_t k = 0; k < kind_names.size(); ++k)
+    if (kind_names[k] == name) return SolidKind(k);
+  return std::nullopt;
+}
+
+Result<Done> check_solid(const Solid& solid, std::size_t index) {
+  return SolidCheck(solid, index).check();
+}
+
+Result<Done> check_envelope(const EnvelopeInput& input) {
+  if (input.solids.empty())
+    return make_error(e_no_solids, "There are no solids to envelop.", "Place at least one solid.");
+  if (input.solids.size() > max_solids)
+    return make_error(e_too_many_solids,
+                      "There are " + std::to_string(input.solids.size()) +
+                          " solids; an envelope has at most " + std::to_string(max_solids) + ".",
+                      "Distribute them over several objects.");
+  for (std::size_t k = 0; k < input.solids.size(); ++k)
+    if (auto checked = check_solid(input.solids[k], k); !checked) return checked;
+  const EnvelopeSettings& s = input.settings;
+  const auto within = [](double x, double low, double high) { return x >= low && x <= high; };
+  if (!(s.roundness > 0 && s.roundness <= 1)) return setting_error("roundness", "above 0 and at most 1");
+  if (!(s.waist > 0 && s.waist <= 1)) return setting_error("waist", "above 0 and at most 1");
+  if (!within(s.tightness, 0, 1)) return setting_error("tightness", "from 0 to 1");
+  if (!within(s.clearance, 0, largest_length)) return setting_error("clearance", "a length of at least 0");
+  if (!within(s.detail, 0, 0.3)) return setting_error("detail", "from 0 to 0.3");
+  if (!within(s.merge_angle, 0, 60)) return setting_error("merge_deg", "from 0 to 60 degrees");
+  if (!within(s.cage_detail, 0.5, 1.5)) return setting_error("cage_detail", "from 0.5 to 1.5");
+  for (const auto& [pair, factor] : s.waists)
+    if (!(factor > 0 && factor <= 2)) return setting_error("waists", "factors above 0 and at most 2");
+  for (const auto& [edge, factor] : s.fullness)
+    if (!within(factor, 0.1, 3)) return setting_error("fullness", "factors from 0.1 to 3");
+  for (const auto& [vertex, offset] : s.offsets)
+    if (!offset.allFinite() || offset.cwiseAbs().maxCoeff() > largest_length)
+      return setting_error("offsets", "finite vectors");
+  return Done{};
+}
+
+Matrix3 solid_rotation(const Vector3& degrees) {
+  const Vector3 a = degrees * (std::numbers::pi / 180);
+  return (Eigen::AngleAxisd(a.z(), Vector3::UnitZ()) * Eigen::AngleAxisd(a.y(), Vector3::UnitY()) *
+          Eigen::AngleAxisd(a.x(), Vector3::UnitX()))
+      .toRotationMatrix();
+}
+
+}  // namespace hariko

@@ -1,0 +1,104 @@
+// Eq. (1) of the paper: the printed control vectors against products of Bernstein polynomials.
+
+#include <Eigen/Geometry>
+
+#include "core/envelope/rational_curve.hpp"
+#include "tests/support/random.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+RibbonCurve random_ribbon(std::mt19937_64& rng) {
+  RibbonCurve out;
+  for (Homogeneous& h : out.curve) h = homogeneous(random_vector(rng, 2), uniform(rng, 0.5, 2));
+  for (Vector3& a : out.across) a = random_vector(rng);
+  return out;
+}
+
+}  // namespace
+
+TEST(CrossField, ThePrintedVectorsAreTheProducts) {
+  for_random(7, 20, [](std::mt19937_64& rng) {
+    const RibbonCurve ribbon = random_ribbon(rng);
+    const Vector3 h00 = ribbon.curve[0].head<3>();
+    const double w0 = ribbon.curve[0].w();
+    Vector3 c[3], a[4];
+    double cw[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      c[i] = (ribbon.curve[i + 1] - ribbon.curve[i]).head<3>();
+      cw[i] = ribbon.curve[i + 1].w() - ribbon.curve[i].w();
+    }
+    // 3 a_i is the field of degree 1, raised to degree 3.
+    for (int i = 0; i < 4; ++i) a[i] = ((3 - i) * ribbon.across[0] + i * ribbon.across[1]) / 9;
+    const double k0 = uniform(rng, -2, 2), k1 = uniform(rng, -2, 2), h0 = uniform(rng, -2, 2),
+                 h1 = uniform(rng, -2, 2);
+    CrossCoefficients coefficients{{k0, 0.5 * (k0 + k1), k1}, {h0, h1}, {0, 0}};
+    const HomogeneousQuintic b = cross_field(ribbon, coefficients);
+    const auto &c0 = c[0], &c1 = c[1], &c2 = c[2];
+    const double Cw0 = cw[0], Cw1 = cw[1], Cw2 = cw[2];
+    const Vector3 H0 = h0 * h00, H1 = h1 * h00;
+    const Vector3 printed[6] = {
+        3 * (-Cw0 * H0 + a[0] * k0 + c0 * h0 * w0) / 5,
+        -3 *
+            (2 * Cw0 * H0 + 2 * Cw1 * H0 + Cw0 * H1 - a[0] * k0 - 3 * a[1] * k0 - a[0] * k1 -
+             2 * c0 * h0 * w0 - 2 * c1 * h0 * w0 - c0 * h1 * w0) /
+            25,
+        -3 *
+            (-3 * c1 * Cw0 * h0 + 3 * c0 * Cw1 * h0 + Cw0 * H0 + 4 * Cw1 * H0 + Cw2 * H0 + 2 * Cw0 * H1 +
+             2 * Cw1 * H1 - 3 * a[1] * k0 - 3 * a[2] * k0 - a[0] * k1 - 3 * a[1] * k1 - c0 * h0 * w0 -
+             4 * c1 * h0 * w0 - c2 * h0 * w0 - 2 * c0 * h1 * w0 - 2 * c1 * h1 * w0) /
+            50,
+        3 *
+            (2 * c1 * Cw0 * h0 + 2 * c2 * Cw0 * h0 - 2 * c0 * Cw1 * h0 - 2 * c0 * Cw2 * h0 - 2 * Cw1 * H0 -
+             2 * Cw2 * H0 + 3 * c1 * Cw0 * h1 - 3 * c0 * Cw1 * h1 - Cw0 * H1 - 4 * Cw1 * H1 - Cw2 * H1 +
+             3 * a[2] * k0 + a[3] * k0 + 3 * a[1] * k1 + 3 * a[2] * k1 + 2 * c1 * h0 * w0 + 2 * c2 * h0 * w0 +
+             c0 * h1 * w0 + 4 * c1 * h1 * w0 + c2 * h1 * w0) /
+            50,
+        3 *
+            (c2 * Cw0 * h0 + c2 * Cw1 * h0 - c0 * Cw2 * h0 - c1 * Cw2 * h0 - Cw2 * H0 + 2 * c1 * Cw0 * h1 +
+             2 * c2 * Cw0 * h1 - 2 * c0 * Cw1 * h1 - 2 * c0 * Cw2 * h1 - 2 * Cw1 * H1 - 2 * Cw2 * H1 +
+             a[3] * k0 + 3 * a[2] * k1 + a[3] * k1 + c2 * h0 * w0 + 2 * c1 * h1 * w0 + 2 * c2 * h1 * w0) /
+            25,
+        -3 *
+            (-c2 * Cw0 * h1 - c2 * Cw1 * h1 + c0 * Cw2 * h1 + c1 * Cw2 * h1 + Cw2 * H1 - a[3] * k1 -
+             c2 * h1 * w0) /
+            5};
+    for (std::size_t i = 0; i < 6; ++i) {
+      EXPECT_LT((b[i].head<3>() / 5 - printed[i]).norm(), 1e-12 * (1 + printed[i].norm())) << "b" << i;
+      EXPECT_EQ(b[i].w(), 0);
+    }
+  });
+}
+
+TEST(CrossField, TheEndsAreTheSidesDerivatives) {
+  for_random(8, 20, [](std::mt19937_64& rng) {
+    const RibbonCurve ribbon = random_ribbon(rng);
+    // Side derivatives lie in the plane of the curve's tangent and the field, as at a vertex of a network.
+    Homogeneous rate[2];
+    for (std::size_t e = 0; e < 2; ++e) {
+      const Homogeneous& at = ribbon.curve[3 * e];
+      const Vector3 tangent = e == 0 ? ribbon.start_derivative() : ribbon.end_derivative();
+      const double mu = uniform(rng, -1, 1);
+      rate[e] = mu * at;
+      rate[e].head<3>() += uniform(rng, 0.5, 2) * ribbon.across[e] + uniform(rng, -1, 1) * tangent;
+    }
+    const HomogeneousQuintic b =
+        cross_field(ribbon, cross_coefficients(ribbon, rate[0], rate[1], random_vector(rng)));
+    EXPECT_LT((b[0] - rate[0]).norm(), 1e-10 * rate[0].norm());
+    EXPECT_LT((b[5] - rate[1]).norm(), 1e-10 * rate[1].norm());
+  });
+}
+
+TEST(CrossField, HalvesOfTheReversedCurveAreTheReversedHalvesBitForBit) {
+  for_random(9, 20, [](std::mt19937_64& rng) {
+    const RibbonCurve ribbon = random_ribbon(rng);
+    const auto [first, second] = ribbon.halves();
+    const auto [last, before] = ribbon.reversed().halves();
+    EXPECT_EQ(last.reversed().curve, second.curve);
+    EXPECT_EQ(before.reversed().curve, first.curve);
+    EXPECT_EQ(before.reversed().across, first.across);
+  });
+}
+
+}  // namespace hariko::test

@@ -1,0 +1,55 @@
+#pragma once
+
+// The scenes of tests/golden/envelope, and random ones.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "core/document/read_solids.hpp"
+#include "core/envelope/envelope.hpp"
+#include "tests/support/random.hpp"
+
+namespace hariko::test {
+
+inline EnvelopeInput golden_scene(const std::string& name) {
+  std::ifstream file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/envelope/" + name + ".json");
+  std::ostringstream text;
+  text << file.rdbuf();
+  const auto scene = read_scene(text.str());
+  if (!scene) ADD_FAILURE() << name << ": " << to_string(scene.error());
+  return scene ? *scene : EnvelopeInput{};
+}
+
+/// 1 .. 20 solids of all kinds, half sizes log-uniform from 0.2 to 1, of which about 70 % touch another one.
+inline EnvelopeInput random_scene(std::mt19937_64& rng) {
+  EnvelopeInput out;
+  const int count = uniform_int(rng, 1, 20);
+  for (int k = 0; k < count; ++k) {
+    Solid solid;
+    solid.kind = SolidKind(uniform_int(rng, 0, 8));
+    const auto half = [&] { return log_uniform(rng, 0.2, 1); };
+    solid.size = {2 * half(), 2 * half(), 2 * half()};
+    solid.radius = half();
+    solid.height = 2 * half();
+    solid.length = 2 * half();
+    solid.tube = solid.radius * uniform(rng, 0.2, 0.6);
+    solid.sides = std::uint32_t(uniform_int(rng, 3, 8));
+    solid.id = std::uint32_t(k);
+    if (solid.kind == SolidKind::polyhedron)
+      for (int i = 0; i < 8; ++i) solid.points.push_back(random_vector(rng, solid.radius));
+    solid.rotation = random_vector(rng, 180);
+    if (k > 0) {
+      const Solid& other = out.solids[std::size_t(uniform_int(rng, 0, k - 1))];
+      const Vector3 direction = random_vector(rng).normalized();
+      solid.position =
+          other.position + direction * (chance(rng, 0.7) ? uniform(rng, 0.3, 1.0) : uniform(rng, 2.0, 3.0));
+    }
+    out.solids.push_back(solid);
+  }
+  return out;
+}
+
+}  // namespace hariko::test

@@ -1,0 +1,218 @@
+// The filled hull: networks, patches and enclosure against the measured numbers and the invariants.
+
+#include <Eigen/Geometry>
+
+#include "core/analysis/continuity.hpp"
+#include "core/analysis/measures.hpp"
+#include "tests/envelope/envelope_scenes.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+
+/// Tangents at a vertex lie in its plane, and curvature vectors of matched primitive edges agree and point to
+/// the solid's centre (in the frame where it has equal sizes).
+void check_vertices(const CurveNetwork& network, std::span<const PlacedSolid> solids) {
+  for (const NetworkCurve& curve : network.curves) {
+    for (const auto& [v, ribbon] :
+         {std::pair{curve.low, curve.ribbon}, std::pair{curve.high, curve.ribbon.reversed()}}) {
+      const CageVertex& vertex = network.cage.vertices[v];
+      EXPECT_NEAR(ribbon.start_derivative().stableNormalized().dot(vertex.normal), 0, 1e-9);
+      EXPECT_LT((ribbon.start() - vertex.position).norm(), 1e-12 * (1 + vertex.position.norm()));
+    }
+  }
+  std::vector<std::vector<Vector3>> at(network.cage.vertices.size());
+  for (const NetworkCurve& curve : network.curves) {
+    if (!curve.matched) continue;
+    for (const auto& [v, ribbon] :
+         {std::pair{curve.low, curve.ribbon}, std::pair{curve.high, curve.ribbon.reversed()}}) {
+      const CageVertex& vertex = network.cage.vertices[v];
+      const PlacedSolid& solid = solids[vertex.solid];
+      Vector3 p[3];
+      for (int i = 0; i < 3; ++i)
+        p[i] = solid.to_unit * (cartesian(ribbon.curve[std::size_t(i)]) - solid.centre);
+      // Curvature vector of a rational cubic at its start: (2/3) w2 w0 / w1^2 times the height of P2 over
+      // |P1-P0|^2.
+      const Vector3 t = (p[1] - p[0]).normalized(), across = (p[2] - p[0]) - (p[2] - p[0]).dot(t) * t;
+      const double w1 = ribbon.curve[1].w(), w2 = ribbon.curve[2].w();
+      at[v].push_back(2.0 / 3 * w2 / (w1 * w1) * across / (p[1] - p[0]).squaredNorm());
+    }
+  }
+  for (std::size_t v = 0; v < at.size(); ++v)
+    for (const Vector3& k : at[v]) {
+      EXPECT_LT((k - at[v][0]).norm(), 1e-9 * at[v][0].norm());
+      EXPECT_LT((k.normalized() + network.cage.vertices[v].unit.normalized()).norm(), 1e-7);
+    }
+}
+
+void check_invariants(const EnvelopeSurface& made, const EnvelopeInput& input) {
+  ASSERT_TRUE(made.network);
+  const CurveNetwork& network = *made.network;
+  EXPECT_EQ(
+      long(network.cage.vertices.size()) - long(network.curves.size()) + long(network.cage.faces.size()), 2);
+  EXPECT_GT(network.least_weight(), 0.5);
+  const ContinuityReport report = continuity(made.surface);
+  EXPECT_LE(report.largest_normal_jump.value() * degrees, 1e-4);
+  EXPECT_LE(report.largest_gap, 0);
+  EXPECT_TRUE(made.surface.boundary_sides().empty());
+  std::vector<PlacedSolid> solids = place_solids(input);
+  for (PlacedSolid& solid : solids) solid.centre -= made.origin;
+  check_vertices(network, solids);
+}
+
+struct Expected {
+  const char* name;
+  std::size_t vertices, edges, faces, primitive, patches;
+};
+
+}  // namespace
+
+TEST(EnvelopeNetwork, SingleAndPairedSolidsHaveTheMeasuredNetworks) {
+  for (const Expected& expected : {Expected{"box", 8, 12, 6, 6, 6},
+                                   {"box_round", 8, 12, 6, 6, 6},
+                                   {"slab", 8, 12, 6, 6, 6},
+                                   {"sphere", 12, 24, 14, 14, 30},
+                                   {"tetra", 4, 6, 4, 4, 12},
+                                   {"cylinder", 16, 24, 10, 10, 24},
+                                   {"cone", 9, 16, 9, 9, 32},
+                                   {"capsule", 18, 36, 20, 14, 36},
+                                   {"torus", 16, 24, 10, 10, 24},
+                                   {"hexprism", 12, 18, 8, 8, 18},
+                                   {"two_touch", 8, 12, 6, 2, 6},
+                                   {"two_apart", 8, 12, 6, 2, 6},
+                                   {"inner", 8, 12, 6, 6, 6},
+                                   {"ell", 10, 15, 7, 3, 15}}) {
+    SCOPED_TRACE(expected.name);
+    const EnvelopeInput input = golden_scene(expected.name);
+    const auto made = EnvelopeSurfacer().rebuild(input);
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    const NetworkCage& cage = made->network->cage;
+    EXPECT_EQ(cage.vertices.size(), expected.vertices);
+    EXPECT_EQ(made->network->curves.size(), expected.edges);
+    EXPECT_EQ(cage.faces.size(), expected.faces);
+    EXPECT_EQ(std::count_if(cage.faces.begin(), cage.faces.end(),
+                            [](const auto& f) { return f.solid != no_index; }),
+              long(expected.primitive));
+    EXPECT_EQ(made->network->patches.size(), expected.patches);
+    check_invariants(*made, input);
+    EXPECT_TRUE(made->enclosed);
+    EXPECT_LE(made->check->worst, 1e-4 * made->diagonal);
+    EXPECT_EQ(made->folds, 0U);
+    EXPECT_TRUE(made->warnings.empty());
+  }
+}
+
+TEST(EnvelopeNetwork, ScenesOfSeveralSolidsKeepTheInvariants) {
+  for (const char* name : {"four", "four_boxes", "ten_boxes"}) {
+    SCOPED_TRACE(name);
+    const EnvelopeInput input = golden_scene(name);
+    const auto made = EnvelopeSurfacer().rebuild(input);
+    ASSERT_TRUE(made.ok());
+    check_invariants(*made, input);
+    EXPECT_TRUE(made->enclosed);
+    EXPECT_LE(made->check->worst, 1e-4 * made->diagonal);
+    EXPECT_EQ(made->folds, 0U);
+  }
+}
+
+TEST(EnvelopeNetwork, AUnitBoxHasTheMeasuredValues) {
+  EnvelopeInput input = golden_scene("box");
+  auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(made.ok());
+  const CurveNetwork& network = *made->network;
+  bool found = false;
+  for (Index a = 0; a < 8; ++a)
+    for (Index b = 0; b < 8; ++b) {
+      const Vector3 pa = network.cage.vertices[a].position + made->origin,
+                    pb = network.cage.vertices[b].position + made->origin;
+      if ((pa - Vector3(-0.5, -0.5, -0.5)).norm() > 1e-12 || (pb - Vector3(-0.5, -0.5, 0.5)).norm() > 1e-12)
+        continue;
+      found = true;
+      const RibbonCurve curve = network.ribbon(a, b);
+      EXPECT_LT((cartesian(curve.curve[1]) + made->origin - Vector3(-0.57753, -0.57753, -0.34495)).norm(),
+                1e-5);
+      EXPECT_NEAR(curve.curve[1].w(), 0.8777, 5e-5);
+      EXPECT_LT((curve.middle() + made->origin - Vector3(-0.5562, -0.5562, 0)).norm(), 1e-4);
+    }
+  EXPECT_TRUE(found);
+  const auto& patches = made->surface.patches();
+  double lowest = 0;
+  for (Index p = 0; p < made->surface.patch_count(); ++p)
+    lowest = std::min(lowest,
+                      patches.evaluate(p, Vector2(0.5, 0.5), Order::first).position.z() + made->origin.z());
+  EXPECT_NEAR(lowest, -0.664439, 1e-6);
+  input.settings.roundness = 1;
+  made = EnvelopeSurfacer().rebuild(input);
+  // Edges are arcs round the centroid.
+  for (const NetworkCurve& curve : made->network->curves)
+    EXPECT_NEAR((curve.ribbon.middle() + made->origin).norm(), std::sqrt(0.75), 1e-12);
+  lowest = 0;
+  for (Index p = 0; p < made->surface.patch_count(); ++p)
+    lowest =
+        std::min(lowest, made->surface.patches().evaluate(p, Vector2(0.5, 0.5), Order::first).position.z());
+  EXPECT_NEAR(lowest, -0.85075, 1e-5);
+}
+
+TEST(EnvelopeNetwork, TwoBoxesApartHaveTheMeasuredBridge) {
+  const auto made = EnvelopeSurfacer().rebuild(golden_scene("two_apart"));
+  ASSERT_TRUE(made.ok());
+  double nearest = 1;
+  for (Index p = 0; p < made->surface.patch_count(); ++p) {
+    const Vector3 q =
+        made->surface.patches().evaluate(p, Vector2(0.5, 0.5), Order::first).position + made->origin;
+    nearest = std::min(nearest, (q - Vector3(1.1, 0, -0.845323)).norm());
+  }
+  EXPECT_LT(nearest, 1e-6);
+}
+
+TEST(EnvelopeNetwork, ABallIsNearlyABall) {
+  const auto made = EnvelopeSurfacer().rebuild(golden_scene("sphere"));
+  ASSERT_TRUE(made.ok());
+  // The measured volume is of a mesh inside of the surface.
+  EXPECT_NEAR(measure(made->surface).volume.value(), 4.2355, 0.012);
+}
+
+TEST(EnvelopeNetwork, RandomScenesAreClosedSmoothAndSayWhetherTheyEnclose) {
+  int scenes = 0, enclosed = 0, folded = 0;
+  for_random(20261122, 4, [&](std::mt19937_64& rng) {
+    const EnvelopeInput input = random_scene(rng);
+    const auto made = EnvelopeSurfacer().rebuild(input);
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    check_invariants(*made, input);
+    ++scenes;
+    const bool inside = made->check->worst <= 1e-4 * made->diagonal;
+    enclosed += inside;
+    folded += made->folds > 0;
+    EXPECT_EQ(made->enclosed, inside);
+    const auto warned = [&](Code code) {
+      return std::any_of(made->warnings.begin(), made->warnings.end(),
+                         [&](const Message& m) { return m.code == code; });
+    };
+    EXPECT_EQ(warned(w_not_enclosed), !made->enclosed);
+    EXPECT_EQ(warned(w_envelope_fold), made->folds > 0);
+  });
+  RecordProperty("scenes", scenes);
+  RecordProperty("enclosed", enclosed);
+  RecordProperty("folded", folded);
+  std::cout << "random scenes " << scenes << ", enclosed " << enclosed << ", with folds " << folded << "\n";
+}
+
+TEST(EnvelopeNetwork, DragsStartFromTheLastResultAndFinalResultsDoNot) {
+  EnvelopeInput input = golden_scene("four");
+  EnvelopeSurfacer warm, cold;
+  ASSERT_TRUE(warm.rebuild(input).ok());
+  for (int step = 0; step < 8; ++step) {
+    input.solids[1].position.x() -= 0.02;
+    ASSERT_TRUE(warm.rebuild(input, Quality::drag).ok());
+  }
+  const auto a = warm.rebuild(input), b = cold.rebuild(input);
+  ASSERT_TRUE(a.ok() && b.ok());
+  ASSERT_EQ(a->surface.patch_count(), b->surface.patch_count());
+  for (Index p = 0; p < a->surface.patch_count(); ++p)
+    EXPECT_EQ(a->surface.patches().evaluate(p, Vector2(0.3, 0.4), Order::first).position,
+              b->surface.patches().evaluate(p, Vector2(0.3, 0.4), Order::first).position);
+}
+
+}  // namespace hariko::test

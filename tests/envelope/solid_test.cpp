@@ -1,0 +1,158 @@
+// Solids, their messages, hulls and winding numbers.
+
+#include <Eigen/Geometry>
+
+#include "core/envelope/convex_hull.hpp"
+#include "core/envelope/winding.hpp"
+#include "tests/envelope/envelope_scenes.hpp"
+#include "tests/support/analytic_patches.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+void expect_code(const EnvelopeInput& input, Code code, const std::string& words) {
+  const auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code.name, code.name);
+  EXPECT_NE(made.error().text.find(words), std::string::npos) << made.error().text;
+  EXPECT_FALSE(made.error().remedy.empty());
+}
+
+EnvelopeInput one(Solid solid) {
+  EnvelopeInput out;
+  out.solids = {Solid{}, std::move(solid)};
+  out.solids[1].id = 1;
+  return out;
+}
+
+}  // namespace
+
+TEST(Solids, BadOnesAreNamed) {
+  expect_code({}, e_no_solids, "no solids");
+  EnvelopeInput many;
+  many.solids.resize(201);
+  expect_code(many, e_too_many_solids, "201");
+  Solid s;
+  s.size.y() = 0;
+  expect_code(one(s), e_solid_size, "Solid 1 (box): size");
+  s = {};
+  s.scale.z() = -1;
+  expect_code(one(s), e_solid_size, "scale");
+  s = {.kind = SolidKind::sphere, .radius = std::nan("")};
+  expect_code(one(s), e_solid_size, "radius");
+  s = {.kind = SolidKind::cylinder, .height = 1e300};
+  expect_code(one(s), e_solid_size, "height");
+  s = {.kind = SolidKind::prism, .sides = 2};
+  expect_code(one(s), e_solid_sides, "sides");
+  s = {.kind = SolidKind::torus, .radius = 0.2, .tube = 0.2};
+  expect_code(one(s), e_solid_tube, "tube");
+  s = {.kind = SolidKind::polyhedron, .points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  expect_code(one(s), e_solid_points, "vertices");
+  s.points.push_back({1, 1, 0});
+  expect_code(one(s), e_solid_flat, "plane");
+  s.points[3].z() = INFINITY;
+  expect_code(one(s), e_solid_points, "finite");
+  s = {};
+  s.position.x() = INFINITY;
+  expect_code(one(s), e_solid_place, "position");
+  s = {};
+  s.roundness = 0;
+  expect_code(one(s), e_envelope_setting, "roundness");
+  for (const auto& [change, name] :
+       std::initializer_list<std::pair<void (*)(EnvelopeSettings&), const char*>>{
+           {[](EnvelopeSettings& e) { e.roundness = 1.5; }, "roundness"},
+           {[](EnvelopeSettings& e) { e.waist = 0; }, "waist"},
+           {[](EnvelopeSettings& e) { e.tightness = -0.1; }, "tightness"},
+           {[](EnvelopeSettings& e) { e.clearance = -1; }, "clearance"},
+           {[](EnvelopeSettings& e) { e.detail = 0.5; }, "detail"},
+           {[](EnvelopeSettings& e) { e.merge_angle = 90; }, "merge_deg"}}) {
+    EnvelopeInput input = one({});
+    change(input.settings);
+    expect_code(input, e_envelope_setting, name);
+  }
+}
+
+TEST(Solids, ScenesWithMistakesSayWhere) {
+  const auto unknown = read_scene(R"({"primitives": [{"type": "box"}, {"type": "ball"}]})");
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_NE(unknown.error().text.find("primitives[1].type"), std::string::npos) << unknown.error().text;
+  const auto bad = read_scene(R"({"primitives": [{"type": "sphere", "radius": -1}]})");
+  ASSERT_FALSE(bad.ok());
+  EXPECT_EQ(bad.error().code.name, e_solid_size.name);
+  EXPECT_NE(bad.error().text.find("Solid 0 (sphere): radius"), std::string::npos);
+  EXPECT_FALSE(read_scene("{").ok());
+  EXPECT_FALSE(is_scene("[1, 2]"));
+  EXPECT_TRUE(is_scene(R"({"primitives": []})"));
+}
+
+TEST(Solids, MissingRoundnessIsOneHalfAndAnglesTurnRoundXFirst) {
+  const auto scene = read_scene(R"({"primitives": [{"type": "box", "rotation": [90, 0, 90]}]})");
+  ASSERT_TRUE(scene.ok());
+  EXPECT_EQ(scene->settings.roundness, 0.5);
+  const Matrix3 r = solid_rotation(scene->solids[0].rotation);
+  EXPECT_LT((r * Vector3(0, 1, 0) - Vector3(0, 0, 1)).norm(), 1e-12);
+  EXPECT_LT((r * Vector3(1, 0, 0) - Vector3(0, 1, 0)).norm(), 1e-12);
+}
+
+TEST(Solids, TestPointsLieOnTheSurfaceAndDepthIsABound) {
+  for_random(11, 20, [](std::mt19937_64& rng) {
+    EnvelopeInput input = random_scene(rng);
+    for (Solid& solid : input.solids)
+      solid.scale = Vector3(log_uniform(rng, 0.5, 2), log_uniform(rng, 0.5, 2), 1);
+    for (const PlacedSolid& solid : place_solids(input)) {
+      for (const Vector3& p : solid.test_points) EXPECT_NEAR(solid.depth(p), 0, 1e-9);
+      // No surface point is nearer than the depth says.
+      for (int k = 0; k < 10; ++k) {
+        const Vector3 p = solid.world(random_vector(rng, 0.7));
+        const double depth = solid.depth(p);
+        for (const Vector3& q : solid.surface_points(50)) EXPECT_GE((p - q).norm(), depth - 1e-9);
+      }
+    }
+  });
+}
+
+TEST(ConvexHulls, HoldAllPointsAndHaveCornersOnly) {
+  for_random(12, 40, [](std::mt19937_64& rng) {
+    std::vector<Vector3> points;
+    const bool grid = chance(rng, 0.5);
+    const int count = uniform_int(rng, 4, 120);
+    for (int i = 0; i < count; ++i)
+      points.push_back(grid ? Vector3(uniform_int(rng, 0, 3), uniform_int(rng, 0, 3), uniform_int(rng, 0, 3))
+                            : random_vector(rng));
+    const ConvexHull hull = convex_hull(points, 1e-9);
+    std::map<std::pair<Index, Index>, int> edges;
+    for (const auto& t : hull.triangles) {
+      const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();
+      for (const Vector3& p : points) EXPECT_LT((p - points[t[0]]).dot(n), 1e-8);
+      for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
+    }
+    for (const auto& [edge, uses] : edges) {
+      EXPECT_EQ(uses, 1);
+      EXPECT_TRUE(edges.contains({edge.second, edge.first}));
+    }
+    if (!hull.triangles.empty()) {
+      EXPECT_EQ(long(hull.vertices.size()) - long(edges.size() / 2) + long(hull.triangles.size()), 2);
+    }
+    // A corner of a grid is no mean of two other points of it.
+    if (!grid) return;
+    for (const Index v : hull.vertices)
+      for (const Vector3& p : points)
+        for (const Vector3& q : points)
+          EXPECT_FALSE(((p + q) / 2 - points[v]).norm() < 1e-12 && p != q) << points[v].transpose();
+  });
+}
+
+TEST(WindingNumbers, SayInsideOfASphereAndHowFar) {
+  const Surface surface = sphere(2);
+  const TriangleMesh mesh = tessellate(surface, 24);
+  const WindingTree tree(mesh);
+  for_random(13, 200, [&](std::mt19937_64& rng) {
+    const Vector3 p = random_vector(rng, 3);
+    if (std::abs(p.norm() - 2) < 0.02) return;
+    EXPECT_NEAR(tree.winding(p), p.norm() < 2 ? 1 : 0, 0.02);
+    EXPECT_NEAR(tree.nearest(p).distance, std::abs(p.norm() - 2), 0.01);
+  });
+}
+
+}  // namespace hariko::test
