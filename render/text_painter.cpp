@@ -2,6 +2,7 @@
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
+#include FT_OUTLINE_H
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,16 @@ std::u32string decode(std::string_view text) {
     out.push_back(more < 0 || k < more ? U'\ufffd' : code);
   }
   return out;
+}
+
+/// The rendered glyph with its origin at a pixel.
+void blend_glyph(Image& image, FT_GlyphSlot glyph, int x, int y, const Color& color) {
+  const FT_Bitmap& bitmap = glyph->bitmap;
+  for (unsigned row = 0; row < bitmap.rows; ++row)
+    for (unsigned column = 0; column < bitmap.width; ++column)
+      image.blend(x + glyph->bitmap_left + static_cast<int>(column),
+                  y - glyph->bitmap_top + static_cast<int>(row), color,
+                  bitmap.buffer[static_cast<std::ptrdiff_t>(row) * bitmap.pitch + column] / 255.0);
 }
 
 }  // namespace
@@ -83,13 +94,27 @@ double TextPainter::width(std::string_view text, double size) {
 void TextPainter::paint(Image& image, std::string_view text, double x, double y, double size, Color color) {
   const int baseline = static_cast<int>(std::lround(y));
   state_->walk(text, size, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT, [&](double pen) {
+    blend_glyph(image, state_->face->glyph, static_cast<int>(std::lround(x + pen)), baseline, color);
+  });
+}
+
+void TextPainter::paint_turned(Image& image, std::string_view text, const Vector2& middle, double angle,
+                               double size, double capitals, Color color) {
+  if (!state_->face) return;
+  const double c = std::cos(angle), s = std::sin(angle), half = width(text, size) / 2;
+  const auto fixed = [](double value) { return static_cast<FT_Fixed>(std::lround(value * 65536)); };
+  FT_Matrix turn{fixed(c), fixed(-s), fixed(s), fixed(c)};
+  state_->walk(text, size, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP, [&](double pen) {
+    // The glyph's origin, in pixels, y up.
+    const double along = pen - half, up = -capitals / 2;
+    const double x = middle.x() + c * along - s * up, y = -middle.y() + s * along + c * up;
     const FT_GlyphSlot glyph = state_->face->glyph;
-    const FT_Bitmap& bitmap = glyph->bitmap;
-    const int left = static_cast<int>(std::lround(x + pen)) + glyph->bitmap_left;
-    for (unsigned row = 0; row < bitmap.rows; ++row)
-      for (unsigned column = 0; column < bitmap.width; ++column)
-        image.blend(left + static_cast<int>(column), baseline - glyph->bitmap_top + static_cast<int>(row),
-                    color, bitmap.buffer[static_cast<std::ptrdiff_t>(row) * bitmap.pitch + column] / 255.0);
+    if (glyph->format != FT_GLYPH_FORMAT_OUTLINE) return;
+    FT_Outline_Transform(&glyph->outline, &turn);
+    FT_Outline_Translate(&glyph->outline, static_cast<FT_Pos>(std::lround(64 * (x - std::floor(x)))),
+                         static_cast<FT_Pos>(std::lround(64 * (y - std::floor(y)))));
+    if (FT_Render_Glyph(glyph, FT_RENDER_MODE_NORMAL)) return;
+    blend_glyph(image, glyph, static_cast<int>(std::floor(x)), -static_cast<int>(std::floor(y)), color);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "core/base/vector.hpp"
 #include "render/image.hpp"
 
 namespace hariko {
@@ -22,6 +23,10 @@ class TextPainter {
   double width(std::string_view text, double size);
   /// Paints with the baseline's left end at (x, y).
   void paint(Image& image, std::string_view text, double x, double y, double size, Color color);
+  /// Paints with the middle of the line, of which letters are `capitals` pixels high, at a point; `angle` is
+  /// counter-clockwise, in radians.
+  void paint_turned(Image& image, std::string_view text, const Vector2& middle, double angle, double size,
+                    double capitals, Color color);
 
  private:
   struct State;

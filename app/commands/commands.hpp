@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/model_facets.hpp"
 #include "core/approximation/mesh_options.hpp"
 #include "core/document/display.hpp"
 #include "core/network/shaping.hpp"
@@ -79,14 +80,10 @@ struct PaperModelSize {
   double millimetres = 0;
 };
 
-enum class SheetFormat { pdf, svg, dxf, json };
-/// By the ending of the name, in any case of letters.
-std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path);
-
 struct UnfoldArguments {
   std::filesystem::path file;
   std::vector<std::filesystem::path> outs;
-  int density = 2;                     ///< of the triangles of a document's surfaces
+  FacetOptions facets;                 ///< of a document's surfaces
   std::optional<PaperModelSize> size;  ///< otherwise lengths are as in the file
   PaperSettings settings;              ///< but for the scale
   UnfoldOptions options;

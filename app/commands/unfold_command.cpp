@@ -4,10 +4,10 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/files/model_facets.hpp"
-#include "core/base/file_io.hpp"
+#include "app/files/sheet_file.hpp"
 #include "core/exchange/number_text.hpp"
+#include "core/unfolding/sheet_drawing.hpp"
 #include "core/unfolding/unfolding.hpp"
-#include "core/unfolding/write_sheets.hpp"
 
 namespace hariko {
 
@@ -64,32 +64,7 @@ std::string summary_text(const Unfolding& unfolding) {
   return out + std::to_string(static_cast<int>(100 * paper_use(unfolding))) + " % of the paper\n";
 }
 
-std::string sheet_bytes(const SheetDrawing& drawing, const std::filesystem::path& out) {
-  switch (*sheet_format_of(out)) {
-    case SheetFormat::svg:
-      return write_sheet_svg(drawing);
-    case SheetFormat::dxf:
-      return write_sheet_dxf(drawing);
-    case SheetFormat::pdf:
-      return write_sheet_pdf(drawing);
-    case SheetFormat::json:
-      break;
-  }
-  return write_layout_json(drawing);
-}
-
 }  // namespace
-
-std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  if (extension == ".pdf") return SheetFormat::pdf;
-  if (extension == ".svg") return SheetFormat::svg;
-  if (extension == ".dxf") return SheetFormat::dxf;
-  if (extension == ".json") return SheetFormat::json;
-  return {};
-}
 
 int run_unfold(const UnfoldArguments& arguments) {
   const std::string file = arguments.file.string();
@@ -97,7 +72,7 @@ int run_unfold(const UnfoldArguments& arguments) {
     report(file, message);
     return exit_failed;
   };
-  auto facets = model_facets(arguments.file, arguments.density);
+  auto facets = model_facets(arguments.file, arguments.facets);
   if (!facets.ok()) return fail(facets.error());
   for (const Message& message : facets->warnings) report(file, message);
   if (const auto errors = unfolding_errors(facets->mesh); !errors.empty()) {
@@ -121,7 +96,7 @@ int run_unfold(const UnfoldArguments& arguments) {
   if (!fits) return exit_failed;
   const SheetDrawing drawing = draw_sheets(*unfolded);
   for (const std::filesystem::path& out : arguments.outs)
-    if (const auto written = write_file_atomic(out, sheet_bytes(drawing, out)); !written.ok()) {
+    if (const auto written = write_sheet_file(out, drawing); !written.ok()) {
       report(out.string(), written.error());
       return exit_failed;
     }

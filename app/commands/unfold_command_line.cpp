@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/files/sheet_file.hpp"
+
 namespace hariko {
 
 namespace {
@@ -36,7 +38,7 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   PaperSettings& settings = arguments_.settings;
   command_ = app.add_subcommand("unfold", "Makes a paper model: pages to print, cut out and glue");
   command_->add_option("FILE", file_, "Mesh of triangles, or document")->required();
-  command_->add_option("OUT", outs_, "Files to write: *.pdf, *.svg, *.dxf, *.json")->required();
+  command_->add_option("OUT", outs_, "Files to write: *.pdf, *.svg, *.dxf, *.png, *.json")->required();
   command_->add_option("--page", page_, "A4, A3, Letter, or WxH in mm")->capture_default_str();
   command_->add_option("--margin", settings.margin, "Round each page, mm")->capture_default_str();
   auto* height =
@@ -63,10 +65,14 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   command_->add_option("--tab", settings.tab_height, "Height of glue tabs, mm")->capture_default_str();
   command_->add_flag("--fold-angles", settings.fold_angles, "Write the angle beside each fold");
   command_
-      ->add_option("--density", arguments_.density,
-                   "Intervals a patch side of a document's surfaces, 1 to 64")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
+      ->add_option("--distance", distance_,
+                   "Largest distance between a document's surfaces and the facets (0.5 % of the size)")
+      ->check(CLI::PositiveNumber);
+  command_->add_option("--normal", normal_degrees_, "Largest angle between their normals, degrees")
+      ->check(CLI::Range(0.0, 90.0));
+  command_->add_flag("--optimise", arguments_.facets.optimise, "As few facets as can be found: takes long");
+  command_->add_flag("--polyhedra", arguments_.facets.of_polyhedra,
+                     "The faces of a document's polyhedra as they are, not their surfaces");
   command_->add_flag("--json", arguments_.json, "Print the counts as JSON");
 }
 
@@ -74,7 +80,7 @@ void UnfoldCommandLine::check() const {
   if (!parse_page(page_)) throw CLI::ValidationError("--page", "must be A4, A3, Letter, or like 210x297");
   for (const std::string& out : outs_) {
     if (!sheet_format_of(out))
-      throw CLI::ValidationError("OUT", "the name must end in .pdf, .svg, .dxf or .json");
+      throw CLI::ValidationError("OUT", "the name must end in .pdf, .svg, .dxf, .png or .json");
     std::error_code ignored;
     if (out == file_ || std::filesystem::equivalent(out, file_, ignored))
       throw CLI::ValidationError("OUT", "must be another file than FILE");
@@ -89,6 +95,8 @@ UnfoldArguments UnfoldCommandLine::arguments() const {
   out.settings.page = *parse_page(page_);
   out.settings.flat_fold = flat_degrees_ * radians;
   if (merge_degrees_ >= 0) out.settings.merge_angle = merge_degrees_ * radians;
+  if (distance_ > 0) out.facets.distance = distance_;
+  out.facets.normal_angle = normal_degrees_ * radians;
   if (width_ > 0) out.size = PaperModelSize{0, width_};
   if (depth_ > 0) out.size = PaperModelSize{1, depth_};
   if (height_ > 0) out.size = PaperModelSize{2, height_};

@@ -23,7 +23,8 @@ class UnfoldCommandLine {
   CLI::App* command_ = nullptr;
   std::string file_, page_ = "A4", goal_ = "fewest", method_ = "search";
   std::vector<std::string> outs_;
-  double height_ = 0, width_ = 0, depth_ = 0, flat_degrees_ = 0.5, merge_degrees_ = -1;
+  double height_ = 0, width_ = 0, depth_ = 0, flat_degrees_ = 0.5, merge_degrees_ = -1, distance_ = 0,
+         normal_degrees_ = 0;
   UnfoldArguments arguments_;
 };
 

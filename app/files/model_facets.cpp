@@ -1,8 +1,16 @@
 #include "app/files/model_facets.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+
 #include "app/files/export_surfaces.hpp"
+#include "app/files/mesh_surfaces.hpp"
 #include "app/files/open_file.hpp"
+#include "core/approximation/approximate.hpp"
+#include "core/document/edit_paper.hpp"
 #include "core/exchange/mesh_file.hpp"
+#include "core/exchange/read_patches.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/unfolding/facet_graph.hpp"
 
@@ -12,42 +20,146 @@ namespace {
 
 constexpr std::size_t max_facets = 1'000'000;
 
+Message too_many() {
+  return make_error(e_too_many_triangles,
+                    "The paper model would have more than " + std::to_string(max_facets) + " facets.",
+                    "Choose a larger distance.");
+}
+
 /// Adds polygons, moved into the document's space, as further components.
-void append(PolygonMesh& out, const PolygonMesh& mesh, const Vector3& origin, const Similarity& transform) {
-  const auto first = static_cast<Index>(out.positions.size());
-  for (const Vector3& position : mesh.positions) out.positions.push_back(transform.apply(origin + position));
+void append(ModelFacets& out, const PolygonMesh& mesh, const Vector3& origin, const Similarity& transform,
+            std::vector<PaperVertex> names) {
+  const auto first = static_cast<Index>(out.mesh.positions.size());
+  for (const Vector3& position : mesh.positions)
+    out.mesh.positions.push_back(transform.apply(origin + position));
+  out.names.insert(out.names.end(), names.begin(), names.end());
   std::vector<Index> face;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     face.assign(mesh.face(f).begin(), mesh.face(f).end());
     for (Index& vertex : face) vertex += first;
-    out.add_face(face);
+    out.mesh.add_face(face);
   }
+}
+
+std::vector<PaperVertex> numbered(ObjectId object, std::size_t count) {
+  std::vector<PaperVertex> names(count);
+  for (std::size_t v = 0; v < count; ++v) names[v] = {object, {}, static_cast<std::uint32_t>(v), 0, 0};
+  return names;
+}
+
+/// The side of each patch as `PaperVertex` has it: patches of one element and side are told apart.
+std::vector<std::uint32_t> patch_sides(const Surface& surface) {
+  std::vector<std::uint32_t> out;
+  std::map<std::pair<std::uint64_t, std::uint32_t>, std::uint32_t> seen;
+  for (const Provenance& from : surface.provenance())
+    out.push_back(from.side + (seen[{from.element.id, from.side}]++ << 16));
+  return out;
+}
+
+/// Where a vertex lies on the patches, by the least of its names.
+std::vector<PaperVertex> names_on(const Surface& surface, const MeshApproximation& made, ObjectId object) {
+  const std::vector<std::uint32_t> sides = patch_sides(surface);
+  std::vector<PaperVertex> out(made.mesh.positions.size());
+  std::vector<char> named(out.size(), 0);
+  for (const ParameterFacet& part : made.parts)
+    for (Index corner = 0; corner < 3; ++corner) {
+      const PaperVertex name{object, surface.provenance()[part.patch].element, sides[part.patch],
+                             part.parameter[corner].x(), part.parameter[corner].y()};
+      const Index vertex = part.vertex[corner];
+      if (named[vertex] && !(name < out[vertex])) continue;
+      out[vertex] = name;
+      named[vertex] = 1;
+    }
+  return out;
+}
+
+void append_polyhedron(ModelFacets& out, const Object& object) {
+  const Polyhedron& polyhedron = object.polyhedron()->polyhedron;
+  PolygonMesh mesh;
+  mesh.positions = polyhedron.positions();
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    const auto corners = polyhedron.topology().face_vertices(f);
+    mesh.add_face(std::vector<Index>(corners.begin(), corners.end()));
+  }
+  std::vector<PaperVertex> names;
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v)
+    names.push_back({object.id, element_of(polyhedron.vertex_id(v)), 0, 0, 0});
+  append(out, mesh, object.cage_origin(), object.transform, std::move(names));
+}
+
+Result<Done> append_surface(ModelFacets& out, const Document& document, const Object& object,
+                            const FacetOptions& options, double distance, const CancelToken& cancel,
+                            const Progress& progress) {
+  const auto named = [&](Message error) {
+    error.text = object.name + ": " + error.text;
+    return error;
+  };
+  const auto built = object_surface(document, object, cancel);
+  if (cancel.cancelled()) return make_error(e_cancelled, "Meshing was cancelled.");
+  if (!built.ok()) return named(built.error());
+  MeshOptions meshing;
+  meshing.criteria.distance = distance / object.transform.scale;
+  if (options.normal_angle > 0) meshing.criteria.normal_angle = options.normal_angle;
+  meshing.optimise = options.optimise;
+  meshing.facet_limit = max_facets;
+  const auto made = approximate(built->surface, meshing, cancel, progress);
+  if (!made.ok()) return named(made.error());
+  for (const Message& warning : made->warnings) {
+    if (warning.code == w_mesh_limit) return too_many();
+    out.warnings.push_back(named(warning));
+  }
+  append(out, polygons_of(made->mesh), Vector3::Zero(), object.transform,
+         names_on(built->surface, *made, object.id));
+  return Done{};
+}
+
+Result<ModelFacets> patch_file_facets(const std::filesystem::path& file, const FacetOptions& options,
+                                      const CancelToken& cancel) {
+  const auto groups = read_patch_file(file);
+  if (!groups.ok()) return groups.error();
+  Eigen::AlignedBox3d box;
+  for (const NamedPatches& group : *groups)
+    for (const BezierPatch& patch : group.patches)
+      for (const Vector3& p : patch.points) box.extend(p);
+  MeshOptions meshing;
+  meshing.criteria.distance = options.distance.value_or(box.isEmpty() ? 0 : 0.005 * box.diagonal().norm());
+  if (options.normal_angle > 0) meshing.criteria.normal_angle = options.normal_angle;
+  meshing.optimise = options.optimise;
+  meshing.facet_limit = max_facets;
+  const auto meshed = mesh_patch_file(file, {meshing}, cancel);
+  if (!meshed.ok()) return meshed.error();
+  ModelFacets out;
+  for (const MeshedObject& object : *meshed) {
+    const TriangleMesh& mesh = object.result.mesh;
+    append(out, polygons_of(mesh), Vector3::Zero(), {}, numbered(ObjectId{0}, mesh.positions.size()));
+    out.warnings.insert(out.warnings.end(), object.result.warnings.begin(), object.result.warnings.end());
+  }
+  return out;
 }
 
 }  // namespace
 
-Result<ModelFacets> document_facets(const Document& document, int density, const CancelToken& cancel) {
+Result<ModelFacets> document_facets(const Document& document, std::span<const ObjectId> objects,
+                                    const FacetOptions& options, const CancelToken& cancel,
+                                    const Progress& progress) {
   ModelFacets out;
   out.millimetres_per_unit = millimetres_per(document.unit);
-  for (const auto& object : document.objects) {
-    if (!object->visible) continue;
-    if (const MeshSource* mesh = object->mesh()) {
-      append(out.mesh, *mesh->mesh, mesh->origin, object->transform);
-    } else if (object->cage()) {
-      const auto built = object_surface(document, *object, cancel);
-      if (!built.ok()) {
-        Message error = built.error();
-        error.text = object->name + ": " + error.text;
-        return error;
-      }
-      const auto n = static_cast<std::size_t>(density);
-      if (out.mesh.face_count() + 2 * built->surface.patch_count() * n * n > max_facets)
-        return make_error(e_too_many_triangles,
-                          "The paper model would have more than " + std::to_string(max_facets) + " facets.",
-                          "Choose a smaller density.");
-      append(out.mesh, polygons_of(tessellate(built->surface, density, cancel)), Vector3::Zero(),
-             object->transform);
-    }
+  const double distance = options.distance.value_or(proposed_distance(document, objects));
+  double done = 0;
+  for (const ObjectId id : objects) {
+    const Progress part = progress.part(done / double(objects.size()), (done + 1) / double(objects.size()));
+    ++done;
+    const Object* object = document.find(id);
+    if (!object) continue;
+    if (const MeshSource* mesh = object->mesh())
+      append(out, *mesh->mesh, mesh->origin, object->transform, numbered(id, mesh->mesh->positions.size()));
+    else if (options.of_polyhedra && object->polyhedron())
+      append_polyhedron(out, *object);
+    else if (object->cage())
+      if (const auto added = append_surface(out, document, *object, options, distance, cancel, part);
+          !added.ok())
+        return added.error();
+    if (out.mesh.face_count() > max_facets) return too_many();
     if (cancel.cancelled()) return make_error(e_cancelled, "Meshing was cancelled.");
   }
   if (out.mesh.face_count() == 0)
@@ -56,19 +168,27 @@ Result<ModelFacets> document_facets(const Document& document, int density, const
   return out;
 }
 
-Result<ModelFacets> model_facets(const std::filesystem::path& file, int density, const CancelToken& cancel) {
+Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetOptions& options,
+                                 const CancelToken& cancel) {
   if (format_of_extension(file)) {
     auto mesh = read_mesh_file(file, {.cancel = cancel, .progress = {}});
     if (!mesh.ok()) return mesh.error();
-    return ModelFacets{std::move(mesh->mesh), 1, mesh->warnings};
+    ModelFacets out;
+    out.names = numbered(ObjectId{0}, mesh->mesh.positions.size());
+    out.mesh = std::move(mesh->mesh);
+    out.warnings = mesh->warnings;
+    return out;
   }
+  if (is_patch_file(file)) return patch_file_facets(file, options, cancel);
   OpenedFile opened = open_file(file, cancel);
   if (!opened.document) {
     const Message* error = opened.error();
     return error ? *error : make_error(e_no_surface, "The file holds no document.");
   }
-  auto facets = document_facets(*opened.document, density, cancel);
-  if (facets.ok()) facets.value().warnings = std::move(opened.messages);
+  auto facets = document_facets(*opened.document, unfoldable_objects(*opened.document), options, cancel);
+  if (facets.ok())
+    facets.value().warnings.insert(facets.value().warnings.begin(), opened.messages.begin(),
+                                   opened.messages.end());
   return facets;
 }
 

@@ -1,30 +1,46 @@
 #pragma once
 
-// The facets of a file, for paper models: a mesh as it is, or the surfaces of a document cut into triangles.
+// The facets of a file or a document, for paper models: meshes as they are, surfaces as triangles under
+// tolerances.
 
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
 #include "core/document/document.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
 
 namespace hariko {
 
+/// What becomes facets, and how.
+struct FacetOptions {
+  bool of_polyhedra = false;            ///< the faces of polyhedra as they are, not their surfaces
+  std::optional<double> distance = {};  ///< between surface and facets, the document's unit; none: proposed
+  double normal_angle = 0;              ///< between their normals, radians; 0: any
+  bool optimise = false;                ///< as few facets as can be found, which takes long
+};
+
 struct ModelFacets {
-  PolygonMesh mesh;  ///< absolute positions; for documents in the document's space, all visible objects
+  PolygonMesh mesh;                ///< absolute positions; for documents in the document's space
+  std::vector<PaperVertex> names;  ///< of each vertex
   double millimetres_per_unit = 1;
   std::vector<Message> warnings;
 };
 
-/// Facets of the visible objects of a document: surfaces with each patch side in `density` intervals,
-/// reference meshes as they are. Errors: those of rebuilding (with the object's name), E_NO_SURFACE,
-/// E_TOO_MANY_TRIANGLES above a million, E_CANCELLED.
-Result<ModelFacets> document_facets(const Document& document, int density, const CancelToken& cancel = {});
+/// Facets of these objects of a document: surfaces at quality `final`, meshed under the options, and
+/// reference meshes as they are. Objects that do not exist are left out. Errors: those of rebuilding and
+/// meshing (with the object's name), E_NO_SURFACE, E_TOO_MANY_TRIANGLES above a million, E_CANCELLED.
+Result<ModelFacets> document_facets(const Document& document, std::span<const ObjectId> objects,
+                                    const FacetOptions& options, const CancelToken& cancel = {},
+                                    const Progress& progress = {});
 
-/// The ending of the name decides: .obj .off .ply .stl are meshes whose polygons are the facets, all else is
-/// opened as a document. Errors: also those of reading.
-Result<ModelFacets> model_facets(const std::filesystem::path& file, int density,
+/// The ending of the name decides: .obj .off .ply .stl are meshes whose polygons are the facets, patch files
+/// are meshed, all else is opened as a document, of which the visible objects count. Errors: also those of
+/// reading.
+Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetOptions& options,
                                  const CancelToken& cancel = {});
 
 }  // namespace hariko

@@ -65,6 +65,12 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
   const double factor = millimetres_per(document.unit) / millimetres_per(unit);
   Document result = document;
   result.unit = unit;
+  if (document.paper) {
+    PaperModel paper = *document.paper;
+    paper.distance *= factor;
+    paper.settings.scale /= factor;
+    result.paper = std::make_shared<const PaperModel>(std::move(paper));
+  }
   for (auto& shared : result.objects) {
     Object object = *shared;
     object.transform.translation *= factor;

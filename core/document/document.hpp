@@ -9,6 +9,7 @@
 #include "core/base/ids.hpp"
 #include "core/base/result.hpp"
 #include "core/document/display.hpp"
+#include "core/document/paper_model.hpp"
 #include "core/document/shared.hpp"
 #include "core/document/similarity.hpp"
 #include "core/document/source.hpp"
@@ -58,12 +59,13 @@ struct Object {
 };
 
 /// Right-handed, z up, front looks along +y. Invariants: object ids are unique and below next_object_id; no
-/// pointer is null. A copy shares its objects; an edit replaces the object it changes. Same pointer means
-/// same object.
+/// pointer of an object is null. A copy shares its objects; an edit replaces the object it changes. Same
+/// pointer means same object.
 struct Document {
   Unit unit = Unit::millimetre;
   std::vector<std::shared_ptr<const Object>> objects;
   ObjectId next_object_id{1};
+  std::shared_ptr<const PaperModel> paper;  ///< null: none was made
   Shared<KeptMembers> kept;
 
   static constexpr std::size_t max_objects = 100000;

@@ -9,3 +9,4 @@
 #include "core/document/edit_attachments.hpp"
 #include "core/document/edit_elements.hpp"
 #include "core/document/edit_objects.hpp"
+#include "core/document/edit_paper.hpp"

@@ -25,8 +25,8 @@ inline constexpr std::array axis_names{"x"sv, "y"sv, "z"sv};
 inline constexpr std::array pin_names{"tangents"sv, "normal"sv};
 
 /// Members that this version knows; all others are kept as they are, or refused where that is not possible.
-inline constexpr std::array document_members{"format"sv, "version"sv, "unit"sv, "next_object_id"sv,
-                                             "objects"sv};
+inline constexpr std::array document_members{"format"sv,         "version"sv, "unit"sv,
+                                             "next_object_id"sv, "objects"sv, "paper"sv};
 inline constexpr std::array object_members{"id"sv,        "name"sv,    "visible"sv, "locked"sv,
                                            "transform"sv, "display"sv, "source"sv};
 inline constexpr std::array transform_members{"rotation"sv, "scale"sv, "translation"sv};
@@ -58,6 +58,16 @@ inline constexpr std::array method_names{"auto"sv, "network"sv, "field"sv};
 inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};
 inline constexpr std::array symmetry_names{"none"sv, "x"sv, "y"sv, "z"sv};
 inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};
+
+inline constexpr std::array paper_members{"objects"sv,  "of_polyhedra"sv, "distance"sv,  "normal_angle"sv,
+                                          "settings"sv, "goal"sv,         "steps"sv,     "vertices"sv,
+                                          "folds"sv,    "cuts"sv,         "own_folds"sv, "own_cuts"sv,
+                                          "tabs"sv,     "strips"sv,       "places"sv,    "strip_places"sv};
+inline constexpr std::array paper_setting_members{"scale"sv,       "page"sv,        "margin"sv, "gap"sv,
+                                                  "tab_height"sv,  "strip_width"sv, "inside"sv, "flat_fold"sv,
+                                                  "merge_angle"sv, "fold_angles"sv};
+inline constexpr std::array goal_names{"fewest"sv, "balanced"sv, "easiest"sv};
+inline constexpr std::array element_names{"none"sv, "vertex"sv, "edge"sv, "face"sv, "object"sv};
 
 template <class Enum>
 std::string_view name_of(Enum value, Names names) {

@@ -28,6 +28,13 @@ std::size_t bytes_of(const PolygonMesh& mesh) {
          (mesh.face_offsets.capacity() + mesh.face_vertices.capacity()) * sizeof(Index);
 }
 
+std::size_t bytes_of(const PaperModel& paper) {
+  const auto list = [](const auto& rows) { return block_overhead + rows.capacity() * sizeof(rows[0]); };
+  return sizeof(PaperModel) + list(paper.objects) + list(paper.vertices) + list(paper.folds) +
+         list(paper.cuts) + list(paper.own_folds) + list(paper.own_cuts) + list(paper.tabs) +
+         list(paper.strips) + list(paper.places) + list(paper.strip_places) + bytes_of(paper.kept);
+}
+
 /// Connectivity and the ids that go with it.
 std::size_t bytes_of(const HalfEdgeMesh& mesh) {
   return 8 * block_overhead + sizeof(HalfEdgeMesh) +
@@ -106,6 +113,7 @@ bool SharedMemory::leave(const void* address) {
 void SharedMemory::add(const Document& document) {
   bytes_ += own_bytes(document);
   enter(document.kept.get(), bytes_of(*document.kept));
+  if (document.paper) enter(document.paper.get(), bytes_of(*document.paper));
   for (const auto& object : document.objects)
     if (enter(object.get(), own_bytes(*object)))
       visit_object(*object, [this](const void* address, std::size_t bytes) { enter(address, bytes); });
@@ -114,6 +122,7 @@ void SharedMemory::add(const Document& document) {
 void SharedMemory::remove(const Document& document) {
   bytes_ -= own_bytes(document);
   leave(document.kept.get());
+  if (document.paper) leave(document.paper.get());
   for (const auto& object : document.objects)
     if (leave(object.get()))
       visit_object(*object, [this](const void* address, std::size_t) { leave(address); });

@@ -3,6 +3,7 @@
 #include "core/document/edit_support.hpp"
 #include "core/document/format.hpp"
 #include "core/document/format_names.hpp"
+#include "core/document/read_paper.hpp"
 #include "core/document/read_source.hpp"
 
 namespace hariko {
@@ -215,6 +216,9 @@ Result<Document> read_document(std::string_view text) {
     reader.array_size(list, 0, Document::max_objects);
     reader.for_each(list,
                     [&](const JsonCursor& at) { document.objects.push_back(read_object(reader, at, text)); });
+  });
+  reader.if_member(root, "paper", [&](const JsonCursor& at) {
+    document.paper = std::make_shared<const PaperModel>(detail::read_paper(reader, at, text));
   });
   if (!reader.failed()) check_object_ids(reader, root, document, has_next_id);
   if (reader.failed()) return reader.error();

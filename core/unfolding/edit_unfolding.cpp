@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "core/base/ids.hpp"
-#include "core/unfolding/facet_forest.hpp"
-#include "core/unfolding/growth.hpp"
+#include "core/unfolding/cut_search.hpp"
 
 namespace hariko {
 
@@ -79,18 +77,18 @@ Box box_of(const Unfolding& unfolding, Index piece, double angle) {
   return out;
 }
 
-/// For each facet of the new mesh the one of the old mesh with the same vertices in the same order round;
-/// no_index where there is none.
-std::vector<Index> matching_facets(const FacetGraph& old, const FacetGraph& graph) {
-  const auto key = [](std::array<Index, 3> corners) {
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    return corners;
+/// Where facets and strips lie now; those of piece `moved` lie nowhere.
+KnownPlaces places_in(const Unfolding& unfolding, Index moved = no_index) {
+  KnownPlaces out;
+  out.piece = [&unfolding, moved](Index facet, const FacetCorners& corners) -> std::optional<PiecePlacement> {
+    if (unfolding.piece_of[facet] == moved) return {};
+    return placement_between(corners, unfolding.corners[facet], unfolding.page_of(facet));
   };
-  std::map<std::array<Index, 3>, Index> known;
-  for (Index f = 0; f < old.facet_count(); ++f) known.emplace(key(old.triangle(f)), f);
-  std::vector<Index> out(graph.facet_count(), no_index);
-  for (Index f = 0; f < out.size(); ++f)
-    if (const auto found = known.find(key(graph.triangle(f))); found != known.end()) out[f] = found->second;
+  out.strip = [&unfolding](const FacetEdge& edge) -> std::optional<PiecePlacement> {
+    const Index joint = unfolding.joint_at(unfolding.graph->find_edge(edge.low, edge.high));
+    if (joint == no_index || unfolding.joints[joint].tab) return {};
+    return unfolding.strips[joint];
+  };
   return out;
 }
 
@@ -114,10 +112,8 @@ Result<Unfolding> join_at(const Unfolding& unfolding, Index e) {
   // The smaller piece has no place of its own any more.
   const std::size_t sizes[] = {unfolding.pieces[first].facets.size(), unfolding.pieces[second].facets.size()};
   const Index moved = sizes[0] < sizes[1] ? first : second;
-  std::vector<Index> matches(unfolding.corners.size());
-  for (Index f = 0; f < matches.size(); ++f) matches[f] = unfolding.piece_of[f] == moved ? no_index : f;
   return assemble(unfolding.graph, unfolding.settings, std::move(folds), std::move(wishes),
-                  unfolding.tab_choices, &unfolding, matches);
+                  unfolding.tab_choices, places_in(unfolding, moved));
 }
 
 Result<Unfolding> split_at(const Unfolding& unfolding, Index e) {
@@ -129,7 +125,7 @@ Result<Unfolding> split_at(const Unfolding& unfolding, Index e) {
   EdgeRules wishes = unfolding.wishes;
   wishes[e] = EdgeRule::cut;
   return assemble(unfolding.graph, unfolding.settings, std::move(folds), std::move(wishes),
-                  unfolding.tab_choices, &unfolding);
+                  unfolding.tab_choices, places_in(unfolding));
 }
 
 Unfolding move_piece(const Unfolding& unfolding, Index piece, Index page, const Vector2& shift) {
@@ -174,7 +170,7 @@ Unfolding choose_tab(const Unfolding& unfolding, Index edge, TabChoice choice) {
   std::vector<TabChoice> choices = unfolding.tab_choices;
   choices[edge] = choice;
   return assemble(unfolding.graph, unfolding.settings, unfolding.folds, unfolding.wishes, std::move(choices),
-                  &unfolding);
+                  places_in(unfolding));
 }
 
 Unfolding rearrange(const Unfolding& unfolding) {
@@ -193,7 +189,7 @@ Unfolding split_to_fit(const Unfolding& unfolding, Index piece) {
   const std::vector<FacetCorners> shapes = facet_shapes(graph, unfolding.settings.scale);
   const auto found = search_cuts(graph, shapes, rules, {unfolding.settings.piece_room(), 0});
   return assemble(unfolding.graph, unfolding.settings, found.value().back(), unfolding.wishes,
-                  unfolding.tab_choices, &unfolding);
+                  unfolding.tab_choices, places_in(unfolding));
 }
 
 Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings& settings) {
@@ -204,48 +200,7 @@ Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings&
                             settings.margin == old.margin && settings.gap == old.gap &&
                             settings.tab_height == old.tab_height && settings.strip_width == old.strip_width;
   return assemble(unfolding.graph, settings, unfolding.folds, unfolding.wishes, unfolding.tab_choices,
-                  same_lengths ? &unfolding : nullptr);
-}
-
-Unfolding carried_over(const Unfolding& unfolding, std::shared_ptr<const FacetGraph> graph) {
-  const FacetGraph &old = *unfolding.graph, &next = *graph;
-  const std::vector<Index> matches = matching_facets(old, next);
-  EdgeRules wishes(next.edge_count(), EdgeRule::free), rules(next.edge_count(), EdgeRule::free);
-  std::vector<TabChoice> choices(next.edge_count(), TabChoice::automatic);
-  for (Index e = 0; e < next.edge_count(); ++e) {
-    const Index before = old.find_edge(next.edge(e).low, next.edge(e).high);
-    if (before == no_index || old.edge(before).border() || next.edge(e).border()) continue;
-    wishes[e] = unfolding.wishes[before];
-    choices[e] = unfolding.tab_choices[before];
-    const bool known =
-        matches[next.edge(e).facets[0]] != no_index && matches[next.edge(e).facets[1]] != no_index;
-    if (unfolding.folds[before])
-      rules[e] = EdgeRule::folded;
-    else if (known || wishes[e] == EdgeRule::cut)
-      rules[e] = EdgeRule::cut;
-  }
-  // Old folds form a forest, and each of them is between the same facets or has a new one; new facets could
-  // close a ring, so a fold that would is free.
-  std::vector<Index> group(next.facet_count());
-  for (Index f = 0; f < group.size(); ++f) group[f] = f;
-  const auto root = [&](Index f) {
-    while (group[f] != f) f = group[f] = group[group[f]];
-    return f;
-  };
-  for (Index e = 0; e < rules.size(); ++e) {
-    if (rules[e] != EdgeRule::folded) continue;
-    const Index a = root(next.edge(e).facets[0]), b = root(next.edge(e).facets[1]);
-    if (a == b)
-      rules[e] = EdgeRule::free;
-    else
-      group[a] = b;
-  }
-  const std::vector<FacetCorners> shapes = facet_shapes(next, unfolding.settings.scale);
-  FacetForest forest(next, shapes, rules, search_tolerance(next, shapes), unfolding.settings.piece_room());
-  gather(forest, {GrowthOrder::long_edges}, {});
-  Folds folds = forest.folds();
-  return assemble(std::move(graph), unfolding.settings, std::move(folds), std::move(wishes),
-                  std::move(choices), &unfolding, matches);
+                  same_lengths ? places_in(unfolding) : KnownPlaces{});
 }
 
 std::vector<std::pair<Index, Index>> overlaps_of(const Unfolding& unfolding) {

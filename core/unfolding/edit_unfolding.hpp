@@ -39,11 +39,6 @@ Unfolding split_to_fit(const Unfolding& unfolding, Index piece);
 /// `check_settings`.
 Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings& settings);
 
-/// The same cuts, choices and places on a changed mesh: edges are known by their vertices, facets by theirs.
-/// Facets that are new are joined to what is there where that overlaps nothing, so a mesh that only moved
-/// keeps all cuts. O(facets log facets).
-Unfolding carried_over(const Unfolding& unfolding, std::shared_ptr<const FacetGraph> graph);
-
 /// Two things that overlap on a page. Facets are below the number of facets; the others are tabs and strips
 /// of joints (facet count + joint).
 std::vector<std::pair<Index, Index>> overlaps_of(const Unfolding& unfolding);

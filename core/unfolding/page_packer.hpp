@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
-#include "core/unfolding/paper_settings.hpp"
+#include "core/document/paper_settings.hpp"
 #include "core/unfolding/piece_placement.hpp"
 #include "core/unfolding/sheet_overlaps.hpp"
 

@@ -7,15 +7,10 @@
 #include <limits>
 
 #include "core/base/vector.hpp"
+#include "core/document/paper_settings.hpp"
 #include "core/unfolding/facet_layout.hpp"
 
 namespace hariko {
-
-/// Width and height of paper, in mm.
-struct PaperSize {
-  double width = 0, height = 0;
-  friend bool operator==(const PaperSize&, const PaperSize&) = default;
-};
 
 class PieceExtent {
  public:

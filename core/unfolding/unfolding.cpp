@@ -45,17 +45,15 @@ PackOptions pack_options(const PaperSettings& settings, std::size_t pieces) {
   return out;
 }
 
-/// Places of what `before` has, and page numbers from it; the others are packed where there is room.
-void keep_places(Unfolding& out, const FlatLayout& layout, const Unfolding& before,
-                 const std::vector<Index>& matches) {
+/// Known places; the others are packed where there is room.
+void keep_places(Unfolding& out, const FlatLayout& layout, const KnownPlaces& known) {
   std::vector<char> placed(out.pieces.size(), 0);
   for (std::size_t p = 0; p < out.pieces.size(); ++p) {
-    // The facet that was nearest to the root of its old piece leads.
+    // The facet that is nearest to the root leads.
     for (const Index facet : out.pieces[p].facets) {
-      const Index old = matches.empty() ? facet : matches[facet];
-      if (old == no_index) continue;
-      out.pieces[p].placement =
-          placement_between(layout.corners[facet], before.corners[old], before.page_of(old));
+      const auto place = known.piece(facet, layout.corners[facet]);
+      if (!place) continue;
+      out.pieces[p].placement = *place;
       placed[p] = 1;
       break;
     }
@@ -65,8 +63,8 @@ void keep_places(Unfolding& out, const FlatLayout& layout, const Unfolding& befo
     std::vector<Index> owners;
     PackOptions options = pack_options(out.settings, out.pieces.size());
     options.tries = 1;
-    const auto add = [&](bool known, Index owner, PackItem item, const PiecePlacement& placement) {
-      if (!known) {
+    const auto add = [&](bool has_place, Index owner, PackItem item, const PiecePlacement& placement) {
+      if (!has_place) {
         items.push_back(std::move(item));
         owners.push_back(owner);
         return;
@@ -85,12 +83,9 @@ void keep_places(Unfolding& out, const FlatLayout& layout, const Unfolding& befo
     for (Index j = 0; j < out.joints.size(); ++j) {
       if (out.joints[j].tab) continue;
       const PackItem& item = all[next++];
-      const FacetEdge& edge = out.graph->edge(out.joints[j].edge);
-      const Index old_edge = before.graph->find_edge(edge.low, edge.high);
-      const Index old = old_edge == no_index ? no_index : before.joint_at(old_edge);
-      const bool known = old != no_index && !before.joints[old].tab;
-      if (known) out.strips[j] = before.strips[old];
-      if (known || strips) add(known, j, item, out.strips[j]);
+      const auto place = known.strip(out.graph->edge(out.joints[j].edge));
+      if (place) out.strips[j] = *place;
+      if (place || strips) add(place.has_value(), j, item, out.strips[j]);
     }
     const Packing packing = pack_pages(items, options);
     for (std::size_t k = 0; k < items.size(); ++k)
@@ -271,9 +266,15 @@ std::size_t strip_count(const Unfolding& unfolding) {
                                                 [](const Joint& joint) { return !joint.tab; }));
 }
 
+double fitting_factor(const Unfolding& unfolding) {
+  double factor = 1;
+  for (const PaperPiece& piece : unfolding.pieces)
+    factor = std::min(factor, best_fit(unfolding, piece).factor);
+  return factor;
+}
+
 Unfolding assemble(std::shared_ptr<const FacetGraph> graph, const PaperSettings& settings, Folds folds,
-                   EdgeRules wishes, std::vector<TabChoice> tab_choices, const Unfolding* before,
-                   const std::vector<Index>& matches) {
+                   EdgeRules wishes, std::vector<TabChoice> tab_choices, const KnownPlaces& known) {
   Unfolding out;
   out.graph = std::move(graph);
   out.settings = settings;
@@ -289,8 +290,8 @@ Unfolding assemble(std::shared_ptr<const FacetGraph> graph, const PaperSettings&
   out.pieces.resize(layout.pieces.size());
   for (std::size_t p = 0; p < out.pieces.size(); ++p)
     out.pieces[p].facets = std::move(layout.pieces[p].facets);
-  if (before)
-    keep_places(out, layout, *before, matches);
+  if (known.piece)
+    keep_places(out, layout, known);
   else
     pack_everything(out, layout, {});
   move_to_pages(out, layout);

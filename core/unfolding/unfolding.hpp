@@ -4,16 +4,18 @@
 // joint strips.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
+#include "core/document/paper_model.hpp"
 #include "core/unfolding/cut_search.hpp"
 #include "core/unfolding/glue_tabs.hpp"
 #include "core/unfolding/page_packer.hpp"
-#include "core/unfolding/paper_settings.hpp"
 #include "core/unfolding/piece_placement.hpp"
 
 namespace hariko {
@@ -67,12 +69,6 @@ double paper_use(const Unfolding& unfolding);
 /// Number of joints without a tab.
 std::size_t strip_count(const Unfolding& unfolding);
 
-enum class CutGoal {
-  fewest,    ///< pieces
-  balanced,  ///< pieces + pages + 0.05 strips
-  easiest    ///< to glue: few slits, so few strips
-};
-
 enum class CutMethod {
   search,
   reference  ///< the paper's own, which leaves overlaps (reference_method.hpp)
@@ -95,11 +91,20 @@ Result<Unfolding> unfold(std::shared_ptr<const FacetGraph> graph, const PaperSet
 /// margins, with the scale that would; W_UNFOLDING_OVERLAPS.
 std::vector<Message> unfolding_messages(const Unfolding& unfolding);
 
-/// The value for given folds (a forest): tabs are found, and what has no place is packed. With `before`,
-/// facets of its mesh that are still there keep their places (`matches`: for each facet its number in
-/// `before`, or no_index; empty when all are the same). Programmer's error: folds with cycles.
+/// By how much all would have to be scaled, at most 1, so that every piece fits the page. O(facets).
+double fitting_factor(const Unfolding& unfolding);
+
+/// Where things lie already.
+struct KnownPlaces {
+  /// Of the piece with this facet, whose corners in the frame of the piece are given.
+  std::function<std::optional<PiecePlacement>(Index facet, const FacetCorners& corners)> piece;
+  /// Of the strip of a joint.
+  std::function<std::optional<PiecePlacement>(const FacetEdge& edge)> strip;
+};
+
+/// The value for given folds (a forest): tabs are found, and what has no place is packed, after all else
+/// where some places are known. Programmer's error: folds with cycles.
 Unfolding assemble(std::shared_ptr<const FacetGraph> graph, const PaperSettings& settings, Folds folds,
-                   EdgeRules wishes, std::vector<TabChoice> tab_choices, const Unfolding* before = nullptr,
-                   const std::vector<Index>& matches = {});
+                   EdgeRules wishes, std::vector<TabChoice> tab_choices, const KnownPlaces& known = {});
 
 }  // namespace hariko

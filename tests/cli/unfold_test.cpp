@@ -13,7 +13,8 @@ class Unfold : public ProgramTest {
 };
 
 TEST_F(Unfold, WritesEveryFormatAndSaysWhatItMade) {
-  const std::string outs = path("w.json") + " " + path("w.svg") + " " + path("w.dxf") + " " + path("w.pdf");
+  const std::string outs =
+      path("w.json") + " " + path("w.svg") + " " + path("w.dxf") + " " + path("w.pdf") + " " + path("w.png");
   const Outcome result =
       run("unfold " + facets("wave_opt") + " " + outs + " --width 250 --steps 20000 --json");
   ASSERT_EQ(result.exit_code, 0) << result.error;
@@ -26,6 +27,7 @@ TEST_F(Unfold, WritesEveryFormatAndSaysWhatItMade) {
   const Json layout = Json::parse(read_text(path("w.json")));
   EXPECT_EQ(layout["faces"].size(), 241U);
   EXPECT_EQ(layout["folds"].size(), 241U - summary["pieces"].get<std::size_t>());
+  EXPECT_EQ(read_text(path("w.png")).rfind("\x89PNG", 0), 0U);
   EXPECT_EQ(read_text(path("w.svg")).rfind("<?xml", 0), 0U);
   EXPECT_EQ(read_text(path("w.pdf")).rfind("%PDF-1.4", 0), 0U);
   EXPECT_EQ(read_text(path("w.dxf")).rfind("0\nSECTION\n", 0), 0U);
@@ -33,8 +35,7 @@ TEST_F(Unfold, WritesEveryFormatAndSaysWhatItMade) {
 
 TEST_F(Unfold, SamplesAndPolyhedraBecomePaper) {
   const std::string sample = std::string(HARIKO_SOURCE_DIR) + "/assets/samples/fig2.hariko";
-  const Outcome result =
-      run("unfold " + sample + " " + path("v.json") + " --height 120 --density 2 --steps 1000 --json");
+  const Outcome result = run("unfold " + sample + " " + path("v.json") + " --height 120 --steps 1000 --json");
   ASSERT_EQ(result.exit_code, 0) << result.error;
   EXPECT_EQ(result.json()["overlaps"], 0);
   EXPECT_GT(result.json()["facets"], 50);
@@ -67,8 +68,8 @@ TEST_F(Unfold, TooLargePiecesAndWrongUsageAreRefused) {
   const Outcome large = run("unfold " + facets("wave_opt") + " " + path("o.svg") + " --width 9000 --steps 0");
   EXPECT_EQ(large.exit_code, 1);
   EXPECT_NE(large.error.find("does not fit on the page at this scale"), std::string::npos) << large.error;
-  for (const std::string wrong :
-       {"o.png", "o.svg --page B9", "o.svg --goal none", "o.svg --height 10 --width 10", "o.svg --height -3"})
+  for (const std::string wrong : {"o.bmp", "o.svg --page B9", "o.svg --distance 0", "o.svg --goal none",
+                                  "o.svg --height 10 --width 10", "o.svg --height -3"})
     EXPECT_EQ(run("unfold " + facets("wave_opt") + " " + wrong).exit_code, 2) << wrong;
 }
 

@@ -182,6 +182,41 @@ inline Object any_object(std::mt19937_64& rng, ObjectId id) {
   return {id, std::move(name), visible, locked, transform, display, any_source(rng), any_kept(rng)};
 }
 
+/// A paper model; what it names need not exist.
+inline PaperModel any_paper(std::mt19937_64& rng) {
+  PaperModel paper;
+  paper.objects = {ObjectId{1}, ObjectId{static_cast<std::uint32_t>(uniform_int(rng, 2, 9))}};
+  paper.of_polyhedra = chance(rng, 0.3);
+  paper.distance = log_uniform(rng, 1e-6, 1e6);
+  if (chance(rng, 0.5)) paper.normal_angle = uniform(rng, 0, 1.5);
+  paper.settings.scale = log_uniform(rng, 1e-6, 1e6);
+  paper.settings.page = {uniform(rng, 50, 500), uniform(rng, 50, 500)};
+  paper.settings.margin = uniform(rng, 0, 20);
+  paper.settings.inside = chance(rng, 0.5);
+  paper.settings.fold_angles = chance(rng, 0.5);
+  if (chance(rng, 0.5)) paper.settings.merge_angle = uniform(rng, 0, 1);
+  paper.goal = static_cast<CutGoal>(uniform_int(rng, 0, 2));
+  paper.steps = rng() % 1'000'000'000'000;
+  paper.kept = any_kept(rng);
+  if (chance(rng, 0.3)) return paper;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    PaperVertex vertex{ObjectId{1}, {}, i, 0, 0};
+    if (i > 2) vertex.element = {static_cast<Element::Kind>(1 + rng() % 4), i};
+    if (i > 2) vertex.u = any_number(rng), vertex.v = any_number(rng);
+    if (vertex.element.kind == Element::Kind::edge) vertex.element.id |= std::uint64_t{7} << 32;
+    paper.vertices.push_back(vertex);
+  }
+  std::sort(paper.vertices.begin(), paper.vertices.end());
+  for (auto* list : {&paper.folds, &paper.cuts, &paper.own_folds, &paper.own_cuts, &paper.strips})
+    for (std::uint32_t i = 0; i < 7; ++i)
+      if (chance(rng, 0.5)) list->push_back({i, 7});
+  paper.tabs = {{3, 1}, {5, 6}};
+  for (std::uint32_t i = 0; i < 3; ++i)
+    paper.places.push_back({{i, i + 1, i + 3}, {i, uniform(rng, -9, 9), uniform(rng, -9, 9), uniform(rng)}});
+  paper.strip_places.push_back({{2, 5}, {4, uniform(rng), uniform(rng), uniform(rng)}});
+  return paper;
+}
+
 inline Document any_document(std::mt19937_64& rng) {
   Document document;
   document.unit = static_cast<Unit>(uniform_int(rng, 0, 3));
@@ -192,6 +227,7 @@ inline Document any_document(std::mt19937_64& rng) {
   }
   if (chance(rng, 0.3)) std::reverse(document.objects.begin(), document.objects.end());
   document.kept = any_kept(rng);
+  if (chance(rng, 0.5)) document.paper = std::make_shared<const PaperModel>(any_paper(rng));
   return document;
 }
 

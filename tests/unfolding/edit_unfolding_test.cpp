@@ -3,6 +3,7 @@
 #include "core/unfolding/edit_unfolding.hpp"
 
 #include "core/unfolding/folding.hpp"
+#include "core/unfolding/paper_document.hpp"
 #include "tests/unfolding/paper.hpp"
 
 namespace hariko::test {
@@ -151,6 +152,50 @@ TEST(EditUnfolding, SplitToFitBreaksUpOnePiece) {
   const Unfolding split = rearrange(split_to_fit(*scaled, 0));
   EXPECT_TRUE(unfolding_messages(split).empty());
   check_pages(mesh, split);
+}
+
+/// Kept by a document and restored on another mesh, where vertices are known by their numbers.
+Unfolding carried_over(const Unfolding& model, const std::shared_ptr<const FacetGraph>& graph) {
+  const PaperModel kept = kept_of(model, plain_names(*model.graph), {});
+  auto out = restored(kept, graph, plain_names(*graph));
+  EXPECT_TRUE(out.ok());
+  return std::move(out).value();
+}
+
+TEST(EditUnfolding, WhatADocumentKeepsComesBack) {
+  for_random(53, 10, [&](std::mt19937_64& rng) {
+    const PolygonMesh mesh = chance(rng, 0.5) ? random_sheet(rng) : icosphere(2);
+    Unfolding model = model_of(mesh, uniform(rng, 60, 300));
+    for (int k = 0; k < 3; ++k) {
+      const Index e = static_cast<Index>(rng() % model.graph->edge_count());
+      if (const auto split = split_at(model, e); split.ok()) model = *split;
+      if (const auto joined = join_at(model, static_cast<Index>(rng() % model.graph->edge_count()));
+          joined.ok())
+        model = *joined;
+      const Index piece = static_cast<Index>(rng() % model.pieces.size());
+      model = move_piece(model, piece, static_cast<Index>(rng() % 3), {uniform(rng, -9, 9), 3});
+      model = turn_piece(model, piece, uniform(rng, -3, 3));
+      if (const Index cut = some_edge(rng, model, false); cut != no_index)
+        model = choose_tab(model, cut, static_cast<TabChoice>(uniform_int(rng, 0, 3)));
+    }
+    const Unfolding back = carried_over(model, model.graph);
+    EXPECT_EQ(back.folds, model.folds);
+    EXPECT_EQ(back.wishes, model.wishes);
+    EXPECT_EQ(back.tab_choices, model.tab_choices);
+    EXPECT_EQ(back.corners, model.corners);
+    EXPECT_EQ(back.page_count, model.page_count);
+    ASSERT_EQ(back.joints.size(), model.joints.size());
+    for (Index j = 0; j < back.joints.size(); ++j) {
+      ASSERT_EQ(back.joints[j].tab.has_value(), model.joints[j].tab.has_value());
+      if (!back.joints[j].tab)
+        EXPECT_EQ(back.strips[j], model.strips[j]);
+      else
+        for (std::size_t k = 0; k < 4; ++k)
+          EXPECT_LT((back.joints[j].tab->corners[k] - model.joints[j].tab->corners[k]).norm(), 1e-9);
+    }
+    const auto names = plain_names(*model.graph);
+    EXPECT_EQ(kept_of(back, names, {}), kept_of(model, names, {}));
+  });
 }
 
 TEST(EditUnfolding, AChangedMeshKeepsCutsAndPlaces) {

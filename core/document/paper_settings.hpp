@@ -6,11 +6,16 @@
 #include <optional>
 
 #include "core/base/result.hpp"
-#include "core/unfolding/piece_extent.hpp"
 
 namespace hariko {
 
 inline constexpr Code e_paper_setting{"E_PAPER_SETTING"};
+
+/// Width and height of paper, in mm.
+struct PaperSize {
+  double width = 0, height = 0;
+  friend bool operator==(const PaperSize&, const PaperSize&) = default;
+};
 
 inline constexpr PaperSize a4_paper{210, 297}, a3_paper{297, 420}, letter_paper{215.9, 279.4};
 

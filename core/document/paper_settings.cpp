@@ -1,4 +1,4 @@
-#include "core/unfolding/paper_settings.hpp"
+#include "core/document/paper_settings.hpp"
 
 #include <cmath>
 

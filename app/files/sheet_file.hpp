@@ -1,0 +1,21 @@
+#pragma once
+
+// The pages of a paper model as a file.
+
+#include <filesystem>
+#include <optional>
+
+#include "core/base/result.hpp"
+#include "core/unfolding/sheet_drawing.hpp"
+
+namespace hariko {
+
+enum class SheetFormat { pdf, svg, dxf, png, json };
+/// By the ending of the name, in any case of letters.
+std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path);
+
+/// The ending must name a format (asserted). The file is either the old or the whole new one. Errors: those
+/// of `write_file_atomic` and `write_png`.
+Result<Done> write_sheet_file(const std::filesystem::path& path, const SheetDrawing& drawing);
+
+}  // namespace hariko
