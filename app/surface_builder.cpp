@@ -20,20 +20,10 @@ constexpr int histogram_bins = 48;
 
 /// Flat facets of a reference mesh, relative to its origin.
 Surface facets_of(const MeshSource& source) {
-  const PolygonMesh& mesh = *source.mesh;
-  std::vector<std::array<Index, 3>> triangles;
+  FaceTriangles cut = triangulate(*source.mesh);
   std::vector<Element> sources;
-  std::vector<Vector3> corners;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    corners.clear();
-    for (const Index v : face) corners.push_back(mesh.positions[v]);
-    for (const auto& [a, b, c] : triangulate_polygon(corners)) {
-      triangles.push_back({face[a], face[b], face[c]});
-      sources.push_back({Element::Kind::face, f});
-    }
-  }
-  return facet_surface(source.origin, mesh.positions, std::move(triangles), sources);
+  for (const Index face : cut.faces) sources.push_back({Element::Kind::face, face});
+  return facet_surface(source.origin, source.mesh->positions, std::move(cut.triangles), sources);
 }
 
 /// Reference meshes have no curvature to show.

@@ -104,7 +104,7 @@ int run_mesh(const MeshArguments& arguments) {
     report(arguments.file.string(), error);
     return exit_failed;
   };
-  const MeshRequest request{arguments.options, !arguments.errors.empty()};
+  const MeshRequest request{arguments.options, !arguments.errors.empty(), true};
   Result<std::vector<MeshedObject>> meshed = std::vector<MeshedObject>{};
   if (is_patch_file(arguments.file)) {
     meshed = mesh_patch_file(arguments.file, request);

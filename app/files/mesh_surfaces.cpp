@@ -3,9 +3,12 @@
 #include <Eigen/Geometry>
 
 #include "app/files/export_surfaces.hpp"
+#include "core/approximation/decimate.hpp"
 #include "core/base/printable.hpp"
 #include "core/exchange/read_patches.hpp"
+#include "core/exchange/triangulate.hpp"
 #include "core/modeling/attached.hpp"
+#include "core/surface/facets.hpp"
 #include "core/surface/weld_patches.hpp"
 
 namespace hariko {
@@ -71,6 +74,24 @@ Result<MeshedObject> mesh_of(const Surface& surface, const std::string& name, co
   return out;
 }
 
+/// A reference mesh with fewer facets, in its own space; its facets are the surface.
+Result<MeshedObject> decimated(const MeshSource& source, const std::string& name, const MeshRequest& request,
+                               const CancelToken& cancel, const Progress& progress) {
+  FaceTriangles cut = triangulate(*source.mesh);
+  TriangleMesh dense{source.origin, source.mesh->positions, std::move(cut.triangles), {}, {}};
+  auto made = decimate(dense, request.options, cancel, progress.part(0, request.errors ? 0.7 : 1));
+  if (!made.ok()) return named(made.error(), name);
+  MeshedObject out{name, std::move(made).value(), {}, source.origin};
+  if (!request.errors) return out;
+  std::vector<Element> sources;
+  for (const Index face : cut.faces) sources.push_back({Element::Kind::face, face});
+  const Surface facets = facet_surface(source.origin, dense.positions, std::move(dense.triangles), sources);
+  auto map = mesh_error_map(facets, out.result.mesh, {}, {}, cancel, progress.part(0.7, 1));
+  if (!map.ok()) return named(map.error(), name);
+  out.errors = std::move(map).value();
+  return out;
+}
+
 Vector3 centre_of(const std::vector<BezierPatch>& patches) {
   Eigen::AlignedBox3d box;
   for (const BezierPatch& patch : patches)
@@ -88,11 +109,19 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
   for (const auto& object : document.objects) {
     const Progress part = progress.part(number / count, (number + 1) / count);
     ++number;
-    if (!object->visible || !object->cage()) continue;
+    const MeshSource* reference = request.meshes ? object->mesh() : nullptr;
+    if (!object->visible || !(object->cage() || reference)) continue;
+    const MeshRequest own{in_object_space(request.options, object->transform.scale), request.errors};
+    if (reference) {
+      auto made = decimated(*reference, object->name, own, cancel, part);
+      if (!made.ok()) return made.error();
+      place(made.value(), object->transform);
+      out.push_back(std::move(made).value());
+      continue;
+    }
     const auto built = object_surface(document, *object, cancel);
     if (cancel.cancelled()) return make_error(e_cancelled, "The meshing was cancelled.");
     if (!built.ok()) return named(built.error(), object->name);
-    const MeshRequest own{in_object_space(request.options, object->transform.scale), request.errors};
     auto made = mesh_of(built->surface, object->name, own, cancel, part);
     if (!made.ok()) return made.error();
     place(made.value(), object->transform);

@@ -21,14 +21,14 @@ struct MeshedObject {
   Vector3 surface_origin = Vector3::Zero();
 };
 
-/// How to mesh, and whether to map the errors too.
 struct MeshRequest {
   MeshOptions options;
-  bool errors = false;
+  bool errors = false;  ///< maps the errors too
+  bool meshes = false;  ///< reference meshes are decimated, else left out
 };
 
-/// The visible surfaces of a document, each at quality `final`. Errors: those of rebuilding and of
-/// `approximate`, with the object's name; E_NO_SURFACE when there is nothing to mesh; E_CANCELLED.
+/// The visible surfaces of a document, each at quality `final`. Errors: those of rebuilding, `approximate`
+/// and `decimate`, with the object's name; E_NO_SURFACE when there is nothing to mesh; E_CANCELLED.
 Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel = {},
                                                 const Progress& progress = {});

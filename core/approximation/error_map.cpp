@@ -103,7 +103,7 @@ class ErrorMapper {
                           double(surface.patch_count());
     const bool square = surface.domain() == Domain::square;
     const GridPattern pattern{surface.domain(),
-                              std::clamp(int(std::sqrt(square ? wanted : 2 * wanted)), 4, 512)};
+                              std::clamp(int(std::sqrt(square ? wanted : 2 * wanted)), 2, 512)};
     const auto parameters = pattern.parameters();
     const auto triangles = pattern.triangles();
     for (Index p = 0; p < surface.patch_count(); ++p) {

@@ -197,21 +197,12 @@ FacetErrors::FacetErrors(const SurfaceSampler& sampler, const MeshCriteria& crit
       criteria_(criteria),
       spread_grid_(spread_density),
       angle_grid_(angle_density),
-      distance_grid_(distance_density) {
+      distance_grid_(distance_density),
+      brightness_(criteria.luminance_model) {
   int highest = 1;
   for (Index p = 0; p < sampler.surface().patch_count(); ++p)
     highest = std::max(highest, sampler.hull_degree(p));
   for (int n = 0; n <= highest; ++n) hull_grids_.emplace_back(std::max(n, 1));
-  const LuminanceModel& model = criteria.luminance_model;
-  std::vector<Vector3> lights = model.lights;
-  if (lights.empty())
-    for (int axis = 0; axis < 3; ++axis)
-      for (const double sign : {1.0, -1.0}) lights.push_back(sign * Vector3::Unit(axis));
-  const Vector3 view = model.view.normalized();
-  for (const Vector3& light : lights) {
-    const Vector3 l = light.normalized(), half = l + view;
-    lamps_.push_back({l, half.norm() > 1e-9 ? Vector3(half.normalized()) : Vector3::Zero()});
-  }
 }
 
 DistanceError FacetErrors::distance(const ParameterMesh& mesh, Index facet, double tolerance) const {
@@ -257,12 +248,6 @@ double FacetErrors::normal_spread(const ParameterMesh& mesh, Index facet) const 
   return largest_angle(sampler_, mesh, facet, spread_grid_);
 }
 
-double FacetErrors::brightness(const Lamp& lamp, const Vector3& normal) const {
-  const LuminanceModel& model = criteria_.luminance_model;
-  return model.diffuse * std::max(normal.dot(lamp.light), 0.0) +
-         model.specular * std::pow(std::max(normal.dot(lamp.half), 0.0), model.shininess);
-}
-
 double FacetErrors::luminance(const ParameterMesh& mesh, Index facet) const {
   const auto corners = mesh.corners(facet);
   const Vector3 own = facet_normal(corners[0], corners[1], corners[2]);
@@ -277,15 +262,15 @@ double FacetErrors::luminance(const ParameterMesh& mesh, Index facet) const {
   for (int piece = 0; piece < pieces.count; ++piece) {
     at_grid(pieces.triangle[std::size_t(piece)], grid, {parameters.data(), count});
     sampler_.normals(mesh.facets[facet].patch, {parameters.data(), count}, {normals.data(), count});
-    for (const Lamp& lamp : lamps_) {
-      const double at[3] = {brightness(lamp, normals[std::size_t(grid.sides[0].front())]),
-                            brightness(lamp, normals[std::size_t(grid.sides[1].front())]),
-                            brightness(lamp, normals[std::size_t(grid.sides[2].front())])};
-      const double facet_brightness = brightness(lamp, own);
+    for (std::size_t light = 0; light < brightness_.lights(); ++light) {
+      const double at[3] = {brightness_.of(normals[std::size_t(grid.sides[0].front())], light),
+                            brightness_.of(normals[std::size_t(grid.sides[1].front())], light),
+                            brightness_.of(normals[std::size_t(grid.sides[2].front())], light)};
+      const double facet_brightness = brightness_.of(own, light);
       for (std::size_t k = 0; k < count; ++k) {
         const double b = grid.points[k].x(), c = grid.points[k].y();
         const double shown = flat ? facet_brightness : (1 - b - c) * at[0] + b * at[1] + c * at[2];
-        worst = std::max(worst, std::abs(brightness(lamp, normals[k]) - shown));
+        worst = std::max(worst, std::abs(brightness_.of(normals[k], light) - shown));
       }
     }
   }

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "core/approximation/brightness.hpp"
 #include "core/approximation/mesh_options.hpp"
 #include "core/approximation/parameter_mesh.hpp"
 #include "core/approximation/surface_sampler.hpp"
@@ -46,17 +47,13 @@ class FacetErrors {
   double sampled_error(const ParameterMesh& mesh, Index facet) const;
 
  private:
-  struct Lamp {
-    Vector3 light, half;
-  };
-  double brightness(const Lamp& lamp, const Vector3& normal) const;
   double shape_error(const ParameterMesh& mesh, Index facet) const;
 
   const SurfaceSampler& sampler_;
   const MeshCriteria& criteria_;
   BarycentricGrid spread_grid_, angle_grid_, distance_grid_;
   std::vector<BarycentricGrid> hull_grids_;  ///< by degree
-  std::vector<Lamp> lamps_;
+  Brightness brightness_;
   friend class DistanceSearch;
 };
 

@@ -66,4 +66,20 @@ std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> c
   return out;
 }
 
+FaceTriangles triangulate(const PolygonMesh& mesh) {
+  FaceTriangles out;
+  std::vector<Vector3> corners;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    if (face.size() < 3) continue;
+    corners.clear();
+    for (const Index v : face) corners.push_back(mesh.positions[v]);
+    for (const auto& [a, b, c] : triangulate_polygon(corners)) {
+      out.triangles.push_back({face[a], face[b], face[c]});
+      out.faces.push_back(Index(f));
+    }
+  }
+  return out;
+}
+
 }  // namespace hariko

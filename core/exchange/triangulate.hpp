@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
+#include "core/polyhedron/polygon_mesh.hpp"
 
 namespace hariko {
 
@@ -15,5 +16,13 @@ namespace hariko {
 /// itself. Always corners - 2 triangles. O(n^2); polygons above 1000 corners, and what has no ear left, are
 /// cut as a fan.
 std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> corners);
+
+/// All faces of a mesh as triangles, and the face that each is of. Faces with fewer than three corners have
+/// none; indices must be in range.
+struct FaceTriangles {
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> faces;
+};
+FaceTriangles triangulate(const PolygonMesh& mesh);
 
 }  // namespace hariko

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/document/edit_objects.hpp"
+#include "core/document/file.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hariko {
@@ -81,6 +83,28 @@ TEST_F(Mesh, ErrorsOfEveryFacetAndSample) {
   EXPECT_EQ(errors["distance"]["place"].size(), 3U);
   EXPECT_EQ(run("mesh " + golden("cube.obj") + " " + path("o.obj") + " --normal 15 --errors x.txt").exit_code,
             2);
+}
+
+TEST_F(Mesh, ReferenceMeshesAreDecimated) {
+  // A flat sheet of 20 x 20 squares that is bent once, at 90 degrees.
+  PolygonMesh sheet;
+  for (Index j = 0; j <= 20; ++j)
+    for (Index i = 0; i <= 20; ++i) sheet.positions.emplace_back(std::min(i, 10U), j, i < 10 ? 0 : i - 10);
+  for (Index j = 0; j < 20; ++j)
+    for (Index i = 0; i < 20; ++i)
+      sheet.add_face({21 * j + i, 21 * j + i + 1, 21 * j + i + 22, 21 * j + i + 21});
+  auto source = MeshSource::from_mesh(sheet);
+  ASSERT_TRUE(source.ok());
+  const auto document = add_object({}, "sheet", std::move(source).value());
+  ASSERT_TRUE(document.ok());
+  ASSERT_TRUE(save_document(document->document, path("sheet.hariko")).ok());
+  const Outcome result = run("mesh " + path("sheet.hariko") + " " + path("out.obj") +
+                             " --distance 0.01 --json --errors " + path("errors.csv"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json object = result.json()["objects"].at(0);
+  EXPECT_EQ(object["facets"], 4);
+  EXPECT_LE(object["distance"]["bound"].get<double>(), 0.01);
+  EXPECT_LE(object["errors"]["distance"]["largest"].get<double>(), 1e-9);
 }
 
 TEST_F(Mesh, Refusals) {
