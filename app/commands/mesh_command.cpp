@@ -6,10 +6,10 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/files/mesh_surfaces.hpp"
+#include "app/files/open_file.hpp"
 #include "core/base/file_io.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/number_text.hpp"
-#include "core/exchange/read_patches.hpp"
 
 namespace hariko {
 
@@ -106,7 +106,9 @@ int run_mesh(const MeshArguments& arguments) {
   };
   const MeshRequest request{arguments.options, !arguments.errors.empty(), true};
   Result<std::vector<MeshedObject>> meshed = std::vector<MeshedObject>{};
-  if (is_patch_file(arguments.file)) {
+  const auto holds = content_of(arguments.file);
+  if (!holds.ok()) return failed(holds.error());
+  if (*holds == JsonKind::patches) {
     meshed = mesh_patch_file(arguments.file, request);
   } else {
     const auto document = read_document_or_report(arguments.file, arguments.construction);

@@ -234,6 +234,8 @@ class CommandLine {
         ->check(CLI::IsMember({"mid", "halving", "gauss", "curvature"}))
         ->capture_default_str();
     mesh_->add_flag("--optimise", optimise_, "Fewer facets, in more time");
+    mesh_->add_flag("--balanced", balanced_,
+                    "Vertices may leave surfaces that bend one way: fewer facets still, by a distance alone");
     mesh_->add_option("--errors", errors_, "File to write the error of every facet and sample to: *.csv");
     mesh_->add_flag("--json", mesh_json_, "Print JSON");
     add_construction(mesh_);
@@ -335,6 +337,7 @@ class CommandLine {
                         : split_ == "curvature" ? SplitRule::curvature
                                                 : SplitRule::midpoint;
     out.options.optimise = optimise_;
+    out.options.balanced = balanced_;
     out.options.measure_all = true;
     return out;
   }
@@ -357,7 +360,7 @@ class CommandLine {
   std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
   std::string split_ = "mid", errors_;
   std::optional<double> distance_, normal_, fold_, luminance_, max_edge_, min_angle_;
-  bool round_ = false, mesh_json_ = false, optimise_ = false;
+  bool round_ = false, mesh_json_ = false, optimise_ = false, balanced_ = false;
 };
 
 }  // namespace

@@ -179,7 +179,9 @@ Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetO
     out.warnings = mesh->warnings;
     return out;
   }
-  if (is_patch_file(file)) return patch_file_facets(file, options, cancel);
+  const auto holds = content_of(file);
+  if (!holds.ok()) return holds.error();
+  if (*holds == JsonKind::patches) return patch_file_facets(file, options, cancel);
   OpenedFile opened = open_file(file, cancel);
   if (!opened.document) {
     const Message* error = opened.error();

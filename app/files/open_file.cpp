@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/file.hpp"
+#include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/read_bpt.hpp"
 #include "core/exchange/read_patches.hpp"
@@ -58,6 +60,13 @@ OpenedFile cancelled() {
   return opened;
 }
 
+bool has_ending(const std::filesystem::path& file, std::string_view ending) {
+  std::string own = file.extension().native();
+  for (char& c : own)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return own == ending;
+}
+
 /// One object for each patch.
 void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
   const auto take = [&](const auto& result) {
@@ -91,6 +100,17 @@ const Message* OpenedFile::error() const {
   return found == messages.end() ? nullptr : &*found;
 }
 
+Result<JsonKind> content_of(const std::filesystem::path& file) {
+  if (has_ending(file, ".bpt")) return JsonKind::patches;
+  if (!has_ending(file, ".json")) return JsonKind::document;
+  const auto text = read_file(file);
+  if (!text.ok()) return text.error();
+  const auto kind = json_kind(*text);
+  if (!kind.ok() || use_of(*kind).empty()) return kind;
+  return make_error(e_format_unknown, "The file holds " + std::string(name_of(*kind)) + ".",
+                    std::string(use_of(*kind)));
+}
+
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress) {
   OpenedFile opened;
   opened.name = printable(file.stem().string(), Object::max_name_length);
@@ -99,7 +119,12 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
     open_mesh(file, cancel, progress, opened);
     return cancel.cancelled() ? cancelled() : std::move(opened);
   }
-  if (is_patch_file(file)) {
+  const auto holds = content_of(file);
+  if (!holds.ok()) {
+    opened.messages.push_back(holds.error());
+    return opened;
+  }
+  if (*holds == JsonKind::patches) {
     open_patches(file, opened);
     return opened;
   }

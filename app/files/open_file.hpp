@@ -9,6 +9,7 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/document.hpp"
+#include "core/exchange/json_kind.hpp"
 #include "core/polyhedron/repair.hpp"
 
 namespace hariko {
@@ -28,8 +29,12 @@ struct OpenedFile {
   const Message* error() const;
 };
 
-/// The ending of the name decides: .obj .off .ply .stl are meshes, .bpt and .json bicubic patches, all else
-/// is a document. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and
+/// What a file holds that is no mesh: .bpt is patches, .json what its content says, all else a document.
+/// Errors: those of `read_file` and `json_kind`; E_FORMAT_UNKNOWN for kinds that are not opened.
+Result<JsonKind> content_of(const std::filesystem::path& file);
+
+/// The ending of the name decides: .obj .off .ply .stl are meshes, else `content_of` does; patches must be
+/// bicubic. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and
 /// `validate`; E_CANCELLED alone where it was cancelled.
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
                      const Progress& progress = {});

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "core/approximation/balance.hpp"
 #include "core/approximation/bisection.hpp"
 #include "core/approximation/initial_mesh.hpp"
 #include "core/approximation/mesh_report.hpp"
@@ -41,6 +42,10 @@ void add_warnings(const MeshOptions& options, const BisectionResult& refined, Me
                      "The tolerance was not reached: " + std::to_string(refined.unreached) +
                          " facets are above it (edges too short).",
                      "Look for kinks, cusps or folds of the surface there."));
+  if (options.balanced)
+    out.warnings.push_back(make_warning(
+        w_mesh_balanced, "The vertices stay on the surface: it does not bend one way everywhere.",
+        "Balance surfaces with positive Gaussian curvature, by a distance alone."));
   const std::optional<double>& angle = options.criteria.min_angle;
   if (angle && out.smallest_angle < *angle)
     out.warnings.push_back(make_warning(
@@ -61,12 +66,23 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
   if (!(size > 0)) return make_error(e_mesh_surface, "The surface is shrunk to a point.", "Give it a size.");
   if (auto error = check_criteria(options.criteria, size)) return *error;
   const FacetErrors errors(sampler, options.criteria);
+  const auto cancelled = [] { return make_error(e_cancelled, "The meshing was cancelled."); };
   // What the optimiser leaves is good already but for the folds, which it only estimates.
-  ParameterMesh mesh = options.optimise ? optimised_mesh(sampler, options, cancel, progress.part(0, 0.8))
-                                        : initial_mesh(surface);
+  if (options.balanced) {
+    auto balanced = balanced_mesh(sampler, options, cancel, progress.part(0, 0.85));
+    if (cancel.cancelled()) return cancelled();
+    if (balanced) {
+      MeshApproximation out =
+          mesh_report(sampler, errors, options, *balanced, cancel, progress.part(0.85, 1));
+      if (cancel.cancelled()) return cancelled();
+      return out;
+    }
+  }
+  ParameterMesh mesh = options.optimise || options.balanced
+                           ? optimised_mesh(sampler, options, cancel, progress.part(0, 0.8))
+                           : initial_mesh(surface);
   const BisectionResult refined =
       bisect(sampler, errors, options, mesh, cancel, progress.part(options.optimise ? 0.8 : 0, 0.85));
-  const auto cancelled = [] { return make_error(e_cancelled, "The meshing was cancelled."); };
   if (refined.cancelled) return cancelled();
   MeshApproximation out = mesh_report(sampler, errors, options, mesh, cancel, progress.part(0.85, 1));
   if (cancel.cancelled()) return cancelled();

@@ -251,7 +251,8 @@ class Decimator {
     const auto has = [](const std::array<Index, 3>& t, Index v) {
       return std::find(t.begin(), t.end(), v) != t.end();
     };
-    for (const auto& [f, t] : moved_) {
+    for (const auto& [facet, t] : moved_) {
+      const Index f = facet;
       const Vector3 own = normal_of(mesh_.positions(), t);
       for (std::size_t c = 0; c < 3; ++c) {
         const Index a = t[c], b = t[(c + 1) % 3];

@@ -84,6 +84,7 @@ class ErrorMapper {
     const auto triangles = pattern.triangles();
     for (std::size_t f = 0; f < parts_.size(); ++f) {
       const ParameterPieces pieces = pieces_of(parts_[f]);
+      map_.facet_samples.push_back(Index(map_.samples.size()));
       const auto p = corners(f);
       const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
       for (int piece = 0; piece < pieces.count; ++piece) {

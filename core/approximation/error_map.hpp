@@ -39,6 +39,9 @@ struct SurfaceSample {
 struct MeshErrorMap {
   std::vector<SurfaceSample> samples;
   std::vector<std::array<Index, 3>> sample_triangles;  ///< the surface through its samples, for pictures
+  /// With parts: the first sample of each facet; those of one follow in the order of GridPattern. (A facet at
+  /// a pole stands for two triangles: their samples follow each other.)
+  std::vector<Index> facet_samples;
   /// Of the samples to the closed triangle that is nearest; `points` are the samples. Mean by area.
   ErrorField distance;
   /// Between the normals of the samples and of their facets; `points` are the samples. Mean by area.

@@ -15,6 +15,7 @@ inline constexpr Code e_mesh_nothing{"E_MESH_NOTHING"};      ///< no patches, or
 inline constexpr Code e_mesh_tolerance{"E_MESH_TOLERANCE"};  ///< not positive, not a number, or too small
 inline constexpr Code e_mesh_surface{"E_MESH_SURFACE"};      ///< the surface has no area to put facets on
 inline constexpr Code w_mesh_unreached{"W_MESH_UNREACHED"};  ///< facets above the tolerance remain
+inline constexpr Code w_mesh_balanced{"W_MESH_BALANCED"};    ///< vertices could not leave the surface
 inline constexpr Code w_mesh_limit{"W_MESH_LIMIT"};          ///< the limit of facets was reached
 
 /// Brightness of a point with unit normal n: diffuse max(n . l, 0) + specular max(n . h, 0)^shininess, where
@@ -72,6 +73,10 @@ struct MeshOptions {
   /// Fewer facets by flips, collapses and moves along the surface; many times slower. `split` and
   /// `propagation` then have no effect.
   bool optimise = false;
+  /// Vertices off the surface, so that it runs through the middle of its tolerance: about half of the
+  /// optimised facets. For surfaces that bend one way everywhere (positive Gaussian curvature), under a
+  /// distance; else W_MESH_BALANCED, and the vertices stay on the surface. Borders are not interpolated.
+  bool balanced = false;
   std::size_t facet_limit = 5'000'000;
   /// Measures distance and normal angle of the result even where they are not asked for.
   bool measure_all = false;

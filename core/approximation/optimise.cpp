@@ -9,6 +9,7 @@
 #include "core/approximation/bisection.hpp"
 #include "core/approximation/facet_error.hpp"
 #include "core/approximation/facet_geometry.hpp"
+#include "core/approximation/fold_error.hpp"
 #include "core/approximation/initial_mesh.hpp"
 #include "core/approximation/mesh_surgery.hpp"
 
@@ -19,6 +20,10 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double most_turn = 0.61;  ///< 35 degrees: normals at corners of a facet that a collapse may make
 constexpr int cycles = 6, sweeps_a_cycle = 3, flip_sweeps = 8;
+/// The search ends, wherever it is, after this many errors of facets: about a minute.
+constexpr std::size_t most_judgements = 12'000'000;
+/// What the whole search takes of them, about, for one facet of the plain refinement.
+constexpr std::size_t judgements_a_facet = 1200;
 /// Decimation goes beyond the tolerance on purpose; what repair then cuts is less than what was gained.
 constexpr double beyond = 1.35, further = 0.1;  ///< in the first cycle, and more in each one after it
 
@@ -34,8 +39,21 @@ class Optimiser {
   Optimiser(const SurfaceSampler& sampler, const MeshOptions& options, const CancelToken& cancel)
       : sampler_(sampler), options_(options), cancel_(cancel), errors_(sampler, options_.criteria) {}
 
-  /// The smallest mesh found from a start that need not satisfy the criteria.
-  ParameterMesh run(ParameterMesh start, const Progress& progress) {
+  /// Removes what can go without anything else, for meshes that are too large to be searched.
+  ParameterMesh thinned(ParameterMesh start) {
+    most_facets_ = start.facets.size();
+    take(start);
+    decimate(1, true);
+    return repair() ? mesh_ : start;
+  }
+
+  /// The smallest of `best`, which satisfies the criteria, and what is found from a start that need not.
+  ParameterMesh run(ParameterMesh start, ParameterMesh best, const Progress& progress) {
+    const auto keep_best = [&] {
+      if (mesh_.facets.size() < best.facets.size()) best = mesh_;
+    };
+    // Beyond it a mesh is of no use.
+    most_facets_ = 2 * std::max(best.facets.size(), start.facets.size()) + 64;
     take(std::move(start));
     flips();
     decimate(0.6, false);
@@ -44,22 +62,22 @@ class Optimiser {
     decimate(1, false);
     relax(2, 0.2);
     flips();
-    repair();
-    ParameterMesh best = mesh_;
-    for (int cycle = 0; cycle < cycles && !cancel_.cancelled(); ++cycle) {
+    if (!repair()) return best;
+    keep_best();
+    for (int cycle = 0; cycle < cycles && !over(); ++cycle) {
       progress.report((1.0 + cycle) / (1 + cycles));
       decimate(beyond + further * cycle, false);
       for (int sweep = 0; sweep < sweeps_a_cycle; ++sweep) {
         relax(2, 0.2);
         flips();
       }
-      repair();
+      if (!repair()) return best;
       relax(2, 0.1);
       flips();
-      repair();
+      if (!repair()) return best;
       decimate(1, true);
-      repair();
-      if (mesh_.facets.size() < best.facets.size()) best = mesh_;
+      if (!repair()) return best;
+      keep_best();
     }
     return best;
   }
@@ -71,11 +89,16 @@ class Optimiser {
     error_.resize(mesh_.facets.size());
     for (Index f = 0; f < mesh_.facets.size(); ++f) error_[f] = estimate(f);
   }
+  bool over() const { return judgements_ > most_judgements || cancel_.cancelled(); }
   double estimate(Index facet) const {
+    ++judgements_;
     double worst = errors_.sampled_error(mesh_, facet);
-    // Two facets whose normals are near the surface's are near each other's.
-    if (options_.criteria.fold_angle)
-      worst = std::max(worst, 2 * errors_.normal_spread(mesh_, facet) / *options_.criteria.fold_angle);
+    if (options_.criteria.fold_angle) {
+      const double crease = std::min(crease_angle, 0.5 * *options_.criteria.fold_angle);
+      const double fold =
+          std::max(errors_.normal_spread(mesh_, facet), facet_fold(sampler_, mesh_, facet, crease));
+      worst = std::max(worst, fold / *options_.criteria.fold_angle);
+    }
     if (options_.criteria.min_angle)
       worst = std::max(worst,
                        *options_.criteria.min_angle / std::max(smallest_angle(mesh_.corners(facet)), 1e-9));
@@ -123,9 +146,9 @@ class Optimiser {
   }
 
   void flips() {
-    for (int sweep = 0; sweep < flip_sweeps && !cancel_.cancelled(); ++sweep) {
+    for (int sweep = 0; sweep < flip_sweeps && !over(); ++sweep) {
       bool changed = false;
-      for (Index h = 0; h < mesh_.twin.size(); ++h) {
+      for (Index h = 0; h < mesh_.twin.size() && !over(); ++h) {
         if (!surgery_->alive(facet_of(h)) || mesh_.twin[h] == no_index || mesh_.twin[h] < h) continue;
         const double old = std::max(error_[facet_of(h)], error_[facet_of(mesh_.twin[h])]);
         if (!surgery_->flip(h, change_)) continue;
@@ -158,8 +181,10 @@ class Optimiser {
     return best;
   }
   bool certain(const MeshSurgery::Change& change) const {
-    return std::all_of(change.facets.begin(), change.facets.end(),
-                       [&](Index f) { return errors_.relative_error(mesh_, f) <= 1; });
+    return std::all_of(change.facets.begin(), change.facets.end(), [&](Index f) {
+      ++judgements_;
+      return errors_.relative_error(mesh_, f) <= 1;
+    });
   }
 
   void decimate(double limit, bool certified) {
@@ -177,10 +202,10 @@ class Optimiser {
       const auto [cost, h] = best_collapse(v, limit);
       if (h != no_index) queue.push({cost, v, h, version[v]});
     };
-    for (Index v = 0; v < version.size(); ++v)
+    for (Index v = 0; v < version.size() && !over(); ++v)
       if (surgery_->vertex_alive(v)) push(v);
     std::vector<Index> round;
-    while (!queue.empty() && !cancel_.cancelled()) {
+    while (!queue.empty() && !over()) {
       const Entry top = queue.top();
       queue.pop();
       if (top.version != version[top.vertex] || !surgery_->vertex_alive(top.vertex)) continue;
@@ -210,8 +235,8 @@ class Optimiser {
   /// Each vertex looks for a place where the largest error round it is smaller.
   void relax(int sweeps, double radius) {
     std::vector<Index> edges;
-    for (int sweep = 0; sweep < sweeps && !cancel_.cancelled(); ++sweep)
-      for (Index v = 0; v < surgery_->vertex_count(); ++v) {
+    for (int sweep = 0; sweep < sweeps && !over(); ++sweep)
+      for (Index v = 0; v < surgery_->vertex_count() && !over(); ++v) {
         if (!surgery_->vertex_alive(v)) continue;
         const MeshSurgery::Freedom freedom = surgery_->freedom(v);
         if (freedom == MeshSurgery::Freedom::fixed) continue;
@@ -255,14 +280,20 @@ class Optimiser {
       surgery_->undo(change_);
   }
 
-  /// Cuts what is above the tolerance, by certain bounds.
-  void repair() {
+  /// Cuts what is above the tolerance, by certain bounds. False where that comes to no end: the square root
+  /// of curvature makes needles, between which folds stay as they are.
+  bool repair() {
     MeshOptions options = options_;
-    options.split = SplitRule::curvature;
-    options.propagation = Propagation::direct;
+    if (!options_.criteria.fold_angle) {
+      options.split = SplitRule::curvature;
+      options.propagation = Propagation::direct;
+    }
+    options.facet_limit = std::min(options_.facet_limit, most_facets_);
     ParameterMesh mesh = mesh_;
-    bisect(sampler_, errors_, options, mesh, cancel_);
+    const BisectionResult result = bisect(sampler_, errors_, options, mesh, cancel_);
+    if (result.limit_reached || result.cancelled) return false;
     take(std::move(mesh));
+    return true;
   }
 
   const SurfaceSampler& sampler_;
@@ -273,6 +304,8 @@ class Optimiser {
   std::unique_ptr<MeshSurgery> surgery_;
   std::vector<double> error_, fresh_;
   MeshSurgery::Change change_;
+  std::size_t most_facets_ = 0;
+  mutable std::size_t judgements_ = 0;
 };
 
 MeshOptions start_options_of(MeshOptions options) {
@@ -308,22 +341,22 @@ std::optional<ParameterMesh> best_grid(const SurfaceSampler& sampler, const Mesh
 
 ParameterMesh optimised_mesh(const SurfaceSampler& sampler, const MeshOptions& options,
                              const CancelToken& cancel, const Progress& progress) {
-  MeshOptions start_options = start_options_of(options);
-  start_options.criteria = scaled(options.criteria, 0.5);
-  const FacetErrors start_errors(sampler, start_options.criteria);
-  ParameterMesh start = initial_mesh(sampler.surface());
-  bisect(sampler, start_errors, start_options, start, cancel, progress.part(0, 0.1));
-  Optimiser optimiser(sampler, options, cancel);
-  ParameterMesh best = optimiser.run(std::move(start), progress.part(0.1, 0.6));
   // Round poles and where many small patches meet, refinement alone may do better.
   ParameterMesh plain = initial_mesh(sampler.surface());
-  bisect(sampler, FacetErrors(sampler, options.criteria), start_options_of(options), plain, cancel);
-  if (plain.facets.size() < best.facets.size()) best = std::move(plain);
+  MeshOptions start_options = start_options_of(options);
+  bisect(sampler, FacetErrors(sampler, options.criteria), start_options, plain, cancel,
+         progress.part(0, 0.05));
+  Optimiser optimiser(sampler, options, cancel);
+  if (plain.facets.size() > most_judgements / judgements_a_facet) return optimiser.thinned(std::move(plain));
+  start_options.criteria = scaled(options.criteria, 0.5);
+  ParameterMesh start = initial_mesh(sampler.surface());
+  bisect(sampler, FacetErrors(sampler, start_options.criteria), start_options, start, cancel,
+         progress.part(0.05, 0.1));
+  ParameterMesh best = optimiser.run(std::move(start), std::move(plain), progress.part(0.1, 0.6));
   const Surface& surface = sampler.surface();
   if (surface.patch_count() != 1 || surface.domain() != Domain::square || cancel.cancelled()) return best;
   if (auto grid = best_grid(sampler, options, 3 * best.facets.size() / 2, cancel)) {
-    ParameterMesh other = optimiser.run(std::move(*grid), progress.part(0.6, 1));
-    if (other.facets.size() < best.facets.size()) best = std::move(other);
+    best = optimiser.run(std::move(*grid), std::move(best), progress.part(0.6, 1));
   }
   return best;
 }

@@ -192,11 +192,6 @@ Result<std::vector<NamedPatches>> read_bezier_json(std::string_view text) {
   return out;
 }
 
-bool is_patch_file(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".bpt" || extension == ".json";
-}
-
 Result<std::vector<NamedPatches>> read_patch_file(const std::filesystem::path& path) {
   const auto text = read_file(path);
   if (!text.ok()) return text.error();

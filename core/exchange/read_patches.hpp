@@ -30,9 +30,7 @@ Result<std::vector<BezierPatch>> read_bezier_text(std::string_view text);
 /// Weights and further members may be missing. Errors: E_EMPTY, E_PARSE, E_LIMIT, those of `check_patch`.
 Result<std::vector<NamedPatches>> read_bezier_json(std::string_view text);
 
-/// True for the endings .bpt and .json, in any case of letters.
-bool is_patch_file(const std::filesystem::path& path);
-/// Errors: those of `read_file` and of the readers above.
+/// JSON by the ending .json, else text. Errors: those of `read_file` and of the readers above.
 Result<std::vector<NamedPatches>> read_patch_file(const std::filesystem::path& path);
 
 }  // namespace hariko

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/approximation/approximate.hpp"
 #include "tests/approximation/checker.hpp"
 #include "tests/approximation/surfaces.hpp"
@@ -77,6 +79,73 @@ TEST(OptimisedMesh, AllCriteriaHold) {
   EXPECT_LE(made->distance.bound, 0.05);
   EXPECT_LE(made->normal_angle.largest, 0.3);
   EXPECT_LE(made->longest_edge, 1.2);
+}
+
+TEST(OptimisedMesh, FoldsDoNotMakeItRunAway) {
+  // Cutting needles again and again does not lower their folds: the search once never came to an end here.
+  std::vector<std::pair<const char*, double>> cases{{"quarterpipe", 6.0}};
+  if (repetitions(1) > 1) cases = {{"quarterpipe", 0.5}, {"wave", 10.0}, {"wave", 0.5}};
+  for (const auto& [name, angle] : cases) {
+    SCOPED_TRACE(name);
+    const Surface surface = golden_surface(name);
+    MeshOptions options;
+    options.criteria.fold_angle = angle * std::numbers::pi / 180;
+    const std::size_t plain = approximate(surface, options)->mesh.triangles.size();
+    options.optimise = true;
+    const auto made = approximate(surface, options);
+    ASSERT_TRUE(made.ok());
+    EXPECT_TRUE(made->reached());
+    EXPECT_LE(made->fold_angle.largest, *options.criteria.fold_angle * (1 + 1e-6));
+    EXPECT_LT(made->mesh.triangles.size(), plain);
+    expect_sound(check_mesh(surface, made->mesh, 30, 0.5), false);
+  }
+}
+
+TEST(BalancedMesh, TheSurfacePassesThroughTheMiddle) {
+  // The specification's number is for the fine tolerance, which takes half a minute.
+  const bool fine = repetitions(1) > 1;
+  const double tolerance = fine ? 0.01 : 0.08;
+  const Surface surface = golden_surface("dome");
+  MeshOptions options;
+  options.criteria.distance = tolerance;
+  options.optimise = true;
+  const auto optimised = approximate(surface, options);
+  options.balanced = true;
+  const auto made = approximate(surface, options);
+  ASSERT_TRUE(made.ok());
+  EXPECT_TRUE(made->reached());
+  EXPECT_TRUE(made->distance.certified);
+  EXPECT_LE(made->distance.bound, tolerance);
+  EXPECT_LT(double(made->mesh.triangles.size()), 0.8 * double(optimised->mesh.triangles.size()));
+  if (fine) {
+    EXPECT_LE(made->mesh.triangles.size(), 110U);
+  }
+  const MeshCheck check = check_mesh(surface, made->mesh, fine ? 100 : 40, tolerance);
+  expect_sound(check, false);
+  expect_close(check, tolerance);
+}
+
+TEST(BalancedMesh, OnlyWhereTheSurfaceBendsOneWay) {
+  for (const char* name : {"saddle", "quarterpipe"}) {
+    const Surface surface = golden_surface(name);
+    MeshOptions options;
+    options.criteria.distance = 0.05;
+    options.balanced = true;
+    const auto made = approximate(surface, options);
+    ASSERT_TRUE(made.ok());
+    ASSERT_FALSE(made->warnings.empty());
+    EXPECT_EQ(made->warnings[0].code, w_mesh_balanced);
+    EXPECT_LE(made->distance.bound, 0.05);
+  }
+  // Nor under other criteria.
+  MeshOptions options;
+  options.criteria.distance = 0.1;
+  options.criteria.normal_angle = 0.3;
+  options.balanced = true;
+  const auto made = approximate(golden_surface("dome"), options);
+  ASSERT_TRUE(made.ok());
+  EXPECT_FALSE(made->warnings.empty());
+  EXPECT_LE(made->normal_angle.largest, 0.3);
 }
 
 TEST(OptimisedMesh, CanBeCancelled) {

@@ -1,0 +1,109 @@
+#include "core/exchange/json_kind.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/file_io.hpp"
+#include "core/exchange/imported_mesh.hpp"
+
+namespace hariko {
+
+namespace {
+
+using Json = nlohmann::json;
+
+struct Entry {
+  JsonKind kind;
+  std::string_view name;
+  std::string_view format;  ///< value of the member "format"; empty for kinds without one
+  std::string_view use;     ///< of files that cannot be opened
+};
+constexpr std::array entries{
+    Entry{JsonKind::document, "a Hariko document", "hariko", ""},
+    Entry{JsonKind::patches, "Bezier patches", "", ""},
+    Entry{JsonKind::keys, "key bindings", "hariko-keys", "Read it in Preferences, Keys."},
+    Entry{JsonKind::layout, "a paper model's layout", "unfolding-1", "Open the model that it was made from."},
+};
+
+const Entry& entry_of(JsonKind kind) {
+  return *std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.kind == kind; });
+}
+
+/// Notes the member "format" of the whole and whether an object two levels down has "ctrl"; keeps nothing.
+class Marks : public nlohmann::json_sax<Json> {
+ public:
+  std::string format;
+  bool controls = false;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t& value) override {
+    if (depth_ == 1 && key_ == "format") format = value;
+    return true;
+  }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return deeper(); }
+  bool end_object() override { return shallower(); }
+  bool start_array(std::size_t) override { return deeper(); }
+  bool end_array() override { return shallower(); }
+  bool key(string_t& name) override {
+    if (depth_ == 1) key_ = name;
+    controls = controls || (depth_ == 3 && name == "ctrl");
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  bool deeper() {
+    ++depth_;
+    return true;
+  }
+  bool shallower() {
+    --depth_;
+    return true;
+  }
+  std::size_t depth_ = 0;
+  std::string key_;
+};
+
+std::string accepted() {
+  std::string out;
+  for (const Entry& entry : entries) {
+    if (!entry.use.empty()) continue;
+    if (!out.empty()) out += " and ";
+    out += entry.name;
+    out += entry.format.empty() ? " (\"ctrl\": rows of points)"
+                                : " (\"format\": \"" + std::string(entry.format) + "\")";
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<JsonKind> json_kind(std::string_view text) {
+  Marks marks;
+  if (!Json::sax_parse(text, &marks))
+    return make_error(e_parse, "The file is not JSON, or is cut off.",
+                      "Files of " + accepted() + " can be opened.");
+  for (const Entry& entry : entries)
+    if (!entry.format.empty() && entry.format == marks.format) return entry.kind;
+  if (marks.controls) return JsonKind::patches;
+  return make_error(e_format_unknown, "The file is JSON of a kind that this program does not know.",
+                    "Files of " + accepted() + " can be opened.");
+}
+
+std::string_view name_of(JsonKind kind) {
+  return entry_of(kind).name;
+}
+std::string_view use_of(JsonKind kind) {
+  return entry_of(kind).use;
+}
+
+}  // namespace hariko
