@@ -20,6 +20,7 @@
 #include "app/files/open_file.hpp"
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
+#include "app/mesh_previewer.hpp"
 #include "app/persistence/settings_file.hpp"
 #include "app/picture_export.hpp"
 #include "app/pictures.hpp"
@@ -70,6 +71,7 @@ class Application {
         engine_([] { return std::make_unique<SurfaceBuilder>(); }, &GlWindow::wake,
                 [this](ObjectId id, const SurfaceView& view) { log_.rebuilt(id, view); }),
         long_(editor_, &GlWindow::wake),
+        meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
@@ -111,7 +113,7 @@ class Application {
       editor_.now = window_.now();
       follow_recording();
       if (recorder_) recorder_->batch(editor_.now, window_.input());
-      if (engine_.publish() + long_.publish() + session_.publish() > 0) {
+      if (engine_.publish() + long_.publish() + session_.publish() + meshes_.publish() > 0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
       }
@@ -160,7 +162,7 @@ class Application {
     const double next = workbench_.viewport().next_frame_in();
     if (next >= 0) seconds = std::min(seconds, next);
     if (ImGui::GetIO().WantTextInput) seconds = std::min(seconds, 0.25);
-    if (editor_.notices_expire() || engine_.any_pending() || !editor_.jobs.empty())
+    if (editor_.notices_expire() || engine_.any_pending() || !editor_.jobs.empty() || editor_.meshing.job)
       seconds = std::min(seconds, 0.1);
     if (editor_.history.in_gesture()) seconds = std::min(seconds, RebuildEngine::rest_seconds / 2);
     if (const double autosave = session_.due_in(); autosave >= 0) seconds = std::min(seconds, autosave);
@@ -199,7 +201,7 @@ class Application {
   bool due() const {
     const double next = workbench_.viewport().next_frame_in();
     return next == 0 || editor_.notices_expire() || engine_.any_pending() || editor_.history.in_gesture() ||
-           !editor_.jobs.empty();
+           !editor_.jobs.empty() || editor_.meshing.job;
   }
 
   void take_input() {
@@ -233,6 +235,7 @@ class Application {
     if (std::exchange(recompute.wants_cancel, false)) engine_.cancel_all();
     if (std::exchange(recompute.wants_now, false)) engine_.recompute_outdated();
     engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, recompute.policy);
+    meshes_.sync();
     if (auto outdated = engine_.outdated(); outdated != recompute.outdated) {
       recompute.outdated = std::move(outdated);
       frames_ = std::max(frames_, 1);
@@ -241,7 +244,7 @@ class Application {
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
-    idle_ = frames_ <= 0 && !due() && long_.idle() && session_.idle() &&
+    idle_ = frames_ <= 0 && !due() && long_.idle() && session_.idle() && meshes_.idle() &&
             workbench_.viewport().next_frame_in() < 0 && !session_waits_;
     if (recorder_ && idle_) recorder_->idle(editor_.now);
     log_.frame(editor_, workbench_, idle_);
@@ -495,6 +498,7 @@ class Application {
   RebuildEngine engine_;
   CancelToken counting_;  ///< of the last count for the export dialog
   BackgroundWork long_;
+  MeshPreviewer meshes_;
   Workbench workbench_;
   DocumentSession session_;
   Pictures pictures_;

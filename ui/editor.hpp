@@ -17,6 +17,7 @@
 #include "ui/job.hpp"
 #include "ui/language.hpp"
 #include "ui/last_operation.hpp"
+#include "ui/meshing.hpp"
 #include "ui/recompute.hpp"
 #include "ui/selection.hpp"
 #include "ui/selection_memory.hpp"
@@ -87,6 +88,7 @@ class Editor {
   std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
   Language language;                       ///< the catalogue of settings.language
   LastOperation last_operation;
+  Meshing meshing;
 
   /// False while the start page shows.
   bool has_document = false;

@@ -65,6 +65,27 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const MeshSource& source) {
   return lines;
 }
 
+/// Facets in place of the smooth surface.
+void show_facets(const std::shared_ptr<const DisplayMesh>& mesh, SceneObject& out) {
+  out.mesh = mesh;
+  out.map = SurfaceMap::shaded;
+  out.wire = PatchWire::borders;
+  out.show_surface = true;
+  out.show_network = false;
+  out.marks.reset();
+  out.combs.reset();
+  out.selected_patches.clear();
+  out.hovered_patches.clear();
+  out.dimmed = false;
+}
+
+/// Errors have the sequential colours of a map that begins at zero.
+void show_errors(const MeshErrors& errors, SceneObject& out) {
+  show_facets(errors.mesh, out);
+  out.map = SurfaceMap::gaussian;
+  out.range = errors.range;
+}
+
 /// The element that an error names, to be outlined: faces by their edges too.
 Highlights failed_of(const Message& error, const Polyhedron& polyhedron) {
   const Element& element = error.element;
@@ -109,11 +130,37 @@ void SceneBuilder::update(const Editor& editor) {
   for (const auto& object : editor.document().objects) {
     if (!object->visible || (!object->cage() && !object->mesh())) continue;
     next.objects.push_back(describe(editor, object));
+    if (const MeshingResult* meshed = editor.meshing.shown_for(object)) {
+      const MeshShown shown = editor.meshing.shown;
+      if (shown == MeshShown::facets)
+        show_facets(meshed->mesh.mesh, next.objects.back());
+      else
+        show_errors(meshed->mesh.of(shown), next.objects.back());
+    }
     ids_.push_back(object->id);
   }
   std::erase_if(entries_, [&](const auto& entry) { return !editor.document().find(entry.first); });
+  const bool compared = !compared_.empty();
   if (!same(next, scene_)) ++version_;
   scene_ = std::move(next);
+  compare(editor);
+  if (compared != !compared_.empty()) ++version_;
+}
+
+/// The four pictures: the same scene, with another mesh or another error in the object's place.
+void SceneBuilder::compare(const Editor& editor) {
+  compared_.clear();
+  if (!editor.meshing.comparing()) return;
+  const auto object = meshed_object(editor.document(), editor.selection.active);
+  const MeshingResult* result = object ? editor.meshing.shown_for(object) : nullptr;
+  if (!result || !result->compared) return;
+  const auto at = std::find(ids_.begin(), ids_.end(), object->id) - ids_.begin();
+  for (std::size_t view = 0; view < ViewLayout::count; ++view) {
+    const ComparedPicture picture = compared_picture(view);
+    compared_.push_back(scene_);
+    show_errors((*result->compared)[picture.mesh].of(picture.shown),
+                compared_.back().objects[static_cast<std::size_t>(at)]);
+  }
 }
 
 SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<const Object>& object) {

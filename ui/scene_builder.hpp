@@ -16,6 +16,10 @@ class SceneBuilder {
   /// Describes the present state.
   void update(const Editor& editor);
   const Scene& scene() const { return scene_; }
+  /// What a view shows: the same, unless meshes are compared.
+  const Scene& scene_of(int view) const {
+    return compared_.empty() ? scene_ : compared_[static_cast<std::size_t>(view)];
+  }
   ObjectId object_id(std::size_t scene_object) const { return ids_[scene_object]; }
   /// Rises whenever the picture would be another one.
   std::uint64_t version() const { return version_; }
@@ -38,7 +42,10 @@ class SceneBuilder {
   std::shared_ptr<const DisplayPolyhedron> attached_polyhedron_of(
       Entry& entry, const Document& document, const std::shared_ptr<const Object>& object);
 
+  void compare(const Editor& editor);
+
   Scene scene_;
+  std::vector<Scene> compared_;  ///< one a view, or none
   std::vector<ObjectId> ids_;
   std::map<ObjectId, Entry> entries_;
   std::uint64_t version_ = 0;

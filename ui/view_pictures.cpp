@@ -52,7 +52,7 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
 void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples) {
   State& state = states_[static_cast<std::size_t>(shown.view)];
   const Camera camera = editor.layout.views[static_cast<std::size_t>(shown.view)].camera(editor.now);
-  const auto done = renderer_.draw(scene.scene(), camera, {shown.size, samples, shown.view});
+  const auto done = renderer_.draw(scene.scene_of(shown.view), camera, {shown.size, samples, shown.view});
   if (!done.ok()) editor.notify(done.error());
   state = {true, false, scene.version(), camera, shown.size, samples, state.changed_at};
   const FrameStatistics& now = renderer_.statistics();

@@ -6,6 +6,7 @@
 
 #include "ui/panels/axis_gizmo.hpp"
 #include "ui/panels/legend.hpp"
+#include "ui/panels/mesh_overlay.hpp"
 #include "ui/panels/view_frame.hpp"
 #include "ui/tools/navigation.hpp"
 
@@ -41,6 +42,8 @@ std::size_t button_index(PointerButton button) {
 }  // namespace
 
 void Viewport::draw(PanelContext& context, const PanelRect& rect) {
+  // Compared pictures are seen from the same place.
+  if (editor_.meshing.comparing()) editor_.layout.views.fill(View(editor_.layout.active_view()));
   place_views(rect);
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   editor_.pixel_scale = double(context.metrics.scale) * double(scale.x);
@@ -222,6 +225,7 @@ void Viewport::show(PanelContext& context, const Place& place) {
     const auto pointer = place.gizmo_hovered ? std::optional(ImGui::GetIO().MousePos) : std::nullopt;
     gizmo_of(context.metrics, place.rect, camera).draw(list, pointer, place.gizmo_hovered);
   }
+  draw_mesh_overlay(context, camera, size_of(place), place.rect, static_cast<std::size_t>(place.view));
   if (active) draw_probe(context, camera, size_of(place), place.rect, pointed_at_);
   if (active) draw_frame_overlay(context, place.rect);
   draw_view_title(context, place.view, place.rect, place.title_hovered);

@@ -151,7 +151,10 @@ void Workbench::layout(PanelContext& context, float menu) {
   const float side = std::min(metrics_.px(editor_.settings.side_width), screen.x / 2);
   const float guide = editor_.guide.shown() ? metrics_.px(260) : 0;
   if (guide > 0) draw_guide(context, {{tools, menu}, {tools + guide, screen.y - status}});
-  const PanelRect view{{tools + guide, menu}, {screen.x - side - line, screen.y - status}};
+  const float meshing = editor_.meshing.open ? metrics_.px(280) : 0;
+  const float left = tools + guide;
+  if (meshing > 0) draw_meshing(context, {{left, menu}, {left + meshing, screen.y - status}});
+  const PanelRect view{{left + meshing, menu}, {screen.x - side - line, screen.y - status}};
   const float objects_height =
       std::clamp(metrics_.px(48 + 32 * static_cast<float>(editor_.document().objects.size())),
                  metrics_.px(96), metrics_.px(240));
@@ -423,6 +426,7 @@ void Workbench::forget_interface() {
   cheat_sheet_ = {};
   export_options_ = {};
   picture_settings_ = {};
+  editor_.meshing = {};
   ImGui::ClearActiveID();
   for (ImGuiWindow* window : GImGui->Windows) {
     window->StateStorage.Clear();

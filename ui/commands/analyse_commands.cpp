@@ -188,6 +188,43 @@ void add_view_switches(CommandHost& host) {
                   [&editor] { return editor.settings.colour_blind_maps; }});
 }
 
+/// Four views for four pictures; the views from before come back after it.
+void compare_meshes(Editor& editor, bool on) {
+  Meshing& meshing = editor.meshing;
+  meshing.settings.compare = on;
+  meshing.stopped = false;
+  if (on) {
+    meshing.kept_layout = editor.layout;
+    editor.layout.arrange(Arrangement::four);
+  } else if (meshing.kept_layout) {
+    const View now = editor.layout.active_view();
+    editor.layout = *meshing.kept_layout;
+    editor.layout.active_view() = now;
+    meshing.kept_layout.reset();
+  }
+}
+
+void add_meshing(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  host.table.add({"analyse.mesh", "Analyse", "Triangles",
+                  "Show the surface as triangles within a tolerance, and maps of their errors.", "Ctrl+Alt+T",
+                  "", false, true,
+                  [&editor] {
+                    if (editor.meshing.comparing()) compare_meshes(editor, false);
+                    editor.meshing.open = !editor.meshing.open;
+                  },
+                  document, [&editor] { return editor.meshing.open; }});
+  host.table.add({"analyse.mesh_compare", "Analyse", "Compare four pictures",
+                  "Show meshes made by distance and by normal angle, each with both of its errors.", "", "",
+                  false, false,
+                  [&editor] {
+                    editor.meshing.open = true;
+                    compare_meshes(editor, !editor.meshing.settings.compare);
+                  },
+                  document, [&editor] { return editor.meshing.comparing(); }});
+}
+
 }  // namespace
 
 void add_analyse_commands(CommandHost& host) {
@@ -197,6 +234,7 @@ void add_analyse_commands(CommandHost& host) {
   add_combs(host);
   add_view_switches(host);
   add_materials(host, why_not);
+  add_meshing(host);
 }
 
 }  // namespace hariko

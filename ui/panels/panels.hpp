@@ -88,6 +88,8 @@ void draw_status_line(PanelContext& context, const PanelRect& rect);
 void draw_notices(PanelContext& context, const PanelRect& viewport);
 /// Why a key did nothing, beside where the pointer was.
 void draw_cursor_note(PanelContext& context);
+/// Triangles of the active object within tolerances, and their errors.
+void draw_meshing(PanelContext& context, const PanelRect& rect);
 /// The step of the guided first model.
 void draw_guide(PanelContext& context, const PanelRect& rect);
 void draw_start_page(PanelContext& context, const PanelRect& rect);
