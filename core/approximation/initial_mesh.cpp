@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "core/base/assert.hpp"
+#include "core/base/disjoint_sets.hpp"
 #include "core/surface/adjacency.hpp"
 
 namespace hariko {
@@ -70,20 +70,9 @@ class InitialMesh {
   }
 
   Index add_vertex(Index patch, const Vector2& parameter) {
-    parent_.push_back(static_cast<Index>(parent_.size()));
     mesh_.positions.push_back(at(patch, parameter));
-    return parent_.back();
+    return same_.add();
   }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
   /// Cells of a square; `corner` holds vertices and parameters of the grid.
   void add_square(Index patch) {
     const auto width = std::size_t(columns_ + 1);
@@ -97,13 +86,13 @@ class InitialMesh {
     const auto is_collapsed = [&](std::uint8_t side) { return collapsed_[slot({patch, side})] != 0; };
     const auto index = [&](int i, int j) { return std::size_t(j) * width + std::size_t(i); };
     if (is_collapsed(0))
-      for (int i = 0; i < columns_; ++i) join(vertex[index(i, 0)], vertex[index(i + 1, 0)]);
+      for (int i = 0; i < columns_; ++i) same_.join(vertex[index(i, 0)], vertex[index(i + 1, 0)]);
     if (is_collapsed(2))
-      for (int i = 0; i < columns_; ++i) join(vertex[index(i, rows_)], vertex[index(i + 1, rows_)]);
+      for (int i = 0; i < columns_; ++i) same_.join(vertex[index(i, rows_)], vertex[index(i + 1, rows_)]);
     if (is_collapsed(1))
-      for (int j = 0; j < rows_; ++j) join(vertex[index(columns_, j)], vertex[index(columns_, j + 1)]);
+      for (int j = 0; j < rows_; ++j) same_.join(vertex[index(columns_, j)], vertex[index(columns_, j + 1)]);
     if (is_collapsed(3))
-      for (int j = 0; j < rows_; ++j) join(vertex[index(0, j)], vertex[index(0, j + 1)]);
+      for (int j = 0; j < rows_; ++j) same_.join(vertex[index(0, j)], vertex[index(0, j + 1)]);
     // Half-edge of each cell's side, no_index where it is shrunk.
     std::vector<std::array<Index, 4>> cells;
     for (int j = 0; j < rows_; ++j)
@@ -195,7 +184,7 @@ class InitialMesh {
       if (!collapsed_[slot({patch, std::uint8_t(side)})]) continue;
       const std::vector<int> points = grid.side(side);
       for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        join(vertex[std::size_t(points[i])], vertex[std::size_t(points[i + 1])]);
+        same_.join(vertex[std::size_t(points[i])], vertex[std::size_t(points[i + 1])]);
     }
     std::map<std::pair<int, int>, Index> half_edges;
     for (const auto& t : grid.triangles()) {
@@ -259,7 +248,7 @@ class InitialMesh {
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const SidePiece piece = pieces[k];
       if (x <= piece.begin + same_parameter || x >= piece.end - same_parameter) continue;
-      parent_.push_back(static_cast<Index>(parent_.size()));
+      same_.add();
       const double t = (x - piece.begin) / (piece.end - piece.begin);
       const bool forward = mesh_.from(piece.half_edge) < mesh_.to(piece.half_edge);
       const auto cut = mesh_.split(piece.half_edge, forward ? t : 1 - t,
@@ -302,8 +291,8 @@ class InitialMesh {
             mesh_.twin[found->half_edge] != no_index)
           continue;
         mesh_.link(piece.half_edge, found->half_edge);
-        join(mesh_.from(piece.half_edge), mesh_.to(found->half_edge));
-        join(mesh_.to(piece.half_edge), mesh_.from(found->half_edge));
+        same_.join(mesh_.from(piece.half_edge), mesh_.to(found->half_edge));
+        same_.join(mesh_.to(piece.half_edge), mesh_.from(found->half_edge));
       }
     }
     // Corners that are one node, and pieces at a side's corner that belong to it.
@@ -323,22 +312,22 @@ class InitialMesh {
         if (known == no_index)
           known = vertex;
         else
-          join(known, vertex);
+          same_.join(known, vertex);
       }
   }
 
   void number_vertices() {
-    std::vector<Index> number(parent_.size(), no_index), used(parent_.size(), 0);
+    std::vector<Index> number(same_.size(), no_index), used(same_.size(), 0);
     for (const ParameterFacet& facet : mesh_.facets)
-      for (const Index v : facet.vertex) used[find(v)] = 1;
+      for (const Index v : facet.vertex) used[same_.find(v)] = 1;
     std::vector<Vector3> positions;
-    for (Index v = 0; v < parent_.size(); ++v) {
-      if (find(v) != v || !used[v]) continue;
+    for (Index v = 0; v < same_.size(); ++v) {
+      if (same_.find(v) != v || !used[v]) continue;
       number[v] = static_cast<Index>(positions.size());
       positions.push_back(mesh_.positions[v]);
     }
     for (ParameterFacet& facet : mesh_.facets)
-      for (Index& v : facet.vertex) v = number[find(v)];
+      for (Index& v : facet.vertex) v = number[same_.find(v)];
     mesh_.positions = std::move(positions);
   }
 
@@ -346,7 +335,7 @@ class InitialMesh {
   int corners_, columns_, rows_;
   std::vector<std::vector<SidePiece>> sides_;
   std::vector<char> collapsed_;
-  std::vector<Index> parent_;
+  DisjointSets same_;  ///< vertices that are one
   ParameterMesh mesh_;
 };
 

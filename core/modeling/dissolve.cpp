@@ -2,36 +2,17 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
 #include "core/polyhedron/validation.hpp"
 
 namespace hariko {
 namespace {
-
-/// Faces that are to become one, as a partition.
-class FaceGroups {
- public:
-  explicit FaceGroups(Index count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index find(Index f) {
-    while (parent_[f] != f) f = parent_[f] = parent_[parent_[f]];
-    return f;
-  }
-  /// The lower root stands for both, so that a group is named by its lowest face.
-  void join(Index f, Index g) {
-    f = find(f);
-    g = find(g);
-    parent_[std::max(f, g)] = std::min(f, g);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 Message not_a_disk(FaceId face) {
   return make_error(e_would_be_nonmanifold, "The joined face would have a hole or touch itself.",
@@ -40,7 +21,7 @@ Message not_a_disk(FaceId face) {
 
 /// The border of a group of faces, as the corners of the one face that takes their place. None unless the
 /// group is a disk: one border loop that passes no vertex twice, and no handle inside.
-std::optional<std::vector<Index>> outline(const HalfEdgeMesh& mesh, FaceGroups& groups,
+std::optional<std::vector<Index>> outline(const HalfEdgeMesh& mesh, DisjointSets& groups,
                                           std::span<const Index> faces) {
   std::map<Index, Index> next;
   std::set<Index> vertices;
@@ -119,7 +100,7 @@ bool has_two_edges(const MeshDraft& draft, VertexId v) {
 }
 
 /// Joins every group of several faces in the draft and selects what it gives.
-std::optional<Message> join_groups(const Polyhedron& polyhedron, FaceGroups& groups, MeshDraft& draft,
+std::optional<Message> join_groups(const Polyhedron& polyhedron, DisjointSets& groups, MeshDraft& draft,
                                    ElementSet& selection) {
   std::map<Index, std::vector<Index>> members;
   for (Index f = 0; f < polyhedron.face_count(); ++f) members[groups.find(f)].push_back(f);
@@ -151,7 +132,7 @@ Result<Modeled> dissolve_vertices(const PolyhedronSource& source, std::span<cons
   const auto chosen = selected(source.polyhedron, vertices, "Select vertices.");
   if (!chosen) return chosen.error();
   const HalfEdgeMesh& mesh = source.polyhedron.topology();
-  FaceGroups groups(mesh.face_count());
+  DisjointSets groups(mesh.face_count());
   MeshDraft draft(source);
   ElementSet selection;
   // The fan of a vertex becomes one face; a vertex with two edges leaves its faces apart.
@@ -175,7 +156,7 @@ Result<Modeled> dissolve_edges(const PolyhedronSource& source, std::span<const E
   const auto chosen = selected(source.polyhedron, edges, "Select edges.");
   if (!chosen) return chosen.error();
   const HalfEdgeMesh& mesh = source.polyhedron.topology();
-  FaceGroups groups(mesh.face_count());
+  DisjointSets groups(mesh.face_count());
   std::set<Index> ends;
   for (const Index e : *chosen) {
     const Index h = mesh.half_edge_of_edge(e);
@@ -203,7 +184,7 @@ Result<Modeled> dissolve_faces(const PolyhedronSource& source, std::span<const F
   const HalfEdgeMesh& mesh = source.polyhedron.topology();
   std::vector<char> inside(mesh.face_count(), 0);
   for (const Index f : *chosen) inside[f] = 1;
-  FaceGroups groups(mesh.face_count());
+  DisjointSets groups(mesh.face_count());
   bool any = false;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index twin = mesh.twin(h);

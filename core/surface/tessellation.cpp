@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "core/base/assert.hpp"
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/parallel.hpp"
 #include "core/surface/adjacency.hpp"
 
@@ -11,26 +12,6 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t patches_per_task = 16;
-
-/// Merges items that are the same; the representative is the least item of its class.
-class Classes {
- public:
-  explicit Classes(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Numbers the points of a uniform grid on every patch: shared corners first, then the inner points of sides,
 /// then the inner points of patches. Used twice, for positions and for normals, which share different things.
@@ -137,7 +118,7 @@ bool smooth(const Seam& seam) {
 CornerClasses normal_corners(const Surface& surface) {
   const int corners = corner_count(surface.domain());
   const std::size_t total = std::size_t{surface.patch_count()} * std::size_t(corners);
-  Classes classes(total);
+  DisjointSets classes(total);
   const auto corner = [&](PatchSide side, int offset) {
     return static_cast<Index>(side.patch * Index(corners) + Index((side.side + offset) % corners));
   };

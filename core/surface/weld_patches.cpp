@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/assert.hpp"
+#include "core/base/disjoint_sets.hpp"
 
 namespace hariko {
 
@@ -202,17 +202,7 @@ class Welder {
   Surface assemble() {
     std::vector<Seam> seams;
     std::vector<double> covered(4 * count_, 0.0);
-    std::vector<Index> parent(4 * count_);
-    std::iota(parent.begin(), parent.end(), Index{0});
-    const auto find = [&](Index i) {
-      while (parent[i] != i) i = parent[i] = parent[parent[i]];
-      return i;
-    };
-    const auto join = [&](Index a, Index b) {
-      a = find(a);
-      b = find(b);
-      parent[std::max(a, b)] = std::min(a, b);
-    };
+    DisjointSets corners(4 * count_);
     const auto corner = [](PatchSide side, double x) {
       return 4 * side.patch + (x == 0 ? side.side : (side.side + 1U) % 4U);
     };
@@ -233,14 +223,15 @@ class Welder {
       covered[4 * seam.second.patch + seam.second.side] += std::abs(seam.second_end - seam.second_begin);
       const auto is_end = [](double x) { return x == 0 || x == 1; };
       if (is_end(seam.first_begin) && is_end(seam.second_begin))
-        join(corner(seam.first, seam.first_begin), corner(seam.second, seam.second_begin));
+        corners.join(corner(seam.first, seam.first_begin), corner(seam.second, seam.second_begin));
       if (is_end(seam.first_end) && is_end(seam.second_end))
-        join(corner(seam.first, seam.first_end), corner(seam.second, seam.second_end));
+        corners.join(corner(seam.first, seam.first_end), corner(seam.second, seam.second_end));
       seams.push_back(seam);
     }
     std::vector<Index> nodes(4 * count_);
     Index node_count = 0;
-    for (Index k = 0; k < nodes.size(); ++k) nodes[k] = find(k) == k ? node_count++ : nodes[find(k)];
+    for (Index k = 0; k < nodes.size(); ++k)
+      nodes[k] = corners.find(k) == k ? node_count++ : nodes[corners.find(k)];
 
     Surface::Parts parts;
     parts.origin = origin_;

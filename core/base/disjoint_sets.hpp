@@ -1,0 +1,43 @@
+#pragma once
+
+// DisjointSets: items that turn out to be the same, merged step by step (union-find).
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+/// The least item of a set stands for it, whatever the order of the joins. `find` and `join` take O(log n) a
+/// call on average.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count = 0) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), Index{0});
+  }
+
+  std::size_t size() const { return parent_.size(); }
+  /// A new item, alone in its set.
+  Index add() {
+    parent_.push_back(static_cast<Index>(parent_.size()));
+    return parent_.back();
+  }
+  /// The item that stands for an item's set.
+  Index find(Index i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(Index a, Index b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+}  // namespace hariko
