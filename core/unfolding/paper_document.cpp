@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/assert.hpp"
+#include "core/base/disjoint_sets.hpp"
 #include "core/unfolding/cut_search.hpp"
 #include "core/unfolding/growth.hpp"
 
@@ -158,17 +159,12 @@ class Finder {
 EdgeRules rules_of(const PaperModel& paper, const FacetGraph& graph, const Finder& finder) {
   EdgeRules rules(graph.edge_count(), EdgeRule::free);
   finder.for_each(paper.cuts, [&](Index e) { rules[e] = EdgeRule::cut; });
-  std::vector<Index> group(graph.facet_count());
-  std::iota(group.begin(), group.end(), Index{0});
-  const auto root = [&](Index f) {
-    while (group[f] != f) f = group[f] = group[group[f]];
-    return f;
-  };
+  DisjointSets groups(graph.facet_count());
   finder.for_each(paper.folds, [&](Index e) {
-    const Index a = root(graph.edge(e).facets[0]), b = root(graph.edge(e).facets[1]);
-    if (a == b) return;
+    const auto& [a, b] = graph.edge(e).facets;
+    if (groups.find(a) == groups.find(b)) return;
     rules[e] = EdgeRule::folded;
-    group[a] = b;
+    groups.join(a, b);
   });
   return rules;
 }

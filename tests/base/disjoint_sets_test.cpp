@@ -12,7 +12,11 @@ TEST(DisjointSets, TheLeastItemOfASetStandsForIt) {
   for_random(11, 50, [](std::mt19937_64& rng) {
     const int count = uniform_int(rng, 1, 60);
     DisjointSets sets(std::size_t(count) / 2);
-    while (sets.size() < std::size_t(count)) ASSERT_EQ(sets.find(sets.add()), sets.size() - 1);
+    while (sets.size() < std::size_t(count)) {
+      const Index added = sets.add();
+      ASSERT_EQ(added + 1, sets.size());
+      ASSERT_EQ(sets.find(added), added);
+    }
     std::vector<Index> label(std::size_t(count), 0);
     std::iota(label.begin(), label.end(), Index{0});
     for (int join = uniform_int(rng, 0, count); join > 0; --join) {
