@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/polyhedron/polygon_mesh.hpp"
+#include "core/envelope/field_envelope.hpp"
 
 namespace hariko {
 
@@ -10,6 +10,7 @@ namespace {
 
 constexpr double tolerance = 1e-4;  ///< of the diagonal
 constexpr int drag_builds = 2;
+constexpr int hull_level = 9;
 constexpr double decay = 0.98;  ///< of what growth is above 1, a frame
 
 EnclosureSettings search_settings(const EnvelopeInput& input,
@@ -83,21 +84,94 @@ void add_warnings(EnvelopeSurface& out) {
                                         "Lower the waist or the roundness, or move the solids apart."));
 }
 
+/// Solids in their places relative to the origin that is chosen for them.
+std::vector<PlacedSolid> placed_about(const EnvelopeInput& input, Vector3& origin) {
+  std::vector<PlacedSolid> solids = place_solids(input);
+  std::vector<Vector3> corners;
+  for (const PlacedSolid& solid : solids)
+    for (const Vector3& u : solid.unit_vertices) corners.push_back(solid.world(u));
+  origin = origin_for(corners);
+  for (PlacedSolid& solid : solids) {
+    solid.centre -= origin;
+    for (Vector3& p : solid.test_points) p -= origin;
+  }
+  return solids;
+}
+
+void take_cage(CageSurface cage, EnvelopeSurface& out) {
+  out.surface = std::move(cage.made.surface);
+  out.cage = std::make_shared<const Polyhedron>(std::move(cage.cage));
+  out.worst = cage.worst;
+  out.folds = cage.folds;
+  out.builds = cage.rounds + 1;
+  out.check = std::move(cage.check);
+  const double miss = out.check ? out.check->worst : out.worst;
+  out.enclosed = miss <= tolerance * out.diagonal;
+}
+
+/// The fair surface over the cage of a network, which is pushed out on its own.
+Result<Done> make_fair(const EnvelopeInput& input, std::span<const PlacedSolid> solids, Quality quality,
+                       const CancelToken& cancel, EnvelopeSurface& out) {
+  std::vector<SolidDistance> distances;
+  for (const Solid& solid : input.solids) distances.emplace_back(solid, input.settings.clearance, out.origin);
+  CageSurfaceRequest request;
+  for (const CageVertex& vertex : out.network->cage.vertices)
+    request.cage.positions.push_back(vertex.position);
+  for (const CageFace& face : out.network->cage.faces) request.cage.add_face(face.loop);
+  request.cell.assign(request.cage.positions.size(), 0.25 * out.diagonal);
+  request.origin = out.origin;
+  request.diagonal = out.diagonal;
+  request.distances = distances;
+  request.placed = solids;
+  request.strict = quality == Quality::final;
+  if (quality == Quality::drag) request.rounds = drag_builds;
+  auto made = cage_surface(request, cancel);
+  if (!made) return made.error();
+  take_cage(std::move(made).value(), out);
+  return Done{};
+}
+
 }  // namespace
+
+Result<bool> EnvelopeSurfacer::take_field(const EnvelopeInput& input, std::span<const PlacedSolid> solids,
+                                          Quality quality, const CancelToken& cancel, EnvelopeSurface& out) {
+  if (!wants_field(input, solids, out.origin)) return false;
+  auto made = field_envelope(input, solids, out.origin, quality, cancel);
+  if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
+  // A folded surface is no answer, unless the designer insists on the field.
+  const bool insists = input.settings.method == EnvelopeMethod::field;
+  if (!made || (made->surface.folds > 0 && !insists)) {
+    if (!made && insists) return made.error();
+    out.level = hull_level;
+    out.warnings.push_back(make_warning(
+        w_tightness_reduced, "The surface cannot follow the notches between these solids; it is their hull.",
+        "Move the solids apart or into each other, or choose smaller cells."));
+    return false;
+  }
+  out.level = made->level;
+  out.components = made->components;
+  out.tunnels = made->tunnels;
+  take_cage(std::move(made->surface), out);
+  return true;
+}
 
 Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Quality quality,
                                                   const CancelToken& cancel) {
   if (const auto checked = check_envelope(input); !checked) return checked.error();
   EnvelopeSurface out;
-  std::vector<PlacedSolid> solids = place_solids(input);
-  std::vector<Vector3> corners;
-  for (const PlacedSolid& solid : solids)
-    for (const Vector3& u : solid.unit_vertices) corners.push_back(solid.world(u));
-  out.origin = origin_for(corners);
-  for (PlacedSolid& solid : solids) {
-    solid.centre -= out.origin;
-    for (Vector3& p : solid.test_points) p -= out.origin;
-  }
+  const std::vector<PlacedSolid> solids = placed_about(input, out.origin);
+  out.diagonal = scene_diagonal(solids);
+  const auto field = take_field(input, solids, quality, cancel, out);
+  if (!field) return field.error();
+  if (!*field)
+    if (const auto made = make_network(input, solids, quality, cancel, out); !made) return made.error();
+  add_warnings(out);
+  return out;
+}
+
+Result<Done> EnvelopeSurfacer::make_network(const EnvelopeInput& input, std::span<const PlacedSolid> solids,
+                                            Quality quality, const CancelToken& cancel,
+                                            EnvelopeSurface& out) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> names;
   for (const PlacedSolid& solid : solids) names.emplace_back(solid.id, solid.part);
   GrowthState start;
@@ -106,7 +180,7 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
     relax(start);
   }
   const auto waists = waists_of(input, solids);
-  EnclosureSettings settings = search_settings(input, waists, quality);
+  const EnclosureSettings settings = search_settings(input, waists, quality);
   EnclosedNetwork found = search_enclosure(solids, settings, std::move(start), cancel);
   if (quality == Quality::final) unfold(solids, settings, found, cancel);
   if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
@@ -115,18 +189,17 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
                       "Make one of them thicker.");
   last_ = found.state;
   last_solids_ = std::move(names);
-  out.diagonal = found.diagonal;
   out.enclosed = found.enclosed;
   out.worst = found.worst;
   out.builds = found.builds;
-  out.surface = network_surface(found.network, out.origin);
   if (quality == Quality::final) {
     out.folds = folded_patches(found.network);
     out.check = std::move(found.check);
   }
   out.network = std::make_shared<const CurveNetwork>(std::move(found.network));
-  add_warnings(out);
-  return out;
+  if (input.settings.patches == EnvelopePatches::fair) return make_fair(input, solids, quality, cancel, out);
+  out.surface = network_surface(*out.network, out.origin);
+  return Done{};
 }
 
 }  // namespace hariko

@@ -21,13 +21,15 @@ inline constexpr Code w_tightness_reduced{"W_TIGHTNESS_REDUCED"};
 struct EnvelopeSurface {
   Surface surface;
   std::shared_ptr<const CurveNetwork> network;  ///< null on a field's cage
+  std::shared_ptr<const Polyhedron> cage;       ///< that the surface is fair over; null for rational patches
+  int components = 1, tunnels = 0;              ///< separate parts, holes
   Vector3 origin = Vector3::Zero();             ///< what everything is relative to
   double diagonal = 0;                          ///< of the solids
   bool enclosed = false;                        ///< by the search's own test, to 1e-4 of the diagonal
   double worst = 0;                             ///< of that test, length
   std::optional<EnclosureReport> check;         ///< quality `final` only: the independent one
   int level = 0;  ///< 0: the tightness asked for; higher: the field's cage with other settings; 9: the hull
-  std::size_t folds = 0;                        ///< patches with a fold
+  std::size_t folds = 0;  ///< patches with a fold
   int builds = 0;
   std::vector<Message> warnings;
 };
@@ -42,6 +44,13 @@ class EnvelopeSurfacer {
                                   const CancelToken& cancel = {});
 
  private:
+  /// True where the surface is made on a field's cage.
+  static Result<bool> take_field(const EnvelopeInput& input, std::span<const PlacedSolid> solids,
+                                 Quality quality, const CancelToken& cancel, EnvelopeSurface& out);
+
+  Result<Done> make_network(const EnvelopeInput& input, std::span<const PlacedSolid> solids, Quality quality,
+                            const CancelToken& cancel, EnvelopeSurface& out);
+
   GrowthState last_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> last_solids_;  ///< id and part
 };

@@ -1,0 +1,39 @@
+#pragma once
+
+// The fair quartic surface over a cage, with the cage pushed out until the surface contains the solids
+// (docs/envelope.md, spec 11b and 16.7).
+
+#include <optional>
+#include <span>
+
+#include "core/envelope/enclosure_check.hpp"
+#include "core/envelope/solid_distance.hpp"
+#include "core/patching/polyhedron_surface.hpp"
+
+namespace hariko {
+
+struct CageSurfaceRequest {
+  PolygonMesh cage;          ///< positions relative to `origin`
+  std::vector<double> cell;  ///< one a vertex: it moves by at most so much
+  Vector3 origin = Vector3::Zero();
+  double diagonal = 1;
+  std::span<const SolidDistance> distances;  ///< of the solids, relative to `origin`
+  std::span<const PlacedSolid> placed;       ///< their test points
+  double tolerance = 1e-4;                   ///< of the diagonal
+  int rounds = 14;                           ///< of pushing by the loop's own test
+  bool strict = true;                        ///< then by the independent check
+};
+
+struct CageSurface {
+  PolyhedronSurface made;
+  Polyhedron cage;
+  double worst = 0;                      ///< of the loop's own test, length
+  std::optional<EnclosureReport> check;  ///< the independent one
+  std::size_t folds = 0;                 ///< patches that look away from their face somewhere
+  int rounds = 0;
+};
+
+/// Errors: those of `Polyhedron::build` and `PolyhedronSurfacer::rebuild`.
+Result<CageSurface> cage_surface(const CageSurfaceRequest& request, const CancelToken& cancel = {});
+
+}  // namespace hariko

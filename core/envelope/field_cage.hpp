@@ -1,0 +1,52 @@
+#pragma once
+
+// Cages contoured from a rounded union of distances: any number of solids, holes and separate parts
+// (docs/envelope.md, spec 16).
+
+#include <span>
+#include <vector>
+
+#include "core/base/cancellation.hpp"
+#include "core/envelope/field_grid.hpp"
+#include "core/envelope/placed_solid.hpp"
+#include "core/envelope/solid_distance.hpp"
+
+namespace hariko {
+
+/// Solids that make one part of the surface, with the bars that bridge their gaps.
+struct FieldCluster {
+  std::vector<Index> solids;
+  std::vector<SolidDistance> bridges;
+};
+
+struct FieldScene {
+  std::vector<SolidDistance> distances;      ///< one a solid of the input
+  std::vector<std::vector<Vector3>> points;  ///< test points of each
+  double diagonal = 1;
+  std::vector<FieldCluster> clusters;
+};
+
+/// `placed`: as `place_solids` gives them, relative to `origin`. Gaps of at most 1.5 times the thinner solid
+/// are bridged.
+FieldScene field_scene(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
+                       const Vector3& origin);
+
+struct FieldCageSettings {
+  double fillet = 0.5;     ///< over the cell
+  double crispness = 0.7;  ///< how firmly vertices stay on edges and corners of the solids
+  double detail = 1;
+  double budget = 400;
+};
+
+struct FieldCage {
+  std::vector<Vector3> positions;
+  std::vector<std::array<Index, 4>> quads;
+  std::vector<double> cell;  ///< one a vertex
+  int components = 0, tunnels = 0, wanted_tunnels = 0;
+};
+
+/// Empty where a cluster is met by no grid.
+FieldCage field_cage(const FieldScene& scene, const FieldCageSettings& settings,
+                     const CancelToken& cancel = {});
+
+}  // namespace hariko

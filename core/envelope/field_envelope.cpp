@@ -1,0 +1,82 @@
+#include "core/envelope/field_envelope.hpp"
+
+#include <algorithm>
+
+#include "core/envelope/envelope.hpp"
+
+namespace hariko {
+
+namespace {
+
+struct Rung {
+  double fillet, crispness, detail, budget;
+};
+constexpr Rung ladder[] = {{0.5, 0.7, 1, 400},   {1, 0.7, 1, 400}, {1, 0.2, 1, 400},
+                           {0.7, 0.7, 0.8, 400}, {1, 0.7, 1, 220}, {1.5, 0.2, 1.2, 280}};
+
+constexpr double accepted_score = 0.5;
+constexpr double slack_fillet = 2;  ///< of the cell: what a lower tightness adds to the fillets
+
+double score_of(const FieldEnvelope& one, double diagonal) {
+  const double miss = one.surface.check ? one.surface.check->worst : one.surface.worst;
+  return double(one.surface.folds) + 200 * std::max(0.0, miss / diagonal - 1e-3) +
+         2 * std::abs(one.tunnels - one.wanted_tunnels);
+}
+
+}  // namespace
+
+Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
+                                     const Vector3& origin, Quality quality, const CancelToken& cancel) {
+  const FieldScene scene = field_scene(input, placed, origin);
+  std::optional<FieldEnvelope> best;
+  double least = 1e300;
+  std::optional<Message> failure;
+  for (int level = 0; level < int(std::size(ladder)); ++level) {
+    const Rung& rung = ladder[level];
+    const FieldCage cage = field_cage(scene,
+                                      {rung.fillet + slack_fillet * (1 - input.settings.tightness),
+                                       rung.crispness, rung.detail * input.settings.cage_detail, rung.budget},
+                                      cancel);
+    if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
+    if (cage.quads.empty()) continue;
+    CageSurfaceRequest request;
+    request.cage.positions = cage.positions;
+    for (const auto& quad : cage.quads) request.cage.add_face(quad);
+    request.cell = cage.cell;
+    request.origin = origin;
+    request.diagonal = scene.diagonal;
+    request.distances = scene.distances;
+    request.placed = placed;
+    if (quality == Quality::drag) {
+      request.rounds = 2;
+      request.strict = false;
+    }
+    auto made = cage_surface(request, cancel);
+    if (!made) {
+      failure = made.error();
+      if (cancel.cancelled()) return *failure;
+      continue;
+    }
+    FieldEnvelope one{std::move(made).value(), level, cage.components, cage.tunnels, cage.wanted_tunnels};
+    const double score = score_of(one, scene.diagonal);
+    if (score < least) least = score, best = std::move(one);
+    if (least < accepted_score || quality == Quality::drag) break;
+  }
+  if (best) return *std::move(best);
+  if (failure) return *failure;
+  return make_error(e_envelope_flat, "No cage was found round the solids.",
+                    "Make the thinnest solid thicker, or choose the network.");
+}
+
+bool wants_field(const EnvelopeInput& input, std::span<const PlacedSolid> placed, const Vector3& origin) {
+  if (input.settings.method == EnvelopeMethod::network) return false;
+  if (input.settings.method == EnvelopeMethod::field) return true;
+  if (input.settings.tightness == 0) return false;
+  const bool ring = std::any_of(input.solids.begin(), input.solids.end(),
+                                [](const Solid& solid) { return solid.kind == SolidKind::torus; });
+  // One convex solid is its own hull.
+  if (input.solids.size() == 1 && !ring) return false;
+  return ring || input.solids.size() > 1 || field_scene(input, placed, origin).clusters.size() > 1;
+}
+
+}  // namespace hariko

@@ -1,0 +1,62 @@
+#pragma once
+
+// Rectilinear grids of inside flags: their topology, the choice of one that has the field's topology, and the
+// planes that can be left out (docs/envelope.md, spec 16.4).
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+/// Nodes at planes along three axes; flags say which are inside.
+struct FlagGrid {
+  std::array<std::vector<double>, 3> planes;
+  std::vector<char> inside;
+
+  std::array<int, 3> size() const {
+    return {int(planes[0].size()), int(planes[1].size()), int(planes[2].size())};
+  }
+  std::size_t index(int i, int j, int k) const {
+    return (std::size_t(k) * planes[1].size() + std::size_t(j)) * planes[0].size() + std::size_t(i);
+  }
+  Vector3 point(int i, int j, int k) const {
+    return {planes[0][std::size_t(i)], planes[1][std::size_t(j)], planes[2][std::size_t(k)]};
+  }
+};
+
+/// Of the cubes and their faces between nodes that are inside.
+struct GridTopology {
+  int components = 0, tunnels = 0;
+  friend bool operator==(const GridTopology&, const GridTopology&) = default;
+};
+
+/// Keeps the largest component where it holds nearly all, fills voids, and counts. O(nodes).
+GridTopology tidy(FlagGrid& grid);
+std::size_t sign_changes(const FlagGrid& grid);
+
+struct GridRequest {
+  std::function<double(const Vector3&)> field;  ///< with the wanted fillet, in the grid's frame
+  std::function<double(const Vector3&)> sharp;  ///< with a small fillet, for the reference
+  Vector3 low, high;                            ///< box of the solids
+  double thickness = 1;                         ///< smallest of the solids
+  double detail = 1, budget = 400, aspect = 2.5;
+  bool few = false;              ///< fewer than four solids: offsets only where they are needed
+  std::vector<Vector3> covered;  ///< points that should be inside
+};
+
+struct ChosenGrid {
+  FlagGrid grid;
+  double cell = 0;    ///< size before planes were left out
+  double offset = 0;  ///< inside is field < offset
+  GridTopology topology, reference;
+};
+
+/// The coarsest grid with the topology of the reference, or the best there is. Deterministic.
+std::optional<ChosenGrid> choose_grid(const GridRequest& request, const CancelToken& cancel = {});
+
+}  // namespace hariko

@@ -1,0 +1,86 @@
+// Cages from distances: holes, separate parts, concave arrangements.
+
+#include <Eigen/Geometry>
+
+#include "core/analysis/continuity.hpp"
+#include "core/analysis/measures.hpp"
+#include "tests/envelope/envelope_scenes.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+struct Expected {
+  const char* name;
+  int level;
+  Index vertices, faces;
+  int tunnels;
+};
+
+void check_cage(const EnvelopeSurface& made) {
+  ASSERT_TRUE(made.cage);
+  const HalfEdgeMesh& mesh = made.cage->topology();
+  EXPECT_EQ(mesh.border_loop_count(), 0U);
+  EXPECT_EQ(long(mesh.vertex_count()) - long(mesh.edge_count()) + long(mesh.face_count()),
+            2 * (made.components - made.tunnels));
+  const ContinuityReport report = continuity(made.surface);
+  EXPECT_LE(report.largest_normal_jump.value(), 1e-10);
+  EXPECT_LE(report.largest_gap, 1e-13 * made.diagonal);
+  EXPECT_EQ(made.folds, 0U);
+  ASSERT_TRUE(made.check);
+  EXPECT_LE(made.check->worst, 1e-4 * made.diagonal);
+  EXPECT_TRUE(made.enclosed);
+}
+
+}  // namespace
+
+TEST(FieldCage, ConcaveArrangementsAndHolesHaveTheMeasuredCages) {
+  for (const Expected& expected : {Expected{"ell_tight", 1, 24, 22, 0},
+                                   {"tee", 0, 38, 36, 0},
+                                   {"car", 0, 54, 52, 0},
+                                   {"dryer", 0, 92, 90, 0},
+                                   {"camera", 0, 126, 124, 0},
+                                   {"ring6", 0, 100, 100, 1}}) {
+    SCOPED_TRACE(expected.name);
+    const auto made = EnvelopeSurfacer().rebuild(golden_scene(expected.name));
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    check_cage(*made);
+    EXPECT_EQ(made->level, expected.level);
+    EXPECT_EQ(made->cage->vertex_count(), expected.vertices);
+    EXPECT_EQ(made->cage->face_count(), expected.faces);
+    EXPECT_EQ(made->components, 1);
+    EXPECT_EQ(made->tunnels, expected.tunnels);
+    EXPECT_TRUE(made->warnings.empty());
+  }
+}
+
+TEST(FieldCage, SolidsFarApartGetPartsOfTheirOwn) {
+  EnvelopeInput input = golden_scene("two_apart");
+  input.solids[1].position.x() = 4;
+  input.settings.tightness = 1;
+  const auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->components, 2);
+  check_cage(*made);
+}
+
+TEST(FieldCage, ItIsCloserToTheSolidsThanTheirHull) {
+  EnvelopeInput input = golden_scene("ell_tight");
+  const auto tight = EnvelopeSurfacer().rebuild(input);
+  input.settings.tightness = 0;
+  const auto hull = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(tight.ok() && hull.ok());
+  EXPECT_TRUE(hull->network);
+  EXPECT_LT(*measure(tight->surface).volume, 0.75 * *measure(hull->surface).volume);
+}
+
+TEST(FieldCage, TheFairSurfaceOverTheHullsPolygonsContainsTheSolids) {
+  EnvelopeInput input = golden_scene("two_apart");
+  input.settings.patches = EnvelopePatches::fair;
+  const auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(made.ok());
+  EXPECT_TRUE(made->network);
+  check_cage(*made);
+}
+
+}  // namespace hariko::test
