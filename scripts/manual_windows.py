@@ -94,6 +94,18 @@ def export(window):
     window.wait_event("export_counted", 0)
 
 
+def triangles(window):
+    def meshed(action):
+        before = window.count("meshed")
+        action()
+        window.wait_event("meshed", before)
+        window.wait_idle()
+
+    meshed(lambda: window.key("ctrl+alt+t"))
+    meshed(lambda: window.click_on("meshing.normal.on"))
+    meshed(lambda: window.click_on("meshing.compare"))
+
+
 # Picture -> (sample or none, what is done, settings of the interface)
 WINDOWS = {
     "manual_start": (None, nothing, {}),
@@ -108,6 +120,7 @@ WINDOWS = {
     "manual_japanese": ("fig2", nothing, {"language": "japanese"}),
     "manual_light": ("car", nothing, {"theme": "light"}),
     "manual_export": ("car", export, {}),
+    "manual_triangles": ("fig2", triangles, {}),
     "manual_local": ("fig2", local_editing, {}),
     "manual_joins": ("wheel_arch", attached, {}),
 }

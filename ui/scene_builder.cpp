@@ -69,7 +69,8 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const MeshSource& source) {
 void show_facets(const std::shared_ptr<const DisplayMesh>& mesh, SceneObject& out) {
   out.mesh = mesh;
   out.map = SurfaceMap::shaded;
-  out.wire = PatchWire::borders;
+  // Lines between samples would be taken for edges.
+  out.wire = mesh->pattern().density == 1 ? PatchWire::mesh : PatchWire::none;
   out.show_surface = true;
   out.show_network = false;
   out.marks.reset();
@@ -155,11 +156,12 @@ void SceneBuilder::compare(const Editor& editor) {
   const MeshingResult* result = object ? editor.meshing.shown_for(object) : nullptr;
   if (!result || !result->compared) return;
   const auto at = std::find(ids_.begin(), ids_.end(), object->id) - ids_.begin();
-  for (std::size_t view = 0; view < ViewLayout::count; ++view) {
-    const ComparedPicture picture = compared_picture(view);
-    compared_.push_back(scene_);
+  compared_.resize(ViewLayout::count, scene_);
+  std::size_t place = 0;
+  for (const Pane& pane : editor.layout.panes()) {
+    const ComparedPicture picture = compared_picture(place++);
     show_errors((*result->compared)[picture.mesh].of(picture.shown),
-                compared_.back().objects[static_cast<std::size_t>(at)]);
+                compared_[static_cast<std::size_t>(pane.view)].objects[static_cast<std::size_t>(at)]);
   }
 }
 

@@ -151,7 +151,7 @@ void Workbench::layout(PanelContext& context, float menu) {
   const float side = std::min(metrics_.px(editor_.settings.side_width), screen.x / 2);
   const float guide = editor_.guide.shown() ? metrics_.px(260) : 0;
   if (guide > 0) draw_guide(context, {{tools, menu}, {tools + guide, screen.y - status}});
-  const float meshing = editor_.meshing.open ? metrics_.px(280) : 0;
+  const float meshing = editor_.meshing.open ? metrics_.px(316) : 0;
   const float left = tools + guide;
   if (meshing > 0) draw_meshing(context, {{left, menu}, {left + meshing, screen.y - status}});
   const PanelRect view{{left + meshing, menu}, {screen.x - side - line, screen.y - status}};

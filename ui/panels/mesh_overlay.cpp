@@ -2,6 +2,8 @@
 
 #include "ui/panels/mesh_overlay.hpp"
 
+#include <algorithm>
+
 #include "ui/panels/quantity.hpp"
 
 namespace hariko {
@@ -16,10 +18,16 @@ void plate(ImDrawList& list, const Metrics& m, ImVec2 at, const std::string& tex
 }
 
 std::string value_text(const PanelContext& context, MeshShown shown, double value) {
-  const Quantity quantity = shown == MeshShown::distance
-                                ? length_quantity(context.editor.document().unit, value)
-                                : angle_quantity();
-  return format_quantity(quantity, value);
+  if (shown != MeshShown::distance) return format_quantity(angle_quantity(), value);
+  return format_number(value, 3) + " " + std::string(to_string(context.editor.document().unit));
+}
+
+/// Which of the four pictures a view shows: they are read line by line.
+std::size_t place_of(const Editor& editor, std::size_t view) {
+  const std::vector<Pane> panes = editor.layout.panes();
+  const auto at = std::find_if(panes.begin(), panes.end(),
+                               [&](const Pane& pane) { return std::size_t(pane.view) == view; });
+  return std::size_t(at - panes.begin());
 }
 
 /// A ring round the place, with its value beside it.
@@ -50,7 +58,7 @@ void draw_mesh_overlay(const PanelContext& context, const Camera& camera, PixelS
   if (!result) return;
   const Projector projector(camera, size);
   const bool compared = meshing.comparing() && result->compared;
-  const ComparedPicture picture = compared_picture(view);
+  const ComparedPicture picture = compared_picture(place_of(editor, view) % ViewLayout::count);
   const MeshShown shown = compared ? picture.shown : meshing.shown;
   if (shown == MeshShown::facets) return;
   const MeshPreview& mesh = compared ? (*result->compared)[picture.mesh] : result->mesh;
@@ -61,9 +69,7 @@ void draw_mesh_overlay(const PanelContext& context, const Camera& camera, PixelS
   const char* made = picture.mesh == 0 ? tr("made by distance") : tr("made by normal angle");
   const char* what = shown == MeshShown::distance ? tr("distance") : tr("normal angle");
   const std::string first = fill(tr("{0}: {1} triangles"), {made, std::to_string(mesh.facets)});
-  const std::string second =
-      fill(tr("{0}: mean {1}, largest {2}"),
-           {what, value_text(context, shown, errors.mean), value_text(context, shown, errors.largest)});
+  const std::string second = fill(tr("{0}: mean {1}"), {what, value_text(context, shown, errors.mean)});
   const Metrics& m = context.metrics;
   const float line = ImGui::GetTextLineHeight() + m.px(4);
   ImDrawList& list = *ImGui::GetWindowDrawList();

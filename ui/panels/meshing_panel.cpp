@@ -16,7 +16,7 @@ namespace hariko {
 
 namespace {
 
-constexpr float value_column = 104, histogram_height = 56;
+constexpr float value_column = 116, histogram_height = 48;
 
 struct Row {
   const char *id, *label, *help;
@@ -92,34 +92,43 @@ void way_rows(PanelContext& context, MeshingSettings& settings) {
                                  split_choices, static_cast<int>(settings.split)))
     settings.split = static_cast<SplitRule>(*chosen);
   ImGui::EndDisabled();
-  if (const auto on = check_row(context, "meshing.optimise", "Fewest",
-                                "Looks for the smallest mesh within the tolerance. Takes many times longer.",
-                                settings.optimise))
-    settings.optimise = *on;
-  if (const auto on = check_row(context, "meshing.balanced", "Balanced",
-                                "Vertices may leave the surface where it is bent one way only: fewer still",
-                                settings.balanced))
-    settings.balanced = *on;
+  const auto check = [&](const char* id, const char* label, const char* help, bool& on) {
+    ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &on);
+    context.marks.item(std::string("meshing.") + id);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr(help));
+  };
+  check("optimise", translatable("Fewest"),
+        translatable("Looks for the smallest mesh within the tolerance. Takes many times longer."),
+        settings.optimise);
+  ImGui::SameLine(context.metrics.px(value_column + 16));
+  check("balanced", translatable("Balanced"),
+        translatable("Vertices may leave the surface where it is bent one way only: fewer still"),
+        settings.balanced);
+}
+
+/// Three digits are enough for a glance.
+std::string short_text(const PanelContext& context, MeshShown shown, double value) {
+  if (shown != MeshShown::distance) return format_quantity(angle_quantity(), value);
+  return format_number(value, 3) + " " + std::string(to_string(context.editor.document().unit));
 }
 
 /// What is known of one kind of error, as a line of a table.
-void error_line(PanelContext& context, const char* label, const MeshErrors& errors,
-                const Quantity& quantity) {
+void error_line(PanelContext& context, MeshShown shown, const MeshErrors& errors) {
   const Language& tr = context.tr;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   {
     const TextColour dim(palette().dim_text);
-    ImGui::TextUnformatted(tr(label));
+    ImGui::TextUnformatted(tr(shown_names[std::size_t(shown)]));
   }
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(format_quantity(quantity, errors.largest).c_str());
+  ImGui::TextUnformatted(short_text(context, shown, errors.largest).c_str());
   if (errors.bound && ImGui::IsItemHovered())
     ImGui::SetTooltip("%s", fill(tr("No point is off by more than {0}: this is proven, not sampled."),
-                                 {format_quantity(quantity, *errors.bound)})
+                                 {short_text(context, shown, *errors.bound)})
                                 .c_str());
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(format_quantity(quantity, errors.mean).c_str());
+  ImGui::TextUnformatted(short_text(context, shown, errors.mean).c_str());
   ImGui::TableNextColumn();
   const TextColour colour(errors.bound ? palette().good : palette().dim_text);
   ImGui::TextUnformatted(errors.bound ? tr("proven") : tr("sampled"));
@@ -132,14 +141,14 @@ Quantity quantity_of(const PanelContext& context, MeshShown shown, double size) 
 
 void result_table(PanelContext& context, const MeshingResult& result) {
   const Language& tr = context.tr;
-  if (!ImGui::BeginTable("errors", 4, ImGuiTableFlags_SizingStretchProp)) return;
+  if (!ImGui::BeginTable("errors", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoPadOuterX))
+    return;
   for (const char* head : {"", translatable("largest"), translatable("mean"), ""}) {
     ImGui::TableNextColumn();
     if (*head) ImGui::TextDisabled("%s", tr(head));
   }
   for (const MeshShown shown : {MeshShown::distance, MeshShown::normal, MeshShown::fold}) {
-    const MeshErrors& errors = result.mesh.of(shown);
-    error_line(context, shown_names[std::size_t(shown)], errors, quantity_of(context, shown, errors.largest));
+    error_line(context, shown, result.mesh.of(shown));
   }
   ImGui::EndTable();
 }
@@ -179,6 +188,8 @@ void histogram(PanelContext& context, MeshShown shown, const MeshErrors& errors)
 
 void shown_row(PanelContext& context, Meshing& meshing) {
   const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemInnerSpacing.x) / 4;
+  // Four words in one row need the room beside them.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
   for (std::size_t i = 0; i < shown_names.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     const bool on = std::size_t(meshing.shown) == i && !meshing.comparing();
@@ -192,6 +203,7 @@ void shown_row(PanelContext& context, Meshing& meshing) {
     context.marks.item("meshing.show." + std::to_string(i));
     if (on) ImGui::PopStyleColor();
   }
+  ImGui::PopStyleVar();
 }
 
 void progress_row(PanelContext& context, Meshing& meshing) {
