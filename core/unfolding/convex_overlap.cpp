@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/unfolding/expansion.hpp"
+#include "core/base/expansion.hpp"
 
 namespace hariko {
 

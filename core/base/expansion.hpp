@@ -1,6 +1,6 @@
 #pragma once
 
-// Expansion: exact sums and products of doubles (Shewchuk 1997). Internal to core/unfolding.
+// Expansion: exact sums and products of doubles (Shewchuk 1997).
 
 #include <cmath>
 #include <vector>

@@ -1,0 +1,21 @@
+#include "core/gaussmap/outline_polyhedron.hpp"
+
+namespace hariko {
+
+Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points) {
+  const Vector3 origin = origin_for(points.points);
+  PolygonMesh mesh;
+  for (const Vector3& point : points.points) mesh.positions.push_back(point - origin);
+  for (const auto& triangle : points.triangles) mesh.add_face(triangle);
+  auto built = Polyhedron::build(mesh);
+  if (!built) return built.error();
+  OutlinePolyhedron out{*std::move(built), {}, origin};
+  for (Index i = 0; i < points.points.size(); ++i) {
+    out.shaping.pin.set(VertexId{i}, {Pin::Kind::normal, {points.normals[i]}});
+    // A smooth vertex of a border with two edges would be a corner otherwise.
+    if (i < points.boundary_count) out.shaping.tag.set(VertexId{i}, VertexTag::smooth);
+  }
+  return out;
+}
+
+}  // namespace hariko

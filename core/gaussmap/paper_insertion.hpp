@@ -1,0 +1,25 @@
+#pragma once
+
+// The paper's own method: planes placed one after another (gaussmap.md 4.5). It does not converge; it is kept
+// for comparison. Internal to core/gaussmap.
+
+#include "core/gaussmap/boundary_data.hpp"
+#include "core/gaussmap/control_points.hpp"
+#include "core/gaussmap/site_insertion.hpp"
+
+namespace hariko {
+
+struct PaperResult {
+  std::vector<double> support, curvature;  ///< of all sites
+  std::vector<Vector3> points;
+  Index clamped_count = 0;  ///< planes put at an end of their interval, as no place gives the area
+};
+
+/// Inserts sites into `insertion` until `smallest_radius` or `options.most_points`. `curvature_inside`: null
+/// for the mean of the neighbours. Errors: E_K_UNREACHABLE (the planes enclose nothing), E_CANCELLED.
+/// O(sites^2 log sites).
+Result<PaperResult> insert_by_paper(SiteInsertion& insertion, const BoundaryData& boundary,
+                                    double smallest_radius, const GaussOptions& options,
+                                    const CancelToken& cancel);
+
+}  // namespace hariko

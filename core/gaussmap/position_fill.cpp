@@ -1,0 +1,128 @@
+#include "core/gaussmap/position_fill.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/gaussmap/linear_fill.hpp"
+#include "core/gaussmap/sphere_mesh.hpp"
+
+namespace hariko {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+using Positions = Eigen::MatrixX3d;
+
+/// The cotangent Laplacian and the vertices' areas of a mesh as it lies.
+struct Geometry {
+  Matrix laplacian;  ///< positive semidefinite
+  Eigen::VectorXd areas;
+};
+
+Geometry geometry_of(const PositionMesh& mesh) {
+  const Eigen::Index count = Eigen::Index(mesh.points.size());
+  Geometry out{Matrix(count, count), Eigen::VectorXd::Zero(count)};
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(mesh.triangles.size() * 12);
+  for (const auto& triangle : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = triangle[k], b = triangle[(k + 1) % 3], c = triangle[(k + 2) % 3];
+      const Vector3 u = mesh.points[a] - mesh.points[c], v = mesh.points[b] - mesh.points[c];
+      const double twice = std::max(u.cross(v).norm(), 1e-300);
+      const double weight = std::clamp(u.dot(v) / twice, -1.0, 20.0) / 2;
+      out.areas[c] += twice / 6;
+      entries.emplace_back(a, a, weight);
+      entries.emplace_back(b, b, weight);
+      entries.emplace_back(a, b, -weight);
+      entries.emplace_back(b, a, -weight);
+    }
+  out.laplacian.setFromTriplets(entries.begin(), entries.end());
+  out.areas = out.areas.cwiseMax(1e-12 * out.areas.maxCoeff());
+  return out;
+}
+
+/// What the conormal along the loops adds to the Laplacian of the position.
+Positions boundary_flux(const PositionMesh& mesh, const std::vector<Vector3>& normals) {
+  Positions out = Positions::Zero(Eigen::Index(mesh.points.size()), 3);
+  std::vector<Index> previous(mesh.boundary_count);
+  for (Index i = 0; i < mesh.boundary_count; ++i) previous[mesh.next[i]] = i;
+  for (Index i = 0; i < mesh.boundary_count; ++i) {
+    const Vector3 before = mesh.points[i] - mesh.points[previous[i]],
+                  after = mesh.points[mesh.next[i]] - mesh.points[i];
+    const Vector3 along = mesh.points[mesh.next[i]] - mesh.points[previous[i]];
+    const Vector3 outward = along.cross(normals[i]);
+    if (outward.norm() > 0)
+      out.row(i) = (before.norm() + after.norm()) / 2 * outward.normalized().transpose();
+  }
+  return out;
+}
+
+Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>> matrix_of(
+    const std::vector<Vector3>& points) {
+  return {points.data()->data(), Eigen::Index(points.size()), 3};
+}
+
+void measure(const PositionMesh& mesh, const std::vector<Vector3>& given, PositionResult& out) {
+  out.normals.assign(mesh.points.size(), Vector3::Zero());
+  std::vector<double> angles(mesh.points.size(), 0), areas(mesh.points.size(), 0);
+  for (const auto& triangle : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = triangle[k];
+      const Vector3 u = mesh.points[triangle[(k + 1) % 3]] - mesh.points[a],
+                    v = mesh.points[triangle[(k + 2) % 3]] - mesh.points[a];
+      const Vector3 cross = u.cross(v);
+      // Weights that are exact on spheres (Max 1999).
+      const double lengths = u.squaredNorm() * v.squaredNorm();
+      if (lengths > 0) out.normals[a] += cross / lengths;
+      angles[a] += angle_between(u, v);
+      areas[a] += cross.norm() / 6;
+    }
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const double flat = i < mesh.boundary_count ? std::numbers::pi : 2 * std::numbers::pi;
+    out.curvature.push_back(areas[i] > 0 ? (flat - angles[i]) / areas[i] : 0);
+    out.normals[i].normalize();
+    if (i < mesh.boundary_count) out.normals[i] = given[i];
+  }
+}
+
+}  // namespace
+
+Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vector3>& normals, double size,
+                                      const CancelToken& cancel) {
+  PositionResult out;
+  const Eigen::Index boundary = mesh.boundary_count, inner = Eigen::Index(mesh.points.size()) - boundary;
+  const Positions flux = boundary_flux(mesh, normals);
+  constexpr int most_steps = 60;
+  double before = HUGE_VAL;
+  out.settled = inner == 0;
+  while (!out.settled && out.iterations < most_steps) {
+    if (cancel.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
+    const Geometry geometry = geometry_of(mesh);
+    const Positions residual = geometry.laplacian * matrix_of(mesh.points) - flux;
+    const Matrix columns = geometry.laplacian.rightCols(inner);
+    const Matrix weighted = geometry.areas.cwiseInverse().asDiagonal() * columns;
+    const Matrix system = columns.transpose() * weighted;
+    const Eigen::SimplicialLDLT<Matrix> solver(system);
+    const Positions move = -solver.solve(Positions(weighted.transpose() * residual));
+    if (solver.info() != Eigen::Success || !move.allFinite())
+      return make_error(e_fill_singular, "The boundary data do not determine a surface.",
+                        "Sample the outline more densely, or check its normals.");
+    const double longest = move.rowwise().norm().maxCoeff();
+    const double share = std::min(1.0, 0.1 * size / std::max(longest, 1e-300));
+    for (Eigen::Index i = 0; i < inner; ++i)
+      mesh.points[std::size_t(boundary + i)] += share * move.row(i).transpose();
+    ++out.iterations;
+    // The weights lag behind the shape, so steps do not vanish; the energy settles (gaussmap.md 4.8).
+    const double energy = residual.cwiseAbs2().rowwise().sum().cwiseQuotient(geometry.areas).sum();
+    out.settled = share == 1 && std::abs(before - energy) <= 1e-5 * energy;
+    if (out.iterations == most_steps)  // near a minimal surface nearly no energy is left to compare with
+      out.settled = share == 1 && std::abs(before - energy) <= 0.05 * energy + 1e-3;
+    before = energy;
+  }
+  measure(mesh, normals, out);
+  return out;
+}
+
+}  // namespace hariko

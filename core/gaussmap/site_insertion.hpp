@@ -1,0 +1,73 @@
+#pragma once
+
+// SiteInsertion: sites on the Gauss sphere, inserted one by one into the Delaunay triangulation inside the
+// loops.
+
+#include <optional>
+#include <queue>
+#include <span>
+#include <vector>
+
+#include "core/base/ids.hpp"
+#include "core/base/result.hpp"
+#include "core/gaussmap/convex_hull.hpp"
+#include "core/gaussmap/sphere_mesh.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_boundary_edge{"E_BOUNDARY_EDGE"};
+inline constexpr Code e_image_leak{"E_LEAK"};
+
+/// Incremental Bowyer-Watson with exact decisions; the next site is the centre of the largest empty circle
+/// whose centre is inside (gaussmap.md 3). The loops stay edges of the triangulation: a centre inside the
+/// circle over an arc of a loop is passed over. O(log n) expected a site, and O(arcs).
+class SiteInsertion {
+ public:
+  /// `loops`: unit vectors, at least three a loop; the image lies on the left of each. Errors:
+  /// E_BOUNDARY_EDGE (an arc is no edge of the Delaunay triangulation), E_LEAK (the image is not bounded by
+  /// the loops); the element is the vertex, counted through all loops, where the arc begins.
+  static Result<SiteInsertion> begin(const std::vector<std::vector<Vector3>>& loops);
+
+  /// Angle between a site and its neighbour on the loop: the median over all arcs, radians.
+  double boundary_spacing() const { return boundary_spacing_; }
+  /// Inserts the next site; none when no empty circle is as large as `smallest_radius` (radians) any more.
+  std::optional<Index> insert_next(double smallest_radius);
+  /// Radius of the largest empty circle with an admissible centre, 0 when there is none. May search, as
+  /// insert_next.
+  double largest_radius();
+
+  Index site_count() const { return static_cast<Index>(hull_.points().size()) - guard_count_; }
+  SphereMesh mesh() const;
+
+ private:
+  struct Candidate {
+    double radius;
+    Index face;
+    bool operator<(const Candidate& other) const {
+      return radius != other.radius ? radius < other.radius : face > other.face;
+    }
+  };
+  struct Arc {
+    Vector3 middle;
+    double cosine;  ///< of half the angle
+  };
+  SiteInsertion(ConvexHull hull, std::vector<Index> next, Index guard_count);
+  Result<Done> fill_inside(const std::vector<std::vector<Vector3>>& loops);
+  bool is_loop_edge(Index a, Index b) const;
+  void offer(Index face);
+  /// The horizon of the face's circumcentre, empty when that is no place for a site.
+  ConvexHull::Horizon admissible_horizon(Index face, const Vector3& centre) const;
+  bool near_loop(const Vector3& centre) const;
+  /// Drops candidates whose face is gone; the best living one stays on top.
+  bool find_top();
+
+  ConvexHull hull_;
+  std::vector<Index> next_;
+  std::vector<Arc> arcs_;
+  Index guard_count_ = 0;  ///< 1 when the first point after the loops is no site
+  double boundary_spacing_ = 0;
+  std::vector<char> inside_;  ///< one a face of the hull
+  std::priority_queue<Candidate> candidates_;
+};
+
+}  // namespace hariko
