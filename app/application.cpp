@@ -18,9 +18,11 @@
 #include "app/export_triangles.hpp"
 #include "app/failure_dialog.hpp"
 #include "app/files/open_file.hpp"
+#include "app/files/sheet_file.hpp"
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
 #include "app/mesh_previewer.hpp"
+#include "app/paper_engine.hpp"
 #include "app/persistence/settings_file.hpp"
 #include "app/picture_export.hpp"
 #include "app/pictures.hpp"
@@ -72,6 +74,7 @@ class Application {
                 [this](ObjectId id, const SurfaceView& view) { log_.rebuilt(id, view); }),
         long_(editor_, &GlWindow::wake),
         meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
+        paper_(editor_, long_, &GlWindow::wake),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
@@ -113,7 +116,8 @@ class Application {
       editor_.now = window_.now();
       follow_recording();
       if (recorder_) recorder_->batch(editor_.now, window_.input());
-      if (engine_.publish() + long_.publish() + session_.publish() + meshes_.publish() > 0) {
+      if (engine_.publish() + paper_.publish() + long_.publish() + session_.publish() + meshes_.publish() >
+          0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
       }
@@ -149,6 +153,7 @@ class Application {
     actions.export_file = [this](const auto& path, const auto& settings) { export_file(path, settings); };
     actions.count_export = [this](const ExportSettings& settings) { count_export(settings); };
     actions.export_pictures = [this](PictureOrder order) { export_pictures(std::move(order)); };
+    actions.export_pages = [this](const auto& path) { export_pages(path); };
     actions.record = [this](const auto& path) { record_to_ = path; };
     actions.stop_recording = [this] { recording_ends_ = true; };
     actions.picture_samples = [this] { picture_samples(); };
@@ -236,6 +241,9 @@ class Application {
     if (std::exchange(recompute.wants_now, false)) engine_.recompute_outdated();
     engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, recompute.policy);
     meshes_.sync();
+    const auto layout_before = editor_.paper.layout;
+    paper_.sync();
+    if (editor_.paper.layout != layout_before) frames_ = std::max(frames_, 2);
     if (auto outdated = engine_.outdated(); outdated != recompute.outdated) {
       recompute.outdated = std::move(outdated);
       frames_ = std::max(frames_, 1);
@@ -244,7 +252,7 @@ class Application {
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
-    idle_ = frames_ <= 0 && !due() && long_.idle() && session_.idle() && meshes_.idle() &&
+    idle_ = frames_ <= 0 && !due() && long_.idle() && paper_.idle() && session_.idle() && meshes_.idle() &&
             workbench_.viewport().next_frame_in() < 0 && !session_waits_;
     if (recorder_ && idle_) recorder_->idle(editor_.now);
     log_.frame(editor_, workbench_, idle_);
@@ -471,6 +479,24 @@ class Application {
         });
   }
 
+  void export_pages(const std::filesystem::path& path) {
+    const auto layout = editor_.paper.layout;
+    if (!layout) return;
+    long_.run(
+        fill(translatable("Exporting {0}"), {path.filename().string()}),
+        [path, layout](const CancelToken&) { return write_sheet_file(path, layout->drawing); },
+        [this, path](const Result<Done>& written) {
+          if (!written.ok()) {
+            log_.file("export_failed", path);
+            return editor_.notify(written.error());
+          }
+          editor_.notify(Notice::Kind::info,
+                         fill(editor_.language("Exported {0}."), {path.filename().string()}));
+          ++editor_.exports;
+          log_.file("exported", path);
+        });
+  }
+
   void picture_samples() {
     if (std::exchange(pictured_theme_, editor_.settings.theme) == editor_.settings.theme) return;
     // NOLINTNEXTLINE(modernize-loop-convert): the pictures come later, the index finds their place then
@@ -499,6 +525,7 @@ class Application {
   CancelToken counting_;  ///< of the last count for the export dialog
   BackgroundWork long_;
   MeshPreviewer meshes_;
+  PaperEngine paper_;
   Workbench workbench_;
   DocumentSession session_;
   Pictures pictures_;

@@ -33,6 +33,7 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   vertices(editor, workbench);
   history(editor);
   notices(editor);
+  paper(editor);
   commands(editor, workbench);
   pictures_ = workbench.viewport().pictures_drawn();
   if (idle && !idle_) frame_times(editor.frame_times);
@@ -103,6 +104,35 @@ void TestLog::history(const Editor& editor) {
                {"selection", selection_}}
               .dump()
        << std::endl;
+}
+
+void TestLog::paper(const Editor& editor) {
+  const PaperLayout* layout = editor.paper.visible();
+  Json line{{"event", "paper"}, {"shown", editor.paper.shown}, {"pending", editor.paper.pending}};
+  line["error"] =
+      editor.paper.fault ? Json(std::string(editor.paper.fault->messages.front().code.name)) : Json();
+  if (layout) {
+    const Unfolding& u = layout->unfolding;
+    line["facets"] = u.graph->facet_count();
+    line["pieces"] = u.pieces.size();
+    line["pages"] = u.page_count;
+    line["joints"] = u.joints.size();
+    line["strips"] = strip_count(u);
+    line["overlaps"] = layout->overlaps;
+    line["off_page"] = layout->off_page.size();
+    line["folded"] = editor.paper.folded;
+    line["selected"] =
+        editor.paper.selected_piece() == no_index ? Json() : Json(editor.paper.selected_piece());
+    line["hovered"] = editor.paper.hovered.facet == no_index ? Json() : Json(editor.paper.hovered.facet);
+    line["places"] = Json::array();
+    for (const PaperPiece& piece : u.pieces)
+      line["places"].push_back({piece.placement.page, piece.placement.angle, piece.placement.offset.x(),
+                                piece.placement.offset.y()});
+  }
+  std::string text = line.dump();
+  if (text == paper_line_) return;
+  paper_line_ = std::move(text);
+  out_ << paper_line_ << std::endl;
 }
 
 void TestLog::notices(const Editor& editor) {

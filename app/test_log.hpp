@@ -28,6 +28,7 @@ class TestLog {
   void vertices(const Editor& editor, const Workbench& workbench);
   void history(const Editor& editor);
   void notices(const Editor& editor);
+  void paper(const Editor& editor);
   void commands(const Editor& editor, const Workbench& workbench);
 
   std::ofstream out_;
@@ -36,7 +37,7 @@ class TestLog {
   std::size_t position_ = 0;
   std::uint64_t serial_ = ~std::uint64_t{0}, pictures_ = 0, frames_ = 0, commands_run_ = 0;
   bool gesture_ = false, dirty_ = false;
-  std::string vertices_line_, selection_, last_notice_, commands_line_, last_note_;
+  std::string vertices_line_, paper_line_, selection_, last_notice_, commands_line_, last_note_;
 };
 
 }  // namespace hariko

@@ -104,6 +104,28 @@ def triangles(window):
     meshed(lambda: window.key("ctrl+alt+t"))
     meshed(lambda: window.click_on("meshing.normal.on"))
     meshed(lambda: window.click_on("meshing.compare"))
+def paper(window):
+    window.key("ctrl+p")
+    window.wait_idle()
+    window.click_on("field.paper_distance")
+    window.key("ctrl+a")
+    window.type("0.03")
+    window.key("Return")
+    window.wait_idle()
+    window.click_on("paper.unfold")
+    window.wait(lambda: "pieces" in (window.last("paper") or {}), "the pages", 60)
+    window.wait_idle()
+    x, y = window.center("paper.piece.0")
+    window.click(x, y)
+    window.wait_idle()
+
+
+def folding(window):
+    paper(window)
+    x, y, width, height = window.rect("paper.fold")
+    window.drag((x + width - 6, y + height // 2), (x + width * 0.7, y + height // 2))
+    window.key("Home")
+    window.wait_idle()
 
 
 # Picture -> (sample or none, what is done, settings of the interface)
@@ -122,6 +144,8 @@ WINDOWS = {
     "manual_export": ("car", export, {}),
     "manual_triangles": ("fig2", triangles, {}),
     "manual_local": ("fig2", local_editing, {}),
+    "manual_paper": ("fig2", paper, {}),
+    "manual_folding": ("fig2", folding, {}),
     "manual_joins": ("wheel_arch", attached, {}),
 }
 

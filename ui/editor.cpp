@@ -54,6 +54,7 @@ void Editor::begin_recording() {
   cursor_note.reset();
   notices_.clear();
   guide.leave();
+  paper = {};
   layout = {};
   wants_framing = true;
 }
@@ -184,6 +185,7 @@ void Editor::frame_selection() {
 }
 
 Box3 Editor::visible_box() const {
+  if (paper.covers_model() && !paper.box.isEmpty()) return paper.box;
   Box3 box;
   for (const auto& object : document().objects) {
     if (!object->visible) continue;

@@ -18,6 +18,7 @@
 #include "ui/language.hpp"
 #include "ui/last_operation.hpp"
 #include "ui/meshing.hpp"
+#include "ui/paper_state.hpp"
 #include "ui/recompute.hpp"
 #include "ui/selection.hpp"
 #include "ui/selection_memory.hpp"
@@ -89,6 +90,7 @@ class Editor {
   Language language;                       ///< the catalogue of settings.language
   LastOperation last_operation;
   Meshing meshing;
+  PaperState paper;
 
   /// False while the start page shows.
   bool has_document = false;

@@ -21,8 +21,14 @@ bool same(const SceneObject& a, const SceneObject& b) {
          a.hovered_patches == b.hovered_patches;
 }
 
+bool same(const OverlayLine& a, const OverlayLine& b) {
+  return a.begin == b.begin && a.end == b.end && a.width == b.width && a.on_top == b.on_top;
+}
+
 bool same(const Scene& a, const Scene& b) {
-  return a.objects.size() == b.objects.size() && a.lines.empty() && b.lines.empty() &&
+  return a.objects.size() == b.objects.size() &&
+         std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
+                    [](const OverlayLine& x, const OverlayLine& y) { return same(x, y); }) &&
          a.background == b.background && same(a.grid, b.grid) && a.zebra == b.zebra &&
          a.section == b.section && a.colour_blind_safe == b.colour_blind_safe &&
          a.hidden_opacity == b.hidden_opacity && a.pixel_scale == b.pixel_scale &&
@@ -128,7 +134,16 @@ void SceneBuilder::update(const Editor& editor) {
   next.section = section_plane(editor.view);
   next.pixel_scale = editor.pixel_scale;
   ids_.clear();
+  fold_paper(editor.paper);
+  if (paper_) {
+    next.objects.push_back(scene_object_of(*paper_, editor.paper));
+    ids_.push_back(ObjectId{});
+  }
+  if (editor.paper.shown && editor.paper.fault)
+    for (const auto& [from, to] : editor.paper.fault->lines)
+      next.lines.push_back({from, to, color_from_hex("#e5484d"), 3, true});
   for (const auto& object : editor.document().objects) {
+    if (paper_) break;
     if (!object->visible || (!object->cage() && !object->mesh())) continue;
     next.objects.push_back(describe(editor, object));
     if (const MeshingResult* meshed = editor.meshing.shown_for(object)) {
@@ -163,6 +178,13 @@ void SceneBuilder::compare(const Editor& editor) {
     show_errors((*result->compared)[picture.mesh].of(picture.shown),
                 compared_[static_cast<std::size_t>(pane.view)].objects[static_cast<std::size_t>(at)]);
   }
+}
+
+void SceneBuilder::fold_paper(const PaperState& paper) {
+  if (!paper.covers_model()) return paper_.reset();
+  const auto layout = paper.shared_visible();
+  const double folded = double(paper.folded);
+  if (!paper_ || paper_->layout != layout || paper_->folded != folded) paper_ = fold_up(layout, folded);
 }
 
 SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<const Object>& object) {

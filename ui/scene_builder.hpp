@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/editor.hpp"
+#include "ui/paper_solid.hpp"
 
 namespace hariko {
 
@@ -21,6 +22,8 @@ class SceneBuilder {
     return compared_.empty() ? scene_ : compared_[static_cast<std::size_t>(view)];
   }
   ObjectId object_id(std::size_t scene_object) const { return ids_[scene_object]; }
+  /// The paper that is shown instead of the objects; null when they are shown.
+  const PaperSolid* paper() const { return paper_.get(); }
   /// Rises whenever the picture would be another one.
   std::uint64_t version() const { return version_; }
 
@@ -43,9 +46,11 @@ class SceneBuilder {
       Entry& entry, const Document& document, const std::shared_ptr<const Object>& object);
 
   void compare(const Editor& editor);
+  void fold_paper(const PaperState& paper);
 
   Scene scene_;
   std::vector<Scene> compared_;  ///< one a view, or none
+  std::shared_ptr<const PaperSolid> paper_;
   std::vector<ObjectId> ids_;
   std::map<ObjectId, Entry> entries_;
   std::uint64_t version_ = 0;

@@ -274,6 +274,11 @@ void Viewport::look_for_press(PointerEvent event) {
     event.clicks = ImGui::GetMouseClickedCount(static_cast<int>(i));
     if (event.clicks == 0) continue;
     event.button = buttons[i];
+    if (scene_.paper() && event.button == PointerButton::left && editor_.paper.hovered.facet != no_index &&
+        !navigation_action(editor_.settings.navigation, event)) {
+      editor_.paper.selected = editor_.paper.hovered.facet;
+      return;
+    }
     // With modifiers the press is for the selection or for the view.
     const bool plain = event.button == PointerButton::left && !event.shift && !event.control && !event.alt;
     const auto handle = plain ? gizmo_.hit(event.pixel) : std::nullopt;
@@ -396,6 +401,7 @@ bool Viewport::cancel_tool() {
 
 void Viewport::hover(const Vector2& pixel, bool inside) {
   hot_handle_.reset();
+  if (std::exchange(on_paper_, false)) editor_.paper.hovered = {};
   if (!inside) {
     editor_.hovered.reset();
     return;
@@ -404,6 +410,13 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
   const ToolContext context{editor_, scene_};
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
   if (hot_handle_) return editor_.hovered.reset();
+  if (const PaperSolid* paper = scene_.paper()) {
+    const Projector projector = context.projector();
+    const double reach = 5 * editor_.pixel_scale * editor_.camera().pixel_length(editor_.viewport);
+    editor_.paper.hovered = paper_under(*paper, projector.ray(pixel), reach);
+    on_paper_ = true;
+    return editor_.hovered.reset();
+  }
   const auto under = elements_under(context, pixel);
   editor_.hovered.reset();
   if (!under.empty()) editor_.hovered = under.front();

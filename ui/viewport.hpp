@@ -84,7 +84,8 @@ class Viewport {
   PointerEvent navigation_press_;
   Vector2 pointer_ = Vector2::Constant(-1);
   std::optional<SurfacePoint> pointed_at_;
-  double wheel_at_ = -1;  ///< when the wheel was turned last
+  bool on_paper_ = false;  ///< what is hovered of the paper is hovered here
+  double wheel_at_ = -1;   ///< when the wheel was turned last
   PanelRect rect_{};
   std::vector<Place> places_;
 };

@@ -21,6 +21,8 @@ bool text_field_active() {
   return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID;
 }
 
+constexpr float paper_border = 5;  // between the model and its pages, design pixels
+
 }  // namespace
 
 Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
@@ -47,6 +49,7 @@ void Workbench::add_commands() {
   add_shape_commands(host_);
   add_attach_commands(host_);
   add_recompute_commands(host_);
+  add_paper_commands(host_);
   add_view_commands(host_);
   add_analyse_commands(host_);
   add_start_commands(host_);
@@ -162,18 +165,41 @@ void Workbench::layout(PanelContext& context, float menu) {
   draw_tool_column(context, {{0, menu}, {tools, screen.y - status}});
   const auto hovered = editor_.hovered;
   const bool tool_ran = viewport_.tool_active();
-  viewport_.draw(context, view);
-  context_menu_.watch(editor_, view, hovered, tool_ran);
+  PanelRect model = view;
+  if (editor_.paper.shown) model.max.x = draw_paper_view(context, view).min.x - metrics_.px(paper_border);
+  viewport_.draw(context, model);
+  editor_.paper.box = viewport_.scene().paper() ? viewport_.scene().paper()->box : Box3();
+  context_menu_.watch(editor_, model, hovered, tool_ran);
   draw_objects(context, {{right, menu}, {screen.x, menu + objects_height - line}});
   const float bottom = screen.y - status;
   const float history = history_height(context, bottom - menu);
   draw_properties(context, {{right, menu + objects_height}, {screen.x, bottom - history - line}});
   draw_history(context, {{right, bottom - history}, {screen.x, bottom}});
-  context.tool_hint = viewport_.hint();
+  context.tool_hint =
+      paper_panel_.hint().empty() || viewport_.tool_active() ? viewport_.hint() : paper_panel_.hint();
   draw_status_line(context, {{0, screen.y - status}, screen});
   draw_notices(context, view);
 
   drag_border({{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}});
+}
+
+PanelRect Workbench::draw_paper_view(PanelContext& context, const PanelRect& view) {
+  const float least = std::min(metrics_.px(260), view.width() / 2);
+  const float x = std::clamp(std::round(view.min.x + paper_split_ * view.width()), view.min.x + least,
+                             view.max.x - least);
+  const PanelRect paper{{x, view.min.y}, view.max};
+  paper_panel_.draw(context, paper);
+  const float border = metrics_.px(paper_border);
+  if (begin_panel("##paper_border", {{x - border, view.min.y}, {x, view.max.y}}, 0, {0, 0},
+                  ImGuiWindowFlags_NoBackground)) {
+    ImGui::InvisibleButton("drag", {border, view.height()});
+    context.marks.item("paper.border");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive())
+      paper_split_ = std::clamp((ImGui::GetIO().MousePos.x - view.min.x) / view.width(), 0.15F, 0.85F);
+  }
+  ImGui::End();
+  return paper;
 }
 
 void Workbench::drag_border(const PanelRect& border) {
@@ -206,7 +232,7 @@ void Workbench::key(const KeyPress& press) {
   // A running tool takes its own keys first: axes, numbers, Enter.
   if (viewport_.tool_key(press)) return;
   const Command* command = commands_.find(chord);
-  if (!command) return;
+  if (!command || paper_panel_.dragging()) return;
   // In the middle of a drag or a modal tool the view may change, and nothing else.
   if (viewport_.tool_active() && !command->menu.starts_with("View") && command->menu != "Help") return;
   if (editor_.history.in_gesture() && command->changes_document) return;
@@ -223,6 +249,7 @@ void Workbench::escape() {
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     return ImGui::ClosePopupToLevel(0, true);
   if (viewport_.cancel_tool()) return;
+  if (paper_panel_.cancel_drag(editor_)) return;
   if (editor_.history.in_gesture()) {
     editor_.cancel_preview();
     ImGui::ClearActiveID();  // the slider lets go
@@ -407,6 +434,17 @@ void Workbench::quit() {
   });
 }
 
+void Workbench::show_sheet_dialog() {
+  std::filesystem::path proposal = name_proposal();
+  proposal.replace_extension(".pdf");
+  dialog_.open({translatable("Export the pages of the paper model"),
+                translatable("Export"),
+                true,
+                {".pdf", ".svg", ".dxf", ".png"},
+                proposal,
+                [this](const auto& path) { actions_.export_pages(path); }});
+}
+
 void Workbench::show_record_dialog() {
   std::filesystem::path proposal = name_proposal();
   proposal.replace_extension(".jsonl");
@@ -422,6 +460,7 @@ void Workbench::forget_interface() {
   viewport_.cancel_tool();
   panel_state_ = {};
   preferences_ = {};
+  paper_panel_ = {};
   palette_ = {};
   cheat_sheet_ = {};
   export_options_ = {};

@@ -13,6 +13,7 @@
 #include "ui/panels/file_dialog.hpp"
 #include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/paper_panel.hpp"
 #include "ui/panels/preferences.hpp"
 #include "ui/panels/prompt.hpp"
 #include "ui/picture_order.hpp"
@@ -33,6 +34,8 @@ struct FileActions {
   /// asked for counts.
   std::function<void(const ExportSettings&)> count_export;
   std::function<void(PictureOrder)> export_pictures;
+  /// Writes the pages of the paper model that is shown.
+  std::function<void(const std::filesystem::path&)> export_pages;
   /// Opens work that an earlier session left behind, or throws it away.
   std::function<void(const std::string&id)> recover, discard_recovery;
   /// Records what the user does from now on as a replay, until it is told to stop.
@@ -102,6 +105,8 @@ class Workbench {
   /// Of the active view: one picture, or a series that turns round the model.
   void show_picture_dialog(bool turntable);
   void show_record_dialog();
+  /// For the pages of the paper model.
+  void show_sheet_dialog();
   void stop_recording() { actions_.stop_recording(); }
   /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.
   void forget_interface();
@@ -118,6 +123,8 @@ class Workbench {
   /// Takes up the keys of the settings.
   void apply_keys();
   void layout(PanelContext& context, float menu);
+  /// The part of the view that the paper takes, with the border between them.
+  PanelRect draw_paper_view(PanelContext& context, const PanelRect& view);
   void drag_border(const PanelRect& border);
   std::filesystem::path folder_proposal() const;
   std::filesystem::path name_proposal() const;
@@ -136,6 +143,8 @@ class Workbench {
   CheatSheet cheat_sheet_;
   ContextMenu context_menu_;
   Preferences preferences_;
+  PaperPanel paper_panel_;
+  float paper_split_ = 0.5F;  ///< where the paper view begins, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
   FileDialog dialog_;

@@ -66,7 +66,7 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   command_->add_flag("--fold-angles", settings.fold_angles, "Write the angle beside each fold");
   command_
       ->add_option("--distance", distance_,
-                   "Largest distance between a document's surfaces and the facets (0.5 % of the size)")
+                   "Largest distance between a document's surfaces and the facets (1 % of the size)")
       ->check(CLI::PositiveNumber);
   command_->add_option("--normal", normal_degrees_, "Largest angle between their normals, degrees")
       ->check(CLI::Range(0.0, 90.0));

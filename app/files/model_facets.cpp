@@ -122,7 +122,7 @@ Result<ModelFacets> patch_file_facets(const std::filesystem::path& file, const F
     for (const BezierPatch& patch : group.patches)
       for (const Vector3& p : patch.points) box.extend(p);
   MeshOptions meshing;
-  meshing.criteria.distance = options.distance.value_or(box.isEmpty() ? 0 : 0.005 * box.diagonal().norm());
+  meshing.criteria.distance = options.distance.value_or(box.isEmpty() ? 0 : 0.01 * box.diagonal().norm());
   if (options.normal_angle > 0) meshing.criteria.normal_angle = options.normal_angle;
   meshing.optimise = options.optimise;
   meshing.facet_limit = max_facets;

@@ -37,7 +37,7 @@ double proposed_distance(const Document& document, std::span<const ObjectId> obj
     if (const MeshSource* mesh = object->mesh())
       for (const Vector3& p : mesh->mesh->positions) box.extend(object->transform.apply(mesh->origin + p));
   }
-  const double distance = box.isEmpty() ? 0 : 0.005 * box.diagonal().norm();
+  const double distance = box.isEmpty() ? 0 : 0.01 * box.diagonal().norm();
   if (!(distance > 1e-290) || !std::isfinite(distance)) return 0.5;
   const double digit = std::pow(10, std::floor(std::log10(distance)));
   return std::max(1.0, std::round(distance / digit)) * digit;

@@ -16,7 +16,7 @@ Document remove_paper(const Document& document);
 /// The objects that can be unfolded: visible, with a surface or facets. Ascending.
 std::vector<ObjectId> unfoldable_objects(const Document& document);
 
-/// A distance between surface and facets that suits paper: 0.5 % of the diagonal of the box of the objects'
+/// A distance between surface and facets that suits paper: 1 % of the diagonal of the box of the objects'
 /// polyhedra, nets and meshes, rounded to one digit. Positive.
 double proposed_distance(const Document& document, std::span<const ObjectId> objects);
 

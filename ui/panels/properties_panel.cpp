@@ -12,6 +12,7 @@
 #include "ui/panels/choice.hpp"
 #include "ui/panels/display_panel.hpp"
 #include "ui/panels/message_list.hpp"
+#include "ui/panels/paper_properties.hpp"
 #include "ui/panels/selected_items.hpp"
 #include "ui/panels/value_fields.hpp"
 
@@ -425,6 +426,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
   if (begin_panel("Properties", rect, palette().panel, {m.px(12), m.px(8)})) {
     // Edits replace the document under the panel: what is drawn is this frame's value.
     draw_last_operation(context);
+    if (context.editor.paper.shown) draw_paper_properties(context);
     const auto objects = chosen_objects(context.editor);
     if (objects.empty()) {
       hint_text(context,

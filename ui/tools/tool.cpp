@@ -38,6 +38,7 @@ std::optional<PickHit> pick_element(const ToolContext& context, const Vector2& p
 std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2& pixel) {
   const Editor& editor = context.editor;
   std::vector<ElementRef> result;
+  if (context.scene.paper()) return result;  // it stands in the place of the objects
   for (const PickHit& hit : pick_elements(context, pixel)) {
     const ObjectId id = context.scene.object_id(hit.object);
     ElementRef ref{id, element_of(id)};
