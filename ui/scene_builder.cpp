@@ -166,7 +166,7 @@ void SceneBuilder::update(const Editor& editor) {
 /// The four pictures: the same scene, with another mesh or another error in the object's place.
 void SceneBuilder::compare(const Editor& editor) {
   compared_.clear();
-  if (!editor.meshing.comparing()) return;
+  if (paper_ || !editor.meshing.comparing()) return;  // the paper stands in the place of the objects
   const auto object = meshed_object(editor.document(), editor.selection.active);
   const MeshingResult* result = object ? editor.meshing.shown_for(object) : nullptr;
   if (!result || !result->compared) return;
