@@ -57,6 +57,7 @@ inline constexpr std::array solids_members{"kind"sv,        "primitives"sv, "rou
 inline constexpr std::array method_names{"auto"sv, "network"sv, "field"sv};
 inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};
 inline constexpr std::array symmetry_names{"none"sv, "x"sv, "y"sv, "z"sv};
+inline constexpr std::array loop_members{"points"sv, "normals"sv, "K"sv};
 inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};
 
 inline constexpr std::array paper_members{"objects"sv,  "of_polyhedra"sv, "distance"sv,  "normal_angle"sv,
