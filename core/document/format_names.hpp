@@ -58,6 +58,15 @@ inline constexpr std::array method_names{"auto"sv, "network"sv, "field"sv};
 inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};
 inline constexpr std::array symmetry_names{"none"sv, "x"sv, "y"sv, "z"sv};
 inline constexpr std::array loop_members{"points"sv, "normals"sv, "K"sv};
+inline constexpr std::array frame_names{"automatic"sv, "translate"sv, "rmf"sv, "two-rail"sv};
+inline constexpr std::array skin_method_names{"smooth"sv, "anchored"sv, "pleat"sv};
+inline constexpr std::array caps_names{"none"sv, "flat"sv, "dome"sv};
+inline constexpr std::array parameters_names{"uniform"sv, "shared"sv, "per-section"sv};
+inline constexpr std::array blend_names{"automatic"sv, "linear"sv, "natural"sv, "hermite"sv};
+inline constexpr std::array row_names{"even"sv, "path"sv};
+inline constexpr std::array fit_names{"none"sv, "local"sv, "fair"sv};
+inline constexpr std::array cost_names{"parameter"sv, "shape"sv};
+inline constexpr std::array strip_side_names{"a"sv, "b"sv};
 inline constexpr std::array mesh_members{"kind"sv, "origin"sv, "vertices"sv, "faces"sv};
 
 inline constexpr std::array paper_members{"objects"sv,  "of_polyhedra"sv, "distance"sv,  "normal_angle"sv,

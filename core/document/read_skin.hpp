@@ -1,0 +1,28 @@
+#pragma once
+
+// Skins as JSON: the members of a document's source, and the plain layout in which sections are drawn
+// elsewhere (points of sections and path as rows of numbers, links and merges by strip and indices).
+
+#include <string_view>
+
+#include "core/document/json_cursor.hpp"
+#include "core/skinning/skin.hpp"
+
+namespace hariko::detail {
+
+/// Reads the skin of an object; ids that are not given are numbered. Shapes are checked here, everything else
+/// by `plan_skin`. A link or merge of the plain layout whose strip or point does not exist is E_INDEX.
+Skin read_skin(JsonReader& reader, const JsonCursor& at);
+
+/// JSON text is in the plain layout: an object with `path` and `sections` and no `format`.
+bool is_skin_layout(const JsonValue& value);
+
+}  // namespace hariko::detail
+
+namespace hariko {
+
+/// A skin from text in the plain layout, with sections turned so that they run the same way round (see
+/// `turn_sections`). Errors: E_LIMIT, E_PARSE, E_SCHEMA, E_INDEX.
+Result<Skin> read_skin_layout(std::string_view text);
+
+}  // namespace hariko

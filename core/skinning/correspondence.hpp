@@ -1,0 +1,35 @@
+#pragma once
+
+// Which points of two neighbouring sections belong together: the lines of a strip, found by an exact dynamic
+// program (minimal triangles first, then the nearest parameters).
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.hpp"
+
+namespace hariko {
+
+/// Point a of the first section and point b of the second.
+struct PointPair {
+  int a = 0, b = 0;
+  friend auto operator<=>(const PointPair&, const PointPair&) = default;
+};
+
+/// cost(a, b) of a line, for every pair of points.
+using PairCost = std::function<double(int a, int b)>;
+
+/// (u_a - u_b)^2 less 1e-9 (u_a - 1/2)(u_b - 1/2), a small term that breaks ties in a way that mirror images
+/// share; the square of the cyclic difference for closed sections. `points_a`, `points_b`: numbers of points;
+/// one point is a tip.
+PairCost parameter_cost(int points_a, int points_b, bool closed);
+
+/// Lines in order. Open: from (0, 0) to the last points; closed: cyclically, winding once; from one to the
+/// next a, b or both go one further. Minimises the number of steps in which only one goes further, then the
+/// sum of costs, under the condition that every forced pair is a line. Errors: E_LINK_CROSS (forced pairs
+/// that cross). O(a b); O(a b^2) for closed sections without forced pairs.
+Result<std::vector<PointPair>> correspondence(int points_a, int points_b, bool closed, const PairCost& cost,
+                                              std::span<const PointPair> forced);
+
+}  // namespace hariko

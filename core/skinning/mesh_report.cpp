@@ -1,0 +1,100 @@
+#include "core/skinning/mesh_report.hpp"
+
+#include <Eigen/SVD>
+#include <Eigen/SparseLU>
+#include <cmath>
+
+namespace hariko {
+
+ControlMeshFigures figures(const PolygonMesh& mesh) {
+  ControlMeshFigures out;
+  out.vertices = int(mesh.positions.size());
+  out.faces = int(mesh.face_count());
+  std::map<std::pair<Index, Index>, int> edges;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    ++(face.size() == 4 ? out.quads : face.size() == 3 ? out.triangles : out.polygons);
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Index a = face[i], b = face[(i + 1) % face.size()];
+      ++edges[{std::min(a, b), std::max(a, b)}];
+    }
+  }
+  out.edges = int(edges.size());
+  out.euler = out.vertices - out.edges + out.faces;
+  std::vector<int> valence(mesh.positions.size()), boundary(mesh.positions.size()),
+      faces(mesh.positions.size());
+  for (const Index v : mesh.face_vertices) ++faces[v];
+  for (const auto& [edge, count] : edges) {
+    out.nonmanifold_edges += count > 2;
+    for (const Index v : {edge.first, edge.second}) ++valence[v], boundary[v] += count == 1;
+  }
+  for (std::size_t v = 0; v < valence.size(); ++v) {
+    if (valence[v] == 0) continue;
+    out.boundary_vertices += boundary[v] > 0;
+    const bool regular = boundary[v] > 0 ? valence[v] == 3 || faces[v] == 1 : valence[v] == 4;
+    if (!regular) ++out.extraordinary[(boundary[v] > 0 ? "b" : "i") + std::to_string(valence[v])];
+  }
+  return out;
+}
+
+namespace {
+
+Eigen::SparseMatrix<double> limit_matrix(const SubdivisionTopology& topology) {
+  const auto n = Eigen::Index(topology.mesh().mesh.positions.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index v = 0; v < Index(n); ++v) {
+    const Index node = topology.vertex_node(v);
+    if (node == no_index) {
+      entries.emplace_back(v, v, 1.0);
+      continue;
+    }
+    const auto& owner = topology.node_owner(node);
+    const auto weights =
+        topology.weights(owner.patch, corner_parameter(Domain::square, owner.corner), Order::first).value;
+    const auto controls = topology.controls(owner.patch);
+    for (std::size_t k = 0; k < controls.size(); ++k)
+      if (weights[k] != 0) entries.emplace_back(v, controls[k], weights[k]);
+  }
+  Eigen::SparseMatrix<double> out(n, n);
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
+
+/// Largest eigenvalue of a symmetric positive operator.
+template <class Apply>
+double largest_eigenvalue(Eigen::Index n, const Apply& apply) {
+  Eigen::VectorXd x(n);
+  for (Eigen::Index i = 0; i < n; ++i) x[i] = std::sin(1.0 + double(i) * 0.7);
+  double value = 0;
+  for (int round = 0; round < 2000; ++round) {
+    x.normalize();
+    Eigen::VectorXd next = apply(x);
+    const double got = x.dot(next);
+    x = std::move(next);
+    if (std::abs(got - value) <= 1e-9 * got) return got;
+    value = got;
+  }
+  return value;
+}
+
+}  // namespace
+
+double limit_condition(const SubdivisionTopology& topology) {
+  const Eigen::SparseMatrix<double> matrix = limit_matrix(topology);
+  if (matrix.rows() <= 600) {
+    const Eigen::VectorXd singular = Eigen::BDCSVD<Eigen::MatrixXd>(Eigen::MatrixXd(matrix)).singularValues();
+    return singular[singular.size() - 1] > 0 ? singular[0] / singular[singular.size() - 1] : INFINITY;
+  }
+  const Eigen::SparseMatrix<double> transposed = matrix.transpose();
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(matrix), other(transposed);
+  if (factor.info() != Eigen::Success || other.info() != Eigen::Success) return INFINITY;
+  const double high = largest_eigenvalue(
+      matrix.rows(), [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return transposed * (matrix * x); });
+  const double low = largest_eigenvalue(matrix.rows(), [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    const Eigen::VectorXd y = other.solve(x);
+    return factor.solve(y);
+  });
+  return std::sqrt(high * low);
+}
+
+}  // namespace hariko

@@ -1,0 +1,12 @@
+#pragma once
+
+// Pleat skinning: the lines of the correspondences become lines of the control mesh.
+
+#include "core/skinning/skin_mesh.hpp"
+
+namespace hariko {
+
+/// Errors: E_SKIN_SIZE (too many vertices). O(vertices), and the sparse solve of `SectionFit::fair`.
+Result<SkinMesh> pleat_mesh(const Skin& skin, const SkinPlan& plan);
+
+}  // namespace hariko

@@ -1,0 +1,35 @@
+#pragma once
+
+// Interior sections interpolated exactly: where a section's vertices are regular, the surface's curve along
+// them has the control points (V- + 4 V + V+) / 6, which are asked to be the section's.
+
+#include <vector>
+
+#include "core/skinning/skin_mesh.hpp"
+
+namespace hariko {
+
+/// One vertex of a section and the two beside it across the section.
+struct SectionEquation {
+  Index vertex = 0, before = 0, after = 0;
+  Vector3 target = Vector3::Zero();
+};
+
+/// Second divided difference along a line through a vertex: the mean of its neighbours before and after, at
+/// these distances (in mean strip lengths).
+struct LineBend {
+  Index vertex = 0;
+  std::vector<Index> before, after;
+  double before_distance = 1, after_distance = 1;
+};
+
+/// V = (6 P - V- - V+) / 4 with the neighbours where they are. Exact; dense rows can dimple.
+void fit_sections_locally(std::vector<Vector3>& positions, const std::vector<SectionEquation>& equations);
+
+/// Minimises sum of h (tension |V - V0|^2 + |V''|^2) over all vertices under the equations, with `held`
+/// vertices where they are; V0 are the positions given. No vertex of an equation may be the neighbour in
+/// another one. Sparse factorisation, about linear.
+void fit_sections_fairly(std::vector<Vector3>& positions, const std::vector<SectionEquation>& equations,
+                         const std::vector<LineBend>& bends, const std::vector<char>& held, double tension);
+
+}  // namespace hariko

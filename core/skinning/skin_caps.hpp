@@ -1,0 +1,14 @@
+#pragma once
+
+// Faces that close the ends of a tube.
+
+#include "core/skinning/skin_mesh.hpp"
+
+namespace hariko {
+
+/// Adds the caps that the skin asks for at the ends of an open path with closed sections; `mesh` has its
+/// faces as the strips make them. Flat: one face inside an infinitely sharp crease. Dome: a ring at half the
+/// size, pushed outwards by 0.35 of the section's mean radius, and one face.
+void add_caps(const Skin& skin, const SkinPlan& plan, SkinMesh& mesh);
+
+}  // namespace hariko

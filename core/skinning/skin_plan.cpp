@@ -1,0 +1,335 @@
+#include "core/skinning/skin_plan.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "core/base/ids.hpp"
+#include "core/skinning/skin_messages.hpp"
+
+namespace hariko {
+
+namespace {
+
+using Problem = std::optional<Message>;
+
+constexpr double same_place = 1e-9;
+constexpr int max_points = 100'000;  ///< of all sections together
+
+std::string number(int k) {
+  return std::to_string(k + 1);
+}
+
+Problem check_order(const Skin& skin) {
+  const auto& sections = skin.sections;
+  for (std::size_t k = 0; k + 1 < sections.size(); ++k)
+    if (!(sections[k + 1].v > sections[k].v) && std::isfinite(sections[k].v) &&
+        std::isfinite(sections[k + 1].v))
+      return make_error(e_section_order,
+                        "Sections " + number(int(k)) + " and " + number(int(k) + 1) +
+                            " are at the same place on the path (or in the wrong order).",
+                        "Slide one of them along the path.");
+  for (const SkinSection& section : sections)
+    if (!std::isfinite(section.v))
+      return make_error(e_not_finite, "The place of a section on the path is not a finite number.",
+                        "Place it anew.");
+  const double first = sections.front().v, last = sections.back().v;
+  if (skin.path.closed) {
+    if (first < 0 || last > 1 || !(last - first < 1))
+      return make_error(e_section_range, "The sections of a closed path must lie on one turn of it.",
+                        "Slide the first or last section.");
+  } else if (std::abs(first) > same_place || std::abs(last - 1) > same_place) {
+    return make_error(e_section_range, "The first and last section must lie at the ends of an open path.",
+                      "Slide them to the ends, or trim the path.");
+  }
+  return {};
+}
+
+Problem check_finite(const Skin& skin) {
+  const auto finite = [](const SubdivisionCurve& curve) {
+    return std::all_of(curve.points.begin(), curve.points.end(),
+                       [](const Vector3& p) { return p.allFinite(); });
+  };
+  if (!finite(skin.path) || (skin.second_rail && !finite(*skin.second_rail)))
+    return make_error(e_not_finite, "A point of the path is not a finite number.", "Move it.");
+  for (const SkinSection& section : skin.sections)
+    for (const SectionPoint& point : section.points)
+      if (!point.position.allFinite())
+        return make_error(e_not_finite, "A point of a section is not a finite number.", "Move it.",
+                          element_of(VertexId{point.id}));
+  if (!std::isfinite(skin.pleat.tension) || !(skin.pleat.tension > 0) || !std::isfinite(skin.pleat.density) ||
+      !(skin.pleat.density > 0))
+    return make_error(e_not_finite, "Tension and density must be positive numbers.", "Set them anew.");
+  return {};
+}
+
+Problem check_points(const Skin& skin) {
+  std::size_t total = 0;
+  for (int k = 0; k < skin.section_count(); ++k) {
+    const SkinSection& section = skin.sections[std::size_t(k)];
+    total += section.points.size();
+    if (section.size() == 0 || (section.closed && section.size() == 2))
+      return make_error(e_few_points, "Section " + number(k) + " needs at least 2 (closed: 3) points.",
+                        "Add points to it, or delete it.");
+  }
+  if (total > max_points)
+    return make_error(e_skin_size, "The sections have more than 100000 points.", "Use fewer points.");
+  for (int k = 0; k < skin.section_count(); ++k) {
+    const bool end = !skin.path.closed && (k == 0 || k == skin.section_count() - 1);
+    const bool alone = end && skin.section_count() == 2 && skin.sections[std::size_t(1 - k)].size() == 1;
+    if (skin.sections[std::size_t(k)].size() == 1 && (!end || alone))
+      return make_error(e_point_section, "A one-point section is only possible at an end.",
+                        "Give section " + number(k) + " more points.");
+  }
+  int first = -1;
+  for (int k = 0; k < skin.section_count(); ++k) {
+    const SkinSection& section = skin.sections[std::size_t(k)];
+    if (section.size() == 1) continue;
+    if (first < 0) first = k;
+    if (section.closed != skin.sections[std::size_t(first)].closed)
+      return make_error(e_open_closed,
+                        "Open and closed sections cannot be mixed: " + number(first) + ", " + number(k) + ".",
+                        "Close the open ones or open the closed ones.");
+  }
+  return {};
+}
+
+/// Index of the strip between two sections, -1 when they are not neighbours in this order.
+int strip_between(const Skin& skin, std::uint32_t first, std::uint32_t second) {
+  const int a = skin.find_section(first), b = skin.find_section(second);
+  if (a < 0 || b < 0 || a >= skin.strip_count() || b != (a + 1) % skin.section_count()) return -1;
+  return a;
+}
+
+bool known(const SkinSection& section, const std::vector<std::uint32_t>& ids) {
+  return std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) { return find_point(section, id) >= 0; });
+}
+
+Problem check_references(const Skin& skin) {
+  const auto gone = [](const std::string& what) {
+    return make_error(e_skin_index, what + " refers to a point that no longer exists.", "Delete it.");
+  };
+  for (const SkinLink& link : skin.links) {
+    const int k = strip_between(skin, link.first, link.second);
+    if (k < 0 || link.a.empty() || link.b.empty()) return gone("A correspondence");
+    if (!known(skin.sections[std::size_t(k)], link.a) ||
+        !known(skin.sections[std::size_t(skin.find_section(link.second))], link.b))
+      return gone("A correspondence");
+  }
+  if (skin.method != SkinMethod::pleat) return {};
+  for (const SkinMerge& merge : skin.merges) {
+    if (strip_between(skin, merge.first, merge.second) < 0) return gone("A merge");
+    const bool a = merge.side == StripSide::a;
+    const SkinSection& own = skin.sections[std::size_t(skin.find_section(a ? merge.first : merge.second))];
+    const SkinSection& other = skin.sections[std::size_t(skin.find_section(a ? merge.second : merge.first))];
+    if (!known(own, merge.members) || find_point(other, merge.target) < 0) return gone("A merge");
+  }
+  return {};
+}
+
+std::vector<int> indices(const SkinSection& section, const std::vector<std::uint32_t>& ids) {
+  std::vector<int> out;
+  for (const std::uint32_t id : ids)
+    if (const int i = find_point(section, id); i >= 0) out.push_back(i);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+/// Neighbouring points in order, around the seam of a closed section; none when there is a gap.
+std::optional<std::vector<int>> in_a_row(std::vector<int> sorted, int count, bool closed) {
+  std::vector<std::size_t> gaps;
+  for (std::size_t k = 0; k + 1 < sorted.size(); ++k)
+    if (sorted[k + 1] != sorted[k] + 1) gaps.push_back(k + 1);
+  if (gaps.empty()) return sorted;
+  if (!closed || gaps.size() > 1 || sorted.front() != 0 || sorted.back() != count - 1) return {};
+  std::rotate(sorted.begin(), sorted.begin() + std::ptrdiff_t(gaps[0]), sorted.end());
+  return sorted;
+}
+
+PairCost strip_cost(const Skin& skin, const SkinPlan& plan, const PlannedStrip& strip) {
+  const int n = skin.sections[std::size_t(strip.a)].size(), m = skin.sections[std::size_t(strip.b)].size();
+  if (skin.pleat.cost == MatchCost::parameter || n == 1 || m == 1)
+    return parameter_cost(n, m, plan.closed_sections);
+  const auto centred = [](std::vector<Vector3> points) {
+    Vector3 centre = Vector3::Zero();
+    for (const Vector3& p : points) centre += p / double(points.size());
+    double square = 0;
+    for (Vector3& p : points) square += (p -= centre).squaredNorm() / double(points.size());
+    if (square > 0)
+      for (Vector3& p : points) p /= std::sqrt(square);
+    return points;
+  };
+  const auto a = centred(plan.offsets[std::size_t(strip.a)]), b = centred(plan.offsets[std::size_t(strip.b)]);
+  return [a, b](int i, int j) { return (a[std::size_t(i)] - b[std::size_t(j)]).squaredNorm(); };
+}
+
+class Planner {
+ public:
+  Planner(const Skin& skin, SkinPlan& plan) : skin_(skin), plan_(plan) {}
+
+  Problem add_strips() {
+    const int count = skin_.strip_count(), sections = skin_.section_count();
+    for (int k = 0; k < count; ++k) {
+      PlannedStrip strip;
+      strip.a = k, strip.b = (k + 1) % sections;
+      strip.v0 = skin_.sections[std::size_t(k)].v;
+      strip.v1 = skin_.sections[std::size_t(strip.b)].v + (strip.b <= k ? 1 : 0);
+      plan_.strips.push_back(strip);
+    }
+    for (PlannedStrip& strip : plan_.strips)
+      if (auto problem = match(strip)) return problem;
+    if (skin_.method == SkinMethod::pleat)
+      for (PlannedStrip& strip : plan_.strips)
+        if (auto problem = add_merges(strip)) return problem;
+    return {};
+  }
+
+ private:
+  const SkinSection& section(int k) const { return skin_.sections[std::size_t(k)]; }
+  bool of(const PlannedStrip& strip, std::uint32_t first, std::uint32_t second) const {
+    return section(strip.a).id == first && section(strip.b).id == second;
+  }
+
+  Problem match(PlannedStrip& strip) {
+    std::vector<PointPair> forced;
+    std::set<PointPair> linked, merged;
+    for (const SkinLink& link : skin_.links)
+      if (of(strip, link.first, link.second))
+        for (const PointPair& pair : forced_pairs(skin_, link)) forced.push_back(pair), linked.insert(pair);
+    if (skin_.method == SkinMethod::pleat)
+      for (const SkinMerge& merge : skin_.merges)
+        if (of(strip, merge.first, merge.second))
+          for (const PointPair& pair : forced_pairs(skin_, merge))
+            forced.push_back(pair), merged.insert(pair);
+    auto lines = correspondence(section(strip.a).size(), section(strip.b).size(), plan_.closed_sections,
+                                strip_cost(skin_, plan_, strip), forced);
+    if (!lines) return lines.error();
+    strip.lines = *std::move(lines);
+    for (const PointPair& line : strip.lines)
+      strip.origins.push_back(merged.contains(line)   ? LineOrigin::merge
+                              : linked.contains(line) ? LineOrigin::link
+                                                      : LineOrigin::matched);
+    return {};
+  }
+
+  Problem add_merges(PlannedStrip& strip) {
+    std::set<PointPair> taken;
+    for (const SkinMerge& merge : skin_.merges) {
+      if (!of(strip, merge.first, merge.second)) continue;
+      const bool a = merge.side == StripSide::a;
+      const SkinSection &own = section(a ? strip.a : strip.b), &other = section(a ? strip.b : strip.a);
+      const std::vector<int> members = indices(own, merge.members);
+      if (!(merge.v > 0 && merge.v < 1))
+        return make_error(e_merge_v, "The tip of the wedge must lie between the two sections.",
+                          "Draw its tip between them.");
+      if (members.size() < 2)
+        return make_error(e_merge_small, "A merge needs at least two points.",
+                          "Draw the wedge around more points.");
+      const auto row = in_a_row(members, own.size(), plan_.closed_sections);
+      if (!row)
+        return make_error(e_merge_gap, "The points of a merge must be neighbours.",
+                          "Draw the wedge around all points between them.");
+      for (const PointPair& line : forced_pairs(skin_, merge))
+        if (!taken.insert(line).second)
+          return make_error(e_merge_overlap, "A line belongs to two merges.", "Delete one of the merges.",
+                            element_of(VertexId{own.points[std::size_t(a ? line.a : line.b)].id}));
+      if (plan_.closed_sections && int(members.size()) == own.size())
+        return make_error(e_merge_all,
+                          "A closed section cannot merge into one line; use a one-point section.",
+                          "Leave points out of the merge.");
+      strip.merges.push_back({merge.side, *row, find_point(other, merge.target), merge.v});
+    }
+    return {};
+  }
+
+  const Skin& skin_;
+  SkinPlan& plan_;
+};
+
+Problem check_rails(const Skin& skin, const SkinPlan& plan) {
+  if (plan.frames.mode() != FrameMode::two_rail) return {};
+  double size = 0;
+  for (const SkinSection& section : skin.sections)
+    for (const SectionPoint& p : section.points)
+      size = std::max(size, (p.position - skin.sections[0].points[0].position).norm());
+  for (int k = 0; k < skin.section_count(); ++k) {
+    const SkinSection& section = skin.sections[std::size_t(k)];
+    const double first = (section.points.front().position - plan.frames.position(section.v)).norm();
+    const double last = (section.points.back().position - plan.frames.rail(section.v)).norm();
+    if (section.closed || section.size() < 2 || !(std::max(first, last) <= 1e-6 * size))
+      return make_error(e_rail, "Section " + number(k) + " does not start and end on the rails.",
+                        "Move its first and last point onto the rails.");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<PointPair> forced_pairs(const Skin& skin, const SkinLink& link) {
+  const int ka = skin.find_section(link.first), kb = skin.find_section(link.second);
+  if (ka < 0 || kb < 0) return {};
+  const SkinSection &first = skin.sections[std::size_t(ka)], &second = skin.sections[std::size_t(kb)];
+  const std::vector<int> a = indices(first, link.a), b = indices(second, link.b);
+  if (a.empty() || b.empty()) return {};
+  std::vector<PointPair> out;
+  if (a.size() == 1 || b.size() == 1) {
+    for (const int i : a)
+      for (const int j : b) out.push_back({i, j});
+    return out;
+  }
+  // Around the seam the outer ones are where the row begins and ends.
+  const auto row_a = in_a_row(a, first.size(), first.closed),
+             row_b = in_a_row(b, second.size(), second.closed);
+  const auto &ra = row_a ? *row_a : a, &rb = row_b ? *row_b : b;
+  return {{ra.front(), rb.front()}, {ra.back(), rb.back()}};
+}
+
+std::vector<PointPair> forced_pairs(const Skin& skin, const SkinMerge& merge) {
+  SkinLink link;
+  link.first = merge.first, link.second = merge.second;
+  link.a = merge.members, link.b = {merge.target};
+  if (merge.side == StripSide::b) std::swap(link.a, link.b);
+  return forced_pairs(skin, link);
+}
+
+Result<SkinPlan> plan_skin(const Skin& skin) {
+  if (skin.section_count() < 2)
+    return make_error(e_few_sections, "Skinning needs at least two sections.", "Draw another section.");
+  if (skin.path.size() < (skin.path.closed ? 3 : 2))
+    return make_error(e_path_short, "The path needs at least 2 points (3 if closed).",
+                      "Add points to the path.");
+  for (const auto check : {check_order, check_finite, check_points, check_references})
+    if (auto problem = check(skin)) return *problem;
+  auto frames = SkinFrames::make(skin);
+  // Links are checked before the path, and need its frames only for the cost by shape.
+  SkinPlan plan{frames ? *frames
+                       : SkinFrames::make([&] {
+                           Skin straight = skin;
+                           straight.path = {{Vector3(0, 0, 0), Vector3(1, 0, 0)}, false, {}};
+                           straight.frame = FrameMode::translate;
+                           return straight;
+                         }())
+                             .value(),
+                false,
+                {},
+                {}};
+  for (const SkinSection& section : skin.sections)
+    plan.closed_sections = plan.closed_sections || (section.closed && section.size() > 1);
+  for (const SkinSection& section : skin.sections) {
+    const Matrix3 inverse = plan.frames.frame(section.v).inverse();
+    const Vector3 base = plan.frames.position(section.v);
+    auto& offsets = plan.offsets.emplace_back();
+    for (const SectionPoint& p : section.points) offsets.push_back(inverse * (p.position - base));
+  }
+  if (auto problem = Planner(skin, plan).add_strips()) return *problem;
+  if (!frames) return frames.error();
+  if (auto problem = check_rails(skin, plan)) return *problem;
+  return plan;
+}
+
+}  // namespace hariko

@@ -1,0 +1,403 @@
+// Properties of both methods beyond the acceptance table.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <numbers>
+
+#include "core/skinning/column_parameters.hpp"
+#include "core/skinning/evaluate_skin.hpp"
+#include "core/skinning/regular_faces.hpp"
+#include "core/skinning/smooth.hpp"
+#include "tests/skinning/skin_inputs.hpp"
+#include "tests/support/random.hpp"
+
+namespace hariko {
+namespace {
+
+using namespace test;
+
+const std::vector<std::string>& input_names() {
+  static const std::vector<std::string> names{
+      "car_default", "car_edited", "fig5", "fig6a", "fig6b",  "fig6c", "fig9_interior", "fig9_section",
+      "merge_split", "patch",      "ring", "sharp", "sharp3", "tube",  "tworail"};
+  return names;
+}
+
+TEST(Pleat, EqualCountsGiveTheVirtualSurface) {
+  Skin skin = skin_input("fig5");
+  set_options(skin, "pleat_paper");
+  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  ASSERT_TRUE(made.ok());
+  const VirtualSurface wanted(skin, made->result.plan);
+  // Ten spans along the sections, four along the path; faces go along v first.
+  const auto& mesh = made->result.mesh;
+  for (Index f = 0; f < made->surface.patch_count(); ++f) {
+    const auto face = mesh.control.mesh.face(f);
+    const SkinVertex& a = mesh.vertices[face[0]];
+    const int row = a.section == 0 ? 0 : a.row, line = a.section == 0 ? a.point : a.line;
+    for (const Vector2& at : {Vector2(0, 0), Vector2(0.3, 0.8), Vector2(0.5, 0.5), Vector2(1, 0.25)}) {
+      const Vector3 p = made->surface.patches().evaluate(f, at, Order::first).position;
+      EXPECT_LT((p - wanted.point((line + at.y()) / 10, (row + at.x()) / 4)).norm(), 1e-13);
+    }
+  }
+}
+
+TEST(Pleat, PatchIsBilinear) {
+  auto made = SkinSurfacer().surface(skin_input("patch"), Vector3::Zero());
+  ASSERT_TRUE(made.ok());
+  const Vector3 p = made->surface.patches().evaluate(0, {0.5, 0.5}, Order::first).position;
+  EXPECT_LT((p - Vector3(0.5, 0.5, 0.25)).norm(), 1e-15);
+}
+
+TEST(Pleat, InteriorSectionsAreInterpolatedOnAllInputs) {
+  for (const std::string& name : input_names())
+    for (const SectionFit fit : {SectionFit::local, SectionFit::fair}) {
+      SCOPED_TRACE(name);
+      Skin skin = skin_input(name);
+      skin.method = SkinMethod::pleat;
+      skin.pleat.fit = fit;
+      auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+      ASSERT_TRUE(made.ok()) << to_string(made.error());
+      EXPECT_TRUE(made->result.mesh.inexact.empty());
+      // The ends of rails are as exact as the path is sampled.
+      const double tolerance = name == "tworail" ? 1e-6 : 1e-10;
+      for (const SectionMiss& miss : section_misses(skin, made->result.mesh, made->surface))
+        EXPECT_LT(miss.same_parameter, tolerance);
+    }
+}
+
+TEST(Pleat, MergesAndLinksBesideInteriorSectionsStayExact) {
+  for_random(711, 30, [](std::mt19937_64& rng) {
+    // Random sections along a bent path, with random links.
+    Skin skin;
+    for (int i = 0; i < 6; ++i) skin.path.points.push_back(Vector3(i, std::sin(i * 0.7), 0.2 * i));
+    skin.frame = chance(rng, 0.5) ? FrameMode::translate : FrameMode::rotation_minimising;
+    const int count = uniform_int(rng, 3, 5);
+    std::uint32_t id = 0;
+    for (int k = 0; k < count; ++k) {
+      SkinSection section;
+      section.id = std::uint32_t(k);
+      section.v = double(k) / (count - 1);
+      const Vector3 base = evaluate(skin.path, section.v).position;
+      const int n = uniform_int(rng, 3, 9);
+      for (int i = 0; i < n; ++i)
+        section.points.push_back(
+            {id++, base + Vector3(0, 4.0 * i / (n - 1) - 2, 0) + random_vector(rng, 0.3), false});
+      skin.sections.push_back(section);
+    }
+    for (int k = 0; k + 1 < count; ++k) {
+      const SkinSection &a = skin.sections[std::size_t(k)], &b = skin.sections[std::size_t(k) + 1];
+      if (a.size() >= 5 && b.size() >= 3 && chance(rng, 0.5)) {
+        SkinMerge merge;
+        merge.id = skin.free_link_id();
+        merge.first = a.id, merge.second = b.id;
+        const int at = uniform_int(rng, 1, a.size() - 4);
+        for (int i = 0; i < uniform_int(rng, 2, 3); ++i)
+          merge.members.push_back(a.points[std::size_t(at + i)].id);
+        merge.target = b.points[std::size_t(uniform_int(rng, 1, b.size() - 2))].id;
+        merge.v = uniform(rng, 0.2, 0.8);
+        skin.merges.push_back(merge);
+      } else if (chance(rng, 0.5)) {
+        SkinLink link;
+        link.id = skin.free_link_id();
+        link.first = a.id, link.second = b.id;
+        link.a = {a.points[std::size_t(uniform_int(rng, 0, a.size() - 1))].id};
+        link.b = {b.points[std::size_t(uniform_int(rng, 0, b.size() - 1))].id};
+        skin.links.push_back(link);
+      }
+    }
+    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    // A merge and other lines may share a point of an interior section; that is told.
+    const bool exact = made->result.mesh.inexact.empty();
+    for (const SectionMiss& miss : section_misses(skin, made->result.mesh, made->surface)) {
+      if (exact) {
+        EXPECT_LT(miss.same_parameter, 1e-10);
+      }
+    }
+    const auto& warnings = made->result.warnings;
+    EXPECT_EQ(!exact, std::any_of(warnings.begin(), warnings.end(),
+                                  [](const Message& m) { return m.code.name == "W_SECTION_NOT_EXACT"; }));
+  });
+}
+
+TEST(Pleat, SymmetricCarHasASymmetricMesh) {
+  Skin skin = skin_input("car_edited");
+  auto result = evaluate_skin(skin);
+  ASSERT_TRUE(result.ok());
+  const auto& points = result->mesh.control.mesh.positions;
+  EXPECT_EQ(result->mesh.control.mesh.face_count(), 170U);
+  for (const Vector3& p : points) {
+    const Vector3 image(p.x(), -p.y(), p.z());
+    double nearest = 1;
+    for (const Vector3& q : points) nearest = std::min(nearest, (q - image).norm());
+    EXPECT_LT(nearest, 1e-12);
+  }
+}
+
+TEST(Pleat, TwoRailSidesLieOnTheRails) {
+  const Skin skin = skin_input("tworail");
+  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  ASSERT_TRUE(made.ok());
+  const auto& patches = *subdivision_patches(made->surface);
+  const auto& grid = made->result.mesh.representative;
+  for (const auto& strip : grid)
+    for (std::size_t q = 0; q + 1 < strip.size(); ++q)
+      for (const bool second : {false, true}) {
+        const Index a = second ? strip[q].back() : strip[q].front();
+        const Index b = second ? strip[q + 1].back() : strip[q + 1].front();
+        auto sides = patches.topology().edge_sides(a, b);
+        if (sides.empty()) sides = patches.topology().edge_sides(b, a);
+        ASSERT_FALSE(sides.empty());
+        for (const PatchSide& side : sides)
+          for (const double x : {0.0, 0.3, 0.7, 1.0}) {
+            const Vector3 p =
+                patches.evaluate(side.patch, side_parameter(Domain::square, side.side, x), Order::first)
+                    .position;
+            EXPECT_LT(nearest_point(second ? *skin.second_rail : skin.path, p).distance, 1e-6);
+          }
+      }
+}
+
+TEST(Pleat, CapsCloseTheTube) {
+  for (const Caps caps : {Caps::flat, Caps::dome}) {
+    Skin skin = skin_input("tube");
+    skin.caps = caps;
+    auto result = evaluate_skin(skin);
+    ASSERT_TRUE(result.ok());
+    EXPECT_GT(tube_volume(result->mesh.control.mesh), 0);
+    std::map<std::pair<Index, Index>, int> directed;
+    const PolygonMesh& mesh = result->mesh.control.mesh;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+      for (std::size_t i = 0; i < mesh.face(f).size(); ++i)
+        ++directed[{mesh.face(f)[i], mesh.face(f)[(i + 1) % mesh.face(f).size()]}];
+    for (const auto& [edge, count] : directed) {
+      EXPECT_EQ(count, 1);
+      EXPECT_TRUE(directed.contains({edge.second, edge.first}));
+    }
+  }
+}
+
+TEST(Pleat, TipsAreAllowedAtBothEnds) {
+  Skin skin = skin_input("tube");
+  skin.sections.front().points.resize(1);
+  skin.sections.back().points.resize(1);
+  for (const SkinMethod method : {SkinMethod::pleat, SkinMethod::smooth}) {
+    skin.method = method;
+    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+  }
+}
+
+TEST(Smooth, WeightsAddUpAndAreCardinal) {
+  for_random(712, 60, [](std::mt19937_64& rng) {
+    const bool closed = chance(rng, 0.5);
+    const int n = uniform_int(rng, 2, 7);
+    std::vector<double> places{0};
+    for (int k = 1; k < n; ++k) places.push_back(places.back() + uniform(rng, 0.2, 1));
+    const double scale = closed ? 1 / (places.back() + 0.5) : 1 / places.back();
+    for (double& v : places) v *= scale;
+    for (const Blend blend : {Blend::automatic, Blend::linear, Blend::natural, Blend::hermite}) {
+      const BlendWeights weights(places, closed, blend);
+      for (int i = 0; i <= 40; ++i) {
+        double sum = 0;
+        for (const double w : weights.at(i / 40.0)) sum += w;
+        ASSERT_NEAR(sum, 1, 1e-12);
+      }
+      for (int k = 0; k < n; ++k)
+        for (int j = 0; j < n; ++j)
+          ASSERT_NEAR(weights.at(places[std::size_t(k)])[std::size_t(j)], j == k, 1e-12);
+    }
+  });
+}
+
+TEST(Smooth, LimitPointsLieOnTheVirtualSurface) {
+  for (const std::string& name : std::vector<std::string>{"fig5", "tube", "ring", "car_edited"}) {
+    Skin skin = skin_input(name);
+    skin.method = SkinMethod::smooth;
+    skin.smooth.parameters = ColumnParameters::uniform;
+    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+    ASSERT_TRUE(made.ok());
+    const SkinMesh& mesh = made->result.mesh;
+    const VirtualSurface surface(skin, made->result.plan);
+    const auto& patches = *subdivision_patches(made->surface);
+    const int rows = mesh.grid_rows, columns = mesh.grid_columns;
+    // Rows of sections are where the path's places are known without the distribution of rows.
+    for (int k = 0; k < skin.section_count(); ++k)
+      for (int c = 0; c < columns; ++c) {
+        const Index v = mesh.section_rows[std::size_t(k)][std::size_t(c)];
+        EXPECT_LT((patches.limit_position(v) -
+                   surface.point(mesh.parameters[0][std::size_t(c)], skin.sections[std::size_t(k)].v))
+                      .norm(),
+                  1e-12)
+            << name << rows;
+      }
+  }
+}
+
+TEST(Smooth, OptimisedParametersAreAsNearAsTheSpecificationFound) {
+  const Skin skin = skin_input("fig5");
+  const auto first = optimised_parameters({skin.sections[0].curve()}, 8);
+  const auto second = optimised_parameters({skin.sections[1].curve()}, 8);
+  EXPECT_LT(parameter_error({skin.sections[0].curve()}, first), 1.02 * 0.00426);
+  EXPECT_LT(parameter_error({skin.sections[1].curve()}, second), 1.02 * 0.00191);
+  EXPECT_GT(parameter_error({skin.sections[0].curve()}, uniform_parameters(8, false)), 0.01);
+  for (const auto& u : {first, second})
+    for (std::size_t c = 0; c + 1 < u.size(); ++c) EXPECT_LT(u[c], u[c + 1]);
+}
+
+TEST(Smooth, CornersOfAllSectionsBecomeCreasedColumns) {
+  Skin skin = skin_input("sharp3");
+  for (SkinSection& section : skin.sections)
+    for (int i = 0; i < section.size(); ++i) section.points[std::size_t(i)].sharp = i == 2;
+  skin.method = SkinMethod::smooth;
+  skin.smooth.columns = 13;
+  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(int(made->result.mesh.control.creases.size()), made->result.mesh.grid_rows - 1);
+  const auto& patches = *subdivision_patches(made->surface);
+  const SubdivisionCurve curve = skin.sections[1].curve();
+  double nearest = 1;
+  for (const Index v : made->result.mesh.section_rows[1])
+    nearest = std::min(nearest, (patches.limit_position(v) - curve.points[2]).norm());
+  EXPECT_LT(nearest, 1e-12) << "the corner is on the surface";
+}
+
+TEST(Smooth, AnchorsOfLinksAlignFeatures) {
+  Skin skin = skin_input("fig6b");
+  skin.method = SkinMethod::anchored;
+  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  ASSERT_TRUE(made.ok());
+  const VirtualSurface surface(skin, made->result.plan, *skin_anchors(skin, made->result.plan));
+  ASSERT_EQ(surface.anchor_places().size(), 2U);
+  // Links 2-3 and 6-5 of nine and seven points.
+  EXPECT_NEAR(surface.parameter(0, surface.anchor_places()[0]), 2.0 / 8, 1e-14);
+  EXPECT_NEAR(surface.parameter(1, surface.anchor_places()[0]), 3.0 / 6, 1e-14);
+  EXPECT_NEAR(surface.parameter(0, surface.anchor_places()[1]), 6.0 / 8, 1e-14);
+  EXPECT_NEAR(surface.parameter(1, surface.anchor_places()[1]), 5.0 / 6, 1e-14);
+}
+
+TEST(RegularFaces, AreTheSurface) {
+  for (const std::string& name : input_names())
+    for (const SkinMethod method : {SkinMethod::pleat, SkinMethod::smooth}) {
+      Skin skin = skin_input(name);
+      skin.method = method;
+      skin.smooth.parameters = ColumnParameters::uniform;
+      auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+      ASSERT_TRUE(made.ok()) << name;
+      const auto& topology = subdivision_patches(made->surface)->topology();
+      std::vector<std::vector<Index>> patches(made->result.mesh.control.mesh.face_count());
+      for (Index p = 0; p < topology.patch_count(); ++p) patches[topology.face_of(p)].push_back(p);
+      const auto faces = regular_faces(made->result.mesh.control);
+      std::size_t in_rectangles = 0;
+      for (const RegularFace& face : faces)
+        for (const Index p : patches[face.face])
+          for (const Vector2& at : {Vector2(0.2, 0.3), Vector2(0.9, 0.6), Vector2(0, 1)}) {
+            Vector2 whole = at;
+            if (topology.cut()) {
+              const int c = topology.corner_of(p);
+              const Vector2 corner = corner_parameter(Domain::square, c);
+              whole = corner + 0.5 * at.x() * (corner_parameter(Domain::square, (c + 1) % 4) - corner) +
+                      0.5 * at.y() * (corner_parameter(Domain::square, (c + 3) % 4) - corner);
+            }
+            ASSERT_LT((made->surface.patches().evaluate(p, at, Order::first).position -
+                       evaluate(face, whole.x(), whole.y()))
+                          .norm(),
+                      1e-12)
+                << name << " face " << face.face;
+          }
+      for (const SplineRectangle& r : spline_rectangles(made->result.mesh.control)) {
+        in_rectangles += r.faces.size();
+        ASSERT_EQ(r.points.size(), std::size_t(r.columns + 3) * (r.rows + 3));
+        for (const Vector3& p : r.points) ASSERT_TRUE(p.allFinite());
+      }
+      EXPECT_EQ(in_rectangles, faces.size());
+    }
+}
+
+TEST(RegularFaces, RectanglesAreTheirFaces) {
+  Skin skin = skin_input("car_edited");
+  auto result = evaluate_skin(skin);
+  ASSERT_TRUE(result.ok());
+  std::map<Index, RegularFace> faces;
+  for (const RegularFace& face : regular_faces(result->mesh.control)) faces[face.face] = face;
+  const auto rectangles = spline_rectangles(result->mesh.control);
+  EXPECT_LT(rectangles.size(), faces.size() / 3);
+  for (const SplineRectangle& r : rectangles)
+    for (Index row = 0; row < r.rows; ++row)
+      for (Index c = 0; c < r.columns; ++c) {
+        RegularFace piece;
+        for (Index j = 0; j < 4; ++j)
+          for (Index i = 0; i < 4; ++i)
+            piece.points[4 * j + i] = r.points[(row + j) * (r.columns + 3) + c + i];
+        // The middle of a face does not depend on how it is turned.
+        EXPECT_LT(
+            (evaluate(piece, 0.5, 0.5) - evaluate(faces.at(r.faces[row * r.columns + c]), 0.5, 0.5)).norm(),
+            1e-12);
+      }
+}
+
+TEST(Frames, RotationMinimisingFramesCloseOnAClosedPath) {
+  const Skin skin = skin_input("ring");
+  auto plan = plan_skin(skin);
+  ASSERT_TRUE(plan.ok());
+  EXPECT_LT((plan->frames.frame(0) - plan->frames.frame(1 - 1e-12)).norm(), 1e-6);
+  for (int i = 0; i < 50; ++i) {
+    const Matrix3 f = plan->frames.frame(i / 50.0);
+    EXPECT_LT((f.transpose() * f - Matrix3::Identity()).norm(), 1e-12);
+    EXPECT_GT(f.col(2).dot(plan->frames.tangent(i / 50.0)), 0);
+  }
+}
+
+TEST(Frames, AutomaticModeFollowsTheTurning) {
+  Skin skin = skin_input("car_default");
+  skin.frame = FrameMode::automatic;
+  EXPECT_EQ(plan_skin(skin)->frames.mode(), FrameMode::translate);
+  skin = skin_input("tube");
+  skin.frame = FrameMode::automatic;
+  EXPECT_EQ(plan_skin(skin)->frames.mode(), FrameMode::rotation_minimising);
+}
+
+TEST(SkinSurfacer, ADraggedPointKeepsTheTopology) {
+  Skin skin = skin_input("car_edited");
+  SkinSurfacer surfacer;
+  auto before = surfacer.surface(skin, Vector3::Zero());
+  ASSERT_TRUE(before.ok());
+  skin.sections[3].points[5].position.z() += 0.1;
+  auto after = surfacer.surface(skin, Vector3::Zero());
+  ASSERT_TRUE(after.ok());
+  EXPECT_TRUE(after->surface.same_adjacency(before->surface));
+  auto fresh = SkinSurfacer().surface(skin, Vector3::Zero());
+  EXPECT_EQ(fresh->result.mesh.control.mesh.positions, after->result.mesh.control.mesh.positions);
+}
+
+TEST(SkinSurfacer, FiftySectionsOfFortyPointsWork) {
+  Skin skin;
+  for (int i = 0; i < 60; ++i) skin.path.points.push_back(Vector3(i, 0, 0));
+  std::uint32_t id = 0;
+  for (int k = 0; k < 50; ++k) {
+    SkinSection section;
+    section.id = std::uint32_t(k);
+    section.v = k / 49.0;
+    const int n = 40 - k % 3;
+    for (int i = 0; i < n; ++i) {
+      const double angle = std::numbers::pi * i / (n - 1);
+      const double r = 5 + std::sin(0.3 * k) + 0.3 * std::sin(6 * angle);
+      section.points.push_back(
+          {id++, Vector3(59.0 * section.v, r * std::cos(angle), r * std::sin(angle)), false});
+    }
+    skin.sections.push_back(section);
+  }
+  for (const SkinMethod method : {SkinMethod::pleat, SkinMethod::smooth}) {
+    skin.method = method;
+    skin.smooth.parameters = ColumnParameters::uniform;
+    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    EXPECT_GT(made->surface.patch_count(), 1000U);
+  }
+}
+
+}  // namespace
+}  // namespace hariko
