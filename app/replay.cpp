@@ -190,9 +190,10 @@ ReplayRecorder::ReplayRecorder(const std::filesystem::path& path, const ReplaySt
   out_ << head.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
 }
 
-/// To the millisecond: the order counts, not the digits.
+/// To the millisecond: the order counts, not the digits. The frame in which a recording begins is older than
+/// it.
 double ReplayRecorder::since_start(double now) const {
-  return std::round(1000 * (now - start_)) / 1000;
+  return std::round(1000 * std::max(0.0, now - start_)) / 1000;
 }
 
 void ReplayRecorder::batch(double now, const std::vector<InputEvent>& events) {

@@ -91,6 +91,18 @@ TEST_F(ReplayFile, GivesBackWhatWasRecorded) {
   EXPECT_EQ(read.document_hash, document_hash(Document()));
 }
 
+/// The frame in which a recording begins is older than the recording.
+TEST_F(ReplayFile, NothingIsEarlierThanTheBeginning) {
+  {
+    ReplayRecorder recorder(path_, {1000, 700, 1.5, {}}, 10);
+    recorder.idle(9.998);
+    recorder.finish(10.5, Document(), 0);
+  }
+  const auto replay = Replay::read(path_);
+  ASSERT_TRUE(replay.ok()) << replay.error().text;
+  EXPECT_EQ(replay->steps.at(0).time, 0);
+}
+
 TEST_F(ReplayFile, BrokenFilesAreRefusedWithTheirLine) {
   const std::string start = R"({"hariko_replay":1,"width":800,"height":600,"files":[]})";
   const auto refused = [&](const std::string& text, const std::string& part) {
