@@ -31,9 +31,9 @@ int darkness(const Image& image, int x, int y) {
 TEST(SheetPicture, HasInkAlongLinesAndNowhereElse) {
   for (const bool inside : {false, true}) {
     const SheetDrawing drawing = tent_pages(inside);
-    const double dots = 4;
+    const double dots = 8;
     const Image image = sheet_picture(drawing, dots);
-    ASSERT_EQ(image.height, 4 * 297);
+    ASSERT_EQ(image.height, 8 * 297);
     ASSERT_EQ(image.width,
               int(std::lround(dots * (drawing.page_count * 210 + (drawing.page_count - 1) * page_spacing))));
     std::vector<char> explained(
