@@ -8,6 +8,7 @@
 #include "core/base/file_io.hpp"
 #include "render/legend.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
 namespace {
@@ -16,10 +17,8 @@ using namespace hariko::test;
 
 class PngFile : public ::testing::Test {
  protected:
-  std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) /
-                                (std::string("hariko_image_") +
-                                 ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".png");
-  void TearDown() override { std::filesystem::remove(path_); }
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "image.png";
 };
 
 Image random_image(std::mt19937_64& rng, int width, int height) {
