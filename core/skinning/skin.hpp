@@ -18,7 +18,7 @@ struct SectionPoint {
   friend bool operator==(const SectionPoint&, const SectionPoint&) = default;
 };
 
-/// Points are where the designer sees them; along a path that is edited they are carried (carry.hpp).
+/// Points are where the designer sees them.
 struct SkinSection {
   std::uint32_t id = 0;  ///< unique among sections
   double v = 0;          ///< place on the path, 0 .. 1
