@@ -268,13 +268,12 @@ PatchPoint EnvelopePatchSet::evaluate(Index at, const Vector2& parameter, Order 
   return out;
 }
 
-void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                     std::span<PatchPoint> points) const {
+/// each(patch, parameter, point) for every point of the grid on every patch.
+template <class Each>
+void EnvelopePatchSet::for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
+                                const Each& each) const {
   HARIKO_ASSERT(pattern.domain == Domain::square, "patches of envelopes are squares");
-  HARIKO_ASSERT(points.size() >= patches.size() * std::size_t(pattern.point_count()),
-                "output array is too small");
   const int n = pattern.density;
-  std::size_t at = 0;
   for (const Index index : patches) {
     const Part& part = parts_[index];
     const EnvelopePatch& patch = patches_[part.part.patch];
@@ -291,50 +290,37 @@ void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridP
       const Rails across = frame.across_u(v);
       for (int i = 0; i <= n; ++i) {
         const auto k = std::size_t(i);
-        points[at] =
-            cartesian_point(homogeneous_point(frame.corners, across, along[k], us[k], v, Order::second),
-                            part.part.size, Order::second);
-        frame.set_side_position(grid_fraction(i, n), t, points[at]);
-        ++at;
+        const double s = grid_fraction(i, n);
+        PatchPoint point = cartesian_point(
+            homogeneous_point(frame.corners, across, along[k], us[k], v, order), part.part.size, order);
+        frame.set_side_position(s, t, point);
+        each(index, Vector2(s, t), point);
       }
     }
   }
 }
 
 void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
-                                     std::span<Vector3> positions, std::span<Vector3> normals) const {
-  HARIKO_ASSERT(pattern.domain == Domain::square, "patches of envelopes are squares");
-  const int n = pattern.density;
+                                     std::span<PatchPoint> points) const {
+  HARIKO_ASSERT(points.size() >= patches.size() * std::size_t(pattern.point_count()),
+                "output array is too small");
   std::size_t at = 0;
-  for (const Index index : patches) {
-    const Part& part = parts_[index];
-    const EnvelopePatch& patch = patches_[part.part.patch];
-    const Frame frame{part, patch, corners_of(patch)};
-    std::vector<Direction> us;
-    std::vector<Rails> along;
-    for (int i = 0; i <= n; ++i) {
-      us.emplace_back(part.part.u0 + part.part.size * grid_fraction(i, n));
-      along.push_back(frame.across_v(us.back()));
-    }
-    for (int j = 0; j <= n; ++j) {
-      const double t = grid_fraction(j, n);
-      const Direction v(part.part.v0 + part.part.size * t);
-      const Rails across = frame.across_u(v);
-      for (int i = 0; i <= n; ++i, ++at) {
-        const auto k = std::size_t(i);
-        const double s = grid_fraction(i, n);
-        PatchPoint point =
-            cartesian_point(homogeneous_point(frame.corners, across, along[k], us[k], v, Order::first),
-                            part.part.size, Order::first);
-        frame.set_side_position(s, t, point);
+  for_grid(patches, pattern, Order::second,
+           [&](Index, const Vector2&, const PatchPoint& point) { points[at++] = point; });
+}
+
+void EnvelopePatchSet::evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                                     std::span<Vector3> positions, std::span<Vector3> normals) const {
+  const Vector2 middle(0.5, 0.5);
+  std::size_t at = 0;
+  for_grid(
+      patches, pattern, Order::first, [&](Index patch, const Vector2& parameter, const PatchPoint& point) {
         positions[at] = point.position;
         normals[at] = unit_normal(point);
         if (normals[at].isZero(0))
-          normals[at] =
-              unit_normal(evaluate(index, Vector2(s + 1e-4 * (0.5 - s), t + 1e-4 * (0.5 - t)), Order::first));
-      }
-    }
-  }
+          normals[at] = unit_normal(evaluate(patch, parameter + 1e-4 * (middle - parameter), Order::first));
+        ++at;
+      });
 }
 
 CornerSecondOrder EnvelopePatchSet::second_order_at_corner(Index at, int corner) const {

@@ -56,6 +56,9 @@ class EnvelopePatchSet final : public PatchSet {
 
  private:
   struct Frame;
+  template <class Each>
+  void for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
+                const Each& each) const;
   std::vector<EnvelopePatch> patches_;
   std::vector<Part> parts_;
 };
