@@ -24,7 +24,7 @@ Result<ExportCount> count_by_density(const Document& document, int density, cons
   ExportCount count;
   const auto n = static_cast<std::size_t>(density);
   for (const auto& object : document.objects) {
-    if (!object->visible || !object->cage()) continue;
+    if (!object->visible || !object->has_surface()) continue;
     const auto built = object_surface(document, *object, cancel);
     if (!built.ok()) return built.error();
     const Surface& surface = built->surface;

@@ -31,8 +31,9 @@ bool same_neighbours(const Object& a, const ObjectPointers& of_a, const Object& 
          (of_a.empty() || a.transform == b.transform);
 }
 
-bool has_surface(const Object& object) {
-  return object.polyhedron() || object.mesh() || object.patches();
+/// Facets of reference meshes are drawn as surfaces are.
+bool is_drawn(const Object& object) {
+  return object.has_surface() || object.mesh();
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ void RebuildEngine::sync(const Document& document, bool in_gesture, double now, 
   const bool paused =
       policy == RecomputePolicy::manual || (policy == RecomputePolicy::on_release && in_gesture);
   for (const auto& object : document.objects) {
-    if (!object->visible || !has_surface(*object)) continue;
+    if (!object->visible || !is_drawn(*object)) continue;
     Track& track = tracks_[object->id];
     ObjectPointers neighbours = neighbours_of(document, object->id);
     const bool changed = !track.requested ||

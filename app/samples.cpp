@@ -87,7 +87,7 @@ Scene sample_scene(const fs::path& path, const CancelToken& cancel) {
   const auto opened = open_file(path);
   if (!opened.document) return scene;
   for (const auto& object : opened.document->objects) {
-    if (!object->cage() || !object->visible) continue;
+    if (!object->has_surface() || !object->visible) continue;
     SurfaceBuilder builder;
     const SurfaceView view =
         builder.build(object, neighbours_of(*opened.document, object->id), Quality::final, cancel);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes assets/samples/*.hariko from the polygon files in tests/golden, a knot, and a wheel arch. The results are checked in.
+"""Writes assets/samples/*.hariko from the polygon files and scenes in tests/golden, a knot, and a wheel arch. The results are checked in.
 
 Run it from anywhere; it needs nothing but Python. It writes exactly what the program itself would write, which a
 test checks.
@@ -28,6 +28,23 @@ MODELS = [
     ("grid3", "grid3", None, "Open grid"),
     ("cube_crease", "cube", "cube_crease", "Cube with a sharp rim"),
     ("car", "car", None, "Car"),
+]
+
+
+# File name, scene of tests/golden/envelope, name of the object.
+SCENES = [
+    ("solids_one", "box", "Box"),
+    ("solids_apart", "two_apart", "Two boxes apart"),
+    ("solids_touching", "two_touch", "Two boxes that touch"),
+    ("solids_four", "four", "Four solids"),
+    ("solids_ten", "ten", "Ten solids"),
+    ("solids_l", "ell_tight", "L"),
+    ("solids_t", "tee", "T"),
+    ("solids_u", "you", "U"),
+    ("solids_bottle", "bottle", "Bottle"),
+    ("solids_dryer", "dryer", "Hair dryer"),
+    ("solids_car", "car", "Car of two boxes"),
+    ("solids_camera", "camera", "Camera"),
 ]
 
 
@@ -145,6 +162,45 @@ def polyhedron(vertices, faces, lists):
     ]
 
 
+USUAL_SOLID = {"radius": 0.5, "height": 1, "length": 1, "tube": 0.2, "sides": 6}
+SIZES = {
+    "sphere": ["radius"],
+    "cylinder": ["radius", "height"],
+    "cone": ["radius", "height"],
+    "prism": ["radius", "height", "sides"],
+    "pyramid": ["radius", "height", "sides"],
+    "capsule": ["radius", "length"],
+    "torus": ["radius", "tube"],
+}
+
+
+def solid_text(place, solid):
+    """One solid on one line, its members in the order of the program."""
+    kind = solid["type"]
+    members = [f'"type": "{kind}"', f'"id": {place}']
+    if kind == "box":
+        members.append(f'"size": {row(solid.get("size", [1, 1, 1]))}')
+    for name in SIZES.get(kind, []):
+        members.append(f'"{name}": {number(solid.get(name, USUAL_SOLID[name]))}')
+    for name, usual in (("position", 0), ("rotation", 0), ("scale", 1)):
+        if name in solid and any(x != usual for x in solid[name]):
+            members.append(f'"{name}": {row(solid[name])}')
+    return "{" + ", ".join(members) + "}"
+
+
+def solids(scene):
+    lines = ",\n".join("          " + solid_text(k, solid) for k, solid in enumerate(scene["primitives"]))
+    usual = {"roundness": 0.5, "waist": 0.5, "tightness": 0, "clearance": 0, "detail": 0.09, "merge_deg": 40, "cage_detail": 1}
+    return [
+        '        "kind": "solids"',
+        f'        "primitives": [\n{lines}\n        ]',
+        *(f'        "{name}": {number(scene.get(name, value))}' for name, value in usual.items()),
+        '        "method": "auto"',
+        '        "surface": "rational"',
+        '        "symmetry": "none"',
+    ]
+
+
 def patches(columns, row_count, points):
     return [
         '        "kind": "patches"',
@@ -234,6 +290,10 @@ def main():
             faces = split_concave(faces)
         tension = json.loads((GOLDEN / f"{tension_name}.tension.json").read_text()) if tension_name else {}
         text = document(object_text(1, name, polyhedron(vertices, faces, tension_lists(tension))))
+        (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
+    for file_name, scene_name, name in SCENES:
+        scene = json.loads((GOLDEN / "envelope" / f"{scene_name}.json").read_text())
+        text = document(object_text(1, name, solids(scene)))
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
     text = document(object_text(1, "Knot", polyhedron(*knot(), [])))
     (SAMPLES / "knot.hariko").write_text(text, encoding="utf-8", newline="\n")

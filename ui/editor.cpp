@@ -207,23 +207,4 @@ Box3 Editor::visible_box() const {
   return box;
 }
 
-Box3 world_box(const Object& object) {
-  Box3 box;
-  if (const PolyhedronSource* source = object.polyhedron())
-    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v) {
-      Vector3 p = source->origin + source->polyhedron.position(v);
-      box.extend(object.transform.apply(p));
-      if (!source->mirror) continue;
-      p[index_of(source->mirror->axis)] *= -1;
-      box.extend(object.transform.apply(p));
-    }
-  if (const PatchSource* source = object.patches())
-    for (Index v = 0; v < source->net.vertex_count(); ++v)
-      box.extend(object.transform.apply(source->origin + source->net.position(v)));
-  if (const MeshSource* source = object.mesh())
-    for (const Vector3& position : source->mesh->positions)
-      box.extend(object.transform.apply(source->origin + position));
-  return box;
-}
-
 }  // namespace hariko

@@ -11,6 +11,7 @@
 
 #include "core/document/edits.hpp"
 #include "core/document/history.hpp"
+#include "core/document/object_box.hpp"
 #include "render/scene.hpp"
 #include "ui/frame_times.hpp"
 #include "ui/guide.hpp"
@@ -174,8 +175,5 @@ class Editor {
   std::uint64_t recorded_document_ = 0;  ///< `documents` when the recording began
   std::deque<Notice> notices_;
 };
-
-/// World box of an object's polyhedron or mesh.
-Box3 world_box(const Object& object);
 
 }  // namespace hariko

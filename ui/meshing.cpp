@@ -30,7 +30,7 @@ MeshOptions MeshingSettings::options(double scale) const {
 std::shared_ptr<const Object> meshed_object(const Document& document, ObjectId active) {
   std::shared_ptr<const Object> first;
   for (const auto& object : document.objects) {
-    if (!object->visible || !(object->cage() || object->mesh())) continue;
+    if (!object->visible || !(object->has_surface() || object->mesh())) continue;
     if (object->id == active) return object;
     if (!first) first = object;
   }

@@ -41,7 +41,7 @@ Camera framing_all_turns(const Camera& camera, const Scene& scene, const Vector3
 /// Of the active object, as the view shows it.
 std::optional<Legend> legend_of(const Editor& editor) {
   const Object* object = editor.active_object();
-  if (!object || !object->visible || !object->polyhedron() || !has_values(object->display.map)) return {};
+  if (!object || !object->visible || !object->has_surface() || !has_values(object->display.map)) return {};
   const SurfaceView* view = editor.view_of(object->id);
   if (!view || !view->object || view->object->display.map != object->display.map) return {};
   Legend legend;

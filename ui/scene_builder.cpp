@@ -144,7 +144,7 @@ void SceneBuilder::update(const Editor& editor) {
       next.lines.push_back({from, to, color_from_hex("#e5484d"), 3, true});
   for (const auto& object : editor.document().objects) {
     if (paper_) break;
-    if (!object->visible || (!object->cage() && !object->mesh())) continue;
+    if (!object->visible || (!object->has_surface() && !object->mesh())) continue;
     next.objects.push_back(describe(editor, object));
     if (const MeshingResult* meshed = editor.meshing.shown_for(object)) {
       const MeshShown shown = editor.meshing.shown;
@@ -208,13 +208,14 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     const ElementRef whole{object->id, element_of(object->id)};
     const auto outline = [&](bool wanted) {
       Highlights all;
-      for (Index e = 0; wanted && e < out.polyhedron->edges.size(); ++e) all.edges.push_back(e);
+      for (Index e = 0; wanted && out.polyhedron && e < out.polyhedron->edges.size(); ++e)
+        all.edges.push_back(e);
       return all;
     };
     out.selected = outline(editor.selection.contains(whole));
     out.hovered = outline(editor.hovered == whole);
   }
-  if (!cage) {
+  if (!object->has_surface()) {
     out.show_points = false;
     if (view) out.mesh = view->mesh;
     out.map = has_values(display.map) ? SurfaceMap::shaded : display.map;
@@ -225,7 +226,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     out.combs = display.combs.shown ? view->combs : nullptr;
     out.comb_scale = display.combs.scale;
     if (display.marks && view->continuity) out.marks = marks_of(object->id, *view, editor.view.tolerance);
-    if (view->error) out.failed = failed_of(*view->error, *cage);
+    if (view->error && cage) out.failed = failed_of(*view->error, *cage);
     // A new map shows when its values are there; until then the surface is drawn without.
     const bool ready = !has_values(display.map) || (view->object && view->object->display.map == display.map);
     out.map = ready ? display.map : SurfaceMap::shaded;
@@ -234,7 +235,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   const auto stale = editor.stale_since.find(object->id);
   out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
                editor.recompute.outdated.contains(object->id);
-  if (editor.mode == ElementMode::object) return out;
+  if (editor.mode == ElementMode::object || !cage) return out;
   const ElementSelection& selected = editor.selection.of(object->id);
   out.selected = highlights_of(selected, *cage);
   if (out.mesh) out.selected_patches = patches_of(*out.mesh, selected.faces);
@@ -281,6 +282,8 @@ std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
       entry.polyhedron = cage_of(*object);
     else if (!(patches_before->net == patches->net))
       entry.polyhedron = entry.polyhedron->moved(patches->net);
+  } else if (!source && !object->mesh()) {
+    entry.polyhedron = nullptr;
   } else if (!source) {
     const MeshSource* mesh_before = entry.object ? entry.object->mesh() : nullptr;
     if (!mesh_before || !(*mesh_before == *object->mesh())) entry.polyhedron = lines_of(*object->mesh());

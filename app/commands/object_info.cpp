@@ -52,10 +52,44 @@ Element named(const Polyhedron& polyhedron, const Element& element) {
 std::optional<SurfaceComparison> compare(const Surface& surface, const Object& object,
                                          const Document& against) {
   const Object* other = against.find(object.id);
-  if (!other || !other->cage()) return std::nullopt;
+  if (!other || !other->has_surface()) return std::nullopt;
   const auto built = object_surface(against, *other);
   if (!built.ok()) return std::nullopt;
   return compare_surfaces(surface, built->surface);
+}
+
+EnvelopeInfo envelope_info(const EnvelopeSurface& made, std::size_t solids) {
+  EnvelopeInfo out;
+  out.solids = solids;
+  out.method = made.network ? "network" : "field";
+  out.level = made.level;
+  out.enclosed = made.enclosed;
+  out.folds = made.folds;
+  out.builds = made.builds;
+  if (made.check) {
+    out.worst = made.check->worst / made.diagonal;
+    out.tested = made.check->tested;
+    out.outside = made.check->outside;
+  }
+  return out;
+}
+
+/// The surface round solids, with the counts of its network.
+Result<PolyhedronSurface> inspect_solids(const SolidsSource& source, ObjectInfo& info) {
+  auto made = EnvelopeSurfacer().rebuild(*source.input);
+  if (!made) return made.error();
+  info.envelope = envelope_info(*made, source.input->solids.size());
+  if (made->network) {
+    info.vertices = made->network->cage.vertices.size();
+    info.edges = made->network->curves.size();
+    info.faces = made->network->cage.faces.size();
+    info.components = 1;
+    info.genus = 0;
+  }
+  PolyhedronSurface out;
+  out.surface = std::move(made->surface);
+  out.warnings = std::move(made->warnings);
+  return out;
 }
 
 void inspect_surface(const Document& document, const Object& object, const Document* against,
@@ -70,7 +104,11 @@ void inspect_surface(const Document& document, const Object& object, const Docum
     }
   lap("validate");
 
-  const auto built = object_surface(document, object);
+  auto built = Result<PolyhedronSurface>(PolyhedronSurface{});
+  if (const SolidsSource* solids = object.solids())
+    built = inspect_solids(*solids, info);
+  else
+    built = object_surface(document, object);
   lap("rebuild");
   if (!built.ok()) {
     info.messages.push_back(built.error());
@@ -146,8 +184,8 @@ ObjectInfo inspect(const Document& document, const Object& object, const Documen
   info.name = object.name;
   info.kind = kind_of(object.source);
   const double scale = object.transform.scale;
-  if (const Polyhedron* cage = object.cage()) {
-    count_topology(cage->topology(), info);
+  if (const Polyhedron* cage = object.cage()) count_topology(cage->topology(), info);
+  if (object.has_surface()) {
     inspect_surface(document, object, against, info);
   } else if (const MeshSource* mesh = object.mesh()) {
     inspect_facets(*mesh->mesh, scale, info);

@@ -14,6 +14,18 @@
 
 namespace hariko {
 
+/// Of solids: how the surface round them was made.
+struct EnvelopeInfo {
+  std::size_t solids = 0;
+  std::string method;     ///< "network" or "field"
+  int level = 0;          ///< of tightness: 0 as asked for, 9 the filled hull
+  bool enclosed = false;  ///< by the search
+  double worst = 0;       ///< farthest test point outside, by the independent check, over the diagonal
+  std::size_t tested = 0, outside = 0;
+  std::size_t folds = 0;
+  int builds = 0;
+};
+
 /// What does not exist, or is not known because of an error, is empty. Lengths are in the document's unit,
 /// after the object's transform.
 struct ObjectInfo {
@@ -22,6 +34,7 @@ struct ObjectInfo {
   std::optional<double> area, volume, bending, largest_gap, largest_normal_jump, rms_curvature_jump;
   std::optional<CurvatureRange> gauss_range, mean_range;
   std::optional<std::size_t> degenerate_samples, folded_samples;
+  std::optional<EnvelopeInfo> envelope;
   /// Present when the object was compared with another document's; empty inside where that one has no such
   /// object, or one of the two has no surface.
   std::optional<std::optional<SurfaceComparison>> against;

@@ -39,6 +39,12 @@ Json to_json(const std::optional<SurfaceComparison>& comparison) {
           {"largest_distance", value_or_null(comparison->largest_distance)}};
 }
 
+Json to_json(const EnvelopeInfo& envelope) {
+  return {{"solids", envelope.solids},     {"method", envelope.method}, {"level", envelope.level},
+          {"enclosed", envelope.enclosed}, {"worst", envelope.worst},   {"tested", envelope.tested},
+          {"outside", envelope.outside},   {"folds", envelope.folds},   {"builds", envelope.builds}};
+}
+
 Json to_json(const ObjectInfo& info) {
   Json out = {{"name", info.name},
               {"kind", info.kind},
@@ -59,6 +65,7 @@ Json to_json(const ObjectInfo& info) {
               {"mean_range", range_or_null(info.mean_range)},
               {"degenerate_samples", value_or_null(info.degenerate_samples)},
               {"folded_samples", value_or_null(info.folded_samples)}};
+  if (info.envelope) out["envelope"] = to_json(*info.envelope);
   if (info.against) out["against"] = to_json(*info.against);
   out["messages"] = Json::array();
   for (const Message& message : info.messages) out["messages"].push_back(to_json(message));

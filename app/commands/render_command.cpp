@@ -72,7 +72,7 @@ int run_render(const RenderArguments& arguments) {
   scene.zebra.stripes = arguments.stripes;
   scene.colour_blind_safe = arguments.colour_blind_safe;
   for (const auto& object : document->objects) {
-    if (!object->visible || !object->cage()) continue;
+    if (!object->visible || !object->has_surface()) continue;
     auto part = scene_object(*document, *object, arguments);
     if (!part.ok()) {
       report(file + ": " + object->name, part.error());

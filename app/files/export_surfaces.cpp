@@ -36,7 +36,7 @@ Result<Done> export_surfaces(const Document& document, const std::filesystem::pa
     const Progress part = progress.part(writing * number / count, writing * (number + 1) / count);
     ++number;
     part.report(0);
-    if (!object->visible || !object->cage()) continue;
+    if (!object->visible || !object->has_surface()) continue;
     const auto named_error = [&](Message error) {
       error.text = object->name + ": " + error.text;
       return error;

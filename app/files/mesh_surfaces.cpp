@@ -110,7 +110,7 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
     const Progress part = progress.part(number / count, (number + 1) / count);
     ++number;
     const MeshSource* reference = request.meshes ? object->mesh() : nullptr;
-    if (!object->visible || !(object->cage() || reference)) continue;
+    if (!object->visible || !(object->has_surface() || reference)) continue;
     const MeshRequest own{in_object_space(request.options, object->transform.scale), request.errors};
     if (reference) {
       auto made = decimated(*reference, object->name, own, cancel, part);

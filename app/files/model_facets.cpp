@@ -155,7 +155,7 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
       append(out, *mesh->mesh, mesh->origin, object->transform, numbered(id, mesh->mesh->positions.size()));
     else if (options.of_polyhedra && object->polyhedron())
       append_polyhedron(out, *object);
-    else if (object->cage())
+    else if (object->has_surface())
       if (const auto added = append_surface(out, document, *object, options, distance, cancel, part);
           !added.ok())
         return added.error();

@@ -6,6 +6,10 @@
 #include "core/base/printable.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/file.hpp"
+#include "core/document/format.hpp"
+#include "core/document/read_outline.hpp"
+#include "core/document/read_skin.hpp"
+#include "core/document/read_solids.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/read_bpt.hpp"
@@ -51,6 +55,37 @@ void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, con
     if (auto made = add_object({}, opened.name, std::move(facets).value()); made.ok())
       opened.reference = std::move(made).value().document;
   opened.broken_mesh = std::move(mesh);
+}
+
+/// What a layout of its own becomes: solids, sections or outlines.
+Result<Source> read_layout(JsonKind kind, std::string_view text) {
+  if (kind == JsonKind::scene) {
+    auto input = read_scene(text);
+    return input.ok() ? Result<Source>(SolidsSource{std::move(input).value(), {}}) : input.error();
+  }
+  if (kind == JsonKind::skin) {
+    auto skin = read_skin_layout(text);
+    return skin.ok() ? Result<Source>(SkinSource{std::move(skin).value(), {}}) : skin.error();
+  }
+  HARIKO_ASSERT(kind == JsonKind::outline, "not a layout of its own");
+  auto outline = read_outline(text);
+  if (!outline.ok()) return outline.error();
+  const OutlineSettings settings = usual_settings(*outline);
+  return Source(OutlineSource{std::move(outline).value(), settings, {}});
+}
+
+void open_layout(const std::filesystem::path& file, JsonKind kind, OpenedFile& opened) {
+  const auto made = [&]() -> Result<Added> {
+    const auto text = read_file(file, max_document_bytes);
+    if (!text.ok()) return text.error();
+    auto source = read_layout(kind, *text);
+    if (!source.ok()) return source.error();
+    return add_object({}, opened.name, std::move(source).value());
+  }();
+  if (made.ok())
+    opened.document = made->document;
+  else
+    opened.messages.push_back(made.error());
 }
 
 /// What was read of a file that the user does not want any more.
@@ -126,6 +161,10 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
   }
   if (*holds == JsonKind::patches) {
     open_patches(file, opened);
+    return opened;
+  }
+  if (*holds != JsonKind::document) {
+    open_layout(file, *holds, opened);
     return opened;
   }
   opened.native = true;

@@ -58,6 +58,37 @@ void scale_mesh(MeshSource& source, double factor) {
   source.origin *= factor;
 }
 
+void scale_solids(SolidsSource& source, double factor) {
+  EnvelopeInput input = *source.input;
+  for (Solid& solid : input.solids) {
+    for (double* length : {&solid.radius, &solid.height, &solid.length, &solid.tube}) *length *= factor;
+    solid.size *= factor;
+    solid.position *= factor;
+    for (Vector3& point : solid.points) point *= factor;
+  }
+  input.settings.clearance *= factor;
+  FlatMap<NetworkVertexKey, Vector3> offsets;
+  for (const auto& [vertex, offset] : input.settings.offsets) offsets.set(vertex, factor * offset);
+  input.settings.offsets = std::move(offsets);
+  source.input = std::move(input);
+}
+
+void scale_skin(SkinSource& source, double factor) {
+  Skin skin = *source.skin;
+  change_positions(skin, [&](Vector3& position) { position *= factor; });
+  source.skin = std::move(skin);
+}
+
+void scale_outline(OutlineSource& source, double factor) {
+  Outline outline = *source.outline;
+  for (OutlineLoop& loop : outline.loops) {
+    for (Vector3& point : loop.points) point *= factor;
+    for (double& curvature : loop.curvature) curvature /= factor * factor;
+  }
+  source.outline = std::move(outline);
+  if (source.settings.gap) *source.settings.gap *= factor;
+}
+
 }  // namespace
 
 Result<Document> convert_unit(const Document& document, Unit unit) {
@@ -81,6 +112,13 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
     } else if (auto* patches = std::get_if<PatchSource>(&object.source)) {
       if (const auto scaled = scale_positions(patches->net, factor); !scaled.ok()) return scaled.error();
       patches->origin *= factor;
+    } else if (auto* solids = std::get_if<SolidsSource>(&object.source)) {
+      scale_solids(*solids, factor);
+      if (const auto checked = check_envelope(*solids->input); !checked.ok()) return checked.error();
+    } else if (auto* skin = std::get_if<SkinSource>(&object.source)) {
+      scale_skin(*skin, factor);
+    } else if (auto* outline = std::get_if<OutlineSource>(&object.source)) {
+      scale_outline(*outline, factor);
     }
     if (!object.transform.translation.allFinite())
       return make_error(e_nonfinite, "An object would lie infinitely far away.", "Choose another unit.");

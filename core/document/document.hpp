@@ -44,11 +44,16 @@ struct Object {
   const PolyhedronSource* polyhedron() const { return std::get_if<PolyhedronSource>(&source); }
   const MeshSource* mesh() const { return std::get_if<MeshSource>(&source); }
   const PatchSource* patches() const { return std::get_if<PatchSource>(&source); }
+  const SolidsSource* solids() const { return std::get_if<SolidsSource>(&source); }
+  const SkinSource* skin() const { return std::get_if<SkinSource>(&source); }
+  const OutlineSource* outline() const { return std::get_if<OutlineSource>(&source); }
   /// What can be selected of the object: its polyhedron, or the control net of its patches. Null otherwise.
   const Polyhedron* cage() const {
     if (const PolyhedronSource* own = polyhedron()) return &own->polyhedron;
     return patches() ? &patches()->net : nullptr;
   }
+  /// A smooth surface is made of the object.
+  bool has_surface() const { return cage() || solids() || skin() || outline(); }
   /// What the cage's positions are relative to.
   Vector3 cage_origin() const {
     if (const PolyhedronSource* own = polyhedron()) return own->origin;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/object_box.hpp"
+
 namespace hariko {
 
 Document set_paper(const Document& document, PaperModel paper) {
@@ -21,22 +23,15 @@ Document remove_paper(const Document& document) {
 std::vector<ObjectId> unfoldable_objects(const Document& document) {
   std::vector<ObjectId> out;
   for (const auto& object : document.objects)
-    if (object->visible && (object->cage() || object->mesh())) out.push_back(object->id);
+    if (object->visible && (object->has_surface() || object->mesh())) out.push_back(object->id);
   std::sort(out.begin(), out.end());
   return out;
 }
 
 double proposed_distance(const Document& document, std::span<const ObjectId> objects) {
   Eigen::AlignedBox3d box;
-  for (const ObjectId id : objects) {
-    const Object* object = document.find(id);
-    if (!object) continue;
-    if (const Polyhedron* cage = object->cage())
-      for (Index v = 0; v < cage->vertex_count(); ++v)
-        box.extend(object->transform.apply(object->cage_origin() + cage->position(v)));
-    if (const MeshSource* mesh = object->mesh())
-      for (const Vector3& p : mesh->mesh->positions) box.extend(object->transform.apply(mesh->origin + p));
-  }
+  for (const ObjectId id : objects)
+    if (const Object* object = document.find(id)) box.extend(world_box(*object));
   const double distance = box.isEmpty() ? 0 : 0.01 * box.diagonal().norm();
   if (!(distance > 1e-290) || !std::isfinite(distance)) return 0.5;
   const double digit = std::pow(10, std::floor(std::log10(distance)));

@@ -57,6 +57,14 @@ inline constexpr std::array solids_members{"kind"sv,        "primitives"sv, "rou
 inline constexpr std::array method_names{"auto"sv, "network"sv, "field"sv};
 inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};
 inline constexpr std::array symmetry_names{"none"sv, "x"sv, "y"sv, "z"sv};
+inline constexpr std::array skin_members{"kind"sv,   "path"sv,  "rail2"sv,   "frame"sv,        "sections"sv,
+                                         "method"sv, "caps"sv,  "creases"sv, "flip_normals"sv, "smooth"sv,
+                                         "pleat"sv,  "links"sv, "merges"sv};
+inline constexpr std::array outline_members{"kind"sv,   "loops"sv,       "method"sv, "curvature_sign"sv,
+                                            "radius"sv, "most_points"sv, "gap"sv,    "mode"sv};
+inline constexpr std::array gauss_names{"curvature"sv, "umbilic"sv, "minkowski"sv, "paper"sv, "position"sv};
+inline constexpr std::array sign_names{"positive"sv, "negative"sv};
+inline constexpr std::array outline_patch_names{"fair"sv, "g2"sv};
 inline constexpr std::array loop_members{"points"sv, "normals"sv, "K"sv};
 inline constexpr std::array frame_names{"automatic"sv, "translate"sv, "rmf"sv, "two-rail"sv};
 inline constexpr std::array skin_method_names{"smooth"sv, "anchored"sv, "pleat"sv};

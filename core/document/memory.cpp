@@ -35,6 +35,36 @@ std::size_t bytes_of(const PaperModel& paper) {
          list(paper.strips) + list(paper.places) + list(paper.strip_places) + bytes_of(paper.kept);
 }
 
+std::size_t bytes_of(const EnvelopeInput& input) {
+  std::size_t bytes = block_overhead + sizeof(EnvelopeInput) + input.solids.capacity() * sizeof(Solid);
+  for (const Solid& solid : input.solids) bytes += solid.points.capacity() * sizeof(Vector3);
+  return bytes;
+}
+
+std::size_t bytes_of(const Skin& skin) {
+  std::size_t bytes = block_overhead + sizeof(Skin) + skin.path.points.capacity() * sizeof(Vector3);
+  if (skin.second_rail) bytes += skin.second_rail->points.capacity() * sizeof(Vector3);
+  for (const SkinSection& section : skin.sections)
+    bytes += block_overhead + sizeof(SkinSection) + section.points.capacity() * sizeof(SectionPoint);
+  for (const SkinLink& link : skin.links)
+    bytes +=
+        2 * block_overhead + sizeof(SkinLink) + (link.a.capacity() + link.b.capacity()) * sizeof(link.a[0]);
+  for (const SkinMerge& merge : skin.merges)
+    bytes += block_overhead + sizeof(SkinMerge) + merge.members.capacity() * sizeof(merge.members[0]);
+  for (const auto& anchors : skin.smooth.anchors)
+    bytes += block_overhead + anchors.capacity() * sizeof(double);
+  return bytes;
+}
+
+std::size_t bytes_of(const Outline& outline) {
+  std::size_t bytes = block_overhead + sizeof(Outline);
+  for (const OutlineLoop& loop : outline.loops)
+    bytes += 3 * block_overhead + sizeof(OutlineLoop) +
+             (loop.points.capacity() + loop.normals.capacity()) * sizeof(Vector3) +
+             loop.curvature.capacity() * sizeof(double);
+  return bytes;
+}
+
 /// Connectivity and the ids that go with it.
 std::size_t bytes_of(const HalfEdgeMesh& mesh) {
   return 8 * block_overhead + sizeof(HalfEdgeMesh) +
@@ -75,6 +105,15 @@ void visit_object(const Object& object, Visit&& visit) {
   } else if (const auto* mesh = object.mesh()) {
     visit(mesh->mesh.get(), bytes_of(*mesh->mesh));
     visit(mesh->kept.get(), bytes_of(*mesh->kept));
+  } else if (const auto* solids = object.solids()) {
+    visit(solids->input.get(), bytes_of(*solids->input));
+    visit(solids->kept.get(), bytes_of(*solids->kept));
+  } else if (const auto* skin = object.skin()) {
+    visit(skin->skin.get(), bytes_of(*skin->skin));
+    visit(skin->kept.get(), bytes_of(*skin->kept));
+  } else if (const auto* outline = object.outline()) {
+    visit(outline->outline.get(), bytes_of(*outline->outline));
+    visit(outline->kept.get(), bytes_of(*outline->kept));
   } else {
     const auto& unknown = std::get<UnknownSource>(object.source);
     visit(unknown.json.get(), block_overhead + unknown.json->capacity());

@@ -1,9 +1,8 @@
 #include "core/document/read_outline.hpp"
 
-#include <algorithm>
-
 #include "core/document/format_names.hpp"
 #include "core/document/read_source.hpp"
+#include "core/document/read_text.hpp"
 
 namespace hariko {
 
@@ -45,25 +44,35 @@ Outline read_loops(JsonReader& reader, const JsonCursor& at) {
   return out;
 }
 
+OutlineSettings read_outline_settings(JsonReader& reader, const JsonCursor& at) {
+  OutlineSettings settings;
+  reader.if_member(at, "method",
+                   [&](const JsonCursor& m) { settings.mode = GaussMode(reader.choice(m, gauss_names)); });
+  reader.if_member(at, "curvature_sign",
+                   [&](const JsonCursor& m) { settings.sign = CurvatureSign(reader.choice(m, sign_names)); });
+  reader.if_member(at, "radius", [&](const JsonCursor& m) {
+    settings.radius = reader.number(m);
+    if (!(settings.radius >= OutlineSettings::smallest_radius &&
+          settings.radius <= OutlineSettings::largest_radius))
+      reader.fail(m, "a number from 0.01 to 100 was expected");
+  });
+  reader.if_member(at, "most_points", [&](const JsonCursor& m) {
+    settings.most_points = reader.integer(m, 0, OutlineSettings::point_limit);
+  });
+  reader.if_member(at, "gap", [&](const JsonCursor& m) {
+    settings.gap = reader.number(m);
+    if (!(*settings.gap > 0)) reader.fail(m, "a positive number was expected");
+  });
+  reader.if_member(at, "mode", [&](const JsonCursor& m) {
+    settings.curvature_continuous = reader.choice(m, outline_patch_names) == 1;
+  });
+  return settings;
+}
+
 }  // namespace detail
 
 Result<Outline> read_outline(std::string_view text) {
-  using namespace detail;
-  const Result<JsonValue> root = parse_json(text);
-  if (!root) return root.error();
-  JsonReader reader;
-  const JsonCursor at(*root);
-  if (!reader.is_object(at)) return reader.error();
-  Outline outline = read_loops(reader, at);
-  if (reader.failed()) return reader.error();
-  return outline;
-}
-
-bool is_outline(std::string_view text) {
-  const auto root = detail::parse_json(text);
-  if (!root || !root->object()) return false;
-  return std::any_of(root->object()->begin(), root->object()->end(),
-                     [](const detail::JsonMember& member) { return member.name == "loops"; });
+  return detail::read_text<Outline>(text, detail::read_loops);
 }
 
 }  // namespace hariko

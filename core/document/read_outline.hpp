@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/document/json_cursor.hpp"
-#include "core/gaussmap/outline.hpp"
+#include "core/gaussmap/outline_settings.hpp"
 
 namespace hariko {
 
@@ -17,13 +17,13 @@ inline constexpr std::size_t max_outline_points = 20000;
 /// by `check_outline`.
 Result<Outline> read_outline(std::string_view text);
 
-/// True for the text of an outline; any other JSON, and what is no JSON, is none. O(text).
-bool is_outline(std::string_view text);
-
 namespace detail {
 
 /// The loops within an object that may have other members.
 Outline read_loops(JsonReader& reader, const JsonCursor& at);
+
+/// The settings beside the loops; every member may be missing.
+OutlineSettings read_outline_settings(JsonReader& reader, const JsonCursor& at);
 
 }  // namespace detail
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/document/format_names.hpp"
+#include "core/document/read_text.hpp"
 #include "core/skinning/section_direction.hpp"
 #include "core/skinning/skin_messages.hpp"
 
@@ -31,6 +32,13 @@ SubdivisionCurve read_path(JsonReader& reader, const JsonCursor& at) {
   if (!reader.is_object(at)) return path;
   reader.member(at, "points", [&](const JsonCursor& list) { path.points = read_points(reader, list); });
   reader.if_member(at, "closed", [&](const JsonCursor& member) { path.closed = reader.boolean(member); });
+  reader.if_member(at, "sharp", [&](const JsonCursor& list) {
+    path.sharp.assign(path.points.size(), 0);
+    for (const std::uint32_t i : read_numbers(reader, list, max_count)) {
+      if (i >= path.sharp.size()) return reader.fail(list, "there are not so many points");
+      path.sharp[i] = 1;
+    }
+  });
   return path;
 }
 
@@ -233,26 +241,14 @@ Skin read_skin(JsonReader& reader, const JsonCursor& at) {
   return SkinReader(reader).read(at);
 }
 
-bool is_skin_layout(const JsonValue& value) {
-  const JsonObject* object = value.object();
-  if (!object) return false;
-  const auto has = [&](std::string_view name) {
-    return std::any_of(object->begin(), object->end(), [&](const JsonMember& m) { return m.name == name; });
-  };
-  return has("path") && has("sections") && !has("format");
-}
-
 }  // namespace hariko::detail
 
 namespace hariko {
 
 Result<Skin> read_skin_layout(std::string_view text) {
-  auto value = detail::parse_json(text);
-  if (!value) return value.error();
-  detail::JsonReader reader;
-  Skin skin = detail::read_skin(reader, detail::JsonCursor(*value));
-  if (reader.failed()) return reader.error();
-  return turn_sections(std::move(skin));
+  Result<Skin> skin = detail::read_text<Skin>(text, detail::read_skin);
+  if (!skin) return skin.error();
+  return turn_sections(std::move(skin).value());
 }
 
 }  // namespace hariko

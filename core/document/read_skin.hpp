@@ -14,9 +14,6 @@ namespace hariko::detail {
 /// by `plan_skin`. A link or merge of the plain layout whose strip or point does not exist is E_INDEX.
 Skin read_skin(JsonReader& reader, const JsonCursor& at);
 
-/// JSON text is in the plain layout: an object with `path` and `sections` and no `format`.
-bool is_skin_layout(const JsonValue& value);
-
 }  // namespace hariko::detail
 
 namespace hariko {

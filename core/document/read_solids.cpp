@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/document/format_names.hpp"
+#include "core/document/read_text.hpp"
 
 namespace hariko {
 
@@ -136,14 +137,13 @@ class SolidsReader {
 
 }  // namespace
 
-std::optional<EnvelopeInput> read_solids(JsonReader& reader, const JsonCursor& at) {
+EnvelopeInput read_solids(JsonReader& reader, const JsonCursor& at) {
   EnvelopeInput input = SolidsReader(reader).read(at);
-  if (reader.failed()) return std::nullopt;
+  if (reader.failed()) return input;
   if (const auto checked = check_envelope(input); !checked) {
     Message message = checked.error();
     message.text = at.path() + ": " + message.text;
     reader.fail(std::move(message));
-    return std::nullopt;
   }
   return input;
 }
@@ -151,22 +151,7 @@ std::optional<EnvelopeInput> read_solids(JsonReader& reader, const JsonCursor& a
 }  // namespace detail
 
 Result<EnvelopeInput> read_scene(std::string_view text) {
-  using namespace detail;
-  const Result<JsonValue> root = parse_json(text);
-  if (!root) return root.error();
-  JsonReader reader;
-  const JsonCursor at(*root);
-  if (!reader.is_object(at)) return reader.error();
-  auto input = read_solids(reader, at);
-  if (!input) return reader.error();
-  return *std::move(input);
-}
-
-bool is_scene(std::string_view text) {
-  const auto root = detail::parse_json(text);
-  if (!root || !root->object()) return false;
-  return std::any_of(root->object()->begin(), root->object()->end(),
-                     [](const detail::JsonMember& member) { return member.name == "primitives"; });
+  return detail::read_text<EnvelopeInput>(text, detail::read_solids);
 }
 
 }  // namespace hariko

@@ -2,7 +2,6 @@
 
 // Scenes of solids from JSON: as sources of documents, and as files of their own.
 
-#include <optional>
 #include <string_view>
 
 #include "core/document/json_cursor.hpp"
@@ -15,13 +14,10 @@ namespace hariko {
 /// E_LIMIT, E_PARSE, E_SCHEMA, and those of `check_envelope`.
 Result<EnvelopeInput> read_scene(std::string_view text);
 
-/// True for the text of a scene; any other JSON, and what is no JSON, is none. O(text).
-bool is_scene(std::string_view text);
-
 namespace detail {
 
 /// The members of a scene within an object that may have others.
-std::optional<EnvelopeInput> read_solids(JsonReader& reader, const JsonCursor& at);
+EnvelopeInput read_solids(JsonReader& reader, const JsonCursor& at);
 
 }  // namespace detail
 

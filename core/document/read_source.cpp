@@ -6,6 +6,9 @@
 #include "core/document/edge_set.hpp"
 #include "core/document/edit_elements.hpp"
 #include "core/document/format_names.hpp"
+#include "core/document/read_outline.hpp"
+#include "core/document/read_skin.hpp"
+#include "core/document/read_solids.hpp"
 
 namespace hariko::detail {
 namespace {
@@ -358,6 +361,22 @@ std::optional<Source> read_source(JsonReader& reader, const JsonCursor& at, std:
   if (kind == "polyhedron") return read_polyhedron(reader, at, text);
   if (kind == "mesh") return read_mesh(reader, at, text);
   if (kind == "patches") return read_patches(reader, at, text);
+  if (kind == "solids") {
+    EnvelopeInput input = read_solids(reader, at);
+    if (reader.failed()) return std::nullopt;
+    return SolidsSource{std::move(input), kept_members(at, solids_members, text)};
+  }
+  if (kind == "skin") {
+    Skin skin = read_skin(reader, at);
+    if (reader.failed()) return std::nullopt;
+    return SkinSource{std::move(skin), kept_members(at, skin_members, text)};
+  }
+  if (kind == "outline") {
+    Outline outline = read_loops(reader, at);
+    const OutlineSettings settings = read_outline_settings(reader, at);
+    if (reader.failed()) return std::nullopt;
+    return OutlineSource{std::move(outline), settings, kept_members(at, outline_members, text)};
+  }
   const JsonMember& whole = *at.member();
   return UnknownSource{kind, std::string(text.substr(whole.begin, whole.end - whole.begin))};
 }

@@ -97,6 +97,9 @@ std::string_view kind_of(const Source& source) {
   if (std::holds_alternative<PolyhedronSource>(source)) return "polyhedron";
   if (std::holds_alternative<MeshSource>(source)) return "mesh";
   if (std::holds_alternative<PatchSource>(source)) return "patches";
+  if (std::holds_alternative<SolidsSource>(source)) return "solids";
+  if (std::holds_alternative<SkinSource>(source)) return "skin";
+  if (std::holds_alternative<OutlineSource>(source)) return "outline";
   return std::get<UnknownSource>(source).kind;
 }
 

@@ -13,9 +13,12 @@
 #include "core/document/mirror.hpp"
 #include "core/document/preparation.hpp"
 #include "core/document/shared.hpp"
+#include "core/envelope/solid.hpp"
+#include "core/gaussmap/outline_settings.hpp"
 #include "core/network/shaping.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
 #include "core/polyhedron/polyhedron.hpp"
+#include "core/skinning/skin.hpp"
 
 namespace hariko {
 
@@ -86,6 +89,33 @@ struct PatchSource {
   friend bool operator==(const PatchSource& a, const PatchSource& b);
 };
 
+/// Placed solids, round which a smooth surface goes (core/envelope).
+struct SolidsSource {
+  Shared<EnvelopeInput> input;  ///< passes `check_envelope`
+  Shared<KeptMembers> kept;
+
+  friend bool operator==(const SolidsSource&, const SolidsSource&) = default;
+};
+
+/// Sections along a path, over which a subdivision surface goes (core/skinning). Where they cannot be
+/// skinned, the surface says so; the source may be anything whose ids are unique.
+struct SkinSource {
+  Shared<Skin> skin;
+  Shared<KeptMembers> kept;
+
+  friend bool operator==(const SkinSource&, const SkinSource&) = default;
+};
+
+/// Closed loops with normals, inside of which a surface goes (core/gaussmap). The outline may be unfinished:
+/// what is wrong with it is an error of its surface.
+struct OutlineSource {
+  Shared<Outline> outline;  ///< one normal a point; at most `max_outline_points` points
+  OutlineSettings settings;
+  Shared<KeptMembers> kept;
+
+  friend bool operator==(const OutlineSource&, const OutlineSource&) = default;
+};
+
 /// A kind of object that this version of the program does not know: kept, and written back as it was.
 struct UnknownSource {
   std::string kind;
@@ -93,9 +123,10 @@ struct UnknownSource {
   friend bool operator==(const UnknownSource&, const UnknownSource&) = default;
 };
 
-using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, UnknownSource>;
+using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, SolidsSource, SkinSource,
+                            OutlineSource, UnknownSource>;
 
-/// "polyhedron", "mesh", "patches", or the kind's name in the file.
+/// "polyhedron", "mesh", "patches", "solids", "skin", "outline", or the kind's name in the file.
 std::string_view kind_of(const Source& source);
 
 }  // namespace hariko

@@ -4,11 +4,13 @@
 #include "core/document/format_names.hpp"
 #include "core/document/json_writer.hpp"
 #include "core/document/write_paper.hpp"
+#include "core/document/write_source.hpp"
 
 namespace hariko {
 namespace {
 
 using Writer = detail::JsonWriter;
+using detail::write_source;
 
 void write_shaping(Writer& out, const Shaping& shaping) {
   out.list("alpha", shaping.alpha, [&](const auto& entry) {

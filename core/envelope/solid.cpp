@@ -161,6 +161,46 @@ Result<Done> check_envelope(const EnvelopeInput& input) {
   return Done{};
 }
 
+Eigen::AlignedBox3d box_of(const Solid& solid) {
+  Eigen::AlignedBox3d own;
+  const double r = solid.radius, height = solid.height;
+  const auto upright = [&](double radius, double low, double high) {
+    own.extend(Vector3(-radius, -radius, low)).extend(Vector3(radius, radius, high));
+  };
+  switch (solid.kind) {
+    case SolidKind::box:
+      own.extend(Vector3(-0.5 * solid.size)).extend(Vector3(0.5 * solid.size));
+      break;
+    case SolidKind::sphere:
+      upright(r, -r, r);
+      break;
+    case SolidKind::cylinder:
+    case SolidKind::prism:
+      upright(r, -height / 2, height / 2);
+      break;
+    case SolidKind::cone:
+    case SolidKind::pyramid:
+      upright(r, -height / 4, 3 * height / 4);
+      break;
+    case SolidKind::capsule:
+      upright(r, -solid.length / 2 - r, solid.length / 2 + r);
+      break;
+    case SolidKind::torus:
+      upright(r + solid.tube, -solid.tube, solid.tube);
+      break;
+    case SolidKind::polyhedron:
+      for (const Vector3& point : solid.points) own.extend(point);
+      break;
+  }
+  Eigen::AlignedBox3d out;
+  const Matrix3 rotation = solid_rotation(solid.rotation);
+  for (int i = 0; i < 8 && !own.isEmpty(); ++i) {
+    const Vector3 corner = own.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    out.extend(Vector3(solid.position + rotation * corner.cwiseProduct(solid.scale)));
+  }
+  return out;
+}
+
 Matrix3 solid_rotation(const Vector3& degrees) {
   const Vector3 a = degrees * (std::numbers::pi / 180);
   return (Eigen::AngleAxisd(a.z(), Vector3::UnitZ()) * Eigen::AngleAxisd(a.y(), Vector3::UnitY()) *

@@ -122,6 +122,9 @@ Result<Done> check_envelope(const EnvelopeInput& input);
 /// The same for one solid that is number `index` of a list.
 Result<Done> check_solid(const Solid& solid, std::size_t index);
 
+/// A box along the axes round the solid in its place; not the smallest one of round solids that are turned.
+Eigen::AlignedBox3d box_of(const Solid& solid);
+
 /// Rz Ry Rx of angles in degrees.
 Matrix3 solid_rotation(const Vector3& degrees);
 

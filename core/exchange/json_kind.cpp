@@ -17,12 +17,16 @@ using Json = nlohmann::json;
 struct Entry {
   JsonKind kind;
   std::string_view name;
-  std::string_view format;  ///< value of the member "format"; empty for kinds without one
-  std::string_view use;     ///< of files that cannot be opened
+  std::string_view format;   ///< value of the member "format"; empty for kinds without one
+  std::string_view use;      ///< of files that cannot be opened
+  std::string_view marks{};  ///< what tells kinds without a format, for messages
 };
 constexpr std::array entries{
     Entry{JsonKind::document, "a Hariko document", "hariko", ""},
-    Entry{JsonKind::patches, "Bezier patches", "", ""},
+    Entry{JsonKind::patches, "Bezier patches", "", "", "\"ctrl\": rows of points"},
+    Entry{JsonKind::scene, "solids", "", "", "\"primitives\""},
+    Entry{JsonKind::skin, "sections to skin", "", "", "\"path\" and \"sections\""},
+    Entry{JsonKind::outline, "outlines with normals", "", "", "\"loops\""},
     Entry{JsonKind::keys, "key bindings", "hariko-keys", "Read it in Preferences, Keys."},
     Entry{JsonKind::layout, "a paper model's layout", "unfolding-1", "Open the model that it was made from."},
 };
@@ -31,11 +35,12 @@ const Entry& entry_of(JsonKind kind) {
   return *std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.kind == kind; });
 }
 
-/// Notes the member "format" of the whole and whether an object two levels down has "ctrl"; keeps nothing.
+/// Notes the members of the whole, the value of "format" and whether an object two levels down has "ctrl".
 class Marks : public nlohmann::json_sax<Json> {
  public:
   std::string format;
   bool controls = false;
+  bool primitives = false, path = false, sections = false, loops = false;
 
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
@@ -52,7 +57,7 @@ class Marks : public nlohmann::json_sax<Json> {
   bool start_array(std::size_t) override { return deeper(); }
   bool end_array() override { return shallower(); }
   bool key(string_t& name) override {
-    if (depth_ == 1) key_ = name;
+    if (depth_ == 1) note(name);
     controls = controls || (depth_ == 3 && name == "ctrl");
     return true;
   }
@@ -61,6 +66,13 @@ class Marks : public nlohmann::json_sax<Json> {
   }
 
  private:
+  void note(const std::string& name) {
+    key_ = name;
+    primitives = primitives || name == "primitives";
+    path = path || name == "path";
+    sections = sections || name == "sections";
+    loops = loops || name == "loops";
+  }
   bool deeper() {
     ++depth_;
     return true;
@@ -77,9 +89,9 @@ std::string accepted() {
   std::string out;
   for (const Entry& entry : entries) {
     if (!entry.use.empty()) continue;
-    if (!out.empty()) out += " and ";
+    if (!out.empty()) out += ", ";
     out += entry.name;
-    out += entry.format.empty() ? " (\"ctrl\": rows of points)"
+    out += entry.format.empty() ? " (" + std::string(entry.marks) + ")"
                                 : " (\"format\": \"" + std::string(entry.format) + "\")";
   }
   return out;
@@ -95,6 +107,9 @@ Result<JsonKind> json_kind(std::string_view text) {
   for (const Entry& entry : entries)
     if (!entry.format.empty() && entry.format == marks.format) return entry.kind;
   if (marks.controls) return JsonKind::patches;
+  if (marks.primitives) return JsonKind::scene;
+  if (marks.path && marks.sections) return JsonKind::skin;
+  if (marks.loops) return JsonKind::outline;
   return make_error(e_format_unknown, "The file is JSON of a kind that this program does not know.",
                     "Files of " + accepted() + " can be opened.");
 }

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "core/document/edit_attachments.hpp"
+#include "core/gaussmap/control_points.hpp"
+#include "core/gaussmap/outline_polyhedron.hpp"
 
 namespace hariko {
 
@@ -268,6 +270,9 @@ ObjectSurfacer::~ObjectSurfacer() = default;
 
 Result<PolyhedronSurface> ObjectSurfacer::surface(const Object& object, const ObjectPointers& neighbours,
                                                   Quality quality, const CancelToken& cancel) {
+  if (const SolidsSource* solids = object.solids()) return around(*solids, quality, cancel);
+  if (const SkinSource* skin = object.skin()) return over(*skin, cancel);
+  if (const OutlineSource* outline = object.outline()) return inside(*outline, quality, cancel);
   Call call(*this, object, neighbours, cancel);
   if (object.patches()) {
     auto net = call.adapted(object);
@@ -281,6 +286,48 @@ Result<PolyhedronSurface> ObjectSurfacer::surface(const Object& object, const Ob
   auto input = call.input(object, quality, cache_);
   if (!input) return input.error();
   return surfacer_.rebuild(*input, quality, cancel);
+}
+
+Result<PolyhedronSurface> ObjectSurfacer::whole(Surface surface, std::vector<Message> warnings) {
+  PolyhedronSurface out;
+  out.surface = std::move(surface);
+  out.warnings = std::move(warnings);
+  out.revision = out.base_revision = ++patch_revision_;
+  return out;
+}
+
+Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Quality quality,
+                                                 const CancelToken& cancel) {
+  auto made = enveloper_.rebuild(*source.input, quality, cancel);
+  if (!made) return made.error();
+  return whole(std::move(made->surface), std::move(made->warnings));
+}
+
+Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, const CancelToken& cancel) {
+  Skin skin = *source.skin;
+  std::vector<Vector3> positions;
+  change_positions(skin, [&](const Vector3& position) { positions.push_back(position); });
+  const Vector3 origin = origin_for(positions);
+  change_positions(skin, [&](Vector3& position) { position -= origin; });
+  auto made = skinner_.surface(skin, origin, cancel);
+  if (!made) return made.error();
+  return whole(std::move(made->surface), std::move(made->result.warnings));
+}
+
+Result<PolyhedronSurface> ObjectSurfacer::inside(const OutlineSource& source, Quality quality,
+                                                 const CancelToken& cancel) {
+  const auto points = control_points(*source.outline, gauss_options(source.settings), cancel);
+  if (!points) return points.error();
+  const auto made = outline_polyhedron(*points);
+  if (!made) return made.error();
+  const PolyhedronSurfaceInput input{made->polyhedron, made->shaping,
+                                     source.settings.curvature_continuous ? Mode::g2 : Mode::fair,
+                                     made->origin};
+  auto out = surfacer_.rebuild(input, quality, cancel);
+  if (!out) return out;
+  PolyhedronSurface surface = std::move(out).value();
+  surface.warnings.insert(surface.warnings.begin(), points->messages.begin(), points->messages.end());
+  return surface;
 }
 
 Result<PolyhedronSurface> object_surface(const Document& document, const Object& object,

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "core/document/document.hpp"
+#include "core/envelope/envelope.hpp"
 #include "core/modeling/surface_input.hpp"
 #include "core/patching/adapted_net.hpp"
+#include "core/skinning/evaluate_skin.hpp"
 
 namespace hariko {
 
@@ -22,8 +24,8 @@ using ObjectPointers = std::vector<std::shared_ptr<const Object>>;
 /// The other objects that an object's surface depends on, in the document's order.
 ObjectPointers neighbours_of(const Document& document, ObjectId object);
 
-/// Makes the surface of one object, patches or a polyhedron. Keeps what helps next time; calls must not
-/// overlap. A `final` result does not depend on earlier calls.
+/// Makes the surface of one object of any kind that has one. Keeps what helps next time; calls must
+/// not overlap. A `final` result does not depend on earlier calls.
 class ObjectSurfacer {
  public:
   ObjectSurfacer();
@@ -31,7 +33,9 @@ class ObjectSurfacer {
 
   /// `neighbours`: as `neighbours_of` gives them. Errors: those of `surface_input` and of
   /// `PolyhedronSurfacer::rebuild`, E_JOIN_LOST (what an edge is attached to is gone), E_JOIN_SEAM (an
-  /// attached edge is inside of the mirrored whole), E_ATTACHMENT_CYCLE. Warnings of patches: W_JOIN_REFUSED.
+  /// attached edge is inside of the mirrored whole), E_ATTACHMENT_CYCLE; of solids those of
+  /// `EnvelopeSurfacer::rebuild`, of skins those of `SkinSurfacer::surface`, of outlines those of
+  /// `control_points` and `outline_polyhedron`. Warnings of patches: W_JOIN_REFUSED.
   Result<PolyhedronSurface> surface(const Object& object, const ObjectPointers& neighbours, Quality quality,
                                     const CancelToken& cancel = {});
 
@@ -42,6 +46,13 @@ class ObjectSurfacer {
   PolyhedronSurfacer surfacer_;
   SurfaceInputCache cache_;
   std::map<ObjectId, std::unique_ptr<Helper>> helpers_;  ///< polyhedra that patches adapt to
+  Result<PolyhedronSurface> whole(Surface surface, std::vector<Message> warnings);
+  Result<PolyhedronSurface> around(const SolidsSource& source, Quality quality, const CancelToken& cancel);
+  Result<PolyhedronSurface> over(const SkinSource& source, const CancelToken& cancel);
+  Result<PolyhedronSurface> inside(const OutlineSource& source, Quality quality, const CancelToken& cancel);
+
+  EnvelopeSurfacer enveloper_;
+  SkinSurfacer skinner_;
   std::uint64_t patch_revision_ = 0;
 };
 

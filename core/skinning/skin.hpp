@@ -114,6 +114,18 @@ struct Skin {
   friend bool operator==(const Skin&, const Skin&) = default;
 };
 
+/// Calls change(Vector3&) for every position: path, rails, points and references of sections.
+template <class Change>
+void change_positions(Skin& skin, Change&& change) {
+  for (Vector3& point : skin.path.points) change(point);
+  if (skin.second_rail)
+    for (Vector3& point : skin.second_rail->points) change(point);
+  for (SkinSection& section : skin.sections) {
+    for (SectionPoint& point : section.points) change(point.position);
+    if (section.reference) change(*section.reference);
+  }
+}
+
 /// Index of a point by its id; -1 when there is none.
 int find_point(const SkinSection& section, std::uint32_t id);
 

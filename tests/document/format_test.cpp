@@ -169,7 +169,7 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
 
 TEST(Format, UnknownPartsStayByteForByte) {
   const std::string source =
-      "{ \"kind\" : \"skin\",\n\"sections\":[ 1.0,1e2 , -0,\t\"\\u00e9\\/\" ] ,\"z\":{}}";
+      "{ \"kind\" : \"felt\",\n\"sections\":[ 1.0,1e2 , -0,\t\"\\u00e9\\/\" ] ,\"z\":{}}";
   const std::string text =
       R"({"future": [ 1 ,2], "format":"hariko","version":1,"objects":[{"id":3,"name":"Skin","source":)" +
       source + R"(,"last":12.50}]  ,"end":true})";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/document/document.hpp"
+#include "tests/document/random_sources.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
@@ -136,7 +137,10 @@ inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
 }
 
 inline Source any_source(std::mt19937_64& rng) {
-  if (chance(rng, 0.7)) return any_polyhedron(rng);
+  if (chance(rng, 0.6)) return any_polyhedron(rng);
+  if (chance(rng, 0.2)) return SolidsSource{any_solids(rng), any_kept(rng)};
+  if (chance(rng, 0.2)) return SkinSource{any_skin(rng), any_kept(rng)};
+  if (chance(rng, 0.2)) return OutlineSource{any_outline(rng), any_outline_settings(rng), any_kept(rng)};
   if (chance(rng, 0.4)) return any_patches(rng);
   if (chance(rng, 0.6)) return MeshSource{any_vector(rng), any_mesh(rng), any_kept(rng)};
   return UnknownSource{"envelope",

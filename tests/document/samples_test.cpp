@@ -41,11 +41,32 @@ std::filesystem::path path_of(const std::string& name) {
   return std::filesystem::path(HARIKO_SOURCE_DIR) / "assets" / "samples" / (name + ".hariko");
 }
 
+const std::vector<std::pair<std::string, std::size_t>>& solid_samples() {
+  static const std::vector<std::pair<std::string, std::size_t>> list{
+      {"solids_one", 1},    {"solids_apart", 2}, {"solids_touching", 2}, {"solids_four", 4},
+      {"solids_ten", 10},   {"solids_l", 2},     {"solids_t", 2},        {"solids_u", 3},
+      {"solids_bottle", 3}, {"solids_dryer", 2}, {"solids_car", 2},      {"solids_camera", 3}};
+  return list;
+}
+
 TEST(Samples, AreAllListed) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(HARIKO_SOURCE_DIR "/assets/samples"))
     count += entry.path().extension() == ".hariko" ? 1U : 0U;
-  EXPECT_EQ(count, samples().size() + 1);  // and the wheel arch
+  EXPECT_EQ(count, samples().size() + solid_samples().size() + 1);  // and the wheel arch
+}
+
+TEST(Samples, OfSolidsOpenAndAreWrittenAsTheyAre) {
+  for (const auto& [name, solids] : solid_samples()) {
+    SCOPED_TRACE(name);
+    const Result<Document> document = load_document(path_of(name));
+    ASSERT_TRUE(document) << to_string(document.error());
+    ASSERT_EQ(document->objects.size(), 1U);
+    const SolidsSource* source = document->objects[0]->solids();
+    ASSERT_NE(source, nullptr);
+    EXPECT_EQ(source->input->solids.size(), solids);
+    EXPECT_EQ(write_document(*document), read_file(path_of(name)).value());
+  }
 }
 
 TEST(Samples, OpenWithTheirElements) {

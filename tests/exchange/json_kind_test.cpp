@@ -14,9 +14,12 @@ TEST(JsonKindOf, ContentDecides) {
   EXPECT_EQ(*kind(R"({"a": [{"degree": [1, 1], "ctrl": [[[0,0,0]]]}]})"), JsonKind::patches);
   EXPECT_EQ(*kind(R"({"format": "hariko-keys", "keys": {}})"), JsonKind::keys);
   EXPECT_EQ(*kind(R"({"format": "unfolding-1", "faces": []})"), JsonKind::layout);
+  EXPECT_EQ(*kind(R"({"primitives": [], "roundness": 1})"), JsonKind::scene);
+  EXPECT_EQ(*kind(R"({"path": {"points": []}, "sections": []})"), JsonKind::skin);
+  EXPECT_EQ(*kind(R"({"name": "a", "loops": []})"), JsonKind::outline);
   // Marks count only where they belong.
   for (const char* text : {R"({"a": {"format": "hariko"}})", R"({"ctrl": []})", R"({"format": 3})", "[]", "7",
-                           R"({"format": "other"})"}) {
+                           R"({"path": []})", R"({"format": "other"})"}) {
     const auto unknown = kind(text);
     ASSERT_FALSE(unknown.ok()) << text;
     EXPECT_EQ(unknown.error().code, e_format_unknown);

@@ -1,0 +1,56 @@
+#include "core/document/format_names.hpp"
+#include "core/document/write_source.hpp"
+
+namespace hariko::detail {
+
+namespace {
+
+void write_vectors(JsonWriter& out, std::string_view name, const std::vector<Vector3>& vectors) {
+  out.key(name);
+  out.row(vectors.size(), [&](std::size_t i) { out.vector(vectors[i]); });
+}
+
+void write_loop(JsonWriter& out, const OutlineLoop& loop) {
+  out.open('{');
+  write_vectors(out, "points", loop.points);
+  write_vectors(out, "normals", loop.normals);
+  if (!loop.curvature.empty()) {
+    out.key("K");
+    out.row(loop.curvature.size(), [&](std::size_t i) { out.number(loop.curvature[i]); });
+  }
+  out.close('}');
+}
+
+}  // namespace
+
+void write_source(JsonWriter& out, const OutlineSource& source) {
+  const OutlineSettings& settings = source.settings;
+  out.open('{');
+  out.key("kind");
+  out.string("outline");
+  out.key("loops");
+  out.open('[');
+  for (const OutlineLoop& loop : source.outline->loops) {
+    out.next();
+    write_loop(out, loop);
+  }
+  out.close(']');
+  out.key("method");
+  out.string(name_of(settings.mode, gauss_names));
+  out.key("curvature_sign");
+  out.string(name_of(settings.sign, sign_names));
+  out.key("radius");
+  out.number(settings.radius);
+  out.key("most_points");
+  out.number(settings.most_points);
+  if (settings.gap) {
+    out.key("gap");
+    out.number(*settings.gap);
+  }
+  out.key("mode");
+  out.string(outline_patch_names[settings.curvature_continuous ? 1 : 0]);
+  out.kept(*source.kept);
+  out.close('}');
+}
+
+}  // namespace hariko::detail

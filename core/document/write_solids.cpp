@@ -1,0 +1,103 @@
+#include "core/document/format_names.hpp"
+#include "core/document/write_source.hpp"
+
+namespace hariko::detail {
+
+namespace {
+
+void write_solid(JsonWriter& out, const Solid& solid) {
+  const auto number = [&](std::string_view name, double value) {
+    out.raw(", \"");
+    out.raw(name);
+    out.raw("\": ");
+    out.number(value);
+  };
+  const auto vector = [&](std::string_view name, const Vector3& value, const Vector3& usual) {
+    if (value == usual) return;
+    out.raw(", \"");
+    out.raw(name);
+    out.raw("\": ");
+    out.vector(value);
+  };
+  // Sizes that mean nothing to the kind are left out unless they were changed.
+  const Solid usual;
+  const SolidKind kind = solid.kind;
+  out.raw("{\"type\": ");
+  out.string(name_of(kind));
+  out.raw(", \"id\": ");
+  out.number(solid.id);
+  if (kind == SolidKind::box || solid.size != usual.size) {
+    out.raw(", \"size\": ");
+    out.vector(solid.size);
+  }
+  const auto tall = [](SolidKind k) {
+    return k == SolidKind::cylinder || k == SolidKind::cone || k == SolidKind::prism ||
+           k == SolidKind::pyramid;
+  };
+  if ((kind != SolidKind::box && kind != SolidKind::polyhedron) || solid.radius != usual.radius)
+    number("radius", solid.radius);
+  if (tall(kind) || solid.height != usual.height) number("height", solid.height);
+  if (kind == SolidKind::capsule || solid.length != usual.length) number("length", solid.length);
+  if (kind == SolidKind::torus || solid.tube != usual.tube) number("tube", solid.tube);
+  if (kind == SolidKind::prism || kind == SolidKind::pyramid || solid.sides != usual.sides) {
+    out.raw(", \"sides\": ");
+    out.number(solid.sides);
+  }
+  vector("position", solid.position, usual.position);
+  vector("rotation", solid.rotation, usual.rotation);
+  vector("scale", solid.scale, usual.scale);
+  if (solid.roundness) number("roundness", *solid.roundness);
+  if (!solid.points.empty()) {
+    out.raw(", \"vertices\": ");
+    out.row(solid.points.size(), [&](std::size_t i) { out.vector(solid.points[i]); });
+  }
+  out.raw("}");
+}
+
+}  // namespace
+
+void write_source(JsonWriter& out, const SolidsSource& source) {
+  const EnvelopeSettings& settings = source.input->settings;
+  out.open('{');
+  out.key("kind");
+  out.string("solids");
+  out.list("primitives", source.input->solids, [&](const Solid& solid) { write_solid(out, solid); });
+  const auto number = [&](std::string_view name, double value) {
+    out.key(name);
+    out.number(value);
+  };
+  number("roundness", settings.roundness);
+  number("waist", settings.waist);
+  number("tightness", settings.tightness);
+  number("clearance", settings.clearance);
+  number("detail", settings.detail);
+  number("merge_deg", settings.merge_angle);
+  number("cage_detail", settings.cage_detail);
+  out.key("method");
+  out.string(method_names[std::size_t(settings.method)]);
+  out.key("surface");
+  out.string(envelope_surface_names[std::size_t(settings.patches)]);
+  out.key("symmetry");
+  out.string(symmetry_names[std::size_t(settings.symmetry)]);
+  out.list("waists", settings.waists, [&](const auto& entry) {
+    out.row(3, [&](std::size_t i) {
+      if (i == 2) return out.number(entry.second);
+      out.number(i == 0 ? entry.first.low : entry.first.high);
+    });
+  });
+  out.list("fullness", settings.fullness, [&](const auto& entry) {
+    const auto& [low, high] = entry.first;
+    const std::array<std::uint32_t, 4> key{low.solid, low.vertex, high.solid, high.vertex};
+    out.row(5, [&](std::size_t i) { i < 4 ? out.number(key[i]) : out.number(entry.second); });
+  });
+  out.list("offsets", settings.offsets, [&](const auto& entry) {
+    out.row(5, [&](std::size_t i) {
+      if (i >= 2) return out.number(entry.second[static_cast<Eigen::Index>(i) - 2]);
+      out.number(i == 0 ? entry.first.solid : entry.first.vertex);
+    });
+  });
+  out.kept(*source.kept);
+  out.close('}');
+}
+
+}  // namespace hariko::detail
