@@ -105,6 +105,13 @@ bool PaperEngine::same(const Source& a, const Source& b) {
          same_objects(a, b);
 }
 
+/// What a search of this document would be for.
+PaperModel PaperEngine::choices_of_search(const Document& document) {
+  PaperModel paper = paper_of(document);
+  paper.objects = unfoldable_objects(document);
+  return paper;
+}
+
 void PaperEngine::sync() {
   PaperState& state = editor_.paper;
   if (documents_ != editor_.documents) {
@@ -121,7 +128,9 @@ void PaperEngine::sync() {
     if (!document.paper && !searching_) {
       state.layout.reset();
       state.dragged.reset();
-      if (source_) state.fault.reset();
+      // What the search found wrong stays while the objects are as it saw them.
+      if (state.fault && source_ && !same_objects(*source_, source_of(document, choices_of_search(document))))
+        state.fault.reset();
     }
     state.pending = false;
     return;
@@ -185,8 +194,7 @@ void PaperEngine::take_mesh(const MadePaperMesh& made, const Source& source) {
 void PaperEngine::search() {
   if (searching_) return;
   const Document document = editor_.history.current();
-  PaperModel paper = paper_of(document);
-  paper.objects = unfoldable_objects(document);
+  const PaperModel paper = choices_of_search(document);
   const Source source = source_of(document, paper);
   MadePaperMesh present;
   if (source_ && same(*source_, source)) present.mesh = editor_.paper.mesh;

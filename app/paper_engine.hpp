@@ -42,6 +42,7 @@ class PaperEngine {
     double distance = 0, normal_angle = 0;
     std::vector<ObjectId> wanted;
   };
+  static PaperModel choices_of_search(const Document& document);
   static Source source_of(const Document& document, const PaperModel& paper);
   static bool same_objects(const Source& a, const Source& b);
   static bool same(const Source& a, const Source& b);

@@ -209,26 +209,72 @@ def session(program, source, output):
             window.close()
 
 
-def refusal(program, source, output):
-    """The faces of a cube are no triangles: the message says so, and they are outlined."""
-    window = Window(program, os.path.join(source, "tests", "golden", "cube.obj"), size=(1560, 960))
+def refused(program, file, code, output, prepare):
+    """The message says what is wrong; what it names is outlined."""
+    window = Window(program, file, size=(1560, 960))
+    try:
+        prepare(window)
+        window.click_on("paper.unfold")
+        window.wait(lambda: paper(window)["error"] == code, f"{code}; it is {paper(window)}")
+        window.wait_idle()
+        window.screenshot(os.path.join(output, f"paper_{code}.png"))
+        check(window.last("document")["label"] != "Unfold", "what cannot be unfolded made a step")
+    finally:
+        window.close()
+
+
+def of_polyhedra(window):
+    window.key("ctrl+p")
+    settled(window, "the paper view", lambda now: now["shown"])
+    window.click_on("combo.paper_facets")
+    window.click_on("choice.paper_facets.1")
+    window.wait_idle()
+
+
+def as_reference(window):
+    window.click_on("prompt.reference")
+    window.wait(lambda: window.count("opened") == 1, "the mesh as a reference")
+    window.key("ctrl+p")
+    settled(window, "the paper view", lambda now: now["shown"])
+
+
+def refusals(program, source, output):
+    with tempfile.TemporaryDirectory() as folder:
+        flat, three = os.path.join(folder, "flat.obj"), os.path.join(folder, "three.obj")
+        with open(flat, "w", encoding="ascii") as out:  # the corners of a triangle on one line
+            out.write("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
+        with open(three, "w", encoding="ascii") as out:  # three triangles on one edge
+            out.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")
+        cube = os.path.join(source, "tests", "golden", "cube.obj")
+        refused(program, cube, "E_FACET_NOT_TRIANGULAR", output, of_polyhedra)
+        refused(program, flat, "E_FACET_DEGENERATE", output, of_polyhedra)
+        refused(program, three, "E_EDGE_NONMANIFOLD_OR_FLIPPED", output, as_reference)
+
+
+def cancelled(program, source):
+    """A search that would take minutes shows how far it is and can be stopped; the document stays as it was."""
+    window = Window(program, os.path.join(source, "tests", "golden", "car.obj"), size=(1560, 960))
     try:
         window.key("ctrl+p")
-        window.rect("combo.paper_facets")
-        window.click_on("combo.paper_facets")
-        window.click_on("choice.paper_facets.1")
-        window.wait_idle()
+        settled(window, "the paper view", lambda now: now["shown"])
+        window.click_on("field.paper_steps")
+        window.key("ctrl+a")
+        window.type("100000000")
+        window.key("Return")
+        step(window, 1, "Effort of the search")
         window.click_on("paper.unfold")
-        window.wait(lambda: paper(window)["error"] == "E_FACET_NOT_TRIANGULAR", "the message")
+        window.click_on("status.cancel_job")
         window.wait_idle()
-        window.screenshot(os.path.join(output, "paper_refused.png"))
+        check(window.last("document")["position"] == 1, "a search that was stopped changed the document")
+        check("pieces" not in paper(window), "a search that was stopped gave pages")
     finally:
         window.close()
 
 
 def test(program, source, output):
     session(program, source, output)
-    refusal(program, source, output)
+    refusals(program, source, output)
+    cancelled(program, source)
 
 
 run(test)

@@ -64,15 +64,6 @@ EditValues display_values(ObjectId id, const Quantity& quantity, const Read& rea
   };
 }
 
-Quantity whole_quantity(int low, int high, int standard) {
-  Quantity quantity = plain_quantity(0, 1);
-  quantity.whole = true;
-  quantity.low = low;
-  quantity.high = high;
-  quantity.standard = standard;
-  return quantity;
-}
-
 void commit(PanelContext& context, const Object& object, const DisplaySettings& display,
             const std::string& step) {
   context.editor.commit(set_display(context.editor.history.current(), object.id, display), step);

@@ -159,6 +159,15 @@ void page_rows(PanelContext& context) {
              {"paper_tab", translatable("Tabs"), translatable("Height of glue tabs where there is room"),
               translatable("Height of tabs"), millimetres(1, 20, 5)},
              [](PaperModel& paper) -> double& { return paper.settings.tab_height; });
+  number_row(context,
+             {"paper_strip", translatable("Strips"),
+              translatable("Width of joint strips, where a slit has no room for tabs"),
+              translatable("Width of strips"), millimetres(2, 60, 8)},
+             [](PaperModel& paper) -> double& { return paper.settings.strip_width; });
+  number_row(context,
+             {"paper_gap", translatable("Gap"), translatable("Between the pieces on a page"),
+              translatable("Gap between pieces"), millimetres(0, 50, 2)},
+             [](PaperModel& paper) -> double& { return paper.settings.gap; });
 }
 
 void facet_rows(PanelContext& context) {
@@ -177,11 +186,48 @@ void facet_rows(PanelContext& context) {
              [](PaperModel& paper) -> double& { return paper.distance; });
 }
 
+/// Facets that are one polygon: an angle, or nothing at 0.
+void merge_row(PanelContext& context) {
+  const auto angle = [](const PaperModel& paper) {
+    return paper.settings.merge_angle.value_or(0) * to_degrees;
+  };
+  const Quantity quantity = degrees(30, 0);
+  value_row(context,
+            {"paper_merge", translatable("Merge below"),
+             translatable("Facets whose fold is smaller become one polygon, which is never cut. 0: none"),
+             translatable("Merged facets"), quantity},
+            angle(paper_choices_of(context.editor.document())),
+            [quantity, angle](const Document& document, const ValueChange& change) {
+              return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
+                const double chosen = change.apply(quantity, angle(paper)) / to_degrees;
+                paper.settings.merge_angle = chosen > 0 ? std::optional(chosen) : std::nullopt;
+              }));
+            });
+}
+
+/// How long cuts are looked for.
+void effort_row(PanelContext& context) {
+  Quantity quantity = whole_quantity(1000, 100'000'000, static_cast<int>(PaperModel().steps));
+  quantity.multiplies = true;
+  value_row(context,
+            {"paper_steps", translatable("Effort"),
+             translatable("Steps of the search for cuts: more may find fewer pieces, and take longer"),
+             translatable("Effort of the search"), quantity},
+            static_cast<double>(paper_choices_of(context.editor.document()).steps),
+            [quantity](const Document& document, const ValueChange& change) {
+              return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
+                paper.steps =
+                    static_cast<std::uint64_t>(change.apply(quantity, static_cast<double>(paper.steps)));
+              }));
+            });
+}
+
 void fold_rows(PanelContext& context) {
   angle_row(context,
             {"paper_flat", translatable("Flat below"), translatable("Folds of a smaller angle have no line"),
              translatable("Flat folds"), degrees(90, 0.5)},
             [](PaperModel& paper) -> double& { return paper.settings.flat_fold; });
+  merge_row(context);
   const PaperModel now = paper_choices_of(context.editor.document());
   if (const auto chosen = choose(context, "paper_side", "Print on the", "Which side of the paper is printed",
                                  side_choices, now.settings.inside ? 1 : 0))
@@ -250,6 +296,7 @@ void draw_paper_properties(PanelContext& context) {
           choose(context, "paper_goal", "Aim at", "What matters most when cuts are looked for", goal_choices,
                  static_cast<int>(now.goal)))
     set(context, "Aim of the cuts", [&](PaperModel& paper) { paper.goal = static_cast<CutGoal>(*chosen); });
+  effort_row(context);
   fold_rows(context);
 }
 

@@ -63,6 +63,15 @@ Quantity plain_quantity(int decimals, double step) {
   return quantity;
 }
 
+Quantity whole_quantity(int low, int high, int standard) {
+  Quantity quantity = plain_quantity(0, 1);
+  quantity.whole = true;
+  quantity.low = low;
+  quantity.high = high;
+  quantity.standard = standard;
+  return quantity;
+}
+
 std::string format_quantity(const Quantity& quantity, double value) {
   return with_unit(quantity, fixed(value, quantity.whole ? 0 : quantity.decimals));
 }

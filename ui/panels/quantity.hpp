@@ -31,6 +31,8 @@ Quantity length_quantity(Unit unit, double size);
 Quantity angle_quantity();
 /// A number without a unit.
 Quantity plain_quantity(int decimals, double step);
+/// Whole numbers.
+Quantity whole_quantity(int low, int high, int standard);
 
 /// "12.5 mm". Never "-0".
 std::string format_quantity(const Quantity& quantity, double value);
