@@ -42,6 +42,8 @@ void add_view_commands_of_paper(CommandHost& host) {
                   [&editor] {
                     editor.paper.shown = !editor.paper.shown;
                     editor.paper.wants_framing = true;
+                    // Half the view is left, which would cut the model off.
+                    if (editor.paper.shown) editor.wants_framing = true;
                   },
                   document, [&editor] { return editor.paper.shown; }});
   host.table.add({"paper.in_space", "Paper", "Paper in the view",
