@@ -193,20 +193,26 @@ CurveFoot nearest_point(const SubdivisionCurve& curve, const Vector3& target) {
   };
   for (int i = 0; i <= count; ++i) {
     if (at(i) > at(i - 1) || at(i) > at(i + 1)) continue;
-    // Newton steps within one sample of a local minimum; safeguarded by keeping the best.
-    double u = double(i) / count;
-    const double low = u - 1.0 / count, high = u + 1.0 / count;
-    CurveFoot foot{u, at(i)};
-    for (int round = 0; round < 20; ++round) {
-      const CurvePoint p = evaluate(curve, curve.closed ? u : std::clamp(u, 0.0, 1.0));
-      const Vector3 gap = target - p.position;
-      if (gap.norm() < foot.distance) foot = {u, gap.norm()};
-      const double slope = p.first.squaredNorm() - gap.dot(p.second);
-      const double step = gap.dot(p.first) / (slope > 0 ? slope : p.first.squaredNorm());
-      if (!std::isfinite(step)) break;
-      const double next = std::clamp(u + step, low, high);
-      if (std::abs(next - u) < 1e-15) break;
-      u = curve.closed ? next : std::clamp(next, 0.0, 1.0);
+    // Newton steps within one sample of a local minimum; safeguarded by keeping the best. At a corner the
+    // derivatives are those of one side, so that the other side has a start of its own.
+    const double low = (i - 1.0) / count, high = (i + 1.0) / count;
+    const bool corner = i % samples == 0 && curve.is_sharp((i / samples) % curve.size());
+    CurveFoot foot{double(i) / count, at(i)};
+    for (const double start : {0.0, -0.5, 0.5}) {
+      if (start != 0 && !corner) break;
+      double u = (i + start) / count;
+      if (!curve.closed) u = std::clamp(u, 0.0, 1.0);
+      for (int round = 0; round < 20; ++round) {
+        const CurvePoint p = evaluate(curve, u);
+        const Vector3 gap = target - p.position;
+        if (gap.norm() < foot.distance) foot = {u, gap.norm()};
+        const double slope = p.first.squaredNorm() - gap.dot(p.second);
+        const double step = gap.dot(p.first) / (slope > 0 ? slope : p.first.squaredNorm());
+        if (!std::isfinite(step)) break;
+        const double next = std::clamp(u + step, low, high);
+        if (std::abs(next - u) < 1e-15) break;
+        u = curve.closed ? next : std::clamp(next, 0.0, 1.0);
+      }
     }
     if (foot.distance < best.distance) best = foot;
   }
