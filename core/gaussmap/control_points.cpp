@@ -14,6 +14,12 @@
 namespace hariko {
 namespace {
 
+Message point_limit(Index count) {
+  return make_warning(w_too_many_points,
+                      "The limit of " + std::to_string(count) + " inner points ends the insertion early.",
+                      "Raise the limit, or the spacing.");
+}
+
 /// The outline moved to its middle and scaled to size 1. For negative curvature the Gauss map turns
 /// orientation over: the loops are reversed on the way in, the points put back and the faces turned on the
 /// way out.
@@ -103,10 +109,7 @@ class Solver {
     const SphereMesh faces(mesh.sites(), next_sites(mesh), out.triangles);
     take_contacts(faces, out);
     if (count == options_.most_points && insertion.largest_radius() >= smallest)
-      out.messages.push_back(
-          make_warning(w_too_many_points,
-                       "The limit of " + std::to_string(count) + " inner points ends the insertion early.",
-                       "Raise the limit, or the spacing."));
+      out.messages.push_back(point_limit(count));
     return out;
   }
 
@@ -170,6 +173,7 @@ class Solver {
     out.boundary_count = mesh.boundary_count();
     out.triangles = mesh.triangles();
     out.clamped_count = made->clamped_count;
+    if (made->limited) out.messages.push_back(point_limit(options_.most_points));
     return out;
   }
 
@@ -201,6 +205,7 @@ Result<ControlPoints> by_position(const Outline& outline, const GaussOptions& op
   out.boundary_count = mesh.boundary_count;
   out.triangles = std::move(mesh.triangles);
   out.iterations = filled->iterations;
+  if (mesh.limited) out.messages.push_back(point_limit(options.most_points));
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const bool given = i < mesh.boundary_count;
     const OutlinePoint at = given ? outline_point(outline, Index(i)) : OutlinePoint{};

@@ -5,6 +5,8 @@
 #include <Eigen/SparseLU>
 #include <cmath>
 
+#include "core/gaussmap/control_points.hpp"
+
 namespace hariko {
 namespace {
 
@@ -164,7 +166,7 @@ Result<std::vector<double>> linear_fill(const SphereMesh& mesh, const BoundaryDa
                             ? solve_curvature(operators, known, inner, boundary_radius_sums(mesh, boundary))
                             : solve_umbilic(operators, known, inner);
   if (!solution || !solution->allFinite())
-    return make_error(e_fill_singular, "The boundary data do not determine the support of a surface.",
+    return make_error(e_diverged, "The boundary data do not determine a bounded surface.",
                       "Sample the outline more densely, or use the mode position.");
   std::copy(solution->begin(), solution->end(), support.begin() + mesh.boundary_count());
   return support;

@@ -8,11 +8,9 @@
 
 namespace hariko {
 
-inline constexpr Code e_fill_singular{"E_FILL_SINGULAR"};
-
 /// Support values of all sites, those of the boundary first. `use_curvature`: 4.2, the sum of the radii of
 /// curvature on the boundary is pulled to what the given curvature says there; otherwise 4.1. Exact for
-/// spheres and translations. Error: E_FILL_SINGULAR. A sparse factorisation of one row an inner site.
+/// spheres and translations. Error: E_DIVERGED. A sparse factorisation of one row an inner site.
 Result<std::vector<double>> linear_fill(const SphereMesh& mesh, const BoundaryData& boundary,
                                         bool use_curvature);
 

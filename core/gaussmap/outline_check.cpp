@@ -53,10 +53,16 @@ class Check {
   Check(const Outline& outline, GaussMode mode, CurvatureSign sign)
       : outline_(outline), mode_(mode), sign_(sign), size_(outline.size()) {}
 
+  /// What nothing can be computed with.
+  std::vector<Message> unusable() {
+    check_values();
+    if (out_.empty()) check_points();
+    return std::move(out_);
+  }
+
   std::vector<Message> run() {
     check_values();
-    if (!out_.empty()) return std::move(out_);
-    check_points();
+    if (out_.empty()) check_points();
     if (!out_.empty()) return std::move(out_);
     normals_ = unit_normals(outline_);
     check_steps();
@@ -289,6 +295,11 @@ CurvatureSign curvature_sign(const Outline& outline, CurvatureSign fallback) {
     for (const double value : loop.curvature)
       if (value != 0) return value > 0 ? CurvatureSign::positive : CurvatureSign::negative;
   return fallback;
+}
+
+std::optional<Message> unusable(const Outline& outline) {
+  const std::vector<Message> messages = Check(outline, GaussMode::position, {}).unusable();
+  return messages.empty() ? std::nullopt : std::optional(messages.front());
 }
 
 std::vector<Message> check_outline(const Outline& outline, GaussMode mode, CurvatureSign sign) {

@@ -2,6 +2,7 @@
 
 // What is wrong with an outline, before a surface is made from it (gaussmap.md 7).
 
+#include <optional>
 #include <vector>
 
 #include "core/gaussmap/outline.hpp"
@@ -38,6 +39,10 @@ enum class CurvatureSign { positive, negative };
 /// O(points).
 std::vector<Message> check_outline(const Outline& outline, GaussMode mode,
                                    CurvatureSign sign = CurvatureSign::positive);
+
+/// What keeps even a curve from being laid through the loops, whatever the mode: the first of E_TOO_FEW,
+/// E_NAN, E_DUP_POINT, E_ZERO_NORMAL. O(points).
+std::optional<Message> unusable(const Outline& outline);
 
 /// The sign of the outline's curvature where it has one, else `fallback`.
 CurvatureSign curvature_sign(const Outline& outline, CurvatureSign fallback);

@@ -174,7 +174,8 @@ Result<PaperResult> insert_by_paper(SiteInsertion& insertion, const BoundaryData
   out.curvature = boundary.curvature;
   std::vector<Vector3> normals = insertion.mesh().sites();
   for (std::size_t i = 0; i < normals.size(); ++i) out.support.push_back(normals[i].dot(boundary.points[i]));
-  for (Index count = 0; count < options.most_points; ++count) {
+  Index count = 0;
+  for (; count < options.most_points; ++count) {
     if (cancel.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
     const auto inserted = insertion.insert_next(smallest_radius);
     if (!inserted) break;
@@ -201,6 +202,7 @@ Result<PaperResult> insert_by_paper(SiteInsertion& insertion, const BoundaryData
     out.support.push_back(placed.height);
     out.points.push_back(corner - (high - placed.height) * direction);
   }
+  out.limited = count == options.most_points && insertion.largest_radius() >= smallest_radius;
   return out;
 }
 

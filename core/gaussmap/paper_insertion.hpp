@@ -13,6 +13,7 @@ struct PaperResult {
   std::vector<double> support, curvature;  ///< of all sites
   std::vector<Vector3> points;
   Index clamped_count = 0;  ///< planes put at an end of their interval, as no place gives the area
+  bool limited = false;     ///< the largest number of points ended it, not the radius
 };
 
 /// Inserts sites into `insertion` until `smallest_radius` or `options.most_points`. `curvature_inside`: null

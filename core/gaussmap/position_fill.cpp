@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/gaussmap/linear_fill.hpp"
+#include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
 
 namespace hariko {
@@ -107,7 +107,7 @@ Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vect
     const Eigen::SimplicialLDLT<Matrix> solver(system);
     const Positions move = -solver.solve(Positions(weighted.transpose() * residual));
     if (solver.info() != Eigen::Success || !move.allFinite())
-      return make_error(e_fill_singular, "The boundary data do not determine a surface.",
+      return make_error(e_diverged, "The boundary data do not determine a bounded surface.",
                         "Sample the outline more densely, or check its normals.");
     const double longest = move.rowwise().norm().maxCoeff();
     const double share = std::min(1.0, 0.1 * size / std::max(longest, 1e-300));

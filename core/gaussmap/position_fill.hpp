@@ -18,7 +18,7 @@ struct PositionResult {
 };
 
 /// Moves the inner vertices of `mesh`: lagged Gauss-Newton on the integral of the squared mean curvature,
-/// whose boundary terms clamp the normals. `normals`: unit, one a boundary vertex. Error: E_FILL_SINGULAR,
+/// whose boundary terms clamp the normals. `normals`: unit, one a boundary vertex. Errors: E_DIVERGED,
 /// E_CANCELLED. A sparse factorisation a step, at most 60.
 Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vector3>& normals, double size,
                                       const CancelToken& cancel);

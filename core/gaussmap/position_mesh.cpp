@@ -113,10 +113,12 @@ Result<PositionMesh> planar_mesh(const Outline& outline, const std::vector<Loop2
   auto begun = SiteInsertion::begin(on_small_cap(layout));
   if (!begun) return begun.error();
   SiteInsertion insertion = std::move(begun).value();
-  for (Index i = 0; i < most_points && insertion.insert_next(radius * insertion.boundary_spacing()); ++i) {
-  }
+  const double smallest = radius * insertion.boundary_spacing();
+  Index count = 0;
+  while (count < most_points && insertion.insert_next(smallest)) ++count;
   const SphereMesh flat = insertion.mesh();
   PositionMesh out;
+  out.limited = count == most_points && insertion.largest_radius() >= smallest;
   for (const OutlineLoop& loop : outline.loops)
     out.points.insert(out.points.end(), loop.points.begin(), loop.points.end());
   out.boundary_count = flat.boundary_count();
@@ -224,7 +226,10 @@ Result<PositionMesh> strip_mesh(const Outline& outline, double radius, Index mos
     const double height = double(r) / double(rows);
     const double length = (1 - height) * low.length() + height * high.length();
     const auto count = std::size_t(std::max(3.0, std::round(length / wanted)));
-    if (out.points.size() + count > std::size_t(out.boundary_count) + most_points) break;
+    if (out.points.size() + count > std::size_t(out.boundary_count) + most_points) {
+      out.limited = true;
+      break;
+    }
     Row row;
     for (std::size_t k = 0; k < count; ++k) {
       const double share = (double(k) + (r % 2 ? 0.5 : 0.0)) / double(count);

@@ -18,6 +18,7 @@ struct PositionMesh {
   Index boundary_count = 0;
   std::vector<Index> next;  ///< of each boundary vertex
   std::vector<std::array<Index, 3>> triangles;
+  bool limited = false;  ///< the largest number of points ended it, not the radius
 };
 
 /// One loop: a disc over the loop's projection along its mean normal, or over a circle where that crosses

@@ -31,7 +31,7 @@ const std::map<std::string, Names>& core_arrows() {
       {"g2", {"g2", "network", "polyhedron", "surface", "base"}},
       {"patching", {"patching", "g2", "network", "polyhedron", "surface", "base"}},
       {"envelope", {"envelope", "patching", "network", "polyhedron", "surface", "base"}},
-      {"gaussmap", {"gaussmap", "patching", "network", "polyhedron", "surface", "base"}},
+      {"gaussmap", {"gaussmap", "analysis", "patching", "network", "polyhedron", "surface", "base"}},
       {"document",
        {"document", "skinning", "envelope", "gaussmap", "patching", "network", "polyhedron", "surface",
         "base"}},

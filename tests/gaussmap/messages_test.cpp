@@ -1,0 +1,164 @@
+// Messages of the solvers and of their results: outlines that bring them about.
+
+#include <gtest/gtest.h>
+
+#include "core/gaussmap/minkowski.hpp"
+#include "core/gaussmap/position_fill.hpp"
+#include "tests/gaussmap/truths.hpp"
+#include "tests/support/random.hpp"
+
+namespace hariko {
+namespace {
+
+using namespace test;
+
+GaussOptions in_mode(GaussMode mode) {
+  GaussOptions options;
+  options.mode = mode;
+  return options;
+}
+
+void expect_error(const Outline& outline, const GaussOptions& options, Code code) {
+  SCOPED_TRACE(code.name);
+  const auto made = control_points(outline, options);
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().code, code) << to_string(made.error());
+  EXPECT_FALSE(made.error().remedy.empty());
+}
+
+/// The first message of that code.
+const Message* find_message(const ControlPoints& points, Code code) {
+  for (const Message& message : points.messages)
+    if (message.code == code) return &message;
+  return nullptr;
+}
+
+Outline scaled_curvature(Outline outline, const std::function<double(const Vector3&)>& factor) {
+  for (OutlineLoop& loop : outline.loops)
+    for (std::size_t i = 0; i < loop.curvature.size(); ++i) loop.curvature[i] *= factor(loop.normals[i]);
+  return outline;
+}
+
+TEST(GaussMessages, CurvatureThatPullsTheSurfaceFarAway) {
+  // A millionth of the sphere's curvature asks for a million times its radius across the outline.
+  const Outline flat = scaled_curvature(sphere_cap(32).outline, [](const Vector3&) { return 1e-6; });
+  expect_error(flat, in_mode(GaussMode::curvature), e_diverged);
+  // Without the curvature the same outline has a surface.
+  EXPECT_TRUE(control_points(flat, in_mode(GaussMode::umbilic)).ok());
+}
+
+TEST(GaussMessages, ALoopThatIsALine) {
+  Outline line{{{}}};
+  for (const double x : {0., 1., 2., 3., 2.5, 1.5, 0.5}) {
+    line.loops[0].points.emplace_back(x, 0, 0);
+    line.loops[0].normals.push_back(Vector3::UnitZ());
+  }
+  const auto points = control_points(line, in_mode(GaussMode::position));
+  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  EXPECT_TRUE(find_message(*points, w_flipped));  // faces without an area have no outer side
+}
+
+TEST(GaussMessages, CurvatureThatDoesNotCloseOverTheLoops) {
+  // Flat on one side and curved on the other: more area there than the loop spans.
+  const Outline outline =
+      scaled_curvature(sphere_cap(32).outline, [](const Vector3& n) { return std::exp(4 * n.x()); });
+  expect_error(outline, in_mode(GaussMode::minkowski), e_curvature_incompatible);
+}
+
+TEST(GaussMessages, CurvatureThatNoConvexSurfaceHas) {
+  const Outline outline = scaled_curvature(sphere_band(32).outline, [](const Vector3& n) {
+    return std::exp(4 * std::sin(2 * std::atan2(n.y(), n.x())));
+  });
+  expect_error(outline, in_mode(GaussMode::minkowski), e_curvature_unreachable);
+}
+
+TEST(GaussMessages, TheLimitOfPoints) {
+  for (const GaussMode mode : {GaussMode::umbilic, GaussMode::curvature, GaussMode::minkowski,
+                               GaussMode::paper, GaussMode::position})
+    for (const GroundTruth& truth : {sphere_cap(32), sphere_band(32)}) {
+      SCOPED_TRACE(truth.name + " " + std::to_string(int(mode)));
+      GaussOptions options = in_mode(mode);
+      options.most_points = 40;
+      const auto few = control_points(truth.outline, options);
+      ASSERT_TRUE(few.ok()) << to_string(few.error());
+      EXPECT_LE(few->points.size(), few->boundary_count + 40);
+      const Message* message = find_message(*few, w_too_many_points);
+      ASSERT_TRUE(message);
+      EXPECT_NE(message->text.find("40"), std::string::npos);
+      if (mode == GaussMode::paper) continue;  // slow with all of them
+      options.most_points = 20000;
+      const auto all = control_points(truth.outline, options);
+      ASSERT_TRUE(all.ok()) << to_string(all.error());
+      EXPECT_FALSE(find_message(*all, w_too_many_points));
+    }
+}
+
+TEST(GaussMessages, PaperTurnsFacesOver) {
+  GaussOptions options = in_mode(GaussMode::paper);
+  options.rule = PaperRule::neighbour;
+  options.most_points = 60;
+  const auto points = control_points(ellipsoid_cap(32).outline, options);
+  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  const Message* message = find_message(*points, w_flipped);
+  ASSERT_TRUE(message);
+  // The faces that it counts, and a corner of the first of them.
+  int count = 0;
+  Index first = 0;
+  for (const auto& [a, b, c] : points->triangles) {
+    const Vector3 across =
+        (points->points[b] - points->points[a]).cross(points->points[c] - points->points[a]);
+    if (across.dot(points->normals[a] + points->normals[b] + points->normals[c]) > 0) continue;
+    if (count++ == 0) first = a;
+  }
+  EXPECT_EQ(message->text.find(std::to_string(count) + " "), 0u) << message->text;
+  EXPECT_EQ(message->element, element_of(VertexId{first}));
+}
+
+TEST(GaussMessages, WrongCurvatureMakesAResultThatIsNotConvex) {
+  const Outline outline = scaled_curvature(sphere_cap(32).outline, [](const Vector3& n) {
+    return std::exp(1.5 * std::sin(3 * std::atan2(n.y(), n.x())));
+  });
+  const auto points = control_points(outline, in_mode(GaussMode::curvature));
+  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  const Message* message = find_message(*points, w_result_not_convex);
+  ASSERT_TRUE(message);
+  ASSERT_EQ(message->element.kind, Element::Kind::vertex);
+  const auto vertex = std::size_t(message->element.id);
+  EXPECT_GE(vertex, points->boundary_count);
+  EXPECT_FALSE(points->curvature[vertex] > 0);
+}
+
+TEST(GaussMessages, RoughNormalsAreFilledWithoutCurvature) {
+  Outline rough = sphere_cap(32).outline;
+  OutlineLoop& loop = rough.loops[0];
+  const Vector3 along = (loop.points[8] - loop.points[6]).normalized();
+  loop.normals[7] = (loop.normals[7] + std::tan(3 * pi / 180) * along).normalized();
+  const auto points = control_points(rough, in_mode(GaussMode::curvature));
+  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  const Message* message = find_message(*points, w_umbilic_used);
+  ASSERT_TRUE(message);
+  EXPECT_EQ(message->element, element_of(VertexId{7}));
+  const auto umbilic = control_points(rough, in_mode(GaussMode::umbilic));
+  ASSERT_TRUE(umbilic.ok());
+  EXPECT_EQ(points->points, umbilic->points);
+}
+
+TEST(GaussMessages, BendingThatDoesNotSettle) {
+  // Normals that rock to both sides, four times along the loop.
+  Outline outline = sphere_cap(48).outline;
+  OutlineLoop& loop = outline.loops[0];
+  loop.curvature.clear();
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Vector3 out = Vector3(loop.points[i].x(), loop.points[i].y(), 0).normalized();
+    const double tilt = std::sin(double(i) * pi / 6);
+    loop.normals[i] = std::cos(tilt) * Vector3::UnitZ() + std::sin(tilt) * out;
+  }
+  const auto points = control_points(outline, in_mode(GaussMode::position));
+  ASSERT_TRUE(points.ok()) << to_string(points.error());
+  EXPECT_TRUE(find_message(*points, w_not_settled));
+  EXPECT_FALSE(
+      find_message(*control_points(sphere_cap(48).outline, in_mode(GaussMode::position)), w_not_settled));
+}
+
+}  // namespace
+}  // namespace hariko
