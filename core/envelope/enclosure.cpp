@@ -10,8 +10,10 @@ namespace {
 
 constexpr int coarse_cells = 14, fine_cells = 28;
 constexpr double largest_growth = 1.6;
-constexpr double tightest_cut = 0.15;
+constexpr double tautest_waist = 0.25;  ///< of what the search makes of bridges
+constexpr double cut_step = 0.6;
 constexpr int first_pinning_build = 4;
+constexpr double pin_spacing = 0.4;  ///< of the thinning distance
 
 /// The samples of one build, patch by patch, with a ball round each patch.
 struct Samples {
@@ -237,12 +239,12 @@ class Search {
     for (std::size_t i = 0; i < owners.size(); ++i)
       for (std::size_t j = i + 1; j < owners.size(); ++j)
         if (const auto found = state_.cuts.find({owners[i], owners[j]});
-            found != state_.cuts.end() && found->second <= tightest_cut)
+            found != state_.cuts.end() && settings_.waist * found->second * cut_step < tautest_waist)
           return false;
     for (std::size_t i = 0; i < owners.size(); ++i)
       for (std::size_t j = i + 1; j < owners.size(); ++j)
         if (changed.insert({owners[i], owners[j]}).second)
-          state_.cuts.try_emplace({owners[i], owners[j]}, 1.0).first->second *= 0.6;
+          state_.cuts.try_emplace({owners[i], owners[j]}, 1.0).first->second *= cut_step;
     return true;
   }
 
@@ -258,6 +260,12 @@ class Search {
           square < least)
         least = square, nearest = v;
     const SolidVertex key{worst->solid, nearest};
+    // Pins close to each other make slivers; growth reaches what lies that close to a pinned vertex.
+    const Vector3 place = solid.world(solid.unit_vertices[nearest], state_.sigma[worst->solid]);
+    for (const auto& [s, v] : state_.pinned)
+      if ((solids_[s].world(solids_[s].unit_vertices[v], state_.sigma[s]) - place).norm() <
+          pin_spacing * settings_.detail * diagonal_)
+        return false;
     const bool used =
         std::any_of(network.cage.vertices.begin(), network.cage.vertices.end(),
                     [&](const auto& v) { return v.solid == key.first && v.vertex == key.second; });

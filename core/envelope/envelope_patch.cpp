@@ -59,9 +59,9 @@ Polynomials<4> hermite_at(double t) {
 struct Direction {
   double t;
   Polynomials<4> cubic, hermite;
-  Polynomials<6> quintic;
+  Polynomials<7> sextic;
   explicit Direction(double x)
-      : t(x), cubic(bernstein_at<4>(x)), hermite(hermite_at(x)), quintic(bernstein_at<6>(x)) {}
+      : t(x), cubic(bernstein_at<4>(x)), hermite(hermite_at(x)), sextic(bernstein_at<7>(x)) {}
 };
 
 template <std::size_t N>
@@ -75,13 +75,13 @@ Homogeneous sum(const std::array<double, N>& weight, const std::array<Homogeneou
 struct Rails {
   std::array<Homogeneous, 4> value, first, second;
 };
-Rails rails(const HomogeneousCubic& a, const HomogeneousQuintic& cross_a, const HomogeneousQuintic& cross_b,
+Rails rails(const HomogeneousCubic& a, const HomogeneousSextic& cross_a, const HomogeneousSextic& cross_b,
             const HomogeneousCubic& b, const Direction& at) {
-  return {{sum(at.cubic.value, a), sum(at.quintic.value, cross_a), sum(at.quintic.value, cross_b),
+  return {{sum(at.cubic.value, a), sum(at.sextic.value, cross_a), sum(at.sextic.value, cross_b),
            sum(at.cubic.value, b)},
-          {sum(at.cubic.first, a), sum(at.quintic.first, cross_a), sum(at.quintic.first, cross_b),
+          {sum(at.cubic.first, a), sum(at.sextic.first, cross_a), sum(at.sextic.first, cross_b),
            sum(at.cubic.first, b)},
-          {sum(at.cubic.second, a), sum(at.quintic.second, cross_a), sum(at.quintic.second, cross_b),
+          {sum(at.cubic.second, a), sum(at.sextic.second, cross_a), sum(at.sextic.second, cross_b),
            sum(at.cubic.second, b)}};
 }
 
@@ -338,8 +338,8 @@ EnvelopeGrid::EnvelopeGrid(int intervals) : intervals_(intervals) {
     Basis basis;
     std::copy_n(at.cubic.value.data(), 4, basis.cubic);
     std::copy_n(at.cubic.first.data(), 4, basis.cubic_rate);
-    std::copy_n(at.quintic.value.data(), 6, basis.quintic);
-    std::copy_n(at.quintic.first.data(), 6, basis.quintic_rate);
+    std::copy_n(at.sextic.value.data(), 7, basis.sextic);
+    std::copy_n(at.sextic.first.data(), 7, basis.sextic_rate);
     std::copy_n(at.hermite.value.data(), 4, basis.hermite);
     std::copy_n(at.hermite.first.data(), 4, basis.hermite_rate);
     basis_.push_back(basis);
@@ -361,14 +361,14 @@ void EnvelopeGrid::evaluate(const EnvelopePatch& patch, std::span<Vector3> posit
   std::vector<Pair> along(n), across(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Basis& b = basis_[i];
-    along[i].value = {combine(patch.c0, b.cubic), combine(patch.cross_c0, b.quintic),
-                      combine(patch.cross_c1, b.quintic), combine(patch.c1, b.cubic)};
-    along[i].rate = {combine(patch.c0, b.cubic_rate), combine(patch.cross_c0, b.quintic_rate),
-                     combine(patch.cross_c1, b.quintic_rate), combine(patch.c1, b.cubic_rate)};
-    across[i].value = {combine(patch.e0, b.cubic), combine(patch.cross_e0, b.quintic),
-                       combine(patch.cross_e1, b.quintic), combine(patch.e1, b.cubic)};
-    across[i].rate = {combine(patch.e0, b.cubic_rate), combine(patch.cross_e0, b.quintic_rate),
-                      combine(patch.cross_e1, b.quintic_rate), combine(patch.e1, b.cubic_rate)};
+    along[i].value = {combine(patch.c0, b.cubic), combine(patch.cross_c0, b.sextic),
+                      combine(patch.cross_c1, b.sextic), combine(patch.c1, b.cubic)};
+    along[i].rate = {combine(patch.c0, b.cubic_rate), combine(patch.cross_c0, b.sextic_rate),
+                     combine(patch.cross_c1, b.sextic_rate), combine(patch.c1, b.cubic_rate)};
+    across[i].value = {combine(patch.e0, b.cubic), combine(patch.cross_e0, b.sextic),
+                       combine(patch.cross_e1, b.sextic), combine(patch.e1, b.cubic)};
+    across[i].rate = {combine(patch.e0, b.cubic_rate), combine(patch.cross_e0, b.sextic_rate),
+                      combine(patch.cross_e1, b.sextic_rate), combine(patch.e1, b.cubic_rate)};
     for (std::size_t k = 0; k < 4; ++k)
       for (std::size_t l = 0; l < 4; ++l) {
         across[i].value[k] -= b.hermite[l] * m.constant[k][l];

@@ -15,7 +15,7 @@ namespace hariko {
 /// variable twists. Sides c0 (v = 0) and c1 (v = 1) run with u, e0 (u = 0) and e1 (u = 1) with v.
 struct EnvelopePatch {
   HomogeneousCubic c0, e1, c1, e0;
-  HomogeneousQuintic cross_c0, cross_e1, cross_c1, cross_e0;  ///< derivatives by v, u, v, u
+  HomogeneousSextic cross_c0, cross_e1, cross_c1, cross_e0;  ///< derivatives by v, u, v, u
 
   /// Of the four sides of a loop, counter-clockwise seen from outside: each has its face to the left.
   static EnvelopePatch from_loop(const std::array<RibbonCurve, 4>& loop);
@@ -75,8 +75,8 @@ class EnvelopeGrid {
 
  private:
   struct Basis {
-    double cubic[4], quintic[6], hermite[4];
-    double cubic_rate[4], quintic_rate[6], hermite_rate[4];
+    double cubic[4], sextic[7], hermite[4];
+    double cubic_rate[4], sextic_rate[7], hermite_rate[4];
   };
   int intervals_;
   std::vector<Basis> basis_;

@@ -199,6 +199,7 @@ class HullCageBuilder {
       const Vector3 before = cage_.vertices[loop[(i + loop.size() - 1) % loop.size()]].position - v.position;
       least = std::min(least, next.stableNormalized().cross(before.stableNormalized()).dot(n));
       least = std::min(least, v.tangent(next).cross(v.tangent(before)).dot(v.normal));
+      least = std::min(least, n.dot(v.normal));
     }
     return least;
   }

@@ -66,7 +66,7 @@ CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneou
                                      const Homogeneous& end, const Vector3& middle) {
   CrossCoefficients out;
   const BernsteinForm<4> along = tangent_direction(ribbon.curve);
-  double k[2];
+  double k[2], h[2];
   for (std::size_t e = 0; e < 2; ++e) {
     const Homogeneous& d = e == 0 ? start : end;
     const Homogeneous& at = ribbon.curve[3 * e];
@@ -75,7 +75,7 @@ CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneou
     const Vector3 &f = ribbon.across[e], w = along[4 * e].head<3>();
     const double ff = f.dot(f), fw = f.dot(w), ww = w.dot(w), determinant = ff * ww - fw * fw;
     k[e] = determinant > 0 ? (ww * f.dot(r) - fw * w.dot(r)) / determinant : 0;
-    out.h[e] = determinant > 0 ? (ff * w.dot(r) - fw * f.dot(r)) / determinant : 0;
+    h[e] = determinant > 0 ? (ff * w.dot(r) - fw * f.dot(r)) / determinant : 0;
   }
   const double mean = 0.5 * (k[0] + k[1]);
   double km = mean;
@@ -93,18 +93,27 @@ CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneou
   out.k[0] = k[0];
   out.k[1] = 2 * km - mean;
   out.k[2] = k[1];
+  // Without this the field slides along the curve: the tangent is longer in the middle than at the ends.
+  const Vector3 f = 0.5 * (ribbon.across[0] + ribbon.across[1]), speed = w * w * tangent;
+  const double straight = 0.5 * (h[0] + h[1]);
+  double hm = (w * middle - km * f).dot(speed) / speed.squaredNorm();
+  if (!std::isfinite(hm)) hm = straight;
+  out.h[0] = h[0];
+  out.h[1] = 2 * hm - straight;
+  out.h[2] = h[1];
   return out;
 }
 
-HomogeneousQuintic cross_field(const RibbonCurve& ribbon, const CrossCoefficients& c) {
+HomogeneousSextic cross_field(const RibbonCurve& ribbon, const CrossCoefficients& c) {
   const BernsteinForm<1> across{weighted(ribbon.across[0]), weighted(ribbon.across[1])};
   const BernsteinForm<3> kf = bernstein_product<2, 1>({c.k[0], c.k[1], c.k[2]}, across);
-  const BernsteinForm<5> k = bernstein_product<2, 3>({1, 1, 1}, kf);
-  const BernsteinForm<5> h = bernstein_product<1, 4>({c.h[0], c.h[1]}, tangent_direction(ribbon.curve));
+  const BernsteinForm<6> k = bernstein_product<3, 3>({1, 1, 1, 1}, kf);
+  const BernsteinForm<6> h =
+      bernstein_product<2, 4>({c.h[0], c.h[1], c.h[2]}, tangent_direction(ribbon.curve));
   const BernsteinForm<4> mp = bernstein_product<1, 3>({c.mu[0], c.mu[1]}, ribbon.curve);
-  const BernsteinForm<5> m = bernstein_product<1, 4>({1, 1}, mp);
-  HomogeneousQuintic out;
-  for (std::size_t i = 0; i < 6; ++i) out[i] = k[i] + h[i] + m[i];
+  const BernsteinForm<6> m = bernstein_product<2, 4>({1, 1, 1}, mp);
+  HomogeneousSextic out;
+  for (std::size_t i = 0; i < 7; ++i) out[i] = k[i] + h[i] + m[i];
   return out;
 }
 

@@ -16,7 +16,7 @@ using Homogeneous = Eigen::Vector4d;
 template <std::size_t Degree>
 using BernsteinForm = std::array<Homogeneous, Degree + 1>;
 using HomogeneousCubic = BernsteinForm<3>;
-using HomogeneousQuintic = BernsteinForm<5>;
+using HomogeneousSextic = BernsteinForm<6>;
 
 inline Homogeneous homogeneous(const Vector3& p, double w = 1) {
   return {w * p.x(), w * p.y(), w * p.z(), w};
@@ -49,17 +49,18 @@ struct RibbonCurve {
   Homogeneous end_rate() const { return 3 * (curve[3] - curve[2]); }
 };
 
-/// Coefficients of eq. (1'): r = k F + h (P_v w - P w_v) + mu P.
+/// Coefficients of eq. (1'): r = k F + h (P_v w - P w_v) + mu P, Bernstein.
 struct CrossCoefficients {
-  double k[3], h[2], mu[2];
+  double k[3], h[3], mu[2];
 };
 
 /// What eq. (1') takes so that the derivative across has these values at the ends (homogeneous) and about
 /// `middle` (Cartesian) at 1/2.
 CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneous& start,
                                      const Homogeneous& end, const Vector3& middle);
-/// The derivative across, degree 5: five times b0 .. b5 of the paper.
-HomogeneousQuintic cross_field(const RibbonCurve& ribbon, const CrossCoefficients& coefficients);
+/// The derivative across. Where h is linear it has degree 5 (five times b0 .. b5 of the paper) and is
+/// elevated.
+HomogeneousSextic cross_field(const RibbonCurve& ribbon, const CrossCoefficients& coefficients);
 
 /// w P_v - w_v P of a rational cubic P / w: Bezier coefficients, degree 4, the last component zero.
 BernsteinForm<4> tangent_direction(const HomogeneousCubic& curve);

@@ -33,8 +33,8 @@ TEST(CrossField, ThePrintedVectorsAreTheProducts) {
     for (int i = 0; i < 4; ++i) a[i] = ((3 - i) * ribbon.across[0] + i * ribbon.across[1]) / 9;
     const double k0 = uniform(rng, -2, 2), k1 = uniform(rng, -2, 2), h0 = uniform(rng, -2, 2),
                  h1 = uniform(rng, -2, 2);
-    CrossCoefficients coefficients{{k0, 0.5 * (k0 + k1), k1}, {h0, h1}, {0, 0}};
-    const HomogeneousQuintic b = cross_field(ribbon, coefficients);
+    CrossCoefficients coefficients{{k0, 0.5 * (k0 + k1), k1}, {h0, 0.5 * (h0 + h1), h1}, {0, 0}};
+    const HomogeneousSextic b = cross_field(ribbon, coefficients);
     const auto &c0 = c[0], &c1 = c[1], &c2 = c[2];
     const double Cw0 = cw[0], Cw1 = cw[1], Cw2 = cw[2];
     const Vector3 H0 = h0 * h00, H1 = h1 * h00;
@@ -64,8 +64,11 @@ TEST(CrossField, ThePrintedVectorsAreTheProducts) {
             (-c2 * Cw0 * h1 - c2 * Cw1 * h1 + c0 * Cw2 * h1 + c1 * Cw2 * h1 + Cw2 * H1 - a[3] * k1 -
              c2 * h1 * w0) /
             5};
-    for (std::size_t i = 0; i < 6; ++i) {
-      EXPECT_LT((b[i].head<3>() / 5 - printed[i]).norm(), 1e-12 * (1 + printed[i].norm())) << "b" << i;
+    for (std::size_t i = 0; i < 7; ++i) {
+      // Raised from degree 5 to 6.
+      const double x = double(i) / 6;
+      const Vector3 raised = x * printed[i > 0 ? i - 1 : 0] + (1 - x) * printed[i < 6 ? i : 5];
+      EXPECT_LT((b[i].head<3>() / 5 - raised).norm(), 1e-12 * (1 + raised.norm())) << "b" << i;
       EXPECT_EQ(b[i].w(), 0);
     }
   });
@@ -83,10 +86,29 @@ TEST(CrossField, TheEndsAreTheSidesDerivatives) {
       rate[e] = mu * at;
       rate[e].head<3>() += uniform(rng, 0.5, 2) * ribbon.across[e] + uniform(rng, -1, 1) * tangent;
     }
-    const HomogeneousQuintic b =
+    const HomogeneousSextic b =
         cross_field(ribbon, cross_coefficients(ribbon, rate[0], rate[1], random_vector(rng)));
     EXPECT_LT((b[0] - rate[0]).norm(), 1e-10 * rate[0].norm());
-    EXPECT_LT((b[5] - rate[1]).norm(), 1e-10 * rate[1].norm());
+    EXPECT_LT((b[6] - rate[1]).norm(), 1e-10 * rate[1].norm());
+  });
+}
+
+TEST(CrossField, TheMiddleIsTheWantedDerivative) {
+  for_random(10, 20, [](std::mt19937_64& rng) {
+    // A parallelogram with slow ends: without h of degree 2 the middle slides along the curve.
+    const Vector3 along = random_vector(rng),
+                  to = random_vector(rng).cross(along) + uniform(rng, -1, 1) * along;
+    const double slow = uniform(rng, 0.05, 0.4);
+    RibbonCurve ribbon;
+    ribbon.curve = {homogeneous(Vector3::Zero()), homogeneous(slow * along), homogeneous((1 - slow) * along),
+                    homogeneous(along)};
+    const Vector3 across = (to - to.dot(along) / along.squaredNorm() * along).normalized();
+    ribbon.across = {across, across};
+    const double f = uniform(rng, 0.2, 1);
+    const Homogeneous rate = homogeneous(f * to, 1) - homogeneous(Vector3::Zero());
+    const HomogeneousSextic b = cross_field(ribbon, cross_coefficients(ribbon, rate, rate, f * to));
+    const Homogeneous middle = (b[0] + 6 * b[1] + 15 * b[2] + 20 * b[3] + 15 * b[4] + 6 * b[5] + b[6]) / 64;
+    EXPECT_LT((middle.head<3>() - f * to).norm(), 1e-9 * to.norm());
   });
 }
 

@@ -174,31 +174,6 @@ TEST(EnvelopeNetwork, ABallIsNearlyABall) {
   EXPECT_NEAR(measure(made->surface).volume.value(), 4.2355, 0.012);
 }
 
-TEST(EnvelopeNetwork, RandomScenesAreClosedSmoothAndSayWhetherTheyEnclose) {
-  int scenes = 0, enclosed = 0, folded = 0;
-  for_random(20261122, 4, [&](std::mt19937_64& rng) {
-    const EnvelopeInput input = random_scene(rng);
-    const auto made = EnvelopeSurfacer().rebuild(input);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
-    check_invariants(*made, input);
-    ++scenes;
-    const bool inside = made->check->worst <= 1e-4 * made->diagonal;
-    enclosed += inside;
-    folded += made->folds > 0;
-    EXPECT_EQ(made->enclosed, inside);
-    const auto warned = [&](Code code) {
-      return std::any_of(made->warnings.begin(), made->warnings.end(),
-                         [&](const Message& m) { return m.code == code; });
-    };
-    EXPECT_EQ(warned(w_not_enclosed), !made->enclosed);
-    EXPECT_EQ(warned(w_envelope_fold), made->folds > 0);
-  });
-  RecordProperty("scenes", scenes);
-  RecordProperty("enclosed", enclosed);
-  RecordProperty("folded", folded);
-  std::cout << "random scenes " << scenes << ", enclosed " << enclosed << ", with folds " << folded << "\n";
-}
-
 TEST(EnvelopeNetwork, DragsStartFromTheLastResultAndFinalResultsDoNot) {
   EnvelopeInput input = golden_scene("four");
   EnvelopeSurfacer warm, cold;

@@ -1,0 +1,100 @@
+// Random scenes of 1 to 20 solids: closed, smooth, and honest about enclosure, folds and tightness. The long
+// version of 500 scenes is HARIKO_REPEAT_SCALE=62.5 (500 for tight surfaces, which take up to a minute each).
+
+#include <Eigen/Geometry>
+#include <iostream>
+
+#include "core/analysis/continuity.hpp"
+#include "tests/envelope/envelope_scenes.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+constexpr double degrees = 57.29577951308232;
+constexpr double tolerance = 1e-4;  ///< of the diagonal
+
+struct Tally {
+  int scenes = 0, enclosed = 0, folded = 0, full_tightness = 0;
+  double deepest = 0;  ///< of the diagonal
+};
+
+bool warned(const EnvelopeSurface& made, Code code) {
+  return std::any_of(made.warnings.begin(), made.warnings.end(),
+                     [&](const Message& m) { return m.code == code; });
+}
+
+/// Finer triangles and other points than those of the surfacer's own check.
+double independent_miss(const EnvelopeSurface& made, const EnvelopeInput& input) {
+  std::vector<PlacedSolid> solids = place_solids(input);
+  for (PlacedSolid& solid : solids) {
+    solid.centre -= made.origin;
+    for (Vector3& p : solid.test_points) p -= made.origin;
+  }
+  return check_enclosure(made.surface, solids, 20, 333, 0).worst;
+}
+
+void check_scene(const EnvelopeInput& input, Tally& tally) {
+  const auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  const ContinuityReport report = continuity(made->surface);
+  if (made->folds == 0) {
+    EXPECT_LE(report.largest_normal_jump.value() * degrees, 1e-4);
+  }
+  EXPECT_LE(report.largest_gap, 1e-12 * made->diagonal);
+  EXPECT_TRUE(made->surface.boundary_sides().empty());
+  ASSERT_TRUE(made->check);
+  const double miss = independent_miss(*made, input);
+  EXPECT_EQ(made->enclosed, made->check->worst <= tolerance * made->diagonal);
+  // Between the points of the surfacer's check more than its tolerance is possible; not much more.
+  if (made->enclosed) {
+    EXPECT_LE(miss, 5 * tolerance * made->diagonal);
+  }
+  EXPECT_EQ(warned(*made, w_not_enclosed), !made->enclosed);
+  EXPECT_EQ(warned(*made, w_envelope_fold), made->folds > 0);
+  EXPECT_EQ(warned(*made, w_tightness_reduced), made->level == 9);
+  if (made->network) {
+    const CurveNetwork& network = *made->network;
+    EXPECT_EQ(
+        long(network.cage.vertices.size()) - long(network.curves.size()) + long(network.cage.faces.size()),
+        2);
+    EXPECT_GT(network.least_weight(), 0.5);
+  }
+  ++tally.scenes;
+  tally.enclosed += made->enclosed;
+  tally.folded += made->folds > 0;
+  tally.full_tightness += made->level == 0;
+  tally.deepest = std::max(tally.deepest, miss / made->diagonal);
+}
+
+void print(const char* name, const Tally& tally) {
+  std::cout << name << ": " << tally.scenes << " scenes, enclosed " << tally.enclosed << ", with folds "
+            << tally.folded << ", at the wanted tightness " << tally.full_tightness
+            << ", deepest point outside " << tally.deepest << " of the diagonal\n";
+}
+
+}  // namespace
+
+TEST(EnvelopeRandomScenes, HullsAreClosedSmoothAndHonest) {
+  Tally tally;
+  for_random(1, 8, [&](std::mt19937_64& rng) { check_scene(random_scene(rng), tally); });
+  print("hull", tally);
+  // Folds are rare, and never silent.
+  EXPECT_LE(tally.folded, 1 + tally.scenes / 20);
+  EXPECT_GE(tally.enclosed, tally.scenes - 1 - tally.scenes / 10);
+}
+
+TEST(EnvelopeRandomScenes, TightSurfacesAreClosedSmoothAndHonest) {
+  // Cages of crowded scenes take up to a minute.
+  const bool is_long = repetitions(1) > 1;
+  Tally tally;
+  for_random(6, 1, [&](std::mt19937_64& rng) {
+    EnvelopeInput input = random_scene(rng);
+    if (!is_long && input.solids.size() > 3) input.solids.resize(3);
+    input.settings.tightness = 1;
+    check_scene(input, tally);
+  });
+  print("tight", tally);
+}
+
+}  // namespace hariko::test
