@@ -125,7 +125,9 @@ class Application {
       session_.update();
       save_settings();
       const bool blinking = ImGui::GetIO().WantTextInput;
-      if (frames_ <= 0 && !due() && !blinking) continue;
+      // Work that was cancelled ends without a picture of its own; the log and replays wait for the rest.
+      const bool comes_to_rest = !idle_ && rests();
+      if (frames_ <= 0 && !due() && !blinking && !comes_to_rest) continue;
       --frames_;
       frame();
     }
@@ -209,6 +211,12 @@ class Application {
            !editor_.jobs.empty() || editor_.meshing.job;
   }
 
+  /// Nothing is left to do until something comes in.
+  bool rests() const {
+    return frames_ <= 0 && !due() && long_.idle() && paper_.idle() && session_.idle() && meshes_.idle() &&
+           workbench_.viewport().next_frame_in() < 0 && !session_waits_;
+  }
+
   void take_input() {
     for (const KeyPress& press : window_.take_keys()) workbench_.key(press);
     for (const auto& path : window_.take_drops()) {
@@ -252,8 +260,7 @@ class Application {
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
-    idle_ = frames_ <= 0 && !due() && long_.idle() && paper_.idle() && session_.idle() && meshes_.idle() &&
-            workbench_.viewport().next_frame_in() < 0 && !session_waits_;
+    idle_ = rests();
     if (recorder_ && idle_) recorder_->idle(editor_.now);
     log_.frame(editor_, workbench_, idle_);
   }

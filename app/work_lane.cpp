@@ -91,7 +91,8 @@ void WorkLane::work() {
     const bool keep = publication && !next.token.cancelled();
     if (keep) finished_.push_back({next.key, std::move(publication)});
     changed_.notify_all();
-    if (keep && wake_) {
+    // After cancelled work, too, when no other comes: whoever waits for rest learns that it is over.
+    if ((keep || waiting_.empty()) && wake_) {
       lock.unlock();
       wake_();
       lock.lock();

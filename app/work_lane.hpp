@@ -34,7 +34,7 @@ class WorkLane {
   /// and drops its result.
   enum class Running { finish, cancel };
 
-  /// `wake` is called from the worker whenever there is something to publish.
+  /// `wake` is called from the worker whenever there is something to publish, or nothing left to do.
   explicit WorkLane(std::function<void()> wake = {});
   /// Cancels everything and waits for the running job to return.
   ~WorkLane();

@@ -61,6 +61,16 @@ def session(program, source, output):
         meshed(lambda: window.click_on("meshing.normal.on"))
         keep("with_angle")
 
+        # The search for fewer facets shows how far it is, and stops; the mesh of before stays.
+        before = count()
+        window.click_on("meshing.optimise")
+        window.click_on("meshing.stop")
+        window.rect("meshing.stopped")
+        window.wait_idle()
+        check(count() == before, "a search that was stopped changed the mesh")
+        keep("stopped")
+        meshed(lambda: window.click_on("meshing.optimise"))
+
         # Four pictures, and back.
         meshed(lambda: window.click_on("meshing.compare"))
         for view in range(4):

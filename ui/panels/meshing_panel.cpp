@@ -78,8 +78,13 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
       row.length ? "%.3g " + std::string(to_string(context.editor.document().unit)) : std::string(row.format);
   ImGui::SetNextItemWidth(-1);
   ImGui::BeginDisabled(!own.on);
+  // A line instead of a knob: the number under it can be read.
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, context.metrics.px(3));
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, palette().accent);
   ImGui::SliderScalar("##value", ImGuiDataType_Double, &own.value, &low, &high, format.c_str(),
                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
   context.marks.item(std::string("meshing.") + row.id);
   ImGui::EndDisabled();
   if (!std::isfinite(own.value)) own.value = low;
@@ -211,6 +216,7 @@ void progress_row(PanelContext& context, Meshing& meshing) {
   if (!meshing.job) {
     if (meshing.stopped) {
       hint_text(context, "Stopped. Change something to go on.");
+      context.marks.item("meshing.stopped");
     } else {
       ImGui::Dummy({0, ImGui::GetFrameHeight()});
     }
