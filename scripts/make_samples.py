@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes assets/samples/*.hariko from the polygon files and scenes in tests/golden, a knot, and a wheel arch. The results are checked in.
+"""Writes assets/samples/*.hariko from the polygon files, scenes and outlines in tests/golden, a knot, a wheel arch, and a
+shell. The results are checked in.
 
 Run it from anywhere; it needs nothing but Python. It writes exactly what the program itself would write, which a
 test checks.
@@ -232,6 +233,69 @@ def document(*objects):
     )
 
 
+def outline(loops, method, sign="positive", radius=0.6):
+    """`loops`: (points, normals, curvature or None)."""
+    texts = []
+    for points, normals, curvature in loops:
+        members = [f'            "{name}": [' + ", ".join(row(entry) for entry in entries) + "]"
+                   for name, entries in (("points", points), ("normals", normals))]
+        if curvature:
+            members.append('            "K": ' + row(curvature))
+        texts.append("          {\n" + ",\n".join(members) + "\n          }")
+    return [
+        '        "kind": "outline"',
+        '        "loops": [\n' + ",\n".join(texts) + "\n        ]",
+        f'        "method": "{method}"',
+        f'        "curvature_sign": "{sign}"',
+        f'        "radius": {number(radius)}',
+        '        "most_points": 20000',
+        '        "mode": "fair"',
+    ]
+
+
+# File name, outline in tests/golden/gaussmap, millimetres a unit there, mode, name of the object.
+OUTLINES = [
+    ("sphere_cap", "sphere_cap", 25, "curvature", "Sphere cap"),
+    ("ellipsoid_cap", "ellipsoid_cap", 25, "curvature", "Ellipsoid cap"),
+    ("paraboloid", "paraboloid", 50, "curvature", "Paraboloid"),
+    ("sphere_band", "sphere_band", 50, "curvature", "Spherical band"),
+    ("sphere_holes", "three_holes", 50, "curvature", "Sphere with three holes"),
+    ("catenoid", "catenoid", 40, "umbilic", "Catenoid"),
+    ("saddle", "saddle", 50, "umbilic", "Saddle"),
+]
+
+
+def golden_outline(name, scale):
+    """An outline in another size. Rounded, so that every machine writes the same."""
+    def vectors(entries, factor):
+        return [[round(factor * x, 9) for x in entry] for entry in entries]
+
+    cases = json.loads((GOLDEN / "gaussmap" / f"{name}.json").read_text())["loops"]
+    return [(vectors(loop["points"], scale), vectors(loop["normals"], 1),
+             [round(k / scale**2, 15) for k in loop["K"]]) for loop in cases]
+
+
+def shell():
+    """The shell of a hand-held device: a flat rim, nearly a superellipse and narrower in front, whose normals lean as those
+    of an ellipsoid would, steeper at the back."""
+    count, length, width = 32, 62, 40
+    points = []
+    for i in range(count):
+        angle = 2 * math.pi * i / count
+        c, s = math.cos(angle), math.sin(angle)
+        x = length * math.copysign(abs(c) ** (2 / 2.3), c)
+        y = width * math.copysign(abs(s) ** (2 / 2.3), s) * (1 - 0.08 * c)
+        points.append((round(x, 6), round(y, 6), 0))
+    normals = []
+    for i, (x, y, _) in enumerate(points):
+        (ax, ay, _), (bx, by, _) = points[i - 1], points[(i + 1) % count]
+        chord = math.hypot(bx - ax, by - ay)
+        tilt = math.atan(1.4 * width * math.hypot(x / length**2, y / width**2) * (1 - 0.2 * x / length))
+        normals.append((round(math.sin(tilt) * (by - ay) / chord, 9), round(-math.sin(tilt) * (bx - ax) / chord, 9),
+                        round(math.cos(tilt), 9)))
+    return [(points, normals, None)]
+
+
 PARTS = 8  # patches round the wheel
 
 
@@ -297,6 +361,12 @@ def main():
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
     text = document(object_text(1, "Knot", polyhedron(*knot(), [])))
     (SAMPLES / "knot.hariko").write_text(text, encoding="utf-8", newline="\n")
+    for file_name, case, scale, method, name in OUTLINES:
+        sign = "negative" if method == "umbilic" else "positive"
+        text = document(object_text(1, name, outline(golden_outline(case, scale), method, sign)))
+        (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
+    text = document(object_text(1, "Shell", outline(shell(), "umbilic")))
+    (SAMPLES / "shell.hariko").write_text(text, encoding="utf-8", newline="\n")
     (SAMPLES / "wheel_arch.hariko").write_text(wheel_arch(), encoding="utf-8", newline="\n")
 
 

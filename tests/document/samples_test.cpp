@@ -49,11 +49,20 @@ const std::vector<std::pair<std::string, std::size_t>>& solid_samples() {
   return list;
 }
 
+/// Name and number of loops.
+const std::vector<std::pair<std::string, std::size_t>>& outline_samples() {
+  static const std::vector<std::pair<std::string, std::size_t>> list{
+      {"sphere_cap", 1},   {"ellipsoid_cap", 1}, {"paraboloid", 1}, {"sphere_band", 2},
+      {"sphere_holes", 3}, {"catenoid", 2},      {"saddle", 1},     {"shell", 1}};
+  return list;
+}
+
 TEST(Samples, AreAllListed) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(HARIKO_SOURCE_DIR "/assets/samples"))
     count += entry.path().extension() == ".hariko" ? 1U : 0U;
-  EXPECT_EQ(count, samples().size() + solid_samples().size() + 1);  // and the wheel arch
+  EXPECT_EQ(count,
+            samples().size() + solid_samples().size() + outline_samples().size() + 1);  // and the wheel arch
 }
 
 TEST(Samples, OfSolidsOpenAndAreWrittenAsTheyAre) {
@@ -66,6 +75,26 @@ TEST(Samples, OfSolidsOpenAndAreWrittenAsTheyAre) {
     ASSERT_NE(source, nullptr);
     EXPECT_EQ(source->input->solids.size(), solids);
     EXPECT_EQ(write_document(*document), read_file(path_of(name)).value());
+  }
+}
+
+TEST(Samples, OfOutlinesOpenAndHaveSmoothSurfaces) {
+  for (const auto& [name, loops] : outline_samples()) {
+    SCOPED_TRACE(name);
+    const Result<Document> document = load_document(path_of(name));
+    ASSERT_TRUE(document) << to_string(document.error());
+    ASSERT_EQ(document->objects.size(), 1U);
+    const OutlineSource* source = document->objects[0]->outline();
+    ASSERT_NE(source, nullptr);
+    EXPECT_EQ(source->outline->loops.size(), loops);
+    EXPECT_EQ(write_document(*document), read_file(path_of(name)).value());
+    const auto made = object_surface(*document, *document->objects[0]);
+    ASSERT_TRUE(made) << to_string(made.error());
+    for (const Message& warning : made->warnings) ADD_FAILURE() << to_string(warning);
+    const ContinuityReport report = continuity(made->surface);
+    EXPECT_LE(*report.largest_normal_jump, 1e-10);
+    EXPECT_LE(report.largest_gap, 1e-12);
+    EXPECT_EQ(report.folded_samples, 0U);
   }
 }
 

@@ -1,0 +1,87 @@
+#include "core/document/edit_outlines.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/file_io.hpp"
+#include "core/document/edit_elements.hpp"
+#include "core/document/edit_objects.hpp"
+#include "core/document/read_outline.hpp"
+#include "core/gaussmap/edit_outline.hpp"
+#include "core/polyhedron/validation.hpp"
+
+namespace hariko {
+namespace {
+
+Document with_cap() {
+  const auto text = read_file(HARIKO_SOURCE_DIR "/tests/golden/gaussmap/sphere_cap.json", 1 << 20);
+  OutlineSource source;
+  source.outline = read_outline(*text).value();
+  return add_object({}, "Cap", std::move(source)).value().document;
+}
+
+Result<Document> moved(const Document& document, ObjectId id, const Vector3& to) {
+  return edit_outline(document, id, [&](const Outline& outline) -> Result<Outline> {
+    return with_points(outline, std::array{Index(3)}, std::array{to});
+  });
+}
+
+TEST(EditOutlines, ChangeOneObjectAndShareTheRest) {
+  const Document document = with_cap();
+  const ObjectId id = document.objects[0]->id;
+  const auto done = moved(document, id, {1, 2, 3});
+  ASSERT_TRUE(done.ok()) << to_string(done.error());
+  EXPECT_EQ(done->objects[0]->outline()->outline->loops[0].points[3], Vector3(1, 2, 3));
+  EXPECT_EQ(done->objects[0]->outline()->settings, document.objects[0]->outline()->settings);
+  // Nothing changes: the same object.
+  const auto same =
+      edit_outline(document, id, [](const Outline& outline) -> Result<Outline> { return outline; });
+  ASSERT_TRUE(same.ok());
+  EXPECT_EQ(same->objects[0], document.objects[0]);
+}
+
+TEST(EditOutlines, RefuseWhatCannotBe) {
+  const Document document = with_cap();
+  const ObjectId id = document.objects[0]->id;
+  EXPECT_EQ(moved(document, id, Vector3::Constant(HUGE_VAL)).error().code, e_nonfinite);
+  EXPECT_EQ(moved(document, ObjectId{99}, {0, 0, 0}).error().code, e_unknown_object);
+  EXPECT_EQ(moved(set_locked(document, id, true).value(), id, {0, 0, 0}).error().code, e_locked);
+  const auto large = edit_outline(document, id, [](const Outline& outline) -> Result<Outline> {
+    return resampled(outline, max_outline_points + 1, LoopMeasure::arc);
+  });
+  EXPECT_EQ(large.error().code, e_outline_limit);
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.add_face(std::array<Index, 3>{0, 1, 2});
+  const auto added = add_object(document, "Triangle", PolyhedronSource::from_mesh(mesh).value());
+  EXPECT_EQ(moved(added->document, added->id, {0, 0, 0}).error().code, e_wrong_kind);
+  EXPECT_EQ(set_outline_settings(added->document, added->id, {}).error().code, e_wrong_kind);
+}
+
+TEST(EditOutlines, SettingsHaveRanges) {
+  const Document document = with_cap();
+  const ObjectId id = document.objects[0]->id;
+  OutlineSettings settings;
+  settings.mode = GaussMode::position;
+  settings.radius = 0.4;
+  settings.gap = 0.01;
+  const auto done = set_outline_settings(document, id, settings);
+  ASSERT_TRUE(done.ok());
+  EXPECT_EQ(done->objects[0]->outline()->settings, settings);
+  const auto refused = [&](auto&& change) {
+    OutlineSettings bad = settings;
+    change(bad);
+    const auto result = set_outline_settings(document, id, bad);
+    EXPECT_FALSE(result.ok());
+    if (!result.ok()) {
+      EXPECT_EQ(result.error().code, e_outline_settings);
+    }
+  };
+  refused([](OutlineSettings& bad) { bad.radius = 0; });
+  refused([](OutlineSettings& bad) { bad.radius = std::nan(""); });
+  refused([](OutlineSettings& bad) { bad.gap = -1; });
+  refused([](OutlineSettings& bad) { bad.gap = HUGE_VAL; });
+  refused([](OutlineSettings& bad) { bad.most_points = OutlineSettings::point_limit + 1; });
+}
+
+}  // namespace
+}  // namespace hariko

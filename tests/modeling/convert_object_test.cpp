@@ -1,0 +1,72 @@
+#include "core/modeling/convert_object.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/file_io.hpp"
+#include "core/document/edit_elements.hpp"
+#include "core/document/edit_objects.hpp"
+#include "core/document/read_outline.hpp"
+#include "core/gaussmap/control_points.hpp"
+#include "core/gaussmap/outline_check.hpp"
+#include "core/modeling/attached.hpp"
+
+namespace hariko {
+namespace {
+
+Document with_outline(const std::string& name, bool g2) {
+  const auto text = read_file(HARIKO_SOURCE_DIR "/tests/golden/gaussmap/" + name + ".json", 1 << 20);
+  OutlineSource source;
+  source.outline = read_outline(*text).value();
+  source.settings = usual_settings(*source.outline);
+  source.settings.curvature_continuous = g2;
+  return add_object({}, "Outline", std::move(source)).value().document;
+}
+
+TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
+  for (const auto* name : {"sphere_cap", "sphere_band", "three_holes", "catenoid"})
+    for (const bool g2 : {false, true}) {
+      if (g2 && name != std::string("sphere_cap")) continue;  // one is enough of the slow ones
+      SCOPED_TRACE(name + std::string(g2 ? " g2" : " fair"));
+      const Document document = with_outline(name, g2);
+      const ObjectId id = document.objects[0]->id;
+      const auto converted = convert_to_polyhedron(document, id);
+      ASSERT_TRUE(converted.ok()) << to_string(converted.error());
+      const PolyhedronSource* polyhedron = converted->objects[0]->polyhedron();
+      ASSERT_TRUE(polyhedron);
+      EXPECT_EQ(converted->objects[0]->name, "Outline");
+      EXPECT_EQ(polyhedron->mode, g2 ? Mode::g2 : Mode::fair);
+      const auto before = object_surface(document, *document.objects[0]);
+      const auto after = object_surface(*converted, *converted->objects[0]);
+      ASSERT_TRUE(before.ok() && after.ok());
+      ASSERT_EQ(before->surface.patch_count(), after->surface.patch_count());
+      EXPECT_EQ(before->surface.origin(), after->surface.origin());
+      for (Index patch = 0; patch < before->surface.patch_count(); ++patch)
+        for (const Vector2& at : {Vector2(0.2, 0.3), Vector2(0, 1), Vector2(0.5, 0.5)})
+          ASSERT_EQ(before->surface.patches().evaluate(patch, at, Order::first).position,
+                    after->surface.patches().evaluate(patch, at, Order::first).position);
+      // The outline's points are the first vertices, every normal is pinned.
+      const Outline& outline = *document.objects[0]->outline()->outline;
+      EXPECT_GT(polyhedron->polyhedron.vertex_count(), outline.point_count());
+      EXPECT_EQ(polyhedron->shaping->pin.size(), polyhedron->polyhedron.vertex_count());
+      const auto points = control_points(outline, gauss_options(document.objects[0]->outline()->settings));
+      ASSERT_TRUE(points.ok());
+      for (Index v = 0; v < polyhedron->polyhedron.vertex_count(); ++v)
+        EXPECT_LE((polyhedron->origin + polyhedron->polyhedron.position(v) - points->points[v]).norm(),
+                  1e-12 * outline.size());
+    }
+}
+
+TEST(ConvertObject, SaysWhatItCannotDo) {
+  const Document bad = with_outline("bad_inward", false);
+  const ObjectId id = bad.objects[0]->id;
+  EXPECT_EQ(convert_to_polyhedron(bad, id).error().code, e_not_convex);
+  EXPECT_EQ(convert_to_polyhedron(bad, ObjectId{77}).error().code, e_unknown_object);
+  EXPECT_EQ(convert_to_polyhedron(set_locked(bad, id, true).value(), id).error().code, e_locked);
+  const Document cap = with_outline("sphere_cap", false);
+  const auto once = convert_to_polyhedron(cap, id);
+  ASSERT_TRUE(once.ok());
+  EXPECT_EQ(convert_to_polyhedron(*once, id).error().code, e_wrong_kind);
+}
+
+}  // namespace
+}  // namespace hariko
