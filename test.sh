@@ -15,11 +15,15 @@ case "${1:-}" in
 esac
 
 cd "$(dirname "${BASH_SOURCE[0]}")"
+# Tests of the window wait most of their time, for the screen and the hand that moves the mouse.
+window_jobs=4
 step() { printf '\n== %s\n' "$*"; }
 
 short_tests() {
   step "Tests"
-  ctest --test-dir build/release -L 'core|window' -LE full --output-on-failure --no-tests=error -j2
+  ctest --test-dir build/release -L core -LE full --output-on-failure --no-tests=error -j2
+  step "Tests of the window"
+  ctest --test-dir build/release -L window -LE full --output-on-failure --no-tests=error -j$window_jobs
 }
 
 check_formatting() {
@@ -38,7 +42,7 @@ sanitizer_tests() {
   export UBSAN_OPTIONS=print_stacktrace=1
   ASAN_OPTIONS=detect_leaks=1 ctest --test-dir build/debug -L core -LE full --output-on-failure --no-tests=error -j2
   # Graphics drivers keep memory until the end, so leaks are looked for in the core tests only.
-  ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build/debug -L 'window|monkey' -LE full --output-on-failure --no-tests=error -j2
+  ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build/debug -L 'window|monkey' -LE full --output-on-failure --no-tests=error -j$window_jobs
 }
 
 fuzz() {

@@ -98,7 +98,7 @@ namespace {
 /// Parameters of points that links tie together, one group a chain of links.
 class AnchorChains {
  public:
-  AnchorChains(const Skin& skin, const SkinPlan& plan) : skin_(skin), closed_(plan.closed_sections) {
+  explicit AnchorChains(const Skin& skin) : skin_(skin) {
     for (const SkinLink& link : skin.links) {
       const int a = skin.find_section(link.first), b = skin.find_section(link.second);
       const std::size_t x = node(a, link.a), y = node(b, link.b);
@@ -154,7 +154,6 @@ class AnchorChains {
     return i;
   }
   const Skin& skin_;
-  bool closed_;
   std::vector<std::pair<int, double>> nodes_;
   std::vector<std::size_t> parent_;
 };
@@ -191,7 +190,7 @@ Result<std::vector<std::vector<double>>> skin_anchors(const Skin& skin, const Sk
     for (const auto& row : rows)
       if (row.size() != skin.sections.size())
         return make_error(e_skin_index, "An anchor needs one parameter for each section.", "Delete it.");
-    for (auto& row : AnchorChains(skin, plan).rows()) rows.push_back(std::move(row));
+    for (auto& row : AnchorChains(skin).rows()) rows.push_back(std::move(row));
   }
   for (auto& row : corner_rows(skin)) rows.push_back(std::move(row));
   if (!plan.closed_sections)
