@@ -64,9 +64,10 @@ Result<Done> export_triangles(const Document& document, const std::filesystem::p
   const auto meshed = mesh_surfaces(document, {options_of(settings)}, cancel, progress.part(0, writing));
   if (!meshed.ok()) return meshed.error();
   std::vector<NamedTriangles> named;
-  for (const MeshedObject& object : *meshed) named.push_back({object.name, &object.result.mesh});
+  for (const MeshedObject& object : *meshed)
+    named.push_back({object.name, &object.result.mesh, object.colour});
   progress.report(writing);
-  return write_mesh_file(path, named, cancel);
+  return write_mesh_file(path, named, write_options(document, cancel));
 }
 
 }  // namespace hariko

@@ -330,7 +330,7 @@ void Workbench::show_export_dialog() {
   dialog_.open({translatable("Export the surfaces as triangles"),
                 translatable("Export"),
                 true,
-                {".obj", ".stl", ".ply"},
+                {".obj", ".stl", ".ply", ".glb", ".off"},
                 proposal,
                 [this](const auto& path) { actions_.export_file(path, export_options_.settings()); },
                 [this] {

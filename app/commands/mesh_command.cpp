@@ -5,6 +5,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
 #include "app/files/open_file.hpp"
 #include "core/base/file_io.hpp"
@@ -108,18 +109,22 @@ int run_mesh(const MeshArguments& arguments) {
   Result<std::vector<MeshedObject>> meshed = std::vector<MeshedObject>{};
   const auto holds = content_of(arguments.file);
   if (!holds.ok()) return failed(holds.error());
+  WriteOptions writing_options;
   if (*holds == JsonKind::patches) {
     meshed = mesh_patch_file(arguments.file, request);
   } else {
     const auto document = read_document_or_report(arguments.file, arguments.construction);
     if (!document) return exit_failed;
     meshed = mesh_surfaces(*document, request);
+    writing_options = write_options(*document);
   }
   if (!meshed.ok()) return failed(meshed.error());
   const double meshing = watch.lap();
   std::vector<NamedTriangles> named;
-  for (const MeshedObject& object : *meshed) named.push_back({object.name, &object.result.mesh});
-  if (const auto done = write_mesh_file(arguments.out, named); !done.ok()) return failed(done.error());
+  for (const MeshedObject& object : *meshed)
+    named.push_back({object.name, &object.result.mesh, object.colour});
+  if (const auto done = write_mesh_file(arguments.out, named, writing_options); !done.ok())
+    return failed(done.error());
   if (!arguments.errors.empty()) {
     const auto done = write_file_atomic(arguments.errors, error_text(*meshed));
     if (!done.ok()) return failed(done.error());

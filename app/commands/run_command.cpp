@@ -161,7 +161,8 @@ class CommandLine {
   void add_export() {
     export_ = app_.add_subcommand("export", "Writes the surfaces of the visible objects as triangles");
     export_->add_option("FILE", export_arguments_.file, "Document or mesh")->required();
-    export_->add_option("OUT", export_arguments_.out, "File to write: *.obj, *.ply or *.stl")->required();
+    export_->add_option("OUT", export_arguments_.out, "File to write: *.obj, *.off, *.ply, *.stl or *.glb")
+        ->required();
     export_->add_option("--density", export_arguments_.density, "Intervals a patch side, 1 to 256")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
@@ -223,7 +224,7 @@ class CommandLine {
                                 "Writes the surfaces of the visible objects as triangles under tolerances");
     mesh_->add_option("FILE", input_, "Document, mesh, or file of Bezier patches (*.bpt, *.json)")
         ->required();
-    mesh_->add_option("OUT", output_, "File to write: *.obj, *.ply or *.stl")->required();
+    mesh_->add_option("OUT", output_, "File to write: *.obj, *.off, *.ply, *.stl or *.glb")->required();
     mesh_->add_option("--distance", distance_, "Between surface and facets, in the document's unit");
     mesh_->add_option("--normal", normal_, "Between the normals of surface and facet, degrees");
     mesh_->add_option("--fold", fold_, "Between neighbouring facets, degrees");
@@ -275,9 +276,8 @@ class CommandLine {
     }
   }
   static void check_mesh_output(const std::filesystem::path& in, const std::filesystem::path& out) {
-    const auto format = format_of_extension(out);
-    if (!format || *format == MeshFormat::off)
-      throw CLI::ValidationError("OUT", "the name must end in .obj, .ply or .stl");
+    if (!can_write_mesh(out))
+      throw CLI::ValidationError("OUT", "the name must end in " + std::string(written_mesh_endings));
     check_distinct(in, out);
   }
   static void check_distinct(const std::filesystem::path& in, const std::filesystem::path& out) {

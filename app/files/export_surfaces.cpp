@@ -22,6 +22,15 @@ void place(TriangleMesh& mesh, const Similarity& transform) {
 
 }  // namespace
 
+WriteOptions write_options(const Document& document, const CancelToken& cancel) {
+  return {cancel, millimetres_per(document.unit) / 1000};
+}
+
+MeshColour colour_of(const Object& object) {
+  const Colour& colour = object.display.colour;
+  return {colour.red, colour.green, colour.blue};
+}
+
 Result<Done> export_surfaces(const Document& document, const std::filesystem::path& path, int density,
                              const CancelToken& cancel, const Progress& progress) {
   std::deque<TriangleMesh> meshes;
@@ -53,14 +62,14 @@ Result<Done> export_surfaces(const Document& document, const std::filesystem::pa
                         "Choose a smaller density.");
     meshes.push_back(tessellate(built->surface, density, cancel));
     place(meshes.back(), object->transform);
-    named.push_back({object->name, &meshes.back()});
+    named.push_back({object->name, &meshes.back(), colour_of(*object)});
   }
   if (cancel.cancelled()) return cancelled();
   if (named.empty())
     return make_error(e_no_surface, "There is no visible surface to export.",
                       "Show an object or import one.");
   progress.report(writing);
-  return write_mesh_file(path, named, cancel);
+  return write_mesh_file(path, named, write_options(document, cancel));
 }
 
 }  // namespace hariko

@@ -117,6 +117,7 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
       if (!made.ok()) return made.error();
       place(made.value(), object->transform);
       out.push_back(std::move(made).value());
+      out.back().colour = colour_of(*object);
       continue;
     }
     const auto built = object_surface(document, *object, cancel);
@@ -126,6 +127,7 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
     if (!made.ok()) return made.error();
     place(made.value(), object->transform);
     out.push_back(std::move(made).value());
+    out.back().colour = colour_of(*object);
   }
   if (out.empty())
     return make_error(e_no_surface, "There is nothing to approximate.", "Show an object or import one.");

@@ -10,6 +10,7 @@
 #include "core/approximation/approximate.hpp"
 #include "core/approximation/error_map.hpp"
 #include "core/document/document.hpp"
+#include "core/exchange/write_mesh.hpp"
 
 namespace hariko {
 
@@ -19,6 +20,7 @@ struct MeshedObject {
   MeshApproximation result;
   std::optional<MeshErrorMap> errors;  ///< where asked for; places are relative to `surface_origin`
   Vector3 surface_origin = Vector3::Zero();
+  MeshColour colour = usual_mesh_colour;
 };
 
 struct MeshRequest {

@@ -30,27 +30,38 @@ Message in_file(const std::filesystem::path& path, Message message) {
   return message;
 }
 
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().native();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return extension;
+}
+
 template <class Mesh>
 Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mesh> meshes,
-                          const CancelToken& cancel) {
-  const std::optional<MeshFormat> format = format_of_extension(path);
+                          const WriteOptions& options) {
+  const std::string extension = lower_extension(path);
   Result<std::string> bytes =
       make_error(e_format_unknown, "The extension stands for no mesh format that can be written.",
-                 "Use .obj, .ply or .stl.");
-  if (format == MeshFormat::obj) bytes = write_obj(meshes);
-  if (format == MeshFormat::ply) bytes = write_ply(meshes, PlyEncoding::binary);
-  if (format == MeshFormat::stl) bytes = write_stl(meshes);
+                 "Use " + std::string(written_mesh_endings) + ".");
+  if (extension == ".obj") bytes = write_obj(meshes);
+  if (extension == ".off") bytes = write_off(meshes);
+  if (extension == ".ply") bytes = write_ply(meshes, PlyEncoding::binary);
+  if (extension == ".stl") bytes = write_stl(meshes);
+  if (extension == ".glb") bytes = write_gltf(meshes, options.metres_per_unit);
   if (!bytes) return in_file(path, bytes.error());
-  if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
+  if (options.cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
   return write_file_atomic(path, *bytes);
 }
 
 }  // namespace
 
+bool can_write_mesh(const std::filesystem::path& path) {
+  return format_of_extension(path) || lower_extension(path) == ".glb";
+}
+
 std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().native();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string extension = lower_extension(path);
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".ply") return MeshFormat::ply;
@@ -104,13 +115,13 @@ Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const Rea
 }
 
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
-                             const CancelToken& cancel) {
-  return write_meshes(path, meshes, cancel);
+                             const WriteOptions& options) {
+  return write_meshes(path, meshes, options);
 }
 
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,
-                             const CancelToken& cancel) {
-  return write_meshes(path, meshes, cancel);
+                             const WriteOptions& options) {
+  return write_meshes(path, meshes, options);
 }
 
 }  // namespace hariko

@@ -27,11 +27,22 @@ Result<ImportedMesh> read_mesh(std::string_view bytes, MeshFormat format, const 
 Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const ReadLimits& limits = {},
                                     std::uint64_t size_limit = default_file_size_limit);
 
-/// Writes meshes in the format of the extension: OBJ, PLY (binary) or STL (binary), atomically. Errors:
-/// E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of `write_stl`.
+struct WriteOptions {
+  CancelToken cancel = {};
+  double metres_per_unit = 0.001;  ///< for formats whose unit is fixed
+};
+
+/// True for the endings that `write_mesh_file` takes, whatever their case.
+bool can_write_mesh(const std::filesystem::path& path);
+/// The endings, as they stand in sentences: ".obj, .off, .ply, .stl or .glb".
+inline constexpr std::string_view written_mesh_endings = ".obj, .off, .ply, .stl or .glb";
+
+/// Writes meshes in the format of the extension: OBJ, OFF, PLY (binary), STL (binary) or glTF (.glb),
+/// atomically. Errors: E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of
+/// `write_stl` and `write_gltf`.
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
-                             const CancelToken& cancel = {});
+                             const WriteOptions& options = {});
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,
-                             const CancelToken& cancel = {});
+                             const WriteOptions& options = {});
 
 }  // namespace hariko

@@ -1,7 +1,9 @@
 #pragma once
 
-// Meshes as the bytes of OBJ, PLY and STL files.
+// Meshes as the bytes of OBJ, OFF, PLY, STL and glTF files.
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -12,14 +14,20 @@
 
 namespace hariko {
 
-/// A mesh and what to call it; borrows the mesh. Positions must be finite and indices in range.
+using MeshColour = std::array<std::uint8_t, 3>;  ///< sRGB
+inline constexpr MeshColour usual_mesh_colour{0xb9, 0xb4, 0xac};
+
+/// A mesh and what to call it; borrows the mesh. Positions must be finite and indices in range. Formats
+/// without colours leave them out.
 struct NamedTriangles {
   std::string name;
   const TriangleMesh* mesh = nullptr;
+  MeshColour colour = usual_mesh_colour;
 };
 struct NamedPolygons {
   std::string name;
   const PolygonMesh* mesh = nullptr;
+  MeshColour colour = usual_mesh_colour;
 };
 
 /// OBJ with one `o` for each mesh. Positions are absolute (origin added) and exact: the shortest text that
@@ -40,5 +48,15 @@ std::string write_ply(std::span<const NamedPolygons> meshes, PlyEncoding encodin
 /// floats. O(size).
 Result<std::string> write_stl(std::span<const NamedTriangles> meshes);
 Result<std::string> write_stl(std::span<const NamedPolygons> meshes);
+
+/// OFF with all meshes as one, positions as in OBJ. O(size).
+std::string write_off(std::span<const NamedTriangles> meshes);
+std::string write_off(std::span<const NamedPolygons> meshes);
+
+/// glTF 2.0 as one binary file (.glb): a node, a mesh and a material for each, y up, in metres, normals where
+/// there are any; polygons are triangulated. Positions are floats about the object's own origin. Fails with
+/// E_LIMIT above 4 GB or beyond the range of floats. O(size).
+Result<std::string> write_gltf(std::span<const NamedTriangles> meshes, double metres_per_unit);
+Result<std::string> write_gltf(std::span<const NamedPolygons> meshes, double metres_per_unit);
 
 }  // namespace hariko

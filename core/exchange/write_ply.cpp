@@ -4,6 +4,7 @@
 
 #include "core/exchange/mesh_name.hpp"
 #include "core/exchange/number_text.hpp"
+#include "core/exchange/single_normals.hpp"
 #include "core/exchange/write_mesh.hpp"
 
 namespace hariko {
@@ -17,35 +18,10 @@ struct PlyContent {
   std::vector<Index> face_vertices;
 };
 
-/// Adds a mesh whose positions have one normal or several: each pair in use becomes a vertex.
-void add_with_normals(PlyContent& content, const TriangleMesh& mesh) {
+void add(PlyContent& content, const Vector3& origin, const VertexTriangles& mesh) {
   const std::size_t base = content.positions.size();
-  content.positions.reserve(base + mesh.positions.size());
-  content.normals.reserve(base + mesh.positions.size());
-  std::vector<Index> first(mesh.positions.size(), no_index);  // of the vertices made from a position
-  std::vector<Index> next, normal_of;                         // for each vertex made
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Index position = mesh.triangles[t][corner], normal = mesh.normal_triangles[t][corner];
-      Index vertex = first[position];
-      while (vertex != no_index && normal_of[vertex] != normal) vertex = next[vertex];
-      if (vertex == no_index) {
-        vertex = static_cast<Index>(normal_of.size());
-        next.push_back(first[position]);
-        normal_of.push_back(normal);
-        first[position] = vertex;
-        content.positions.push_back(mesh.origin + mesh.positions[position]);
-        content.normals.push_back(mesh.normals[normal]);
-      }
-      content.face_vertices.push_back(static_cast<Index>(base + vertex));
-    }
-    content.face_offsets.push_back(content.face_vertices.size());
-  }
-}
-
-void add_without_normals(PlyContent& content, const TriangleMesh& mesh) {
-  const std::size_t base = content.positions.size();
-  for (const Vector3& p : mesh.positions) content.positions.push_back(mesh.origin + p);
+  for (const Vector3& p : mesh.positions) content.positions.push_back(origin + p);
+  content.normals.insert(content.normals.end(), mesh.normals.begin(), mesh.normals.end());
   for (const auto& triangle : mesh.triangles) {
     for (const Index v : triangle) content.face_vertices.push_back(static_cast<Index>(base + v));
     content.face_offsets.push_back(content.face_vertices.size());
@@ -135,10 +111,9 @@ std::string write_ply(std::span<const NamedTriangles> meshes, PlyEncoding encodi
   });
   PlyContent content;
   for (const NamedTriangles& named : meshes) {
-    if (with_normals)
-      add_with_normals(content, *named.mesh);
-    else
-      add_without_normals(content, *named.mesh);
+    add(content, named.mesh->origin,
+        with_normals ? with_single_normals(*named.mesh)
+                     : VertexTriangles{named.mesh->positions, {}, named.mesh->triangles});
   }
   return to_bytes(content, meshes, encoding);
 }

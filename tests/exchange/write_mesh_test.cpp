@@ -288,7 +288,7 @@ TEST(MeshFile, FormatsAreToldByExtensionOrContent) {
   const PolygonMesh mesh = tetrahedra(rng, 1);
   const std::vector<NamedPolygons> named{{"", &mesh}};
   const test::TemporaryFolder folder;
-  for (const char* name : {"a.obj", "a.PLY", "a.Stl"}) {
+  for (const char* name : {"a.obj", "a.PLY", "a.Stl", "a.oFF"}) {
     ASSERT_TRUE(write_mesh_file(folder.path() / name, std::span<const NamedPolygons>(named)).ok());
     const std::string bytes = test::slurp(folder.path() / name);
     for (const std::string& copy : {std::string(name), std::string("none"), std::string("odd.xyz")}) {
@@ -325,7 +325,7 @@ TEST(MeshFile, ErrorsNameTheFile) {
   EXPECT_EQ(read_mesh_file(folder.path()).error().code, e_file_open);
   EXPECT_EQ(read_mesh_file(folder.path() / "a.obj", {}, 3).error().code, e_limit);
   const std::vector<NamedTriangles> nothing;
-  EXPECT_EQ(write_mesh_file(folder.path() / "a.off", std::span<const NamedTriangles>(nothing)).error().code,
+  EXPECT_EQ(write_mesh_file(folder.path() / "a.xyz", std::span<const NamedTriangles>(nothing)).error().code,
             e_format_unknown);
   EXPECT_EQ(
       write_mesh_file(folder.path() / "no" / "a.obj", std::span<const NamedTriangles>(nothing)).error().code,
