@@ -39,6 +39,15 @@ constexpr Description descriptions[] = {
     {"cube_crease", "Creased cube", "Sharp edges among smooth ones"},
     {"car", "Car body", "Larger model"},
     {"knot", "Knot", "A thousand faces, to see how fast everything follows"},
+    {"skin_smooth", "Smooth skin", "Two sections with few columns, placed where they matter"},
+    {"skin_ridges", "Ridges by themselves", "Points matched by their places alone"},
+    {"skin_joined", "Joined ridges", "Two lines say which ridge goes where"},
+    {"skin_grouped", "Grouped ridges", "Curves round points that belong together"},
+    {"skin_between", "Joined on a grid", "Features aligned without extraordinary vertices"},
+    {"skin_car_smooth", "Car, smooth skin", "Seven sections along a path, on a regular grid"},
+    {"skin_car", "Car, pleated skin", "The same sections with their edges joined"},
+    {"skin_merge_inside", "Merging ridges", "Two ridges become one on the way"},
+    {"skin_merge_end", "Ridges that end in one", "Two ridges become one at the last section"},
     {"wheel_arch", "Wheel arch", "A hole between bicubic patches, closed smoothly"},
 };
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes assets/samples/*.hariko from the polygon files, scenes and outlines in tests/golden, a knot, a wheel arch, and a
-shell. The results are checked in.
+"""Writes assets/samples/*.hariko from the polygon files, scenes and outlines in tests/golden, the sections in
+tests/skinning/data, a knot, a wheel arch, and a shell. The results are checked in.
 
 Run it from anywhere; it needs nothing but Python. It writes exactly what the program itself would write, which a
 test checks.
@@ -13,6 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 GOLDEN = ROOT / "tests" / "golden"
+SECTIONS = ROOT / "tests" / "skinning" / "data"
 SAMPLES = ROOT / "assets" / "samples"
 
 # File name, polygons, tensions, name of the object.
@@ -46,6 +47,20 @@ SCENES = [
     ("solids_dryer", "dryer", "Hair dryer"),
     ("solids_car", "car", "Car of two boxes"),
     ("solids_camera", "camera", "Camera"),
+]
+
+
+# File name, sections of tests/skinning/data, method, columns and rows of the smooth method, name of the object.
+SKINS = [
+    ("skin_smooth", "fig5", "smooth", 8, 7, "Two sections, smooth"),
+    ("skin_ridges", "fig6a", "pleat", 0, 0, "Ridges as they match by themselves"),
+    ("skin_joined", "fig6b", "pleat", 0, 0, "Ridges joined by lines"),
+    ("skin_grouped", "fig6c", "pleat", 0, 0, "Ridges grouped by curves"),
+    ("skin_between", "fig6b", "anchored", 21, 9, "Ridges joined on a regular grid"),
+    ("skin_car_smooth", "car_edited", "smooth", 13, 19, "Car body, smooth"),
+    ("skin_car", "car_edited", "pleat", 0, 0, "Car body, pleated"),
+    ("skin_merge_inside", "fig9_interior", "pleat", 0, 0, "Two ridges merge on the way"),
+    ("skin_merge_end", "fig9_section", "pleat", 0, 0, "Two ridges merge at the end"),
 ]
 
 
@@ -200,6 +215,63 @@ def solids(scene):
         '        "surface": "rational"',
         '        "symmetry": "none"',
     ]
+
+
+def skin_curve(name, curve):
+    points = ", ".join(row(p) for p in curve["points"])
+    members = [f'          "points": [{points}]', f'          "closed": {json.dumps(curve.get("closed", False))}']
+    if curve.get("sharp"):
+        members.append(f'          "sharp": {row(sorted(curve["sharp"]))}')
+    return f'        "{name}": {{\n' + ",\n".join(members) + "\n        }"
+
+
+def skin(layout, method, columns, row_count):
+    """Sections along a path; ids are numbered from section to section."""
+    sections, ids = [], []
+    for k, section in enumerate(layout["sections"]):
+        first = ids[-1][-1] + 1 if ids else 0
+        ids.append(list(range(first, first + len(section["points"]))))
+        points = ", ".join(row(p) for p in section["points"])
+        members = [
+            f'            "id": {k}',
+            f'            "v": {number(section["v"])}',
+            f'            "closed": {json.dumps(section.get("closed", False))}',
+            f'            "points": [{points}]',
+            f'            "ids": {row(ids[-1])}',
+        ]
+        if section.get("sharp"):
+            members.append(f'            "sharp": {row(sorted(section["sharp"]))}')
+        sections.append("          {\n" + ",\n".join(members) + "\n          }")
+    lines = [
+        '        "kind": "skin"',
+        skin_curve("path", layout["path"]),
+        f'        "frame": "{layout.get("frame", "automatic")}"',
+        '        "sections": [\n' + ",\n".join(sections) + "\n        ]",
+        f'        "method": "{method}"',
+        '        "caps": "none"',
+        '        "creases": true',
+        '        "flip_normals": false',
+        f'        "smooth": {{\n          "columns": {columns},\n          "rows": {row_count},\n'
+        '          "parameters": "per-section",\n          "blend": "automatic"\n        }',
+        '        "pleat": {\n          "rows": "even",\n          "quad_fans": true,\n          "collars": true,\n'
+        '          "exact": "fair",\n          "cost": "parameter",\n          "tension": 200,\n          "density": 1\n        }',
+    ]
+    count = len(layout["sections"])
+    links, merges = [], []
+    for link in layout.get("links", []):
+        a, b = link["strip"], (link["strip"] + 1) % count
+        links.append(f'          {{"id": {len(links)}, "sections": [{a}, {b}], "a": {row(ids[a][i] for i in link["a"])}, '
+                     f'"b": {row(ids[b][j] for j in link["b"])}}}')
+    for merge in layout.get("merges", []):
+        a, b = merge["strip"], (merge["strip"] + 1) % count
+        own, other = (ids[a], ids[b]) if merge["side"] == "a" else (ids[b], ids[a])
+        merges.append(f'          {{"id": {len(links) + len(merges)}, "sections": [{a}, {b}], "side": "{merge["side"]}", '
+                      f'"members": {row(own[i] for i in merge["members"])}, "target": {other[merge["target"]]}, '
+                      f'"v": {number(merge["v"])}}}')
+    for name, entries in (("links", links), ("merges", merges)):
+        if entries:
+            lines.append(f'        "{name}": [\n' + ",\n".join(entries) + "\n        ]")
+    return lines
 
 
 def patches(columns, row_count, points):
@@ -358,6 +430,10 @@ def main():
     for file_name, scene_name, name in SCENES:
         scene = json.loads((GOLDEN / "envelope" / f"{scene_name}.json").read_text())
         text = document(object_text(1, name, solids(scene)))
+        (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
+    for file_name, sections, method, columns, row_count, name in SKINS:
+        layout = json.loads((SECTIONS / f"{sections}.json").read_text())
+        text = document(object_text(1, name, skin(layout, method, columns, row_count)))
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
     text = document(object_text(1, "Knot", polyhedron(*knot(), [])))
     (SAMPLES / "knot.hariko").write_text(text, encoding="utf-8", newline="\n")

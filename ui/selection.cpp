@@ -23,6 +23,17 @@ void keep_existing(std::set<Id>& set, const Polyhedron& polyhedron) {
   std::erase_if(set, [&](const Id& id) { return polyhedron.find(id) == no_index; });
 }
 
+/// Of a skin points of sections can be selected, and those of the path, which have the highest numbers.
+void keep_existing(ElementSelection& elements, const Skin& skin) {
+  std::erase_if(elements.vertices, [&](VertexId id) {
+    return id.value < 0x80000000U &&
+           std::none_of(skin.sections.begin(), skin.sections.end(),
+                        [&](const SkinSection& section) { return find_point(section, id.value) >= 0; });
+  });
+  elements.edges.clear();
+  elements.faces.clear();
+}
+
 void append_count(std::string& text, std::size_t count, const char* one, const std::string& many) {
   if (count == 0) return;
   if (!text.empty()) text += ", ";
@@ -126,7 +137,9 @@ void Selection::prune(const Document& document) {
       keep_existing(it->second.edges, *cage);
       keep_existing(it->second.faces, *cage);
     }
-    it = !cage || it->second.empty() ? elements_.erase(it) : std::next(it);
+    const SkinSource* skin = object ? object->skin() : nullptr;
+    if (skin) keep_existing(it->second, *skin->skin);
+    it = (!cage && !skin) || it->second.empty() ? elements_.erase(it) : std::next(it);
   }
   std::erase_if(objects_, [&](ObjectId id) { return !document.find(id); });
   if (last && !document.find(last->object)) last.reset();

@@ -9,6 +9,7 @@
 #include "ui/panels/mesh_overlay.hpp"
 #include "ui/panels/view_frame.hpp"
 #include "ui/tools/navigation.hpp"
+#include "ui/tools/skin_tool.hpp"
 
 namespace hariko {
 
@@ -216,6 +217,10 @@ void Viewport::show(PanelContext& context, const Place& place) {
   draw_scale_bar(context, camera, place.rect);
   draw_tension_numbers(context, place.rect, camera, scene_.scene());
   const ToolOverlay overlay{list, place.rect.min, context.metrics};
+  const bool free = active && !tool_ && holds(place.rect, ImGui::GetIO().MousePos);
+  skin_overlay_.draw(editor_, Projector(camera, size_of(place)), overlay,
+                     free ? std::optional(pixel_at(ImGui::GetIO().MousePos)) : std::nullopt,
+                     active ? &context.marks : nullptr);
   if (tool_ && active) tool_->draw({editor_, scene_}, overlay);
   if (active) {
     gizmo_.draw(overlay, hot_handle_);
@@ -282,8 +287,9 @@ void Viewport::look_for_press(PointerEvent event) {
     // With modifiers the press is for the selection or for the view.
     const bool plain = event.button == PointerButton::left && !event.shift && !event.control && !event.alt;
     const auto handle = plain ? gizmo_.hit(event.pixel) : std::nullopt;
-    auto tool =
-        handle ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock) : tool_for(editor_, event);
+    auto tool = handle ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
+                       : skin_tool_at({editor_, scene_}, event);
+    if (!tool) tool = tool_for(editor_, event);
     if (tool) start(std::move(tool), event);
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/panels/panels.hpp"
+#include "ui/panels/skin_overlay.hpp"
 #include "ui/scene_builder.hpp"
 #include "ui/tools/gizmo.hpp"
 #include "ui/tools/tool.hpp"
@@ -77,6 +78,7 @@ class Viewport {
   SceneBuilder scene_;
   std::unique_ptr<Tool> tool_;
   Gizmo gizmo_;
+  SkinOverlay skin_overlay_;
   std::optional<GizmoHandle> hot_handle_;  ///< under the pointer
   bool shift_ = false, control_ = false;   ///< as the tool knows them
   PointerEvent press_;

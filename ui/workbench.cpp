@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/base/file_io.hpp"
+#include "ui/commands/skin_commands.hpp"
 #include "ui/icons.hpp"
 #include "ui/key_file.hpp"
 #include "ui/panels/picture_options.hpp"
@@ -49,6 +50,7 @@ void Workbench::add_commands() {
   add_shape_commands(host_);
   add_attach_commands(host_);
   add_recompute_commands(host_);
+  add_skin_commands(host_);
   add_paper_commands(host_);
   add_view_commands(host_);
   add_analyse_commands(host_);

@@ -35,7 +35,8 @@ int run_info(const InfoArguments& arguments);
 
 struct ExportArguments {
   std::filesystem::path file, out;
-  int density = 8;  ///< 1 .. 256
+  int density = 8;       ///< 1 .. 256
+  bool control = false;  ///< the control meshes of skins instead of triangles
   Construction construction;
 };
 int run_export(const ExportArguments& arguments);

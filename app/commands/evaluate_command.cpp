@@ -2,6 +2,7 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/evaluation.hpp"
+#include "app/commands/skin_evaluation.hpp"
 #include "app/commands/solids_evaluation.hpp"
 #include "app/commands/tension_file.hpp"
 #include "core/base/file_io.hpp"
@@ -23,12 +24,15 @@ int fail(const std::filesystem::path& file, const Message& message) {
 int run_evaluate(const EvaluateArguments& arguments) {
   const auto document = read_document_or_report(arguments.file, arguments.construction);
   if (!document) return exit_failed;
-  if (document->objects.size() == 1)
-    if (const SolidsSource* solids = document->objects[0]->solids()) {
-      const auto json = solids_json(*solids);
+  if (document->objects.size() == 1) {
+    const Object& object = *document->objects[0];
+    if (object.solids() || object.skin()) {
+      const auto json =
+          object.solids() ? solids_json(*object.solids()) : skin_evaluation_json(*object.skin()->skin);
       if (!json.ok()) return fail(arguments.file, json.error());
       return print(*json) ? exit_fine : exit_failed;
     }
+  }
   const PolyhedronSource* found = nullptr;
   int count = 0;
   for (const auto& object : document->objects)

@@ -1,6 +1,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/files/control_mesh_file.hpp"
 #include "app/files/export_surfaces.hpp"
 
 namespace hariko {
@@ -8,7 +9,8 @@ namespace hariko {
 int run_export(const ExportArguments& arguments) {
   const auto document = read_document_or_report(arguments.file, arguments.construction);
   if (!document) return exit_failed;
-  const auto done = export_surfaces(*document, arguments.out, arguments.density);
+  const auto done = arguments.control ? export_control_meshes(*document, arguments.out)
+                                      : export_surfaces(*document, arguments.out, arguments.density);
   if (done.ok()) return exit_fine;
   report(arguments.file.string(), done.error());
   return exit_failed;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "app/commands/console.hpp"
 #include "core/analysis/continuity.hpp"
@@ -9,6 +11,8 @@
 #include "core/modeling/attached.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "core/skinning/mesh_report.hpp"
+#include "core/skinning/regular_faces.hpp"
 
 namespace hariko {
 
@@ -92,6 +96,41 @@ Result<PolyhedronSurface> inspect_solids(const SolidsSource& source, ObjectInfo&
   return out;
 }
 
+SkinInfo skin_info(const Skin& skin, const SkinSurface& made) {
+  constexpr std::array<const char*, 3> methods{"smooth", "anchored", "pleat"};
+  const SkinMesh& mesh = made.result.mesh;
+  SkinInfo out;
+  out.sections = skin.sections.size();
+  out.method = methods[std::size_t(skin.method)];
+  out.columns = std::size_t(mesh.grid_columns);
+  out.rows = std::size_t(mesh.grid_rows);
+  // Rows of a section belong to both its strips.
+  for (const auto& rows : mesh.rows) out.rows += rows.size() - 1;
+  if (!mesh.rows.empty() && !skin.path.closed) ++out.rows;
+  out.extraordinary = figures(mesh.control.mesh).extraordinary;
+  out.creases = mesh.control.creases.size();
+  out.regular_faces = regular_faces(mesh.control).size();
+  const double condition = limit_condition(subdivision_patches(made.surface)->topology());
+  if (std::isfinite(condition)) out.condition = condition;
+  for (const SectionMiss& miss : section_misses(skin, mesh, made.surface))
+    out.section_miss.push_back(miss.largest);
+  return out;
+}
+
+/// The surface over sections, with the counts of its control mesh.
+Result<PolyhedronSurface> inspect_skin(const Skin& skin, double scale, ObjectInfo& info) {
+  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  if (!made) return made.error();
+  info.skin = skin_info(skin, *made);
+  for (double& miss : info.skin->section_miss) miss *= scale;
+  if (const auto topology = HalfEdgeMesh::build(made->result.mesh.control.mesh); topology.ok())
+    count_topology(*topology, info);
+  PolyhedronSurface out;
+  out.surface = std::move(made.value().surface);
+  out.warnings = std::move(made.value().result.warnings);
+  return out;
+}
+
 void inspect_surface(const Document& document, const Object& object, const Document* against,
                      ObjectInfo& info) {
   const double scale = object.transform.scale;
@@ -107,6 +146,8 @@ void inspect_surface(const Document& document, const Object& object, const Docum
   auto built = Result<PolyhedronSurface>(PolyhedronSurface{});
   if (const SolidsSource* solids = object.solids())
     built = inspect_solids(*solids, info);
+  else if (const SkinSource* skin = object.skin())
+    built = inspect_skin(*skin->skin, scale, info);
   else
     built = object_surface(document, object);
   lap("rebuild");

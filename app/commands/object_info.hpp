@@ -2,6 +2,7 @@
 
 // What `hariko info` tells about an object.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,6 +27,17 @@ struct EnvelopeInfo {
   int builds = 0;
 };
 
+/// Of skins: the control mesh and how near the surface is to the sections.
+struct SkinInfo {
+  std::size_t sections = 0;
+  std::string method;                        ///< "smooth", "anchored" or "pleat"
+  std::size_t rows = 0, columns = 0;         ///< of the control mesh; columns only of a regular grid
+  std::map<std::string, int> extraordinary;  ///< as `ControlMeshFigures`
+  std::size_t creases = 0, regular_faces = 0;
+  std::optional<double> condition;   ///< of the limit matrix; nothing where it is singular
+  std::vector<double> section_miss;  ///< largest distance of the surface's curve from each section
+};
+
 /// What does not exist, or is not known because of an error, is empty. Lengths are in the document's unit,
 /// after the object's transform.
 struct ObjectInfo {
@@ -35,6 +47,7 @@ struct ObjectInfo {
   std::optional<CurvatureRange> gauss_range, mean_range;
   std::optional<std::size_t> degenerate_samples, folded_samples;
   std::optional<EnvelopeInfo> envelope;
+  std::optional<SkinInfo> skin;
   /// Present when the object was compared with another document's; empty inside where that one has no such
   /// object, or one of the two has no surface.
   std::optional<std::optional<SurfaceComparison>> against;

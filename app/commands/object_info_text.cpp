@@ -45,6 +45,20 @@ Json to_json(const EnvelopeInfo& envelope) {
           {"outside", envelope.outside},   {"folds", envelope.folds},   {"builds", envelope.builds}};
 }
 
+Json to_json(const SkinInfo& skin) {
+  Json extraordinary = Json::object();
+  for (const auto& [kind, count] : skin.extraordinary) extraordinary[kind] = count;
+  return {{"sections", skin.sections},
+          {"method", skin.method},
+          {"rows", skin.rows},
+          {"columns", skin.columns > 0 ? Json(skin.columns) : Json(nullptr)},
+          {"extraordinary", extraordinary},
+          {"creases", skin.creases},
+          {"regular_faces", skin.regular_faces},
+          {"condition", value_or_null(skin.condition)},
+          {"section_miss", skin.section_miss}};
+}
+
 Json to_json(const ObjectInfo& info) {
   Json out = {{"name", info.name},
               {"kind", info.kind},
@@ -66,6 +80,7 @@ Json to_json(const ObjectInfo& info) {
               {"degenerate_samples", value_or_null(info.degenerate_samples)},
               {"folded_samples", value_or_null(info.folded_samples)}};
   if (info.envelope) out["envelope"] = to_json(*info.envelope);
+  if (info.skin) out["skin"] = to_json(*info.skin);
   if (info.against) out["against"] = to_json(*info.against);
   out["messages"] = Json::array();
   for (const Message& message : info.messages) out["messages"].push_back(to_json(message));

@@ -88,11 +88,15 @@ Material material_from(std::string_view word) {
   return static_cast<Material>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-bool is_png(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension == ".png";
+  return extension;
+}
+
+bool is_png(const std::string& path) {
+  return lower_extension(path) == ".png";
 }
 
 Mode mode_of(const std::string& word) {
@@ -166,6 +170,8 @@ class CommandLine {
     export_->add_option("--density", export_arguments_.density, "Intervals a patch side, 1 to 256")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    export_->add_flag("--control", export_arguments_.control,
+                      "Writes the control meshes of skins, with creases, as OBJ instead");
     add_construction(export_);
   }
   void add_render() {
@@ -257,6 +263,8 @@ class CommandLine {
   void check_combinations() const {
     if (*unfold_.command()) unfold_.check();
     if (*export_) check_mesh_output(export_arguments_.file, export_arguments_.out);
+    if (*export_ && export_arguments_.control && lower_extension(export_arguments_.out) != ".obj")
+      throw CLI::ValidationError("--control", "the name must end in .obj");
     if (*mesh_) {
       check_mesh_output(input_, output_);
       if (!errors_.empty() && std::filesystem::path(errors_).extension() != ".csv")

@@ -12,13 +12,14 @@
 namespace hariko {
 namespace {
 
-/// Statements of the OBJ specification that say nothing about polygons.
-constexpr std::array<std::string_view, 42> ignored_statements{
-    "bevel", "bmat",   "bsp",    "bzp",        "c_interp", "call",     "cdc",  "cdp",  "con",
-    "csh",   "cstype", "ctech",  "curv",       "curv2",    "d_interp", "deg",  "end",  "g",
-    "hole",  "l",      "lod",    "maplib",     "mg",       "mtllib",   "o",    "p",    "parm",
-    "res",   "s",      "scrv",   "shadow_obj", "sp",       "stech",    "step", "surf", "trace_obj",
-    "trim",  "usemap", "usemtl", "vn",         "vp",       "vt"};
+/// Statements of the OBJ specification, and the tags of subdivision surfaces (t), that say nothing about
+/// polygons.
+constexpr std::array<std::string_view, 43> ignored_statements{
+    "bevel",     "bmat",   "bsp",    "bzp",        "c_interp", "call",     "cdc",  "cdp",  "con",
+    "csh",       "cstype", "ctech",  "curv",       "curv2",    "d_interp", "deg",  "end",  "g",
+    "hole",      "l",      "lod",    "maplib",     "mg",       "mtllib",   "o",    "p",    "parm",
+    "res",       "s",      "scrv",   "shadow_obj", "sp",       "stech",    "step", "surf", "t",
+    "trace_obj", "trim",   "usemap", "usemtl",     "vn",       "vp",       "vt"};
 
 class ObjReader {
  public:

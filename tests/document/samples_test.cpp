@@ -57,12 +57,26 @@ const std::vector<std::pair<std::string, std::size_t>>& outline_samples() {
   return list;
 }
 
+struct ExpectedSkin {
+  const char* name;
+  int sections;
+  std::size_t links, merges;
+};
+
+const std::vector<ExpectedSkin>& skin_samples() {
+  static const std::vector<ExpectedSkin> list{
+      {"skin_smooth", 2, 0, 0},  {"skin_ridges", 2, 0, 0},       {"skin_joined", 2, 2, 0},
+      {"skin_grouped", 2, 2, 0}, {"skin_between", 2, 2, 0},      {"skin_car_smooth", 7, 28, 0},
+      {"skin_car", 7, 28, 0},    {"skin_merge_inside", 2, 0, 1}, {"skin_merge_end", 2, 1, 0}};
+  return list;
+}
+
 TEST(Samples, AreAllListed) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(HARIKO_SOURCE_DIR "/assets/samples"))
     count += entry.path().extension() == ".hariko" ? 1U : 0U;
-  EXPECT_EQ(count,
-            samples().size() + solid_samples().size() + outline_samples().size() + 1);  // and the wheel arch
+  EXPECT_EQ(count, samples().size() + solid_samples().size() + outline_samples().size() +
+                       skin_samples().size() + 1);  // and the wheel arch
 }
 
 TEST(Samples, OfSolidsOpenAndAreWrittenAsTheyAre) {
@@ -94,6 +108,29 @@ TEST(Samples, OfOutlinesOpenAndHaveSmoothSurfaces) {
     const ContinuityReport report = continuity(made->surface);
     EXPECT_LE(*report.largest_normal_jump, 1e-10);
     EXPECT_LE(report.largest_gap, 1e-12);
+    EXPECT_EQ(report.folded_samples, 0U);
+  }
+}
+
+TEST(Samples, OfSkinsOpenAndBecomeSmoothSurfaces) {
+  for (const ExpectedSkin& sample : skin_samples()) {
+    SCOPED_TRACE(sample.name);
+    const Result<Document> document = load_document(path_of(sample.name));
+    ASSERT_TRUE(document) << to_string(document.error());
+    ASSERT_EQ(document->objects.size(), 1U);
+    const SkinSource* source = document->objects[0]->skin();
+    ASSERT_NE(source, nullptr);
+    EXPECT_EQ(source->skin->section_count(), sample.sections);
+    EXPECT_EQ(source->skin->links.size(), sample.links);
+    EXPECT_EQ(source->skin->merges.size(), sample.merges);
+    EXPECT_EQ(write_document(*document), read_file(path_of(sample.name)).value());
+    const auto made = object_surface(*document, *document->objects[0]);
+    ASSERT_TRUE(made) << to_string(made.error());
+    // Steep ridges have sides that look away from each other, and say so.
+    for (const Message& warning : made->warnings) EXPECT_EQ(warning.code, w_fold) << to_string(warning);
+    const ContinuityReport report = continuity(made->surface);
+    EXPECT_EQ(report.largest_gap, 0);
+    EXPECT_LE(*report.largest_normal_jump, 1e-8);
     EXPECT_EQ(report.folded_samples, 0U);
   }
 }

@@ -7,6 +7,7 @@
 #include "core/document/edits.hpp"
 #include "core/modeling/arched_net.hpp"
 #include "core/modeling/primitives.hpp"
+#include "core/skinning/simple_skin.hpp"
 #include "ui/commands/command_host.hpp"
 
 namespace hariko {
@@ -129,6 +130,30 @@ void add_patches(CommandHost& host) {
                   Context::empty});
 }
 
+void add_skin(CommandHost& host) {
+  const Numbers numbers = [](double r) {
+    return std::vector{
+        length("length", translatable("Length"), 3 * r), length("width", translatable("Width"), 2 * r),
+        length("height", translatable("Height"), r), count("points", translatable("Points"), 7, 3, 200)};
+  };
+  const MakeSource make = [](std::span<const OperationNumber> n) -> Result<Source> {
+    return Source(SkinSource{arched_skin(n[0].value, n[1].value, n[2].value, count_of(n[3])), {}});
+  };
+  host.table.add(
+      {"add.skin",
+       "Add",
+       "Skin",
+       "Two sections on a path, and a surface over them.",
+       "",
+       "",
+       true,
+       false,
+       [&host, numbers, make] { add_primitive(host, "Skin", translatable("Add skin"), numbers, make); },
+       {},
+       {},
+       Context::empty});
+}
+
 void add_solids(const AddShape& add) {
   add(
       "add.box", "Add", "Box", translatable("Add box"), "A box of six faces, or more.",
@@ -249,6 +274,7 @@ void add_add_commands(CommandHost& host) {
   add_round(add);
   add_platonic(add);
   add_patches(host);
+  add_skin(host);
 }
 
 }  // namespace hariko

@@ -19,6 +19,8 @@
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 #include "ui/operations.hpp"
+#include "ui/skin_edits.hpp"
+#include "ui/skin_view.hpp"
 #include "ui/tools/transform_target.hpp"
 
 namespace hariko {
@@ -68,6 +70,7 @@ Result<Modeled> dissolved(const PolyhedronSource& source, const ElementSet& set,
 /// Elements when some are selected, else the objects that are chosen, else the active one.
 void delete_selection(Editor& editor) {
   if (editor.mode != ElementMode::object && !editor.selection.of_active().empty()) {
+    if (shown_skin(editor)) return delete_selected_points(editor);
     const ElementSet set = editor.selection.of_active();
     const ElementKind kind = kind_at_hand(editor);
     const char* label = kind == ElementKind::face   ? translatable("Delete faces")

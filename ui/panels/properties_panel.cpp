@@ -14,6 +14,7 @@
 #include "ui/panels/message_list.hpp"
 #include "ui/panels/paper_properties.hpp"
 #include "ui/panels/selected_items.hpp"
+#include "ui/panels/skin_properties.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -441,6 +442,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       if (!vertices.ids.empty()) vertex_section(context, vertices);
       if (!edges.ids.empty()) edge_section(context, edges);
       if (!faces.ids.empty()) face_section(context, faces);
+      draw_skin_properties(context);
       object_section(context, objects);
       if (vertices.ids.empty() && edges.ids.empty() && faces.ids.empty() && objects.front()->polyhedron()) {
         heading(context, "Selection");

@@ -1,0 +1,32 @@
+#include "app/files/control_mesh_file.hpp"
+
+#include <deque>
+
+#include "core/base/file_io.hpp"
+#include "core/exchange/write_control_mesh.hpp"
+#include "core/skinning/evaluate_skin.hpp"
+
+namespace hariko {
+
+Result<Done> export_control_meshes(const Document& document, const std::filesystem::path& path) {
+  std::deque<ControlMesh> meshes;
+  std::vector<NamedControlMesh> named;
+  for (const auto& object : document.objects) {
+    if (!object->visible || !object->skin()) continue;
+    auto made = evaluate_skin(*object->skin()->skin);
+    if (!made) {
+      Message error = made.error();
+      error.text = object->name + ": " + error.text;
+      return error;
+    }
+    meshes.push_back(std::move(made.value().mesh.control));
+    for (Vector3& p : meshes.back().mesh.positions) p = object->transform.apply(p);
+    named.push_back({object->name, &meshes.back()});
+  }
+  if (named.empty())
+    return make_error(e_no_skin, "There is no visible skin whose control mesh could be written.",
+                      "Show a skin, or draw one.");
+  return write_file_atomic(path, write_control_obj(named));
+}
+
+}  // namespace hariko

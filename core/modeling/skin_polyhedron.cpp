@@ -1,0 +1,73 @@
+#include "core/modeling/skin_polyhedron.hpp"
+
+#include <algorithm>
+
+#include "core/approximation/surface_foot.hpp"
+#include "core/modeling/surface_input.hpp"
+#include "core/skinning/evaluate_skin.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// The settings of a polyhedron whose vertices are those of the control mesh.
+Shaping shaping_of(const Surface& skin) {
+  const SubdivisionPatchSet& patches = *subdivision_patches(skin);
+  const SubdivisionTopology& topology = patches.topology();
+  Shaping out;
+  for (const ControlMesh::Crease& crease : topology.mesh().creases)
+    if (crease.sharpness >= infinitely_sharp)
+      out.crease.set(EdgeId::of(VertexId{crease.a}, VertexId{crease.b}), true);
+  for (const ControlMesh::Corner& corner : topology.mesh().corners)
+    out.tag.set(VertexId{corner.vertex}, VertexTag::corner);
+  for (Index v = 0; v < Index(topology.mesh().mesh.positions.size()); ++v) {
+    const Index node = topology.vertex_node(v);
+    if (node == no_index || out.tag.contains(VertexId{v})) continue;
+    const Vector3& normal = skin.node_normal(node);
+    if (!normal.isZero(0)) out.pin.set(VertexId{v}, Pin{Pin::Kind::normal, {normal}});
+  }
+  return out;
+}
+
+double distance_between(const Surface& polyhedron, const Surface& skin) {
+  constexpr int density = 4;
+  const SurfaceSampler sampler(skin);
+  const SurfaceFeet feet(sampler);
+  const Vector3 shift = polyhedron.origin() - skin.origin();
+  double out = 0;
+  for (Index patch = 0; patch < polyhedron.patch_count(); ++patch)
+    for (int i = 0; i <= density; ++i)
+      for (int j = 0; i + j <= density; ++j) {
+        const Vector3 p = polyhedron.patches()
+                              .evaluate(patch, {double(i) / density, double(j) / density}, Order::first)
+                              .position;
+        out = std::max(out, feet.foot(p + shift).distance);
+      }
+  return out;
+}
+
+}  // namespace
+
+Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& cancel) {
+  auto made = SkinSurfacer().surface(skin, Vector3::Zero(), cancel);
+  if (!made) return made.error();
+  const SubdivisionPatchSet& patches = *subdivision_patches(made->surface);
+  PolygonMesh mesh = made->result.mesh.control.mesh;
+  for (Index v = 0; v < Index(mesh.positions.size()); ++v)
+    if (patches.topology().vertex_node(v) != no_index) mesh.positions[v] = patches.limit_position(v);
+  auto source = PolyhedronSource::from_mesh(std::move(mesh));
+  if (!source) return source.error();
+  SkinPolyhedron out{*std::move(source), 0, made->result.warnings};
+  out.source.shaping = shaping_of(made->surface);
+  const auto input = surface_input(out.source);
+  if (!input) return input.error();
+  PolyhedronSurfacer surfacer;
+  const auto built = surfacer.rebuild(*input, Quality::final, cancel);
+  if (!built)
+    out.warnings.push_back(built.error());
+  else
+    out.distance = distance_between(built->surface, made->surface);
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,28 @@
+#include "core/skinning/simple_skin.hpp"
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+Skin arched_skin(double length, double width, double height, int points) {
+  HARIKO_ASSERT(points >= 3, "an arch has three points");
+  Skin skin;
+  constexpr int path_points = 5;
+  for (int i = 0; i < path_points; ++i)
+    skin.path.points.push_back(Vector3(length * (double(i) / (path_points - 1) - 0.5), 0, 0));
+  for (const int k : {0, 1}) {
+    SkinSection section;
+    section.id = std::uint32_t(k);
+    section.v = k;
+    for (int i = 0; i < points; ++i) {
+      const double t = 2.0 * i / (points - 1) - 1;
+      section.points.push_back({std::uint32_t(k * points + i),
+                                Vector3(length * (k - 0.5), width / 2 * t, height * (1 - t * t) / (k + 1)),
+                                false});
+    }
+    skin.sections.push_back(section);
+  }
+  return skin;
+}
+
+}  // namespace hariko

@@ -1,0 +1,101 @@
+// Skins on the command line: the plain layout, `info`, `evaluate` and the control mesh.
+
+#include <cmath>
+
+#include "tests/cli/program.hpp"
+
+namespace hariko::test {
+namespace {
+
+class SkinCommands : public ProgramTest {
+ protected:
+  static std::string sections(const std::string& name) {
+    return std::string(HARIKO_SOURCE_DIR) + "/tests/skinning/data/" + name + ".json";
+  }
+  static Json golden_case(const std::string& name) {
+    return Json::parse(read_text(std::string(HARIKO_SOURCE_DIR) + "/tests/skinning/data/golden.json"))[name];
+  }
+};
+
+TEST_F(SkinCommands, EvaluateGivesTheGoldenValues) {
+  // What the layout does not say is as in these configurations.
+  for (const auto& [name, configuration] : {std::pair("fig9_interior", "fig9_interior/pleat_quads"),
+                                            std::pair("car_edited", "car_edited/pleat_fair200")}) {
+    SCOPED_TRACE(name);
+    const Outcome result = run("evaluate " + sections(name));
+    ASSERT_EQ(result.exit_code, 0) << result.error;
+    const Json got = result.json(), expected = golden_case(configuration);
+    for (const char* key : {"vertices", "faces", "edges", "quads", "tris", "ngons", "extraordinary", "euler",
+                            "boundary_vertices", "nonmanifold_edges", "crease_edges", "corner_vertices",
+                            "regular_faces", "lines"})
+      EXPECT_EQ(got[key], expected[key]) << key;
+    for (std::size_t s = 0; s < expected["rows"].size(); ++s)
+      for (std::size_t q = 0; q < expected["rows"][s].size(); ++q)
+        EXPECT_NEAR(got["rows"][s][q].get<double>(), expected["rows"][s][q].get<double>(), 1e-8);
+    EXPECT_NEAR(got["limit_cond"].get<double>() / expected["limit_cond"].get<double>(), 1, 0.01);
+    for (const Json& miss : got["section_error"]) EXPECT_LT(miss["same_parameter_max"], 1e-10);
+    EXPECT_EQ(got["control"]["points"].size(), expected["vertices"]);
+    EXPECT_EQ(got["control"]["faces"].size(), expected["faces"]);
+    for (const Json& sample : expected["samples"])
+      for (const char* key : {"control", "limit"})
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          EXPECT_NEAR(got["samples"][sample["vertex"].get<std::size_t>()][key][axis].get<double>(),
+                      sample[key][axis].get<double>(), 1e-5);
+  }
+  const Outcome smooth =
+      run("evaluate " + std::string(HARIKO_SOURCE_DIR) + "/assets/samples/skin_smooth.hariko");
+  ASSERT_EQ(smooth.exit_code, 0) << smooth.error;
+  EXPECT_EQ(smooth.json()["grid"], Json({7, 8}));
+  EXPECT_EQ(smooth.json()["params"].size(), 2U) << "one row a section";
+}
+
+TEST_F(SkinCommands, InfoTellsHowNearTheSectionsAre) {
+  const Outcome result = run("info --json " + sections("car_edited"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json object = result.object(), skin = object["skin"];
+  EXPECT_EQ(object["kind"], "skin");
+  EXPECT_EQ(object["vertices"], 191);
+  EXPECT_EQ(skin["method"], "pleat");
+  EXPECT_EQ(skin["sections"], 7);
+  EXPECT_EQ(skin["extraordinary"], golden_case("car_edited/pleat_fair200")["extraordinary"]);
+  ASSERT_EQ(skin["section_miss"].size(), 7U);
+  for (const Json& miss : skin["section_miss"]) EXPECT_LT(miss, 1e-6);
+  EXPECT_NEAR(skin["condition"].get<double>(), 8.85, 0.1);
+  EXPECT_EQ(object["largest_gap"], 0.0);
+  const Outcome text = run("info " + sections("car_edited"));
+  EXPECT_NE(text.out.find("section_miss"), std::string::npos) << text.out;
+  // A skin that cannot be made says why.
+  Json broken = Json::parse(read_text(sections("fig6a")));
+  broken["sections"].erase(1);
+  write_text(path("one.json"), broken.dump());
+  const Outcome failed = run("info --json '" + path("one.json") + "'");
+  EXPECT_EQ(failed.exit_code, 1);
+  EXPECT_EQ(failed.object()["messages"][0]["code"], "E_FEW_SECTIONS");
+}
+
+TEST_F(SkinCommands, TheControlMeshIsWrittenWithItsCreases) {
+  const Outcome result = run("export --control " + sections("sharp3") + " '" + path("out.obj") + "'");
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json expected = golden_case("sharp3/pleat_fair200");
+  std::istringstream lines(read_text(path("out.obj")));
+  std::string line;
+  std::size_t vertices = 0, faces = 0, creases = 0, corners = 0;
+  while (std::getline(lines, line)) {
+    vertices += line.starts_with("v ");
+    faces += line.starts_with("f ");
+    creases += line.starts_with("t crease 2/1/0 ");
+    corners += line.starts_with("t corner 1/1/0 ");
+  }
+  EXPECT_EQ(vertices, expected["vertices"]);
+  EXPECT_EQ(faces, expected["faces"]);
+  EXPECT_EQ(creases, expected["crease_edges"]);
+  EXPECT_EQ(corners, expected["corner_vertices"]);
+  // It opens again as a polyhedron; the tags are for others.
+  const Outcome again = run("info --json '" + path("out.obj") + "'");
+  EXPECT_EQ(again.object()["vertices"], expected["vertices"]);
+  EXPECT_EQ(run("export --control " + golden("cube.obj") + " '" + path("no.obj") + "'").exit_code, 1);
+  EXPECT_EQ(run("export --control " + sections("fig5") + " '" + path("no.stl") + "'").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace hariko::test

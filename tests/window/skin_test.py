@@ -1,0 +1,171 @@
+"""A skin in the real window: two sections are added, a point is dragged, each of the three gestures is drawn with the mouse, a
+diamond is dragged, all is undone and done again, methods are tried, a section is taken from the surface, and the skin is saved,
+opened again and exported."""
+
+import json
+import math
+import os
+import subprocess
+import tempfile
+
+from driver import Window, check, run
+
+
+def label(window, text, what=None):
+    window.wait(lambda: window.last("document")["label"] == text, what or f"step {text}; it is {window.last('document')}")
+    window.wait_idle()
+    return window.last("document")["position"]
+
+
+def choose(window, menu, *items):
+    window.click_on("menu." + menu)
+    for item in items:
+        window.click_on(item)
+
+
+def skin_mark(window, name):
+    return window.center("skin." + name)
+
+
+def stroke(window, *corners, steps=8):
+    """One stroke of the left button along a polyline."""
+    window.move(*corners[0])
+    window.press()
+    for a, b in zip(corners, corners[1:]):
+        for i in range(1, steps + 1):
+            window.move(a[0] + (b[0] - a[0]) * i / steps, a[1] + (b[1] - a[1]) * i / steps)
+    window.release()
+
+
+def between(a, b, share=0.5):
+    return a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share
+
+
+def capsule(a, b, radius):
+    """A closed curve round two points, at about this distance."""
+    angle = math.atan2(b[1] - a[1], b[0] - a[0])
+    points = []
+    for centre, begin in ((b, angle - math.pi / 2), (a, angle + math.pi / 2)):
+        for i in range(7):
+            turn = begin + math.pi * i / 6
+            points.append((centre[0] + radius * math.cos(turn), centre[1] + radius * math.sin(turn)))
+    return points + [points[0]]
+
+
+def add(window, output):
+    window.wait_idle()
+    window.key("ctrl+n")
+    window.wait(lambda: window.last("document")["serial"] is not None and not window.last("vertices")["objects"], "an empty document")
+    window.wait_idle()
+    choose(window, "Add", "command.add.skin")
+    check(label(window, "Add skin") == 1, "the skin is not one step")
+    window.screenshot(os.path.join(output, "skin_added.png"))
+    # A point of the curve goes where it is dragged.
+    x, y = skin_mark(window, "limit.3")
+    window.drag((x, y), (x, y - 50), before_release=lambda: window.screenshot(os.path.join(output, "skin_drag.png")))
+    check(label(window, "Move section points") == 2, "the drag is not one step")
+    now = skin_mark(window, "limit.3")
+    check(abs(now[0] - x) < 25 and abs(now[1] - (y - 50)) < 25, f"the point went from {(x, y)} to {now}")
+    window.key("ctrl+z")
+    label(window, "Add skin")
+    check(skin_mark(window, "limit.3") == (x, y), "undo leaves the point elsewhere")
+    window.key("ctrl+y")
+    label(window, "Move section points")
+
+
+def gestures(window, output):
+    choose(window, "Skin", "command.skin.correspond")
+    window.wait_idle()
+    stroke(window, skin_mark(window, "limit.1"), skin_mark(window, "limit.9"))
+    position = label(window, "Join points")
+    # A wedge from both sides of points 3 and 4 to the middle of the way.
+    first, last = skin_mark(window, "limit.2"), skin_mark(window, "limit.5")
+    inside = [skin_mark(window, f"limit.{i}") for i in (3, 4)]
+    tip = between(between(*inside), between(skin_mark(window, "limit.10"), skin_mark(window, "limit.11")))
+    stroke(window, between(first, inside[0]), tip, between(inside[1], last))
+    check(label(window, "Merge points") == position + 1, "the wedge is not one step")
+    window.screenshot(os.path.join(output, "skin_wedge.png"))
+    diamond = next(name for name in window.last("layout")["rects"] if name.startswith("skin.diamond."))
+    before = window.center(diamond)
+    start = between(*inside)
+    window.drag(before, between(before, start, 0.5),
+                before_release=lambda: window.screenshot(os.path.join(output, "skin_diamond.png")))
+    label(window, "Move a merge")
+    after = window.center(diamond)
+    check(math.dist(after, start) < 0.8 * math.dist(before, start), f"the diamond went from {before} to {after}")
+    # In the tool, too, undo takes back one gesture at a time.
+    window.key("ctrl+z")
+    label(window, "Merge points")
+    check(math.dist(window.center(diamond), before) < 3, "undo leaves the diamond elsewhere")
+    window.key("ctrl+shift+z")
+    label(window, "Move a merge")
+    stroke(window, *capsule(skin_mark(window, "limit.5"), skin_mark(window, "limit.12"), 12), steps=2)
+    label(window, "Group points")
+    window.screenshot(os.path.join(output, "skin_gestures.png"))
+    # A stroke that means nothing changes nothing.
+    position = window.last("document")["position"]
+    stroke(window, (300, 700), (360, 700), (360, 760), (420, 760))
+    window.wait_idle()
+    check(window.last("document")["position"] == position, "a stroke beside everything made a step")
+    window.key("Return")
+    window.wait_idle()
+
+
+def settings(window, output):
+    window.click_on("combo.skin_method")
+    window.click_on("choice.skin_method.0")
+    position = label(window, "Method of the skin")
+    window.screenshot(os.path.join(output, "skin_smooth.png"))
+    window.key("ctrl+z")
+    window.wait(lambda: window.last("document")["position"] == position - 1, "undo of the method")
+    window.wait_idle()
+    # A section from the surface, behind that of the selected point.
+    window.click(*skin_mark(window, "limit.3"))
+    window.wait_idle()
+    choose(window, "Skin", "command.skin.add_section")
+    label(window, "Add section")
+    window.screenshot(os.path.join(output, "skin_section.png"))
+
+
+def saved(window, path):
+    window.key("ctrl+s")
+    window.type_path(path)
+    window.wait(lambda: os.path.exists(path), "the file")
+    window.wait_idle()
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)["objects"][0]["source"]
+
+
+def session(program, source, output):
+    # Not from the start page: the pictures of all samples take a while.
+    cube = os.path.join(source, "assets", "samples", "cube.hariko")
+    with tempfile.TemporaryDirectory(prefix="hariko-skin-") as folder:
+        path = os.path.join(folder, "skin.hariko")
+        window = Window(program, cube, size=(1280, 800))
+        try:
+            add(window, output)
+            gestures(window, output)
+            settings(window, output)
+            source_now = saved(window, path)
+            check(source_now["kind"] == "skin" and len(source_now["sections"]) == 3, "the sections are not saved")
+            check(len(source_now["merges"]) == 1, f"the merge is not saved: {source_now.get('merges')}")
+            check(any(link.get("lasso") for link in source_now["links"]), "the group is not saved")
+            check(window.quit() == 0, "the program failed at the end")
+        finally:
+            window.close()
+        window = Window(program, path, size=(1280, 800))
+        try:
+            window.wait_idle()
+            skin_mark(window, "limit.3")
+            check(any(name.startswith("skin.diamond.") for name in window.last("layout")["rects"]), "no diamond is shown")
+            window.screenshot(os.path.join(output, "skin_again.png"))
+            check(window.quit() == 0, "the program failed at the end")
+        finally:
+            window.close()
+        for arguments in (["export", path, os.path.join(folder, "skin.stl")],
+                          ["export", "--control", path, os.path.join(folder, "skin.obj")]):
+            done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=120)
+            check(done.returncode == 0, f"{arguments}: {done.stderr}")
+
+
+run(session)

@@ -1,0 +1,189 @@
+#include "ui/panels/skin_properties.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/document/edit_skin.hpp"
+#include "core/skinning/edit_section.hpp"
+#include "ui/panels/choice.hpp"
+#include "ui/panels/value_fields.hpp"
+#include "ui/skin_edits.hpp"
+#include "ui/skin_view.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::array method_choices{
+    Choice{"Smooth", "A regular grid over a blend of the sections: smooth everywhere, features may blur"},
+    Choice{"Anchored", "A regular grid whose columns run through the points that you join"},
+    Choice{"Pleat", "Points of the sections are joined by lines that the surface follows"},
+};
+constexpr std::array frame_choices{
+    Choice{"Automatic", "By the bends of the path"},
+    Choice{"Parallel", "Sections are moved along the path without turning"},
+    Choice{"Turning", "Sections turn with the path, and as little as possible round it"},
+    Choice{"Two rails", "Sections are stretched between the path and a second one"},
+};
+constexpr std::array blend_choices{
+    Choice{"Automatic", "Linear for two sections, natural for more"},
+    Choice{"Linear", "A ridge at each section"},
+    Choice{"Natural", "Flows through the sections"},
+    Choice{"Hermite", "Each section acts near itself only"},
+};
+constexpr std::array fit_choices{
+    Choice{"None", "Sections inside are approached only"},
+    Choice{"Local", "Goes exactly through the sections; dense rows can dimple"},
+    Choice{"Fair", "Goes exactly through the sections, as fair as the tension lets it"},
+};
+constexpr std::array cap_choices{
+    Choice{"None", "Closed sections leave the ends open"},
+    Choice{"Flat", "A face with a sharp edge closes each end"},
+    Choice{"Dome", "A round end"},
+};
+
+/// Changes the skin of the active object.
+Result<Document> changed(const Document& document, ObjectId object,
+                         const std::function<void(Skin&)>& change) {
+  const Object* found = document.find(object);
+  if (!found || !found->skin()) return document;
+  Skin skin = *found->skin()->skin;
+  change(skin);
+  return set_skin(document, object, skin);
+}
+
+class Rows {
+ public:
+  Rows(PanelContext& context, const Object& object)
+      : context_(context), object_(object.id), skin_(*object.skin()->skin) {}
+
+  template <class Set>
+  void choice(const char* id, const char* label, const char* help, std::span<const Choice> choices,
+              int current, const char* step, const Set& set) {
+    if (const auto chosen = choose(context_, id, label, help, choices, current))
+      commit(step, [&](Skin& skin) { set(skin, *chosen); });
+  }
+
+  void check(const char* id, const char* label, const char* help, const char* step, bool Skin::*member) {
+    if (const auto on = check_row(context_, id, label, help, skin_.*member))
+      commit(step, [&](Skin& skin) { skin.*member = *on; });
+  }
+  void check(const char* id, const char* label, const char* help, const char* step,
+             bool PleatOptions::*member) {
+    if (const auto on = check_row(context_, id, label, help, skin_.pleat.*member))
+      commit(step, [&](Skin& skin) { skin.pleat.*member = *on; });
+  }
+
+  void slider(const char* id, const char* label, const char* help, double low, double high, double standard,
+              double PleatOptions::*member) {
+    Quantity quantity = plain_quantity(3, 0.1);
+    quantity.low = low, quantity.high = high, quantity.standard = standard;
+    quantity.multiplies = true;
+    slider_row(context_, {id, label, help, label, quantity}, low, high, true, skin_.pleat.*member,
+               [object = object_, quantity, member](const Document& document, const ValueChange& change) {
+                 return changed(document, object, [&](Skin& skin) {
+                   skin.pleat.*member = change.apply(quantity, skin.pleat.*member);
+                 });
+               });
+  }
+
+  void count(const char* id, const char* label, const char* help, int SmoothOptions::*member) {
+    Quantity quantity = plain_quantity(0, 1);
+    quantity.low = 0, quantity.high = 500, quantity.standard = 0;
+    value_row(context_, {id, label, help, label, quantity}, double(skin_.smooth.*member),
+              [object = object_, quantity, member](const Document& document, const ValueChange& change) {
+                return changed(document, object, [&](Skin& skin) {
+                  skin.smooth.*member = int(std::lround(change.apply(quantity, double(skin.smooth.*member))));
+                });
+              });
+  }
+
+  void optimised() {
+    const bool now = skin_.smooth.parameters != ColumnParameters::uniform;
+    if (const auto on = check_row(context_, "skin_optimised", "Place columns",
+                                  "Columns where they follow the sections best, instead of evenly", now))
+      commit("Place columns", [&](Skin& skin) {
+        skin.smooth.parameters = *on ? ColumnParameters::per_section : ColumnParameters::uniform;
+      });
+  }
+
+ private:
+  void commit(const char* step, const std::function<void(Skin&)>& change) {
+    context_.editor.commit(changed(context_.editor.history.current(), object_, change), step);
+  }
+
+  PanelContext& context_;
+  ObjectId object_;
+  Skin skin_;
+};
+
+void point_section(PanelContext& context, const Object& object) {
+  const auto ids = selected_section_points(context.editor);
+  if (ids.empty()) return;
+  heading(context, ids.size() == 1
+                       ? context.tr("Section point")
+                       : fill(context.tr("{0} section points"), {std::to_string(ids.size())}).c_str());
+  const Skin& skin = *object.skin()->skin;
+  const auto sharp = common<bool>(ids, [&](std::uint32_t id) {
+    for (const SkinSection& section : skin.sections)
+      if (const int i = find_point(section, id); i >= 0) return section.points[std::size_t(i)].sharp;
+    return false;
+  });
+  if (const auto on = check_row(context, "skin_sharp", "Corner",
+                                "The section has a corner here, and the surface a crease", sharp))
+    commit_skin(context.editor, object.id, set_sharp(skin, ids, *on), *on ? "Corner" : "Smooth point");
+}
+
+}  // namespace
+
+void draw_skin_properties(PanelContext& context) {
+  const Object* object = shown_skin(context.editor);
+  if (!object) return;
+  // Edits replace the document under the panel.
+  const Object shown = *object;
+  const Skin& skin = *shown.skin()->skin;
+  point_section(context, shown);
+  heading(context, "Skin");
+  Rows rows(context, shown);
+  rows.choice("skin_method", "Method", "How the surface spans the sections", method_choices, int(skin.method),
+              "Method of the skin", [](Skin& s, int chosen) { s.method = SkinMethod(chosen); });
+  rows.choice("skin_frame", "Frames", "How sections turn along the path", frame_choices, int(skin.frame),
+              "Frames of the skin", [](Skin& s, int chosen) { s.frame = FrameMode(chosen); });
+  if (skin.method == SkinMethod::pleat) {
+    rows.slider("skin_density", "Density", "Rows for each span of the path", 0.25, 8, 1,
+                &PleatOptions::density);
+    rows.choice("skin_fit", "Sections inside", "Whether the surface goes through them", fit_choices,
+                int(skin.pleat.fit), "Fit of the skin",
+                [](Skin& s, int chosen) { s.pleat.fit = SectionFit(chosen); });
+    if (skin.pleat.fit == SectionFit::fair)
+      rows.slider("skin_tension", "Tension",
+                  "Low flows like a spline, high runs straight from section to section", 5, 1e4, 200,
+                  &PleatOptions::tension);
+    rows.check("skin_quads", "Quads in fans", "Pairs of triangles become quads: rounder where lines merge",
+               "Quads in fans", &PleatOptions::quad_fans);
+    rows.check("skin_collars", "Collars", "Rows of their own beside sections, so that these can be exact",
+               "Collars", &PleatOptions::collars);
+  } else {
+    rows.count("skin_columns", "Columns", "Control points across; 0: as many as the sections suggest",
+               &SmoothOptions::columns);
+    rows.count("skin_rows", "Rows", "Control points along; 0: as many as the path suggests",
+               &SmoothOptions::rows);
+    rows.choice("skin_blend", "Blend", "How one section becomes the next", blend_choices,
+                int(skin.smooth.blend), "Blend of the skin",
+                [](Skin& s, int chosen) { s.smooth.blend = Blend(chosen); });
+    if (skin.method == SkinMethod::smooth) rows.optimised();
+  }
+  const bool closed =
+      std::any_of(skin.sections.begin(), skin.sections.end(), [](const SkinSection& s) { return s.closed; });
+  if (closed && !skin.path.closed)
+    rows.choice("skin_caps", "Ends", "What closes a tube", cap_choices, int(skin.caps), "Ends of the skin",
+                [](Skin& s, int chosen) { s.caps = Caps(chosen); });
+  rows.check("skin_creases", "Creases", "Corners of sections become sharp edges of the surface",
+             "Creases of the skin", &Skin::creases);
+  rows.check("skin_flip", "Inside out", "Swaps the outside and the inside", "Turn the skin inside out",
+             &Skin::flip_normals);
+}
+
+}  // namespace hariko
