@@ -2,6 +2,7 @@
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/evaluation.hpp"
+#include "app/commands/outline_evaluation.hpp"
 #include "app/commands/skin_evaluation.hpp"
 #include "app/commands/solids_evaluation.hpp"
 #include "app/commands/tension_file.hpp"
@@ -24,14 +25,15 @@ int fail(const std::filesystem::path& file, const Message& message) {
 int run_evaluate(const EvaluateArguments& arguments) {
   const auto document = read_document_or_report(arguments.file, arguments.construction);
   if (!document) return exit_failed;
+  const auto answer = [&](const Result<std::string>& json) {
+    if (!json.ok()) return fail(arguments.file, json.error());
+    return print(*json) ? exit_fine : exit_failed;
+  };
   if (document->objects.size() == 1) {
-    const Object& object = *document->objects[0];
-    if (object.solids() || object.skin()) {
-      const auto json =
-          object.solids() ? solids_json(*object.solids()) : skin_evaluation_json(*object.skin()->skin);
-      if (!json.ok()) return fail(arguments.file, json.error());
-      return print(*json) ? exit_fine : exit_failed;
-    }
+    const Object& only = *document->objects[0];
+    if (const SolidsSource* solids = only.solids()) return answer(solids_json(*solids));
+    if (const SkinSource* skin = only.skin()) return answer(skin_evaluation_json(*skin->skin));
+    if (const OutlineSource* outline = only.outline()) return answer(outline_json(*outline));
   }
   const PolyhedronSource* found = nullptr;
   int count = 0;
@@ -54,9 +56,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
     if (!shaping.ok()) return fail(*arguments.tension, shaping.error());
     source.shaping = std::move(shaping).value();
   }
-  const auto json = evaluation_json(source);
-  if (!json.ok()) return fail(arguments.file, json.error());
-  return print(*json) ? exit_fine : exit_failed;
+  return answer(evaluation_json(source));
 }
 
 }  // namespace hariko

@@ -8,6 +8,9 @@
 #include "app/commands/console.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
+#include "core/document/format_names.hpp"
+#include "core/gaussmap/control_points.hpp"
+#include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
@@ -131,6 +134,20 @@ Result<PolyhedronSurface> inspect_skin(const Skin& skin, double scale, ObjectInf
   return out;
 }
 
+/// The counts of an outline's control points; what is wrong with it is left to its surface.
+void inspect_outline(const OutlineSource& source, double scale, ObjectInfo& info) {
+  const auto points = control_points(*source.outline, gauss_options(source.settings));
+  if (!points) return;
+  OutlineInfo out;
+  out.method = detail::name_of(source.settings.mode, detail::gauss_names);
+  out.loops = source.outline->loops.size();
+  out.points = points->boundary_count;
+  out.inserted = points->points.size() - points->boundary_count;
+  out.gap = points->gap * scale;
+  info.outline = out;
+  if (const auto made = outline_polyhedron(*points)) count_topology(made->polyhedron.topology(), info);
+}
+
 void inspect_surface(const Document& document, const Object& object, const Document* against,
                      ObjectInfo& info) {
   const double scale = object.transform.scale;
@@ -226,6 +243,7 @@ ObjectInfo inspect(const Document& document, const Object& object, const Documen
   info.kind = kind_of(object.source);
   const double scale = object.transform.scale;
   if (const Polyhedron* cage = object.cage()) count_topology(cage->topology(), info);
+  if (const OutlineSource* outline = object.outline()) inspect_outline(*outline, scale, info);
   if (object.has_surface()) {
     inspect_surface(document, object, against, info);
   } else if (const MeshSource* mesh = object.mesh()) {

@@ -38,6 +38,13 @@ struct SkinInfo {
   std::vector<double> section_miss;  ///< largest distance of the surface's curve from each section
 };
 
+/// Of an outline: the control points inside.
+struct OutlineInfo {
+  std::string method;
+  std::size_t loops = 0, points = 0, inserted = 0;
+  double gap = 0;  ///< see `ControlPoints`
+};
+
 /// What does not exist, or is not known because of an error, is empty. Lengths are in the document's unit,
 /// after the object's transform.
 struct ObjectInfo {
@@ -48,6 +55,7 @@ struct ObjectInfo {
   std::optional<std::size_t> degenerate_samples, folded_samples;
   std::optional<EnvelopeInfo> envelope;
   std::optional<SkinInfo> skin;
+  std::optional<OutlineInfo> outline;
   /// Present when the object was compared with another document's; empty inside where that one has no such
   /// object, or one of the two has no surface.
   std::optional<std::optional<SurfaceComparison>> against;

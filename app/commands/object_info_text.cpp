@@ -39,6 +39,14 @@ Json to_json(const std::optional<SurfaceComparison>& comparison) {
           {"largest_distance", value_or_null(comparison->largest_distance)}};
 }
 
+Json to_json(const OutlineInfo& outline) {
+  return {{"method", outline.method},
+          {"loops", outline.loops},
+          {"points", outline.points},
+          {"inserted", outline.inserted},
+          {"gap", outline.gap}};
+}
+
 Json to_json(const EnvelopeInfo& envelope) {
   return {{"solids", envelope.solids},     {"method", envelope.method}, {"level", envelope.level},
           {"enclosed", envelope.enclosed}, {"worst", envelope.worst},   {"tested", envelope.tested},
@@ -81,6 +89,7 @@ Json to_json(const ObjectInfo& info) {
               {"folded_samples", value_or_null(info.folded_samples)}};
   if (info.envelope) out["envelope"] = to_json(*info.envelope);
   if (info.skin) out["skin"] = to_json(*info.skin);
+  if (info.outline) out["outline"] = to_json(*info.outline);
   if (info.against) out["against"] = to_json(*info.against);
   out["messages"] = Json::array();
   for (const Message& message : info.messages) out["messages"].push_back(to_json(message));

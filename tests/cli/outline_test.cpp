@@ -1,0 +1,79 @@
+// Outlines on the command line: their JSON layout opens wherever a file is expected.
+
+#include <cmath>
+
+#include "tests/cli/program.hpp"
+
+namespace hariko::test {
+namespace {
+
+class OutlineFiles : public ProgramTest {};
+
+TEST_F(OutlineFiles, EvaluatePrintsTheControlPoints) {
+  const Outcome result = run("evaluate " + golden("gaussmap/sphere_cap.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json json = result.json();
+  const Json input = Json::parse(read_text(golden("gaussmap/sphere_cap.json")));
+  const std::size_t given = input["loops"][0]["points"].size();
+  EXPECT_EQ(json["method"], "curvature");
+  EXPECT_EQ(json["loops"], Json::array({given}));
+  const std::size_t count = json["points"].size();
+  EXPECT_EQ(count, given + json["inserted"].get<std::size_t>());
+  for (const char* list : {"normals", "h", "K", "boundary"}) EXPECT_EQ(json[list].size(), count) << list;
+  for (std::size_t i = 0; i < count; ++i) {
+    double square = 0, height = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double p = json["points"][i][k], n = json["normals"][i][k];
+      square += p * p;
+      height += p * n;
+    }
+    EXPECT_NEAR(std::sqrt(square), 2, 1e-5);  // the cap of a sphere of radius 2
+    EXPECT_NEAR(height, json["h"][i].get<double>(), 1e-9);
+    EXPECT_NEAR(json["K"][i].get<double>(), 0.25, 0.02);
+    EXPECT_EQ(json["boundary"][i].get<bool>(), i < given);
+    if (i < given) {
+      EXPECT_EQ(json["points"][i], input["loops"][0]["points"][i]);
+    }
+  }
+  // A disc: vertices - edges + faces = 1, where 3 faces = 2 edges - border edges.
+  const std::size_t faces = json["triangles"].size();
+  EXPECT_EQ(2 * count, faces + given + 2);
+  EXPECT_TRUE(json["messages"].empty());
+}
+
+TEST_F(OutlineFiles, InfoCountsThem) {
+  const Json object = run("info --json " + golden("gaussmap/sphere_band.json")).object();
+  EXPECT_EQ(object["kind"], "outline");
+  EXPECT_EQ(object["outline"]["loops"], 2);
+  EXPECT_EQ(object["boundary_loops"], 2);
+  const std::size_t points = object["outline"]["points"], inserted = object["outline"]["inserted"];
+  EXPECT_EQ(object["vertices"], points + inserted);
+  EXPECT_EQ(object["patches"], 3 * object["faces"].get<std::size_t>());
+  EXPECT_GT(object["outline"]["gap"], 0);
+  // The unit sphere's zone between 40 and 120 degrees.
+  const double pi = std::acos(-1.0);
+  EXPECT_NEAR(object["area"].get<double>(), 2 * pi * (std::cos(2 * pi / 9) + 0.5), 0.01);
+}
+
+TEST_F(OutlineFiles, WhatIsWrongIsSaidWithThePoint) {
+  const Outcome bad = run("evaluate " + golden("gaussmap/bad_normal.json"));
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_NE(bad.error.find("E_COARSE (vertex"), std::string::npos) << bad.error;
+  const Outcome described = run("info --json " + golden("gaussmap/bad_inward.json"));
+  EXPECT_EQ(described.exit_code, 1);
+  EXPECT_EQ(described.object()["messages"][0]["code"], "E_NOT_CONVEX");
+  EXPECT_TRUE(described.object()["area"].is_null());
+}
+
+TEST_F(OutlineFiles, ExportAndRender) {
+  const Outcome exported =
+      run("export --density 2 " + golden("gaussmap/saddle.json") + " " + path("saddle.obj"));
+  ASSERT_EQ(exported.exit_code, 0) << exported.error;
+  EXPECT_NE(read_text(path("saddle.obj")).find("\nf "), std::string::npos);
+  const Outcome drawn =
+      run("render --size 64x48 " + golden("gaussmap/three_holes.json") + " " + path("holes.png"));
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.error;
+}
+
+}  // namespace
+}  // namespace hariko::test
