@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the sheets of materials, maps and marks of docs/manual.md with the program's own command line.
+"""Draws the sheets of materials, maps, marks and skins of docs/manual.md with the program's own command line.
 
     python3 scripts/manual_pictures.py build/release/app/hariko
 
@@ -38,6 +38,17 @@ SHEETS = {
         ("Display mesh", "fig2", ["--wire", "mesh"]),
         ("Section", "genus3", ["--section", "y=0.1", "--show", "network"]),
     ],
+    "manual_skins": [(caption, "skin_" + sample, ["--wire", "borders"]) for caption, sample in [
+        ("Smooth, 8 columns", "smooth"),
+        ("Ridges by themselves", "ridges"),
+        ("Ridges joined", "joined"),
+        ("Ridges grouped", "grouped"),
+        ("Joined on a regular grid", "between"),
+        ("Merged on the way", "merge_inside"),
+        ("Merged at the end", "merge_end"),
+        ("Car, smooth", "car_smooth"),
+        ("Car, pleated", "car"),
+    ]],
 }
 
 
