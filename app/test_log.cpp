@@ -69,14 +69,19 @@ void TestLog::vertices(const Editor& editor, const Workbench& workbench) {
   for (const auto& object : editor.document().objects) {
     const PolyhedronSource* source = object->polyhedron();
     constexpr Index most = 300;
-    if (!source || source->polyhedron.vertex_count() > most) continue;
     Json pixels = Json::object();
-    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v) {
-      const Vector3 world = object->transform.apply(source->origin + source->polyhedron.position(v));
-      if (const auto pixel = projector.project(world))
-        pixels[std::to_string(source->polyhedron.vertex_id(v).value)] = {corner.x + pixel->x(),
-                                                                         corner.y + pixel->y(), pixel->z()};
+    const auto add = [&](std::uint32_t id, const Vector3& local) {
+      if (const auto pixel = projector.project(object->transform.apply(local)))
+        pixels[std::to_string(id)] = {corner.x + pixel->x(), corner.y + pixel->y(), pixel->z()};
+    };
+    if (const SolidsSource* solids = object->solids()) {
+      for (const Solid& solid : solids->input->solids) add(solid.id, solid.position);
+      objects[std::to_string(object->id.value)] = std::move(pixels);
+      continue;
     }
+    if (!source || source->polyhedron.vertex_count() > most) continue;
+    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v)
+      add(source->polyhedron.vertex_id(v).value, source->origin + source->polyhedron.position(v));
     objects[std::to_string(object->id.value)] = std::move(pixels);
   }
   std::string line = Json{{"event", "vertices"}, {"objects", objects}}.dump();

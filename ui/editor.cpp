@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/document/edit_solids.hpp"
+
 namespace hariko {
 
 const SurfaceView* Editor::view_of(ObjectId id) const {
@@ -166,6 +168,12 @@ Box3 Editor::selected_box() const {
       if (selection.objects().contains(object->id)) box.extend(world_box(*object));
       continue;
     }
+    for (const VertexId id : selection.of(object->id).vertices)
+      if (const Solid* solid = find_solid(*object, id.value)) {
+        const Box3 local = box_of(*solid);
+        for (int corner = 0; corner < 8; ++corner)
+          box.extend(object->transform.apply(local.corner(static_cast<Box3::CornerType>(corner))));
+      }
     const Polyhedron* cage = object->cage();
     if (!cage || selection.of(object->id).empty()) continue;
     for (const VertexId id : touched_vertices(selection.of(object->id), *cage))

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/solids_display.hpp"
+
 namespace hariko {
 
 namespace {
@@ -235,8 +237,20 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   const auto stale = editor.stale_since.find(object->id);
   out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
                editor.recompute.outdated.contains(object->id);
-  if (editor.mode == ElementMode::object || !cage) return out;
+  if (object->solids()) {
+    // They lie inside of their surface.
+    out.x_ray = true;
+    out.show_points = false;
+  }
+  if (editor.mode == ElementMode::object || !(cage || object->solids())) return out;
   const ElementSelection& selected = editor.selection.of(object->id);
+  if (object->solids()) {
+    out.selected = highlights_of_solids(*out.polyhedron, selected.vertices);
+    if (editor.hovered && editor.hovered->object == object->id)
+      out.hovered = highlights_of_solids(*out.polyhedron,
+                                         {VertexId{static_cast<std::uint32_t>(editor.hovered->element.id)}});
+    return out;
+  }
   out.selected = highlights_of(selected, *cage);
   if (out.mesh) out.selected_patches = patches_of(*out.mesh, selected.faces);
   if (editor.hovered && editor.hovered->object == object->id) {
@@ -283,7 +297,7 @@ std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
     else if (!(patches_before->net == patches->net))
       entry.polyhedron = entry.polyhedron->moved(patches->net);
   } else if (!source && !object->mesh()) {
-    entry.polyhedron = nullptr;
+    entry.polyhedron = object->solids() ? display_of(*object->solids()) : nullptr;
   } else if (!source) {
     const MeshSource* mesh_before = entry.object ? entry.object->mesh() : nullptr;
     if (!mesh_before || !(*mesh_before == *object->mesh())) entry.polyhedron = lines_of(*object->mesh());

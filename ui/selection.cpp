@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/document/edit_solids.hpp"
 #include "core/modeling/select_convert.hpp"
 #include "core/modeling/select_region.hpp"
 #include "ui/language.hpp"
@@ -32,6 +33,18 @@ void keep_existing(ElementSelection& elements, const Skin& skin) {
   });
   elements.edges.clear();
   elements.faces.clear();
+}
+
+/// Solids are selected as vertices with their ids.
+void keep_solids(ElementSelection& selection, const Object& object) {
+  std::erase_if(selection.vertices, [&](VertexId id) { return !find_solid(object, id.value); });
+  selection.edges.clear();
+  selection.faces.clear();
+}
+ElementSelection all_solids(const Object& object) {
+  ElementSelection all;
+  for (const Solid& solid : object.solids()->input->solids) all.vertices.insert(VertexId{solid.id});
+  return all;
 }
 
 void append_count(std::string& text, std::size_t count, const char* one, const std::string& many) {
@@ -126,6 +139,8 @@ void Selection::select_all(const Object& object, ElementMode mode) {
     objects_.insert(object.id);
   else if (cage)
     set(object.id, hariko::select_all(*cage, kind_of(mode)));
+  else if (object.solids())
+    set(object.id, all_solids(object));
 }
 
 void Selection::prune(const Document& document) {
@@ -136,10 +151,14 @@ void Selection::prune(const Document& document) {
       keep_existing(it->second.vertices, *cage);
       keep_existing(it->second.edges, *cage);
       keep_existing(it->second.faces, *cage);
+    } else if (object && object->solids()) {
+      keep_solids(it->second, *object);
+    } else if (object && object->skin()) {
+      keep_existing(it->second, *object->skin()->skin);
+    } else {
+      it->second = {};
     }
-    const SkinSource* skin = object ? object->skin() : nullptr;
-    if (skin) keep_existing(it->second, *skin->skin);
-    it = (!cage && !skin) || it->second.empty() ? elements_.erase(it) : std::next(it);
+    it = it->second.empty() ? elements_.erase(it) : std::next(it);
   }
   std::erase_if(objects_, [&](ObjectId id) { return !document.find(id); });
   if (last && !document.find(last->object)) last.reset();
@@ -161,10 +180,13 @@ Selection converted(const Selection& selection, const Document& document, Elemen
     for (const ObjectId id : selection.objects())
       if (const Object* object = document.find(id); object && object->cage())
         result.set(id, select_all(*object->cage(), kind_of(to)));
+      else if (object && object->solids())
+        result.set(id, all_solids(*object));
     return result;
   }
   for (const auto& [id, elements] : selection.elements()) {
     const Object* object = document.find(id);
+    if (object && object->solids()) result.set(id, elements);
     if (!object || !object->cage()) continue;
     const Polyhedron& polyhedron = *object->cage();
     // Of corners, what they enclose; of larger elements, what they touch.

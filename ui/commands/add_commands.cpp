@@ -1,7 +1,5 @@
 // Commands of the Add menu: primitives to start from. Their numbers can be adjusted right afterwards.
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "core/document/edits.hpp"
@@ -9,6 +7,7 @@
 #include "core/modeling/primitives.hpp"
 #include "core/skinning/simple_skin.hpp"
 #include "ui/commands/command_host.hpp"
+#include "ui/commands/new_object.hpp"
 
 namespace hariko {
 
@@ -16,24 +15,6 @@ namespace {
 
 const std::string platonic_menu = std::string("Add") + "/" + translatable("Platonic solids");
 constexpr double least = min_primitive_length, most = max_primitive_length;
-
-/// 1, 2 or 5 times a power of ten.
-double nice_length(double length) {
-  const double power = std::pow(10, std::floor(std::log10(length)));
-  const double lead = length / power;
-  return (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power;
-}
-
-/// Half the extent of a new object: a hand's breadth in an empty document, else in proportion to what is
-/// there.
-double radius_for(const Editor& editor) {
-  Box3 box;
-  for (const auto& object : editor.document().objects)
-    if (object->visible) box.extend(world_box(*object));
-  const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
-  if (extent > 0 && std::isfinite(extent)) return nice_length(std::clamp(extent / 4, 1e-6, 1e6));
-  return nice_length(50 / millimetres_per(editor.document().unit));
-}
 
 using MakeMesh = std::function<Result<PolygonMesh>(std::span<const OperationNumber>)>;
 using MakeSource = std::function<Result<Source>(std::span<const OperationNumber>)>;
@@ -55,24 +36,10 @@ OperationNumber count(const char* id, const char* label, int value, int low, int
   return {id, label, double(value), double(low), double(high), true};
 }
 
-/// A name that no object has yet: "Box", "Box 2", ...
-std::string free_name(const Document& document, const std::string& name) {
-  for (int i = 1;; ++i) {
-    std::string candidate = i == 1 ? name : name + " " + std::to_string(i);
-    if (std::none_of(document.objects.begin(), document.objects.end(),
-                     [&](const auto& object) { return object->name == candidate; }))
-      return candidate;
-  }
-}
-
 void add_primitive(CommandHost& host, const char* name, const char* step, const Numbers& numbers,
                    MakeSource make) {
   Editor& editor = host.editor;
-  if (!editor.has_document) {
-    Document document;
-    document.unit = editor.settings.unit;
-    editor.open(std::move(document), std::nullopt);
-  }
+  begin_document(editor);
   const bool first = editor.document().objects.empty();
   Similarity place;
   if (!first) place.translation = editor.camera().target;
@@ -86,7 +53,7 @@ void add_primitive(CommandHost& host, const char* name, const char* step, const 
     if (!added) return added.error();
     return OperationResult{std::move(added).value().document, added->id};
   };
-  if (editor.last_operation.run(editor, step, numbers(radius_for(editor)), add) && first)
+  if (editor.last_operation.run(editor, step, numbers(new_object_radius(editor)), add) && first)
     editor.wants_framing = true;
 }
 

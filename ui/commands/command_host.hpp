@@ -46,6 +46,7 @@ void add_edit_commands(CommandHost& host);
 void add_object_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);
 void add_add_commands(CommandHost& host);
+void add_solid_commands(CommandHost& host);
 void add_mesh_cleanup_commands(CommandHost& host);
 void add_transform_commands(CommandHost& host);
 void add_mesh_commands(CommandHost& host);

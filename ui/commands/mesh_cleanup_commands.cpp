@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/document/edit_solids.hpp"
 #include "core/document/edits.hpp"
 #include "core/modeling/bridge.hpp"
 #include "core/modeling/cut_faces.hpp"
@@ -72,6 +73,13 @@ void delete_selection(Editor& editor) {
   if (editor.mode != ElementMode::object && !editor.selection.of_active().empty()) {
     if (shown_skin(editor)) return delete_selected_points(editor);
     const ElementSet set = editor.selection.of_active();
+    if (editor.active_object()->solids()) {
+      std::vector<std::uint32_t> ids;
+      for (const VertexId id : set.vertices) ids.push_back(id.value);
+      editor.commit(remove_solids(editor.history.current(), editor.selection.active, ids),
+                    ids.size() == 1 ? translatable("Delete solid") : translatable("Delete solids"));
+      return;
+    }
     const ElementKind kind = kind_at_hand(editor);
     const char* label = kind == ElementKind::face   ? translatable("Delete faces")
                         : kind == ElementKind::edge ? translatable("Delete edges")

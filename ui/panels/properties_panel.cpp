@@ -15,6 +15,7 @@
 #include "ui/panels/paper_properties.hpp"
 #include "ui/panels/selected_items.hpp"
 #include "ui/panels/skin_properties.hpp"
+#include "ui/panels/solids_properties.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -443,6 +444,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       if (!edges.ids.empty()) edge_section(context, edges);
       if (!faces.ids.empty()) face_section(context, faces);
       draw_skin_properties(context);
+      if (objects.front()->solids()) draw_solids(context, *objects.front());
       object_section(context, objects);
       if (vertices.ids.empty() && edges.ids.empty() && faces.ids.empty() && objects.front()->polyhedron()) {
         heading(context, "Selection");

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/solids_display.hpp"
+
 namespace hariko {
 
 namespace {
@@ -28,6 +30,39 @@ std::vector<PickHit> pick_elements(const ToolContext& context, const Vector2& pi
   return hits;
 }
 
+/// Solids are picked by their lines, else by their faces, which the surface round them does not hide.
+std::vector<ElementRef> solids_under(const ToolContext& context, const Vector2& pixel) {
+  const Scene& scene = context.scene.scene();
+  Scene solids;
+  solids.section = scene.section;
+  solids.pixel_scale = scene.pixel_scale;
+  std::vector<ElementRef> refs;  ///< one an object of the scene of solids
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object* object = context.editor.document().find(context.scene.object_id(i));
+    if (!object || !object->solids() || !scene.objects[i].show_polyhedron) continue;
+    // One by one, as of the faces of one object only the first is found.
+    for (const Solid& solid : object->solids()->input->solids) {
+      solids.objects.push_back(scene.objects[i]);
+      solids.objects.back().mesh.reset();
+      solids.objects.back().polyhedron = display_of(SolidsSource{EnvelopeInput{{solid}, {}}, {}});
+      refs.push_back({object->id, element_of(VertexId{solid.id})});
+    }
+  }
+  std::vector<ElementRef> result;
+  if (refs.empty()) return result;
+  PickOptions options;
+  options.vertices = options.edges = options.visible_only = options.use_surface = false;
+  auto hits = pick_all(solids, context.projector(), pixel, options);
+  options.faces = false;
+  options.edges = true;
+  const auto lines = pick_all(solids, context.projector(), pixel, options);
+  hits.insert(hits.begin(), lines.begin(), lines.end());
+  for (const PickHit& hit : hits)
+    if (std::find(result.begin(), result.end(), refs[hit.object]) == result.end())
+      result.push_back(refs[hit.object]);
+  return result;
+}
+
 }  // namespace
 
 std::optional<PickHit> pick_element(const ToolContext& context, const Vector2& pixel) {
@@ -49,6 +84,7 @@ std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2
     }
     if (std::find(result.begin(), result.end(), ref) == result.end()) result.push_back(ref);
   }
+  if (editor.mode != ElementMode::object && result.empty()) return solids_under(context, pixel);
   return result;
 }
 

@@ -7,9 +7,11 @@
 #include <numeric>
 
 #include "core/document/edit_attachments.hpp"
+#include "core/document/edit_solids.hpp"
 #include "core/document/edits.hpp"
 #include "core/modeling/edit_modeling.hpp"
 #include "core/modeling/local_edit.hpp"
+#include "core/modeling/transform_solid.hpp"
 
 namespace hariko {
 
@@ -76,8 +78,12 @@ TransformTarget TransformTarget::of(const Editor& editor) {
       target.document_ = with_seen_ends(target.document_, id);
       const Object* object = target.document_.find(id);
       if (object && object->visible && object->cage()) target.add_elements(*object, elements);
+      if (object && object->visible && object->solids()) target.add_solids(*object, elements);
     }
-    target.what_ = counted(target.selected_.size(), "vertex", "vertices");
+    const bool solids = std::all_of(target.parts_.begin(), target.parts_.end(),
+                                    [](const Part& part) { return !part.solids.empty(); });
+    target.what_ = solids ? counted(target.selected_.size(), "solid", "solids")
+                          : counted(target.selected_.size(), "vertex", "vertices");
   }
   if (target.empty()) return target;
   target.choose_pivot(editor);
@@ -89,9 +95,10 @@ TransformTarget TransformTarget::of(const Editor& editor) {
 
 void TransformTarget::freeze() {
   for (Part& part : parts_)
-    part.frozen = freeze_tangents(*document_.find(part.object)->polyhedron(),
-                                  vertices_around(*part.polyhedron, part.vertices));
-  if (parts_.size() != 1 || parts_[0].vertices.size() != 1 || !*parts_[0].frozen) return;
+    if (part.polyhedron)
+      part.frozen = freeze_tangents(*document_.find(part.object)->polyhedron(),
+                                    vertices_around(*part.polyhedron, part.vertices));
+  if (parts_.size() != 1 || parts_[0].vertices.size() != 1 || !parts_[0].frozen || !*parts_[0].frozen) return;
   const Part& part = parts_[0];
   const Pin* pin = (*part.frozen)->shaping->pin.find(part.vertices[0]);
   if (!pin || pin->kind != Pin::Kind::tangents || pin->vectors.size() < 2) return;
@@ -137,6 +144,18 @@ void TransformTarget::add_elements(const Object& object, const ElementSelection&
   parts_.push_back(std::move(part));
 }
 
+void TransformTarget::add_solids(const Object& object, const ElementSelection& elements) {
+  Part part;
+  part.object = object.id;
+  part.transform = object.transform;
+  for (const VertexId id : elements.vertices)
+    if (const Solid* solid = find_solid(object, id.value)) {
+      part.solids.push_back(*solid);
+      selected_.push_back(object.transform.apply(solid->position));
+    }
+  if (!part.solids.empty()) parts_.push_back(std::move(part));
+}
+
 void TransformTarget::choose_pivot(const Editor& editor) {
   const PivotMode mode = editor.transform.pivot;
   pivot_ = mean(selected_);
@@ -152,7 +171,7 @@ void TransformTarget::choose_pivot(const Editor& editor) {
   for (Part& part : parts_) {
     if (part.whole && mode != PivotMode::individual) part.pivot = pivot_;
     const Vector3 local = part.transform.inverse().apply(pivot_) - part.origin;
-    part.pivots.assign(part.vertices.size(), local);
+    part.pivots.assign(part.vertices.size() + part.solids.size(), local);
   }
   if (mode == PivotMode::individual) choose_own_pivots(editor);
 }
@@ -160,6 +179,8 @@ void TransformTarget::choose_pivot(const Editor& editor) {
 void TransformTarget::choose_own_pivots(const Editor& editor) {
   for (Part& part : parts_) {
     if (part.whole) continue;
+    for (std::size_t i = 0; i < part.solids.size(); ++i) part.pivots[i] = part.solids[i].position;
+    if (!part.polyhedron) continue;
     const auto island = islands(part.vertices, *part.polyhedron, editor.selection.of(part.object));
     std::map<std::size_t, std::vector<Vector3>> points;
     for (std::size_t i = 0; i < island.size(); ++i) points[island[i]].push_back(part.start[i]);
@@ -178,7 +199,7 @@ bool TransformTarget::stands(ObjectId object, VertexId vertex) const {
 
 void TransformTarget::follow(double radius, Falloff kind) {
   for (Part& part : parts_) {
-    if (part.whole || part.frozen) continue;  // a local edit moves nothing else
+    if (part.whole || part.frozen || !part.polyhedron) continue;  // a local edit moves nothing else
     part.vertices.resize(part.selected);
     part.start.resize(part.selected);
     part.weight.resize(part.selected);
@@ -223,6 +244,10 @@ Result<Document> TransformTarget::apply(const Document& document,
       continue;
     }
     const Transformation local = transformation.in_space_of(part.transform);
+    if (!part.solids.empty()) {
+      result = apply_to_solids(*result, part, local);
+      continue;
+    }
     if (part.frozen) {
       result = apply_locally(*result, part, local);
       continue;
@@ -233,6 +258,15 @@ Result<Document> TransformTarget::apply(const Document& document,
     result = move_vertices(*result, part.object, part.vertices, positions);
   }
   return result;
+}
+
+Result<Document> TransformTarget::apply_to_solids(const Document& document, const Part& part,
+                                                  const Transformation& local) {
+  return change_envelope(document, part.object, [&](EnvelopeInput& input) {
+    for (std::size_t i = 0; i < part.solids.size(); ++i)
+      for (Solid& solid : input.solids)
+        if (solid.id == part.solids[i].id) solid = transformed(part.solids[i], local, part.pivots[i]);
+  });
 }
 
 /// Moves the vertices, or turns and stretches their tangents where they stand.
@@ -262,6 +296,8 @@ std::optional<Vector3> place_of(const Document& document, const ElementRef& ref)
     const Box3 box = world_box(*object);
     return box.isEmpty() ? object->transform.translation : Vector3(box.center());
   }
+  if (const Solid* solid = find_solid(*object, static_cast<std::uint32_t>(ref.element.id)))
+    return object->transform.apply(solid->position);
   const Polyhedron* cage = object->cage();
   if (!cage) return std::nullopt;
   Selection one;

@@ -54,6 +54,7 @@ class TransformTarget {
     Similarity transform;
     Vector3 origin = Vector3::Zero();
     Vector3 pivot = Vector3::Zero();  ///< of whole objects
+    std::vector<Solid> solids;        ///< of an object with solids, as they were; nothing else then
     // Of elements: positions relative to the origin.
     std::vector<VertexId> vertices;
     std::vector<Vector3> start, pivots;  ///< pivots: relative to the origin too
@@ -68,11 +69,14 @@ class TransformTarget {
 
   void add_object(const Object& object);
   void add_elements(const Object& object, const ElementSelection& elements);
+  void add_solids(const Object& object, const ElementSelection& elements);
   void choose_pivot(const Editor& editor);
   void choose_own_pivots(const Editor& editor);
   void freeze();
   Result<Document> apply_locally(const Document& document, const Part& part,
                                  const Transformation& local) const;
+  static Result<Document> apply_to_solids(const Document& document, const Part& part,
+                                          const Transformation& local);
 
   Document document_;  ///< keeps the polyhedra alive
   std::vector<Part> parts_;
@@ -83,7 +87,7 @@ class TransformTarget {
   std::string what_;
 };
 
-/// Where an element is: a vertex, the middle of an edge or face, the box centre of an object.
+/// Where an element is: a vertex or solid, the middle of an edge or face, the box centre of an object.
 std::optional<Vector3> place_of(const Document& document, const ElementRef& ref);
 /// Objects that commands on objects act on: those selected in object mode, else the active one.
 std::vector<ObjectId> selected_objects(const Editor& editor);

@@ -1,0 +1,84 @@
+#include "core/document/edit_solids.hpp"
+
+#include <algorithm>
+
+#include "core/document/edit_support.hpp"
+
+namespace hariko {
+
+namespace {
+
+template <class Map, class Gone>
+void forget(Map& map, const Gone& gone) {
+  Map kept;
+  for (const auto& [key, value] : map)
+    if (!gone(key)) kept.set(key, value);
+  map = std::move(kept);
+}
+
+}  // namespace
+
+Result<Document> change_envelope(const Document& document, ObjectId object,
+                                 const std::function<void(EnvelopeInput&)>& change) {
+  return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {
+    auto* source = std::get_if<SolidsSource>(&changed.source);
+    if (!source)
+      return make_error(e_not_solids, "\"" + changed.name + "\" is not made of solids.",
+                        "Choose an object with solids.", element_of(object));
+    EnvelopeInput input = *source->input;
+    change(input);
+    if (const auto checked = check_envelope(input); !checked) return checked.error();
+    if (!(input == *source->input)) source->input = std::move(input);
+    return Done{};
+  });
+}
+
+Result<Document> change_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids,
+                               const std::function<void(Solid&)>& change) {
+  return change_envelope(document, object, [&](EnvelopeInput& input) {
+    for (Solid& solid : input.solids)
+      if (std::find(ids.begin(), ids.end(), solid.id) != ids.end()) change(solid);
+  });
+}
+
+std::uint32_t next_solid_id(const EnvelopeInput& input) {
+  std::uint32_t next = 0;
+  for (const Solid& solid : input.solids) next = std::max(next, solid.id + 1);
+  return next;
+}
+
+Result<Document> add_solid(const Document& document, ObjectId object, Solid solid) {
+  return change_envelope(document, object, [&](EnvelopeInput& input) {
+    solid.id = next_solid_id(input);
+    input.solids.push_back(std::move(solid));
+  });
+}
+
+Result<Document> remove_solids(const Document& document, ObjectId object,
+                               std::span<const std::uint32_t> ids) {
+  const auto gone = [&](std::uint32_t id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  if (const Object* found = document.find(object); found && found->solids()) {
+    const auto& solids = found->solids()->input->solids;
+    if (std::all_of(solids.begin(), solids.end(), [&](const Solid& solid) { return gone(solid.id); }))
+      return make_error(e_last_solid, "An object needs at least one solid.", "Delete the object instead.",
+                        element_of(object));
+  }
+  return change_envelope(document, object, [&](EnvelopeInput& input) {
+    std::erase_if(input.solids, [&](const Solid& solid) { return gone(solid.id); });
+    EnvelopeSettings& settings = input.settings;
+    forget(settings.waists, [&](const SolidPair& pair) { return gone(pair.low) || gone(pair.high); });
+    forget(settings.fullness,
+           [&](const NetworkEdgeKey& edge) { return gone(edge.low.solid) || gone(edge.high.solid); });
+    forget(settings.offsets, [&](const NetworkVertexKey& vertex) { return gone(vertex.solid); });
+  });
+}
+
+const Solid* find_solid(const Object& object, std::uint32_t id) {
+  if (!object.solids()) return nullptr;
+  const auto& solids = object.solids()->input->solids;
+  const auto found =
+      std::find_if(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.id == id; });
+  return found == solids.end() ? nullptr : &*found;
+}
+
+}  // namespace hariko

@@ -1,0 +1,38 @@
+#pragma once
+
+// Edits of the solids of an object and of the settings of the surface round them.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_not_solids{"E_NOT_SOLIDS"};
+inline constexpr Code e_last_solid{"E_LAST_SOLID"};
+
+/// Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_NOT_SOLIDS, and those of `check_envelope` for the result.
+Result<Document> change_envelope(const Document& document, ObjectId object,
+                                 const std::function<void(EnvelopeInput&)>& change);
+
+/// Changes each of the solids with these ids; ids that the object does not have are passed over. Errors as
+/// above.
+Result<Document> change_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids,
+                               const std::function<void(Solid&)>& change);
+
+/// The id that a new solid gets: one more than the largest.
+std::uint32_t next_solid_id(const EnvelopeInput& input);
+
+/// Appends a solid under `next_solid_id`. Errors as above.
+Result<Document> add_solid(const Document& document, ObjectId object, Solid solid);
+
+/// Waists, curves and vertices that name removed solids are forgotten with them. Errors as above;
+/// E_LAST_SOLID when none would be left.
+Result<Document> remove_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids);
+
+/// The solid with this id, or null.
+const Solid* find_solid(const Object& object, std::uint32_t id);
+
+}  // namespace hariko

@@ -1,0 +1,25 @@
+#include "core/modeling/transform_solid.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "core/document/angles.hpp"
+
+namespace hariko {
+
+Solid transformed(Solid solid, const Transformation& transformation, const Vector3& pivot) {
+  solid.position = transformation.apply(solid.position, pivot);
+  if (transformation.only_translates()) return solid;
+  const Matrix3 axes = transformation.linear() * solid_rotation(solid.rotation);
+  const Vector3 stretch = axes.colwise().norm();
+  solid.scale = solid.scale.cwiseProduct(stretch);
+  if (!(stretch.minCoeff() > 0)) return solid;  // flat: what checks the solid says so
+  const Matrix3 directions = axes * stretch.cwiseInverse().asDiagonal();
+  const Eigen::JacobiSVD<Matrix3> svd(directions, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix3 rotation = svd.matrixU() * svd.matrixV().transpose();
+  if (rotation.determinant() < 0) rotation.col(0) *= -1;  // a mirror image of a solid along its own x
+  solid.rotation = angles_of(Eigen::Quaterniond(rotation));
+  return solid;
+}
+
+}  // namespace hariko

@@ -1,0 +1,92 @@
+// Edits of solids: what they change, what they refuse, what is forgotten with a solid.
+
+#include "core/document/edit_solids.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/document/edits.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+struct Made {
+  Document document;
+  ObjectId id;
+};
+
+Made two_solids() {
+  EnvelopeInput input;
+  Solid box, ball;
+  box.id = 3;
+  ball.kind = SolidKind::sphere;
+  ball.id = 8;
+  ball.position = {1, 0, 0};
+  input.solids = {box, ball};
+  input.settings.waists.set(SolidPair::of(3, 8), 0.5);
+  input.settings.offsets.set({3, 1}, Vector3::UnitX());
+  input.settings.fullness.set(NetworkEdgeKey::of({3, 1}, {8, 0}), 2);
+  const auto added = add_object(Document{}, "Solids", SolidsSource{std::move(input), {}});
+  return {added->document, added->id};
+}
+
+const EnvelopeInput& input_of(const Document& document, ObjectId id) {
+  return *document.find(id)->solids()->input;
+}
+
+}  // namespace
+
+TEST(EditSolids, ANewSolidGetsTheNextId) {
+  const auto [document, id] = two_solids();
+  Solid cone;
+  cone.kind = SolidKind::cone;
+  const auto added = add_solid(document, id, cone);
+  ASSERT_TRUE(added.ok());
+  ASSERT_EQ(input_of(*added, id).solids.size(), 3U);
+  EXPECT_EQ(input_of(*added, id).solids.back().id, 9U);
+  EXPECT_EQ(find_solid(*added->find(id), 9)->kind, SolidKind::cone);
+  EXPECT_EQ(input_of(document, id).solids.size(), 2U);
+}
+
+TEST(EditSolids, OnlyTheNamedSolidsChange) {
+  const auto [document, id] = two_solids();
+  const std::array<std::uint32_t, 2> ids{8, 77};
+  const auto moved = change_solids(document, id, ids, [](Solid& solid) { solid.position.z() += 2; });
+  ASSERT_TRUE(moved.ok());
+  EXPECT_EQ(find_solid(*moved->find(id), 8)->position, Vector3(1, 0, 2));
+  EXPECT_EQ(*find_solid(*moved->find(id), 3), *find_solid(*document.find(id), 3));
+  // What changes nothing shares its object.
+  const auto same = change_solids(document, id, ids, [](Solid&) {});
+  ASSERT_TRUE(same.ok());
+  EXPECT_EQ(*same, document);
+}
+
+TEST(EditSolids, SettingsThatNameARemovedSolidGoWithIt) {
+  const auto [document, id] = two_solids();
+  const std::array<std::uint32_t, 1> ids{3};
+  const auto removed = remove_solids(document, id, ids);
+  ASSERT_TRUE(removed.ok());
+  const EnvelopeInput& input = input_of(*removed, id);
+  ASSERT_EQ(input.solids.size(), 1U);
+  EXPECT_EQ(input.solids[0].id, 8U);
+  EXPECT_TRUE(input.settings.waists.empty());
+  EXPECT_TRUE(input.settings.offsets.empty());
+  EXPECT_TRUE(input.settings.fullness.empty());
+  const std::array<std::uint32_t, 1> last{8};
+  EXPECT_EQ(remove_solids(*removed, id, last).error().code, e_last_solid);
+}
+
+TEST(EditSolids, BadValuesLocksAndOtherObjectsAreRefused) {
+  const auto [document, id] = two_solids();
+  const std::array<std::uint32_t, 1> ids{3};
+  const auto flat = change_solids(document, id, ids, [](Solid& solid) { solid.size.z() = 0; });
+  EXPECT_EQ(flat.error().code, e_solid_size);
+  const auto wide = change_envelope(document, id, [](EnvelopeInput& input) { input.settings.waist = 2; });
+  EXPECT_EQ(wide.error().code, e_envelope_setting);
+  const auto locked = set_locked(document, id, true);
+  EXPECT_EQ(change_solids(*locked, id, ids, [](Solid& solid) { solid.position.x() = 5; }).error().code,
+            e_locked);
+  EXPECT_EQ(change_envelope(document, ObjectId{77}, [](EnvelopeInput&) {}).error().code, e_unknown_object);
+}
+
+}  // namespace hariko::test

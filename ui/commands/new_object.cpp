@@ -1,0 +1,44 @@
+#include "ui/commands/new_object.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hariko {
+
+namespace {
+
+/// 1, 2 or 5 times a power of ten.
+double nice_length(double length) {
+  const double power = std::pow(10, std::floor(std::log10(length)));
+  const double lead = length / power;
+  return (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power;
+}
+
+}  // namespace
+
+void begin_document(Editor& editor) {
+  if (editor.has_document) return;
+  Document document;
+  document.unit = editor.settings.unit;
+  editor.open(std::move(document), std::nullopt);
+}
+
+double new_object_radius(const Editor& editor) {
+  Box3 box;
+  for (const auto& object : editor.document().objects)
+    if (object->visible) box.extend(world_box(*object));
+  const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+  if (extent > 0 && std::isfinite(extent)) return nice_length(std::clamp(extent / 4, 1e-6, 1e6));
+  return nice_length(50 / millimetres_per(editor.document().unit));
+}
+
+std::string free_name(const Document& document, const std::string& name) {
+  for (int i = 1;; ++i) {
+    std::string candidate = i == 1 ? name : name + " " + std::to_string(i);
+    if (std::none_of(document.objects.begin(), document.objects.end(),
+                     [&](const auto& object) { return object->name == candidate; }))
+      return candidate;
+  }
+}
+
+}  // namespace hariko

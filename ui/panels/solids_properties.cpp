@@ -1,0 +1,317 @@
+#include "ui/panels/solids_properties.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/document/edit_solids.hpp"
+#include "core/envelope/envelope.hpp"
+#include "ui/panels/choice.hpp"
+#include "ui/panels/value_fields.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::array method_choices{
+    Choice{"Automatic", "The network of curves round the hull; the field where the surface is to be tight"},
+    Choice{"Curves", "A network of curves round the hull of the solids"},
+    Choice{"Field", "A cage that follows notches and holes"},
+};
+constexpr std::array patch_choices{
+    Choice{"Rational", "Keeps the character of the solids"},
+    Choice{"Fair", "The calmest surface over the same cage"},
+};
+constexpr std::array kind_names{
+    translatable("Box"),     translatable("Sphere"), translatable("Cylinder"),
+    translatable("Cone"),    translatable("Prism"),  translatable("Pyramid"),
+    translatable("Capsule"), translatable("Torus"),  translatable("Polyhedron"),
+};
+
+const char* kind_name(SolidKind kind) {
+  return kind_names[static_cast<std::size_t>(kind)];
+}
+
+Quantity share(double low, double high, double standard) {
+  Quantity quantity = plain_quantity(3, 0.02);
+  quantity.low = low;
+  quantity.high = high;
+  quantity.standard = standard;
+  return quantity;
+}
+
+Quantity length_of(const PanelContext& context, const Object& object) {
+  const Box3 box = world_box(object);
+  return length_quantity(context.editor.document().unit, box.isEmpty() ? 1 : box.sizes().maxCoeff());
+}
+
+// The surface.
+
+/// A number of the settings: `get` gives a reference to it.
+template <class Get>
+EditValues edit_setting(ObjectId object, const Quantity& quantity, Get get) {
+  return [object, quantity, get](const Document& document, const ValueChange& change) {
+    return change_envelope(document, object, [&](EnvelopeInput& input) {
+      get(input.settings) = change.apply(quantity, get(input.settings));
+    });
+  };
+}
+
+template <class Get>
+void setting_row(PanelContext& context, const Object& object, const FieldSpec& spec, Get get) {
+  EnvelopeSettings now = object.solids()->input->settings;
+  slider_row(context, spec, spec.quantity.low, spec.quantity.high, false, get(now),
+             edit_setting(object.id, spec.quantity, get));
+}
+
+void choice_rows(PanelContext& context, const Object& object) {
+  const EnvelopeSettings& now = object.solids()->input->settings;
+  const auto set = [&](const char* step, const std::function<void(EnvelopeSettings&)>& change) {
+    context.editor.commit(change_envelope(context.editor.history.current(), object.id,
+                                          [&](EnvelopeInput& input) { change(input.settings); }),
+                          step);
+  };
+  if (const auto chosen = choose(context, "envelope_method", "Method", "How the cage of the surface is found",
+                                 method_choices, static_cast<int>(now.method)))
+    set("Method of the surface",
+        [&](EnvelopeSettings& settings) { settings.method = static_cast<EnvelopeMethod>(*chosen); });
+  if (const auto chosen = choose(context, "envelope_patches", "Patches", "What spans the curves",
+                                 patch_choices, static_cast<int>(now.patches)))
+    set("Patches of the surface",
+        [&](EnvelopeSettings& settings) { settings.patches = static_cast<EnvelopePatches>(*chosen); });
+}
+
+/// Whether the surface contains the solids, and whether it follows their notches.
+void state_rows(PanelContext& context, const Object& object) {
+  const SurfaceView* view = context.editor.view_of(object.id);
+  if (!view || !view->mesh || view->error || view->quality != Quality::final) return;
+  const auto says = [&](Code code) {
+    return std::any_of(view->warnings.begin(), view->warnings.end(),
+                       [&](const Message& message) { return message.code == code; });
+  };
+  row_label(context, "Contains", "Points of the solids are tested against the surface");
+  ImGui::TextUnformatted(context.tr(says(w_not_enclosed) ? translatable("Not all of the solids")
+                                                         : translatable("All of the solids")));
+  context.marks.item("solids.contains");
+  if (!(object.solids()->input->settings.tightness > 0)) return;
+  row_label(context, "Follows", "Notches between the solids");
+  ImGui::TextUnformatted(context.tr(says(w_tightness_reduced)
+                                        ? translatable("Only the hull of the solids")
+                                        : translatable("The notches, as tight as wanted")));
+  context.marks.item("solids.follows");
+}
+
+void surface_rows(PanelContext& context, const Object& object) {
+  heading(context, "Surface round the solids");
+  state_rows(context, object);
+  setting_row(context, object,
+              {"tightness", translatable("Tightness"),
+               translatable("0 is the hull, 1 follows notches and holes between the solids"),
+               translatable("Tightness of the surface"), share(0, 1, 0)},
+              [](EnvelopeSettings& settings) -> double& { return settings.tightness; });
+  setting_row(context, object,
+              {"roundness", translatable("Roundness"), translatable("Of the parts round single solids"),
+               translatable("Roundness of the surface"), share(0.01, 1, 0.35)},
+              [](EnvelopeSettings& settings) -> double& { return settings.roundness; });
+  setting_row(
+      context, object,
+      {"waist", translatable("Waist"), translatable("Of the parts between solids: towards 0 they are taut"),
+       translatable("Waist of the surface"), share(0.01, 1, 0.5)},
+      [](EnvelopeSettings& settings) -> double& { return settings.waist; });
+  Quantity length = length_of(context, object);
+  length.low = 0;
+  length.standard = 0;
+  const auto clearance = [](EnvelopeSettings& settings) -> double& { return settings.clearance; };
+  value_row(context,
+            {"clearance", translatable("Clearance"), translatable("Distance that is kept from every solid"),
+             translatable("Clearance of the surface"), length},
+            object.solids()->input->settings.clearance, edit_setting(object.id, length, clearance));
+  setting_row(context, object,
+              {"envelope_detail", translatable("Thinning"),
+               translatable("Corners nearer to each other than this part of the whole are joined"),
+               translatable("Thinning of the surface"), share(0, 0.3, 0.09)},
+              [](EnvelopeSettings& settings) -> double& { return settings.detail; });
+  if (object.solids()->input->settings.tightness > 0)
+    setting_row(
+        context, object,
+        {"cage_detail", translatable("Cells"),
+         translatable("Size of the cells where the surface is tight: smaller is closer to the solids"),
+         translatable("Cells of the surface"), share(0.5, 1.5, 1)},
+        [](EnvelopeSettings& settings) -> double& { return settings.cage_detail; });
+  choice_rows(context, object);
+}
+
+// Solids.
+
+using Ids = std::vector<std::uint32_t>;
+
+Ids selected_ids(const Editor& editor, const Object& object) {
+  Ids out;
+  if (editor.mode == ElementMode::object) return out;
+  for (const VertexId id : editor.selection.of(object.id).vertices)
+    if (find_solid(object, id.value)) out.push_back(id.value);
+  return out;
+}
+
+std::vector<Solid> solids_of(const Object& object, const Ids& ids) {
+  std::vector<Solid> out;
+  for (const std::uint32_t id : ids) out.push_back(*find_solid(object, id));
+  return out;
+}
+
+template <class Get>
+EditValues edit_solid(ObjectId object, const Ids& ids, const Quantity& quantity, Get get) {
+  return [object, ids, quantity, get](const Document& document, const ValueChange& change) {
+    return change_solids(document, object, ids,
+                         [&](Solid& solid) { get(solid) = change.apply(quantity, get(solid)); });
+  };
+}
+
+/// Three numbers of solids, of which `get` gives the vector.
+template <class Get>
+void solid_vector(PanelContext& context, const Object& object, const Ids& ids, const char* label,
+                  const char* help, const std::array<const char*, 3>& names, const char* step,
+                  const Quantity& quantity, Get get) {
+  std::array<std::optional<double>, 3> values;
+  const auto solids = solids_of(object, ids);
+  for (int axis = 0; axis < 3; ++axis)
+    values[static_cast<std::size_t>(axis)] =
+        common<double>(solids, [&](Solid solid) { return get(solid)[axis]; });
+  vector_row(context, label, help,
+             {FieldSpec{names[0], "X", "", step, quantity}, FieldSpec{names[1], "Y", "", step, quantity},
+              FieldSpec{names[2], "Z", "", step, quantity}},
+             values,
+             [object = object.id, ids, quantity, get](const Document& document, int axis,
+                                                      const ValueChange& change) {
+               return change_solids(document, object, ids, [&](Solid& solid) {
+                 get(solid)[axis] = change.apply(quantity, get(solid)[axis]);
+               });
+             });
+}
+
+template <class Get>
+void solid_number(PanelContext& context, const Object& object, const Ids& ids, const FieldSpec& spec,
+                  Get get) {
+  const auto solids = solids_of(object, ids);
+  value_row(context, spec, common<double>(solids, [&](Solid solid) { return double(get(solid)); }),
+            edit_solid(object.id, ids, spec.quantity, get));
+}
+
+/// What the kind has of sizes; only where all are of one kind.
+void size_rows(PanelContext& context, const Object& object, const Ids& ids) {
+  const auto kind = common<SolidKind>(solids_of(object, ids), [](const Solid& solid) { return solid.kind; });
+  if (!kind || *kind == SolidKind::polyhedron) return;
+  Quantity length = length_of(context, object);
+  length.low = 1e-9;
+  if (*kind == SolidKind::box)
+    return solid_vector(context, object, ids, "Size", "Lengths of the edges",
+                        {"solid.width", "solid.depth", "solid.height"}, "Size of solid", length,
+                        [](Solid& solid) -> Vector3& { return solid.size; });
+  solid_number(context, object, ids, {"solid.radius", translatable("Radius"), "", "Size of solid", length},
+               [](Solid& solid) -> double& { return solid.radius; });
+  if (*kind == SolidKind::capsule)
+    solid_number(context, object, ids,
+                 {"solid.length", translatable("Length"), translatable("Between the centres of the ends"),
+                  "Size of solid", length},
+                 [](Solid& solid) -> double& { return solid.length; });
+  else if (*kind == SolidKind::torus)
+    solid_number(context, object, ids,
+                 {"solid.tube", translatable("Tube radius"), "", "Size of solid", length},
+                 [](Solid& solid) -> double& { return solid.tube; });
+  else if (*kind != SolidKind::sphere)
+    solid_number(context, object, ids, {"solid.height", translatable("Height"), "", "Size of solid", length},
+                 [](Solid& solid) -> double& { return solid.height; });
+  if (*kind == SolidKind::prism || *kind == SolidKind::pyramid) {
+    Quantity sides = plain_quantity(0, 1);
+    sides.whole = true;
+    sides.low = 3;
+    sides.high = double(max_solid_sides);
+    const auto edit = [object = object.id, ids, sides](const Document& document, const ValueChange& change) {
+      return change_solids(document, object, ids, [&](Solid& solid) {
+        solid.sides = static_cast<std::uint32_t>(change.apply(sides, double(solid.sides)));
+      });
+    };
+    value_row(context, {"solid.sides", translatable("Sides"), "", "Sides of solid", sides},
+              common<double>(solids_of(object, ids), [](const Solid& solid) { return double(solid.sides); }),
+              edit);
+  }
+}
+
+void roundness_rows(PanelContext& context, const Object& object, const Ids& ids) {
+  const auto solids = solids_of(object, ids);
+  const auto own = common<bool>(solids, [](const Solid& solid) { return solid.roundness.has_value(); });
+  const double standard = object.solids()->input->settings.roundness;
+  if (const auto on = check_row(context, "own_roundness", "Roundness",
+                                "Round this solid more or less than the others", own))
+    context.editor.commit(change_solids(context.editor.history.current(), object.id, ids,
+                                        [&](Solid& solid) {
+                                          if (*on)
+                                            solid.roundness = solid.roundness.value_or(standard);
+                                          else
+                                            solid.roundness.reset();
+                                        }),
+                          *on ? "Own roundness" : "Common roundness");
+  if (!own || !*own) return;
+  const Quantity quantity = share(0.01, 1, standard);
+  slider_row(
+      context, {"solid.roundness", translatable("Amount"), "", "Roundness of solid", quantity}, 0.01, 1,
+      false, common<double>(solids, [&](const Solid& solid) { return solid.roundness.value_or(standard); }),
+      [object = object.id, ids, quantity, standard](const Document& document, const ValueChange& change) {
+        return change_solids(document, object, ids, [&](Solid& solid) {
+          solid.roundness = change.apply(quantity, solid.roundness.value_or(standard));
+        });
+      });
+}
+
+void selected_rows(PanelContext& context, const Object& object, const Ids& ids) {
+  heading(context, ids.size() == 1 ? context.tr(kind_name(find_solid(object, ids.front())->kind))
+                                   : fill(context.tr("{0} solids"), {std::to_string(ids.size())}).c_str());
+  Quantity length = length_of(context, object);
+  solid_vector(context, object, ids, "Position", "In the object's own axes",
+               {"solid.x", "solid.y", "solid.z"}, "Place solid", length,
+               [](Solid& solid) -> Vector3& { return solid.position; });
+  solid_vector(context, object, ids, "Rotation", "About the x axis first, then y, then z",
+               {"solid.turn_x", "solid.turn_y", "solid.turn_z"}, "Rotate solid", angle_quantity(),
+               [](Solid& solid) -> Vector3& { return solid.rotation; });
+  size_rows(context, object, ids);
+  Quantity scale = plain_quantity(3, 0.1);
+  scale.multiplies = true;
+  scale.low = 1e-6;
+  scale.high = 1e6;
+  scale.standard = 1;
+  solid_vector(context, object, ids, "Scale", "Along the solid's own axes",
+               {"solid.scale_x", "solid.scale_y", "solid.scale_z"}, "Scale solid", scale,
+               [](Solid& solid) -> Vector3& { return solid.scale; });
+  roundness_rows(context, object, ids);
+}
+
+void list_rows(PanelContext& context, const Object& object, const Ids& ids) {
+  heading(context, "Solids");
+  Editor& editor = context.editor;
+  std::array<int, kind_names.size()> count{};
+  for (const Solid& solid : object.solids()->input->solids) {
+    const int number = ++count[static_cast<std::size_t>(solid.kind)];
+    const bool chosen = std::find(ids.begin(), ids.end(), solid.id) != ids.end();
+    const std::string name = std::string(context.tr(kind_name(solid.kind))) + " " + std::to_string(number) +
+                             "##solid" + std::to_string(solid.id);
+    if (ImGui::Selectable(name.c_str(), chosen)) {
+      if (editor.mode == ElementMode::object) editor.mode = ElementMode::vertex;
+      const bool more = ImGui::GetIO().KeyShift;
+      editor.selection.select({object.id, element_of(VertexId{solid.id})}, !more    ? Selection::How::replace
+                                                                           : chosen ? Selection::How::remove
+                                                                                    : Selection::How::add);
+    }
+    context.marks.item("solid." + std::to_string(solid.id));
+  }
+}
+
+}  // namespace
+
+void draw_solids(PanelContext& context, const Object& object) {
+  const Ids ids = selected_ids(context.editor, object);
+  if (!ids.empty()) selected_rows(context, object, ids);
+  list_rows(context, object, ids);
+  if (ids.empty()) hint_text(context, "Click a solid to change it, drag it to move it.");
+  surface_rows(context, object);
+}
+
+}  // namespace hariko
