@@ -204,4 +204,18 @@ ConvexHull convex_hull(std::span<const Vector3> points, double tolerance) {
   return out;
 }
 
+bool is_convex(std::span<const Vector3> points) {
+  if (points.empty()) return true;
+  Vector3 low = points[0], high = low;
+  for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double size = (high - low).norm();
+  std::vector<double> depth(points.size(), 1e300);
+  for (const auto& t : convex_hull(points, 1e-9 * size).triangles) {
+    const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).stableNormalized();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      depth[i] = std::min(depth[i], n.dot(points[t[0]] - points[i]));
+  }
+  return std::all_of(depth.begin(), depth.end(), [&](double d) { return d <= 1e-6 * size || d == 1e300; });
+}
+
 }  // namespace hariko

@@ -22,4 +22,7 @@ struct ConvexHull {
 /// worst.
 ConvexHull convex_hull(std::span<const Vector3> points, double tolerance);
 
+/// No point lies deeper in the hull of all than 1e-6 of their size.
+bool is_convex(std::span<const Vector3> points);
+
 }  // namespace hariko

@@ -215,8 +215,7 @@ CurveNetwork curve_network(NetworkCage cage, const CurveSettings& settings) {
 
 NetworkVertexKey key_of(const CageVertex& vertex, std::span<const PlacedSolid> solids) {
   if (vertex.solid == no_index) return {no_index, vertex.vertex};
-  const PlacedSolid& solid = solids[vertex.solid];
-  return {solid.id, vertex.vertex + (solid.part << 16)};
+  return key_of(SolidVertex{vertex.solid, vertex.vertex}, solids);
 }
 
 }  // namespace hariko

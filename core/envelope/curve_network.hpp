@@ -52,7 +52,7 @@ struct CurveSettings {
 
 CurveNetwork curve_network(NetworkCage cage, const CurveSettings& settings);
 
-/// Name of a vertex that stays while solids move.
+/// The same of a vertex of the cage.
 NetworkVertexKey key_of(const CageVertex& vertex, std::span<const PlacedSolid> solids);
 
 /// All patches and their seams as a surface relative to `origin`. Where some face is split, quads are cut

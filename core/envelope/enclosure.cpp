@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/envelope/violations.hpp"
+
 namespace hariko {
 
 namespace {
@@ -14,127 +16,6 @@ constexpr double tautest_waist = 0.25;  ///< of what the search makes of bridges
 constexpr double cut_step = 0.6;
 constexpr int first_pinning_build = 4;
 constexpr double pin_spacing = 0.4;  ///< of the thinning distance
-
-/// The samples of one build, patch by patch, with a ball round each patch.
-struct Samples {
-  std::size_t per_patch = 0;
-  std::vector<Vector3> positions, normals;
-  std::vector<Vector3> centre;
-  std::vector<double> radius;
-};
-
-Samples take_samples(const CurveNetwork& network, const EnvelopeGrid& grid) {
-  Samples out;
-  out.per_patch = grid.point_count();
-  out.positions.resize(out.per_patch * network.patches.size());
-  out.normals.resize(out.positions.size());
-  for (std::size_t p = 0; p < network.patches.size(); ++p) {
-    const std::span positions = std::span(out.positions).subspan(p * out.per_patch, out.per_patch);
-    grid.evaluate(network.patches[p], positions,
-                  std::span(out.normals).subspan(p * out.per_patch, out.per_patch));
-    Vector3 low = positions[0], high = positions[0];
-    for (const Vector3& x : positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
-    const Vector3 centre = 0.5 * (low + high);
-    double square = 0;
-    for (const Vector3& x : positions) square = std::max(square, (x - centre).squaredNorm());
-    out.centre.push_back(centre);
-    out.radius.push_back(std::sqrt(square));
-  }
-  return out;
-}
-
-/// Deepest sample of a face in a solid, and the worst test point of a solid outside.
-struct Violations {
-  struct InSolid {
-    Index face, solid;
-    double depth;
-  };
-  struct Outside {
-    Index face, solid;
-    Vector3 point;
-    double height;
-  };
-  std::vector<InSolid> in_solid;  ///< one a face and solid
-  std::vector<Outside> outside;   ///< one a face and solid, the worst
-  double worst = 0;
-};
-
-class EnclosureTest {
- public:
-  EnclosureTest(const CurveNetwork& network, std::span<const PlacedSolid> solids, double tolerance)
-      : network_(network), solids_(solids), tolerance_(tolerance) {}
-
-  Violations run(const EnvelopeGrid& grid) {
-    const Samples samples = take_samples(network_, grid);
-    for (Index p = 0; p < network_.patches.size(); ++p) test_patch(samples, p);
-    for (Index s = 0; s < solids_.size(); ++s)
-      for (const Vector3& z : solids_[s].test_points) test_point(samples, s, z);
-    return std::move(out_);
-  }
-
- private:
-  void test_patch(const Samples& samples, Index patch) {
-    const Index face = network_.patch_places[patch].face;
-    for (Index s = 0; s < solids_.size(); ++s) {
-      const PlacedSolid& solid = solids_[s];
-      const double far = solid.reach + samples.radius[patch];
-      if ((samples.centre[patch] - solid.centre).squaredNorm() > far * far) continue;
-      double deepest = 0;
-      for (std::size_t i = 0; i < samples.per_patch; ++i)
-        deepest = std::max(deepest, solid.depth(samples.positions[patch * samples.per_patch + i]));
-      out_.worst = std::max(out_.worst, deepest);
-      if (!(deepest > tolerance_)) continue;
-      const auto known = std::find_if(out_.in_solid.begin(), out_.in_solid.end(),
-                                      [&](const auto& v) { return v.face == face && v.solid == s; });
-      if (known == out_.in_solid.end())
-        out_.in_solid.push_back({face, s, deepest});
-      else
-        known->depth = std::max(known->depth, deepest);
-    }
-  }
-
-  /// The least height above the tangent planes at the four nearest samples.
-  void test_point(const Samples& samples, Index solid, const Vector3& z) {
-    struct Near {
-      double square;
-      std::size_t sample;
-    };
-    std::array<Near, 4> near;
-    near.fill({1e300, 0});
-    order_.clear();
-    for (Index p = 0; p < samples.centre.size(); ++p)
-      order_.emplace_back(std::max(0.0, (z - samples.centre[p]).norm() - samples.radius[p]), p);
-    std::sort(order_.begin(), order_.end());
-    for (const auto& [bound, patch] : order_) {
-      if (bound * bound >= near[3].square) break;
-      for (std::size_t i = patch * samples.per_patch; i < (patch + 1) * samples.per_patch; ++i) {
-        const double square = (samples.positions[i] - z).squaredNorm();
-        if (square >= near[3].square) continue;
-        std::size_t at = 3;
-        while (at > 0 && near[at - 1].square > square) near[at] = near[at - 1], --at;
-        near[at] = {square, i};
-      }
-    }
-    double height = 1e300;
-    for (const Near& n : near)
-      height = std::min(height, (z - samples.positions[n.sample]).dot(samples.normals[n.sample]));
-    out_.worst = std::max(out_.worst, height);
-    if (!(height > tolerance_)) return;
-    const Index face = network_.patch_places[near[0].sample / samples.per_patch].face;
-    const auto known = std::find_if(out_.outside.begin(), out_.outside.end(),
-                                    [&](const auto& v) { return v.face == face && v.solid == solid; });
-    if (known == out_.outside.end())
-      out_.outside.push_back({face, solid, z, height});
-    else if (height > known->height)
-      known->height = height, known->point = z;
-  }
-
-  const CurveNetwork& network_;
-  std::span<const PlacedSolid> solids_;
-  double tolerance_;
-  Violations out_;
-  std::vector<std::pair<double, Index>> order_;
-};
 
 class Search {
  public:
@@ -161,9 +42,9 @@ class Search {
       const GrowthState used = state_;
       CurveNetwork network = make();
       if (network.patches.empty()) break;
-      Violations found = EnclosureTest(network, solids_, tolerance).run(coarse_);
+      Violations found = find_violations(network, solids_, tolerance, coarse_);
       if (settings_.fine && found.worst <= tolerance)
-        found = EnclosureTest(network, solids_, tolerance).run(fine_);
+        found = find_violations(network, solids_, tolerance, fine_);
       std::optional<EnclosureReport> check;
       if (settings_.strict && found.worst <= tolerance) {
         check = check_network(network, solids_, diagonal_, cancel);
@@ -213,6 +94,7 @@ class Search {
     input.merge_angle = settings_.merge_angle;
     input.pinned = &state_.pinned;
     input.kept = &state_.kept;
+    input.offsets = settings_.offsets;
     NetworkCage cage = hull_cage(input);
     cuts_ = state_.cuts;
     if (settings_.waists)

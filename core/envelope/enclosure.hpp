@@ -32,6 +32,7 @@ struct EnclosureSettings {
   const std::map<std::pair<Index, Index>, double>* waists =
       nullptr;  ///< the designer's factors, placed solids
   const FlatMap<NetworkEdgeKey, double>* fullness = nullptr;
+  const FlatMap<NetworkVertexKey, Vector3>* offsets = nullptr;
 };
 
 struct EnclosedNetwork {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/envelope/convex_hull.hpp"
 #include "core/envelope/field_envelope.hpp"
 
 namespace hariko {
@@ -22,6 +23,7 @@ EnclosureSettings search_settings(const EnvelopeInput& input,
   out.tolerance = tolerance;
   out.waists = &waists;
   out.fullness = &input.settings.fullness;
+  out.offsets = &input.settings.offsets;
   if (quality == Quality::drag) {
     out.largest_builds = drag_builds;
     out.fine = false;
@@ -82,6 +84,15 @@ void add_warnings(EnvelopeSurface& out) {
     out.warnings.push_back(make_warning(w_envelope_fold,
                                         std::to_string(out.folds) + " patches of the surface fold over.",
                                         "Lower the waist or the roundness, or move the solids apart."));
+}
+
+/// Of solids whose points are not all on their hull.
+void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warnings) {
+  for (std::size_t i = 0; i < input.solids.size(); ++i)
+    if (input.solids[i].kind == SolidKind::polyhedron && !is_convex(input.solids[i].points))
+      warnings.push_back(make_warning(w_solid_hull,
+                                      "Solid " + std::to_string(i) + " is not convex; its hull is used.",
+                                      "Make it of several convex solids."));
 }
 
 /// Solids in their places relative to the origin that is chosen for them.
@@ -165,6 +176,7 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
   if (!field) return field.error();
   if (!*field)
     if (const auto made = make_network(input, solids, quality, cancel, out); !made) return made.error();
+  if (quality == Quality::final) add_hull_warnings(input, out.warnings);
   add_warnings(out);
   return out;
 }

@@ -17,6 +17,7 @@ inline constexpr Code e_envelope_flat{"E_ENVELOPE_FLAT"};
 inline constexpr Code w_not_enclosed{"W_NOT_ENCLOSED"};
 inline constexpr Code w_envelope_fold{"W_ENVELOPE_FOLD"};
 inline constexpr Code w_tightness_reduced{"W_TIGHTNESS_REDUCED"};
+inline constexpr Code w_solid_hull{"W_SOLID_HULL"};
 
 struct EnvelopeSurface {
   Surface surface;
@@ -39,7 +40,7 @@ struct EnvelopeSurface {
 class EnvelopeSurfacer {
  public:
   /// Errors: those of `check_envelope`; E_ENVELOPE_FLAT. Warnings: W_NOT_ENCLOSED, W_ENVELOPE_FOLD,
-  /// W_TIGHTNESS_REDUCED.
+  /// W_TIGHTNESS_REDUCED, W_SOLID_HULL (a polyhedron with points inside of its hull).
   Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
                                   const CancelToken& cancel = {});
 

@@ -332,10 +332,73 @@ CornerSecondOrder EnvelopePatchSet::second_order_at_corner(Index at, int corner)
                                                                   : CornerSecondOrder::direction_dependent;
 }
 
+namespace {
+
+template <std::size_t N>
+Homogeneous combine(const std::array<Homogeneous, N>& control, const double* weight) {
+  Homogeneous out = weight[0] * control[0];
+  for (std::size_t i = 1; i < N; ++i) out += weight[i] * control[i];
+  return out;
+}
+
+using Lines = std::array<Homogeneous, 4>;
+
+Lines lines_along(const EnvelopePatch& p, const double* cubic, const double* sextic) {
+  return {combine(p.c0, cubic), combine(p.cross_c0, sextic), combine(p.cross_c1, sextic),
+          combine(p.c1, cubic)};
+}
+/// Less the corners' part.
+Lines lines_across(const EnvelopePatch& p, const Corners& m, const double* cubic, const double* sextic,
+                   const double* hermite) {
+  Lines out{combine(p.e0, cubic), combine(p.cross_e0, sextic), combine(p.cross_e1, sextic),
+            combine(p.e1, cubic)};
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t l = 0; l < 4; ++l) out[k] -= hermite[l] * m.constant[k][l];
+  return out;
+}
+
+/// The lines through a node, and the derivatives along them.
+struct NodeLines {
+  Lines value, rate;
+};
+
+struct NodeTangents {
+  Homogeneous u, v;
+};
+
+/// `p`, `q`: distances of the node from the sides u = 0 and v = 0.
+NodeTangents tangents_at(const Corners& m, const GridBasis& u, const GridBasis& v, const NodeLines& along,
+                         const NodeLines& across, double p, double q) {
+  NodeTangents out{Homogeneous::Zero(), Homogeneous::Zero()};
+  for (std::size_t k = 0; k < 4; ++k) {
+    out.u += u.hermite_rate[k] * across.value[k] + v.hermite[k] * along.rate[k];
+    out.v += u.hermite[k] * across.rate[k] + v.hermite_rate[k] * along.value[k];
+  }
+  for (std::size_t a = 0; a < 2; ++a)
+    for (std::size_t b = 0; b < 2; ++b) {
+      const Ratio x = ratio(a == 0 ? p : 1 - p, b == 0 ? q : 1 - q);
+      const double fu = u.hermite[1 + a], fv = v.hermite[1 + b];
+      out.u -= fv * (u.hermite_rate[1 + a] * x.value + (a == 0 ? fu : -fu) * x.p) * m.share[a][b];
+      out.v -= fu * (v.hermite_rate[1 + b] * x.value + (b == 0 ? fv : -fv) * x.q) * m.share[a][b];
+    }
+  return out;
+}
+
+Vector3 unit_normal_of(const Vector3& position, const NodeTangents& tangents) {
+  const Vector3 su = tangents.u.head<3>() - position * tangents.u.w(),
+                sv = tangents.v.head<3>() - position * tangents.v.w();
+  const Vector3 cross = su.cross(sv);
+  const double length = cross.norm();
+  if (!(length > 1e-12 * su.norm() * sv.norm() && length > 0)) return Vector3::Zero();
+  return cross / length;
+}
+
+}  // namespace
+
 EnvelopeGrid::EnvelopeGrid(int intervals) : intervals_(intervals) {
   for (int i = 0; i <= intervals; ++i) {
     const Direction at(grid_fraction(i, intervals));
-    Basis basis;
+    GridBasis basis;
     std::copy_n(at.cubic.value.data(), 4, basis.cubic);
     std::copy_n(at.cubic.first.data(), 4, basis.cubic_rate);
     std::copy_n(at.sextic.value.data(), 7, basis.sextic);
@@ -344,66 +407,70 @@ EnvelopeGrid::EnvelopeGrid(int intervals) : intervals_(intervals) {
     std::copy_n(at.hermite.first.data(), 4, basis.hermite_rate);
     basis_.push_back(basis);
   }
+  for (int j = 0; j <= intervals; ++j)
+    for (int i = 0; i <= intervals; ++i) {
+      std::array<double, 4> weights;
+      for (std::size_t corner = 0; corner < 4; ++corner) {
+        const std::size_t a = corner / 2, b = corner % 2;
+        const double p = double(a == 0 ? i : intervals - i), q = double(b == 0 ? j : intervals - j);
+        weights[corner] =
+            basis_[std::size_t(i)].hermite[1 + a] * basis_[std::size_t(j)].hermite[1 + b] * ratio(p, q).value;
+      }
+      twists_.push_back(weights);
+    }
+}
+
+void EnvelopeGrid::evaluate(const EnvelopePatch& patch, std::span<Vector3> positions) const {
+  const Corners m = corners_of(patch);
+  std::vector<Lines> along;
+  for (const GridBasis& b : basis_) along.push_back(lines_along(patch, b.cubic, b.sextic));
+  std::size_t at = 0;
+  for (const GridBasis& v : basis_) {
+    const Lines across = lines_across(patch, m, v.cubic, v.sextic, v.hermite);
+    for (std::size_t i = 0; i < basis_.size(); ++i, ++at) {
+      const GridBasis& u = basis_[i];
+      Homogeneous value = u.hermite[0] * across[0] + v.hermite[0] * along[i][0];
+      for (std::size_t k = 1; k < 4; ++k) value += u.hermite[k] * across[k] + v.hermite[k] * along[i][k];
+      const auto& twist = twists_[at];
+      value -= twist[0] * m.share[0][0] + twist[1] * m.share[0][1] + twist[2] * m.share[1][0] +
+               twist[3] * m.share[1][1];
+      positions[at] = value.head<3>() * (1 / value.w());
+    }
+  }
 }
 
 void EnvelopeGrid::evaluate(const EnvelopePatch& patch, std::span<Vector3> positions,
                             std::span<Vector3> normals) const {
+  evaluate(patch, positions);
   const Corners m = corners_of(patch);
-  struct Pair {
-    std::array<Homogeneous, 4> value, rate;
-  };
-  const auto combine = [](const auto& control, const double* weight) {
-    Homogeneous out = weight[0] * control[0];
-    for (std::size_t i = 1; i < control.size(); ++i) out += weight[i] * control[i];
-    return out;
-  };
-  const std::size_t n = basis_.size();
-  std::vector<Pair> along(n), across(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Basis& b = basis_[i];
-    along[i].value = {combine(patch.c0, b.cubic), combine(patch.cross_c0, b.sextic),
-                      combine(patch.cross_c1, b.sextic), combine(patch.c1, b.cubic)};
-    along[i].rate = {combine(patch.c0, b.cubic_rate), combine(patch.cross_c0, b.sextic_rate),
-                     combine(patch.cross_c1, b.sextic_rate), combine(patch.c1, b.cubic_rate)};
-    across[i].value = {combine(patch.e0, b.cubic), combine(patch.cross_e0, b.sextic),
-                       combine(patch.cross_e1, b.sextic), combine(patch.e1, b.cubic)};
-    across[i].rate = {combine(patch.e0, b.cubic_rate), combine(patch.cross_e0, b.sextic_rate),
-                      combine(patch.cross_e1, b.sextic_rate), combine(patch.e1, b.cubic_rate)};
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t l = 0; l < 4; ++l) {
-        across[i].value[k] -= b.hermite[l] * m.constant[k][l];
-        across[i].rate[k] -= b.hermite_rate[l] * m.constant[k][l];
-      }
-  }
+  std::vector<NodeLines> along;
+  for (const GridBasis& b : basis_)
+    along.push_back({lines_along(patch, b.cubic, b.sextic), lines_along(patch, b.cubic_rate, b.sextic_rate)});
   std::size_t at = 0;
-  const double step = 1.0 / intervals_;
-  for (std::size_t j = 0; j < n; ++j) {
-    const Basis& v = basis_[j];
-    for (std::size_t i = 0; i < n; ++i, ++at) {
-      const Basis& u = basis_[i];
-      Homogeneous value = Homogeneous::Zero(), du = Homogeneous::Zero(), dv = Homogeneous::Zero();
-      for (std::size_t k = 0; k < 4; ++k) {
-        value += u.hermite[k] * across[j].value[k] + v.hermite[k] * along[i].value[k];
-        du += u.hermite_rate[k] * across[j].value[k] + v.hermite[k] * along[i].rate[k];
-        dv += u.hermite[k] * across[j].rate[k] + v.hermite_rate[k] * along[i].value[k];
-      }
-      for (std::size_t a = 0; a < 2; ++a)
-        for (std::size_t b = 0; b < 2; ++b) {
-          const double p = double(a == 0 ? i : n - 1 - i) * step, q = double(b == 0 ? j : n - 1 - j) * step;
-          const Ratio x = ratio(p, q);
-          const double fu = u.hermite[1 + a], fv = v.hermite[1 + b];
-          value -= fu * fv * x.value * m.share[a][b];
-          du -= fv * (u.hermite_rate[1 + a] * x.value + (a == 0 ? fu : -fu) * x.p) * m.share[a][b];
-          dv -= fu * (v.hermite_rate[1 + b] * x.value + (b == 0 ? fv : -fv) * x.q) * m.share[a][b];
-        }
-      positions[at] = cartesian(value);
-      const Vector3 su = du.head<3>() - positions[at] * du.w(), sv = dv.head<3>() - positions[at] * dv.w();
-      const Vector3 cross = su.cross(sv);
-      const double length = cross.norm();
-      normals[at] =
-          length > 1e-12 * su.norm() * sv.norm() && length > 0 ? Vector3(cross / length) : Vector3::Zero();
-    }
+  for (std::size_t j = 0; j < basis_.size(); ++j) {
+    const GridBasis& v = basis_[j];
+    const NodeLines across{lines_across(patch, m, v.cubic, v.sextic, v.hermite),
+                           lines_across(patch, m, v.cubic_rate, v.sextic_rate, v.hermite_rate)};
+    for (std::size_t i = 0; i < basis_.size(); ++i, ++at)
+      normals[at] = unit_normal_of(
+          positions[at],
+          tangents_at(m, basis_[i], v, along[i], across, double(i) / intervals_, double(j) / intervals_));
   }
+}
+
+Vector3 EnvelopeGrid::normal(const EnvelopePatch& patch, std::size_t i, std::size_t j) const {
+  const Corners m = corners_of(patch);
+  const GridBasis &u = basis_[i], &v = basis_[j];
+  const NodeLines along{lines_along(patch, u.cubic, u.sextic),
+                        lines_along(patch, u.cubic_rate, u.sextic_rate)};
+  const NodeLines across{lines_across(patch, m, v.cubic, v.sextic, v.hermite),
+                         lines_across(patch, m, v.cubic_rate, v.sextic_rate, v.hermite_rate)};
+  Homogeneous value = Homogeneous::Zero();
+  for (std::size_t k = 0; k < 4; ++k) value += u.hermite[k] * across.value[k] + v.hermite[k] * along.value[k];
+  const auto& twist = twists_[j * basis_.size() + i];
+  for (std::size_t corner = 0; corner < 4; ++corner) value -= twist[corner] * m.share[corner / 2][corner % 2];
+  return unit_normal_of(cartesian(value),
+                        tangents_at(m, u, v, along, across, double(i) / intervals_, double(j) / intervals_));
 }
 
 }  // namespace hariko

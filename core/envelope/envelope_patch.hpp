@@ -63,23 +63,29 @@ class EnvelopePatchSet final : public PatchSet {
   std::vector<Part> parts_;
 };
 
-/// Values of one whole patch at parameters u and v in all combinations, u running fastest: positions and
-/// derivatives by u and v. For tests of many builds that need no PatchSet.
+/// Polynomials at one node of a grid, with their derivatives.
+struct GridBasis {
+  double cubic[4], sextic[7], hermite[4];
+  double cubic_rate[4], sextic_rate[7], hermite_rate[4];
+};
+
+/// Whole patches at the nodes (i / n, j / n), i running fastest. For tests of many builds that need no
+/// PatchSet.
 class EnvelopeGrid {
  public:
   explicit EnvelopeGrid(int intervals);
   int intervals() const { return intervals_; }
   std::size_t point_count() const { return std::size_t(intervals_ + 1) * std::size_t(intervals_ + 1); }
-  /// Unit normals; zero where there is none.
+  void evaluate(const EnvelopePatch& patch, std::span<Vector3> positions) const;
+  /// Unit normals too; zero where there is none.
   void evaluate(const EnvelopePatch& patch, std::span<Vector3> positions, std::span<Vector3> normals) const;
+  /// Of one node.
+  Vector3 normal(const EnvelopePatch& patch, std::size_t i, std::size_t j) const;
 
  private:
-  struct Basis {
-    double cubic[4], sextic[7], hermite[4];
-    double cubic_rate[4], sextic_rate[7], hermite_rate[4];
-  };
   int intervals_;
-  std::vector<Basis> basis_;
+  std::vector<GridBasis> basis_;
+  std::vector<std::array<double, 4>> twists_;  ///< weights of the corners' variable twists at each node
 };
 
 }  // namespace hariko

@@ -100,6 +100,12 @@ class HullCageBuilder {
     return set && set->contains({all_[i].solid, all_[i].vertex});
   }
 
+  const Vector3* offset(Index i) const {
+    if (!input_.offsets || input_.offsets->empty()) return nullptr;
+    return input_.offsets->find(key_of(SolidVertex{all_[i].solid, all_[i].vertex}, input_.solids));
+  }
+  bool is_fixed(Index i) const { return is(input_.pinned, i) || offset(i); }
+
   std::vector<Index> thinned() {
     Vector3 mean = Vector3::Zero();
     for (const Candidate& c : all_) mean += c.position / double(all_.size());
@@ -109,7 +115,7 @@ class HullCageBuilder {
     const auto distance = [&](Index i) {
       return std::round((all_[i].position - mean).norm() / (1e-9 * input_.diagonal));
     };
-    const auto rank = [&](Index i) { return is(input_.pinned, i) ? 0 : is(input_.kept, i) ? 1 : 2; };
+    const auto rank = [&](Index i) { return is_fixed(i) ? 0 : is(input_.kept, i) ? 1 : 2; };
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
       if (rank(a) != rank(b)) return rank(a) < rank(b);
       return distance(a) > distance(b);
@@ -120,7 +126,7 @@ class HullCageBuilder {
       const bool far = std::all_of(kept.begin(), kept.end(), [&](Index k) {
         return (all_[k].position - all_[i].position).norm() > limit;
       });
-      if (far || is(input_.pinned, i)) kept.push_back(i);
+      if (far || is_fixed(i)) kept.push_back(i);
     }
     std::sort(kept.begin(), kept.end());
     return kept;
@@ -138,6 +144,11 @@ class HullCageBuilder {
       vertex.vertex = all_[k].vertex;
       vertex.position = all_[k].position;
       vertex.unit = input_.growth[vertex.solid] * solid.unit_vertices[vertex.vertex];
+      // The hull is that of the places without offsets, so that its faces stay while a vertex is moved.
+      if (const Vector3* moved = offset(k)) {
+        vertex.position += solid.rotation * *moved;
+        vertex.unit = solid.to_unit * (vertex.position - solid.centre);
+      }
       vertex.radial = (vertex.position - solid.centre).stableNormalized();
       vertex.normal = (solid.to_unit.transpose() * vertex.unit).stableNormalized();
       cage_.vertices.push_back(vertex);
@@ -209,10 +220,16 @@ class HullCageBuilder {
     return std::atan2(m.cross(n).norm(), m.dot(n)) / degree;
   }
 
-  void replace(Index f, Index g, std::vector<Index> loop) {
-    cage_.faces[std::min(f, g)].loop = std::move(loop);
-    cage_.faces.erase(cage_.faces.begin() + std::max(f, g));
-    index_edges();
+  /// The first of two faces takes the loop without their common edge a-b, the other one is emptied.
+  void replace(Index f, Index g, Index a, Index b, std::vector<Index> loop) {
+    const Index kept = std::min(f, g);
+    at_.erase({a, b});
+    at_.erase({b, a});
+    --valence_[a];
+    --valence_[b];
+    for (std::size_t i = 0; i < loop.size(); ++i) at_[{loop[i], loop[(i + 1) % loop.size()]}] = kept;
+    cage_.faces[std::max(f, g)].loop.clear();
+    cage_.faces[kept].loop = std::move(loop);
   }
 
   void merge_flat() {
@@ -227,7 +244,7 @@ class HullCageBuilder {
         if (f == g || !(dihedral(f, g) < flat_angle) || valence_[a] < 4 || valence_[b] < 4) continue;
         std::vector<Index> loop = merged(f, g, a, b);
         if (loop.empty() || !(quality(loop) >= 0.01)) continue;
-        replace(f, g, std::move(loop));
+        replace(f, g, a, b, std::move(loop));
         again = true;
         break;
       }
@@ -280,8 +297,9 @@ class HullCageBuilder {
       if (f == at_.end() || g == at_.end() || valence_[pair.a] < 4 || valence_[pair.b] < 4) continue;
       if (cage_.faces[f->second].loop.size() != 3 || cage_.faces[g->second].loop.size() != 3) continue;
       std::vector<Index> loop = merged(f->second, g->second, pair.a, pair.b);
-      if (!loop.empty()) replace(f->second, g->second, std::move(loop));
+      if (!loop.empty()) replace(f->second, g->second, pair.a, pair.b, std::move(loop));
     }
+    std::erase_if(cage_.faces, [](const CageFace& face) { return face.loop.empty(); });
   }
 
   /// Removes the tip of the thinnest triangle whose height stands on its longest side; false if there is
@@ -306,7 +324,7 @@ class HullCageBuilder {
       const Vector3 side = cage_.vertices[face.loop[(longest + 1) % 3]].position - a;
       const Index tip = face.loop[(longest + 2) % 3];
       const double foot = (cage_.vertices[tip].position - a).dot(side) / side.squaredNorm();
-      if (foot < 0.08 || foot > 0.92 || is(input_.pinned, kept[tip])) continue;
+      if (foot < 0.08 || foot > 0.92 || is_fixed(kept[tip])) continue;
       thinnest = thin;
       drop = kept[tip];
     }
@@ -355,6 +373,11 @@ Vector3 newell_normal(std::span<const Index> loop, std::span<const CageVertex> v
   for (std::size_t i = 1; i + 1 < loop.size(); ++i)
     sum += (vertices[loop[i]].position - o).cross(vertices[loop[i + 1]].position - o);
   return sum.stableNormalized();
+}
+
+NetworkVertexKey key_of(const SolidVertex& vertex, std::span<const PlacedSolid> solids) {
+  const PlacedSolid& solid = solids[vertex.first];
+  return {solid.id, vertex.second + (solid.part << 16)};
 }
 
 double scene_diagonal(std::span<const PlacedSolid> solids) {

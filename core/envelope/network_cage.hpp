@@ -44,11 +44,16 @@ struct HullCageInput {
   double merge_angle = 40;                        ///< degrees
   const std::set<SolidVertex>* pinned = nullptr;  ///< never thinned
   const std::set<SolidVertex>* kept = nullptr;    ///< vertices of the last frame, preferred while dragging
+  /// Added to places of vertices, in the solids' own axes; such vertices are never thinned. May be null.
+  const FlatMap<NetworkVertexKey, Vector3>* offsets = nullptr;
 };
 
 /// Thinned hull of the solids' vertices with pairs of triangles merged to quads. Closed, of genus 0. Faces
 /// empty where all vertices lie in a plane.
 NetworkCage hull_cage(const HullCageInput& input);
+
+/// Name of a vertex that stays while solids move.
+NetworkVertexKey key_of(const SolidVertex& vertex, std::span<const PlacedSolid> solids);
 
 /// Diagonal of the box of all vertices of the solids.
 double scene_diagonal(std::span<const PlacedSolid> solids);

@@ -241,6 +241,7 @@ std::vector<PlacedSolid> place_solids(const EnvelopeInput& input) {
       solid.id = authored.id;
       solid.part = part;
       solid.kind = authored.kind;
+      solid.rotation = rotation;
       solid.roundness = authored.roundness.value_or(input.settings.roundness);
       solid.centre = authored.position;
       if (parts == 2) {

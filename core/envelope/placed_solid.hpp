@@ -29,8 +29,9 @@ class PlacedSolid {
   double roundness = 0.5;
   Vector3 centre = Vector3::Zero();
   Matrix3 to_world = Matrix3::Identity(), to_unit = Matrix3::Identity();
-  double least_stretch = 1;  ///< smallest singular value of to_world
-  double reach = 0;          ///< no point is farther from the centre
+  Matrix3 rotation = Matrix3::Identity();  ///< of the solid's own axes
+  double least_stretch = 1;                ///< smallest singular value of to_world
+  double reach = 0;                        ///< no point is farther from the centre
   std::vector<Vector3> unit_vertices;
   std::vector<Vector3> test_points;  ///< world; on the solid's surface
 

@@ -190,4 +190,71 @@ TEST(EnvelopeNetwork, DragsStartFromTheLastResultAndFinalResultsDoNot) {
               b->surface.patches().evaluate(p, Vector2(0.3, 0.4), Order::first).position);
 }
 
+TEST(EnvelopeNetwork, AnOffsetMovesItsVertexAndSurvivesMovingTheSolid) {
+  EnvelopeInput input = golden_scene("two_apart");
+  input.solids[0].rotation = {0, 0, 30};
+  const auto place = [](const EnvelopeInput& of) {
+    const std::vector<PlacedSolid> solids = place_solids(of);
+    const std::vector<double> growth(solids.size(), 1);
+    HullCageInput cage{solids, growth};
+    cage.diagonal = scene_diagonal(solids);
+    cage.offsets = &of.settings.offsets;
+    for (const CageVertex& vertex : hull_cage(cage).vertices)
+      if (vertex.solid == 0 && vertex.vertex == 0) return vertex.position;
+    ADD_FAILURE() << "the vertex is gone";
+    return Vector3(Vector3::Zero());
+  };
+  const Vector3 before = place(input);
+  const Vector3 offset(-0.2, -0.1, -0.05);
+  input.settings.offsets.set({input.solids[0].id, 0}, offset);
+  const Vector3 turned = solid_rotation(input.solids[0].rotation) * offset;
+  EXPECT_LT((place(input) - before - turned).norm(), 1e-12);
+  const Vector3 shift(0.3, -0.2, 0.1);
+  input.solids[0].position += shift;
+  EXPECT_LT((place(input) - before - turned - shift).norm(), 1e-12);
+  const auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(made.ok());
+  EXPECT_TRUE(made->enclosed);
+  EXPECT_LE(continuity(made->surface).largest_normal_jump.value() * degrees, 1e-4);
+}
+
+TEST(EnvelopeNetwork, AGridHasThePositionsAndNormalsOfThePatches) {
+  const auto made = EnvelopeSurfacer().rebuild(golden_scene("two_apart"));
+  ASSERT_TRUE(made.ok());
+  constexpr int n = 7;
+  const EnvelopeGrid grid(n);
+  std::vector<Vector3> positions(grid.point_count()), normals(grid.point_count());
+  for (Index p = 0; p < made->surface.patch_count(); ++p) {
+    const EnvelopePatch& patch = made->network->patches[p];
+    grid.evaluate(patch, positions, normals);
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i) {
+        const auto at = std::size_t(j * (n + 1) + i);
+        const PatchPoint point =
+            made->surface.patches().evaluate(p, Vector2(double(i) / n, double(j) / n), Order::first);
+        EXPECT_LT((positions[at] - point.position).norm(), 1e-12);
+        EXPECT_LT((normals[at] - unit_normal(point)).norm(), 1e-9);
+        EXPECT_LT((grid.normal(patch, std::size_t(i), std::size_t(j)) - normals[at]).norm(), 1e-9);
+      }
+  }
+}
+
+TEST(EnvelopeNetwork, APolyhedronThatIsNotConvexIsReplacedByItsHullAndSaysSo) {
+  EnvelopeInput input;
+  Solid solid;
+  solid.kind = SolidKind::polyhedron;
+  solid.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  input.solids = {solid};
+  const auto says = [&] {
+    const auto made = EnvelopeSurfacer().rebuild(input);
+    return made.ok() && std::any_of(made->warnings.begin(), made->warnings.end(),
+                                    [](const Message& m) { return m.code == w_solid_hull; });
+  };
+  EXPECT_FALSE(says());
+  input.solids[0].points.push_back(0.5 * (solid.points[0] + solid.points[1]));  // on an edge
+  EXPECT_FALSE(says());
+  input.solids[0].points[4] = {0.1, 0.05, 0};
+  EXPECT_TRUE(says());
+}
+
 }  // namespace hariko::test

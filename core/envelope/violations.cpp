@@ -1,0 +1,219 @@
+#include "core/envelope/violations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hariko {
+
+namespace {
+
+constexpr int block_side = 5;  ///< samples
+/// By how much `PlacedSolid::inside` changes at most over a length of 1 of the unit frame: that of a cone.
+constexpr double steepest_inside = 1.1181;
+
+struct Ball {
+  Vector3 centre = Vector3::Zero();
+  double radius = 0;
+};
+
+Ball ball_round(const Vector3& low, const Vector3& high) {
+  return {0.5 * (low + high), 0.5 * (high - low).norm()};
+}
+
+/// Samples of one build in blocks of neighbours, patch by patch.
+class Samples {
+ public:
+  struct Block {
+    Ball ball;
+    std::uint32_t begin = 0, end = 0;  ///< into `nodes` and, from the patch's first sample on, `positions`
+  };
+
+  Samples(const CurveNetwork& network, const EnvelopeGrid& grid) : network_(network), grid_(grid) {
+    const int n = grid.intervals() + 1;
+    for (int j = 0; j < n; j += block_side)
+      for (int i = 0; i < n; i += block_side) {
+        Block block;
+        block.begin = std::uint32_t(nodes_.size());
+        for (int b = j; b < std::min(n, j + block_side); ++b)
+          for (int a = i; a < std::min(n, i + block_side); ++a) nodes_.push_back(std::uint32_t(b * n + a));
+        block.end = std::uint32_t(nodes_.size());
+        pattern_.push_back(block);
+      }
+    positions_.resize(nodes_.size() * network.patches.size());
+    std::vector<Vector3> rows(nodes_.size());
+    for (std::size_t p = 0; p < network.patches.size(); ++p) {
+      grid.evaluate(network.patches[p], rows);
+      Vector3 patch_low = rows[0], patch_high = rows[0];
+      for (Block block : pattern_) {
+        Vector3 low = rows[nodes_[block.begin]], high = low;
+        for (std::uint32_t k = block.begin; k < block.end; ++k) {
+          const Vector3& at = rows[nodes_[k]];
+          positions_[p * nodes_.size() + k] = at;
+          low = low.cwiseMin(at);
+          high = high.cwiseMax(at);
+        }
+        block.ball = ball_round(low, high);
+        blocks_.push_back(block);
+        patch_low = patch_low.cwiseMin(low);
+        patch_high = patch_high.cwiseMax(high);
+      }
+      balls_.push_back(ball_round(patch_low, patch_high));
+    }
+  }
+
+  Index patch_count() const { return Index(balls_.size()); }
+  const Ball& ball(Index patch) const { return balls_[patch]; }
+  std::span<const Block> blocks(Index patch) const {
+    return std::span(blocks_).subspan(patch * pattern_.size(), pattern_.size());
+  }
+  const Vector3& position(Index patch, std::uint32_t k) const {
+    return positions_[patch * nodes_.size() + k];
+  }
+  /// Unit, computed when asked for; zero where there is none.
+  Vector3 normal(Index patch, std::uint32_t k) const {
+    const std::uint32_t n = std::uint32_t(grid_.intervals()) + 1;
+    return grid_.normal(network_.patches[patch], nodes_[k] % n, nodes_[k] / n);
+  }
+
+ private:
+  const CurveNetwork& network_;
+  const EnvelopeGrid& grid_;
+  std::vector<std::uint32_t> nodes_;  ///< numbers of the grid's nodes, block by block
+  std::vector<Block> pattern_;        ///< without balls
+  std::vector<Vector3> positions_;
+  std::vector<Block> blocks_;
+  std::vector<Ball> balls_;
+};
+
+class ViolationFinder {
+ public:
+  ViolationFinder(const CurveNetwork& network, std::span<const PlacedSolid> solids, double tolerance,
+                  const EnvelopeGrid& grid)
+      : network_(network), solids_(solids), tolerance_(tolerance), samples_(network, grid) {}
+
+  Violations find() {
+    for (Index p = 0; p < samples_.patch_count(); ++p)
+      for (Index s = 0; s < solids_.size(); ++s) test_patch(p, s);
+    for (Index s = 0; s < solids_.size(); ++s)
+      for (const Vector3& z : solids_[s].test_points) test_point(s, z);
+    return std::move(out_);
+  }
+
+ private:
+  /// No point of the ball is deeper in the solid.
+  static double deepest_in(const PlacedSolid& solid, const Ball& ball) {
+    const Vector3 unit = solid.to_unit * (ball.centre - solid.centre);
+    return solid.inside(unit) * solid.least_stretch + steepest_inside * ball.radius;
+  }
+
+  void test_patch(Index patch, Index s) {
+    const PlacedSolid& solid = solids_[s];
+    const Ball& ball = samples_.ball(patch);
+    const double far = solid.reach + ball.radius;
+    if ((ball.centre - solid.centre).squaredNorm() > far * far || deepest_in(solid, ball) <= 0) return;
+    double deepest = 0;
+    for (const Samples::Block& block : samples_.blocks(patch)) {
+      if (deepest_in(solid, block.ball) <= deepest) continue;
+      for (std::uint32_t k = block.begin; k < block.end; ++k)
+        deepest = std::max(deepest, solid.depth(samples_.position(patch, k)));
+    }
+    out_.worst = std::max(out_.worst, deepest);
+    if (!(deepest > tolerance_)) return;
+    const Index face = network_.patch_places[patch].face;
+    const auto known = std::find_if(out_.in_solid.begin(), out_.in_solid.end(),
+                                    [&](const auto& v) { return v.face == face && v.solid == s; });
+    if (known == out_.in_solid.end())
+      out_.in_solid.push_back({face, s, deepest});
+    else
+      known->depth = std::max(known->depth, deepest);
+  }
+
+  struct Near {
+    double square = 1e300;
+    Index patch = 0;
+    std::uint32_t sample = 0;
+  };
+  using Nearest = std::array<Near, 4>;
+
+  void scan(Index patch, const Samples::Block& block, const Vector3& z, Nearest& near) const {
+    for (std::uint32_t k = block.begin; k < block.end; ++k) {
+      const double square = (samples_.position(patch, k) - z).squaredNorm();
+      if (square >= near[3].square) continue;
+      std::size_t at = 3;
+      while (at > 0 && near[at - 1].square > square) near[at] = near[at - 1], --at;
+      near[at] = {square, patch, k};
+    }
+  }
+
+  /// The block with the nearest centre first: it rules out nearly all others.
+  void take_near(Index patch, const Vector3& z, Nearest& near) {
+    const auto blocks = samples_.blocks(patch);
+    squares_.clear();
+    for (const Samples::Block& block : blocks) squares_.push_back((z - block.ball.centre).squaredNorm());
+    const auto first = std::size_t(std::min_element(squares_.begin(), squares_.end()) - squares_.begin());
+    scan(patch, blocks[first], z, near);
+    double reach = std::sqrt(near[3].square);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const double far = blocks[i].ball.radius + reach;
+      if (i == first || squares_[i] >= far * far) continue;
+      scan(patch, blocks[i], z, near);
+      reach = std::sqrt(near[3].square);
+    }
+  }
+
+  double height(const Near& near, const Vector3& z) const {
+    return (z - samples_.position(near.patch, near.sample)).dot(samples_.normal(near.patch, near.sample));
+  }
+
+  void test_point(Index solid, const Vector3& z) {
+    // The nearest patch first: it rules out nearly all others.
+    bounds_.clear();
+    for (Index p = 0; p < samples_.patch_count(); ++p) {
+      const Ball& ball = samples_.ball(p);
+      bounds_.emplace_back(std::max(0.0, (z - ball.centre).norm() - ball.radius), p);
+    }
+    Nearest near;
+    const auto first = std::min_element(bounds_.begin(), bounds_.end());
+    take_near(first->second, z, near);
+    std::swap(*first, bounds_.back());
+    bounds_.pop_back();
+    std::erase_if(bounds_, [&](const auto& bound) { return bound.first * bound.first >= near[3].square; });
+    std::sort(bounds_.begin(), bounds_.end());
+    for (const auto& [bound, patch] : bounds_) {
+      if (bound * bound >= near[3].square) break;
+      take_near(patch, z, near);
+    }
+    double least = 1e300;
+    for (const Near& n : near) {
+      least = std::min(least, height(n, z));
+      if (least <= 0) return;  // inside
+    }
+    out_.worst = std::max(out_.worst, least);
+    if (!(least > tolerance_)) return;
+    const Index face = network_.patch_places[near[0].patch].face;
+    const auto known = std::find_if(out_.outside.begin(), out_.outside.end(),
+                                    [&](const auto& v) { return v.face == face && v.solid == solid; });
+    if (known == out_.outside.end())
+      out_.outside.push_back({face, solid, z, least});
+    else if (least > known->height)
+      known->height = least, known->point = z;
+  }
+
+  const CurveNetwork& network_;
+  std::span<const PlacedSolid> solids_;
+  double tolerance_;
+  Samples samples_;
+  Violations out_;
+  std::vector<std::pair<double, Index>> bounds_;
+  std::vector<double> squares_;
+};
+
+}  // namespace
+
+Violations find_violations(const CurveNetwork& network, std::span<const PlacedSolid> solids, double tolerance,
+                           const EnvelopeGrid& grid) {
+  return ViolationFinder(network, solids, tolerance, grid).find();
+}
+
+}  // namespace hariko
