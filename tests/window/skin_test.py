@@ -78,16 +78,15 @@ def gestures(window, output):
     window.wait_idle()
     stroke(window, skin_mark(window, "limit.1"), skin_mark(window, "limit.9"))
     position = label(window, "Join points")
-    # A wedge from both sides of points 3 and 4 to the middle of the way.
-    first, last = skin_mark(window, "limit.2"), skin_mark(window, "limit.5")
-    inside = [skin_mark(window, f"limit.{i}") for i in (3, 4)]
-    tip = between(between(*inside), between(skin_mark(window, "limit.10"), skin_mark(window, "limit.11")))
-    stroke(window, between(first, inside[0]), tip, between(inside[1], last))
+    # A wedge from both sides of points 2 to 4, with its tip well before the middle of the way: its legs are far from parallel.
+    start = skin_mark(window, "limit.3")
+    first = between(skin_mark(window, "limit.1"), skin_mark(window, "limit.2"))
+    last = between(skin_mark(window, "limit.4"), skin_mark(window, "limit.5"))
+    stroke(window, first, between(start, skin_mark(window, "limit.10"), 0.4), last)
     check(label(window, "Merge points") == position + 1, "the wedge is not one step")
     window.screenshot(os.path.join(output, "skin_wedge.png"))
     diamond = next(name for name in window.last("layout")["rects"] if name.startswith("skin.diamond."))
     before = window.center(diamond)
-    start = between(*inside)
     window.drag(before, between(before, start, 0.5),
                 before_release=lambda: window.screenshot(os.path.join(output, "skin_diamond.png")))
     label(window, "Move a merge")
