@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace hariko {
 
@@ -197,9 +198,14 @@ ConvexHull convex_hull(std::span<const Vector3> points, double tolerance) {
     out.triangles = Quickhull(points, use, tolerance).make();
     out.vertices = used(out.triangles);
     if (out.triangles.empty()) return out;
-    const std::vector<Index> flat = flat_vertices(points, out.triangles);
+    // All points of a place go: another of them would come up in the next round.
+    std::set<std::array<double, 3>> flat;
+    const auto place = [&](Index p) {
+      return std::array<double, 3>{points[p].x(), points[p].y(), points[p].z()};
+    };
+    for (const Index v : flat_vertices(points, out.triangles)) flat.insert(place(v));
     if (flat.empty()) return out;
-    std::erase_if(use, [&](Index p) { return std::binary_search(flat.begin(), flat.end(), p); });
+    std::erase_if(use, [&](Index p) { return flat.contains(place(p)); });
   }
   return out;
 }

@@ -185,7 +185,8 @@ double PlacedSolid::inside(const Vector3& x) const {
     case Shape::cylinder:
       return std::min(1 - std::hypot(x.x(), x.y()), 1 - std::abs(x.z()));
     case Shape::cone:
-      return std::min((1.5 - x.z()) / 2 - std::hypot(x.x(), x.y()), x.z() + 0.5);
+      // Side and base as lengths: the side falls by one from the axis to the rim while it goes two up.
+      return std::min(((1.5 - x.z()) / 2 - std::hypot(x.x(), x.y())) / std::sqrt(1.25), x.z() + 0.5);
     case Shape::torus:
       return tube_ - std::hypot(std::hypot(x.x(), x.y()) - 1, x.z());
     default: {

@@ -108,17 +108,22 @@ TEST(MeshBound, IsAboveEverySampleAndTightEnough) {
         }
       return mesh;
     };
-    const TriangleMesh a = field(uniform_int(rng, 2, 12), 0.03), b = field(uniform_int(rng, 2, 12), 0.03);
+    const int cells = uniform_int(rng, 2, 12);
+    const TriangleMesh a = field(cells, 0.03), b = field(uniform_int(rng, 2, 12), 0.03);
     const TriangleTree tree(b.positions, b.triangles);
-    const double sampled = farthest(a, b, 24);
+    // Samples as dense on few facets as on many. A distance changes by no more than the way that it is from
+    // the nearest sample.
+    const int density = 288 / cells;
+    const double sampled = farthest(a, b, density);
+    const double between = std::sqrt(2.0 + 0.06 * 0.06 * cells * cells) / (cells * density * std::sqrt(3.0));
     const auto within = [&](double tolerance) {
       return bounded_distance(a.positions, a.triangles, tree, b.positions, b.triangles, tolerance);
     };
     EXPECT_FALSE(within(sampled * 0.999).bound.has_value());
-    const MeshBound bound = within(sampled * 1.05 + 1e-6);
+    const MeshBound bound = within(sampled * 1.05 + between);
     ASSERT_TRUE(bound.bound.has_value());
-    EXPECT_GE(*bound.bound, sampled);
-    EXPECT_LE(*bound.bound, sampled * 1.05 + 1e-6);
+    EXPECT_GE(*bound.bound, sampled * (1 - 1e-12));
+    EXPECT_LE(*bound.bound, sampled * 1.05 + between);
   });
 }
 
