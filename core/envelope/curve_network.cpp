@@ -11,7 +11,9 @@ namespace hariko {
 namespace {
 
 constexpr double least_cosine = 0.25;  ///< tangents that turn away more do not get longer for it
-constexpr double weight_low = 0.2, weight_high = 5;
+/// Weights that curves may have. Below the lower one a patch bulges to a point; the natural weight of the
+/// largest turn that tangents get longer for is 0.5 itself.
+constexpr double weight_low = 0.501, weight_high = 5;
 
 /// One end of a primitive edge in the solid's unit frame.
 struct PrimitiveEnd {
@@ -30,8 +32,8 @@ struct PrimitiveEdge {
     a = end(from, e, length, roundness);
     b = end(to, e, length, roundness);
     const Vector3 p1 = from + a.alpha * a.t, p2 = to - b.alpha * b.t;
-    natural[0] = (1 + 2 * a.cosine) / 3;
-    natural[1] = (1 + 2 * b.cosine) / 3;
+    natural[0] = std::max((1 + 2 * a.cosine) / 3, weight_low);
+    natural[1] = std::max((1 + 2 * b.cosine) / 3, weight_low);
     sag[0] = -(p2 - from).dot(a.n);
     sag[1] = -(p1 - to).dot(b.n);
   }
@@ -154,7 +156,7 @@ class NetworkBuilder {
     const Vector3 ta = a.tangent(e), tb = b.tangent(e);
     const double ca = std::max(ta.dot(e) / length, least_cosine),
                  cb = std::max(tb.dot(e) / length, least_cosine);
-    const double w = (1 + ca + cb) / 3;
+    const double w = std::max((1 + ca + cb) / 3, weight_low);
     curve.ribbon.curve = {
         homogeneous(a.position), homogeneous(a.position + f * length / (1 + 2 * ca) * ta, w),
         homogeneous(b.position - f * length / (1 + 2 * cb) * tb, w), homogeneous(b.position)};
