@@ -29,7 +29,7 @@ TEST_F(Usage, WrongArgumentsGiveTwo) {
                                 std::string("info --json"),
                                 "export " + cube,
                                 "export " + cube + " " + path("a.foo"),
-                                "export " + cube + " " + path("a.off"),
+                                "export " + cube + " " + path("a.dae"),
                                 "export " + cube + " " + path("a"),
                                 "export " + cube + " " + path("a.obj") + " --density 0",
                                 "export " + cube + " " + path("a.obj") + " --density 257",
