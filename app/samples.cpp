@@ -48,6 +48,14 @@ constexpr Description descriptions[] = {
     {"skin_car", "Car, pleated skin", "The same sections with their edges joined"},
     {"skin_merge_inside", "Merging ridges", "Two ridges become one on the way"},
     {"skin_merge_end", "Ridges that end in one", "Two ridges become one at the last section"},
+    {"sphere_cap", "Sphere cap", "An outline with normals and curvature: an exact sphere"},
+    {"ellipsoid_cap", "Ellipsoid cap", "An outline with normals and curvature, filled"},
+    {"paraboloid", "Paraboloid", "An outline that is not flat"},
+    {"sphere_band", "Spherical band", "Two outlines, one surface between them"},
+    {"sphere_holes", "Sphere with three holes", "Three outlines bound one surface"},
+    {"catenoid", "Catenoid", "A saddle everywhere, between two rings"},
+    {"saddle", "Saddle", "A saddle over a round outline"},
+    {"shell", "Shell", "A flat rim with tilted normals becomes a housing"},
     {"wheel_arch", "Wheel arch", "A hole between bicubic patches, closed smoothly"},
 };
 

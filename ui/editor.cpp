@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/edit_solids.hpp"
+#include "ui/outlines.hpp"
 
 namespace hariko {
 
@@ -174,6 +175,10 @@ Box3 Editor::selected_box() const {
         for (int corner = 0; corner < 8; ++corner)
           box.extend(object->transform.apply(local.corner(static_cast<Box3::CornerType>(corner))));
       }
+    if (object->outline())
+      for (const VertexId id : selection.of(object->id).vertices)
+        if (id.value < object->outline()->outline->point_count())
+          box.extend(place_of_point(*object, id.value).point);
     const Polyhedron* cage = object->cage();
     if (!cage || selection.of(object->id).empty()) continue;
     for (const VertexId id : touched_vertices(selection.of(object->id), *cage))

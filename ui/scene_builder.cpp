@@ -73,6 +73,38 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const MeshSource& source) {
   return lines;
 }
 
+/// The loops of an outline, their points numbered through.
+std::shared_ptr<const DisplayPolyhedron> lines_of(const Outline& outline) {
+  auto lines = std::make_shared<DisplayPolyhedron>();
+  std::vector<Vector3> points;
+  for (const OutlineLoop& loop : outline.loops)
+    points.insert(points.end(), loop.points.begin(), loop.points.end());
+  lines->origin = origin_for(points);
+  for (const Vector3& point : points) {
+    const Vector3 p = point - lines->origin;
+    lines->positions.push_back({float(p.x()), float(p.y()), float(p.z())});
+    lines->vertex_ids.push_back(VertexId{Index(lines->vertex_ids.size())});
+    lines->box.extend(p);
+  }
+  Index first = 0;
+  for (const OutlineLoop& loop : outline.loops) {
+    const auto count = Index(loop.points.size());
+    for (Index i = 0; i < count && count > 1; ++i)
+      lines->edges.push_back({first + i, first + (i + 1) % count});
+    first += count;
+  }
+  lines->edge_kinds.assign(lines->edges.size(), EdgeKind::plain);
+  return lines;
+}
+
+/// Points of an outline, by their numbers.
+Highlights points_of(const ElementSelection& selection, const Outline& outline) {
+  Highlights out;
+  for (const VertexId id : selection.vertices)
+    if (id.value < outline.point_count()) out.vertices.push_back(id.value);
+  return out;
+}
+
 /// Facets in place of the smooth surface.
 void show_facets(const std::shared_ptr<const DisplayMesh>& mesh, SceneObject& out) {
   out.mesh = mesh;
@@ -229,6 +261,12 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     out.comb_scale = display.combs.scale;
     if (display.marks && view->continuity) out.marks = marks_of(object->id, *view, editor.view.tolerance);
     if (view->error && cage) out.failed = failed_of(*view->error, *cage);
+    if (view->error && object->outline()) {
+      ElementSelection failed;
+      if (view->error->element.kind == Element::Kind::vertex)
+        failed.vertices.insert(VertexId{static_cast<std::uint32_t>(view->error->element.id)});
+      out.failed = points_of(failed, *object->outline()->outline);
+    }
     // A new map shows when its values are there; until then the surface is drawn without.
     const bool ready = !has_values(display.map) || (view->object && view->object->display.map == display.map);
     out.map = ready ? display.map : SurfaceMap::shaded;
@@ -237,6 +275,14 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   const auto stale = editor.stale_since.find(object->id);
   out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
                editor.recompute.outdated.contains(object->id);
+  if (const OutlineSource* outline = object->outline(); outline && editor.mode == ElementMode::vertex) {
+    out.selected = points_of(editor.selection.of(object->id), *outline->outline);
+    if (editor.hovered && editor.hovered->object == object->id) {
+      Selection hover;
+      hover.select(*editor.hovered, Selection::How::replace);
+      out.hovered = points_of(hover.of(object->id), *outline->outline);
+    }
+  }
   if (object->solids()) {
     // They lie inside of their surface.
     out.x_ray = true;
@@ -296,6 +342,10 @@ std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
       entry.polyhedron = cage_of(*object);
     else if (!(patches_before->net == patches->net))
       entry.polyhedron = entry.polyhedron->moved(patches->net);
+  } else if (const OutlineSource* outline = object->outline()) {
+    const OutlineSource* outline_before = entry.object ? entry.object->outline() : nullptr;
+    if (!outline_before || !(outline_before->outline == outline->outline))
+      entry.polyhedron = lines_of(*outline->outline);
   } else if (!source && !object->mesh()) {
     entry.polyhedron = object->solids() ? display_of(*object->solids()) : nullptr;
   } else if (!source) {
@@ -335,6 +385,9 @@ std::shared_ptr<const DisplayPolyhedron> SceneBuilder::attached_polyhedron_of(
 
 ElementRef element_at(const Document& document, ObjectId object, Element::Kind kind, Index index) {
   const Object* found = document.find(object);
+  if (found && found->outline() && kind == Element::Kind::vertex &&
+      index < found->outline()->outline->point_count())
+    return {object, element_of(VertexId{index})};
   const Polyhedron* cage = found ? found->cage() : nullptr;
   if (!cage) return {object, {}};
   const Polyhedron& polyhedron = *cage;

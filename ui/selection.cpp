@@ -47,6 +47,21 @@ ElementSelection all_solids(const Object& object) {
   return all;
 }
 
+/// The points of an outline are vertices whose ids are their numbers.
+ElementSelection all_points(const OutlineSource& source) {
+  ElementSelection out;
+  for (Index i = 0; i < source.outline->point_count(); ++i)
+    out.vertices.insert(out.vertices.end(), VertexId{i});
+  return out;
+}
+
+void keep_points(ElementSelection& selection, const OutlineSource& source) {
+  const std::size_t count = source.outline->point_count();
+  std::erase_if(selection.vertices, [&](VertexId id) { return id.value >= count; });
+  selection.edges.clear();
+  selection.faces.clear();
+}
+
 void append_count(std::string& text, std::size_t count, const char* one, const std::string& many) {
   if (count == 0) return;
   if (!text.empty()) text += ", ";
@@ -137,6 +152,8 @@ void Selection::select_all(const Object& object, ElementMode mode) {
   clear_elements();
   if (mode == ElementMode::object)
     objects_.insert(object.id);
+  else if (object.outline() && mode == ElementMode::vertex)
+    set(object.id, all_points(*object.outline()));
   else if (cage)
     set(object.id, hariko::select_all(*cage, kind_of(mode)));
   else if (object.solids())
@@ -153,6 +170,8 @@ void Selection::prune(const Document& document) {
       keep_existing(it->second.faces, *cage);
     } else if (object && object->solids()) {
       keep_solids(it->second, *object);
+    } else if (object && object->outline()) {
+      keep_points(it->second, *object->outline());
     } else if (object && object->skin()) {
       keep_existing(it->second, *object->skin()->skin);
     } else {
@@ -182,6 +201,8 @@ Selection converted(const Selection& selection, const Document& document, Elemen
         result.set(id, select_all(*object->cage(), kind_of(to)));
       else if (object && object->solids())
         result.set(id, all_solids(*object));
+      else if (object && object->outline() && to == ElementMode::vertex)
+        result.set(id, all_points(*object->outline()));
     return result;
   }
   for (const auto& [id, elements] : selection.elements()) {

@@ -76,6 +76,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     activate_under_pointer();
     scene_.update(editor_);  // hovering and clicking look at what is there now
     gizmo_.update(editor_, tool_ != nullptr);
+    arrows_.update(editor_);
     handle_pointer(hovered);
     // A title or a tool may have arranged the views anew.
     place_views(rect);
@@ -223,6 +224,8 @@ void Viewport::show(PanelContext& context, const Place& place) {
                      active ? &context.marks : nullptr);
   if (tool_ && active) tool_->draw({editor_, scene_}, overlay);
   if (active) {
+    arrows_.draw(overlay, hot_arrow_);
+    arrows_.mark(context.marks, overlay);
     gizmo_.draw(overlay, hot_handle_);
     gizmo_.mark(context.marks, overlay);
   }
@@ -287,8 +290,10 @@ void Viewport::look_for_press(PointerEvent event) {
     // With modifiers the press is for the selection or for the view.
     const bool plain = event.button == PointerButton::left && !event.shift && !event.control && !event.alt;
     const auto handle = plain ? gizmo_.hit(event.pixel) : std::nullopt;
-    auto tool = handle ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
-                       : skin_tool_at({editor_, scene_}, event);
+    const auto arrow = plain && !handle ? arrows_.hit(event.pixel) : std::nullopt;
+    auto tool = handle  ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
+                : arrow ? make_normal_tool(editor_.selection.active, *arrow)
+                        : skin_tool_at({editor_, scene_}, event);
     if (!tool) tool = tool_for(editor_, event);
     if (tool) start(std::move(tool), event);
   }
@@ -358,6 +363,7 @@ void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   tool_ = std::move(tool);
   press_ = press;
   hot_handle_.reset();
+  hot_arrow_.reset();
   editor_.hovered.reset();
   ToolContext context{editor_, scene_};
   tool_->begin(context, press);
@@ -407,6 +413,7 @@ bool Viewport::cancel_tool() {
 
 void Viewport::hover(const Vector2& pixel, bool inside) {
   hot_handle_.reset();
+  hot_arrow_.reset();
   if (std::exchange(on_paper_, false)) editor_.paper.hovered = {};
   if (!inside) {
     editor_.hovered.reset();
@@ -415,7 +422,8 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
   hot_handle_ = gizmo_.hit(pixel);
   const ToolContext context{editor_, scene_};
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
-  if (hot_handle_) return editor_.hovered.reset();
+  if (!hot_handle_) hot_arrow_ = arrows_.hit(pixel);
+  if (hot_handle_ || hot_arrow_) return editor_.hovered.reset();
   if (const PaperSolid* paper = scene_.paper()) {
     const Projector projector = context.projector();
     const double reach = 5 * editor_.pixel_scale * editor_.camera().pixel_length(editor_.viewport);
@@ -438,6 +446,7 @@ std::string Viewport::hint() const {
   if (tool_) return tool_->hint(editor_.language);
   const Language& tr = editor_.language;
   if (hot_handle_) return tr("Drag the handle   click to type a number");
+  if (hot_arrow_) return tr("Drag turns the normal   click selects the point");
   if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
   const std::size_t objects = editor_.selection.objects().size();
   const std::string selected =

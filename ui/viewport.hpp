@@ -10,6 +10,7 @@
 #include "ui/panels/skin_overlay.hpp"
 #include "ui/scene_builder.hpp"
 #include "ui/tools/gizmo.hpp"
+#include "ui/tools/outline_handles.hpp"
 #include "ui/tools/tool.hpp"
 #include "ui/view_pictures.hpp"
 
@@ -80,7 +81,9 @@ class Viewport {
   Gizmo gizmo_;
   SkinOverlay skin_overlay_;
   std::optional<GizmoHandle> hot_handle_;  ///< under the pointer
-  bool shift_ = false, control_ = false;   ///< as the tool knows them
+  OutlineHandles arrows_;
+  std::optional<Index> hot_arrow_;        ///< under the pointer
+  bool shift_ = false, control_ = false;  ///< as the tool knows them
   PointerEvent press_;
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;

@@ -45,6 +45,7 @@ void Workbench::add_commands() {
   add_select_commands(host_);
   add_add_commands(host_);
   add_solid_commands(host_);
+  add_outline_commands(host_);
   add_transform_commands(host_);
   add_mesh_commands(host_);
   add_mesh_cleanup_commands(host_);

@@ -52,6 +52,7 @@ void add_transform_commands(CommandHost& host);
 void add_mesh_commands(CommandHost& host);
 void add_shape_commands(CommandHost& host);
 void add_attach_commands(CommandHost& host);
+void add_outline_commands(CommandHost& host);
 void add_recompute_commands(CommandHost& host);
 void add_paper_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);

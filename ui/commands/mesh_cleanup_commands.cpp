@@ -20,6 +20,7 @@
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 #include "ui/operations.hpp"
+#include "ui/outlines.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/skin_view.hpp"
 #include "ui/tools/transform_target.hpp"
@@ -68,10 +69,19 @@ Result<Modeled> dissolved(const PolyhedronSource& source, const ElementSet& set,
   return dissolve_vertices(source, list_of(set.vertices));
 }
 
+void delete_points(Editor& editor, const Object& object) {
+  const std::set<Index> points = selected_points(editor, object);
+  const bool done = change_outline(
+      editor, [&](const Outline& outline) { return without_points(outline, points); },
+      translatable("Delete points"));
+  if (done) editor.selection.clear_elements();
+}
+
 /// Elements when some are selected, else the objects that are chosen, else the active one.
 void delete_selection(Editor& editor) {
   if (editor.mode != ElementMode::object && !editor.selection.of_active().empty()) {
     if (shown_skin(editor)) return delete_selected_points(editor);
+    if (const Object* outline = active_outline(editor)) return delete_points(editor, *outline);
     const ElementSet set = editor.selection.of_active();
     if (editor.active_object()->solids()) {
       std::vector<std::uint32_t> ids;

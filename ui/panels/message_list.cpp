@@ -6,6 +6,7 @@
 #include "core/patching/join.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/outline_rows.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -103,6 +104,7 @@ void draw_message_list(PanelContext& context, const Object& object) {
     ImGui::TextDisabled(
         "%s", fill(context.tr("and {0} more"), {std::to_string(view->warnings.size() - most)}).c_str());
   if (view->error) draw_adapt(context, *view->error);
+  if (view->error) draw_outline_fix(context, object, *view->error);
   draw_fix(context, object, view->warnings);
   if (clicked) show_element(context.editor, object.id, *clicked);
 }

@@ -12,6 +12,7 @@
 #include "ui/panels/choice.hpp"
 #include "ui/panels/display_panel.hpp"
 #include "ui/panels/message_list.hpp"
+#include "ui/panels/outline_rows.hpp"
 #include "ui/panels/paper_properties.hpp"
 #include "ui/panels/selected_items.hpp"
 #include "ui/panels/skin_properties.hpp"
@@ -294,6 +295,7 @@ void object_section(PanelContext& context, const Objects& objects) {
     hint_text(context, "Locked: unlock it in the list above to change it.");
   mode_row(context, objects);
   round_row(context, objects);
+  if (objects.size() == 1) outline_rows(context, *objects.front());
   if (objects.size() == 1) mirror_row(context, *objects.front());
   preparation_rows(context, objects);
   if (ImGui::TreeNodeEx("##place",
@@ -445,6 +447,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       if (!faces.ids.empty()) face_section(context, faces);
       draw_skin_properties(context);
       if (objects.front()->solids()) draw_solids(context, *objects.front());
+      outline_point_section(context);
       object_section(context, objects);
       if (vertices.ids.empty() && edges.ids.empty() && faces.ids.empty() && objects.front()->polyhedron()) {
         heading(context, "Selection");

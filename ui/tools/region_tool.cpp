@@ -104,16 +104,17 @@ class RegionTool final : public Tool {
       if (taken && !held.empty()) selection.select({id, element_of(id)}, how);
       return;
     }
-    if (!object->cage() || !shown.elements_pickable) return;
+    if (!(object->cage() || object->outline()) || !shown.elements_pickable) return;
     if (editor.mode != ElementMode::vertex) held.vertices.clear();
     if (editor.mode != ElementMode::edge) held.edges.clear();
     if (editor.mode != ElementMode::face) held.faces.clear();
     if (occlusion_) held = occlusion_->visible(held, shown);
-    const Polyhedron& polyhedron = *object->cage();
     ElementSelection elements;
-    for (const Index v : held.vertices) elements.vertices.insert(polyhedron.vertex_id(v));
-    for (const Index e : held.edges) elements.edges.insert(polyhedron.edge_id(e));
-    for (const Index f : held.faces) elements.faces.insert(polyhedron.face_id(f));
+    for (const Index v : held.vertices) elements.vertices.insert(shown.polyhedron->vertex_ids[v]);
+    if (const Polyhedron* polyhedron = object->cage()) {
+      for (const Index e : held.edges) elements.edges.insert(polyhedron->edge_id(e));
+      for (const Index f : held.faces) elements.faces.insert(polyhedron->face_id(f));
+    }
     if (elements.empty()) return;
     selection.select(id, elements, how);
     if (selection.of(selection.active).empty()) selection.active = id;

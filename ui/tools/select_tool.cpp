@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/gaussmap/edit_outline.hpp"
 #include "core/modeling/edge_paths.hpp"
 #include "core/modeling/select_region.hpp"
 #include "ui/tools/region_tool.hpp"
@@ -81,6 +82,8 @@ class SelectTool final : public Tool {
         editor.last_click && editor.last_click->index < under_.size() ? editor.last_click->index : 0;
     const ElementRef& ref = under_[press_.alt ? 0 : index];
     const Object* object = editor.document().find(ref.object);
+    if (object && object->outline() && ref.element.kind == Element::Kind::vertex)
+      return select_loop(editor, *object, ref, how);
     if (!object || !object->cage()) return false;
     const Polyhedron& polyhedron = *object->cage();
     ElementSelection elements;
@@ -94,6 +97,19 @@ class SelectTool final : public Tool {
       elements = linked(polyhedron, one.of(ref.object));
     }
     if (elements.empty()) return false;
+    editor.selection.select(ref.object, elements, how);
+    editor.selection.active = ref.object;
+    editor.selection.last = ref;
+    return true;
+  }
+
+  /// All points of the loop of an outline.
+  static bool select_loop(Editor& editor, const Object& object, const ElementRef& ref, How how) {
+    const Outline& outline = *object.outline()->outline;
+    if (ref.element.id >= outline.point_count()) return false;
+    ElementSelection elements;
+    for (const Index number : whole_loops(outline, {static_cast<Index>(ref.element.id)}))
+      elements.vertices.insert(VertexId{number});
     editor.selection.select(ref.object, elements, how);
     editor.selection.active = ref.object;
     editor.selection.last = ref;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "core/document/edit_attachments.hpp"
 #include "core/document/edit_solids.hpp"
@@ -12,6 +13,7 @@
 #include "core/modeling/edit_modeling.hpp"
 #include "core/modeling/local_edit.hpp"
 #include "core/modeling/transform_solid.hpp"
+#include "ui/outlines.hpp"
 
 namespace hariko {
 
@@ -79,6 +81,7 @@ TransformTarget TransformTarget::of(const Editor& editor) {
       const Object* object = target.document_.find(id);
       if (object && object->visible && object->cage()) target.add_elements(*object, elements);
       if (object && object->visible && object->solids()) target.add_solids(*object, elements);
+      if (object && object->visible && object->outline()) target.add_points(*object, elements);
     }
     const bool solids = std::all_of(target.parts_.begin(), target.parts_.end(),
                                     [](const Part& part) { return !part.solids.empty(); });
@@ -156,6 +159,24 @@ void TransformTarget::add_solids(const Object& object, const ElementSelection& e
   if (!part.solids.empty()) parts_.push_back(std::move(part));
 }
 
+void TransformTarget::add_points(const Object& object, const ElementSelection& elements) {
+  Part part;
+  part.object = object.id;
+  part.transform = object.transform;
+  part.outline = &*object.outline()->outline;
+  for (const VertexId id : elements.vertices) {
+    if (id.value >= part.outline->point_count()) continue;
+    const OutlinePoint at = outline_point(*part.outline, id.value);
+    part.vertices.push_back(id);
+    part.start.push_back(part.outline->loops[at.loop].points[at.place]);
+    selected_.push_back(object.transform.apply(part.start.back()));
+  }
+  if (part.vertices.empty()) return;
+  part.selected = part.vertices.size();
+  part.weight.assign(part.selected, 1);
+  parts_.push_back(std::move(part));
+}
+
 void TransformTarget::choose_pivot(const Editor& editor) {
   const PivotMode mode = editor.transform.pivot;
   pivot_ = mean(selected_);
@@ -205,6 +226,10 @@ void TransformTarget::follow(double radius, Falloff kind) {
     part.weight.resize(part.selected);
     part.pivots.resize(part.selected);
     if (!(radius > 0)) continue;
+    if (part.outline) {
+      follow_along(part, radius, kind);
+      continue;
+    }
     const Polyhedron& polyhedron = *part.polyhedron;
     if (part.distance.empty()) {
       std::vector<Index> given;
@@ -223,6 +248,25 @@ void TransformTarget::follow(double radius, Falloff kind) {
       part.weight.push_back(weight);
       part.pivots.push_back(pivot);
     }
+  }
+}
+
+/// Points of the outline that follow by their distance along the loop.
+void TransformTarget::follow_along(Part& part, double radius, Falloff kind) {
+  if (part.distance.empty()) {
+    std::set<Index> given;
+    for (const VertexId id : part.vertices) given.insert(id.value);
+    part.distance = distances_along(*part.outline, given);
+  }
+  const Vector3 pivot = part.transform.inverse().apply(pivot_);
+  for (Index number = 0; number < part.distance.size(); ++number) {
+    const double weight = falloff(kind, part.distance[number] * part.transform.scale / radius);
+    if (weight <= 0 || part.distance[number] == 0) continue;
+    const OutlinePoint at = outline_point(*part.outline, number);
+    part.vertices.push_back(VertexId{number});
+    part.start.push_back(part.outline->loops[at.loop].points[at.place]);
+    part.weight.push_back(weight);
+    part.pivots.push_back(pivot);
   }
 }
 
@@ -248,8 +292,8 @@ Result<Document> TransformTarget::apply(const Document& document,
       result = apply_to_solids(*result, part, local);
       continue;
     }
-    if (part.frozen) {
-      result = apply_locally(*result, part, local);
+    if (part.frozen || part.outline) {
+      result = part.outline ? apply_to_points(*result, part, local) : apply_locally(*result, part, local);
       continue;
     }
     std::vector<Vector3> positions(part.vertices.size());
@@ -266,6 +310,24 @@ Result<Document> TransformTarget::apply_to_solids(const Document& document, cons
     for (std::size_t i = 0; i < part.solids.size(); ++i)
       for (Solid& solid : input.solids)
         if (solid.id == part.solids[i].id) solid = transformed(part.solids[i], local, part.pivots[i]);
+  });
+}
+
+/// Moves points; their normals go along with the loop, and with a rotation.
+Result<Document> TransformTarget::apply_to_points(const Document& document, const Part& part,
+                                                  const Transformation& local) {
+  return edit_outline(document, part.object, [&](const Outline& outline) -> Result<Outline> {
+    std::vector<Index> numbers;
+    std::vector<Vector3> places, normals;
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+      numbers.push_back(part.vertices[i].value);
+      places.push_back(local.apply(part.start[i], part.pivots[i], part.weight[i]));
+      const OutlinePoint at = outline_point(outline, numbers.back());
+      normals.push_back(local.linear(part.weight[i]) * outline.loops[at.loop].normals[at.place]);
+    }
+    const Outline moved = with_points(outline, numbers, places);
+    const bool turns = local.degrees != 0 && local.factors == Vector3::Ones();
+    return turns ? with_normals(moved, numbers, normals) : moved;
   });
 }
 
@@ -298,6 +360,9 @@ std::optional<Vector3> place_of(const Document& document, const ElementRef& ref)
   }
   if (const Solid* solid = find_solid(*object, static_cast<std::uint32_t>(ref.element.id)))
     return object->transform.apply(solid->position);
+  if (object->outline() && ref.element.kind == Element::Kind::vertex &&
+      ref.element.id < object->outline()->outline->point_count())
+    return place_of_point(*object, static_cast<Index>(ref.element.id)).point;
   const Polyhedron* cage = object->cage();
   if (!cage) return std::nullopt;
   Selection one;

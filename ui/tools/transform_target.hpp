@@ -62,7 +62,8 @@ class TransformTarget {
     std::size_t selected = 0;  ///< vertices of the selection itself; the others follow
     // All vertices of the object, for followers.
     const Polyhedron* polyhedron = nullptr;
-    std::vector<double> distance;  ///< from the selection; empty until asked for
+    const Outline* outline = nullptr;  ///< in the place of the polyhedron: its points are the vertices
+    std::vector<double> distance;      ///< from the selection; empty until asked for
     /// In a local edit: the object with the tangents round the vertices fixed, or why they cannot be.
     std::optional<Result<PolyhedronSource>> frozen;
   };
@@ -70,12 +71,16 @@ class TransformTarget {
   void add_object(const Object& object);
   void add_elements(const Object& object, const ElementSelection& elements);
   void add_solids(const Object& object, const ElementSelection& elements);
+  void add_points(const Object& object, const ElementSelection& elements);
   void choose_pivot(const Editor& editor);
   void choose_own_pivots(const Editor& editor);
   void freeze();
   Result<Document> apply_locally(const Document& document, const Part& part,
                                  const Transformation& local) const;
   static Result<Document> apply_to_solids(const Document& document, const Part& part,
+                                          const Transformation& local);
+  void follow_along(Part& part, double radius, Falloff kind);
+  static Result<Document> apply_to_points(const Document& document, const Part& part,
                                           const Transformation& local);
 
   Document document_;  ///< keeps the polyhedra alive

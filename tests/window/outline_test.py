@@ -1,0 +1,165 @@
+"""Outlines in the window: a loop drawn on the ground, its normals tilted, a hole drawn on its surface, the polyhedron
+it becomes, undo and redo, export."""
+
+import math
+import os
+import tempfile
+
+from driver import Window, check, run
+
+
+def choose(window, menu, *items):
+    window.click_on("menu." + menu)
+    for item in items:
+        window.click_on(item)
+
+
+def ring(window, share, count):
+    """Places on the screen round the middle of the view, as a circle on the ground looks from above its side."""
+    x, y, width, height = window.rect("view.0")
+    radius = share * min(width, height) / 2
+    return [(x + width / 2 + radius * math.cos(2 * math.pi * i / count),
+             y + height / 2 + 0.6 * radius * math.sin(2 * math.pi * i / count)) for i in range(count)]
+
+
+def step(window, label, position):
+    window.wait(lambda: window.last("document")["label"] == label and
+                window.last("document")["position"] == position, f"step {position}: {label}")
+    window.wait_idle()
+
+
+def surface(window, since, what):
+    """Waits for a final surface made after so many."""
+    window.wait(lambda: window.count("rebuild", quality="final") > since, what)
+    window.wait_idle()
+    error = window.last("rebuild")["error"]
+    check(error is None, f"{what}: {error}")
+
+
+def finals(window):
+    return window.count("rebuild", quality="final")
+
+
+def draw(window, output):
+    before = finals(window)
+    choose(window, "Add", "command.add.outline")
+    for place in ring(window, 0.6, 8):
+        window.click(*place)
+    window.screenshot(os.path.join(output, "outline_drawing.png"))
+    window.key("Return")
+    step(window, "Add outline", 1)
+    surface(window, before, "the surface of the outline")
+    window.screenshot(os.path.join(output, "outline.png"))
+
+
+def tilt(window, output):
+    # One arrow: its surface follows while it is dragged.
+    rebuilds = window.count("rebuild")
+    x, y = window.center("outline.normal.0")
+    point = window.center("outline.point.0")
+    before = finals(window)
+    window.drag((x, y), (x + 14, y + 20), before_release=lambda: (
+        window.wait(lambda: window.count("rebuild") > rebuilds, "the surface during the drag"),
+        window.screenshot(os.path.join(output, "outline_tilting.png"))))
+    step(window, "Turn normal", 2)
+    surface(window, before, "the surface with a turned normal")
+    check(window.center("outline.normal.0") != (x, y), "the arrow stayed where it was")
+    check(window.center("outline.point.0") == point, "turning a normal moved its point")
+    window.key("ctrl+z")
+    step(window, "Add outline", 1)
+    check(window.center("outline.normal.0") == (x, y), "undo did not put the arrow back")
+    # All of them by number.
+    window.key("1")
+    window.key("ctrl+a")
+    window.wait(lambda: window.last("document")["selection"] == "32 vertices", "all points selected")
+    before = finals(window)
+    window.click_on("field.outline_tilt")
+    window.key("ctrl+a")
+    window.type("60")
+    window.key("Return")
+    step(window, "Turn 32 normals", 2)
+    surface(window, before, "the steeper dome")
+    window.screenshot(os.path.join(output, "outline_tilted.png"))
+
+
+def drag_point(window):
+    window.key("Escape")
+    x, y = window.center("outline.point.4")
+    window.click(x, y)
+    window.wait(lambda: window.last("document")["selection"] == "1 vertex", "a selected point")
+    before = finals(window)
+    window.drag((x, y), (x + 6, y + 4))
+    step(window, "Move vertex", 3)
+    window.wait(lambda: finals(window) > before, "the surface with a moved point")
+    window.key("ctrl+z")
+    step(window, "Turn 32 normals", 2)
+
+
+def hole(window, output):
+    window.key("Escape")
+    before = finals(window)
+    choose(window, "Outline", "command.outline.add_loop")
+    for place in ring(window, 0.16, 6):
+        window.click(*place)
+    window.screenshot(os.path.join(output, "outline_hole_drawing.png"))
+    window.key("Return")
+    step(window, "Add loop", 3)
+    surface(window, before, "the surface with a hole")
+    window.screenshot(os.path.join(output, "outline_hole.png"))
+
+
+def convert(window, output):
+    before = finals(window)
+    window.click_on("button.outline.convert")
+    step(window, "Convert to polyhedron", 4)
+    surface(window, before, "the surface of the polyhedron")
+    check(len(window.last("vertices")["objects"]["1"]) > 64, "the polyhedron has no inner vertices")
+    window.screenshot(os.path.join(output, "outline_converted.png"))
+    window.key("ctrl+z")
+    step(window, "Add loop", 3)
+    window.rect("outline.point.0")
+    window.key("ctrl+y")
+    step(window, "Convert to polyhedron", 4)
+    window.key("ctrl+z")
+    step(window, "Add loop", 3)
+
+
+def export(window, folder):
+    path = os.path.join(folder, "outline.obj")
+    window.key("ctrl+e")
+    window.type_path(path)
+    window.wait(lambda: window.count("exported") == 1, "the exported file")
+    window.wait_idle()
+    with open(path, encoding="utf-8") as file:
+        check(sum(line.startswith("f ") for line in file) > 1000, "few triangles were exported")
+    saved = os.path.join(folder, "outline.hariko")
+    window.key("ctrl+s")
+    window.type_path(saved)
+    window.wait(lambda: window.count("saved") == 1, "the saved file")
+    return saved
+
+
+def session(program, source, output):
+    del source
+    with tempfile.TemporaryDirectory() as folder:
+        window = Window(program, size=(1280, 800))
+        try:
+            draw(window, output)
+            tilt(window, output)
+            drag_point(window)
+            hole(window, output)
+            convert(window, output)
+            saved = export(window, folder)
+        finally:
+            window.close()
+        window = Window(program, saved, size=(1280, 800))
+        try:
+            window.wait(lambda: window.count("rebuild", quality="final") > 0, "the saved outline")
+            window.wait_idle()
+            check(window.last("rebuild")["error"] is None, "the saved outline has no surface")
+            window.rect("outline.point.63")
+        finally:
+            window.close()
+
+
+run(session)
