@@ -3,6 +3,7 @@
 // What the designer places: simple solids, and the settings of the surface that envelops them. Authored data
 // only.
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
 #include <string_view>
