@@ -161,11 +161,13 @@ TEST(RandomCommands, UndoAndRedoGiveBackEqualDocuments) {
     HeadlessWorkbench bench(some_document(rng));
     RandomUser user(bench, rng);
     const Editor& editor = bench.editor();
-    std::map<std::uint64_t, Document> states;
+    // Serials begin anew with each document that is opened.
+    std::map<std::pair<std::uint64_t, std::uint64_t>, Document> states;
     for (int i = 0; i < 250; ++i) {
       user.act();
       if (!editor.has_document) break;
-      const auto [state, fresh] = states.try_emplace(editor.history.serial(), editor.history.current());
+      const auto [state, fresh] =
+          states.try_emplace({editor.documents, editor.history.serial()}, editor.history.current());
       ASSERT_TRUE(state->second == editor.history.current())
           << "another document under the same name, after " << user.last();
       if (fresh) expect_valid(editor.history.current());
@@ -180,7 +182,7 @@ TEST(RandomCommands, UndoAndRedoGiveBackEqualDocuments) {
     bench.key("Esc");
     History& history = bench.editor().history;
     const auto expect_known = [&] {
-      const auto state = states.find(history.serial());
+      const auto state = states.find({editor.documents, history.serial()});
       if (state != states.end()) {
         ASSERT_TRUE(state->second == history.current());
       }
