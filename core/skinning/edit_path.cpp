@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/skinning/deleted_parameter.hpp"
 #include "core/skinning/skin_frames.hpp"
 #include "core/skinning/skin_messages.hpp"
 
@@ -172,19 +173,7 @@ Result<SkinEdit> delete_path_point(const Skin& skin, int point) {
   }
   const bool closed = skin.path.closed;
   const auto place = [&](double v) {
-    double x = v * spans;
-    if (!closed && point == 0) {
-      x = std::max(x - 1, 0.0);
-    } else if (!closed && point == spans) {
-      x = std::min(x, double(spans - 1));
-    } else if (point == 0) {
-      // The seam of the path moves on to the next point.
-      if (x < 1) x += spans;
-      x = x <= spans - 1 ? x - 1 : spans - 2 + (x - (spans - 1)) / 2;
-    } else if (x > point - 1) {
-      x = x < point + 1 ? point - 1 + (x - (point - 1)) / 2 : x - 1;
-    }
-    const double v_new = x / (spans - 1);
+    const double v_new = deleted_parameter(v, spans, point, closed);
     return closed ? v_new - std::floor(v_new) : v_new;
   };
   // The section at an end that goes follows to the new end.

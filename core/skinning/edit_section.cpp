@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/ids.hpp"
+#include "core/skinning/deleted_parameter.hpp"
 #include "core/skinning/skin_messages.hpp"
 
 namespace hariko {
@@ -37,23 +38,6 @@ double inserted_parameter(double u, int spans, int span, bool closed) {
   double x = (u - turn) * spans;
   if (x > span) x = x < span + 1 ? span + 2 * (x - span) : x + 1;
   return turn + x / (spans + 1);
-}
-
-/// Parameters after a point was taken out.
-double deleted_parameter(double u, int spans, int point, bool closed) {
-  const double turn = closed ? std::floor(u) : 0;
-  double x = (u - turn) * spans;
-  if (!closed && point == 0) {
-    x = std::max(x - 1, 0.0);
-  } else if (!closed && point == spans) {
-    x = std::min(x, double(spans - 1));
-  } else if (point == 0) {
-    if (x < 1) x += spans;
-    x = x <= spans - 1 ? x - 1 : spans - 2 + (x - (spans - 1)) / 2;
-  } else if (x > point - 1) {
-    x = x < point + 1 ? point - 1 + (x - (point - 1)) / 2 : x - 1;
-  }
-  return turn + x / (spans - 1);
 }
 
 Vector3 reflected(const Vector3& p, const Vector3& plane_point, const Vector3& unit_normal) {
