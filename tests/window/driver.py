@@ -115,8 +115,17 @@ class Window:
         self.wait(lambda: name in (self.last("layout") or {"rects": {}})["rects"], f"something called {name}")
         return self.last("layout")["rects"][name]
 
+    def resting_rect(self, name):
+        """Where something is once it has stopped moving: a hand does not click on what still moves."""
+        before, now = None, self.rect(name)
+        while now != before:
+            time.sleep(HOLD)
+            self.read()
+            before, now = now, self.rect(name)
+        return now
+
     def center(self, name):
-        x, y, width, height = self.rect(name)
+        x, y, width, height = self.resting_rect(name)
         return x + width // 2, y + height // 2
 
     def vertex(self, vertex, object_id=1):

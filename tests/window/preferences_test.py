@@ -54,6 +54,8 @@ def preferences(program, source, output):
         window.click_on("preferences.page.keys")
         window.click_on("preferences.search")
         window.type("crease")
+        # The row moves up when the others go.
+        window.wait(lambda: "preferences.key.mesh.knife.0" not in window.last("layout")["rects"], "the rows found")
         record(window, "preferences.key.shape.crease.0", "F8")
         window.wait(lambda: keys_of(window, "shape.crease") == "F8", "F8 for Crease")
         # One that another command has: nothing changes before it is decided.
