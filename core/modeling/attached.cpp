@@ -271,7 +271,7 @@ ObjectSurfacer::~ObjectSurfacer() = default;
 Result<PolyhedronSurface> ObjectSurfacer::surface(const Object& object, const ObjectPointers& neighbours,
                                                   Quality quality, const CancelToken& cancel) {
   if (const SolidsSource* solids = object.solids()) return around(*solids, quality, cancel);
-  if (const SkinSource* skin = object.skin()) return over(*skin, cancel);
+  if (const SkinSource* skin = object.skin()) return over(*skin, quality, cancel);
   if (const OutlineSource* outline = object.outline()) return inside(*outline, quality, cancel);
   Call call(*this, object, neighbours, cancel);
   if (object.patches()) {
@@ -303,13 +303,19 @@ Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Qua
   return whole(std::move(made->surface), std::move(made->warnings));
 }
 
-Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, const CancelToken& cancel) {
+Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, Quality quality,
+                                               const CancelToken& cancel) {
   Skin skin = *source.skin;
   std::vector<Vector3> positions;
   change_positions(skin, [&](const Vector3& position) { positions.push_back(position); });
   const Vector3 origin = origin_for(positions);
   change_positions(skin, [&](Vector3& position) { position -= origin; });
-  auto made = skinner_.surface(skin, origin, cancel);
+  progress_.report(1);  // until something is left to do
+  SkinWork work;
+  work.cancel = cancel;
+  work.progress = progress_;
+  work.moving = quality == Quality::drag;
+  auto made = skinner_.surface(skin, origin, work);
   if (!made) return made.error();
   return whole(std::move(made->surface), std::move(made->result.warnings));
 }

@@ -38,6 +38,8 @@ class ObjectSurfacer {
   /// `control_points` and `outline_polyhedron`. Warnings of patches: W_JOIN_REFUSED.
   Result<PolyhedronSurface> surface(const Object& object, const ObjectPointers& neighbours, Quality quality,
                                     const CancelToken& cancel = {});
+  /// Of the part of the work that takes long: placing the columns of skins. For any thread.
+  const Progress& progress() const { return progress_; }
 
  private:
   struct Adapted;
@@ -48,11 +50,12 @@ class ObjectSurfacer {
   std::map<ObjectId, std::unique_ptr<Helper>> helpers_;  ///< polyhedra that patches adapt to
   Result<PolyhedronSurface> whole(Surface surface, std::vector<Message> warnings);
   Result<PolyhedronSurface> around(const SolidsSource& source, Quality quality, const CancelToken& cancel);
-  Result<PolyhedronSurface> over(const SkinSource& source, const CancelToken& cancel);
+  Result<PolyhedronSurface> over(const SkinSource& source, Quality quality, const CancelToken& cancel);
   Result<PolyhedronSurface> inside(const OutlineSource& source, Quality quality, const CancelToken& cancel);
 
   EnvelopeSurfacer enveloper_;
   SkinSurfacer skinner_;
+  const Progress progress_ = Progress::make();
   std::uint64_t patch_revision_ = 0;
 };
 

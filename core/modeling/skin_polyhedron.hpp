@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
 #include "core/document/source.hpp"
 #include "core/skinning/skin.hpp"
 
@@ -20,7 +21,8 @@ struct SkinPolyhedron {
 
 /// Vertices are the limit points of the control mesh, faces its faces. Tangent planes are pinned where the
 /// skin has one, edges that are sharp for ever are creases, and corners are tagged. Creases that fade are
-/// left out, as the polyhedron has none such. Errors: those of `SkinSurfacer::surface`.
-Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& cancel = {});
+/// left out, as the polyhedron has none such. Errors: those of `SkinSurfacer::surface`, E_CANCELLED.
+Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& cancel = {},
+                                       const Progress& progress = {});
 
 }  // namespace hariko

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hariko {
@@ -150,7 +151,7 @@ std::vector<double> uniform_parameters(int columns, bool closed) {
 }
 
 std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& sections, int columns,
-                                         const CancelToken& cancel) {
+                                         const CancelToken& cancel, const std::function<void()>& step) {
   const Optimiser optimiser(sections, columns);
   std::vector<double> lengths;
   for (const SubdivisionCurve& section : sections) lengths.push_back(std::max(length(section), 1e-300));
@@ -165,15 +166,16 @@ std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& se
     const double curvature = speed > 0 ? cross.norm() / (speed * speed * speed) : 0;
     return speed * (1 + std::sqrt(curvature * size(s))) / size(s);
   };
-  const std::vector<std::vector<double>> seeds{uniform_parameters(columns, sections[0].closed),
-                                               by_density(sections, columns, arc),
-                                               by_density(sections, columns, bent)};
+  const std::array<std::vector<double>, optimiser_seeds> seeds{
+      uniform_parameters(columns, sections[0].closed), by_density(sections, columns, arc),
+      by_density(sections, columns, bent)};
   std::vector<double> best = seeds[0];
   double least = -1;
   for (const auto& seed : seeds) {
     Eigen::VectorXd z = optimiser.unknowns_of(seed);
     const double value = optimiser.minimise(z, cancel);
     if (least < 0 || value < least) least = value, best = optimiser.parameters(z);
+    if (step) step();
   }
   return best;
 }

@@ -2,6 +2,7 @@
 
 // Where columns of a grid touch the sections, so that the curves through those points are near to them.
 
+#include <functional>
 #include <vector>
 
 #include "core/base/cancellation.hpp"
@@ -14,9 +15,12 @@ std::vector<double> uniform_parameters(int columns, bool closed);
 /// Parameters u_0 < u_1 < ... that minimise the squared distance, summed over the sections, between each
 /// section and the subdivision curve through its points at them. Open: from 0 to 1; closed: within one turn,
 /// the first anywhere near 0. Widths are a softmax, so the order cannot break. Levenberg and Marquardt from
-/// three seeds (uniform, arc length, curvature), at most 60 evaluations each; the best result wins.
+/// three seeds (uniform, arc length, curvature), at most 60 evaluations each; the best result wins. `step` is
+/// called after each of the `optimiser_seeds` seeds. Cancelled, it gives the best so far.
 std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& sections, int columns,
-                                         const CancelToken& cancel = {});
+                                         const CancelToken& cancel = {},
+                                         const std::function<void()>& step = {});
+inline constexpr std::size_t optimiser_seeds = 3;
 
 /// Root of the mean squared distance that is minimised.
 double parameter_error(const std::vector<SubdivisionCurve>& sections, const std::vector<double>& parameters);

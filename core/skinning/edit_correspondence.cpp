@@ -155,6 +155,25 @@ auto find_id(List& list, std::uint32_t id) {
 
 }  // namespace
 
+namespace {
+
+/// The one that was added is an old one, moved.
+Result<CorrespondenceEdit> with_id(Result<CorrespondenceEdit> edit, std::uint32_t id) {
+  if (!edit) return edit;
+  CorrespondenceEdit out = *std::move(edit);
+  const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+  for (SkinLink& link : out.skin.links)
+    if (link.id == out.added[0]) link.id = id;
+  for (SkinMerge& merge : out.skin.merges)
+    if (merge.id == out.added[0]) merge.id = id;
+  std::sort(out.skin.links.begin(), out.skin.links.end(), by_id);
+  std::sort(out.skin.merges.begin(), out.skin.merges.end(), by_id);
+  out.added = {id};
+  return out;
+}
+
+}  // namespace
+
 Result<CorrespondenceEdit> join_points(const Skin& skin, std::span<const std::uint32_t> points) {
   if (points.size() < 2) return not_neighbours();
   std::vector<SkinLink> links;
@@ -243,15 +262,7 @@ Result<CorrespondenceEdit> move_link_end(const Skin& skin, std::uint32_t id, std
   }
   Skin without = skin;
   without.links.erase(find_id(without.links, id));
-  auto edit = commit(without, {link}, {});
-  if (!edit) return edit;
-  CorrespondenceEdit out = *std::move(edit);
-  // It is the same link, moved.
-  find_id(out.skin.links, out.added[0])->id = id;
-  out.added = {id};
-  std::sort(out.skin.links.begin(), out.skin.links.end(),
-            [](const auto& a, const auto& b) { return a.id < b.id; });
-  return out;
+  return with_id(commit(without, {link}, {}), id);
 }
 
 Result<CorrespondenceEdit> move_merge(const Skin& skin, std::uint32_t id, double v, std::uint32_t target) {
@@ -262,14 +273,62 @@ Result<CorrespondenceEdit> move_merge(const Skin& skin, std::uint32_t id, double
   merge.v = v, merge.target = target;
   Skin without = skin;
   without.merges.erase(find_id(without.merges, id));
-  auto edit = commit(without, {}, {merge});
-  if (!edit) return edit;
-  CorrespondenceEdit out = *std::move(edit);
-  find_id(out.skin.merges, out.added[0])->id = id;
-  out.added = {id};
-  std::sort(out.skin.merges.begin(), out.skin.merges.end(),
-            [](const auto& a, const auto& b) { return a.id < b.id; });
+  return with_id(commit(without, {}, {merge}), id);
+}
+
+namespace {
+
+/// Neighbouring points of a section from one to another, the shorter way round a closed one.
+std::vector<std::uint32_t> points_from(const SkinSection& section, std::uint32_t first, std::uint32_t last) {
+  const int n = section.size();
+  int i = find_point(section, first), j = find_point(section, last);
+  if (!section.closed && i > j) std::swap(i, j);
+  if (section.closed && (j - i + n) % n > n / 2) std::swap(i, j);
+  std::vector<std::uint32_t> out;
+  for (int k = i; k != j; k = (k + 1) % n) out.push_back(section.points[std::size_t(k)].id);
+  out.push_back(section.points[std::size_t(j)].id);
   return out;
+}
+
+/// A merge whose outermost member at `from` is now `to`.
+Result<CorrespondenceEdit> move_member(const Skin& skin, SkinMerge merge, std::uint32_t from,
+                                       std::uint32_t to) {
+  const SkinSection& section = skin.sections[std::size_t(section_of(skin, from))];
+  const auto row = row_of(section, merge.members);
+  if (!row) return gone();
+  if (from != row->front() && from != row->back())
+    return make_error(e_merge_gap, "This line is inside of the group.",
+                      "Drag the outermost line of the group instead.");
+  merge.members = points_from(section, from == row->front() ? row->back() : row->front(), to);
+  Skin without = skin;
+  without.merges.erase(find_id(without.merges, merge.id));
+  return with_id(commit(without, {}, {merge}), merge.id);
+}
+
+}  // namespace
+
+Result<CorrespondenceEdit> move_line_end(const Skin& skin, std::uint32_t from, std::uint32_t other,
+                                         std::uint32_t to) {
+  const int ka = section_of(skin, from), kb = section_of(skin, other);
+  if (ka < 0 || kb < 0 || section_of(skin, to) < 0) return gone();
+  if (section_of(skin, to) != ka || strip_of(skin, ka, kb) < 0) return not_neighbours();
+  if (from == to) return CorrespondenceEdit{skin, {}, {}};
+  const int strip = strip_of(skin, ka, kb);
+  const std::uint32_t first = strip == ka ? from : other, second = strip == ka ? other : from;
+  const PointPair pair{find_point(skin.sections[std::size_t(strip)], first),
+                       find_point(skin.sections[std::size_t(strip == ka ? kb : ka)], second)};
+  const auto has = [&](const auto& entry) {
+    const auto pairs = forced_pairs(skin, entry);
+    return entry.first == section_id(skin, strip) &&
+           std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
+  };
+  for (const SkinMerge& merge : skin.merges)
+    if (has(merge))
+      return merge.target == from ? move_merge(skin, merge.id, merge.v, to)
+                                  : move_member(skin, merge, from, to);
+  for (const SkinLink& link : skin.links)
+    if (has(link)) return move_link_end(skin, link.id, from, to);
+  return join_points(skin, std::vector{to, other});
 }
 
 Result<CorrespondenceEdit> lock_line(const Skin& skin, std::uint32_t a, std::uint32_t b) {

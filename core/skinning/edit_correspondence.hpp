@@ -44,6 +44,13 @@ Result<CorrespondenceEdit> move_link_end(const Skin& skin, std::uint32_t link, s
 /// The diamond of a merge dragged along its line (`v`) and sideways (`target`). Errors: as above.
 Result<CorrespondenceEdit> move_merge(const Skin& skin, std::uint32_t merge, double v, std::uint32_t target);
 
+/// The end of any line dragged to another point of its section: `from` and `other` are the points that it
+/// joins, `to` is the new one in the place of `from`. What the line belongs to changes: of a link that end;
+/// of a merge its target, or, for an outer member, how far the group reaches. A line that was matched by
+/// default becomes a link. Errors: as above; E_MERGE_SMALL.
+Result<CorrespondenceEdit> move_line_end(const Skin& skin, std::uint32_t from, std::uint32_t other,
+                                         std::uint32_t to);
+
 /// Keeps the line between two points as it is now: it becomes a locked link, or the link or merge that it
 /// belongs to is locked. Errors: E_NOT_NEIGHBOURS, E_NO_CORRESPONDENCE (there is no such line).
 Result<CorrespondenceEdit> lock_line(const Skin& skin, std::uint32_t a, std::uint32_t b);

@@ -197,10 +197,10 @@ Result<SkinEdit> set_path_sharp(const Skin& skin, PathCurve which, int point, bo
   return accepted(skin, std::move(edit));
 }
 
-Result<SkinEdit> trim_path(const Skin& skin) {
-  SkinEdit edit{skin, 0, {}, {}, {}};
-  if (skin.path.closed || skin.section_count() < 2 || skin.path.spans() < 1)
-    return accepted(skin, std::move(edit));
+namespace {
+
+/// The open part of the path between its first and last section.
+Result<SkinEdit> cut_path(const Skin& skin, SkinEdit edit) {
   const double first = skin.sections.front().v, last = skin.sections.back().v;
   if (!(last > first) || !std::isfinite(last - first))
     return make_error(e_section_order, "Sections are at the same place on the path (or in the wrong order).",
@@ -213,8 +213,8 @@ Result<SkinEdit> trim_path(const Skin& skin) {
     for (int i = 0; i <= count; ++i) {
       const double v = first + (last - first) * i / count, x = v * curve.spans();
       targets.push_back(evaluate(curve, v).position);
-      const int near = std::clamp(int(std::lround(x)), 0, curve.size() - 1);
-      sharp.push_back(curve.is_sharp(near) && std::abs(x - near) < 1e-6);
+      const int near = std::clamp(int(std::lround(x)), 0, curve.spans());
+      sharp.push_back(curve.is_sharp(near % curve.size()) && std::abs(x - near) < 1e-6);
     }
     if (std::none_of(sharp.begin(), sharp.end(), [](char s) { return s != 0; })) sharp.clear();
     Reshaped out{curve_through(std::move(targets), false, std::move(sharp)), 0};
@@ -242,6 +242,68 @@ Result<SkinEdit> trim_path(const Skin& skin) {
   edit.skin.sections.front().v = 0;
   edit.skin.sections.back().v = 1;
   return accepted(skin, std::move(edit));
+}
+
+/// The first and the last point of the path become one, and so do sections there.
+void join_ends(Skin& skin, std::vector<std::uint32_t>& lost) {
+  for (SubdivisionCurve* curve : {&skin.path, skin.second_rail ? &*skin.second_rail : nullptr}) {
+    if (!curve) continue;
+    curve->points.pop_back();
+    if (!curve->sharp.empty()) curve->sharp.pop_back();
+  }
+  if (skin.sections.empty() || skin.sections.back().v < 1) return;
+  for (auto& row : skin.smooth.anchors)
+    if (row.size() == skin.sections.size()) row.pop_back();
+  forget_section(skin, skin.sections.back().id, lost);
+  skin.sections.pop_back();
+}
+
+Result<SkinEdit> close_path(const Skin& skin) {
+  SkinEdit edit{skin, 0, {}, {}, {}};
+  const double gap = (skin.path.points.back() - skin.path.points.front()).norm();
+  const bool joins = gap <= 1e-6 * length(skin.path);
+  if (skin.path.size() < (joins ? 4 : 3))
+    return make_error(e_path_short, "The path needs at least 2 points (3 if closed).",
+                      "Insert points into the path first.");
+  if (joins) join_ends(edit.skin, edit.lost);
+  if (edit.skin.section_count() < 2)
+    return make_error(e_few_sections, "Skinning needs at least two sections.", "Add a section first.");
+  edit.skin.path.closed = true;
+  if (edit.skin.second_rail) edit.skin.second_rail->closed = true;
+  const double scale = joins ? 1 : double(skin.path.spans()) / skin.path.size();
+  const Carrier carrier(skin, edit.skin);
+  for (SkinSection& section : edit.skin.sections) {
+    const double v = section.v * scale;
+    carrier.carry(section, section.v, v);
+    section.v = v;
+  }
+  return accepted(skin, std::move(edit));
+}
+
+}  // namespace
+
+Result<SkinEdit> set_path_closed(const Skin& skin, bool closed) {
+  if (skin.path.closed == closed) return accepted(skin, {skin, 0, {}, {}, {}});
+  if (skin.path.spans() < 1) return no_such_point();
+  if (closed) return close_path(skin);
+  if (skin.section_count() < 2)
+    return make_error(e_few_sections, "Skinning needs at least two sections.", "Add a section first.");
+  SkinEdit edit{skin, 0, {}, {}, {}};
+  const auto beyond = [&](const auto& entry) {
+    if (entry.first != skin.sections.back().id || entry.second != skin.sections.front().id) return false;
+    edit.lost.push_back(entry.id);
+    return true;
+  };
+  std::erase_if(edit.skin.links, beyond);
+  std::erase_if(edit.skin.merges, beyond);
+  return cut_path(skin, std::move(edit));
+}
+
+Result<SkinEdit> trim_path(const Skin& skin) {
+  SkinEdit edit{skin, 0, {}, {}, {}};
+  if (skin.path.closed || skin.section_count() < 2 || skin.path.spans() < 1)
+    return accepted(skin, std::move(edit));
+  return cut_path(skin, std::move(edit));
 }
 
 }  // namespace hariko

@@ -35,6 +35,12 @@ Result<SkinEdit> delete_path_point(const Skin& skin, int point);
 /// A corner of the path.
 Result<SkinEdit> set_path_sharp(const Skin& skin, PathCurve curve, int point, bool sharp);
 
+/// Closes an open path or opens a closed one. Closing adds a span from the last point to the first, or, where
+/// these lie in one place, makes one point (and section) of them; sections are carried. Opening keeps the
+/// part from the first section to the last one; what is beyond goes, with its links and merges. E_PATH_SHORT
+/// where fewer than three points would be left, E_FEW_SECTIONS where fewer than two sections would.
+Result<SkinEdit> set_path_closed(const Skin& skin, bool closed);
+
 /// Cuts an open path to the part between its first and last section, through points at about the same
 /// distances. What E_SECTION_RANGE offers.
 Result<SkinEdit> trim_path(const Skin& skin);

@@ -173,6 +173,11 @@ Result<SkinEdit> move_seam(const Skin& skin, std::uint32_t point) {
   return accepted(skin, std::move(edit));
 }
 
+bool has_closed_sections(const Skin& skin) {
+  return std::any_of(skin.sections.begin(), skin.sections.end(),
+                     [](const SkinSection& section) { return section.closed && section.size() > 1; });
+}
+
 Result<SkinEdit> set_closed(const Skin& skin, bool closed) {
   SkinEdit edit{skin, 0, {}, {}, {}};
   for (int k = 0; k < skin.section_count(); ++k) {
@@ -236,11 +241,8 @@ Result<SkinEdit> make_symmetric(const Skin& skin, std::uint32_t id, const Vector
 Skin mirrored(Skin skin, const Vector3& plane_point, const Vector3& plane_normal) {
   const Vector3 normal = plane_normal.normalized();
   change_positions(skin, [&](Vector3& p) { p = reflected(p, plane_point, normal); });
-  const bool closed = std::any_of(skin.sections.begin(), skin.sections.end(), [](const SkinSection& section) {
-    return section.closed && section.size() > 1;
-  });
   // A mirror turns normals inside; those of tubes look outwards anyway.
-  if (!closed) skin.flip_normals = !skin.flip_normals;
+  if (!has_closed_sections(skin)) skin.flip_normals = !skin.flip_normals;
   return skin;
 }
 

@@ -46,6 +46,8 @@ Result<SkinEdit> flip_section(const Skin& skin, std::uint32_t section);
 /// for open sections.
 Result<SkinEdit> move_seam(const Skin& skin, std::uint32_t point);
 
+/// Whether sections with more than one point are closed.
+bool has_closed_sections(const Skin& skin);
 /// Opens or closes all sections with more than one point. E_FEW_POINTS where one has only two.
 Result<SkinEdit> set_closed(const Skin& skin, bool closed);
 

@@ -103,13 +103,13 @@ void warn_twist(const Skin& skin, const SkinPlan& plan, std::vector<Message>& ou
 
 }  // namespace
 
-Result<SkinResult> evaluate_skin(const Skin& skin, const CancelToken& cancel) {
+Result<SkinResult> evaluate_skin(const Skin& skin, const SkinWork& work) {
   auto plan = plan_skin(skin);
   if (!plan) return plan.error();
-  auto mesh = skin.method == SkinMethod::pleat ? pleat_mesh(skin, *plan) : smooth_mesh(skin, *plan, cancel);
-  if (cancel.cancelled()) return make_error(e_cancelled, "Skinning was cancelled.");
+  auto mesh = skin.method == SkinMethod::pleat ? pleat_mesh(skin, *plan) : smooth_mesh(skin, *plan, work);
+  if (work.cancel.cancelled()) return make_error(e_cancelled, "Skinning was cancelled.");
   if (!mesh) return mesh.error();
-  SkinResult out{*std::move(plan), *std::move(mesh), {}};
+  SkinResult out{skin, *std::move(plan), *std::move(mesh), {}};
   warn_spacing(skin, out.warnings);
   warn_inexact(out.mesh, skin, out.warnings);
   warn_fold(out.mesh, out.warnings);
@@ -117,9 +117,10 @@ Result<SkinResult> evaluate_skin(const Skin& skin, const CancelToken& cancel) {
   return out;
 }
 
-Result<SkinSurface> SkinSurfacer::surface(const Skin& skin, const Vector3& origin,
-                                          const CancelToken& cancel) {
-  auto result = evaluate_skin(skin, cancel);
+Result<SkinSurface> SkinSurfacer::surface(const Skin& skin, const Vector3& origin, const SkinWork& work) {
+  SkinWork own = work;
+  own.columns = &columns_;
+  auto result = evaluate_skin(skin, own);
   if (!result) return result.error();
   const ControlMesh& control = result->mesh.control;
   if (!topology_ || !same_topology(topology_->mesh(), control)) {
@@ -131,7 +132,8 @@ Result<SkinSurface> SkinSurfacer::surface(const Skin& skin, const Vector3& origi
     if (!p.allFinite())
       return make_error(e_control_mesh, "A control point is not a finite number.",
                         "The sections are too large: make them smaller.");
-  Surface surface = subdivision_surface(origin, topology_, control.mesh.positions);
+  Surface surface = subdivision_surface(origin, topology_, control.mesh.positions,
+                                        std::make_shared<const SkinResult>(*result));
   SkinSurface out{*std::move(result), std::move(surface)};
   for (Message& warning : out.result.warnings) {
     if (warning.code != w_section_not_exact) continue;

@@ -1,6 +1,8 @@
 #include "core/skinning/simple_skin.hpp"
 
 #include "core/base/assert.hpp"
+#include "core/skinning/section_direction.hpp"
+#include "core/skinning/skin_plan.hpp"
 
 namespace hariko {
 
@@ -23,6 +25,26 @@ Skin arched_skin(double length, double width, double height, int points) {
     skin.sections.push_back(section);
   }
   return skin;
+}
+
+Result<Skin> skin_between(const SubdivisionCurve& path, const SubdivisionCurve& first,
+                          const SubdivisionCurve& last) {
+  Skin skin;
+  skin.path = path;
+  // Where tubes begin is nothing that a hand can draw: their shapes say what belongs together.
+  if (first.closed) skin.pleat.cost = MatchCost::shape;
+  std::uint32_t next = 0;
+  for (const SubdivisionCurve* curve : {&first, &last}) {
+    SkinSection section;
+    section.id = std::uint32_t(skin.sections.size());
+    section.v = skin.sections.empty() ? 0 : path.closed ? 0.5 : 1;
+    section.closed = curve->closed;
+    for (int i = 0; i < curve->size(); ++i)
+      section.points.push_back({next++, curve->points[std::size_t(i)], curve->is_sharp(i)});
+    skin.sections.push_back(std::move(section));
+  }
+  if (const auto plan = plan_skin(skin); !plan) return plan.error();
+  return turn_sections(std::move(skin));
 }
 
 }  // namespace hariko

@@ -33,6 +33,7 @@ struct SkinMesh {
   std::vector<std::vector<double>> parameters;
   /// A regular grid of rows x columns, row by row (smooth); 0 otherwise.
   int grid_rows = 0, grid_columns = 0;
+  std::vector<double> grid_places;  ///< of the rows of that grid on the path
 };
 
 /// Faces the other way round.

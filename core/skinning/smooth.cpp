@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/assert.hpp"
+#include "core/skinning/column_memory.hpp"
 #include "core/skinning/column_parameters.hpp"
 #include "core/skinning/monotone_cubic.hpp"
 #include "core/skinning/skin_caps.hpp"
@@ -225,12 +226,15 @@ Result<std::vector<std::vector<double>>> skin_anchors(const Skin& skin, const Sk
 
 namespace {
 
+/// The name of the search for columns that all sections share; no section has this id.
+constexpr std::uint32_t shared_columns = 0xffffffffU;
+
 class SmoothBuilder {
  public:
   SmoothBuilder(const Skin& skin, const SkinPlan& plan, std::vector<std::vector<double>> anchors)
       : skin_(skin), plan_(plan), surface_(skin, plan, std::move(anchors)) {}
 
-  Result<SkinMesh> build(const CancelToken& cancel) {
+  Result<SkinMesh> build(const SkinWork& work) {
     int most = 0;
     for (const SkinSection& section : skin_.sections) most = std::max(most, section.size());
     const int sections = skin_.section_count();
@@ -246,7 +250,7 @@ class SmoothBuilder {
       return make_error(e_skin_size, "The skin has more than two million control points.",
                         "Lower its rows and columns.");
     make_rows(rows);
-    make_columns(cancel);
+    make_columns(work);
     fit();
     add_faces();
     return std::move(out_);
@@ -263,22 +267,28 @@ class SmoothBuilder {
   }
 
   /// Parameters of each column on each section.
-  void make_columns(const CancelToken& cancel) {
+  void make_columns(const SkinWork& work) {
     const std::vector<double>& places = surface_.anchor_places();
     const bool optimised = places.empty() && skin_.smooth.parameters != ColumnParameters::uniform;
-    std::vector<SubdivisionCurve> curves;
+    ColumnMemory nothing;
+    ColumnMemory& memory = work.columns ? *work.columns : nothing;
+    const std::vector<double> uniform = uniform_parameters(columns_, plan_.closed_sections);
+    std::vector<ColumnMemory::Search> searches;
     for (const SkinSection& section : skin_.sections)
-      if (section.size() > 1) curves.push_back(section.curve());
+      if (optimised && section.size() > 1) searches.push_back({section.id, {section.curve()}});
     if (optimised && skin_.smooth.parameters == ColumnParameters::per_section) {
+      auto found = memory.parameters(searches, columns_, work);
+      std::size_t next = 0;
       for (const SkinSection& section : skin_.sections)
-        out_.parameters.push_back(section.size() > 1
-                                      ? optimised_parameters({section.curve()}, columns_, cancel)
-                                      : uniform_parameters(columns_, plan_.closed_sections));
+        out_.parameters.push_back(section.size() > 1 ? std::move(found[next++]) : uniform);
       section_parameters_ = out_.parameters;
       return;
     }
-    std::vector<double> u = optimised ? optimised_parameters(curves, columns_, cancel)
-                                      : uniform_parameters(columns_, plan_.closed_sections);
+    for (std::size_t i = 1; i < searches.size(); ++i)
+      searches[0].curves.push_back(std::move(searches[i].curves[0]));
+    searches.resize(std::min<std::size_t>(searches.size(), 1));
+    if (!searches.empty()) searches[0].key = shared_columns;
+    std::vector<double> u = searches.empty() ? uniform : memory.parameters(searches, columns_, work)[0];
     if (!places.empty()) {
       std::vector<double> breaks = places;
       if (plan_.closed_sections) {
@@ -344,6 +354,7 @@ class SmoothBuilder {
     const int rows = row_count(), n = columns_;
     const auto at = [&](int r, int c) { return Index((r % rows) * n + c % n); };
     out_.grid_rows = rows, out_.grid_columns = n;
+    out_.grid_places = v_;
     PolygonMesh& mesh = out_.control.mesh;
     for (int r = 0; r < (skin_.path.closed ? rows : rows - 1); ++r)
       for (int c = 0; c < (plan_.closed_sections ? n : n - 1); ++c)
@@ -387,10 +398,10 @@ class SmoothBuilder {
 
 }  // namespace
 
-Result<SkinMesh> smooth_mesh(const Skin& skin, const SkinPlan& plan, const CancelToken& cancel) {
+Result<SkinMesh> smooth_mesh(const Skin& skin, const SkinPlan& plan, const SkinWork& work) {
   auto anchors = skin_anchors(skin, plan);
   if (!anchors) return anchors.error();
-  return SmoothBuilder(skin, plan, *std::move(anchors)).build(cancel);
+  return SmoothBuilder(skin, plan, *std::move(anchors)).build(work);
 }
 
 }  // namespace hariko

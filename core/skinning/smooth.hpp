@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/base/cancellation.hpp"
 #include "core/skinning/skin_mesh.hpp"
+#include "core/skinning/skin_work.hpp"
 
 namespace hariko {
 
@@ -55,7 +55,7 @@ class VirtualSurface {
 Result<std::vector<std::vector<double>>> skin_anchors(const Skin& skin, const SkinPlan& plan);
 
 /// Errors: E_FEW_ROWS, E_LINK_CROSS, E_SKIN_SIZE. O(rows x columns); optimised parameters take their time,
-/// and `cancel` ends them with the best so far.
-Result<SkinMesh> smooth_mesh(const Skin& skin, const SkinPlan& plan, const CancelToken& cancel = {});
+/// and cancelling ends them with the best so far.
+Result<SkinMesh> smooth_mesh(const Skin& skin, const SkinPlan& plan, const SkinWork& work = {});
 
 }  // namespace hariko

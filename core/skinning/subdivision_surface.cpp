@@ -38,8 +38,9 @@ OnSide on_side(const Vector2& p) {
 }  // namespace
 
 SubdivisionPatchSet::SubdivisionPatchSet(std::shared_ptr<const SubdivisionTopology> topology,
-                                         std::vector<Vector3> positions)
-    : topology_(std::move(topology)), positions_(std::move(positions)) {
+                                         std::vector<Vector3> positions,
+                                         std::shared_ptr<const SkinResult> skin)
+    : topology_(std::move(topology)), positions_(std::move(positions)), skin_(std::move(skin)) {
   HARIKO_ASSERT(positions_.size() == topology_->mesh().mesh.positions.size(), "one position a vertex");
 }
 
@@ -213,8 +214,8 @@ std::vector<Vector3> node_normals(const SubdivisionPatchSet& patches) {
 }  // namespace
 
 Surface subdivision_surface(const Vector3& origin, std::shared_ptr<const SubdivisionTopology> topology,
-                            std::vector<Vector3> positions) {
-  auto patches = std::make_shared<const SubdivisionPatchSet>(topology, std::move(positions));
+                            std::vector<Vector3> positions, std::shared_ptr<const SkinResult> skin) {
+  auto patches = std::make_shared<const SubdivisionPatchSet>(topology, std::move(positions), std::move(skin));
   Surface::Parts parts;
   parts.origin = origin;
   parts.seams = topology->seams();

@@ -11,15 +11,20 @@
 
 namespace hariko {
 
+struct SkinResult;
+
 class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
  public:
-  /// One position a vertex of the topology's mesh (asserted).
-  SubdivisionPatchSet(std::shared_ptr<const SubdivisionTopology> topology, std::vector<Vector3> positions);
+  /// One position a vertex of the topology's mesh (asserted). `skin`: what made the mesh, where a skin did.
+  SubdivisionPatchSet(std::shared_ptr<const SubdivisionTopology> topology, std::vector<Vector3> positions,
+                      std::shared_ptr<const SkinResult> skin = {});
 
   const SubdivisionTopology& topology() const { return *topology_; }
   const std::shared_ptr<const SubdivisionTopology>& shared_topology() const { return topology_; }
   /// The control points.
   const std::vector<Vector3>& control_points() const { return positions_; }
+  /// What the vertices of the control mesh stand for; null where no skin made it.
+  const std::shared_ptr<const SkinResult>& skin() const { return skin_; }
   /// Limit position of a control vertex that some face uses.
   Vector3 limit_position(Index vertex) const;
 
@@ -52,12 +57,13 @@ class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
 
   std::shared_ptr<const SubdivisionTopology> topology_;
   std::vector<Vector3> positions_;
+  std::shared_ptr<const SkinResult> skin_;
 };
 
 /// The surface of control points relative to `origin`. A patch comes from face `provenance.element` of the
 /// mesh; nodes have normals except on creases and corners. O(patches).
 Surface subdivision_surface(const Vector3& origin, std::shared_ptr<const SubdivisionTopology> topology,
-                            std::vector<Vector3> positions);
+                            std::vector<Vector3> positions, std::shared_ptr<const SkinResult> skin = {});
 /// The same with a topology of its own. Errors: those of `SubdivisionTopology::make`.
 Result<Surface> subdivision_surface(const Vector3& origin, const ControlMesh& mesh);
 

@@ -197,5 +197,47 @@ TEST(EditCorrespondence, MovingPointsRematchesNothing) {
   }
 }
 
+TEST(EditCorrespondence, EndsOfAnyLineCanBeMoved) {
+  const Skin skin = skin_input("fig6a");
+  // A line that was matched becomes a link.
+  const auto fresh = move_line_end(skin, id(skin, 0, 3), id(skin, 1, 2), id(skin, 0, 4));
+  ASSERT_TRUE(fresh.ok()) << to_string(fresh.error());
+  ASSERT_EQ(fresh->skin.links.size(), 1U);
+  EXPECT_EQ(fresh->skin.links[0].a, Ids{id(skin, 0, 4)});
+  EXPECT_EQ(fresh->skin.links[0].b, Ids{id(skin, 1, 2)});
+  // A link keeps its id, on either side.
+  const auto moved = move_line_end(fresh->skin, id(skin, 1, 2), id(skin, 0, 4), id(skin, 1, 3));
+  ASSERT_TRUE(moved.ok());
+  ASSERT_EQ(moved->skin.links.size(), 1U);
+  EXPECT_EQ(moved->skin.links[0].id, fresh->skin.links[0].id);
+  EXPECT_TRUE(has_line(moved->skin, 0, {4, 3}));
+  EXPECT_EQ(move_line_end(skin, id(skin, 0, 3), id(skin, 1, 2), id(skin, 0, 3))->skin, skin);
+  EXPECT_EQ(move_line_end(skin, id(skin, 0, 3), id(skin, 1, 2), id(skin, 1, 3)).error().code,
+            e_not_neighbours);
+  EXPECT_EQ(move_line_end(skin, id(skin, 0, 3), 4711, id(skin, 0, 4)).error().code, e_skin_index);
+}
+
+TEST(EditCorrespondence, LinesOfAMergeMoveItsTargetOrItsReach) {
+  const Skin skin = skin_input("fig6a");
+  const Skin merged =
+      merge_points(skin, Ids{id(skin, 0, 3), id(skin, 0, 4), id(skin, 0, 5)}, id(skin, 1, 3), 0.4)->skin;
+  const std::uint32_t merge = merged.merges.at(0).id;
+  const auto target = move_line_end(merged, id(skin, 1, 3), id(skin, 0, 4), id(skin, 1, 4));
+  ASSERT_TRUE(target.ok()) << to_string(target.error());
+  EXPECT_EQ(target->skin.merges.at(0).target, id(skin, 1, 4));
+  EXPECT_EQ(target->skin.merges[0].id, merge);
+  EXPECT_EQ(target->skin.merges[0].v, 0.4);
+  const auto wider = move_line_end(merged, id(skin, 0, 3), id(skin, 1, 3), id(skin, 0, 1));
+  ASSERT_TRUE(wider.ok()) << to_string(wider.error());
+  EXPECT_EQ(wider->skin.merges.at(0).members,
+            (Ids{id(skin, 0, 1), id(skin, 0, 2), id(skin, 0, 3), id(skin, 0, 4), id(skin, 0, 5)}));
+  const auto narrower = move_line_end(merged, id(skin, 0, 5), id(skin, 1, 3), id(skin, 0, 4));
+  ASSERT_TRUE(narrower.ok());
+  EXPECT_EQ(narrower->skin.merges.at(0).members, (Ids{id(skin, 0, 3), id(skin, 0, 4)}));
+  EXPECT_EQ(move_line_end(merged, id(skin, 0, 4), id(skin, 1, 3), id(skin, 0, 2)).error().code, e_merge_gap);
+  EXPECT_EQ(move_line_end(narrower->skin, id(skin, 0, 4), id(skin, 1, 3), id(skin, 0, 3)).error().code,
+            e_merge_small);
+}
+
 }  // namespace
 }  // namespace hariko

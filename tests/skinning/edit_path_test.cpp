@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 #include "core/skinning/add_section.hpp"
 #include "core/skinning/evaluate_skin.hpp"
@@ -271,6 +273,80 @@ TEST(AddSection, DrawnAndDeletedSections) {
         1e-12);
     EXPECT_LT(trimmed->deviation, 0.5);
   });
+}
+
+TEST(EditPath, ClosingCarriesSectionsAndOpeningLeavesThemWhereTheyAre) {
+  for_random(818, 40, [](std::mt19937_64& rng) {
+    const Skin skin = random_skin(rng);
+    const bool closing = !skin.path.closed;
+    const auto edit = set_path_closed(skin, closing);
+    if (closing && skin.path.size() < 3) {
+      ASSERT_FALSE(edit.ok());
+      EXPECT_EQ(edit.error().code, e_path_short);
+      return;
+    }
+    // A path that runs back over itself may have a cusp.
+    if (!edit) {
+      EXPECT_EQ(edit.error().code, e_path_cusp);
+      return;
+    }
+    EXPECT_EQ(edit->skin.path.closed, closing);
+    EXPECT_EQ(edit->skin.section_count(), skin.section_count());
+    ASSERT_TRUE(plan_skin(edit->skin).ok());
+    for (std::size_t k = 0; k < skin.sections.size(); ++k) {
+      const SkinSection &before = skin.sections[k], &after = edit->skin.sections[k];
+      ASSERT_EQ(before.id, after.id);
+      const Vector3 was = evaluate(skin.path, before.v).position,
+                    is = evaluate(edit->skin.path, after.v).position;
+      for (std::size_t i = 0; i < before.points.size(); ++i) {
+        // Closing: as far from the path as before. Opening: in the same place.
+        if (closing)
+          EXPECT_NEAR((after.points[i].position - is).norm(), (before.points[i].position - was).norm(),
+                      1e-10);
+        else
+          EXPECT_EQ(after.points[i].position, before.points[i].position);
+      }
+    }
+    if (!closing) {
+      EXPECT_EQ(edit->skin.sections.front().v, 0);
+      EXPECT_EQ(edit->skin.sections.back().v, 1);
+      const auto beyond = [&](const auto& entry) { return entry.first == skin.sections.back().id; };
+      EXPECT_TRUE(std::none_of(edit->skin.links.begin(), edit->skin.links.end(), beyond));
+      EXPECT_TRUE(std::none_of(edit->skin.merges.begin(), edit->skin.merges.end(), beyond));
+      EXPECT_LT(
+          (evaluate(edit->skin.path, 0).position - evaluate(skin.path, skin.sections.front().v).position)
+              .norm(),
+          1e-12);
+    }
+    EXPECT_EQ(set_path_closed(edit->skin, closing)->skin, edit->skin) << "nothing is left to do";
+  });
+}
+
+TEST(EditPath, EndsInOnePlaceBecomeOne) {
+  Skin skin;
+  for (int i = 0; i < 7; ++i) {
+    const double a = 2 * 3.14159265358979 * (i % 6) / 6;
+    skin.path.points.push_back({5 * std::cos(a), 5 * std::sin(a), 0});
+  }
+  skin.frame = FrameMode::rotation_minimising;
+  std::uint32_t id = 0;
+  for (const double v : {0.0, 0.5, 1.0}) {
+    SkinSection section;
+    section.id = std::uint32_t(skin.sections.size());
+    section.v = v;
+    const CurvePoint at = evaluate(skin.path, v);
+    for (int i = -1; i <= 1; ++i)
+      section.points.push_back(
+          {id++, at.position + i * Vector3::UnitZ().cross(at.first).normalized(), false});
+    skin.sections.push_back(section);
+  }
+  const auto edit = set_path_closed(skin, true);
+  ASSERT_TRUE(edit.ok()) << to_string(edit.error());
+  EXPECT_EQ(edit->skin.path.size(), 6);
+  ASSERT_EQ(edit->skin.section_count(), 2);
+  EXPECT_EQ(edit->skin.sections[1].v, 0.5);
+  skin.sections.erase(skin.sections.begin() + 1);
+  EXPECT_EQ(set_path_closed(skin, true).error().code, e_few_sections);
 }
 
 }  // namespace

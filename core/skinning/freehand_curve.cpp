@@ -1,0 +1,152 @@
+#include "core/skinning/freehand_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hariko {
+
+namespace {
+
+constexpr int most_points = 60;
+constexpr int per_span = 8;  ///< samples by which the curve is compared
+constexpr double corner_angle = 50 * std::numbers::pi / 180;
+
+/// A polyline by its length; closed ones repeat.
+class DrawnLine {
+ public:
+  DrawnLine(const std::vector<Vector3>& points, bool closed) : closed_(closed) {
+    for (const Vector3& p : points)
+      if (points_.empty() || (p - points_.back()).norm() > 0) points_.push_back(p);
+    if (closed && points_.size() > 1) points_.push_back(points_.front());
+    at_.push_back(0);
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      at_.push_back(at_.back() + (points_[i] - points_[i - 1]).norm());
+  }
+
+  double length() const { return at_.back(); }
+  Vector3 point(double s) const {
+    if (closed_) s -= std::floor(s / length()) * length();
+    s = std::clamp(s, 0.0, length());
+    const std::size_t i = std::size_t(std::clamp<std::ptrdiff_t>(
+        std::upper_bound(at_.begin(), at_.end(), s) - at_.begin(), 1, std::ptrdiff_t(at_.size()) - 1));
+    const double t = (s - at_[i - 1]) / (at_[i] - at_[i - 1]);
+    return points_[i - 1] + t * (points_[i] - points_[i - 1]);
+  }
+  /// The angle by which the chord of length `reach` before a place and the one behind it differ.
+  double turn(double s, double reach) const {
+    const Vector3 before = point(s) - point(s - reach), after = point(s + reach) - point(s);
+    const double lengths = before.norm() * after.norm();
+    return lengths > 0 ? std::acos(std::clamp(before.dot(after) / lengths, -1.0, 1.0)) : 0;
+  }
+
+ private:
+  bool closed_;
+  std::vector<Vector3> points_;
+  std::vector<double> at_;
+};
+
+/// Places of sharp turns, ascending, farther apart than `reach`.
+std::vector<double> corners_of(const DrawnLine& line, bool closed, double reach) {
+  const int count = int(std::ceil(4 * line.length() / reach));
+  const double step = line.length() / count;
+  struct Turn {
+    double at, angle;
+  };
+  std::vector<Turn> turns;
+  for (int i = 0; i < count; ++i) {
+    const double s = i * step;
+    if (!closed && (s < reach || s > line.length() - reach)) continue;
+    if (const double angle = line.turn(s, reach); angle > corner_angle) turns.push_back({s, angle});
+  }
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.angle > b.angle; });
+  std::vector<double> out;
+  for (const Turn& turn : turns) {
+    const bool apart = std::all_of(out.begin(), out.end(), [&](double other) {
+      const double gap = std::abs(other - turn.at);
+      return std::min(gap, closed ? line.length() - gap : gap) > 2 * reach;
+    });
+    // A bend that is sharp in the large only has no corner in the small.
+    if (apart && line.turn(turn.at, reach / 3) > corner_angle) out.push_back(turn.at);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Points evenly spaced between corners: `counts` intervals from each of `breaks` to the next.
+struct Layout {
+  std::vector<double> breaks;  ///< ends or, closed, a turn included
+  std::vector<int> counts;
+  bool corners_at_breaks = false;
+};
+
+struct Made {
+  SubdivisionCurve curve;
+  std::vector<double> deviation;  ///< of each part
+};
+
+Made make(const DrawnLine& line, const Layout& layout, bool closed) {
+  std::vector<Vector3> targets;
+  std::vector<char> sharp;
+  const std::size_t parts = layout.counts.size();
+  for (std::size_t p = 0; p < parts; ++p)
+    for (int i = 0; i < layout.counts[p]; ++i) {
+      const double s = layout.breaks[p] + (layout.breaks[p + 1] - layout.breaks[p]) * i / layout.counts[p];
+      targets.push_back(line.point(s));
+      sharp.push_back(i == 0 && layout.corners_at_breaks && (closed || p > 0));
+    }
+  if (!closed) targets.push_back(line.point(line.length())), sharp.push_back(0);
+  if (std::none_of(sharp.begin(), sharp.end(), [](char s) { return s != 0; })) sharp.clear();
+  Made out{curve_through(std::move(targets), closed, std::move(sharp)), {}};
+  int span = 0;
+  for (std::size_t p = 0; p < parts; ++p) {
+    const double length = layout.breaks[p + 1] - layout.breaks[p];
+    double largest = 0;
+    for (int i = 0; i <= layout.counts[p] * per_span; ++i) {
+      const double share = double(i) / (layout.counts[p] * per_span);
+      const double u = (span + share * layout.counts[p]) / out.curve.spans();
+      const Vector3 at = evaluate(out.curve, std::min(u, 1.0)).position;
+      // Along the line half a span either way: the curve's parameter is not its length.
+      const double s = layout.breaks[p] + share * length;
+      const double reach = length / (2 * layout.counts[p]);
+      double least = (line.point(s) - at).norm();
+      for (int k = -per_span; k <= per_span; ++k) {
+        const double there = s + reach * k / per_span;
+        least = std::min(least, (line.point(there) - at).norm());
+      }
+      largest = std::max(largest, least);
+    }
+    out.deviation.push_back(largest);
+    span += layout.counts[p];
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<SubdivisionCurve> freehand_curve(const std::vector<Vector3>& points, bool closed, double tolerance) {
+  const DrawnLine line(points, closed);
+  if (!(line.length() > 4 * tolerance))
+    return make_error(e_short_stroke, "The stroke is too short to be a curve.", "Draw a longer one.");
+  Layout layout;
+  layout.breaks = corners_of(line, closed, std::max(8 * tolerance, 0.04 * line.length()));
+  layout.corners_at_breaks = !layout.breaks.empty();
+  if (closed) {
+    if (layout.breaks.empty()) layout.breaks.push_back(0);
+    layout.breaks.push_back(layout.breaks.front() + line.length());
+  } else {
+    layout.breaks.insert(layout.breaks.begin(), 0.0);
+    layout.breaks.push_back(line.length());
+  }
+  const std::size_t parts = layout.breaks.size() - 1;
+  // Round a closed curve no fewer than four, and between corners what makes three in all.
+  layout.counts.assign(parts, closed ? std::max(1, (4 + int(parts) - 1) / int(parts)) : (parts > 1 ? 1 : 2));
+  while (true) {
+    Made made = make(line, layout, closed);
+    const auto worst = std::max_element(made.deviation.begin(), made.deviation.end());
+    if (*worst <= tolerance || made.curve.size() >= most_points) return std::move(made.curve);
+    ++layout.counts[std::size_t(worst - made.deviation.begin())];
+  }
+}
+
+}  // namespace hariko

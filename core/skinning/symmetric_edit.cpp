@@ -1,0 +1,96 @@
+#include "core/skinning/symmetric_edit.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace hariko {
+
+using namespace detail;
+
+namespace {
+
+/// Mean squared distance between points and the images of their partners, and of the path from the plane.
+double asymmetry(const Skin& skin, const MirrorPlane& plane) {
+  double out = 0;
+  for (const SkinSection& section : skin.sections) {
+    const std::vector<int> partner = mirror_partners(section, plane.point, plane.normal);
+    for (int i = 0; i < section.size(); ++i)
+      out += (section.points[std::size_t(i)].position -
+              plane.image(section.points[std::size_t(partner[std::size_t(i)])].position))
+                 .squaredNorm() /
+             section.size();
+  }
+  for (const Vector3& p : skin.path.points) out += (p - plane.foot(p)).squaredNorm() / skin.path.size();
+  return out;
+}
+
+/// Id of a point's partner; nothing when the point does not exist.
+std::optional<std::uint32_t> partner_of(const Skin& skin, std::uint32_t point, const MirrorPlane& plane) {
+  const int k = section_with(skin, point);
+  if (k < 0) return {};
+  const SkinSection& section = skin.sections[std::size_t(k)];
+  const std::vector<int> partner = mirror_partners(section, plane.point, plane.normal);
+  return section.points[std::size_t(partner[std::size_t(find_point(section, point))])].id;
+}
+
+}  // namespace
+
+MirrorPlane mirror_plane(const Skin& skin) {
+  MirrorPlane best;
+  if (skin.path.points.empty()) return best;
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& p : skin.path.points) middle += p / double(skin.path.size());
+  double least = std::numeric_limits<double>::infinity();
+  // Across the path no section is its own image; of equals the first wins.
+  for (const int axis : {1, 0, 2}) {
+    const MirrorPlane plane{middle, Vector3::Unit(axis)};
+    const double value = asymmetry(skin, plane);
+    if (value < least) least = value, best = plane;
+  }
+  return best;
+}
+
+Result<SkinEdit> move_section_points(const Skin& skin, std::span<const MovedPoint> points,
+                                     const MirrorPlane& plane) {
+  std::map<std::uint32_t, Vector3> places;
+  for (const MovedPoint& moved : points) {
+    const auto partner = partner_of(skin, moved.id, plane);
+    if (!partner) return no_such_point();
+    if (places.contains(moved.id)) continue;
+    places[moved.id] = *partner == moved.id ? plane.foot(moved.position) : moved.position;
+    if (*partner != moved.id) places[*partner] = plane.image(moved.position);
+  }
+  std::vector<MovedPoint> all;
+  for (const auto& [id, position] : places) all.push_back({id, position});
+  return move_section_points(skin, all);
+}
+
+Result<SkinEdit> move_limit_point(const Skin& skin, std::uint32_t point, const Vector3& position,
+                                  const MirrorPlane& plane) {
+  const auto partner = partner_of(skin, point, plane);
+  if (!partner) return no_such_point();
+  if (*partner == point) return move_limit_point(skin, point, plane.foot(position));
+  const auto first = move_limit_point(skin, point, position);
+  if (!first) return first;
+  const auto both = move_limit_point(first->skin, *partner, plane.image(position));
+  if (!both) return both;
+  return accepted(skin, {both->skin, 0, {}, {}, {}});
+}
+
+Result<SkinEdit> make_symmetric(const Skin& skin, std::span<const std::uint32_t> sections,
+                                const MirrorPlane& plane) {
+  SkinEdit edit{skin, 0, {}, {}, {}};
+  for (const SkinSection& section : skin.sections) {
+    if (!sections.empty() && std::find(sections.begin(), sections.end(), section.id) == sections.end())
+      continue;
+    auto one = make_symmetric(edit.skin, section.id, plane.point, plane.normal);
+    if (!one) return one;
+    edit.skin = std::move(one->skin);
+  }
+  return accepted(skin, std::move(edit));
+}
+
+}  // namespace hariko
