@@ -9,6 +9,7 @@
 #include "core/gaussmap/minkowski.hpp"
 #include "core/gaussmap/paper_insertion.hpp"
 #include "core/gaussmap/position_fill.hpp"
+#include "core/gaussmap/relax_sites.hpp"
 #include "core/gaussmap/site_insertion.hpp"
 
 namespace hariko {
@@ -96,7 +97,7 @@ class Solver {
     Index count = 0;
     while (count < options_.most_points && insertion.insert_next(smallest)) ++count;
     if (cancel_.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
-    const SphereMesh mesh = insertion.mesh();
+    const SphereMesh mesh = relaxed(insertion.mesh(), options_.relaxation);
     ControlPoints out;
     // Newton's method begins at the umbilic fill, which bears noise best.
     auto support = linear_fill(mesh, problem_.boundary(), options_.mode == GaussMode::curvature);

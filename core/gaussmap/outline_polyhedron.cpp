@@ -1,5 +1,7 @@
 #include "core/gaussmap/outline_polyhedron.hpp"
 
+#include "core/gaussmap/rim_tangents.hpp"
+
 namespace hariko {
 
 Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points) {
@@ -15,6 +17,9 @@ Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points) {
     // A smooth vertex of a border with two edges would be a corner otherwise.
     if (i < points.boundary_count) out.shaping.tag.set(VertexId{i}, VertexTag::smooth);
   }
+  const auto rims = rim_tangents(out.polyhedron, out.shaping);
+  if (!rims) return rims.error();
+  for (const auto& [vertex, pin] : *rims) out.shaping.pin.set(vertex, pin);
   return out;
 }
 

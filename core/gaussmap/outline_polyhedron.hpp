@@ -11,11 +11,12 @@ namespace hariko {
 
 struct OutlinePolyhedron {
   Polyhedron polyhedron;  ///< positions relative to origin; the ids are the numbers of the control points
-  Shaping shaping;        ///< every normal pinned, every vertex of an outline smooth
+  /// Normals are pinned inside; on the outline, whose vertices are smooth, tangents are (`rim_tangents`).
+  Shaping shaping;
   Vector3 origin = Vector3::Zero();
 };
 
-/// Errors: those of `Polyhedron::build`. O(points).
+/// Errors: those of `Polyhedron::build` and `rim_tangents`. O(points).
 Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points);
 
 }  // namespace hariko

@@ -116,7 +116,7 @@ TEST(GaussMessages, PaperTurnsFacesOver) {
 
 TEST(GaussMessages, WrongCurvatureMakesAResultThatIsNotConvex) {
   const Outline outline = scaled_curvature(sphere_cap(32).outline, [](const Vector3& n) {
-    return std::exp(1.5 * std::sin(3 * std::atan2(n.y(), n.x())));
+    return std::exp(2.2 * std::sin(3 * std::atan2(n.y(), n.x())));
   });
   const auto points = control_points(outline, in_mode(GaussMode::curvature));
   ASSERT_TRUE(points.ok()) << to_string(points.error());

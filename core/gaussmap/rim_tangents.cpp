@@ -1,0 +1,96 @@
+#include "core/gaussmap/rim_tangents.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "core/base/assert.hpp"
+#include "core/gaussmap/loop_curve.hpp"
+#include "core/network/network_system.hpp"
+
+namespace hariko {
+namespace {
+
+std::vector<std::vector<Index>> border_loops(const HalfEdgeMesh& mesh) {
+  std::vector<std::vector<Index>> out;
+  std::vector<char> done(mesh.vertex_count(), 0);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (done[v] || !mesh.is_border_vertex(v)) continue;
+    out.emplace_back();
+    for (Index w = v; !done[w]; w = mesh.target(mesh.outgoing(w))) {
+      done[w] = 1;
+      out.back().push_back(w);
+    }
+  }
+  return out;
+}
+
+/// The normal of the plane that the points lie in; zero where there is none.
+Vector3 common_plane(const std::vector<Vector3>& points) {
+  Vector3 middle = Vector3::Zero(), area = Vector3::Zero();
+  for (const Vector3& point : points) middle += point / double(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    area += (points[i] - middle).cross(points[(i + 1) % points.size()] - middle);
+  area.stableNormalize();
+  for (const Vector3& point : points)
+    if (!(std::abs((point - middle).dot(area)) <= 1e-9 * (point - middle).norm())) return Vector3::Zero();
+  return area;
+}
+
+/// Where the tangent plane meets the loop's plane, if that is near the curve's direction: normals that are
+/// not perpendicular to a flat loop leave no better choice than to leave its plane.
+Vector3 in_plane(const Vector3& direction, const Vector3& axis, const Vector3& normal) {
+  constexpr double near = 0.996;  // cosine of 5 degrees
+  Vector3 line = axis.cross(normal);
+  if (line.norm() < 1e-6) return direction;  // the planes are one, or there is none
+  line.normalize();
+  if (line.dot(direction) < 0) line = -line;
+  return line.dot(direction) > near ? line : direction;
+}
+
+/// Length of the Bezier tangent of a circular arc over a chord: a third of it over the squared cosine of a
+/// quarter of the arc's angle, of which the tangent makes half with the chord.
+double arc_tangent_length(const Vector3& direction, const Vector3& chord) {
+  const double length = chord.norm(), cosine = std::abs(direction.dot(chord)) / length;
+  return 2 * length / (3 * (1 + cosine));
+}
+
+}  // namespace
+
+Result<FlatMap<VertexId, Pin>> rim_tangents(const Polyhedron& polyhedron, const Shaping& shaping) {
+  const auto network = NetworkSystem::assemble(polyhedron, shaping);
+  if (!network) return network.error();
+  const auto basis = network->solve(polyhedron.positions(), {}).basis;
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  FlatMap<VertexId, Pin> out;
+  for (const std::vector<Index>& loop : border_loops(mesh)) {
+    OutlineLoop outline;
+    for (const Index v : loop) {
+      outline.points.push_back(polyhedron.position(v));
+      const Pin* pin = shaping.pin.find(polyhedron.vertex_id(v));
+      HARIKO_ASSERT(pin && pin->kind == Pin::Kind::normal, "rims have pinned normals");
+      outline.normals.push_back(pin->vectors[0].stableNormalized());
+    }
+    const Vector3 axis = common_plane(outline.points);
+    const LoopCurve curve(outline);
+    const std::size_t count = loop.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3& normal = outline.normals[i];
+      Vector3 direction = curve.at(i, 0).tangent;
+      direction = in_plane((direction - direction.dot(normal) * normal).normalized(), axis, normal);
+      const double length =
+          (arc_tangent_length(direction, outline.points[(i + 1) % count] - outline.points[i]) +
+           arc_tangent_length(direction, outline.points[i] - outline.points[(i + count - 1) % count])) /
+          2;
+      // The first basis vector of a smooth border vertex is the tangent along it (kuriyama.md 2.1).
+      const Index first = network->frames().basis_begin[loop[i]],
+                  end = network->frames().basis_begin[loop[i] + 1];
+      HARIKO_ASSERT(network->frames().kind[loop[i]] == FrameKind::sharp_line, "rims are smooth");
+      Pin pin{Pin::Kind::tangents, std::vector<Vector3>(basis.begin() + first, basis.begin() + end)};
+      pin.vectors[0] = length * direction;
+      out.set(polyhedron.vertex_id(loop[i]), std::move(pin));
+    }
+  }
+  return out;
+}
+
+}  // namespace hariko
