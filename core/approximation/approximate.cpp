@@ -73,7 +73,7 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
     if (cancel.cancelled()) return cancelled();
     if (balanced) {
       MeshApproximation out =
-          mesh_report(sampler, errors, options, *balanced, cancel, progress.part(0.85, 1));
+          mesh_report(sampler, errors, options, *balanced, {}, cancel, progress.part(0.85, 1));
       if (cancel.cancelled()) return cancelled();
       return out;
     }
@@ -84,7 +84,8 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
   const BisectionResult refined =
       bisect(sampler, errors, options, mesh, cancel, progress.part(options.optimise ? 0.8 : 0, 0.85));
   if (refined.cancelled) return cancelled();
-  MeshApproximation out = mesh_report(sampler, errors, options, mesh, cancel, progress.part(0.85, 1));
+  MeshApproximation out =
+      mesh_report(sampler, errors, options, mesh, refined, cancel, progress.part(0.85, 1));
   if (cancel.cancelled()) return cancelled();
   if (out.mesh.triangles.empty())
     return make_error(e_mesh_surface, "The surface has no area.", "Give it an extent in two directions.");

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <queue>
 
@@ -15,8 +16,11 @@ namespace {
 constexpr double shortest_edge = 2e-4;  ///< of the patch
 constexpr int longest_path = 200, most_detours = 200, most_detours_of_halving = 3;
 constexpr std::size_t largest_batch = 512, facets_per_task = 32;
-/// Cuts in a row that do not lower a facet's error before the paper's rule is given up for it.
-constexpr std::uint8_t patience = 3;
+/// The paper's rule, where it does not lower a facet's error, gives way to the Gauss image, and that to
+/// middles of longest edges, which always ends: levels 0, 1, 2. Cuts in a row before the next level:
+constexpr std::uint8_t patience = 3, last_level = 2;
+/// Above this number of facets those that are good lose their nets, which take far more room than they do.
+constexpr std::size_t most_kept_nets = 100'000;
 /// What an error must come below, of that before the cut, to count as lowered.
 constexpr double lowered = 0.9;
 constexpr int most_failures = 1;  ///< in one patch before all of it gives the paper's rule up
@@ -30,13 +34,17 @@ class Bisection {
         options_(options),
         criteria_(options.criteria),
         mesh_(mesh),
+        nets_(std::make_shared<FacetNets>(sampler)),
         crease_(criteria_.fold_angle ? std::min(crease_angle, 0.5 * *criteria_.fold_angle) : crease_angle) {}
 
   BisectionResult run(const CancelToken& cancel, const Progress& progress) {
     measure_patches();
     grow();
     for (Index h = 0; h < mesh_.twin.size(); ++h) set_split(h);
-    for (Index f = 0; f < mesh_.facets.size(); ++f) touch(f);
+    for (Index f = 0; f < mesh_.facets.size(); ++f) {
+      make_net(f);
+      touch(f);
+    }
     evaluate_touched();
     while (!queue_.empty() && !result_.limit_reached) {
       if (cancel.cancelled()) {
@@ -53,6 +61,8 @@ class Bisection {
       const auto count = static_cast<double>(mesh_.facets.size());
       progress.report(count / (count + std::max(pending_, 0.0)));
     }
+    result_.nets = nets_;
+    result_.distance_bounds = std::move(bounds_);
     return result_;
   }
 
@@ -69,8 +79,9 @@ class Bisection {
     double error = 0;
     double pending = 0;  ///< its part of pending_
     std::uint32_t version = 0;
-    std::uint8_t futile = 0;  ///< cuts in a row that did not lower the error
-    bool touched = false;
+    double least = 0;         ///< error that it and those it was cut from came down to
+    std::uint8_t futile = 0;  ///< cuts in a row that did not lower it, plus `patience` for each level
+    bool touched = false, cut = false;
   };
 
   void measure_patches() {
@@ -91,15 +102,25 @@ class Bisection {
     state_.resize(mesh_.facets.size());
     split_.resize(mesh_.twin.size());
   }
-  bool gave_up(Index facet) const {
-    return state_[facet].futile >= patience || failures_[mesh_.facets[facet].patch] > most_failures;
+  void make_net(Index facet) {
+    if (criteria_.distance) nets_->make(mesh_, facet);
+  }
+  int level(Index facet) const {
+    const int own = state_[facet].futile / patience;
+    return std::max(own, failures_[mesh_.facets[facet].patch] > most_failures ? 1 : 0);
   }
   void set_split(Index h) {
     const Index other = mesh_.twin[h];
-    const bool given_up = options_.split == SplitRule::halving &&
-                          (gave_up(facet_of(h)) || (other != no_index && gave_up(facet_of(other))));
-    const SplitRule rule = given_up ? SplitRule::gauss : options_.split;
+    SplitRule rule = options_.split;
+    if (rule == SplitRule::halving) {
+      constexpr std::array rules{SplitRule::halving, SplitRule::gauss, SplitRule::midpoint};
+      const int highest = std::max(level(facet_of(h)), other == no_index ? 0 : level(facet_of(other)));
+      rule = rules[std::size_t(highest)];
+    }
     split_[h] = edge_split(sampler_, mesh_, h, rule);
+    // Beside angles a length counts by its part of the patch.
+    if (rule != options_.split && rule == SplitRule::midpoint)
+      split_[h].priority *= shortest_edge / shortest_[mesh_.canonical_line(h).patch];
     if (other != no_index) split_[other] = split_[h];
   }
   void forget(State& state) {
@@ -148,11 +169,12 @@ class Bisection {
                       : options_.split == SplitRule::halving      ? most_detours_of_halving
                                                                   : most_detours;
     for (int round = 0; state_[facet].version == version; ++round) {
-      if (options_.split == SplitRule::halving && round == asked && round > 0) give_up(facet);
+      if (options_.split == SplitRule::halving && round == asked && round > 0 && level(facet) == 0)
+        give_up(facet);
       const Index own = best_edge(facet);
       const Index edge = round < asked ? end_of_path(own) : own;
       if (split_[edge].priority < 0 || mesh_.length(edge) <= shortest_[mesh_.facets[facet_of(edge)].patch]) {
-        if (options_.split == SplitRule::halving && !gave_up(facet)) {
+        if (options_.split == SplitRule::halving && level(facet) < last_level) {
           give_up(facet);
           continue;
         }
@@ -166,12 +188,13 @@ class Bisection {
       split_edge(edge);
     }
   }
-  /// From now on the facet's edges and those made of them follow the Gauss image; after a few such facets
-  /// those of the whole patch do.
+  /// From now on the facet's edges and those made of them follow the rule of the next level; after a few
+  /// facets at which the paper's rule failed those of the whole patch follow the Gauss image.
   void give_up(Index facet) {
-    state_[facet].futile = patience;
+    std::uint8_t& futile = state_[facet].futile;
+    futile = std::uint8_t((futile / patience + 1) * patience);
     const Index patch = mesh_.facets[facet].patch;
-    if (++failures_[patch] <= most_failures) {
+    if (futile > patience || ++failures_[patch] <= most_failures) {
       for (Index h = 3 * facet; h < 3 * facet + 3; ++h) set_split(h);
     } else if (failures_[patch] == most_failures + 1) {
       for (Index h = 0; h < mesh_.twin.size(); ++h)
@@ -189,16 +212,26 @@ class Bisection {
     const Vector2 at = line.at(t);
     Vector3 position;
     sampler_.positions(line.patch, {&at, 1}, {&position, 1});
+    const Index sides[2] = {edge, other};
+    double fraction[2] = {};
+    for (int k = 0; k < 2 && sides[k] != no_index; ++k) {
+      fraction[k] = mesh_.from(sides[k]) < mesh_.to(sides[k]) ? t : 1 - t;
+      make_net(facet_of(sides[k]));
+    }
     const ParameterMesh::Split made = mesh_.split(edge, t, position);
     grow();
     for (int k = 0; k < made.count; k += 2) {
       const Index f = made.facets[std::size_t(k)], g = made.facets[std::size_t(k + 1)];
+      nets_->split(mesh_, f, g, int(sides[k / 2] % 3), fraction[k / 2]);
+      // At poles the halves may have nets although the whole had none.
+      make_net(f);
+      make_net(g);
       split_[3 * g + next_of(k == 0 ? edge : other) % 3] = moved[k / 2];
       State& old = state_[f];
       forget(old);
       ++old.version;
-      state_[g].error = old.error;
-      state_[g].futile = old.futile;
+      old.cut = true;
+      state_[g] = State{.error = old.error, .least = old.least, .futile = old.futile, .cut = true};
       touch(f);
       touch(g);
     }
@@ -216,8 +249,9 @@ class Bisection {
     touch(facet);
   }
 
-  double error_of(Index facet) const {
-    const double worst = errors_.relative_error(mesh_, facet);
+  double error_of(Index facet) {
+    const double worst =
+        errors_.relative_error(mesh_, facet, nets_->of(mesh_.facets[facet].patch, facet), &bounds_[facet]);
     if (!criteria_.fold_angle || worst > 1 || mesh_.facets[facet].degenerate()) return worst;
     const Index edge = best_edge(facet);
     const ParameterLine line = mesh_.canonical_line(edge);
@@ -233,6 +267,7 @@ class Bisection {
 
   void evaluate_touched() {
     fresh_.resize(touched_.size());
+    bounds_.resize(mesh_.facets.size());
     parallel_for(touched_.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) fresh_[i] = error_of(touched_[i]);
     });
@@ -240,18 +275,34 @@ class Bisection {
       const Index facet = touched_[i];
       State& state = state_[facet];
       state.touched = false;
-      if (options_.split == SplitRule::halving && state.futile < patience) {
-        state.futile =
-            fresh_[i] < lowered * state.error || state.version == 0 ? 0 : std::uint8_t(state.futile + 1);
-        if (state.futile >= patience) give_up(facet);
-      }
+      if (options_.split == SplitRule::halving) take_stock(facet, fresh_[i]);
       state.error = fresh_[i];
-      if (!(state.error > 1)) continue;
+      if (!(state.error > 1)) {
+        if (mesh_.facets.size() > most_kept_nets) nets_->release(facet);
+        continue;
+      }
       state.pending = std::min(state.error, most_pending);
       pending_ += state.pending;
       queue_.push({state.error, facet, state.version});
     }
     touched_.clear();
+  }
+  /// Counts the facet's cuts that did not lower its error.
+  void take_stock(Index facet, double error) {
+    State& state = state_[facet];
+    const int own = state.futile / patience;
+    if (state.version == 0 && !state.cut) {
+      state.least = error;
+    } else if (error < lowered * state.least) {
+      state.least = error;
+      state.futile = std::uint8_t(own * patience);
+    } else if (state.cut && error > 1 && own < last_level) {
+      if (state.futile % patience + 1 < patience)
+        ++state.futile;
+      else
+        give_up(facet);
+    }
+    state.cut = false;
   }
 
   static constexpr double most_pending = 1e4;
@@ -261,6 +312,7 @@ class Bisection {
   const MeshOptions& options_;
   const MeshCriteria& criteria_;
   ParameterMesh& mesh_;
+  std::shared_ptr<FacetNets> nets_;
   double crease_;
   std::vector<double> shortest_;  ///< per patch
   std::vector<int> failures_;     ///< per patch: facets at which halving was given up
@@ -268,7 +320,7 @@ class Bisection {
   std::vector<EdgeSplit> split_;  ///< per half-edge
   std::priority_queue<Entry> queue_;
   std::vector<Index> touched_;
-  std::vector<double> fresh_;
+  std::vector<double> fresh_, bounds_;
   double pending_ = 0;  ///< about how many facets those in the queue will become
   BisectionResult result_;
 };

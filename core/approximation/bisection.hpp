@@ -2,6 +2,8 @@
 
 // Refinement by cutting facets in two until all errors are within their tolerances.
 
+#include <memory>
+
 #include "core/approximation/facet_error.hpp"
 #include "core/approximation/mesh_options.hpp"
 #include "core/approximation/parameter_mesh.hpp"
@@ -14,6 +16,9 @@ struct BisectionResult {
   /// Facets above the tolerance that were left because their edges are shorter than 2e-4 of their patch.
   std::size_t unreached = 0;
   bool limit_reached = false, cancelled = false;
+  /// Of the facets as they are now; some may have no net. Bounds only where distance is a criterion.
+  std::shared_ptr<const FacetNets> nets;
+  std::vector<double> distance_bounds;
 };
 
 /// Refines the mesh in place, facets with the largest errors first (Yamamoto and Saitoh, sections 2 and 4).

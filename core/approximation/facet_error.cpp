@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/approximation/facet_geometry.hpp"
+#include "core/approximation/net_distance.hpp"
 
 namespace hariko {
 
@@ -14,17 +14,17 @@ constexpr int spread_density = 2, angle_density = 6, distance_density = 8;
 constexpr int refinements = 2;
 constexpr int deepest_bound = 3;
 constexpr std::size_t max_samples = 91;  ///< of a grid of TriangleCollocation::max_degree intervals
-constexpr int no_side = -1;
-constexpr double sliver_angle = 0.02, watched_angle = 0.25;
+constexpr int no_side = NetDistance::no_side;
+constexpr double sliver_angle = 0.02, watched_tangent = 0.2553419212210362;  ///< tan 0.25
 constexpr double fold_over = 2;  ///< relative error of a facet that looks the other way than the surface
 
-using Sides =
-    std::array<int, 3>;  ///< which watched side of the facet each side of a piece lies on, or no_side
+using Sides = NetDistance::Sides;
 
 /// Sides of a facet's pieces at which the facet might stick out beyond what the surface over it shows:
 /// borders, and all sides of slivers, whose neighbours need not make up for them.
 std::array<Sides, 2> watched_sides(const ParameterMesh& mesh, Index facet) {
-  const bool sliver = !mesh.facets[facet].degenerate() && smallest_angle(mesh.corners(facet)) < watched_angle;
+  const bool sliver =
+      !mesh.facets[facet].degenerate() && has_sharp_angle(mesh.corners(facet), watched_tangent);
   const auto watched = [&](int corner) {
     return sliver || mesh.twin[3 * facet + Index(corner)] == no_index ? corner : no_side;
   };
@@ -279,6 +279,7 @@ double FacetErrors::luminance(const ParameterMesh& mesh, Index facet) const {
 
 double FacetErrors::shape_error(const ParameterMesh& mesh, Index facet) const {
   double worst = 0;
+  if (!criteria_.max_edge && !criteria_.min_angle) return worst;
   const auto p = mesh.corners(facet);
   std::array<double, 3> length{(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()};
   std::sort(length.begin(), length.end());
@@ -289,11 +290,54 @@ double FacetErrors::shape_error(const ParameterMesh& mesh, Index facet) const {
   return worst;
 }
 
-double FacetErrors::relative_error(const ParameterMesh& mesh, Index facet) const {
+double FacetErrors::net_bound(const ParameterMesh& mesh, Index facet, const FacetNet& net,
+                              double tolerance) const {
+  return NetDistance(mesh.corners(facet), net, watched_sides(mesh, facet)[0]).decide(tolerance);
+}
+
+double FacetErrors::net_sampled(const ParameterMesh& mesh, Index facet, const FacetNet& net) const {
+  return NetDistance(mesh.corners(facet), net, watched_sides(mesh, facet)[0]).sampled();
+}
+
+DistanceError FacetErrors::net_measured(const ParameterMesh& mesh, Index facet, const FacetNet& net) const {
+  const auto range = NetDistance(mesh.corners(facet), net, watched_sides(mesh, facet)[0]).measure();
+  return {range.sampled, range.bound, true};
+}
+
+/// Whether the surface at a corner looks the other way than the facet, which is no sliver.
+bool FacetErrors::looks_back(const ParameterMesh& mesh, Index facet, const FacetNet& net) const {
+  const auto corners = mesh.corners(facet);
+  const Vector3 normal = facet_normal(corners[0], corners[1], corners[2]);
+  if (normal.isZero(0)) return false;
+  bool turned = false, known = net.shape != nullptr;
+  for (int k = 0; k < 3 && known; ++k) {
+    // The net's legs at a corner span the tangent plane; where they do not, the surface decides.
+    const std::span<const int> leaving = net.shape->side(k), arriving = net.shape->side((k + 2) % 3);
+    const Vector3& at = net.points[leaving[0]];
+    const Vector3 a = net.points[leaving[1]] - at, b = net.points[arriving[arriving.size() - 2]] - at;
+    const Vector3 cross = a.cross(b);
+    const double height = cross.dot(normal);
+    known = std::abs(height) > 1e-6 * a.norm() * b.norm();
+    turned = turned || height < 0;
+  }
+  if (!known) {
+    std::array<Vector3, 3> normals;
+    sampler_.normals(mesh.facets[facet].patch, mesh.facets[facet].parameter, normals);
+    turned = std::any_of(normals.begin(), normals.end(), [&](const Vector3& n) { return n.dot(normal) < 0; });
+  }
+  // Which way a sliver looks says nothing, and cutting it makes more of them.
+  return turned && smallest_angle(corners) > sliver_angle;
+}
+
+double FacetErrors::relative_error(const ParameterMesh& mesh, Index facet, const FacetNet& net,
+                                   double* distance_bound) const {
   double worst = shape_error(mesh, facet);
   if (criteria_.distance) {
-    const DistanceError error = distance(mesh, facet, *criteria_.distance);
-    worst = std::max(worst, error.bound / *criteria_.distance);
+    const double tolerance = *criteria_.distance;
+    const double bound =
+        net.shape ? net_bound(mesh, facet, net, tolerance) : distance(mesh, facet, tolerance).bound;
+    worst = std::max(worst, bound / tolerance);
+    if (distance_bound) *distance_bound = bound;
   }
   if (mesh.facets[facet].degenerate()) return worst;
   if (criteria_.normal_angle && worst <= 1)
@@ -301,15 +345,7 @@ double FacetErrors::relative_error(const ParameterMesh& mesh, Index facet) const
   if (criteria_.luminance && worst <= 1)
     worst = std::max(worst, luminance(mesh, facet) / *criteria_.luminance);
   if (worst > 1) return worst;
-  const auto corners = mesh.corners(facet);
-  const Vector3 normal = facet_normal(corners[0], corners[1], corners[2]);
-  if (normal.isZero(0)) return worst;
-  std::array<Vector3, 3> normals;
-  sampler_.normals(mesh.facets[facet].patch, mesh.facets[facet].parameter, normals);
-  const bool turned =
-      std::any_of(normals.begin(), normals.end(), [&](const Vector3& n) { return n.dot(normal) < 0; });
-  // Which way a sliver looks says nothing, and cutting it makes more of them.
-  return turned && smallest_angle(corners) > sliver_angle ? fold_over : worst;
+  return looks_back(mesh, facet, net) ? fold_over : worst;
 }
 
 double FacetErrors::sampled_error(const ParameterMesh& mesh, Index facet) const {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "core/base/vector.hpp"
 
@@ -42,20 +44,40 @@ class ClosedTriangle {
     if (flat_) {
       const Vector3 w = p - p_[0];
       const double b = second_.dot(w), c = third_.dot(w);
-      // Feet on a side count as inside although rounding puts them beyond it.
-      constexpr double rounding = 1e-13;
-      if (b >= -rounding && c >= -rounding && b + c <= 1 + rounding) {
+      if (is_inside(b, c)) {
         const double height = normal_.dot(w);
         return height * height;
       }
+      // The nearest point is on a side that the foot lies beyond.
+      double nearest = std::numeric_limits<double>::infinity();
+      if (b + c > 1) nearest = squared_distance_to_segment(p, p_[1], p_[2]);
+      if (b < 0) nearest = std::min(nearest, squared_distance_to_segment(p, p_[2], p_[0]));
+      if (c < 0) nearest = std::min(nearest, squared_distance_to_segment(p, p_[0], p_[1]));
+      return nearest;
     }
     return std::min({squared_distance_to_segment(p, p_[0], p_[1]),
                      squared_distance_to_segment(p, p_[1], p_[2]),
                      squared_distance_to_segment(p, p_[2], p_[0])});
   }
+  double largest_squared_distance(std::span<const Vector3> points) const {
+    double worst = 0;
+    for (const Vector3& p : points) {
+      // Most feet lie inside: only the others need the sides.
+      const Vector3 w = p - p_[0];
+      const double b = second_.dot(w), c = third_.dot(w), height = normal_.dot(w);
+      const bool inside = flat_ && is_inside(b, c);
+      worst = std::max(worst, inside ? height * height : squared_distance(p));
+    }
+    return worst;
+  }
   double distance(const Vector3& p) const { return std::sqrt(squared_distance(p)); }
 
  private:
+  /// Feet on a side count as inside although rounding puts them beyond it.
+  static bool is_inside(double b, double c) {
+    constexpr double rounding = 1e-13;
+    return b >= -rounding && c >= -rounding && b + c <= 1 + rounding;
+  }
   FacetCorners p_;
   Vector3 normal_ = Vector3::Zero(), second_ = Vector3::Zero(), third_ = Vector3::Zero();
   bool flat_ = false;
@@ -64,6 +86,13 @@ class ClosedTriangle {
 /// Angle between two vectors, radians; accurate for small ones. Zero where one of them is zero.
 inline double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Whether an angle of a triangle is below one whose tangent is given, at most a right angle.
+inline bool has_sharp_angle(const FacetCorners& p, double tangent) {
+  const Vector3 e = p[1] - p[0], f = p[2] - p[1], g = p[0] - p[2];
+  const double area = e.cross(f).norm();  // twice; the same from every corner
+  return area < tangent * std::max({-e.dot(g), -f.dot(e), -g.dot(f)});
 }
 
 /// Unit normal; zero for a triangle without area.

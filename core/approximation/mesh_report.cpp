@@ -36,9 +36,12 @@ CriterionErrors measure_facets(std::size_t count, const Measure& measure) {
   return out;
 }
 
-/// Facets with area only, with vertices numbered anew.
-ParameterMesh without_degenerate(const ParameterMesh& mesh) {
+/// Facets with area only, with vertices numbered anew. `original`: the number that each facet had.
+ParameterMesh without_degenerate(const ParameterMesh& mesh, std::vector<Index>& original) {
   ParameterMesh out;
+  out.positions.reserve(mesh.positions.size());
+  out.facets.reserve(mesh.facets.size());
+  original.reserve(mesh.facets.size());
   std::vector<Index> number(mesh.positions.size(), no_index), kept(mesh.facets.size(), no_index);
   for (Index f = 0; f < mesh.facets.size(); ++f) {
     if (mesh.facets[f].degenerate()) continue;
@@ -52,6 +55,7 @@ ParameterMesh without_degenerate(const ParameterMesh& mesh) {
       v = number[v];
     }
     out.facets.push_back(facet);
+    original.push_back(f);
   }
   out.twin.assign(3 * out.facets.size(), no_index);
   for (Index f = 0; f < mesh.facets.size(); ++f) {
@@ -72,46 +76,92 @@ ParameterMesh without_degenerate(const ParameterMesh& mesh) {
   return out;
 }
 
+/// A corner's normal, known by where it was taken.
+struct CornerNormal {
+  Index patch = 0, normal = no_index;
+  Vector2 parameter = Vector2::Zero();
+  Index following = no_index;  ///< at the same vertex
+};
+
 /// Normals at corners, shared where they agree.
 void add_normals(const SurfaceSampler& sampler, const ParameterMesh& mesh, TriangleMesh& out) {
-  std::vector<Vector3> corner(3 * mesh.facets.size());
-  parallel_for(mesh.facets.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      const ParameterFacet& facet = mesh.facets[f];
-      std::array<Vector2, 3> at = facet.parameter;
-      if (facet.pole >= 0) {
-        Vector2& pole = at[std::size_t(facet.pole)];
-        pole = 0.5 * (pole + facet.pole_parameter);
-      }
-      sampler.normals(facet.patch, at, {corner.data() + 3 * f, 3});
+  const auto place = [&](std::size_t corner) {
+    const ParameterFacet& facet = mesh.facets[corner / 3];
+    const Vector2& own = facet.parameter[corner % 3];
+    return facet.pole == int(corner % 3) ? Vector2(0.5 * (own + facet.pole_parameter)) : own;
+  };
+  // Within a patch the facets round a vertex ask for the normal at one place.
+  std::vector<Index> first(mesh.positions.size(), no_index), taken(3 * mesh.facets.size());
+  std::vector<CornerNormal> places;
+  std::vector<std::size_t> corner_of;
+  places.reserve(mesh.positions.size());
+  corner_of.reserve(mesh.positions.size());
+  for (std::size_t c = 0; c < taken.size(); ++c) {
+    const Index patch = mesh.facets[c / 3].patch;
+    const Vector2 at = place(c);
+    Index* link = &first[mesh.facets[c / 3].vertex[c % 3]];
+    while (*link != no_index && !(places[*link].patch == patch && places[*link].parameter == at))
+      link = &places[*link].following;
+    if (*link == no_index) {
+      *link = static_cast<Index>(places.size());
+      places.push_back({patch, no_index, at, no_index});
+      corner_of.push_back(c);
     }
+    // `link` may be invalid from here on.
+    taken[c] = first[mesh.facets[c / 3].vertex[c % 3]];
+    while (!(places[taken[c]].patch == patch && places[taken[c]].parameter == at))
+      taken[c] = places[taken[c]].following;
+  }
+  std::vector<Vector3> normals(places.size());
+  parallel_for(places.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      normals[k] = sampler.normal(places[k].patch, places[k].parameter);
   });
-  std::vector<Index> first(mesh.positions.size(), no_index), following;
-  out.normal_triangles.resize(mesh.facets.size());
-  for (std::size_t f = 0; f < mesh.facets.size(); ++f)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Vector3& normal = corner[3 * f + c];
-      Index* link = &first[mesh.facets[f].vertex[c]];
-      while (*link != no_index && (out.normals[*link] - normal).norm() > same_normal)
-        link = &following[*link];
-      if (*link == no_index) {
-        *link = static_cast<Index>(out.normals.size());
-        out.normal_triangles[f][c] = *link;
-        out.normals.push_back(normal);
-        following.push_back(no_index);
-      } else {
-        out.normal_triangles[f][c] = *link;
-      }
+  // In the order of the corners, so that the first one's normal stands for those that agree with it.
+  std::vector<Index> of_vertex(mesh.positions.size(), no_index), following;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    Index at = of_vertex[mesh.facets[corner_of[k] / 3].vertex[corner_of[k] % 3]], last = no_index;
+    while (at != no_index && (out.normals[at] - normals[k]).norm() > same_normal)
+      last = at, at = following[at];
+    if (at == no_index) {
+      at = static_cast<Index>(out.normals.size());
+      out.normals.push_back(normals[k]);
+      following.push_back(no_index);
+      (last == no_index ? of_vertex[mesh.facets[corner_of[k] / 3].vertex[corner_of[k] % 3]]
+                        : following[last]) = at;
     }
+    places[k].normal = at;
+  }
+  out.normal_triangles.resize(mesh.facets.size());
+  for (std::size_t c = 0; c < taken.size(); ++c) out.normal_triangles[c / 3][c % 3] = places[taken[c]].normal;
 }
 
-}  // namespace
+/// What the refinement knows of facets that were numbered anew.
+struct Known {
+  const BisectionResult& refined;
+  std::vector<Index> original;
 
-CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh& mesh, double tolerance) {
+  /// Where the facet's net was given back it is made in `room`.
+  FacetNet of(const ParameterMesh& mesh, Index f, std::span<Vector3, TriangleNet::max_count> room) const {
+    const FacetNets* nets = refined.nets.get();
+    if (!nets) return {};
+    const FacetNet kept = nets->of(mesh.facets[f].patch, original[f]);
+    return kept.shape || !nets->possible(mesh.facets[f]) ? kept : nets->made(mesh.facets[f], room);
+  }
+};
+
+/// The largest distance, looked for with care where it matters; per facet values by a first pass.
+CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh& mesh, const Known& known,
+                                 double tolerance) {
   std::vector<float> bound(mesh.facets.size());
   std::vector<char> certified(mesh.facets.size());
   CriterionErrors out = measure_facets(mesh.facets.size(), [&](Index f) {
-    const DistanceError error = errors.distance(mesh, f, tolerance);
+    std::array<Vector3, TriangleNet::max_count> room;
+    const FacetNet net = known.of(mesh, f, room);
+    const DistanceError error = net.shape
+                                    ? DistanceError{errors.net_sampled(mesh, f, net),
+                                                    known.refined.distance_bounds[known.original[f]], true}
+                                    : errors.distance(mesh, f, tolerance);
     // Up, so that the bound stays one.
     bound[f] = std::nextafter(static_cast<float>(error.bound), std::numeric_limits<float>::infinity());
     certified[f] = error.certified;
@@ -119,20 +169,24 @@ CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh&
   });
   if (mesh.facets.empty()) return out;
   out.certified = std::all_of(certified.begin(), certified.end(), [](char c) { return c != 0; });
+  // The largest is among the facets with the largest bounds.
   std::vector<Index> order(mesh.facets.size());
   std::iota(order.begin(), order.end(), Index{0});
-  const std::size_t careful = std::min(order.size(), most_careful);
-  std::partial_sort(order.begin(), order.begin() + std::ptrdiff_t(careful), order.end(),
-                    [&](Index a, Index b) { return bound[a] > bound[b] || (bound[a] == bound[b] && a < b); });
-  // The largest is among the facets with the largest bounds.
-  double largest_bound = careful < order.size() ? double(bound[order[careful]]) : 0;
-  for (std::size_t k = 0; k < careful; ++k) {
-    const Index f = order[k];
-    if (double(bound[f]) <= out.largest) {
+  const auto later = [&](Index a, Index b) { return bound[a] < bound[b] || (bound[a] == bound[b] && a > b); };
+  std::make_heap(order.begin(), order.end(), later);
+  double largest_bound = 0;
+  for (std::size_t k = 0; !order.empty(); ++k) {
+    const Index f = order.front();
+    if (k == most_careful || double(bound[f]) <= out.largest) {
       largest_bound = std::max(largest_bound, double(bound[f]));
       break;
     }
-    const DistanceError error = errors.measured_distance(mesh, f);
+    std::pop_heap(order.begin(), order.end(), later);
+    order.pop_back();
+    std::array<Vector3, TriangleNet::max_count> room;
+    const FacetNet net = known.of(mesh, f, room);
+    const DistanceError error =
+        net.shape ? errors.net_measured(mesh, f, net) : errors.measured_distance(mesh, f);
     largest_bound = std::max(largest_bound, std::min(error.bound, std::max(double(bound[f]), error.sampled)));
     out.facets[f] = static_cast<float>(error.sampled);
     if (error.sampled <= out.largest) continue;
@@ -143,11 +197,56 @@ CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh&
   return out;
 }
 
+/// Folds across the edges of each facet, creases apart.
+CriterionErrors measure_folds(const SurfaceSampler& sampler, const ParameterMesh& mesh, double crease) {
+  std::vector<Vector3> normals(mesh.facets.size());
+  parallel_for(mesh.facets.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const auto p = mesh.corners(Index(f));
+      normals[f] = facet_normal(p[0], p[1], p[2]);
+    }
+  });
+  return measure_facets(mesh.facets.size(), [&](Index f) {
+    double worst = 0;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      if (mesh.twin[h] == no_index) continue;
+      const Vector3 &a = normals[f], &b = normals[facet_of(mesh.twin[h])];
+      if (a.isZero(0) || b.isZero(0)) continue;
+      const double fold = angle_between(a, b);
+      if (fold > worst && !is_crease(sampler, mesh, h, crease)) worst = fold;
+    }
+    return worst;
+  });
+}
+
+/// Longest edge and smallest angle.
+void measure_shapes(const ParameterMesh& mesh, MeshApproximation& out) {
+  double longest = 0, sharpest = 0;  // squared length; cotangent
+  bool any = false;
+  for (Index f = 0; f < mesh.facets.size(); ++f) {
+    const auto p = mesh.corners(f);
+    const Vector3 side[3] = {p[1] - p[0], p[2] - p[1], p[0] - p[2]};
+    const double area = side[0].cross(side[1]).norm();
+    for (std::size_t c = 0; c < 3; ++c) {
+      longest = std::max(longest, side[c].squaredNorm());
+      const double cotangent = -side[c].dot(side[(c + 2) % 3]) / std::max(area, 1e-300);
+      if (!any || cotangent > sharpest) sharpest = cotangent;
+      any = true;
+    }
+  }
+  out.longest_edge = std::sqrt(longest);
+  out.smallest_angle = any ? std::atan2(1.0, sharpest) : 0;
+}
+
+}  // namespace
+
 MeshApproximation mesh_report(const SurfaceSampler& sampler, const FacetErrors& errors,
                               const MeshOptions& options, const ParameterMesh& given,
-                              const CancelToken& cancel, const Progress& progress) {
+                              const BisectionResult& refined, const CancelToken& cancel,
+                              const Progress& progress) {
   MeshApproximation out;
-  const ParameterMesh mesh = without_degenerate(given);
+  Known known{refined, {}};
+  const ParameterMesh mesh = without_degenerate(given, known.original);
   const std::size_t count = mesh.facets.size();
   const MeshCriteria& criteria = options.criteria;
   out.mesh.origin = sampler.surface().origin();
@@ -159,8 +258,9 @@ MeshApproximation mesh_report(const SurfaceSampler& sampler, const FacetErrors& 
   progress.report(0.3);
   if (cancel.cancelled()) return {};
   if (criteria.distance || options.measure_all)
-    out.distance = measure_distance(
-        errors, mesh, criteria.distance ? *criteria.distance : std::numeric_limits<double>::infinity());
+    out.distance =
+        measure_distance(errors, mesh, known,
+                         criteria.distance ? *criteria.distance : std::numeric_limits<double>::infinity());
   progress.report(0.6);
   if (cancel.cancelled()) return {};
   if (criteria.normal_angle || options.measure_all)
@@ -169,14 +269,8 @@ MeshApproximation mesh_report(const SurfaceSampler& sampler, const FacetErrors& 
     out.luminance = measure_facets(count, [&](Index f) { return errors.luminance(mesh, f); });
   const double crease =
       criteria.fold_angle ? std::min(crease_angle, 0.5 * *criteria.fold_angle) : crease_angle;
-  out.fold_angle = measure_facets(count, [&](Index f) { return facet_fold(sampler, mesh, f, crease); });
-  out.smallest_angle = count > 0 ? 4 : 0;
-  for (std::size_t f = 0; f < count; ++f) {
-    const auto p = mesh.corners(Index(f));
-    for (std::size_t c = 0; c < 3; ++c)
-      out.longest_edge = std::max(out.longest_edge, (p[(c + 1) % 3] - p[c]).norm());
-    out.smallest_angle = std::min(out.smallest_angle, smallest_angle(p));
-  }
+  out.fold_angle = measure_folds(sampler, mesh, crease);
+  measure_shapes(mesh, out);
   progress.report(1);
   return out;
 }

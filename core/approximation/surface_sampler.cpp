@@ -13,9 +13,13 @@ Vector3 SurfaceSampler::position(Index patch, const Vector2& parameter) const {
 }
 
 Vector3 SurfaceSampler::normal(Index patch, const Vector2& parameter) const {
-  Vector3 out;
-  normals(patch, {&parameter, 1}, {&out, 1});
-  return out;
+  PatchPoint point;
+  if (fast_)
+    fast_->first_order(patch, {&parameter, 1}, {&point, 1});
+  else
+    point = surface_.patches().evaluate(patch, parameter, Order::first);
+  const Vector3 out = unit_normal(point);
+  return out.isZero(0) ? inner_normal(patch, parameter) : out;
 }
 
 void SurfaceSampler::positions(Index patch, std::span<const Vector2> parameters,

@@ -1,0 +1,113 @@
+#include "core/surface/triangle_net.hpp"
+
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <type_traits>
+
+#include "core/base/assert.hpp"
+#include "core/surface/bicubic_patch.hpp"
+#include "core/surface/tensor_bezier.hpp"
+
+namespace hariko {
+
+int polynomial_degree(const PatchSet& patches, Index patch) {
+  if (dynamic_cast<const BicubicPatchSet*>(&patches)) return 6;
+  const auto* tensor = dynamic_cast<const BezierPatchSet*>(&patches);
+  return tensor && !tensor->patch(patch).rational() ? tensor->hull_degree(patch) : 0;
+}
+
+TriangleNet::TriangleNet(int degree) : degree_(degree) {
+  HARIKO_ASSERT(degree >= 1 && degree <= max_degree, "degree out of range");
+  const GridPattern grid{Domain::triangle, degree};
+  count_ = std::size_t(grid.point_count());
+  for (int side = 0; side < 3; ++side)
+    for (int k = 0; k <= degree; ++k)
+      for (int i = 0; i + k <= degree; ++i) {
+        std::array<int, 3> power{};
+        power[std::size_t(side)] = degree - k - i;
+        power[std::size_t((side + 1) % 3)] = i;
+        power[std::size_t((side + 2) % 3)] = k;
+        rows_[std::size_t(side)].push_back(grid.index(power[1], power[2]));
+      }
+  weights_.resize(count_ * sample_count);
+  for (std::size_t s = 0; s < sample_count; ++s) {
+    std::array<double, 3> at{};
+    const std::size_t side = s / 3;
+    if (s < 9) {
+      at[(side + 1) % 3] = double(s % 3 + 1) / 4;
+      at[side] = 1 - at[(side + 1) % 3];
+    } else {
+      at = {0.25, 0.25, 0.25};
+      at[s - 9] = 0.5;
+    }
+    for (int l = 0; l <= degree; ++l)
+      for (int k = 0; k + l <= degree; ++k) {
+        const int m = degree - k - l;
+        double weight = std::pow(at[0], m) * std::pow(at[1], k) * std::pow(at[2], l);
+        for (int i = 1; i <= degree; ++i) weight *= i;
+        for (const int part : {k, l, m})
+          for (int i = 1; i <= part; ++i) weight /= i;
+        weights_[std::size_t(grid.index(k, l)) * sample_count + s] = weight;
+      }
+  }
+}
+
+namespace {
+
+/// One row of m + 1 control points.
+template <class Count>
+void split_row(Count m, const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
+  double row[TriangleNet::max_degree + 1][3];
+  for (int i = 0; i <= m; ++i)
+    for (int axis = 0; axis < 3; ++axis) row[i][axis] = net[at[i]][axis];
+  const auto store = [&](Vector3& to, int i) {
+    for (int axis = 0; axis < 3; ++axis) to[axis] = row[i][axis];
+  };
+  store(first[at[0]], 0);
+  store(second[at[m]], m);
+  for (int r = 1; r <= m; ++r) {
+    for (int i = 0; i <= m - r; ++i)
+      for (int axis = 0; axis < 3; ++axis) row[i][axis] += t * (row[i + 1][axis] - row[i][axis]);
+    store(first[at[r]], 0);
+    store(second[at[m - r]], m - r);
+  }
+}
+
+/// Lengths known when compiled, for the degree of bicubic patches.
+template <int m>
+void split_rows(const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
+  split_row(std::integral_constant<int, m>(), at, t, net, first, second);
+  if constexpr (m > 0) split_rows<m - 1>(at + m + 1, t, net, first, second);
+}
+
+}  // namespace
+
+void TriangleNet::split(int side, double t, const Vector3* net, Vector3* first, Vector3* second) const {
+  const int* at = rows_[std::size_t(side)].data();
+  if (degree_ == 6) return split_rows<6>(at, t, net, first, second);
+  for (int m = degree_; m >= 0; at += m + 1, --m) split_row(m, at, t, net, first, second);
+}
+
+void TriangleNet::samples(const Vector3* net, std::span<Vector3, sample_count> out) const {
+  double sums[3][sample_count] = {};
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double* weight = weights_.data() + i * sample_count;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double value = net[i][axis];
+      for (std::size_t s = 0; s < sample_count; ++s) sums[axis][s] += weight[s] * value;
+    }
+  }
+  for (std::size_t s = 0; s < sample_count; ++s) out[s] = Vector3(sums[0][s], sums[1][s], sums[2][s]);
+}
+
+const TriangleNet& triangle_net(int degree) {
+  static std::array<std::once_flag, TriangleNet::max_degree + 1> made;
+  static std::array<std::unique_ptr<const TriangleNet>, TriangleNet::max_degree + 1> nets;
+  HARIKO_ASSERT(degree >= 1 && degree <= TriangleNet::max_degree, "degree out of range");
+  const auto at = std::size_t(degree);
+  std::call_once(made[at], [&] { nets[at] = std::make_unique<const TriangleNet>(degree); });
+  return *nets[at];
+}
+
+}  // namespace hariko
