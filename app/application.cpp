@@ -19,6 +19,7 @@
 #include "app/failure_dialog.hpp"
 #include "app/files/open_file.hpp"
 #include "app/files/sheet_file.hpp"
+#include "app/gauss_engine.hpp"
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
 #include "app/mesh_previewer.hpp"
@@ -76,6 +77,7 @@ class Application {
         meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
         paper_(editor_, long_, &GlWindow::wake),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
+        gauss_(editor_, workbench_.gauss(), &GlWindow::wake),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
                   [this](const char* what, const auto& path) { log_.file(what, path); }}),
@@ -116,7 +118,8 @@ class Application {
       editor_.now = window_.now();
       follow_recording();
       if (recorder_) recorder_->batch(editor_.now, window_.input());
-      if (engine_.publish() + paper_.publish() + long_.publish() + session_.publish() + meshes_.publish() >
+      if (engine_.publish() + paper_.publish() + long_.publish() + session_.publish() + meshes_.publish() +
+              gauss_.publish() >
           0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
@@ -214,7 +217,7 @@ class Application {
   /// Nothing is left to do until something comes in.
   bool rests() const {
     return frames_ <= 0 && !due() && long_.idle() && paper_.idle() && session_.idle() && meshes_.idle() &&
-           workbench_.viewport().next_frame_in() < 0 && !session_waits_;
+           gauss_.idle() && workbench_.viewport().next_frame_in() < 0 && !session_waits_;
   }
 
   void take_input() {
@@ -249,6 +252,7 @@ class Application {
     if (std::exchange(recompute.wants_now, false)) engine_.recompute_outdated();
     engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, recompute.policy);
     meshes_.sync();
+    gauss_.sync();
     const auto layout_before = editor_.paper.layout;
     paper_.sync();
     if (editor_.paper.layout != layout_before) frames_ = std::max(frames_, 2);
@@ -534,6 +538,7 @@ class Application {
   MeshPreviewer meshes_;
   PaperEngine paper_;
   Workbench workbench_;
+  GaussEngine gauss_;
   DocumentSession session_;
   Pictures pictures_;
   int frames_ = frames_after_input;

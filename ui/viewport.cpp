@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/panels/axis_gizmo.hpp"
+#include "ui/panels/gauss_panel.hpp"
 #include "ui/panels/legend.hpp"
 #include "ui/panels/mesh_overlay.hpp"
 #include "ui/panels/view_frame.hpp"
@@ -222,6 +223,9 @@ void Viewport::show(PanelContext& context, const Place& place) {
   skin_overlay_.draw(editor_, Projector(camera, size_of(place)), overlay,
                      free ? std::optional(pixel_at(ImGui::GetIO().MousePos)) : std::nullopt,
                      active ? &context.marks : nullptr);
+  if (gauss_)
+    draw_gauss_overlay(editor_, *gauss_, Projector(camera, size_of(place)), list, place.rect.min,
+                       context.metrics);
   if (tool_ && active) tool_->draw({editor_, scene_}, overlay);
   if (active) {
     arrows_.draw(overlay, hot_arrow_);

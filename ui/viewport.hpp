@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/gauss_view.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/skin_overlay.hpp"
 #include "ui/scene_builder.hpp"
@@ -21,6 +22,9 @@ class Viewport {
   /// `quick_samples`: samples a pixel while something moves (1 on software renderers, 4 otherwise).
   Viewport(Editor& editor, Renderer& renderer, int quick_samples)
       : editor_(editor), pictures_(renderer, quick_samples) {}
+
+  /// What is pointed at on the Gauss sphere shows in the views, too. It must outlive the viewport.
+  void link(const GaussView& gauss) { gauss_ = &gauss; }
 
   /// Handles the pointer, redraws the pictures that changed, and shows them.
   void draw(PanelContext& context, const PanelRect& rect);
@@ -80,6 +84,7 @@ class Viewport {
   std::unique_ptr<Tool> tool_;
   Gizmo gizmo_;
   SkinOverlay skin_overlay_;
+  const GaussView* gauss_ = nullptr;
   std::optional<GizmoHandle> hot_handle_;  ///< under the pointer
   OutlineHandles arrows_;
   std::optional<Index> hot_arrow_;        ///< under the pointer

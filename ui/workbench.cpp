@@ -10,6 +10,7 @@
 #include "ui/commands/skin_commands.hpp"
 #include "ui/icons.hpp"
 #include "ui/key_file.hpp"
+#include "ui/panels/beside.hpp"
 #include "ui/panels/picture_options.hpp"
 
 namespace hariko {
@@ -21,8 +22,6 @@ namespace {
 bool text_field_active() {
   return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID;
 }
-
-constexpr float paper_border = 5;  // between the model and its pages, design pixels
 
 }  // namespace
 
@@ -37,6 +36,7 @@ Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, cons
 }
 
 void Workbench::add_commands() {
+  viewport_.link(gauss_);
   // Menus stand in the order of these lines.
   add_file_commands(host_);
   add_edit_commands(host_);
@@ -170,7 +170,13 @@ void Workbench::layout(PanelContext& context, float menu) {
   const auto hovered = editor_.hovered;
   const bool tool_ran = viewport_.tool_active();
   PanelRect model = view;
-  if (editor_.paper.shown) model.max.x = draw_paper_view(context, view).min.x - metrics_.px(paper_border);
+  if (editor_.paper.shown)
+    model = draw_beside(context, model, "paper.border", paper_split_,
+                        [&](const PanelRect& rect) { paper_panel_.draw(context, rect); });
+  if (gauss_.shown)
+    model = draw_beside(context, model, "gauss.border", gauss_split_, [&](const PanelRect& rect) {
+      gauss_panel_.draw(context, gauss_, rect, viewport_.pointed_at());
+    });
   viewport_.draw(context, model);
   editor_.paper.box = viewport_.scene().paper() ? viewport_.scene().paper()->box : Box3();
   context_menu_.watch(editor_, model, hovered, tool_ran);
@@ -179,31 +185,14 @@ void Workbench::layout(PanelContext& context, float menu) {
   const float history = history_height(context, bottom - menu);
   draw_properties(context, {{right, menu + objects_height}, {screen.x, bottom - history - line}});
   draw_history(context, {{right, bottom - history}, {screen.x, bottom}});
-  context.tool_hint =
-      paper_panel_.hint().empty() || viewport_.tool_active() ? viewport_.hint() : paper_panel_.hint();
+  context.tool_hint = viewport_.hint();
+  if (!viewport_.tool_active() && !paper_panel_.hint().empty()) context.tool_hint = paper_panel_.hint();
+  if (!viewport_.tool_active() && gauss_.shown && !gauss_panel_.hint().empty())
+    context.tool_hint = gauss_panel_.hint();
   draw_status_line(context, {{0, screen.y - status}, screen});
   draw_notices(context, view);
 
   drag_border({{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}});
-}
-
-PanelRect Workbench::draw_paper_view(PanelContext& context, const PanelRect& view) {
-  const float least = std::min(metrics_.px(260), view.width() / 2);
-  const float x = std::clamp(std::round(view.min.x + paper_split_ * view.width()), view.min.x + least,
-                             view.max.x - least);
-  const PanelRect paper{{x, view.min.y}, view.max};
-  paper_panel_.draw(context, paper);
-  const float border = metrics_.px(paper_border);
-  if (begin_panel("##paper_border", {{x - border, view.min.y}, {x, view.max.y}}, 0, {0, 0},
-                  ImGuiWindowFlags_NoBackground)) {
-    ImGui::InvisibleButton("drag", {border, view.height()});
-    context.marks.item("paper.border");
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemActive())
-      paper_split_ = std::clamp((ImGui::GetIO().MousePos.x - view.min.x) / view.width(), 0.15F, 0.85F);
-  }
-  ImGui::End();
-  return paper;
 }
 
 void Workbench::drag_border(const PanelRect& border) {
@@ -465,6 +454,8 @@ void Workbench::forget_interface() {
   panel_state_ = {};
   preferences_ = {};
   paper_panel_ = {};
+  gauss_panel_ = {};
+  gauss_ = {};
   palette_ = {};
   cheat_sheet_ = {};
   export_options_ = {};

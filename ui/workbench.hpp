@@ -11,6 +11,7 @@
 #include "ui/panels/context_menu.hpp"
 #include "ui/panels/export_options.hpp"
 #include "ui/panels/file_dialog.hpp"
+#include "ui/panels/gauss_panel.hpp"
 #include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/paper_panel.hpp"
@@ -69,6 +70,8 @@ class Workbench {
   const CommandLog& command_log() const { return command_log_; }
   const Viewport& viewport() const { return viewport_; }
   const Marks& marks() const { return marks_; }
+  /// The Gauss sphere: the application fills it while it is shown.
+  GaussView& gauss() { return gauss_; }
   std::vector<Sample>& samples() { return samples_; }
   Offers& offers() { return offers_; }
 
@@ -123,8 +126,6 @@ class Workbench {
   /// Takes up the keys of the settings.
   void apply_keys();
   void layout(PanelContext& context, float menu);
-  /// The part of the view that the paper takes, with the border between them.
-  PanelRect draw_paper_view(PanelContext& context, const PanelRect& view);
   void drag_border(const PanelRect& border);
   std::filesystem::path folder_proposal() const;
   std::filesystem::path name_proposal() const;
@@ -144,7 +145,9 @@ class Workbench {
   ContextMenu context_menu_;
   Preferences preferences_;
   PaperPanel paper_panel_;
-  float paper_split_ = 0.5F;  ///< where the paper view begins, of the width of the views
+  GaussPanel gauss_panel_;
+  GaussView gauss_;
+  float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
   FileDialog dialog_;

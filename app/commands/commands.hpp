@@ -10,6 +10,7 @@
 #include "app/files/model_facets.hpp"
 #include "core/approximation/mesh_options.hpp"
 #include "core/document/display.hpp"
+#include "core/gaussmap/outline_settings.hpp"
 #include "core/network/shaping.hpp"
 #include "core/unfolding/unfolding.hpp"
 #include "render/camera.hpp"
@@ -19,10 +20,21 @@ namespace hariko {
 
 inline constexpr int exit_fine = 0, exit_failed = 1, exit_usage = 2;
 
-/// How the surfaces of all polyhedra are made, instead of what the document says.
+/// What is chosen for all outlines, instead of what the document says (`OutlineSettings`).
+struct OutlineConstruction {
+  std::optional<GaussMode> method;
+  std::optional<CurvatureSign> sign;
+  std::optional<double> radius, gap;
+  std::optional<Index> most_points;
+  friend bool operator==(const OutlineConstruction&, const OutlineConstruction&) = default;
+};
+
+/// How surfaces are made, instead of what the document says.
 struct Construction {
-  std::optional<Mode> mode;
-  bool round = false;  ///< turns it on; never off
+  std::optional<Mode> mode;  ///< of polyhedra; of outlines, where it is `fair` or `g2`
+  bool round = false;        ///< of polyhedra: turns it on; never off
+  OutlineConstruction outlines = {};
+  friend bool operator==(const Construction&, const Construction&) = default;
 };
 
 struct InfoArguments {

@@ -4,6 +4,21 @@
 
 namespace hariko {
 
+namespace {
+
+void choose(OutlineSettings& settings, const Construction& construction) {
+  const OutlineConstruction& chosen = construction.outlines;
+  settings.mode = chosen.method.value_or(settings.mode);
+  settings.sign = chosen.sign.value_or(settings.sign);
+  settings.radius = chosen.radius.value_or(settings.radius);
+  settings.most_points = chosen.most_points.value_or(settings.most_points);
+  if (chosen.gap) settings.gap = chosen.gap;
+  if (construction.mode == Mode::fair || construction.mode == Mode::g2)
+    settings.curvature_continuous = construction.mode == Mode::g2;
+}
+
+}  // namespace
+
 std::optional<Document> read_document_or_report(const std::filesystem::path& file,
                                                 const Construction& construction) {
   OpenedFile opened = open_file(file);
@@ -13,13 +28,16 @@ std::optional<Document> read_document_or_report(const std::filesystem::path& fil
 }
 
 Document with_construction(Document document, const Construction& construction) {
-  if (!construction.mode && !construction.round) return document;
+  if (construction == Construction()) return document;
   for (auto& object : document.objects) {
-    if (!object->polyhedron()) continue;
+    if (!object->polyhedron() && !object->outline()) continue;
     auto changed = std::make_shared<Object>(*object);
-    auto& source = std::get<PolyhedronSource>(changed->source);
-    source.mode = construction.mode.value_or(source.mode);
-    source.round = source.round || construction.round;
+    if (auto* polyhedron = std::get_if<PolyhedronSource>(&changed->source)) {
+      polyhedron->mode = construction.mode.value_or(polyhedron->mode);
+      polyhedron->round = polyhedron->round || construction.round;
+    } else {
+      choose(std::get<OutlineSource>(changed->source).settings, construction);
+    }
     object = std::move(changed);
   }
   return document;

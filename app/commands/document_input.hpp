@@ -12,7 +12,7 @@ namespace hariko {
 std::optional<Document> read_document_or_report(const std::filesystem::path& file,
                                                 const Construction& construction = {});
 
-/// Every polyhedron gets the construction, locked ones too: nothing is saved.
+/// Every polyhedron and outline gets the construction, locked ones too: nothing is saved.
 Document with_construction(Document document, const Construction& construction);
 
 }  // namespace hariko

@@ -10,6 +10,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
+#include "app/commands/outline_command_line.hpp"
 #include "app/commands/unfold_command_line.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "render/color_map.hpp"
@@ -252,11 +253,13 @@ class CommandLine {
     command->add_option("--mode", mode_, "Construction of the surfaces, instead of the document's")
         ->check(CLI::IsMember({"paper", "target", "fair", "g2"}));
     command->add_flag("--round", round_, "Mode g2 measures bending over the surface of mode fair");
+    outlines_.add_to(*command);
   }
   Construction construction() const {
     Construction out;
     if (!mode_.empty()) out.mode = mode_of(mode_);
     out.round = round_;
+    out.outlines = outlines_.construction();
     return out;
   }
 
@@ -364,6 +367,7 @@ class CommandLine {
   ExportArguments export_arguments_;
   RenderArguments render_arguments_;
   UnfoldCommandLine unfold_;
+  OutlineCommandLine outlines_;
   std::string range_ = "symmetric", material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
   std::string split_ = "mid", errors_;

@@ -75,5 +75,35 @@ TEST_F(OutlineFiles, ExportAndRender) {
   EXPECT_EQ(drawn.exit_code, 0) << drawn.error;
 }
 
+TEST_F(OutlineFiles, OptionsTakeThePlaceOfTheSettings) {
+  const std::string file = golden("gaussmap/ellipsoid_cap.json");
+  const Json usual = run("evaluate " + file).json();
+  const Json other = run("evaluate --method umbilic --spacing 1.2 " + file).json();
+  EXPECT_EQ(usual["method"], "curvature");
+  EXPECT_EQ(other["method"], "umbilic");
+  EXPECT_EQ(other["radius"], 1.2);
+  EXPECT_LT(other["inserted"], usual["inserted"]);
+  EXPECT_GT(other["gap"], usual["gap"]);
+  const double wanted = (other["gap"].get<double>() + usual["gap"].get<double>()) / 2;
+  const Json closer = run("evaluate --spacing 1.2 --gap " + std::to_string(wanted) + " " + file).json();
+  EXPECT_LE(closer["gap"].get<double>(), wanted);
+  const Json few = run("info --json --count 5 " + file).object();
+  EXPECT_EQ(few["outline"]["inserted"], 5);
+  EXPECT_EQ(few["messages"][0]["code"], "W_POINT_LIMIT");
+  const Json saddle = run("evaluate --method position " + golden("gaussmap/saddle.json")).json();
+  EXPECT_EQ(saddle["method"], "position");
+  // Patches: a curvature-continuous surface, by its own measure.
+  const Json fair = run("info --json " + file).object(),
+             smooth = run("info --json --mode g2 " + file).object();
+  EXPECT_LT(smooth["rms_curvature_jump"].get<double>(), 0.1 * fair["rms_curvature_jump"].get<double>());
+}
+
+TEST_F(OutlineFiles, WrongOptionsAreRefused) {
+  const std::string file = golden("gaussmap/ellipsoid_cap.json");
+  for (const char* options :
+       {"--method fair", "--spacing 0", "--count -1", "--count 20001", "--gap 0", "--sign 1"})
+    EXPECT_EQ(run("evaluate " + std::string(options) + " " + file).exit_code, 2) << options;
+}
+
 }  // namespace
 }  // namespace hariko::test

@@ -40,16 +40,17 @@ def finals(window):
     return window.count("rebuild", quality="final")
 
 
-def draw(window, output):
+def draw(window, output, command, corners, made, picture):
+    """Draws a loop with the tool of a command; corners: share and count of a `ring`; made: label and number of the step."""
     before = finals(window)
-    choose(window, "Add", "command.add.outline")
-    for place in ring(window, 0.6, 8):
+    choose(window, *command)
+    for place in ring(window, *corners):
         window.click(*place)
-    window.screenshot(os.path.join(output, "outline_drawing.png"))
+    window.screenshot(os.path.join(output, picture + "_drawing.png"))
     window.key("Return")
-    step(window, "Add outline", 1)
-    surface(window, before, "the surface of the outline")
-    window.screenshot(os.path.join(output, "outline.png"))
+    step(window, *made)
+    surface(window, before, f"the surface after {made[0]}")
+    window.screenshot(os.path.join(output, picture + ".png"))
 
 
 def tilt(window, output):
@@ -95,19 +96,6 @@ def drag_point(window):
     step(window, "Turn 32 normals", 2)
 
 
-def hole(window, output):
-    window.key("Escape")
-    before = finals(window)
-    choose(window, "Outline", "command.outline.add_loop")
-    for place in ring(window, 0.16, 6):
-        window.click(*place)
-    window.screenshot(os.path.join(output, "outline_hole_drawing.png"))
-    window.key("Return")
-    step(window, "Add loop", 3)
-    surface(window, before, "the surface with a hole")
-    window.screenshot(os.path.join(output, "outline_hole.png"))
-
-
 def convert(window, output):
     before = finals(window)
     window.click_on("button.outline.convert")
@@ -144,10 +132,12 @@ def session(program, source, output):
     with tempfile.TemporaryDirectory() as folder:
         window = Window(program, size=(1280, 800))
         try:
-            draw(window, output)
+            draw(window, output, ("Add", "command.add.outline"), (0.6, 8), ("Add outline", 1), "outline")
             tilt(window, output)
             drag_point(window)
-            hole(window, output)
+            window.key("Escape")
+            draw(window, output, ("Outline", "command.outline.add_loop"), (0.16, 6), ("Add loop", 3),
+                 "outline_hole")
             convert(window, output)
             saved = export(window, folder)
         finally:

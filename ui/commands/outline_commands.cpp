@@ -9,6 +9,7 @@
 #include "ui/outlines.hpp"
 #include "ui/tools/loop_tool.hpp"
 #include "ui/viewport.hpp"
+#include "ui/workbench.hpp"
 
 namespace hariko {
 
@@ -156,6 +157,24 @@ void add_drawing(OutlineMenu& menu) {
       "", [&editor] { outline_from_border(editor); }, needs_surface(editor));
 }
 
+void add_sphere(CommandHost& host) {
+  GaussView& gauss = host.workbench.gauss();
+  Editor& editor = host.editor;
+  host.table.add({"outline.sphere", "Outline", "Gauss sphere",
+                  "Show the normals of the outline on a sphere beside the model, with the sites inside.", "",
+                  "", false, true,
+                  [&gauss, &editor] {
+                    gauss.shown = !gauss.shown;
+                    // Half the view is left, which would cut the model off.
+                    if (gauss.shown) editor.wants_framing = true;
+                  },
+                  [&gauss, outline = needs_outline(editor)]() -> Reason {
+                    if (gauss.shown) return {};
+                    return outline();
+                  },
+                  [&gauss] { return gauss.shown; }});
+}
+
 void add_points(OutlineMenu& menu) {
   Editor& editor = menu.host.editor;
   menu.next_group();
@@ -237,6 +256,7 @@ void add_outline_commands(CommandHost& host) {
   add_drawing(menu);
   add_points(menu);
   add_normals(menu);
+  add_sphere(host);
   menu.next_group();
   menu.add(
       "outline.convert", "Convert to polyhedron",

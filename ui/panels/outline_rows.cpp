@@ -225,6 +225,7 @@ void outline_rows(PanelContext& context, const Object& object) {
            {std::to_string(given), std::to_string(inserted_points(context.editor, object))})
           .c_str());
   context.marks.item("outline.points");
+  button(context, "Gauss sphere", "outline.sphere");
   button(context, "Resample by normals", "outline.resample");
   button(context, "Add loop", "outline.add_loop");
   button(context, "Convert to polyhedron", "outline.convert");
