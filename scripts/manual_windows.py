@@ -128,6 +128,17 @@ def folding(window):
     window.wait_idle()
 
 
+def gauss(window):
+    window.click_on("menu.Outline")
+    window.click_on("command.outline.sphere")
+    x, y, width, height = window.resting_rect("gauss.step")
+    window.click(x + width * 0.14, y + height // 2)
+    window.wait_idle()
+    x, y, width, height = window.rect("view.0")
+    window.move(x + width * 0.52, y + height * 0.5)
+    window.wait_idle()
+
+
 # Picture -> (sample or none, what is done, settings of the interface)
 WINDOWS = {
     "manual_start": (None, nothing, {}),
@@ -147,6 +158,7 @@ WINDOWS = {
     "manual_paper": ("fig2", paper, {}),
     "manual_folding": ("fig2", folding, {}),
     "manual_joins": ("wheel_arch", attached, {}),
+    "manual_gauss": ("ellipsoid_cap", gauss, {}),
 }
 
 
