@@ -16,8 +16,9 @@ constexpr int strict_rounds = 10;
 constexpr int check_density = 8, check_points = 200;
 constexpr double chord_slack = 2e-5;  ///< of the diagonal
 
-/// Tension by length: short edges are tense, so that uneven cages do not fold.
-Shaping tensions(const Polyhedron& cage) {
+}  // namespace
+
+Shaping length_tensions(const Polyhedron& cage) {
   const HalfEdgeMesh& mesh = cage.topology();
   std::vector<double> length;
   double mean = 0;
@@ -36,11 +37,13 @@ Shaping tensions(const Polyhedron& cage) {
   return out;
 }
 
+namespace {
+
 class Pusher {
  public:
   Pusher(const CageSurfaceRequest& request, Polyhedron cage)
       : request_(request),
-        input_{cage, tensions(cage), Mode::fair, request.origin},
+        input_{cage, length_tensions(cage), Mode::fair, request.origin},
         pattern_{Domain::triangle, sample_density},
         parameters_(pattern_.parameters()) {
     const HalfEdgeMesh& mesh = cage.topology();
@@ -50,7 +53,7 @@ class Pusher {
   }
 
   Result<CageSurface> run(const CancelToken& cancel) {
-    CageSurface out{{}, input_.polyhedron, 0, {}, 0, 0};
+    CageSurface out{{}, input_.polyhedron, input_.shaping, 0, {}, 0, 0};
     int strict = 0;
     const double tolerance = request_.tolerance * request_.diagonal;
     for (;;) {

@@ -27,11 +27,15 @@ struct CageSurfaceRequest {
 struct CageSurface {
   PolyhedronSurface made;
   Polyhedron cage;
+  Shaping shaping;                       ///< tensions of the cage's edges
   double worst = 0;                      ///< of the loop's own test, length
   std::optional<EnclosureReport> check;  ///< the independent one
   std::size_t folds = 0;                 ///< patches that look away from their face somewhere
   int rounds = 0;
 };
+
+/// Tensions of edges by their lengths: short edges are tense, so that uneven cages do not fold.
+Shaping length_tensions(const Polyhedron& cage);
 
 /// Errors: those of `Polyhedron::build` and `PolyhedronSurfacer::rebuild`.
 Result<CageSurface> cage_surface(const CageSurfaceRequest& request, const CancelToken& cancel = {});

@@ -15,6 +15,9 @@ constexpr double least_cosine = 0.25;  ///< tangents that turn away more do not 
 /// largest turn that tangents get longer for is 0.5 itself.
 constexpr double weight_low = 0.501, weight_high = 5;
 
+constexpr double shortest_handle = 0.15;  ///< of the edge, in valleys
+constexpr int handle_bisections = 12;
+
 /// One end of a primitive edge in the solid's unit frame.
 struct PrimitiveEnd {
   Vector3 unit, n, t;
@@ -157,9 +160,28 @@ class NetworkBuilder {
     const double ca = std::max(ta.dot(e) / length, least_cosine),
                  cb = std::max(tb.dot(e) / length, least_cosine);
     const double w = std::max((1 + ca + cb) / 3, weight_low);
-    curve.ribbon.curve = {
-        homogeneous(a.position), homogeneous(a.position + f * length / (1 + 2 * ca) * ta, w),
-        homogeneous(b.position - f * length / (1 + 2 * cb) * tb, w), homogeneous(b.position)};
+    const double from = handle(a, ta, f * length / (1 + 2 * ca), length),
+                 to = handle(b, -tb, f * length / (1 + 2 * cb), length);
+    curve.ribbon.curve = {homogeneous(a.position), homogeneous(a.position + from * ta, w),
+                          homogeneous(b.position - to * tb, w), homogeneous(b.position)};
+  }
+
+  /// In a valley the tangent at half the angle of the walls would dive into them: it is shortened until its
+  /// end is outside of the solids.
+  double handle(const CageVertex& vertex, const Vector3& direction, double wanted, double edge) const {
+    if (vertex.solid != no_index) return wanted;
+    const auto free = [&](double size) {
+      const Vector3 end = vertex.position + size * direction;
+      return std::all_of(settings_.solids.begin(), settings_.solids.end(),
+                         [&](const PlacedSolid& solid) { return solid.depth(end) <= 0; });
+    };
+    double low = std::min(wanted, shortest_handle * edge), high = wanted;
+    if (free(high)) return high;
+    for (int round = 0; round < handle_bisections; ++round) {
+      const double size = 0.5 * (low + high);
+      (free(size) ? low : high) = size;
+    }
+    return low;
   }
 
   void make_patches() {
@@ -171,14 +193,15 @@ class NetworkBuilder {
       for (std::size_t i = 0; i < face.loop.size(); ++i)
         loop.push_back(out_.ribbon(face.loop[i], face.loop[(i + 1) % face.loop.size()]));
       if (loop.size() == 4) {
-        out_.patches.push_back(EnvelopePatch::from_loop({loop[0], loop[1], loop[2], loop[3]}));
+        out_.patches.push_back(
+            EnvelopePatch::from_loop({loop[0], loop[1], loop[2], loop[3]}, settings_.slide));
         out_.patch_places.push_back({f, 0});
         continue;
       }
       out_.splits[f] = split_face(loop, face.solid == no_index ? nullptr : &settings_.solids[face.solid]);
       const auto sides = split_loops(loop, *out_.splits[f]);
       for (Index k = 0; k < sides.size(); ++k) {
-        out_.patches.push_back(EnvelopePatch::from_loop(sides[k]));
+        out_.patches.push_back(EnvelopePatch::from_loop(sides[k], settings_.slide));
         out_.patch_places.push_back({f, k});
       }
     }

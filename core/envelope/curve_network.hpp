@@ -46,6 +46,7 @@ struct CurveSettings {
   double waist = 0.5;
   /// Factors on the waist of bridges: the designer's and those of the search for enclosure.
   const std::map<std::pair<Index, Index>, double>* cuts = nullptr;
+  double slide = 1;  ///< see `cross_coefficients`
   /// Factors on the tangents of single curves; may be null.
   const FlatMap<NetworkEdgeKey, double>* fullness = nullptr;
 };

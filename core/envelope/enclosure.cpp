@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/envelope/valley_push.hpp"
 #include "core/envelope/violations.hpp"
 
 namespace hariko {
@@ -11,7 +12,14 @@ namespace hariko {
 namespace {
 
 constexpr int coarse_cells = 14, fine_cells = 28;
-constexpr double largest_growth = 1.6;
+constexpr double largest_growth = 1.6, growth_step = 0.05;
+constexpr double valley_growth = 1.25, valley_growth_step = 0.03;  ///< where valley vertices do most of it
+constexpr int hopeless_builds = 10;
+constexpr double hopeless_worst = 60;  ///< tolerances
+constexpr int first_star_build = 3, first_growing_build = 6;
+constexpr double star_worst = 20;       ///< tolerances
+constexpr double star_share = 0.7;      ///< of the farthest point outside
+constexpr double star_reach = 0.12;     ///< of the diagonal
 constexpr double tautest_waist = 0.25;  ///< of what the search makes of bridges
 constexpr double cut_step = 0.6;
 constexpr int first_pinning_build = 4;
@@ -27,6 +35,7 @@ class Search {
         fine_(fine_cells) {
     if (state_.sigma.size() != solids.size()) state_.sigma.assign(solids.size(), 1);
     diagonal_ = scene_diagonal(solids);
+    if (settings.valleys) grown_ = *settings.valleys->solids;
     for (const PlacedSolid& solid : solids) {
       double sum = 0;
       for (const Vector3& u : solid.unit_vertices) sum += (solid.to_world * u).norm();
@@ -42,9 +51,10 @@ class Search {
       const GrowthState used = state_;
       CurveNetwork network = make();
       if (network.patches.empty()) break;
-      Violations found = find_violations(network, solids_, tolerance, coarse_);
+      const ListedViolations which = grown_ ? ListedViolations::all : ListedViolations::worst;
+      Violations found = find_violations(network, solids_, tolerance, coarse_, which);
       if (settings_.fine && found.worst <= tolerance)
-        found = find_violations(network, solids_, tolerance, fine_);
+        found = find_violations(network, solids_, tolerance, fine_, which);
       std::optional<EnclosureReport> check;
       if (settings_.strict && found.worst <= tolerance) {
         check = check_network(network, solids_, diagonal_, cancel);
@@ -61,12 +71,14 @@ class Search {
       }
       best.builds = build;
       if (best.enclosed) break;
+      if (settings_.valleys && build >= hopeless_builds && best.worst > hopeless_worst * tolerance) break;
     }
     best.diagonal = diagonal_;
     if (settings_.strict && !best.check && !best.network.patches.empty())
       best.check = check_network(best.network, solids_, diagonal_, cancel);
     best.state.kept.clear();
-    for (const CageVertex& v : best.network.cage.vertices) best.state.kept.emplace(v.solid, v.vertex);
+    for (const CageVertex& v : best.network.cage.vertices)
+      if (v.solid != no_index && v.vertex != no_index) best.state.kept.emplace(v.solid, v.vertex);
     return best;
   }
 
@@ -96,6 +108,7 @@ class Search {
     input.kept = &state_.kept;
     input.offsets = settings_.offsets;
     NetworkCage cage = hull_cage(input);
+    if (grown_ && !cage.faces.empty()) cage = sunk(std::move(cage));
     cuts_ = state_.cuts;
     if (settings_.waists)
       for (const auto& [pair, factor] : *settings_.waists)
@@ -105,12 +118,27 @@ class Search {
     curves.waist = settings_.waist;
     curves.cuts = &cuts_;
     curves.fullness = settings_.fullness;
+    if (settings_.valleys) curves.slide = settings_.valleys->settings.slide;
     return curve_network(std::move(cage), curves);
+  }
+
+  NetworkCage sunk(NetworkCage hull) {
+    grown_->grow(solids_, state_.sigma);
+    ValleyCageInput input;
+    input.solids = solids_;
+    input.growth = state_.sigma;
+    input.grown = &*grown_;
+    input.diagonal = diagonal_;
+    input.settings = settings_.valleys->settings;
+    input.pushes = &state_.pushes;
+    input.stars = &state_.stars;
+    return valley_cage(std::move(hull), input);
   }
 
   std::vector<Index> owners(const CurveNetwork& network, Index face) const {
     std::vector<Index> out;
-    for (const Index v : network.cage.faces[face].loop) out.push_back(network.cage.vertices[v].solid);
+    for (const Index v : network.cage.faces[face].loop)
+      if (network.cage.vertices[v].solid != no_index) out.push_back(network.cage.vertices[v].solid);
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
@@ -154,8 +182,45 @@ class Search {
     return !used && state_.pinned.insert(key).second;
   }
 
-  void repair(const CurveNetwork& network, const Violations& found, int build) {
-    if (build >= first_pinning_build && pin(network, found)) return;
+  /// Corners of solids that stay far outside are put into the faces that cut them off.
+  bool add_stars(const CurveNetwork& network, const Violations& found) {
+    double worst = star_worst * settings_.tolerance * diagonal_ / star_share;
+    for (const auto& violation : found.outside) worst = std::max(worst, violation.height);
+    bool added = false;
+    for (const auto& violation : found.outside) {
+      if (violation.height < star_share * worst) continue;
+      const PlacedSolid& solid = solids_[violation.solid];
+      double least = star_reach * diagonal_;
+      Index nearest = no_index;
+      for (Index v = 0; v < solid.unit_vertices.size(); ++v)
+        if (const double d = (solid.world(solid.unit_vertices[v]) - violation.point).norm(); d < least)
+          least = d, nearest = v;
+      if (nearest == no_index) continue;
+      const Vector3 place = solid.world(solid.unit_vertices[nearest]);
+      const bool hidden = std::any_of(solids_.begin(), solids_.end(), [&](const PlacedSolid& other) {
+        return &other != &solid && other.depth(place) > 0;
+      });
+      const auto& vertices = network.cage.vertices;
+      const bool used = std::any_of(vertices.begin(), vertices.end(), [&](const CageVertex& v) {
+        return v.solid == violation.solid && v.vertex == nearest;
+      });
+      if (!hidden && !used) added = state_.stars.emplace(violation.solid, nearest).second || added;
+    }
+    return added;
+  }
+
+  void repair(const CurveNetwork& network, const Violations& all, int build) {
+    Violations found = all;
+    if (grown_) {
+      if (build >= first_star_build && add_stars(network, all)) return;
+      const Violations rest = push_valleys(network, all, *grown_, solids_, diagonal_, state_.pushes);
+      // What the valleys have not reached by then, the solids have to.
+      if (build < first_growing_build) found = rest;
+    } else if (build >= first_pinning_build && pin(network, found)) {
+      return;
+    }
+    const double largest = grown_ ? valley_growth : largest_growth,
+                 step = grown_ ? valley_growth_step : growth_step;
     std::vector<double> wanted(solids_.size(), 0);
     std::set<std::pair<Index, Index>> changed;
     const auto grow = [&](Index solid, double depth) { wanted[solid] = std::max(wanted[solid], depth); };
@@ -170,13 +235,14 @@ class Search {
       for (const Index o : owners(network, violation.face)) grow(o, violation.height);
     for (std::size_t s = 0; s < wanted.size(); ++s)
       if (wanted[s] > 0)
-        state_.sigma[s] = std::min(
-            largest_growth, state_.sigma[s] * (1 + std::min(0.05, 1.1 * wanted[s] / radius_[s]) + 1e-5));
+        state_.sigma[s] =
+            std::min(largest, state_.sigma[s] * (1 + std::min(step, 1.1 * wanted[s] / radius_[s]) + 1e-5));
   }
 
   std::span<const PlacedSolid> solids_;
   EnclosureSettings settings_;
   GrowthState state_;
+  std::optional<GrownSolids> grown_;  ///< for valleys
   std::map<std::pair<Index, Index>, double> cuts_;
   EnvelopeGrid coarse_, fine_;
   double diagonal_ = 0;

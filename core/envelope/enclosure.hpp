@@ -4,13 +4,13 @@
 // it.
 
 #include <map>
+#include <optional>
 #include <set>
 
-#include <optional>
 #include "core/base/cancellation.hpp"
-
 #include "core/envelope/curve_network.hpp"
 #include "core/envelope/enclosure_check.hpp"
+#include "core/envelope/valley_cage.hpp"
 
 namespace hariko {
 
@@ -18,9 +18,17 @@ namespace hariko {
 struct GrowthState {
   std::vector<double> sigma;  ///< >= 1, one a placed solid
   std::map<std::pair<Index, Index>, double>
-      cuts;                      ///< factors on the waists of bridges, placed solids low, high
-  std::set<SolidVertex> pinned;  ///< vertices that are never thinned
-  std::set<SolidVertex> kept;    ///< those of the last network
+      cuts;                         ///< factors on the waists of bridges, placed solids low, high
+  std::set<SolidVertex> pinned;     ///< vertices that are never thinned
+  std::set<SolidVertex> kept;       ///< those of the last network
+  std::map<Index, Vector3> pushes;  ///< of valley vertices by their names
+  std::set<SolidVertex> stars;      ///< corners that were put into faces with valleys
+};
+
+/// Asks for a network that is sunk into the notches.
+struct ValleyRequest {
+  ValleySettings settings;
+  const GrownSolids* solids = nullptr;  ///< not grown
 };
 
 struct EnclosureSettings {
@@ -33,6 +41,7 @@ struct EnclosureSettings {
       nullptr;  ///< the designer's factors, placed solids
   const FlatMap<NetworkEdgeKey, double>* fullness = nullptr;
   const FlatMap<NetworkVertexKey, Vector3>* offsets = nullptr;
+  std::optional<ValleyRequest> valleys;  ///< none: the filled hull
 };
 
 struct EnclosedNetwork {

@@ -4,6 +4,7 @@
 
 #include "core/envelope/convex_hull.hpp"
 #include "core/envelope/field_envelope.hpp"
+#include "core/envelope/valley_tips.hpp"
 
 namespace hariko {
 
@@ -12,7 +13,8 @@ namespace {
 constexpr double tolerance = 1e-4;  ///< of the diagonal
 constexpr int drag_builds = 2;
 constexpr int hull_level = 9;
-constexpr double decay = 0.98;  ///< of what growth is above 1, a frame
+constexpr int automatic_levels = 2;  ///< of the valleys' ladder; below that a field's cage is closer
+constexpr double decay = 0.98;       ///< of what growth is above 1, a frame
 
 EnclosureSettings search_settings(const EnvelopeInput& input,
                                   const std::map<std::pair<Index, Index>, double>& waists, Quality quality) {
@@ -112,6 +114,7 @@ std::vector<PlacedSolid> placed_about(const EnvelopeInput& input, Vector3& origi
 void take_cage(CageSurface cage, EnvelopeSurface& out) {
   out.surface = std::move(cage.made.surface);
   out.cage = std::make_shared<const Polyhedron>(std::move(cage.cage));
+  out.shaping = std::move(cage.shaping);
   out.worst = cage.worst;
   out.folds = cage.folds;
   out.builds = cage.rounds + 1;
@@ -144,72 +147,138 @@ Result<Done> make_fair(const EnvelopeInput& input, std::span<const PlacedSolid> 
 
 }  // namespace
 
-Result<bool> EnvelopeSurfacer::take_field(const EnvelopeInput& input, std::span<const PlacedSolid> solids,
-                                          Quality quality, const CancelToken& cancel, EnvelopeSurface& out) {
-  if (!wants_field(input, solids, out.origin)) return false;
-  auto made = field_envelope(input, solids, out.origin, quality, cancel);
-  if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
+struct EnvelopeSurfacer::Job {
+  const EnvelopeInput& input;
+  Quality quality;
+  const CancelToken& cancel;
+  EnvelopeSurface out = {};
+  std::vector<PlacedSolid> solids = {};
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> names = {};
+  std::map<std::pair<Index, Index>, double> waists = {};
+
+  EnclosureSettings search() const { return search_settings(input, waists, quality); }
+  Message cancelled() const { return make_error(e_cancelled, "The surface was cancelled."); }
+};
+
+Result<bool> EnvelopeSurfacer::make_field(Job& job) {
+  auto made = field_envelope(job.input, job.solids, job.out.origin, job.quality, job.cancel);
+  if (job.cancel.cancelled()) return job.cancelled();
   // A folded surface is no answer, unless the designer insists on the field.
-  const bool insists = input.settings.method == EnvelopeMethod::field;
-  if (!made || (made->surface.folds > 0 && !insists)) {
-    if (!made && insists) return made.error();
-    out.level = hull_level;
-    out.warnings.push_back(make_warning(
-        w_tightness_reduced, "The surface cannot follow the notches between these solids; it is their hull.",
-        "Move the solids apart or into each other, or choose smaller cells."));
-    return false;
-  }
-  out.level = made->level;
-  out.components = made->components;
-  out.tunnels = made->tunnels;
-  take_cage(std::move(made->surface), out);
+  const bool insists = job.input.settings.method == EnvelopeMethod::field;
+  if (!made && insists) return made.error();
+  if (!made || (made->surface.folds > 0 && !insists)) return false;
+  job.out.network = nullptr;
+  job.out.level = made->level;
+  job.out.components = made->components;
+  job.out.tunnels = made->tunnels;
+  take_cage(std::move(made->surface), job.out);
   return true;
+}
+
+GrowthState EnvelopeSurfacer::last_state(const Job& job) const {
+  if (job.quality != Quality::drag || job.names != last_solids_) return {};
+  GrowthState out = last_;
+  relax(out);
+  return out;
+}
+
+Result<bool> EnvelopeSurfacer::make_valleys(Job& job) {
+  if (job.quality == Quality::drag) {
+    const bool warm = job.names == last_solids_ && last_route_ == EnvelopeRoute::valleys;
+    const ValleyAttempt attempt = warm ? last_attempt_ : ValleyAttempt{};
+    ValleyEnvelope made = make_attempt(job.input, job.solids, job.out.origin, job.search(), attempt,
+                                       warm ? last_state(job) : GrowthState{}, job.cancel);
+    if (job.cancel.cancelled()) return job.cancelled();
+    if (made.found.network.patches.empty()) return false;
+    job.out.level = attempt.level;
+    const auto taken = take_network(job, std::move(made.found));
+    return taken ? Result<bool>(true) : Result<bool>(taken.error());
+  }
+  const bool insists = job.input.settings.method == EnvelopeMethod::network;
+  if (!insists && !suits_valleys(job.input, job.solids, job.out.origin, job.search())) return false;
+  auto made = valley_envelope(job.input, job.solids, job.out.origin, job.search(),
+                              insists ? valley_levels : automatic_levels, job.cancel);
+  if (job.cancel.cancelled()) return job.cancelled();
+  if (!made) return false;
+  job.out.level = made->attempt.level;
+  last_attempt_ = made->attempt;
+  if (const auto taken = take_network(job, std::move(made->found)); !taken) return taken.error();
+  return job.out.folds == 0 || insists;
 }
 
 Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Quality quality,
                                                   const CancelToken& cancel) {
   if (const auto checked = check_envelope(input); !checked) return checked.error();
-  EnvelopeSurface out;
-  const std::vector<PlacedSolid> solids = placed_about(input, out.origin);
-  out.diagonal = scene_diagonal(solids);
-  const auto field = take_field(input, solids, quality, cancel, out);
-  if (!field) return field.error();
-  if (!*field)
-    if (const auto made = make_network(input, solids, quality, cancel, out); !made) return made.error();
-  if (quality == Quality::final) add_hull_warnings(input, out.warnings);
-  add_warnings(out);
-  return out;
+  Job job{input, quality, cancel};
+  job.solids = placed_about(input, job.out.origin);
+  job.out.diagonal = scene_diagonal(job.solids);
+  for (const PlacedSolid& solid : job.solids) job.names.emplace_back(solid.id, solid.part);
+  job.waists = waists_of(input, job.solids);
+  // While dragging the kind of surface stays.
+  const bool stays = quality == Quality::drag && job.names == last_solids_ && input.settings.tightness > 0 &&
+                     input.settings.method == EnvelopeMethod::automatic &&
+                     (last_route_ != EnvelopeRoute::hull || last_level_ == hull_level);
+  const EnvelopeRoute first = stays ? last_route_ : envelope_route(input, job.solids, job.out.origin);
+  bool made = false;
+  if (first == EnvelopeRoute::valleys) {
+    const auto taken = make_valleys(job);
+    if (!taken) return taken.error();
+    made = *taken;
+    if (made) job.out.route = EnvelopeRoute::valleys;
+  }
+  const bool field = first == EnvelopeRoute::field || (!made && first == EnvelopeRoute::valleys &&
+                                                       input.settings.method != EnvelopeMethod::network);
+  if (field) {
+    const auto taken = make_field(job);
+    if (!taken) return taken.error();
+    made = *taken;
+    if (made) job.out.route = EnvelopeRoute::field;
+  }
+  if (!made) {
+    if (const auto taken = make_hull(job); !taken) return taken.error();
+    if (first != EnvelopeRoute::hull) {
+      job.out.level = hull_level;
+      job.out.warnings.push_back(
+          make_warning(w_tightness_reduced,
+                       "The surface cannot follow the notches between these solids; it is their hull.",
+                       "Move the solids apart or into each other, or choose smaller cells."));
+    }
+  }
+  if (quality == Quality::final) {
+    last_route_ = job.out.route;
+    last_level_ = job.out.level;
+    add_hull_warnings(input, job.out.warnings);
+  }
+  last_solids_ = std::move(job.names);
+  add_warnings(job.out);
+  return std::move(job.out);
 }
 
-Result<Done> EnvelopeSurfacer::make_network(const EnvelopeInput& input, std::span<const PlacedSolid> solids,
-                                            Quality quality, const CancelToken& cancel,
-                                            EnvelopeSurface& out) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> names;
-  for (const PlacedSolid& solid : solids) names.emplace_back(solid.id, solid.part);
-  GrowthState start;
-  if (quality == Quality::drag && names == last_solids_) {
-    start = last_;
-    relax(start);
-  }
-  const auto waists = waists_of(input, solids);
-  const EnclosureSettings settings = search_settings(input, waists, quality);
-  EnclosedNetwork found = search_enclosure(solids, settings, std::move(start), cancel);
-  if (quality == Quality::final) unfold(solids, settings, found, cancel);
-  if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
+Result<Done> EnvelopeSurfacer::make_hull(Job& job) {
+  const EnclosureSettings settings = job.search();
+  EnclosedNetwork found = search_enclosure(job.solids, settings, last_state(job), job.cancel);
+  if (job.quality == Quality::final) unfold(job.solids, settings, found, job.cancel);
+  if (job.cancel.cancelled()) return job.cancelled();
   if (found.network.patches.empty())
     return make_error(e_envelope_flat, "The solids are too flat for a surface round them.",
                       "Make one of them thicker.");
+  return take_network(job, std::move(found));
+}
+
+Result<Done> EnvelopeSurfacer::take_network(Job& job, EnclosedNetwork found) {
+  EnvelopeSurface& out = job.out;
   last_ = found.state;
-  last_solids_ = std::move(names);
   out.enclosed = found.enclosed;
   out.worst = found.worst;
   out.builds = found.builds;
-  if (quality == Quality::final) {
+  out.folds = 0;
+  if (job.quality == Quality::final) {
     out.folds = folded_patches(found.network);
     out.check = std::move(found.check);
   }
   out.network = std::make_shared<const CurveNetwork>(std::move(found.network));
-  if (input.settings.patches == EnvelopePatches::fair) return make_fair(input, solids, quality, cancel, out);
+  if (job.input.settings.patches == EnvelopePatches::fair)
+    return make_fair(job.input, job.solids, job.quality, job.cancel, out);
   out.surface = network_surface(*out.network, out.origin);
   return Done{};
 }

@@ -8,6 +8,8 @@
 #include "core/base/result.hpp"
 #include "core/envelope/enclosure.hpp"
 #include "core/envelope/enclosure_check.hpp"
+#include "core/envelope/envelope_route.hpp"
+#include "core/envelope/valley_envelope.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/surface/surface.hpp"
 
@@ -23,13 +25,15 @@ struct EnvelopeSurface {
   Surface surface;
   std::shared_ptr<const CurveNetwork> network;  ///< null on a field's cage
   std::shared_ptr<const Polyhedron> cage;       ///< that the surface is fair over; null for rational patches
+  Shaping shaping;                              ///< tensions of the cage's edges
   int components = 1, tunnels = 0;              ///< separate parts, holes
   Vector3 origin = Vector3::Zero();             ///< what everything is relative to
   double diagonal = 0;                          ///< of the solids
   bool enclosed = false;                        ///< by the search's own test, to 1e-4 of the diagonal
   double worst = 0;                             ///< of that test, length
   std::optional<EnclosureReport> check;         ///< quality `final` only: the independent one
-  int level = 0;  ///< 0: the tightness asked for; higher: the field's cage with other settings; 9: the hull
+  EnvelopeRoute route = EnvelopeRoute::hull;    ///< what it was made on
+  int level = 0;          ///< of the route's ladder, 0: the tightness asked for; 9: the hull instead
   std::size_t folds = 0;  ///< patches with a fold
   int builds = 0;
   std::vector<Message> warnings;
@@ -45,14 +49,20 @@ class EnvelopeSurfacer {
                                   const CancelToken& cancel = {});
 
  private:
-  /// True where the surface is made on a field's cage.
-  static Result<bool> take_field(const EnvelopeInput& input, std::span<const PlacedSolid> solids,
-                                 Quality quality, const CancelToken& cancel, EnvelopeSurface& out);
-
-  Result<Done> make_network(const EnvelopeInput& input, std::span<const PlacedSolid> solids, Quality quality,
-                            const CancelToken& cancel, EnvelopeSurface& out);
+  struct Job;
+  /// False where the valleys cannot be followed.
+  Result<bool> make_valleys(Job& job);
+  /// False where every cage folds.
+  static Result<bool> make_field(Job& job);
+  Result<Done> make_hull(Job& job);
+  Result<Done> take_network(Job& job, EnclosedNetwork found);
+  /// Of the last result, where it was made of the same solids.
+  GrowthState last_state(const Job& job) const;
 
   GrowthState last_;
+  EnvelopeRoute last_route_ = EnvelopeRoute::hull;
+  int last_level_ = 0;
+  ValleyAttempt last_attempt_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> last_solids_;  ///< id and part
 };
 

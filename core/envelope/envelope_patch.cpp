@@ -200,7 +200,7 @@ double speed_ratio(const Vector3& derivative, const RibbonCurve& side) {
 
 }  // namespace
 
-EnvelopePatch EnvelopePatch::from_loop(const std::array<RibbonCurve, 4>& loop) {
+EnvelopePatch EnvelopePatch::from_loop(const std::array<RibbonCurve, 4>& loop, double slide) {
   const RibbonCurve &c0 = loop[0], &e1 = loop[1];
   const RibbonCurve c1 = loop[2].reversed(), e0 = loop[3].reversed();
   const Vector3 along_v = c1.middle() - c0.middle(), along_u = e1.middle() - e0.middle();
@@ -208,9 +208,9 @@ EnvelopePatch EnvelopePatch::from_loop(const std::array<RibbonCurve, 4>& loop) {
   const double f_c1 = 0.5 * (speed_ratio(e0.end_derivative(), e0) + speed_ratio(e1.end_derivative(), e1));
   const double f_e0 = 0.5 * (speed_ratio(c0.start_derivative(), c0) + speed_ratio(c1.start_derivative(), c1));
   const double f_e1 = 0.5 * (speed_ratio(c0.end_derivative(), c0) + speed_ratio(c1.end_derivative(), c1));
-  const auto field = [](const RibbonCurve& side, const Homogeneous& start, const Homogeneous& end,
-                        const Vector3& middle) {
-    return cross_field(side, cross_coefficients(side, start, end, middle));
+  const auto field = [slide](const RibbonCurve& side, const Homogeneous& start, const Homogeneous& end,
+                             const Vector3& middle) {
+    return cross_field(side, cross_coefficients(side, start, end, middle, slide));
   };
   EnvelopePatch out{c0.curve, e1.curve, c1.curve, e0.curve, {}, {}, {}, {}};
   out.cross_c0 = field(c0, e0.start_rate(), e1.start_rate(), wanted(c0, along_v, f_c0));

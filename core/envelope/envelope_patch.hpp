@@ -18,7 +18,8 @@ struct EnvelopePatch {
   HomogeneousSextic cross_c0, cross_e1, cross_c1, cross_e0;  ///< derivatives by v, u, v, u
 
   /// Of the four sides of a loop, counter-clockwise seen from outside: each has its face to the left.
-  static EnvelopePatch from_loop(const std::array<RibbonCurve, 4>& loop);
+  /// `slide`: see `cross_coefficients`.
+  static EnvelopePatch from_loop(const std::array<RibbonCurve, 4>& loop, double slide = 1);
 };
 
 /// The part of an envelope patch over u0 .. u0 + size, v0 .. v0 + size.

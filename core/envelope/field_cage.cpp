@@ -69,6 +69,14 @@ class CageBuilder {
     return true;
   }
 
+  int wanted_tunnels() {
+    axes_ = frame_of(scene_, cluster_);
+    place_frame();
+    int out = 0;
+    with_request([&](const GridRequest& request) { out = reference_topology(request).tunnels; });
+    return out;
+  }
+
  private:
   void place_frame() {
     // Origin in the middle of the exact box, so that planes of symmetry are planes of the grid.
@@ -87,6 +95,14 @@ class CageBuilder {
   }
 
   std::optional<ChosenGrid> choose(const CancelToken& cancel) {
+    std::optional<ChosenGrid> out;
+    with_request([&](const GridRequest& request) { out = choose_grid(request, cancel); });
+    return out;
+  }
+
+  /// The request's functions hold only during the call.
+  template <class Use>
+  void with_request(const Use& use) const {
     GridRequest request;
     double thickness = 1e300;
     for (const Index s : cluster_.solids) thickness = std::min(thickness, scene_.distances[s].thickness());
@@ -107,7 +123,7 @@ class CageBuilder {
       for (const Vector3& p : scene_.points[s])
         request.covered.push_back(axes_.transpose() * (mean + 0.8 * (p - mean) - origin_));
     }
-    return choose_grid(request, cancel);
+    use(request);
   }
 
   void find_neighbours() {
@@ -238,7 +254,7 @@ class CageBuilder {
 
   const FieldScene& scene_;
   const FieldCluster& cluster_;
-  const FieldCageSettings& settings_;
+  FieldCageSettings settings_;
   Matrix3 axes_ = Matrix3::Identity();
   Vector3 origin_ = Vector3::Zero(), half_ = Vector3::Zero();
   std::vector<SolidDistance> local_;
@@ -252,6 +268,12 @@ class CageBuilder {
 };
 
 }  // namespace
+
+int tunnels_of(const FieldScene& scene) {
+  int out = 0;
+  for (const FieldCluster& cluster : scene.clusters) out += CageBuilder(scene, cluster, {}).wanted_tunnels();
+  return out;
+}
 
 FieldCage field_cage(const FieldScene& scene, const FieldCageSettings& settings, const CancelToken& cancel) {
   FieldCage out;

@@ -45,6 +45,9 @@ struct FieldCage {
   int components = 0, tunnels = 0, wanted_tunnels = 0;
 };
 
+/// Holes through the solids with their bridges.
+int tunnels_of(const FieldScene& scene);
+
 /// Empty where a cluster is met by no grid.
 FieldCage field_cage(const FieldScene& scene, const FieldCageSettings& settings,
                      const CancelToken& cancel = {});

@@ -68,15 +68,4 @@ Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const
                     "Make the thinnest solid thicker, or choose the network.");
 }
 
-bool wants_field(const EnvelopeInput& input, std::span<const PlacedSolid> placed, const Vector3& origin) {
-  if (input.settings.method == EnvelopeMethod::network) return false;
-  if (input.settings.method == EnvelopeMethod::field) return true;
-  if (input.settings.tightness == 0) return false;
-  const bool ring = std::any_of(input.solids.begin(), input.solids.end(),
-                                [](const Solid& solid) { return solid.kind == SolidKind::torus; });
-  // One convex solid is its own hull.
-  if (input.solids.size() == 1 && !ring) return false;
-  return ring || input.solids.size() > 1 || field_scene(input, placed, origin).clusters.size() > 1;
-}
-
 }  // namespace hariko

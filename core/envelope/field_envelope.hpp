@@ -18,7 +18,4 @@ struct FieldEnvelope {
 Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
                                      const Vector3& origin, Quality quality, const CancelToken& cancel = {});
 
-/// The automatic choice: a field's cage for holes, separate parts and more than three solids.
-bool wants_field(const EnvelopeInput& input, std::span<const PlacedSolid> placed, const Vector3& origin);
-
 }  // namespace hariko

@@ -291,6 +291,10 @@ std::size_t sign_changes(const FlagGrid& grid) {
   return out;
 }
 
+GridTopology reference_topology(const GridRequest& request) {
+  return reference_of(request).topology;
+}
+
 std::optional<ChosenGrid> choose_grid(const GridRequest& request, const CancelToken& cancel) {
   const Reference reference = reference_of(request);
   if (reference.volume == 0) return std::nullopt;

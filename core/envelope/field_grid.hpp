@@ -56,6 +56,9 @@ struct ChosenGrid {
   GridTopology topology, reference;
 };
 
+/// Of the sharp field on a grid that is fine enough for the thinnest solid.
+GridTopology reference_topology(const GridRequest& request);
+
 /// The coarsest grid with the topology of the reference, or the best there is. Deterministic.
 std::optional<ChosenGrid> choose_grid(const GridRequest& request, const CancelToken& cancel = {});
 

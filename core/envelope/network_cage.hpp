@@ -12,13 +12,14 @@
 namespace hariko {
 
 struct CageVertex {
-  Index solid = no_index;  ///< placed solid
-  Index vertex = 0;        ///< of its unit vertices
+  Index solid = no_index;  ///< placed solid; none: in a valley between solids
+  Index vertex = 0;        ///< of its unit vertices; in a valley a name that stays while the solids move
   Vector3 position = Vector3::Zero();
   Vector3 unit = Vector3::Zero();     ///< place in the solid's unit frame, growth included
   Vector3 normal = Vector3::UnitZ();  ///< unit, of the tangent plane
   Vector3 radial = Vector3::UnitZ();  ///< unit, away from the centre of curvature
   bool guarded = false;               ///< the normal was turned and is not the solid's any more
+  Vector3 outward = Vector3::Zero();  ///< unit, out of the valley; zero on solids
 
   /// Tangent of an edge that leaves along the chord: radial projection to the tangent plane, unit.
   Vector3 tangent(const Vector3& chord) const;

@@ -63,7 +63,7 @@ BernsteinForm<4> tangent_direction(const HomogeneousCubic& c) {
 }
 
 CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneous& start,
-                                     const Homogeneous& end, const Vector3& middle) {
+                                     const Homogeneous& end, const Vector3& middle, double slide) {
   CrossCoefficients out;
   const BernsteinForm<4> along = tangent_direction(ribbon.curve);
   double k[2], h[2];
@@ -99,6 +99,7 @@ CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneou
   double hm = (w * middle - km * f).dot(speed) / speed.squaredNorm();
   if (!std::isfinite(hm)) hm = straight;
   out.h[0] = h[0];
+  hm = straight + slide * (hm - straight);
   out.h[1] = 2 * hm - straight;
   out.h[2] = h[1];
   return out;

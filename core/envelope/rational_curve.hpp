@@ -55,9 +55,10 @@ struct CrossCoefficients {
 };
 
 /// What eq. (1') takes so that the derivative across has these values at the ends (homogeneous) and about
-/// `middle` (Cartesian) at 1/2.
+/// `middle` (Cartesian) at 1/2: along the curve by a share `slide` of what the linear h misses. 1 suits the
+/// patches of a hull; in valleys, where curves bulge into the faces, half of it folds less.
 CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneous& start,
-                                     const Homogeneous& end, const Vector3& middle);
+                                     const Homogeneous& end, const Vector3& middle, double slide = 1);
 /// The derivative across. Where h is linear it has degree 5 (five times b0 .. b5 of the paper) and is
 /// elevated.
 HomogeneousSextic cross_field(const RibbonCurve& ribbon, const CrossCoefficients& coefficients);

@@ -89,8 +89,8 @@ class Samples {
 class ViolationFinder {
  public:
   ViolationFinder(const CurveNetwork& network, std::span<const PlacedSolid> solids, double tolerance,
-                  const EnvelopeGrid& grid)
-      : network_(network), solids_(solids), tolerance_(tolerance), samples_(network, grid) {}
+                  const EnvelopeGrid& grid, ListedViolations which)
+      : network_(network), solids_(solids), tolerance_(tolerance), which_(which), samples_(network, grid) {}
 
   Violations find() {
     for (Index p = 0; p < samples_.patch_count(); ++p)
@@ -112,11 +112,14 @@ class ViolationFinder {
     const Ball& ball = samples_.ball(patch);
     const double far = solid.reach + ball.radius;
     if ((ball.centre - solid.centre).squaredNorm() > far * far || deepest_in(solid, ball) <= 0) return;
+    if (which_ == ListedViolations::all) return test_blocks(patch, s);
     double deepest = 0;
+    Vector3 place = Vector3::Zero();
     for (const Samples::Block& block : samples_.blocks(patch)) {
       if (deepest_in(solid, block.ball) <= deepest) continue;
       for (std::uint32_t k = block.begin; k < block.end; ++k)
-        deepest = std::max(deepest, solid.depth(samples_.position(patch, k)));
+        if (const double depth = solid.depth(samples_.position(patch, k)); depth > deepest)
+          deepest = depth, place = samples_.position(patch, k);
     }
     out_.worst = std::max(out_.worst, deepest);
     if (!(deepest > tolerance_)) return;
@@ -124,9 +127,23 @@ class ViolationFinder {
     const auto known = std::find_if(out_.in_solid.begin(), out_.in_solid.end(),
                                     [&](const auto& v) { return v.face == face && v.solid == s; });
     if (known == out_.in_solid.end())
-      out_.in_solid.push_back({face, s, deepest});
-    else
-      known->depth = std::max(known->depth, deepest);
+      out_.in_solid.push_back({face, s, deepest, place});
+    else if (deepest > known->depth)
+      known->depth = deepest, known->point = place;
+  }
+
+  void test_blocks(Index patch, Index s) {
+    const PlacedSolid& solid = solids_[s];
+    const Index face = network_.patch_places[patch].face;
+    for (const Samples::Block& block : samples_.blocks(patch)) {
+      if (deepest_in(solid, block.ball) <= 0) continue;
+      Violations::InSolid worst{face, s, 0, Vector3::Zero()};
+      for (std::uint32_t k = block.begin; k < block.end; ++k)
+        if (const double depth = solid.depth(samples_.position(patch, k)); depth > worst.depth)
+          worst.depth = depth, worst.point = samples_.position(patch, k);
+      out_.worst = std::max(out_.worst, worst.depth);
+      if (worst.depth > tolerance_) out_.in_solid.push_back(worst);
+    }
   }
 
   struct Near {
@@ -192,8 +209,10 @@ class ViolationFinder {
     out_.worst = std::max(out_.worst, least);
     if (!(least > tolerance_)) return;
     const Index face = network_.patch_places[near[0].patch].face;
-    const auto known = std::find_if(out_.outside.begin(), out_.outside.end(),
-                                    [&](const auto& v) { return v.face == face && v.solid == solid; });
+    const auto known = which_ == ListedViolations::all
+                           ? out_.outside.end()
+                           : std::find_if(out_.outside.begin(), out_.outside.end(),
+                                          [&](const auto& v) { return v.face == face && v.solid == solid; });
     if (known == out_.outside.end())
       out_.outside.push_back({face, solid, z, least});
     else if (least > known->height)
@@ -203,6 +222,7 @@ class ViolationFinder {
   const CurveNetwork& network_;
   std::span<const PlacedSolid> solids_;
   double tolerance_;
+  ListedViolations which_;
   Samples samples_;
   Violations out_;
   std::vector<std::pair<double, Index>> bounds_;
@@ -212,8 +232,8 @@ class ViolationFinder {
 }  // namespace
 
 Violations find_violations(const CurveNetwork& network, std::span<const PlacedSolid> solids, double tolerance,
-                           const EnvelopeGrid& grid) {
-  return ViolationFinder(network, solids, tolerance, grid).find();
+                           const EnvelopeGrid& grid, ListedViolations which) {
+  return ViolationFinder(network, solids, tolerance, grid, which).find();
 }
 
 }  // namespace hariko

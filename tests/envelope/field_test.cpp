@@ -42,9 +42,12 @@ TEST(FieldCage, ConcaveArrangementsAndHolesHaveTheMeasuredCages) {
                                    {"camera", 0, 126, 124, 0},
                                    {"ring6", 0, 100, 100, 1}}) {
     SCOPED_TRACE(expected.name);
-    const auto made = EnvelopeSurfacer().rebuild(golden_scene(expected.name));
+    EnvelopeInput input = golden_scene(expected.name);
+    input.settings.method = EnvelopeMethod::field;
+    const auto made = EnvelopeSurfacer().rebuild(input);
     ASSERT_TRUE(made.ok()) << to_string(made.error());
     check_cage(*made);
+    EXPECT_EQ(made->route, EnvelopeRoute::field);
     EXPECT_EQ(made->level, expected.level);
     EXPECT_EQ(made->cage->vertex_count(), expected.vertices);
     EXPECT_EQ(made->cage->face_count(), expected.faces);
@@ -66,8 +69,10 @@ TEST(FieldCage, SolidsFarApartGetPartsOfTheirOwn) {
 
 TEST(FieldCage, ItIsCloserToTheSolidsThanTheirHull) {
   EnvelopeInput input = golden_scene("ell_tight");
+  input.settings.method = EnvelopeMethod::field;
   const auto tight = EnvelopeSurfacer().rebuild(input);
   input.settings.tightness = 0;
+  input.settings.method = EnvelopeMethod::network;
   const auto hull = EnvelopeSurfacer().rebuild(input);
   ASSERT_TRUE(tight.ok() && hull.ok());
   EXPECT_TRUE(hull->network);

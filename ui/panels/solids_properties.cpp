@@ -13,8 +13,8 @@ namespace hariko {
 namespace {
 
 constexpr std::array method_choices{
-    Choice{"Automatic", "The network of curves round the hull; the field where the surface is to be tight"},
-    Choice{"Curves", "A network of curves round the hull of the solids"},
+    Choice{"Automatic", "Curves where they can follow the solids; the field for holes, parts and many solids"},
+    Choice{"Curves", "A network of curves round the hull of the solids, sunk into their notches"},
     Choice{"Field", "A cage that follows notches and holes"},
 };
 constexpr std::array patch_choices{
