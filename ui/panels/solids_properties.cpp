@@ -13,7 +13,8 @@ namespace hariko {
 namespace {
 
 constexpr std::array method_choices{
-    Choice{"Automatic", "Curves where they can follow the solids; the field for holes, parts and many solids"},
+    Choice{"Automatic",
+           "Curves where they can follow the solids; the field for holes, parts and many solids"},
     Choice{"Curves", "A network of curves round the hull of the solids, sunk into their notches"},
     Choice{"Field", "A cage that follows notches and holes"},
 };
