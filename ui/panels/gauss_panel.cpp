@@ -215,9 +215,16 @@ void GaussPanel::press_and_drag(PanelContext& context, GaussView& view, const Sp
   const bool active = ImGui::IsItemActive();
   if (ImGui::IsItemActivated()) dragged_ = false;
   if (active && ImGui::IsMouseDragging(ImGuiMouseButton_Left, context.metrics.px(drag_pixels))) {
+    View& model = editor.layout.active_view();
+    if (!dragged_ && model.turns) model.begin_turning(editor.now);
     dragged_ = true;
     const ImVec2 by = ImGui::GetIO().MouseDelta;
-    editor.set_camera(editor.camera().orbit(double(by.x / place.radius), double(by.y / place.radius)));
+    const double yaw = double(by.x / place.radius), pitch = double(by.y / place.radius);
+    const Camera camera = editor.camera();
+    // Plans keep their direction, and the sphere is seen from there.
+    if (model.turns)
+      editor.set_camera(editor.settings.trackball ? camera.trackball(yaw, pitch, camera.target)
+                                                  : camera.orbit(yaw, pitch));
   }
   if (!ImGui::IsItemDeactivated() || dragged_ || !hovered) return;
   const bool point = view.has(view.hovered) && view.sphere->mesh->is_boundary(*view.hovered);
