@@ -42,6 +42,8 @@ class SupportFit {
   Vector3 lift(const Vector2& in) const { return in.x() * u_ + in.y() * w_; }
 
   Fit solve() const {
+    // Few sites on much of the sphere: none is near, and a ball about the origin is as good as anything.
+    if (samples_.empty()) return {Vector2::Zero(), support_[site_] * support_[site_]};
     std::vector<double> squares;
     for (const Sample& sample : samples_) squares.push_back(sample.t.squaredNorm());
     const auto middle = squares.begin() + std::ptrdiff_t(squares.size() / 2);

@@ -80,6 +80,16 @@ TEST(GaussSphere, NegativeCurvatureAndPosition) {
   EXPECT_GT(bent.inserted, 0u);
 }
 
+TEST(GaussSphere, OneSiteOnMoreThanAHemisphere) {
+  // Its neighbours are more than a right angle away: none of them tells where the contact point is.
+  const Truth truth = ellipsoid(Vector3::Ones());
+  const Outline outline{{circle_of_normals(truth, Vector3::UnitZ(), 2 * pi / 3, 32, false)}};
+  const GaussSphere sphere = gauss_sphere(outline, usual_settings(outline), 1);
+  ASSERT_TRUE(sphere.points && sphere.mesh);
+  ASSERT_EQ(sphere.points->points.size(), 33u);
+  EXPECT_LE((sphere.points->points.back() - Vector3::UnitZ()).norm(), 1e-9);
+}
+
 TEST(GaussSphere, AnErrorLeavesTheImage) {
   const Outline outline = golden_outline("bad_figure8");
   const GaussSphere sphere = gauss_sphere(outline, {}, {});
