@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ui/selection_text.hpp"
+
 namespace hariko {
 
 using Json = nlohmann::ordered_json;
@@ -91,7 +93,8 @@ void TestLog::vertices(const Editor& editor, const Workbench& workbench) {
 }
 
 void TestLog::history(const Editor& editor) {
-  const std::string selection = describe(editor.selection.of_active());
+  const std::string selection = describe_in(editor.has_document ? editor.active_object() : nullptr,
+                                            editor.selection.of_active(), Language());
   if (editor.history.serial() == serial_ && editor.history.position() == position_ &&
       editor.history.in_gesture() == gesture_ && selection == selection_ && editor.history.dirty() == dirty_)
     return;

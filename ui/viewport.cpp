@@ -9,6 +9,7 @@
 #include "ui/panels/legend.hpp"
 #include "ui/panels/mesh_overlay.hpp"
 #include "ui/panels/view_frame.hpp"
+#include "ui/selection_text.hpp"
 #include "ui/tools/navigation.hpp"
 #include "ui/tools/skin_tool.hpp"
 
@@ -456,7 +457,8 @@ std::string Viewport::hint() const {
   const std::string selected =
       editor_.mode == ElementMode::object && objects > 0
           ? fill(tr(objects == 1 ? "{0} object" : "{0} objects"), {std::to_string(objects)})
-          : describe(editor_.selection.of_active(), editor_.language);
+          : describe_in(editor_.has_document ? editor_.active_object() : nullptr,
+                        editor_.selection.of_active(), editor_.language);
   return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation));
 }
 

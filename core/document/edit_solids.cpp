@@ -54,6 +54,22 @@ Result<Document> add_solid(const Document& document, ObjectId object, Solid soli
   });
 }
 
+Result<Document> array_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids,
+                              int copies, const Vector3& step, std::vector<std::uint32_t>& added) {
+  added.clear();
+  return change_envelope(document, object, [&](EnvelopeInput& input) {
+    const std::vector<Solid> before = input.solids;
+    for (int copy = 1; copy <= copies && input.solids.size() <= max_solids; ++copy)
+      for (Solid solid : before) {
+        if (std::find(ids.begin(), ids.end(), solid.id) == ids.end()) continue;
+        solid.id = next_solid_id(input);
+        solid.position += copy * step;
+        added.push_back(solid.id);
+        input.solids.push_back(std::move(solid));
+      }
+  });
+}
+
 Result<Document> remove_solids(const Document& document, ObjectId object,
                                std::span<const std::uint32_t> ids) {
   const auto gone = [&](std::uint32_t id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };

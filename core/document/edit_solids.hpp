@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "core/document/document.hpp"
 
@@ -27,6 +28,11 @@ std::uint32_t next_solid_id(const EnvelopeInput& input);
 
 /// Appends a solid under `next_solid_id`. Errors as above.
 Result<Document> add_solid(const Document& document, ObjectId object, Solid solid);
+
+/// Appends `copies` copies of each of the solids, each by `step` farther than the last (in the object's
+/// axes). `added` gets the ids of the copies, copy by copy. Errors as above.
+Result<Document> array_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids,
+                              int copies, const Vector3& step, std::vector<std::uint32_t>& added);
 
 /// Waists, curves and vertices that name removed solids are forgotten with them. Errors as above;
 /// E_LAST_SOLID when none would be left.

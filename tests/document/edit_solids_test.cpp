@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/document/edits.hpp"
 
 namespace hariko::test {
@@ -87,6 +89,25 @@ TEST(EditSolids, BadValuesLocksAndOtherObjectsAreRefused) {
   EXPECT_EQ(change_solids(*locked, id, ids, [](Solid& solid) { solid.position.x() = 5; }).error().code,
             e_locked);
   EXPECT_EQ(change_envelope(document, ObjectId{77}, [](EnvelopeInput&) {}).error().code, e_unknown_object);
+}
+
+TEST(EditSolids, ARowHasCopiesAtEqualDistances) {
+  const auto [document, id] = two_solids();
+  std::vector<std::uint32_t> added;
+  const auto made = array_solids(document, id, std::array<std::uint32_t, 1>{8}, 3, {0, 2, 1}, added);
+  ASSERT_TRUE(made.ok());
+  const EnvelopeInput& input = input_of(*made, id);
+  ASSERT_EQ(input.solids.size(), 5U);
+  EXPECT_EQ(added, (std::vector<std::uint32_t>{9, 10, 11}));
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(input.solids[2 + k].id, added[k]);
+    EXPECT_EQ(input.solids[2 + k].kind, SolidKind::sphere);
+    EXPECT_EQ(input.solids[2 + k].position, Vector3(1, 2 * double(k + 1), double(k + 1)));
+  }
+  EXPECT_EQ(array_solids(document, id, std::array<std::uint32_t, 2>{3, 8}, 150, Vector3::UnitX(), added)
+                .error()
+                .code,
+            e_too_many_solids);
 }
 
 }  // namespace hariko::test

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/file_io.hpp"
 #include "core/document/edit_elements.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/read_outline.hpp"
+#include "core/document/read_solids.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_check.hpp"
 #include "core/modeling/attached.hpp"
@@ -54,6 +57,59 @@ TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
         EXPECT_LE((polyhedron->origin + polyhedron->polyhedron.position(v) - points->points[v]).norm(),
                   1e-12 * outline.size());
     }
+}
+
+Document with_solids(const std::string& name, EnvelopeMethod method) {
+  const auto text = read_file(HARIKO_SOURCE_DIR "/tests/golden/envelope/" + name + ".json", 1 << 20);
+  EnvelopeInput input = read_scene(*text).value();
+  input.settings.method = method;
+  return add_object({}, "Solids", SolidsSource{std::move(input), {}}).value().document;
+}
+
+TEST(ConvertObject, ANetworksVerticesAreInterpolatedWithTheirNormals) {
+  for (const auto* name : {"two_apart", "four_boxes"}) {
+    SCOPED_TRACE(name);
+    const Document document = with_solids(name, EnvelopeMethod::network);
+    const auto converted = convert_to_polyhedron(document, document.objects[0]->id);
+    ASSERT_TRUE(converted.ok()) << to_string(converted.error());
+    const Object& object = *converted->objects[0];
+    ASSERT_TRUE(object.polyhedron());
+    EXPECT_TRUE(object.display.polyhedron);
+    const auto made = EnvelopeSurfacer().rebuild(*document.objects[0]->solids()->input);
+    ASSERT_TRUE(made.ok() && made->network);
+    const auto surface = object_surface(*converted, object);
+    ASSERT_TRUE(surface.ok()) << to_string(surface.error());
+    const auto& vertices = made->network->cage.vertices;
+    ASSERT_EQ(object.polyhedron()->polyhedron.vertex_count(), vertices.size());
+    EXPECT_TRUE(surface->surface.boundary_sides().empty());
+    // Every corner of a patch that lies on a vertex has the vertex's normal.
+    std::vector<char> met(vertices.size(), 0);
+    for (Index patch = 0; patch < surface->surface.patch_count(); ++patch)
+      for (const Vector2& corner : {Vector2(0, 0), Vector2(1, 0), Vector2(0, 1)}) {
+        const PatchPoint at = surface->surface.patches().evaluate(patch, corner, Order::first);
+        for (std::size_t v = 0; v < vertices.size(); ++v)
+          if ((at.position + surface->surface.origin() - vertices[v].position - made->origin).norm() <
+              1e-9 * made->diagonal) {
+            met[v] = 1;
+            EXPECT_GT(unit_normal(at).dot(vertices[v].normal), 1 - 1e-9);
+          }
+      }
+    EXPECT_EQ(std::count(met.begin(), met.end(), 1), long(vertices.size()));
+  }
+}
+
+TEST(ConvertObject, AFieldsCageKeepsItsSurfaceToTheLastBit) {
+  const Document document = with_solids("ell_tight", EnvelopeMethod::field);
+  const auto converted = convert_to_polyhedron(document, document.objects[0]->id);
+  ASSERT_TRUE(converted.ok()) << to_string(converted.error());
+  const auto before = object_surface(document, *document.objects[0]);
+  const auto after = object_surface(*converted, *converted->objects[0]);
+  ASSERT_TRUE(before.ok() && after.ok());
+  ASSERT_EQ(before->surface.patch_count(), after->surface.patch_count());
+  for (Index patch = 0; patch < before->surface.patch_count(); ++patch)
+    for (const Vector2& at : {Vector2(0.2, 0.3), Vector2(0, 1), Vector2(0.5, 0.5)})
+      ASSERT_EQ(before->surface.patches().evaluate(patch, at, Order::first).position,
+                after->surface.patches().evaluate(patch, at, Order::first).position);
 }
 
 TEST(ConvertObject, SaysWhatItCannotDo) {

@@ -44,6 +44,88 @@ def drag_solid(window, solid, by):
           f"the solid did not follow the pointer: {start} {now}")
 
 
+def solids(window):
+    return window.last("vertices")["objects"]["1"]
+
+
+def selection(window):
+    return window.last("document")["selection"]
+
+
+def place_with(window, kind, act, step):
+    """Places a solid with the mouse; its id."""
+    before = set(solids(window))
+    window.click_on("menu.Solids")
+    window.click_on("menu.Place")
+    window.click_on("command.solid.place_" + kind)
+    act()
+    window.wait(lambda: label(window) == step, step)
+    window.wait_idle()
+    new = set(solids(window)) - before
+    check(len(new) == 1, f"placing a {kind} made {len(new)} solids")
+    check(selection(window) == "1 solid", "after placing there is selected: " + selection(window))
+    return new.pop()
+
+
+def place_by_hand(window, output):
+    # A box on the ground and a ball on the box, their sizes by drags; a cone by a click.
+    x, y, width, height = window.rect("viewport")
+    ground = (x + width * 0.25, y + height * 0.72)
+    box = place_with(window, "box", lambda: window.drag(ground, (ground[0] + 50, ground[1] + 20)), "Add box")
+    at = window.vertex(box)
+    check(abs(at[0] - ground[0]) < 20 and at[1] < ground[1], f"the box stands at {at}, not at {ground}")
+    window.screenshot(os.path.join(output, "solids_placed_box.png"))
+    ball = place_with(window, "sphere", lambda: window.drag(at[:2], (at[0] + 30, at[1])), "Add sphere")
+    check(window.vertex(ball)[2] < at[2], "the ball is not in front of what was clicked on")
+    window.screenshot(os.path.join(output, "solids_placed.png"))
+    far = (x + width * 0.75, y + height * 0.72)
+    cone = place_with(window, "cone", lambda: window.click(*far), "Add cone")
+    check(abs(window.vertex(cone)[0] - far[0]) < 20, "the cone does not stand where the click was")
+    window.key("ctrl+z")
+    window.wait(lambda: cone not in solids(window), "undo of the cone")
+    window.wait_idle()
+
+    # Esc leaves everything as it is.
+    before = position(window)
+    window.click_on("menu.Solids")
+    window.click_on("menu.Place")
+    window.click_on("command.solid.place_cone")
+    window.move(*ground)
+    window.press()
+    window.move(ground[0] + 40, ground[1])
+    window.key("Escape")
+    window.release()
+    window.wait_idle()
+    check(position(window) == before and cone not in solids(window), "Esc did not take the cone back")
+
+
+def copy_and_convert(window, output):
+    count = len(solids(window))
+    choose(window, "solid.row")
+    window.wait(lambda: label(window) == "Row of solids", "a row")
+    window.wait_idle()
+    check(len(solids(window)) == count + 3, "the row has not three copies")
+    check(selection(window) == "3 solids", "the copies are not selected: " + selection(window))
+    before = position(window)
+    type_into(window, "copies", "2")
+    window.wait(lambda: len(solids(window)) == count + 2, "two copies")
+    window.wait_idle()
+    check(position(window) == before, "adjusting the row made another step")
+    window.screenshot(os.path.join(output, "solids_row.png"))
+    window.key("ctrl+z")
+    window.wait(lambda: len(solids(window)) == count, "undo of the row")
+    window.wait_idle()
+    choose(window, "solid.to_polyhedron")
+    window.wait(lambda: label(window) == "Convert to polyhedron", "a polyhedron", 60)
+    window.wait_idle()
+    check(len(solids(window)) > count, "the polyhedron has too few vertices")
+    check(selection(window) == "nothing selected", "on the polyhedron there is selected: " + selection(window))
+    window.screenshot(os.path.join(output, "solids_converted.png"))
+    window.key("ctrl+z")
+    window.wait(lambda: len(solids(window)) == count, "undo of the conversion")
+    window.wait_idle()
+
+
 def session(program, source, output):
     window = Window(program, os.path.join(source, "assets", "samples", "solids_one.hariko"), size=(1280, 800))
     try:
@@ -102,6 +184,13 @@ def session(program, source, output):
         window.wait_idle()
         check(len(window.last("vertices")["objects"]["1"]) == 3, "another number of solids was deleted")
         window.screenshot(os.path.join(output, "solids_three.png"))
+        window.key("ctrl+shift+a")
+        window.wait(lambda: selection(window) == "nothing selected", "no selection")
+        type_into(window, "tightness", "0")
+        window.wait(lambda: label(window) == "Tightness of the surface", "the hull again")
+        window.wait_idle()
+        place_by_hand(window, output)
+        copy_and_convert(window, output)
     finally:
         window.close()
 

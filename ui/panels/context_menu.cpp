@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "ui/panels/command_menu.hpp"
+#include "ui/selection_text.hpp"
 #include "ui/tools/tool.hpp"
 
 namespace hariko {
@@ -39,8 +40,10 @@ std::string title_of(const PanelContext& context, const std::optional<ElementRef
   const std::size_t space = text.find(' ');
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));  // as the catalogue has it
   text = tr(text.substr(0, space)) + text.substr(space);
+  if (object && object->solids()) text = fill(tr("Solid {0}"), {std::to_string(element->element.id)});
   const ElementSelection& selection = context.editor.selection.of(element->object);
-  if (selection.size() > 1 && context.editor.selection.contains(*element)) text = describe(selection, tr);
+  if (selection.size() > 1 && context.editor.selection.contains(*element))
+    text = describe_in(object, selection, tr);
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text + "  \u00b7  " + name;
 }

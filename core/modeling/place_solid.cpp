@@ -1,0 +1,81 @@
+#include "core/modeling/place_solid.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/angles.hpp"
+#include "core/envelope/solid_distance.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double least_step = 1e-4;  ///< of the solid's size: rays along a side get on
+constexpr int bisections = 40;
+
+/// How far the base is below the solid's place, without scale.
+double height_below(const Solid& solid) {
+  switch (solid.kind) {
+    case SolidKind::box:
+      return solid.size.z() / 2;
+    case SolidKind::cylinder:
+    case SolidKind::prism:
+      return solid.height / 2;
+    case SolidKind::cone:
+    case SolidKind::pyramid:
+      return solid.height / 4;
+    case SolidKind::capsule:
+      return solid.length / 2 + solid.radius;
+    case SolidKind::torus:
+      return solid.tube;
+    case SolidKind::sphere:
+      return solid.radius;
+    case SolidKind::polyhedron:
+      break;
+  }
+  double low = 0;
+  for (const Vector3& p : solid.points) low = std::min(low, p.z());
+  return -low;
+}
+
+}  // namespace
+
+std::optional<SolidHit> hit_solids(std::span<const Solid> solids, const Vector3& origin,
+                                   const Vector3& direction) {
+  std::optional<SolidHit> nearest;
+  for (const Solid& solid : solids) {
+    const SolidDistance distance(solid, 0, Vector3::Zero());
+    // From where the ray enters the ball round the solid to where it leaves it.
+    const double along = direction.dot(distance.centre() - origin);
+    const double beside = (origin + along * direction - distance.centre()).norm();
+    if (beside > distance.reach() || distance(origin) <= 0) continue;
+    const double half = std::sqrt(distance.reach() * distance.reach() - beside * beside);
+    const double shortest = least_step * distance.reach();
+    double t = std::max(0.0, along - half), before = t;
+    while (t <= along + half) {
+      const double d = distance(origin + t * direction);
+      if (d <= 0) break;
+      before = t;
+      t += std::max(d, shortest);
+    }
+    if (t > along + half || (nearest && before > nearest->distance)) continue;
+    for (int round = 0; round < bisections; ++round) {
+      const double middle = 0.5 * (before + t);
+      (distance(origin + middle * direction) > 0 ? before : t) = middle;
+    }
+    const Vector3 point = origin + before * direction;
+    nearest = SolidHit{solid.id, point, distance.gradient(point), before};
+  }
+  return nearest;
+}
+
+Solid standing_on(Solid solid, const Vector3& point, const Vector3& up) {
+  solid.position = point + height_below(solid) * solid.scale.z() * up;
+  solid.rotation = up.z() >= 1 - 1e-12
+                       ? Vector3(Vector3::Zero())
+                       : angles_of(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), up).normalized());
+  return solid;
+}
+
+}  // namespace hariko
