@@ -1,5 +1,6 @@
 #include "app/mesh_preview.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -139,6 +140,8 @@ Result<MeshPreview> preview_of(const Subject& subject, double scale, const Meshi
                 errors_of(facets, *map, 1,
                           {map->fold_angle, false, to_degrees, tolerance(MeshCriterion::fold),
                            bound(made->fold_angle, to_degrees)})};
+  out.edges = facet_lines(made->mesh.origin, made->mesh.positions, made->mesh.triangles,
+                          std::max(map->distance.largest, map->mesh_distance.largest));
   if (cancel.cancelled()) return make_error(e_cancelled, "The meshing was cancelled.");
   return out;
 }

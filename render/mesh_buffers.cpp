@@ -334,6 +334,22 @@ CombBuffers::CombBuffers(const CombLines& combs, std::size_t& uploaded)
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+FacetLineBuffers::FacetLineBuffers(const FacetLines& lines, std::size_t& uploaded)
+    : array_(VertexArray::make()), count_(static_cast<GLsizei>(lines.edges.size())) {
+  if (lines.edges.empty()) return;
+  std::vector<CurveSegment> segments;
+  segments.reserve(lines.edges.size());
+  for (const auto& [a, b] : lines.edges) segments.push_back({{a, a, b, b}});
+  points_.allocate(lines.points.size() * sizeof(lines.points[0]), lines.points.data(), GL_R32F,
+                   GL_STATIC_DRAW);
+  glBindVertexArray(array_.name());
+  segments_ = filled_buffer(GL_ARRAY_BUFFER, segments.size() * sizeof(CurveSegment), segments.data());
+  set_up_line_instances(segments_.name(), 0);
+  uploaded += lines.points.size() * sizeof(lines.points[0]) + segments.size() * sizeof(CurveSegment);
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
 SectionBuffers::SectionBuffers(const DisplayMesh& mesh, const LocalPlane& plane, std::size_t& uploaded)
     : array_(VertexArray::make()) {
   const auto pieces = section_curve(mesh, plane);

@@ -138,6 +138,21 @@ class CombBuffers {
   GLsizei tooth_count_ = 0, envelope_count_ = 0;
 };
 
+/// Edges of triangles.
+class FacetLineBuffers {
+ public:
+  FacetLineBuffers(const FacetLines& lines, std::size_t& uploaded);
+  const TexturedBuffer& points() const { return points_; }
+  GLuint array() const { return array_.name(); }
+  GLsizei count() const { return count_; }
+
+ private:
+  TexturedBuffer points_;
+  VertexArray array_;
+  Buffer segments_;
+  GLsizei count_ = 0;
+};
+
 /// The cut of a mesh by a plane.
 class SectionBuffers {
  public:

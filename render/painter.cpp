@@ -170,8 +170,8 @@ void Painter::count(std::size_t triangles) {
   statistics_->triangles += triangles;
 }
 
-void Painter::set_frame(const Program& program, const Frame& frame, const Matrix4& model,
-                        double bias_pixels) const {
+void Painter::set_frame(const Program& program, const Frame& frame, const Matrix4& model, double bias_pixels,
+                        double bias_length) const {
   program.use();
   program.set("to_eye", to_float(Matrix4(frame.view * model)));
   program.set("projection", to_float(frame.projection));
@@ -181,7 +181,10 @@ void Painter::set_frame(const Program& program, const Frame& frame, const Matrix
   program.set("perspective", !frame.camera.orthographic);
   // Lines are cut here and clamped in depth beyond: they may leave the range that surfaces need.
   program.set("near_plane", std::min(frame.clip.near_plane, 0.01 * frame.camera.distance));
-  program.set("bias", bias_pixels * frame.pixel_scale * frame.pixel_bias);
+  const double share = frame.camera.orthographic ? bias_length : bias_length / frame.camera.distance;
+  // Never as far as the eye.
+  program.set("bias", bias_pixels * frame.pixel_scale * frame.pixel_bias +
+                          (frame.camera.orthographic ? share : std::min(share, 0.5)));
 }
 
 void Painter::background(const Style& style, Background background) {
@@ -312,7 +315,8 @@ void Painter::lines(const Frame& frame, const Matrix4& model, const Lines& lines
   const float core = 0.5F * style.width * scale, all = core + style.casing_width * scale;
   // Half the width lies above the curve's own depth on a slanted surface: a bias of a few widths clears
   // slopes up to about 75 degrees.
-  set_frame(program, frame, model, 2.0 + 2.0 * (0.5 * style.width + style.casing_width));
+  set_frame(program, frame, model, 2.0 + 2.0 * (0.5 * style.width + style.casing_width),
+            look.depth * model.topLeftCorner<3, 1>().norm());
   program.set("coordinates", coordinate_unit);
   program.set("table", table_unit);
   program.set("stride", lines.stride);

@@ -45,6 +45,7 @@ struct LineLook {
   };
   std::optional<Values> values;     ///< colours, from the instances' values
   double dash = 0, dash_share = 1;  ///< length of a dash with its gap in object units, 0: solid
+  double depth = 0;  ///< object length by which the lines may lie behind what they are drawn over
   std::optional<double> amplitude;  ///< of combs: object length of a tooth of curvature 1
 };
 
@@ -95,7 +96,8 @@ class Painter {
   Result<const Program*> surface_program(const SceneObject& object);
   void bind_table(ColorScale scale) const;
   void upload_stream(std::size_t bytes, const void* data);
-  void set_frame(const Program& program, const Frame& frame, const Matrix4& model, double bias_pixels) const;
+  void set_frame(const Program& program, const Frame& frame, const Matrix4& model, double bias_pixels,
+                 double bias_length = 0) const;
   void draw_points(const Frame& frame, const Matrix4& model, const PolyhedronBuffers& buffers,
                    const PointStyle& style, Depth depth, float opacity, GLsizei count, bool numbered,
                    bool tensions);

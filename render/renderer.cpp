@@ -108,6 +108,7 @@ struct Renderer::State {
   void draw_curves(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
   void draw_marks(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
   void draw_combs(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
+  void draw_facet_edges(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
   void draw_section(const gl::Frame& frame, const SceneObject& object, const SectionPlane& plane,
                     const gl::Style& style);
   void draw_tensions(const gl::Frame& frame, const SceneObject& object, const gl::PolyhedronBuffers& buffers,
@@ -133,6 +134,7 @@ struct Renderer::State {
   BufferCache<DisplayPolyhedron, gl::PolyhedronBuffers> polyhedra;
   BufferCache<EdgeMarks, gl::MarkBuffers> marks;
   BufferCache<CombLines, gl::CombBuffers> combs;
+  BufferCache<FacetLines, gl::FacetLineBuffers> facet_edges;
   std::vector<SectionEntry> sections;
   FrameStatistics statistics;
   std::uint64_t stamp = 0;
@@ -170,6 +172,7 @@ void Renderer::State::release(unsigned pictures_released) {
   polyhedra.release(pictures_released);
   marks.release(pictures_released);
   combs.release(pictures_released);
+  facet_edges.release(pictures_released);
 }
 
 void Renderer::State::drop_unused() {
@@ -178,6 +181,7 @@ void Renderer::State::drop_unused() {
   polyhedra.drop_unused();
   marks.drop_unused();
   combs.drop_unused();
+  facet_edges.drop_unused();
 }
 
 void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
@@ -238,6 +242,17 @@ void Renderer::State::draw_combs(const gl::Frame& frame, const SceneObject& obje
                 style.comb_tooth, gl::Depth::visible, 1, look);
   painter.lines(frame, model, {&buffers.teeth(), stride, buffers.envelope_array(), buffers.envelope_count()},
                 style.comb_envelope, gl::Depth::visible, 1, look);
+}
+
+void Renderer::State::draw_facet_edges(const gl::Frame& frame, const SceneObject& object,
+                                       const gl::Style& style) {
+  if (!object.facet_edges) return;
+  const gl::FacetLineBuffers& buffers = facet_edges.get(object.facet_edges, bit, statistics.uploaded_bytes);
+  gl::LineLook look;
+  look.depth = object.facet_edges->depth;
+  painter.lines(frame, gl::at_origin(object.transform, object.facet_edges->origin),
+                {&buffers.points(), 3, buffers.array(), buffers.count()}, style.facet_edge,
+                gl::Depth::visible, 1, look);
 }
 
 void Renderer::State::draw_section(const gl::Frame& frame, const SceneObject& object,
@@ -304,6 +319,7 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
   for (const SceneObject& object : scene.objects) {
     if (object.mesh && object.show_surface && object.mesh->patch_count() > 0) {
       painter.cut(frame, true);
+      draw_facet_edges(frame, object, style);
       draw_curves(frame, object, style);
       draw_marks(frame, object, style);
       draw_combs(frame, object, style);

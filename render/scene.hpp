@@ -69,9 +69,10 @@ struct SceneObject {
   bool x_ray = false;          ///< hidden lines and points show through faintly
   bool dimmed = false;         ///< the surface is not up to date
 
-  std::shared_ptr<const EdgeMarks> marks;  ///< may be null
-  std::shared_ptr<const CombLines> combs;  ///< may be null
-  double comb_scale = 1;                   ///< times the automatic length of the teeth
+  std::shared_ptr<const EdgeMarks> marks;         ///< may be null
+  std::shared_ptr<const CombLines> combs;         ///< may be null
+  std::shared_ptr<const FacetLines> facet_edges;  ///< over the surface; may be null
+  double comb_scale = 1;                          ///< times the automatic length of the teeth
 
   Highlights selected, hovered;
   Highlights failed;  ///< what the last rebuild complained about: outlined in red

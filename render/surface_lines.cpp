@@ -52,6 +52,24 @@ std::shared_ptr<const EdgeMarks> edge_marks(const DisplayMesh& mesh, std::span<c
   return marks;
 }
 
+std::shared_ptr<const FacetLines> facet_lines(const Vector3& origin, std::span<const Vector3> positions,
+                                              std::span<const std::array<Index, 3>> triangles, double depth) {
+  auto lines = std::make_shared<FacetLines>();
+  lines->origin = origin;
+  lines->depth = depth;
+  lines->points.reserve(positions.size());
+  for (const Vector3& p : positions)
+    lines->points.push_back(
+        {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+  lines->edges.reserve(3 * triangles.size());
+  for (const auto& [a, b, c] : triangles)
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      lines->edges.push_back({std::min(from, to), std::max(from, to)});
+  std::sort(lines->edges.begin(), lines->edges.end());
+  lines->edges.erase(std::unique(lines->edges.begin(), lines->edges.end()), lines->edges.end());
+  return lines;
+}
+
 std::shared_ptr<const CombLines> comb_lines(const CurvatureCombs& combs, const Vector3& origin) {
   auto lines = std::make_shared<CombLines>();
   lines->origin = origin;

@@ -38,6 +38,17 @@ struct CombLines {
 };
 std::shared_ptr<const CombLines> comb_lines(const CurvatureCombs& combs, const Vector3& origin);
 
+/// Edges of a triangle mesh, to be drawn over the surface that it stands for.
+struct FacetLines {
+  Vector3 origin = Vector3::Zero();
+  std::vector<std::array<float, 3>> points;  ///< relative to the origin
+  std::vector<std::array<Index, 2>> edges;
+  double depth = 0;  ///< how far behind the surface an edge may lie, in the lengths of the points
+};
+/// `depth`: the largest distance between the triangles and what they are drawn over.
+std::shared_ptr<const FacetLines> facet_lines(const Vector3& origin, std::span<const Vector3> positions,
+                                              std::span<const std::array<Index, 3>> triangles, double depth);
+
 /// A plane in coordinates relative to a mesh's origin: normal . x = offset.
 struct LocalPlane {
   Vector3 normal;

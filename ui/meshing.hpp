@@ -12,6 +12,7 @@
 #include "core/document/document.hpp"
 #include "render/color_map.hpp"
 #include "render/display_mesh.hpp"
+#include "render/surface_lines.hpp"
 #include "ui/job.hpp"
 #include "ui/view_layout.hpp"
 
@@ -59,6 +60,7 @@ struct MeshErrors {
 struct MeshPreview {
   std::size_t facets = 0, vertices = 0;
   std::shared_ptr<const DisplayMesh> mesh;  ///< without values
+  std::shared_ptr<const FacetLines> edges;
   std::array<MeshErrors, mesh_error_count> errors;
   bool reached = true;
   double milliseconds = 0;
@@ -83,6 +85,7 @@ struct Meshing {
   MeshingSettings settings;
   double size = 0;  ///< of the object that lengths were chosen for
   MeshShown shown = MeshShown::facets;
+  bool alone = false;                           ///< facets in the surface's place, not their edges over it
   std::shared_ptr<const MeshingResult> result;  ///< the last one, maybe of earlier settings
   std::shared_ptr<const Job> job;               ///< runs; null when nothing does
   bool stopped = false;                         ///< by the user, until something changes

@@ -17,10 +17,10 @@ bool same(const SceneObject& a, const SceneObject& b) {
          a.range == b.range && a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
          a.show_network == b.show_network && a.elements_pickable == b.elements_pickable && a.wire == b.wire &&
          a.material == b.material && a.color == b.color && a.show_tensions == b.show_tensions &&
-         a.marks == b.marks && a.combs == b.combs && a.comb_scale == b.comb_scale && a.failed == b.failed &&
-         a.show_points == b.show_points && a.x_ray == b.x_ray && a.dimmed == b.dimmed &&
-         a.selected == b.selected && a.hovered == b.hovered && a.selected_patches == b.selected_patches &&
-         a.hovered_patches == b.hovered_patches;
+         a.marks == b.marks && a.combs == b.combs && a.facet_edges == b.facet_edges &&
+         a.comb_scale == b.comb_scale && a.failed == b.failed && a.show_points == b.show_points &&
+         a.x_ray == b.x_ray && a.dimmed == b.dimmed && a.selected == b.selected && a.hovered == b.hovered &&
+         a.selected_patches == b.selected_patches && a.hovered_patches == b.hovered_patches;
 }
 
 bool same(const OverlayLine& a, const OverlayLine& b) {
@@ -105,12 +105,9 @@ Highlights points_of(const ElementSelection& selection, const Outline& outline) 
   return out;
 }
 
-/// Facets in place of the smooth surface.
-void show_facets(const std::shared_ptr<const DisplayMesh>& mesh, SceneObject& out) {
-  out.mesh = mesh;
-  out.map = SurfaceMap::shaded;
-  // Lines between samples would be taken for edges.
-  out.wire = mesh->pattern().density == 1 ? PatchWire::mesh : PatchWire::none;
+/// The surface alone, for what is drawn over it: other lines would be taken for edges.
+void clear_lines(SceneObject& out) {
+  out.wire = PatchWire::none;
   out.show_surface = true;
   out.show_network = false;
   out.marks.reset();
@@ -120,11 +117,24 @@ void show_facets(const std::shared_ptr<const DisplayMesh>& mesh, SceneObject& ou
   out.dimmed = false;
 }
 
+/// The edges of the facets over the surface, or the facets in its place.
+void show_facets(const MeshPreview& mesh, bool alone, SceneObject& out) {
+  clear_lines(out);
+  if (alone || !out.mesh) {
+    out.mesh = mesh.mesh;
+    out.map = SurfaceMap::shaded;
+  }
+  out.facet_edges = mesh.edges;
+}
+
 /// Errors have the sequential colours of a map that begins at zero.
-void show_errors(const MeshErrors& errors, SceneObject& out) {
-  show_facets(errors.mesh, out);
+void show_errors(const MeshPreview& mesh, MeshShown shown, SceneObject& out) {
+  const MeshErrors& errors = mesh.of(shown);
+  clear_lines(out);
+  out.mesh = errors.mesh;
   out.map = SurfaceMap::gaussian;
   out.range = errors.range;
+  out.facet_edges = mesh.edges;
 }
 
 /// The element that an error names, to be outlined: faces by their edges too.
@@ -183,9 +193,9 @@ void SceneBuilder::update(const Editor& editor) {
     if (const MeshingResult* meshed = editor.meshing.shown_for(object)) {
       const MeshShown shown = editor.meshing.shown;
       if (shown == MeshShown::facets)
-        show_facets(meshed->mesh.mesh, next.objects.back());
+        show_facets(meshed->mesh, editor.meshing.alone, next.objects.back());
       else
-        show_errors(meshed->mesh.of(shown), next.objects.back());
+        show_errors(meshed->mesh, shown, next.objects.back());
     }
     ids_.push_back(object->id);
   }
@@ -209,7 +219,7 @@ void SceneBuilder::compare(const Editor& editor) {
   std::size_t place = 0;
   for (const Pane& pane : editor.layout.panes()) {
     const ComparedPicture picture = compared_picture(place++);
-    show_errors((*result->compared)[picture.mesh].of(picture.shown),
+    show_errors((*result->compared)[picture.mesh], picture.shown,
                 compared_[static_cast<std::size_t>(pane.view)].objects[static_cast<std::size_t>(at)]);
   }
 }

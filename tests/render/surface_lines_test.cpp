@@ -61,6 +61,17 @@ TEST(SurfaceLines, ASectionHasTheLengthOfItsCircle) {
   EXPECT_TRUE(section_curve(*mesh, {Vector3::UnitZ(), 2.5}).empty());
 }
 
+TEST(SurfaceLines, FacetsShareTheirEdges) {
+  const std::vector<Vector3> corners{Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY(), Vector3(1, 1, 0)};
+  const std::vector<std::array<Index, 3>> triangles{{0, 1, 2}, {3, 2, 1}};
+  const auto lines = facet_lines(Vector3(5, 0, 0), corners, triangles, 0.25);
+  ASSERT_EQ(lines->edges.size(), 5U) << "the diagonal is drawn once";
+  EXPECT_EQ(lines->points.size(), corners.size());
+  EXPECT_EQ(lines->origin, Vector3(5, 0, 0));
+  EXPECT_EQ(lines->depth, 0.25);
+  EXPECT_EQ(std::count(lines->edges.begin(), lines->edges.end(), std::array<Index, 2>{1, 2}), 1);
+}
+
 TEST(SurfaceLines, MarksAreSortedByClass) {
   const Surface surface = sphere(1, with_sources());
   const auto mesh = mesh_of(surface, 8);

@@ -247,6 +247,28 @@ TEST_F(RendererTest, CurvesOnTheSurfaceAreUnbroken) {
   }
 }
 
+TEST_F(RendererTest, EdgesOfFacetsLieOverTheSurfaceThatTheyStandFor) {
+  Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 32));
+  const Camera camera = looking(scene, StandardView::front);
+  const Image without = draw(scene, camera, size);
+  const double half = 0.35, behind = 1 - std::cos(half);  // of the chord's middle, behind the sphere
+  const auto darker = [&](double side, double depth) {
+    const std::vector<Vector3> corners{Vector3(-std::sin(half), side * std::cos(half), 0),
+                                       Vector3(std::sin(half), side * std::cos(half), 0),
+                                       Vector3(0, side * std::cos(0.7), std::sin(0.7))};
+    const std::vector<std::array<Index, 3>> triangles{{0, 1, 2}};
+    scene.objects[0].facet_edges = facet_lines(Vector3::Zero(), corners, triangles, depth);
+    const Vector3 pixel = *Projector(camera, size).project((corners[0] + corners[1]) / 2);
+    const Image with = draw(scene, camera, size);
+    int least = 255;  // the line is one pixel wide
+    for (int y = -1; y <= 1; ++y) least = std::min(least, at(with, int(pixel.x()), int(pixel.y()) + y).r);
+    return at(without, int(pixel.x()), int(pixel.y())).r - least;
+  };
+  EXPECT_GT(darker(-1, 1.2 * behind), 20);
+  EXPECT_LT(darker(-1, 0.2 * behind), 8) << "it lies behind the sphere";
+  EXPECT_LT(darker(1, 1.2 * behind), 8) << "the far side is not seen";
+}
+
 TEST_F(RendererTest, PolyhedronPointsAndSelectionShow) {
   Scene scene = plain(golden_object("cube.obj", SurfaceMap::shaded));
   SceneObject& object = scene.objects[0];

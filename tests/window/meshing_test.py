@@ -2,6 +2,7 @@
 
 import os
 import re
+import subprocess
 
 from driver import Window, check, run
 
@@ -12,6 +13,13 @@ def session(program, source, output):
     def keep(name):
         window.wait_idle()
         window.screenshot(os.path.join(output, "meshing_" + name + ".png"))
+
+    def differing(first, second):
+        """The share of pixels in the middle of the view that two of the kept pictures show differently."""
+        files = [os.path.join(output, "meshing_" + name + ".png[480x400+410+170]") for name in (first, second)]
+        done = subprocess.run(["compare", "-metric", "AE", "-fuzz", "2%", *files, "null:"], capture_output=True,
+                              text=True, timeout=60)
+        return float(done.stderr.split()[0]) / (480 * 400)
 
     def rects():
         return window.last("layout")["rects"]
@@ -40,6 +48,16 @@ def session(program, source, output):
         first = count()
         check(first > 50, "triangles: " + str(first))
         keep("triangles")
+
+        # Their edges lie over the surface; alone they stand in its place. Neither asks for another mesh.
+        made = window.count("meshed")
+        window.click_on("meshing.place.1")
+        keep("alone")
+        check(differing("triangles", "alone") > 0.02, "the triangles alone look like their edges over the surface")
+        window.click_on("meshing.place.0")
+        keep("over")
+        check(differing("triangles", "over") < 0.01, "back over the surface the picture is another one")
+        check(window.count("meshed") == made, "a choice of what is shown made another mesh")
 
         # Dragging the tolerance down makes more of them, while it is dragged; no step is made.
         left, top, width, height = rects()["meshing.distance"]

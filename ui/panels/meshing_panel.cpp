@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "ui/icons.hpp"
 #include "ui/panels/choice.hpp"
@@ -47,6 +49,8 @@ constexpr std::array<Choice, 4> split_choices{{
 }};
 constexpr std::array shown_names{translatable("Triangles"), translatable("Distance"), translatable("Angle"),
                                  translatable("Folds")};
+
+constexpr std::array place_names{translatable("Over the surface"), translatable("Alone")};
 
 ImU32 to_imgui(const Color& c) {
   return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
@@ -191,24 +195,43 @@ void histogram(PanelContext& context, MeshShown shown, const MeshErrors& errors)
   }
 }
 
-void shown_row(PanelContext& context, Meshing& meshing) {
-  const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemInnerSpacing.x) / 4;
-  // Four words in one row need the room beside them.
+/// Buttons side by side, of which one is down; the one that was pressed. Marks: "<mark>.<number>".
+std::optional<std::size_t> button_row(PanelContext& context, const std::string& mark,
+                                      std::span<const char* const> names,
+                                      std::optional<std::size_t> current) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const auto count = static_cast<float>(names.size());
+  const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
+  std::optional<std::size_t> pressed;
+  ImGui::PushID(mark.c_str());
+  // The words need the room beside them.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
-  for (std::size_t i = 0; i < shown_names.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    const bool on = std::size_t(meshing.shown) == i && !meshing.comparing();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    const bool on = current == i;
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, palette().field_active);
     ImGui::PushID(int(i));
-    if (ImGui::Button(context.tr(shown_names[i]), {width, 0})) {
-      meshing.shown = static_cast<MeshShown>(i);
-      if (meshing.comparing()) context.run("analyse.mesh_compare");
-    }
+    if (ImGui::Button(context.tr(names[i]), {width, 0})) pressed = i;
     ImGui::PopID();
-    context.marks.item("meshing.show." + std::to_string(i));
+    context.marks.item(mark + "." + std::to_string(i));
     if (on) ImGui::PopStyleColor();
   }
   ImGui::PopStyleVar();
+  ImGui::PopID();
+  return pressed;
+}
+
+void shown_rows(PanelContext& context, Meshing& meshing) {
+  const bool comparing = meshing.comparing();
+  const auto pressed = button_row(context, "meshing.show", shown_names,
+                                  comparing ? std::nullopt : std::optional(std::size_t(meshing.shown)));
+  if (pressed) {
+    meshing.shown = static_cast<MeshShown>(*pressed);
+    if (comparing) context.run("analyse.mesh_compare");
+  }
+  if (comparing || meshing.shown != MeshShown::facets) return;
+  if (const auto place = button_row(context, "meshing.place", place_names, meshing.alone ? 1U : 0U))
+    meshing.alone = *place == 1;
 }
 
 void progress_row(PanelContext& context, Meshing& meshing) {
@@ -292,7 +315,7 @@ void draw_meshing(PanelContext& context, const PanelRect& rect) {
     results(context, meshing, object);
     ImGui::Dummy({0, m.px(6)});
     heading(context, "Show");
-    shown_row(context, meshing);
+    shown_rows(context, meshing);
     const MeshingResult* shown = meshing.shown_for(object);
     if (shown && meshing.shown != MeshShown::facets && !meshing.comparing())
       histogram(context, meshing.shown, shown->mesh.of(meshing.shown));
