@@ -13,9 +13,9 @@ namespace hariko {
 namespace {
 
 /// Menus stand like this whatever the order in which their commands were added; others come before Help.
-constexpr std::array<std::string_view, 13> menu_order{"File",    "Edit",   "Select",  "Transform", "Mesh",
-                                                      "Shape",   "Solids", "Outline", "Add",       "View",
-                                                      "Analyse", "Export", "Help"};
+constexpr std::array<std::string_view, 14> menu_order{"File", "Edit",    "Select", "Add",  "Transform",
+                                                      "Mesh", "Shape",   "Solids", "Skin", "Outline",
+                                                      "View", "Analyse", "Paper",  "Help"};
 
 std::size_t place_of(std::string_view menu) {
   const auto* it = std::find(menu_order.begin(), menu_order.end(), menu);

@@ -208,8 +208,9 @@ void position_row(PanelContext& context, const Object& object, const std::set<In
 
 }  // namespace
 
-void outline_rows(PanelContext& context, const Object& object) {
+void outline_section(PanelContext& context, const Object& object) {
   if (!object.outline()) return;
+  heading(context, context.tr("Outline"));
   method_rows(context, object);
   density_rows(context, object);
   const bool g2 = object.outline()->settings.curvature_continuous;

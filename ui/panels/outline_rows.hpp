@@ -7,7 +7,7 @@
 namespace hariko {
 
 /// How the surface inside is found, and what came out. Draws nothing for other objects.
-void outline_rows(PanelContext& context, const Object& object);
+void outline_section(PanelContext& context, const Object& object);
 
 /// Tilt and position of the selected points of the active outline; nothing where none are.
 void outline_point_section(PanelContext& context);

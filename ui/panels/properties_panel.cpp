@@ -295,7 +295,6 @@ void object_section(PanelContext& context, const Objects& objects) {
     hint_text(context, "Locked: unlock it in the list above to change it.");
   mode_row(context, objects);
   round_row(context, objects);
-  if (objects.size() == 1) outline_rows(context, *objects.front());
   if (objects.size() == 1) mirror_row(context, *objects.front());
   preparation_rows(context, objects);
   if (ImGui::TreeNodeEx("##place",
@@ -448,6 +447,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       draw_skin_properties(context);
       if (objects.front()->solids()) draw_solids(context, *objects.front());
       outline_point_section(context);
+      if (objects.size() == 1) outline_section(context, *objects.front());
       object_section(context, objects);
       if (vertices.ids.empty() && edges.ids.empty() && faces.ids.empty() && objects.front()->polyhedron()) {
         heading(context, "Selection");
