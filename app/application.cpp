@@ -33,7 +33,10 @@
 #include "app/signal_watch.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
+#include "core/document/edit_objects.hpp"
 #include "core/document/format.hpp"
+#include "ui/export_text.hpp"
+#include "ui/panels/selected_items.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
@@ -439,7 +442,7 @@ class Application {
     counting_ = CancelToken::make();
     long_.run(
         "",
-        [settings, document = editor_.history.current(), counting = counting_](const CancelToken&) {
+        [settings, document = document_to_export(settings), counting = counting_](const CancelToken&) {
           return count_triangles(document, settings, counting);
         },
         [this, settings](const Result<ExportCount>& count) {
@@ -448,21 +451,29 @@ class Application {
         });
   }
 
+  Document document_to_export(const ExportSettings& settings) const {
+    const Document& document = editor_.history.current();
+    if (!settings.only_selected) return document;
+    const auto shown = showing_only(document, chosen_ids(editor_));
+    HARIKO_ASSERT(shown.ok(), "every object can be hidden");
+    return *shown;
+  }
+
   void export_file(const std::filesystem::path& path, const ExportSettings& settings) {
     counting_.cancel();  // or the file would wait for it
     long_.run_cancellable(
         fill(translatable("Exporting {0}"), {path.filename().string()}),
-        [path, settings, document = editor_.history.current()](const CancelToken& cancel,
-                                                               const Progress& progress) {
+        [path, settings, document = document_to_export(settings)](const CancelToken& cancel,
+                                                                  const Progress& progress) {
           return export_triangles(document, path, settings, cancel, progress);
         },
-        [this, path](const Result<Done>& exported) {
+        [this, path, choices = settings.choices,
+         unit = editor_.history.current().unit](const Result<ExportReport>& exported) {
           if (!exported.ok()) {
             log_.file("export_failed", path);
             return editor_.notify(exported.error());
           }
-          editor_.notify(Notice::Kind::info,
-                         fill(editor_.language("Exported {0}."), {path.filename().string()}));
+          editor_.notify(Notice::Kind::info, export_text(editor_.language, path, *exported, unit, choices));
           ++editor_.exports;
           log_.file("exported", path);
         });

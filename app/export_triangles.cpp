@@ -4,6 +4,7 @@
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
+#include ""
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/attached.hpp"
 
@@ -33,6 +34,21 @@ Result<ExportCount> count_by_density(const Document& document, int density, cons
   return count;
 }
 
+ExportReport report_of(std::span<const NamedTriangles> meshes, double scale,
+                       const std::filesystem::path& path) {
+  ExportReport report;
+  Box3 box;
+  for (const NamedTriangles& named : meshes) {
+    report.triangles += named.mesh->triangles.size();
+    for (const Vector3& position : named.mesh->positions) box.extend(named.mesh->origin + position);
+  }
+  if (!box.isEmpty()) report.size = scale * box.sizes();
+  std::error_code unknown;
+  const auto bytes = std::filesystem::file_size(path, unknown);
+  if (!unknown) report.bytes = bytes;
+  return report;
+}
+
 }  // namespace
 
 Result<ExportCount> count_triangles(const Document& document, const ExportSettings& settings,
@@ -55,19 +71,30 @@ Result<ExportCount> count_triangles(const Document& document, const ExportSettin
   return count;
 }
 
-Result<Done> export_triangles(const Document& document, const std::filesystem::path& path,
-                              const ExportSettings& settings, const CancelToken& cancel,
-                              const Progress& progress) {
-  if (settings.by == ExportSettings::By::density)
-    return export_surfaces(document, path, settings.density, cancel, progress);
+Result<ExportReport> export_triangles(const Document& document, const std::filesystem::path& path,
+                                      const ExportSettings& settings, const CancelToken& cancel,
+                                      const Progress& progress) {
   constexpr double writing = 0.75;  // what making the triangles takes of the whole, about
-  const auto meshed = mesh_surfaces(document, {options_of(settings)}, cancel, progress.part(0, writing));
-  if (!meshed.ok()) return meshed.error();
+  const Progress making = progress.part(0, writing);
+  std::vector<MeshedObject> tolerated;
+  std::vector<NamedMesh> meshes;
   std::vector<NamedTriangles> named;
-  for (const MeshedObject& object : *meshed)
-    named.push_back({object.name, &object.result.mesh, object.colour});
+  if (settings.by == ExportSettings::By::density) {
+    auto made = density_meshes(document, settings.density, cancel, making);
+    if (!made.ok()) return made.error();
+    meshes = std::move(made).value();
+    for (const NamedMesh& mesh : meshes) named.push_back({mesh.name, &mesh.mesh, mesh.colour});
+  } else {
+    auto made = mesh_surfaces(document, {options_of(settings)}, cancel, making);
+    if (!made.ok()) return made.error();
+    tolerated = std::move(made).value();
+    for (const MeshedObject& object : tolerated)
+      named.push_back({object.name, &object.result.mesh, object.colour});
+  }
   progress.report(writing);
-  return write_mesh_file(path, named, write_options(document, cancel));
+  const auto written = write_mesh_file(path, named, write_options(document, settings.choices, cancel));
+  if (!written.ok()) return written.error();
+  return report_of(named, settings.choices.scale, path);
 }
 
 }  // namespace hariko

@@ -18,8 +18,8 @@ Result<ExportCount> count_triangles(const Document& document, const ExportSettin
 
 /// Writes the visible surfaces in the format that the ending names. Errors: those of `mesh_surfaces`,
 /// `export_surfaces` and writing; E_CANCELLED, and the file is as it was.
-Result<Done> export_triangles(const Document& document, const std::filesystem::path& path,
-                              const ExportSettings& settings, const CancelToken& cancel,
-                              const Progress& progress);
+Result<ExportReport> export_triangles(const Document& document, const std::filesystem::path& path,
+                                      const ExportSettings& settings, const CancelToken& cancel,
+                                      const Progress& progress);
 
 }  // namespace hariko

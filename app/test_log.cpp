@@ -1,5 +1,7 @@
 #include "app/test_log.hpp"
 
+#include <imgui.h>
+
 #include <nlohmann/json.hpp>
 
 #include "ui/selection_text.hpp"
@@ -37,11 +39,21 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   notices(editor);
   paper(editor);
   commands(editor, workbench);
+  pointer();
   pictures_ = workbench.viewport().pictures_drawn();
   if (idle && !idle_) frame_times(editor.frame_times);
   if (idle && !idle_)
     out_ << Json{{"event", "idle"}, {"frames", frames_}, {"pictures", pictures_}}.dump() << std::endl;
   idle_ = idle;
+}
+
+/// Input is taken in order: who sees the pointer arrive knows that all before it was taken, too.
+void TestLog::pointer() {
+  if (!ImGui::IsMousePosValid()) return;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  if (std::array{at.x, at.y} == pointer_) return;
+  pointer_ = {at.x, at.y};
+  out_ << Json{{"event", "pointer"}, {"at", pointer_}}.dump() << std::endl;
 }
 
 void TestLog::frame_times(const FrameTimes& times) {

@@ -3,6 +3,7 @@
 // TestLog: one JSON line for everything that happened, so that a test which drives the real window can wait
 // for it and find things on the screen without guessing pixels.
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -24,6 +25,7 @@ class TestLog {
 
  private:
   void layout(const Workbench& workbench);
+  void pointer();
   void frame_times(const FrameTimes& times);
   void vertices(const Editor& editor, const Workbench& workbench);
   void history(const Editor& editor);
@@ -33,6 +35,7 @@ class TestLog {
 
   std::ofstream out_;
   bool on_ = false, idle_ = false;
+  std::array<float, 2> pointer_{-1, -1};
   std::map<std::string, Marks::Rect> rects_;
   std::size_t position_ = 0;
   std::uint64_t serial_ = ~std::uint64_t{0}, pictures_ = 0, frames_ = 0, commands_run_ = 0;

@@ -3,6 +3,9 @@
 // How surfaces become the triangles of an exported file, and what is known of them before it is written.
 
 #include <cstddef>
+#include <cstdint>
+
+#include "core/document/file_choices.hpp"
 
 namespace hariko {
 
@@ -13,8 +16,22 @@ struct ExportSettings {
   double angle = 0;       ///< largest between the normals of both, radians; 0: any
   bool optimise = false;  ///< as few triangles as can be found, which takes long
   int density = 16;       ///< intervals a patch side
+  FileChoices choices = {};
+  bool only_selected = false;
 
   friend bool operator==(const ExportSettings&, const ExportSettings&) = default;
+  /// True when both give the same triangles, however their numbers are written.
+  bool same_triangles(ExportSettings other) const {
+    other.choices = choices;
+    return *this == other;
+  }
+};
+
+/// What was written, all objects together.
+struct ExportReport {
+  std::size_t triangles = 0;
+  Vector3 size = Vector3::Zero();  ///< along the axes of the document, in its unit times the scale chosen
+  std::uintmax_t bytes = 0;
 };
 
 /// Of all objects together.

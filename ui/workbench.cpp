@@ -323,15 +323,15 @@ void Workbench::show_export_dialog() {
   dialog_.open({translatable("Export the surfaces as triangles"),
                 translatable("Export"),
                 true,
-                {".obj", ".stl", ".ply", ".glb", ".off"},
+                {".obj", ".stl", ".3mf", ".ply", ".glb", ".gltf", ".off"},
                 proposal,
                 [this](const auto& path) { actions_.export_file(path, export_options_.settings()); },
-                [this] {
-                  if (export_options_.draw(editor_, marks_, metrics_))
+                [this](const std::filesystem::path& name) {
+                  if (export_options_.draw(editor_, marks_, metrics_, name))
                     actions_.count_export(export_options_.settings());
                 },
                 [] { return ExportOptions::rows; }});
-  export_options_.begin(editor_);
+  export_options_.begin(editor_, proposal);
   actions_.count_export(export_options_.settings());
 }
 
@@ -351,7 +351,7 @@ void Workbench::show_picture_dialog(bool turntable) {
     if (!order) return editor_.notify(order.error());
     actions_.export_pictures(std::move(order).value());
   };
-  request.options = [this, turntable] {
+  request.options = [this, turntable](const std::filesystem::path&) {
     draw_picture_options(editor_, marks_, metrics_, picture_settings_, turntable);
   };
   request.option_rows = [turntable] { return picture_option_rows(turntable); };

@@ -10,6 +10,7 @@
 #include "app/files/model_facets.hpp"
 #include "core/approximation/mesh_options.hpp"
 #include "core/document/display.hpp"
+#include "core/document/file_choices.hpp"
 #include "core/gaussmap/outline_settings.hpp"
 #include "core/network/shaping.hpp"
 #include "core/unfolding/unfolding.hpp"
@@ -37,6 +38,12 @@ struct Construction {
   friend bool operator==(const Construction&, const Construction&) = default;
 };
 
+/// What of the document is written, and how its numbers stand there.
+struct FileArguments {
+  FileChoices choices;
+  std::vector<std::string> only;  ///< names of objects; empty: all visible ones
+};
+
 struct InfoArguments {
   std::filesystem::path file;
   std::optional<std::filesystem::path> against;  ///< document to compare surfaces with
@@ -49,6 +56,7 @@ struct ExportArguments {
   std::filesystem::path file, out;
   int density = 8;       ///< 1 .. 256
   bool control = false;  ///< the control meshes of skins instead of triangles
+  FileArguments file_arguments;
   Construction construction;
 };
 int run_export(const ExportArguments& arguments);
@@ -75,6 +83,7 @@ struct MeshArguments {
   std::filesystem::path file, out;
   MeshOptions options;           ///< lengths in the document's unit
   std::filesystem::path errors;  ///< where error maps are written; empty: nowhere
+  FileArguments file_arguments;
   bool json = false;
   Construction construction;
 };

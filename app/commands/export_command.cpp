@@ -1,16 +1,23 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/commands/file_options.hpp"
 #include "app/files/control_mesh_file.hpp"
 #include "app/files/export_surfaces.hpp"
 
 namespace hariko {
 
 int run_export(const ExportArguments& arguments) {
-  const auto document = read_document_or_report(arguments.file, arguments.construction);
-  if (!document) return exit_failed;
+  const auto read = read_document_or_report(arguments.file, arguments.construction);
+  if (!read) return exit_failed;
+  const auto document = with_only(*read, arguments.file_arguments.only);
+  if (!document.ok()) {
+    report(arguments.file.string(), document.error());
+    return exit_failed;
+  }
   const auto done = arguments.control ? export_control_meshes(*document, arguments.out)
-                                      : export_surfaces(*document, arguments.out, arguments.density);
+                                      : export_surfaces(*document, arguments.out, arguments.density,
+                                                        arguments.file_arguments.choices);
   if (done.ok()) return exit_fine;
   report(arguments.file.string(), done.error());
   return exit_failed;

@@ -5,6 +5,7 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/commands/file_options.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
 #include "app/files/open_file.hpp"
@@ -109,14 +110,17 @@ int run_mesh(const MeshArguments& arguments) {
   Result<std::vector<MeshedObject>> meshed = std::vector<MeshedObject>{};
   const auto holds = content_of(arguments.file);
   if (!holds.ok()) return failed(holds.error());
-  WriteOptions writing_options;
+  // Files of patches have no unit: theirs counts as the usual one.
+  WriteOptions writing_options = write_options({}, arguments.file_arguments.choices);
   if (*holds == JsonKind::patches) {
     meshed = mesh_patch_file(arguments.file, request);
   } else {
-    const auto document = read_document_or_report(arguments.file, arguments.construction);
-    if (!document) return exit_failed;
+    const auto read = read_document_or_report(arguments.file, arguments.construction);
+    if (!read) return exit_failed;
+    const auto document = with_only(*read, arguments.file_arguments.only);
+    if (!document.ok()) return failed(document.error());
     meshed = mesh_surfaces(*document, request);
-    writing_options = write_options(*document);
+    writing_options = write_options(*document, arguments.file_arguments.choices);
   }
   if (!meshed.ok()) return failed(meshed.error());
   const double meshing = watch.lap();

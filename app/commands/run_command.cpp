@@ -10,6 +10,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
+#include "app/commands/file_options.hpp"
 #include "app/commands/outline_command_line.hpp"
 #include "app/commands/unfold_command_line.hpp"
 #include "core/exchange/mesh_file.hpp"
@@ -145,9 +146,9 @@ class CommandLine {
     } catch (const CLI::ParseError& error) {
       return app_.exit(error) == 0 ? exit_fine : exit_usage;
     }
-    info_arguments_.construction = export_arguments_.construction = construction();
+    info_arguments_.construction = construction();
     if (*info_) return run_info(info_arguments_);
-    if (*export_) return run_export(export_arguments_);
+    if (*export_) return run_export(export_arguments());
     if (*render_) return run_render(render_arguments());
     if (*unfold_.command()) return run_unfold(unfold_.arguments());
     if (*mesh_) return run_mesh(mesh_arguments());
@@ -166,13 +167,16 @@ class CommandLine {
   void add_export() {
     export_ = app_.add_subcommand("export", "Writes the surfaces of the visible objects as triangles");
     export_->add_option("FILE", export_arguments_.file, "Document or mesh")->required();
-    export_->add_option("OUT", export_arguments_.out, "File to write: *.obj, *.off, *.ply, *.stl or *.glb")
+    export_
+        ->add_option("OUT", export_arguments_.out,
+                     "File to write: *.obj, *.off, *.ply, *.stl, *.3mf, *.glb or *.gltf")
         ->required();
     export_->add_option("--density", export_arguments_.density, "Intervals a patch side, 1 to 256")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     export_->add_flag("--control", export_arguments_.control,
                       "Writes the control meshes of skins, with creases, as OBJ instead");
+    file_options_.add_to(export_);
     add_construction(export_);
   }
   void add_render() {
@@ -231,7 +235,8 @@ class CommandLine {
                                 "Writes the surfaces of the visible objects as triangles under tolerances");
     mesh_->add_option("FILE", input_, "Document, mesh, or file of Bezier patches (*.bpt, *.json)")
         ->required();
-    mesh_->add_option("OUT", output_, "File to write: *.obj, *.off, *.ply, *.stl or *.glb")->required();
+    mesh_->add_option("OUT", output_, "File to write: *.obj, *.off, *.ply, *.stl, *.3mf, *.glb or *.gltf")
+        ->required();
     mesh_->add_option("--distance", distance_, "Between surface and facets, in the document's unit");
     mesh_->add_option("--normal", normal_, "Between the normals of surface and facet, degrees");
     mesh_->add_option("--fold", fold_, "Between neighbouring facets, degrees");
@@ -246,6 +251,7 @@ class CommandLine {
                     "Vertices may leave surfaces that bend one way: fewer facets still, by a distance alone");
     mesh_->add_option("--errors", errors_, "File to write the error of every facet and sample to: *.csv");
     mesh_->add_flag("--json", mesh_json_, "Print JSON");
+    file_options_.add_to(mesh_);
     add_construction(mesh_);
   }
 
@@ -286,9 +292,10 @@ class CommandLine {
       if (!is_png(output_)) throw CLI::ValidationError("OUT", "the name must end in .png");
     }
   }
-  static void check_mesh_output(const std::filesystem::path& in, const std::filesystem::path& out) {
-    if (!can_write_mesh(out))
+  void check_mesh_output(const std::filesystem::path& in, const std::filesystem::path& out) const {
+    if (!written_format(out))
       throw CLI::ValidationError("OUT", "the name must end in " + std::string(written_mesh_endings));
+    file_options_.check(out);
     check_distinct(in, out);
   }
   static void check_distinct(const std::filesystem::path& in, const std::filesystem::path& out) {
@@ -297,6 +304,12 @@ class CommandLine {
       throw CLI::ValidationError("OUT", "must be another file than FILE");
   }
 
+  ExportArguments export_arguments() const {
+    ExportArguments out = export_arguments_;
+    out.file_arguments = file_options_.arguments();
+    out.construction = construction();
+    return out;
+  }
   RenderArguments render_arguments() const {
     RenderArguments out = render_arguments_;
     out.file = input_;
@@ -332,6 +345,7 @@ class CommandLine {
     out.out = output_;
     out.errors = errors_;
     out.json = mesh_json_;
+    out.file_arguments = file_options_.arguments();
     out.construction = construction();
     const auto radians = [](const std::optional<double>& degrees) {
       return degrees ? std::optional(*degrees * std::numbers::pi / 180) : std::nullopt;
@@ -365,6 +379,7 @@ class CommandLine {
   std::vector<std::string> files_, show_;
   InfoArguments info_arguments_;
   ExportArguments export_arguments_;
+  FileOptions file_options_;
   RenderArguments render_arguments_;
   UnfoldCommandLine unfold_;
   OutlineCommandLine outlines_;

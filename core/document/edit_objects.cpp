@@ -202,6 +202,18 @@ Result<Document> set_visible(const Document& document, ObjectId object, bool vis
   });
 }
 
+Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects) {
+  Document out = document;
+  for (const auto& object : document.objects) {
+    const bool visible = std::find(objects.begin(), objects.end(), object->id) != objects.end();
+    if (object->visible == visible) continue;
+    auto changed = set_visible(out, object->id, visible);
+    if (!changed) return changed.error();
+    out = std::move(changed).value();
+  }
+  return out;
+}
+
 Result<Document> set_locked(const Document& document, ObjectId object, bool locked) {
   return detail::change_object(document, object, false, [&](Object& changed) -> Result<Done> {
     changed.locked = locked;

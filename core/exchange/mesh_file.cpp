@@ -1,8 +1,11 @@
 #include "core/exchange/mesh_file.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <new>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "core/base/printable.hpp"
 #include "core/exchange/read_obj.hpp"
@@ -38,17 +41,35 @@ std::string lower_extension(const std::filesystem::path& path) {
 }
 
 template <class Mesh>
+Result<std::string> bytes_of(const std::string& extension, std::span<const Mesh> meshes,
+                             double metres_per_unit) {
+  if (extension == ".obj") return write_obj(meshes);
+  if (extension == ".off") return write_off(meshes);
+  if (extension == ".ply") return write_ply(meshes, PlyEncoding::binary);
+  if (extension == ".stl") return write_stl(meshes);
+  if (extension == ".3mf") return write_3mf(meshes, metres_per_unit);
+  return write_gltf(meshes, metres_per_unit, extension == ".glb" ? GltfForm::binary : GltfForm::text);
+}
+
+template <class Mesh>
 Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mesh> meshes,
                           const WriteOptions& options) {
-  const std::string extension = lower_extension(path);
-  Result<std::string> bytes =
-      make_error(e_format_unknown, "The extension stands for no mesh format that can be written.",
-                 "Use " + std::string(written_mesh_endings) + ".");
-  if (extension == ".obj") bytes = write_obj(meshes);
-  if (extension == ".off") bytes = write_off(meshes);
-  if (extension == ".ply") bytes = write_ply(meshes, PlyEncoding::binary);
-  if (extension == ".stl") bytes = write_stl(meshes);
-  if (extension == ".glb") bytes = write_gltf(meshes, options.metres_per_unit);
+  const auto choices = written_format(path);
+  if (!choices)
+    return in_file(
+        path, make_error(e_format_unknown, "The extension stands for no mesh format that can be written.",
+                         "Use " + std::string(written_mesh_endings) + "."));
+  const double metres_per_file_unit = choices->unit
+                                          ? options.metres_per_file_unit.value_or(options.metres_per_unit)
+                                          : options.metres_per_unit;
+  const FileSpace space{// 1 exactly where both units are the same
+                        options.factor * (options.metres_per_unit / metres_per_file_unit),
+                        choices->up ? options.up : UpAxis::z};
+  std::vector<Mesh> named(meshes.begin(), meshes.end());
+  std::deque<std::remove_const_t<std::remove_pointer_t<decltype(Mesh::mesh)>>> moved;
+  if (!space.is_same())
+    for (Mesh& mesh : named) mesh.mesh = &moved.emplace_back(in_space(space, *mesh.mesh));
+  const auto bytes = bytes_of(lower_extension(path), std::span<const Mesh>(named), metres_per_file_unit);
   if (!bytes) return in_file(path, bytes.error());
   if (options.cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
   return write_file_atomic(path, *bytes);
@@ -56,8 +77,12 @@ Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mes
 
 }  // namespace
 
-bool can_write_mesh(const std::filesystem::path& path) {
-  return format_of_extension(path) || lower_extension(path) == ".glb";
+std::optional<FormatChoices> written_format(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".glb" || extension == ".gltf") return FormatChoices{false, false};
+  if (extension == ".3mf") return FormatChoices{true, false};
+  if (format_of_extension(path)) return FormatChoices{};
+  return {};
 }
 
 std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path) {

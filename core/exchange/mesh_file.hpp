@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/exchange/file_space.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/write_mesh.hpp"
 
@@ -29,17 +30,27 @@ Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const Rea
 
 struct WriteOptions {
   CancelToken cancel = {};
-  double metres_per_unit = 0.001;  ///< for formats whose unit is fixed
+  double metres_per_unit = 0.001;                   ///< of the meshes' numbers
+  std::optional<double> metres_per_file_unit = {};  ///< of the file's; nothing: as the meshes'
+  double factor = 1;                                ///< all lengths are multiplied by it; above 0
+  UpAxis up = UpAxis::z;
 };
 
-/// True for the endings that `write_mesh_file` takes, whatever their case.
-bool can_write_mesh(const std::filesystem::path& path);
-/// The endings, as they stand in sentences: ".obj, .off, .ply, .stl or .glb".
-inline constexpr std::string_view written_mesh_endings = ".obj, .off, .ply, .stl or .glb";
+/// What a format leaves to choose.
+struct FormatChoices {
+  bool unit = true;  ///< glTF is in metres
+  bool up = true;    ///< glTF has y up, 3MF z
+};
 
-/// Writes meshes in the format of the extension: OBJ, OFF, PLY (binary), STL (binary) or glTF (.glb),
-/// atomically. Errors: E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of
-/// `write_stl` and `write_gltf`.
+/// Of the endings that `write_mesh_file` takes, whatever their case; nothing for others.
+std::optional<FormatChoices> written_format(const std::filesystem::path& path);
+/// The endings, as they stand in sentences.
+inline constexpr std::string_view written_mesh_endings = ".obj, .off, .ply, .stl, .3mf, .glb or .gltf";
+
+/// Writes meshes in the format of the extension: OBJ, OFF, PLY (binary), STL (binary), 3MF or glTF (.glb,
+/// .gltf), atomically. Formats that fix the unit or the up axis keep to theirs whatever the options say.
+/// Errors: E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of `write_stl`,
+/// `write_gltf` and `write_3mf`.
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
                              const WriteOptions& options = {});
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/exchange/file_space.hpp"
 #include "core/exchange/single_normals.hpp"
 #include "core/exchange/triangulate.hpp"
 #include "core/exchange/write_mesh.hpp"
@@ -24,9 +26,19 @@ void append_word(std::string& out, std::uint32_t word) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>((word >> (8 * i)) & 0xffU);
 }
 
-/// From z up to y up.
-Vector3 turned(const Vector3& v) {
-  return {v.x(), v.z(), -v.y()};
+/// The alphabet and padding of RFC 4648.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t taken = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      word = (word << 8) | (k < taken ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= taken ? alphabet[(word >> (18 - 6 * k)) & 63U] : '=';
+  }
+  return out;
 }
 
 /// The format stores colours by their light, documents as screens show them (sRGB).
@@ -37,13 +49,13 @@ double linear(std::uint8_t channel) {
 
 class GltfWriter {
  public:
-  explicit GltfWriter(double metres_per_unit) : scale_(metres_per_unit) {}
+  explicit GltfWriter(double metres_per_unit) : space_{metres_per_unit, UpAxis::y} {}
 
   Result<Done> add(const std::string& name, const std::array<std::uint8_t, 3>& colour, const Vector3& origin,
                    const VertexTriangles& mesh) {
     if (mesh.triangles.empty()) return Done{};
     Json primitive = {{"attributes", Json::object()}};
-    const auto positions = add_vectors(mesh.positions, scale_, true);
+    const auto positions = add_vectors(mesh.positions, space_.factor, true);
     if (!positions) return positions.error();
     primitive["attributes"]["POSITION"] = *positions;
     if (!mesh.normals.empty()) primitive["attributes"]["NORMAL"] = *add_vectors(mesh.normals, 1, false);
@@ -56,7 +68,7 @@ class GltfWriter {
            {"roughnessFactor", 0.6}}},
          {"doubleSided", true}});
     // Floats are fine enough beside the object's own origin, which is a double.
-    const Vector3 place = scale_ * turned(origin);
+    const Vector3 place = space_.placed(origin);
     if (!place.allFinite()) return too_large();
     nodes_.push_back(
         {{"name", name}, {"mesh", meshes_.size()}, {"translation", {place.x(), place.y(), place.z()}}});
@@ -64,22 +76,14 @@ class GltfWriter {
     return Done{};
   }
 
-  Result<std::string> take() {
-    Json scene = Json::array();
-    for (std::size_t i = 0; i < nodes_.size(); ++i) scene.push_back(i);
-    Json root = {{"asset", {{"version", "2.0"}, {"generator", "Hariko"}}}, {"scene", 0}};
-    root["scenes"] = Json::array({Json{{"nodes", scene}}});
-    if (!nodes_.empty()) {
-      root["nodes"] = nodes_;
-      root["meshes"] = meshes_;
-      root["materials"] = materials_;
-      root["accessors"] = accessors_;
-      root["bufferViews"] = views_;
-      root["buffers"] = Json::array({Json{{"byteLength", binary_.size()}}});
-    } else {
-      root["scenes"][0].erase("nodes");
+  Result<std::string> take(GltfForm form) {
+    if (form == GltfForm::text) {
+      Json root = root_object();
+      if (!nodes_.empty())
+        root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(binary_);
+      return root.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
     }
-    std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = root_object().dump(-1, ' ', false, Json::error_handler_t::replace);
     while (text.size() % 4 != 0) text += ' ';
     const std::size_t binary = nodes_.empty() ? 0 : chunk_header_size + binary_.size();
     const std::size_t total = header_size + chunk_header_size + text.size() + binary;
@@ -98,6 +102,24 @@ class GltfWriter {
   }
 
  private:
+  Json root_object() const {
+    Json scene = Json::array();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) scene.push_back(i);
+    Json root = {{"asset", {{"version", "2.0"}, {"generator", "Hariko"}}}, {"scene", 0}};
+    root["scenes"] = Json::array({Json{{"nodes", scene}}});
+    if (!nodes_.empty()) {
+      root["nodes"] = nodes_;
+      root["meshes"] = meshes_;
+      root["materials"] = materials_;
+      root["accessors"] = accessors_;
+      root["bufferViews"] = views_;
+      root["buffers"] = Json::array({Json{{"byteLength", binary_.size()}}});
+    } else {
+      root["scenes"][0].erase("nodes");
+    }
+    return root;
+  }
+
   static Message too_large() {
     return make_error(e_limit, "The mesh is too large for the numbers of a glTF file.",
                       "Scale it down, or export it as OBJ.");
@@ -117,7 +139,7 @@ class GltfWriter {
     const std::size_t begin = binary_.size();
     Eigen::Vector3f low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity()), high = -low;
     for (const Vector3& v : vectors) {
-      const Eigen::Vector3f f = (scale * turned(v)).cast<float>();
+      const Eigen::Vector3f f = (scale * space_.turned(v)).cast<float>();
       if (!f.allFinite()) return too_large();
       low = low.cwiseMin(f);
       high = high.cwiseMax(f);
@@ -138,7 +160,7 @@ class GltfWriter {
     return add_accessor(begin, 3 * triangles.size(), index_component, "SCALAR", index_buffer);
   }
 
-  double scale_;
+  FileSpace space_;
   std::string binary_;
   Json nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array();
   Json accessors_ = Json::array(), views_ = Json::array();
@@ -146,17 +168,18 @@ class GltfWriter {
 
 }  // namespace
 
-Result<std::string> write_gltf(std::span<const NamedTriangles> meshes, double metres_per_unit) {
+Result<std::string> write_gltf(std::span<const NamedTriangles> meshes, double metres_per_unit,
+                               GltfForm form) {
   GltfWriter writer(metres_per_unit);
   for (const NamedTriangles& named : meshes)
     if (const auto added =
             writer.add(named.name, named.colour, named.mesh->origin, with_single_normals(*named.mesh));
         !added)
       return added.error();
-  return writer.take();
+  return writer.take(form);
 }
 
-Result<std::string> write_gltf(std::span<const NamedPolygons> meshes, double metres_per_unit) {
+Result<std::string> write_gltf(std::span<const NamedPolygons> meshes, double metres_per_unit, GltfForm form) {
   GltfWriter writer(metres_per_unit);
   for (const NamedPolygons& named : meshes) {
     TriangleMesh mesh;
@@ -167,7 +190,7 @@ Result<std::string> write_gltf(std::span<const NamedPolygons> meshes, double met
         !added)
       return added.error();
   }
-  return writer.take();
+  return writer.take(form);
 }
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// Meshes as the bytes of OBJ, OFF, PLY, STL and glTF files.
+// Meshes as the bytes of OBJ, OFF, PLY, STL, glTF and 3MF files.
 
 #include <array>
 #include <cstdint>
@@ -53,10 +53,21 @@ Result<std::string> write_stl(std::span<const NamedPolygons> meshes);
 std::string write_off(std::span<const NamedTriangles> meshes);
 std::string write_off(std::span<const NamedPolygons> meshes);
 
-/// glTF 2.0 as one binary file (.glb): a node, a mesh and a material for each, y up, in metres, normals where
+enum class GltfForm { binary, text };  ///< .glb; .gltf with the buffer inside
+
+/// glTF 2.0 as one file: a node, a mesh and a material for each, y up, in metres, normals where
 /// there are any; polygons are triangulated. Positions are floats about the object's own origin. Fails with
 /// E_LIMIT above 4 GB or beyond the range of floats. O(size).
-Result<std::string> write_gltf(std::span<const NamedTriangles> meshes, double metres_per_unit);
-Result<std::string> write_gltf(std::span<const NamedPolygons> meshes, double metres_per_unit);
+Result<std::string> write_gltf(std::span<const NamedTriangles> meshes, double metres_per_unit,
+                               GltfForm form = GltfForm::binary);
+Result<std::string> write_gltf(std::span<const NamedPolygons> meshes, double metres_per_unit,
+                               GltfForm form = GltfForm::binary);
+
+/// 3MF (core specification 1.3): an object with a colour for each, z up, in the unit of that length if the
+/// format has it (micron, mm, cm, inch, foot, m) and in millimetres otherwise; polygons are triangulated,
+/// triangles without area are left out, and meshes with borders are marked as surfaces, which printers refuse
+/// to fill. Positions are exact. The same meshes give the same bytes. O(size).
+Result<std::string> write_3mf(std::span<const NamedTriangles> meshes, double metres_per_unit);
+Result<std::string> write_3mf(std::span<const NamedPolygons> meshes, double metres_per_unit);
 
 }  // namespace hariko

@@ -41,7 +41,7 @@ TEST(FileWork, ACancelledExportLeavesTheOldFileOrNone) {
         const Progress progress = Progress::make();
         if (at < 0) cancel.cancel();
         Result<Done> result = Done{};
-        std::thread worker([&] { result = export_surfaces(document, file, 64, cancel, progress); });
+        std::thread worker([&] { result = export_surfaces(document, file, 64, {}, cancel, progress); });
         while (at >= 0 && progress.fraction() < at) std::this_thread::yield();
         cancel.cancel();
         worker.join();
@@ -66,7 +66,7 @@ TEST(FileWork, AnExportReportsHowFarItIs) {
   const test::TemporaryFolder folder;
   const Document document = document_from_mesh(test::torus(5, 4), "Torus").value();
   const Progress progress = Progress::make();
-  ASSERT_TRUE(export_surfaces(document, folder.path() / "a.obj", 4, {}, progress).ok());
+  ASSERT_TRUE(export_surfaces(document, folder.path() / "a.obj", 4, {}, {}, progress).ok());
   EXPECT_GE(progress.fraction(), 0.5);
   EXPECT_LE(progress.fraction(), 1);
 }

@@ -44,6 +44,30 @@ TEST_F(ExportRender, DensityIsEightAndEdgesOfOpenSurfacesStayOpen) {
   EXPECT_EQ(open_edges(mesh->mesh), 12U * 8U);
 }
 
+TEST_F(ExportRender, UnitScaleUpAxisAndObjectsCanBeChosen) {
+  const auto size = [&](const std::string& options) {
+    const std::string out = path("a.obj");
+    const Outcome result = run("export " + golden("cube.obj") + " " + out + " --density 2 " + options);
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    Box3 box;
+    for (const Vector3& p : read_mesh_file(out)->mesh.positions) box.extend(p);
+    return Vector3(box.sizes());
+  };
+  const Vector3 usual = size("");
+  EXPECT_LT((size("--unit in --scale 3") - usual * 3 / 25.4).norm(), 1e-12 * usual.norm());
+  EXPECT_LT((size("--unit m") - usual / 1000).norm(), 1e-12 * usual.norm());
+  EXPECT_LT((size("--only cube --up y") - Vector3(usual.x(), usual.z(), usual.y())).norm(),
+            1e-12 * usual.norm());
+  const Outcome missing = run("export " + golden("cube.obj") + " " + path("b.obj") + " --only ball");
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_NE(missing.error.find("E_NO_SUCH_OBJECT"), std::string::npos) << missing.error;
+  for (const char* wrong :
+       {"c.glb --unit mm", "c.3mf --up y", "c.obj --scale 0", "c.obj --scale nan", "c.obj --unit ft"})
+    EXPECT_EQ(run("export " + golden("cube.obj") + " " + path(wrong)).exit_code, 2) << wrong;
+  for (const char* name : {"d.3mf", "d.gltf", "d.glb"})
+    EXPECT_EQ(run("export " + golden("cube.obj") + " " + path(name) + " --scale 2").exit_code, 0) << name;
+}
+
 TEST_F(ExportRender, OldFileStaysWhenTheInputFails) {
   write_text(path("out.obj"), "old");
   EXPECT_EQ(run("export " + path("missing.obj") + " " + path("out.obj")).exit_code, 1);

@@ -29,9 +29,9 @@ struct Found {
   Vector3 colour;
 };
 
-std::vector<Found> read_back(const std::string& bytes) {
+std::vector<Found> read_back(const std::string& bytes, const char* form = "glb") {
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "glb");
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, form);
   std::vector<Found> out;
   EXPECT_TRUE(scene) << importer.GetErrorString();
   if (!scene) return out;
@@ -64,6 +64,17 @@ std::vector<Found> read_back(const std::string& bytes) {
   return out;
 }
 
+void expect_same(const std::vector<Found>& a, const std::vector<Found>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].name, b[k].name);
+    EXPECT_EQ(a[k].positions, b[k].positions);
+    EXPECT_EQ(a[k].normals, b[k].normals);
+    EXPECT_EQ(a[k].triangles, b[k].triangles);
+    EXPECT_EQ(a[k].colour, b[k].colour);
+  }
+}
+
 double area_of(const std::vector<Vector3>& positions, const std::vector<std::array<Index, 3>>& triangles) {
   double area = 0;
   for (const auto& t : triangles)
@@ -87,6 +98,18 @@ TriangleMesh faceted(std::mt19937_64& rng) {
     }
   }
   return mesh;
+}
+
+TEST(WriteGltf, TextHoldsTheSameAsTheBinaryForm) {
+  for_random(37, 6, [](std::mt19937_64& rng) {
+    const TriangleMesh first = faceted(rng), second = faceted(rng);
+    const std::vector<NamedTriangles> named{{"a", &first}, {"b", &second}};
+    for (const std::size_t count : {1U, 2U}) {
+      const std::span<const NamedTriangles> some(named.data(), count);
+      expect_same(read_back(*write_gltf(some, 0.001, GltfForm::text), "gltf"),
+                  read_back(*write_gltf(some, 0.001)));
+    }
+  });
 }
 
 TEST(WriteGltf, AnotherReaderFindsTheSameInMetresAndYUp) {

@@ -306,6 +306,30 @@ TEST(MeshFile, FormatsAreToldByExtensionOrContent) {
   EXPECT_EQ(format_of_content(""), std::nullopt);
 }
 
+TEST(MeshFile, UnitScaleAndUpAxisAreThoseAskedFor) {
+  std::mt19937_64 rng(5);
+  const PolygonMesh mesh = tetrahedra(rng, 2);
+  const std::vector<NamedPolygons> named{{"", &mesh}};
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.obj";
+  const auto written = [&](const WriteOptions& options) {
+    EXPECT_TRUE(write_mesh_file(path, std::span<const NamedPolygons>(named), options).ok());
+    return read_mesh_file(path)->mesh.positions;
+  };
+  EXPECT_EQ(written({}), mesh.positions);
+  // Millimetres in inches, twice as large, with y up.
+  const auto found = written({.metres_per_file_unit = 0.0254, .factor = 2, .up = UpAxis::y});
+  for (std::size_t v = 0; v < found.size(); ++v) {
+    const Vector3 p = mesh.positions[v] * 2 / 25.4;
+    EXPECT_LT((found[v] - Vector3(p.x(), p.z(), -p.y())).norm(), 1e-14 * p.norm());
+  }
+  EXPECT_TRUE(written_format("a.OBJ")->unit);
+  EXPECT_FALSE(written_format("a.glb")->unit);
+  EXPECT_TRUE(written_format("a.3mf")->unit);
+  EXPECT_FALSE(written_format("a.3mf")->up);
+  EXPECT_FALSE(written_format("a.txt"));
+}
+
 TEST(MeshFile, ErrorsNameTheFile) {
   const test::TemporaryFolder folder;
   const auto expect_error = [&](const char* name, const std::string& bytes, Code code) {

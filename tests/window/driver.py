@@ -10,6 +10,8 @@ import tempfile
 import time
 
 # Presses must outlast a frame: software rendering on a loaded machine is slow.
+# Programs with sanitizers are several times slower, and four tests run side by side.
+PATIENCE = float(os.environ.get("HARIKO_TEST_PATIENCE", "1"))
 HOLD = 0.12
 
 
@@ -62,12 +64,12 @@ class Window:
         self.program = subprocess.Popen(
             [program, "--test-log", self.log_path, "--width", str(size[0]), "--height", str(size[1]), *files],
             env=self.environment, stderr=self.errors, cwd=self.folder)
-        found = self.xdotool("search", "--sync", "--onlyvisible", "--name", "Hariko", timeout=40)
+        found = self.xdotool("search", "--sync", "--onlyvisible", "--name", "Hariko", timeout=40 * PATIENCE)
         self.id = found.split()[0]
         self.xdotool("windowfocus", "--sync", self.id)
         self.wait_idle()
 
-    def xdotool(self, *arguments, timeout=20):
+    def xdotool(self, *arguments, timeout=20 * PATIENCE):
         done = subprocess.run(["xdotool", *arguments], env=self.environment, capture_output=True, text=True,
                               timeout=timeout)
         check(done.returncode == 0, f"xdotool {arguments}: {done.stderr}")
@@ -91,7 +93,7 @@ class Window:
         return sum(1 for e in self.events if e["event"] == event and all(e.get(k) == v for k, v in values.items()))
 
     def wait(self, condition, what, seconds=30):
-        end = time.monotonic() + seconds
+        end = time.monotonic() + seconds * PATIENCE
         while time.monotonic() < end:
             self.read()
             if condition():
@@ -149,14 +151,26 @@ class Window:
         self.xdotool("mouseup", str(button))
         time.sleep(HOLD)
 
-    def click(self, x, y):
+    def arrive(self, x, y):
+        """Moves there, and waits until the window has seen it, and with that all that came before."""
         self.move(x, y)
+        target = [round(x), round(y)]
+        self.wait(lambda: (self.last("pointer") or {"at": None})["at"] == target, f"the pointer at {target}")
+
+    def click(self, x, y):
+        self.arrive(x, y)
         self.press()
         self.release()
-        time.sleep(HOLD)
 
     def click_on(self, name):
-        self.click(*self.center(name))
+        """Clicks where the thing is once it rests: two frames after all that came before."""
+        at = None
+        while self.center(name) != at:
+            at = self.center(name)
+            self.arrive(at[0] + 1, at[1])
+            self.arrive(*at)
+        self.press()
+        self.release()
 
     def drag(self, start, end, button=1, steps=6, before_release=None):
         self.move(*start)

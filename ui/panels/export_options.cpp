@@ -38,14 +38,30 @@ double rounded(double value) {
 
 }  // namespace
 
-void ExportOptions::begin(const Editor& editor) {
+void ExportOptions::take_up(const std::filesystem::path& name) {
+  std::string extension = name.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (extension == extension_ || !written_format(name)) return;
+  if (!extension_.empty()) remembered_[extension_] = settings_;
+  extension_ = extension;
+  if (const auto found = remembered_.find(extension); found != remembered_.end()) settings_ = found->second;
+  suit_size();
+}
+
+void ExportOptions::suit_size() {
+  const bool suits = settings_.distance >= finest_tolerance * size_ && settings_.distance <= 0.1 * size_;
+  if (!suits) settings_.distance = rounded(usual_tolerance * size_);
+  distance_text_ = angle_text_ = scale_text_ = {};
+}
+
+void ExportOptions::begin(const Editor& editor, const std::filesystem::path& name) {
   Box3 box;
   for (const auto& object : editor.document().objects)
     if (object->visible) box.extend(world_box(*object));
   size_ = box.isEmpty() ? 1 : box.diagonal().norm();
-  const bool suits = settings_.distance >= finest_tolerance * size_ && settings_.distance <= 0.1 * size_;
-  if (!suits) settings_.distance = rounded(usual_tolerance * size_);
-  distance_text_ = angle_text_ = {};
+  take_up(name);
+  suit_size();
   count_.reset();
 }
 
@@ -108,9 +124,8 @@ void ExportOptions::result_row(const Editor& editor) const {
   ImGui::TextUnformatted(text.c_str());
 }
 
-bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics) {
+void ExportOptions::kind_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
-  const ExportSettings before = settings_;
   constexpr std::array names{translatable("Within a tolerance"), translatable("By density")};
   label(tr, metrics, translatable("Triangles"));
   ImGui::SetNextItemWidth(metrics.px(220));
@@ -124,6 +139,61 @@ bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metr
     }
     ImGui::EndCombo();
   }
+  ImGui::SameLine();
+  ImGui::Checkbox((std::string(tr("selected objects only")) + "##selected").c_str(),
+                  &settings_.only_selected);
+  marks.item("export.selected");
+}
+
+void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& metrics,
+                             const FormatChoices& format) {
+  const Language& tr = editor.language;
+  FileChoices& choices = settings_.choices;
+  label(tr, metrics, translatable("Unit"));
+  if (format.unit) {
+    constexpr std::array units{Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch};
+    ImGui::SetNextItemWidth(metrics.px(80));
+    const auto symbol = [](Unit unit) { return std::string(to_string(unit)); };
+    const bool open =
+        ImGui::BeginCombo("##unit", symbol(choices.unit.value_or(editor.document().unit)).c_str());
+    marks.item("export.unit");
+    if (open) {
+      for (const Unit unit : units) {
+        const bool own = unit == editor.document().unit;
+        if (ImGui::Selectable(symbol(unit).c_str(), choices.unit ? *choices.unit == unit : own))
+          choices.unit = own ? std::nullopt : std::optional(unit);
+        marks.item("export.unit." + symbol(unit));
+      }
+      ImGui::EndCombo();
+    }
+  } else {
+    ImGui::TextUnformatted(tr("metres, as the format says"));
+  }
+  ImGui::SameLine(0, metrics.px(16));
+  ImGui::TextUnformatted(tr("Scale"));
+  ImGui::SameLine();
+  Quantity factor = plain_quantity(6, 0.1);
+  factor.multiplies = true;
+  factor.low = 1e-6;
+  factor.high = 1e6;
+  field("scale", tr("All lengths are multiplied by it"), marks, metrics.px(80), factor, scale_text_,
+        choices.scale);
+  ImGui::SameLine(0, metrics.px(16));
+  if (!format.up) return ImGui::TextUnformatted(format.unit ? tr("z is up") : tr("y is up"));
+  ImGui::TextUnformatted(tr("Up"));
+  for (const bool y_up : {false, true}) {
+    ImGui::SameLine();
+    if (ImGui::RadioButton(y_up ? "Y" : "Z", choices.y_up == y_up)) choices.y_up = y_up;
+    marks.item(y_up ? "export.up.y" : "export.up.z");
+  }
+}
+
+bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics,
+                         const std::filesystem::path& name) {
+  const Language& tr = editor.language;
+  const ExportSettings before = settings_;
+  take_up(name);
+  kind_row(editor, marks, metrics);
   if (settings_.by == ExportSettings::By::tolerance) {
     tolerance_row(editor, marks, metrics);
   } else {
@@ -132,14 +202,15 @@ bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metr
     ImGui::SliderInt(tr("intervals a patch side"), &settings_.density, 1, 64);
     marks.item("export.density");
   }
+  file_row(editor, marks, metrics, written_format(name).value_or(FormatChoices{}));
   result_row(editor);
-  if (settings_ == before) return false;
+  if (settings_.same_triangles(before)) return false;
   count_.reset();
   return true;
 }
 
 void ExportOptions::take(const ExportSettings& settings, const Result<ExportCount>& count) {
-  if (settings == settings_) count_ = count;
+  if (settings.same_triangles(settings_)) count_ = count;
 }
 
 }  // namespace hariko

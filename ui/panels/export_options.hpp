@@ -2,10 +2,13 @@
 
 // How fine exported triangles are, as rows in the file dialog, with how many there will be.
 
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "core/base/result.hpp"
+#include "core/exchange/mesh_file.hpp"
 #include "ui/export_settings.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/quantity.hpp"
@@ -14,19 +17,26 @@ namespace hariko {
 
 class ExportOptions {
  public:
-  static constexpr int rows = 3;
+  static constexpr int rows = 4;
 
-  /// For the document in the editor: a tolerance in proportion to what is visible, the first time or when the
-  /// one chosen before does not suit it.
-  void begin(const Editor& editor);
-  /// Draws the rows; true when the settings have changed, and what is known has to be found anew.
-  bool draw(const Editor& editor, Marks& marks, const Metrics& metrics);
+  /// For the document in the editor and a file of this name: a tolerance in proportion to what is visible,
+  /// the first time or when the one chosen before does not suit it.
+  void begin(const Editor& editor, const std::filesystem::path& name);
+  /// Draws the rows for a file of this name; each format has settings of its own. True when the triangles are
+  /// others than before, and what is known has to be found anew.
+  bool draw(const Editor& editor, Marks& marks, const Metrics& metrics, const std::filesystem::path& name);
   /// What the triangles of these settings are like.
   void take(const ExportSettings& settings, const Result<ExportCount>& count);
 
   const ExportSettings& settings() const { return settings_; }
 
  private:
+  /// The settings that the format of this name had last.
+  void take_up(const std::filesystem::path& name);
+  /// Another tolerance where the one chosen makes no sense for what is visible; texts as the numbers are.
+  void suit_size();
+  void kind_row(const Editor& editor, Marks& marks, const Metrics& metrics);
+  void file_row(const Editor& editor, Marks& marks, const Metrics& metrics, const FormatChoices& format);
   void tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics);
   void result_row(const Editor& editor) const;
   /// A number with its unit that may be typed.
@@ -34,8 +44,10 @@ class ExportOptions {
              std::string& text, double& value);
 
   ExportSettings settings_;
+  std::string extension_;  ///< whose settings these are
+  std::map<std::string, ExportSettings> remembered_;
   double size_ = 0;  ///< diagonal of what is visible
-  std::string distance_text_, angle_text_;
+  std::string distance_text_, angle_text_, scale_text_;
   std::optional<Result<ExportCount>> count_;  ///< of `settings_`; nothing while it is being found
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "ui/export_text.hpp"
 #include "ui/icons.hpp"
 
 namespace hariko {
@@ -18,12 +19,6 @@ std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
-}
-
-std::string size_text(std::uintmax_t bytes) {
-  if (bytes < 10'000) return std::to_string(bytes) + " B";
-  if (bytes < 10'000'000) return std::to_string(bytes / 1000) + " kB";
-  return std::to_string(bytes / 1'000'000) + " MB";
 }
 
 fs::path home() {
@@ -157,7 +152,7 @@ void FileDialog::list(PanelContext& context) {
       ImGui::SameLine(context.metrics.px(34));
       ImGui::TextUnformatted(entry.name.c_str());
       if (!entry.folder) {
-        const std::string size = size_text(entry.size);
+        const std::string size = file_size_text(entry.size);
         ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(size.c_str()).x -
                         context.metrics.px(20));
         ImGui::TextDisabled("%s", size.c_str());
@@ -176,7 +171,7 @@ void FileDialog::list(PanelContext& context) {
 
 void FileDialog::footer(PanelContext& context) {
   const Metrics& m = context.metrics;
-  if (request_.options) request_.options();
+  if (request_.options) request_.options(name_);
   if (appearing_) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint(

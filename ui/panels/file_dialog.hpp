@@ -22,7 +22,8 @@ class FileDialog {
         extensions;                  ///< ".hariko", ...; the first is added to names without one when saving
     std::filesystem::path proposal;  ///< file or folder to begin with
     std::function<void(const std::filesystem::path&)> accept;
-    std::function<void()> options = {};                   ///< draws further settings above the buttons
+    /// Draws further settings above the buttons, for a file of the name typed so far.
+    std::function<void(const std::filesystem::path&)> options = {};
     std::function<int()> option_rows = [] { return 1; };  ///< how many rows these take
     /// When saving, a file that accepting this name would replace; without it the file of that name itself.
     std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)> replaces = {};

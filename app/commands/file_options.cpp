@@ -1,0 +1,64 @@
+#include "app/commands/file_options.hpp"
+
+#include <cmath>
+
+#include "core/document/edit_objects.hpp"
+#include "core/exchange/mesh_file.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr Code e_no_such_object{"E_NO_SUCH_OBJECT"};
+
+}  // namespace
+
+void FileOptions::add_to(CLI::App* command) {
+  command
+      ->add_option("--unit", unit_, "Of the numbers in the file: mm, cm, m or in, instead of the document's")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  command->add_option("--scale", scale_, "Multiplies all lengths")->capture_default_str();
+  command->add_option("--up", up_, "Axis of the file that points up: z (default) or y")
+      ->check(CLI::IsMember({"y", "z"}));
+  command
+      ->add_option("--only", only_, "Name of an object to write instead of all visible ones; may be repeated")
+      ->type_size(1)
+      ->allow_extra_args(false);
+}
+
+void FileOptions::check(const std::filesystem::path& out) const {
+  if (!(scale_ > 0) || !std::isfinite(scale_))
+    throw CLI::ValidationError("--scale", "must be a number above 0");
+  const auto format = written_format(out);
+  if (!format) return;
+  if (!unit_.empty() && !format->unit)
+    throw CLI::ValidationError("--unit", "glTF files are always in metres");
+  if (!up_.empty() && !format->up)
+    throw CLI::ValidationError("--up", "the format says which axis is up: y in glTF, z in 3MF");
+}
+
+FileArguments FileOptions::arguments() const {
+  FileArguments out;
+  for (const Unit unit : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch})
+    if (to_string(unit) == unit_) out.choices.unit = unit;
+  out.choices.scale = scale_;
+  out.choices.y_up = up_ == "y";
+  out.only = only_;
+  return out;
+}
+
+Result<Document> with_only(const Document& document, const std::vector<std::string>& only) {
+  if (only.empty()) return document;
+  std::vector<ObjectId> objects;
+  for (const std::string& name : only) {
+    const std::size_t before = objects.size();
+    for (const auto& object : document.objects)
+      if (object->name == name) objects.push_back(object->id);
+    if (objects.size() == before)
+      return make_error(e_no_such_object, "There is no object called \"" + name + "\".",
+                        "`hariko info` lists the names.");
+  }
+  return showing_only(document, objects);
+}
+
+}  // namespace hariko

@@ -1,0 +1,20 @@
+#pragma once
+
+// How a document's lengths and directions stand in a file for other programs.
+
+#include <optional>
+
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+/// Formats that fix the unit or the up axis keep to theirs.
+struct FileChoices {
+  std::optional<Unit> unit;  ///< of the file's numbers; nothing: the document's
+  double scale = 1;          ///< all lengths are multiplied by it; above 0, finite
+  bool y_up = false;         ///< else z
+
+  friend bool operator==(const FileChoices&, const FileChoices&) = default;
+};
+
+}  // namespace hariko

@@ -1,0 +1,17 @@
+#include "core/exchange/file_space.hpp"
+
+namespace hariko {
+
+TriangleMesh in_space(const FileSpace& space, TriangleMesh mesh) {
+  mesh.origin = space.placed(mesh.origin);
+  for (Vector3& position : mesh.positions) position = space.placed(position);
+  for (Vector3& normal : mesh.normals) normal = space.turned(normal);
+  return mesh;
+}
+
+PolygonMesh in_space(const FileSpace& space, PolygonMesh mesh) {
+  for (Vector3& position : mesh.positions) position = space.placed(position);
+  return mesh;
+}
+
+}  // namespace hariko

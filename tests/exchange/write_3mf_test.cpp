@@ -1,0 +1,172 @@
+// 3MF files, as lib3mf reads them: an independent reader, and a strict one.
+
+#include <gtest/gtest.h>
+
+#include <Model/COM/NMR_DLLInterfaces.h>
+
+#include <filesystem>
+
+#include "core/exchange/write_mesh.hpp"
+#include "tests/exchange/mesh_text.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace hariko {
+namespace {
+
+using test::for_random;
+
+/// A handle of the library, given back at the end.
+class Handle {
+ public:
+  Handle() = default;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (handle_) NMR::lib3mf_release(handle_);
+  }
+  void** target() { return &handle_; }
+  void* get() const { return handle_; }
+
+ private:
+  void* handle_ = nullptr;
+};
+
+struct Found {
+  std::string name;
+  bool model = false, valid = false, closed = false;
+  std::vector<Vector3> positions;
+  std::vector<std::array<Index, 3>> triangles;
+};
+
+struct FoundFile {
+  DWORD unit = 0;
+  std::vector<Found> objects;
+};
+
+Found read_object(void* object) {
+  Found found;
+  ULONG length = 0;
+  NMR::lib3mf_object_getnameutf8(object, nullptr, 0, &length);
+  std::string name(length + 1, '\0');
+  NMR::lib3mf_object_getnameutf8(object, name.data(), static_cast<ULONG>(name.size()), &length);
+  found.name = name.substr(0, name.find('\0'));
+  DWORD type = 0, vertices = 0, triangles = 0;
+  BOOL valid = 0, closed = 0;
+  NMR::lib3mf_object_gettype(object, &type);
+  NMR::lib3mf_object_isvalidobject(object, &valid);
+  NMR::lib3mf_meshobject_ismanifoldandoriented(object, &closed);
+  found.model = type == NMR::MODELOBJECTTYPE_MODEL;
+  found.valid = valid != 0;
+  found.closed = closed != 0;
+  NMR::lib3mf_meshobject_getvertexcount(object, &vertices);
+  NMR::lib3mf_meshobject_gettrianglecount(object, &triangles);
+  std::vector<NMR::MODELMESHVERTEX> points(vertices);
+  std::vector<NMR::MODELMESHTRIANGLE> corners(triangles);
+  NMR::lib3mf_meshobject_getvertices(object, points.data(), vertices, nullptr);
+  NMR::lib3mf_meshobject_gettriangleindices(object, corners.data(), triangles, nullptr);
+  for (const auto& p : points)
+    found.positions.emplace_back(p.m_fPosition[0], p.m_fPosition[1], p.m_fPosition[2]);
+  for (const auto& t : corners)
+    found.triangles.push_back({t.m_nIndices[0], t.m_nIndices[1], t.m_nIndices[2]});
+  return found;
+}
+
+FoundFile read_back(const std::string& bytes) {
+  FoundFile out;
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.3mf";
+  test::spill(path, bytes);
+  Handle model, reader, items;
+  NMR::lib3mf_createmodel(model.target());
+  NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.target());
+  NMR::lib3mf_reader_setstrictmodeactive(reader.get(), 1);
+  EXPECT_EQ(NMR::lib3mf_reader_readfromfileutf8(reader.get(), path.c_str()), 0);
+  DWORD warnings = 0;
+  NMR::lib3mf_reader_getwarningcount(reader.get(), &warnings);
+  EXPECT_EQ(warnings, 0u);
+  NMR::lib3mf_model_getunit(model.get(), &out.unit);
+  NMR::lib3mf_model_getbuilditems(model.get(), items.target());
+  BOOL more = 0;
+  while (NMR::lib3mf_builditemiterator_movenext(items.get(), &more) == 0 && more != 0) {
+    Handle item, object;
+    NMR::lib3mf_builditemiterator_getcurrent(items.get(), item.target());
+    NMR::lib3mf_builditem_getobjectresource(item.get(), object.target());
+    out.objects.push_back(read_object(object.get()));
+  }
+  return out;
+}
+
+TriangleMesh triangles_of(const PolygonMesh& polygons, const Vector3& origin) {
+  TriangleMesh mesh;
+  mesh.origin = origin;
+  mesh.positions = polygons.positions;
+  for (std::size_t f = 0; f < polygons.face_count(); ++f) {
+    const auto face = polygons.face(f);
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+      mesh.triangles.push_back({face[0], face[k], face[k + 1]});
+  }
+  return mesh;
+}
+
+TEST(Write3mf, AnotherReaderFindsTheSame) {
+  for_random(51, 10, [](std::mt19937_64& rng) {
+    const auto torus = [&] {
+      return triangles_of(test::torus(test::uniform_int(rng, 3, 8), test::uniform_int(rng, 3, 8)),
+                          100 * test::random_vector(rng));
+    };
+    const TriangleMesh first = torus();
+    TriangleMesh second = torus();
+    second.triangles.pop_back();  // a hole
+    const std::vector<NamedTriangles> named{{"張り子 <\"a\" & b>", &first, {255, 0, 128}}, {"b", &second}};
+    const auto bytes = write_3mf(named, 0.0254);
+    ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
+    EXPECT_EQ(*write_3mf(named, 0.0254), *bytes);
+    const FoundFile found = read_back(*bytes);
+    EXPECT_EQ(found.unit, DWORD(NMR::MODELUNIT_INCH));
+    ASSERT_EQ(found.objects.size(), 2u);
+    EXPECT_EQ(found.objects[0].name, named[0].name);
+    EXPECT_TRUE(found.objects[0].model && found.objects[0].valid && found.objects[0].closed);
+    EXPECT_FALSE(found.objects[1].model || found.objects[1].closed);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const TriangleMesh& mesh = *named[k].mesh;
+      EXPECT_EQ(found.objects[k].triangles, mesh.triangles);
+      ASSERT_EQ(found.objects[k].positions.size(), mesh.positions.size());
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v)  // the reader keeps floats
+        EXPECT_LT((found.objects[k].positions[v] - mesh.origin - mesh.positions[v]).norm(),
+                  1e-6 * (1 + mesh.origin.norm()));
+    }
+  });
+}
+
+TEST(Write3mf, UnitsOfTheFormatAreKeptAndOthersAreMillimetres) {
+  const TriangleMesh mesh = triangles_of(test::torus(5, 4), Vector3::Zero());
+  const NamedTriangles named[] = {{"a", &mesh}};
+  const double size = mesh.positions.front().norm();
+  const auto found = [&](double metres) {
+    const FoundFile file = read_back(*write_3mf(named, metres));
+    return std::pair(file.unit, file.objects.front().positions.front().norm() / size);
+  };
+  EXPECT_EQ(found(1e-3).first, DWORD(NMR::MODELUNIT_MILLIMETER));
+  EXPECT_EQ(found(1e-2).first, DWORD(NMR::MODELUNIT_CENTIMETER));
+  EXPECT_EQ(found(1).first, DWORD(NMR::MODELUNIT_METER));
+  EXPECT_NEAR(found(1).second, 1, 1e-6);
+  EXPECT_EQ(found(0.5).first, DWORD(NMR::MODELUNIT_MILLIMETER));
+  EXPECT_NEAR(found(0.5).second, 500, 1e-3);
+}
+
+TEST(Write3mf, TrianglesWithoutAreaAndEmptyMeshesAreLeftOut) {
+  TriangleMesh mesh = triangles_of(test::torus(5, 4), Vector3::Zero());
+  const std::size_t count = mesh.triangles.size();
+  mesh.triangles.push_back({1, 1, 2});
+  const TriangleMesh empty;
+  const NamedTriangles named[] = {{"a", &mesh}, {"b", &empty}};
+  const FoundFile found = read_back(*write_3mf(named, 1e-3));
+  ASSERT_EQ(found.objects.size(), 1u);
+  EXPECT_EQ(found.objects[0].triangles.size(), count);
+  EXPECT_TRUE(found.objects[0].closed);
+}
+
+}  // namespace
+}  // namespace hariko
