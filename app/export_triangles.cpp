@@ -4,9 +4,9 @@
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
-#include ""
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/attached.hpp"
+#include "render/camera.hpp"
 
 namespace hariko {
 

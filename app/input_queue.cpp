@@ -1,5 +1,8 @@
 #include "app/input_queue.hpp"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 
 namespace hariko {
@@ -10,6 +13,11 @@ using Kind = InputEvent::Kind;
 
 bool is_move(const InputEvent& event) {
   return event.kind == Kind::move || event.kind == Kind::leave;
+}
+
+/// Shift, Ctrl, Alt and Super of either side. Their own events carry the modifiers from before.
+bool is_modifier(const InputEvent& event) {
+  return event.kind == Kind::key && event.code >= GLFW_KEY_LEFT_SHIFT && event.code <= GLFW_KEY_RIGHT_SUPER;
 }
 
 /// Whether a frame that sees `batch` may see `next` as well.
@@ -28,7 +36,9 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
       return std::all_of(batch.begin(), batch.end(), [&](const InputEvent& event) {
         if (event.kind == Kind::text || is_move(event)) return true;
         if (event.kind != Kind::key) return false;
-        // The frame would not see a key that went down and up, nor modifiers that hold for some keys only.
+        // The frame would not see a key that went down and up, nor modifiers that hold for some keys only: a
+        // shortcut whose modifier goes up in the same frame would be a bare letter.
+        if (is_modifier(event) || is_modifier(next)) return false;
         const bool same = next.kind == Kind::key && next.code == event.code && next.down != event.down;
         return !same && (next.kind == Kind::text || next.modifiers == event.modifiers);
       });

@@ -55,6 +55,19 @@ TEST(InputQueue, AChordIsSeenWhileItsModifierIsDown) {
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 1, 1}));
 }
 
+TEST(InputQueue, AModifierThatGoesUpAtOnceLeavesTheChordWhole) {
+  // The release of Ctrl still carries Ctrl.
+  InputQueue queue;
+  queue.push(key(341, true));
+  queue.push(key('A', true, 2));
+  queue.push(key(341, false, 2));
+  queue.push(key('A', false));
+  EXPECT_EQ(queue.take(), (std::vector{key(341, true)}));
+  EXPECT_EQ(queue.take(), (std::vector{key('A', true, 2)}));
+  EXPECT_EQ(queue.take(), (std::vector{key(341, false, 2)}));
+  EXPECT_EQ(queue.take(), (std::vector{key('A', false)}));
+}
+
 TEST(InputQueue, WordsAreTypedInOneFrame) {
   InputQueue queue;
   for (const char c : {'a', 'b', 'c'}) {

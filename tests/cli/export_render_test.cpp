@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <map>
 
 #include "core/exchange/mesh_file.hpp"
@@ -49,8 +50,11 @@ TEST_F(ExportRender, UnitScaleUpAxisAndObjectsCanBeChosen) {
     const std::string out = path("a.obj");
     const Outcome result = run("export " + golden("cube.obj") + " " + out + " --density 2 " + options);
     EXPECT_EQ(result.exit_code, 0) << result.error;
-    Box3 box;
-    for (const Vector3& p : read_mesh_file(out)->mesh.positions) box.extend(p);
+    Eigen::AlignedBox3d box;
+    const auto mesh = read_mesh_file(out);
+    EXPECT_TRUE(mesh.ok());
+    if (mesh.ok())
+      for (const Vector3& p : mesh->mesh.positions) box.extend(p);
     return Vector3(box.sizes());
   };
   const Vector3 usual = size("");

@@ -26,11 +26,11 @@ class Handle {
   ~Handle() {
     if (handle_) NMR::lib3mf_release(handle_);
   }
-  void** target() { return &handle_; }
-  void* get() const { return handle_; }
+  NMR::PLib3MFBase** target() { return &handle_; }
+  NMR::PLib3MFBase* get() const { return handle_; }
 
  private:
-  void* handle_ = nullptr;
+  NMR::PLib3MFBase* handle_ = nullptr;
 };
 
 struct Found {
@@ -45,7 +45,7 @@ struct FoundFile {
   std::vector<Found> objects;
 };
 
-Found read_object(void* object) {
+Found read_object(NMR::PLib3MFBase* object) {
   Found found;
   ULONG length = 0;
   NMR::lib3mf_object_getnameutf8(object, nullptr, 0, &length);

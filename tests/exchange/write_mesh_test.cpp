@@ -314,7 +314,7 @@ TEST(MeshFile, UnitScaleAndUpAxisAreThoseAskedFor) {
   const auto path = folder.path() / "a.obj";
   const auto written = [&](const WriteOptions& options) {
     EXPECT_TRUE(write_mesh_file(path, std::span<const NamedPolygons>(named), options).ok());
-    return read_mesh_file(path)->mesh.positions;
+    return read_mesh_file(path).value().mesh.positions;
   };
   EXPECT_EQ(written({}), mesh.positions);
   // Millimetres in inches, twice as large, with y up.
