@@ -74,7 +74,7 @@ long_random_tests() {
     ctest --test-dir build/release -L 'core|full' --output-on-failure --no-tests=error -j2
 }
 
-if [ $full = yes ]; then scripts/dependencies.sh build test full; else scripts/dependencies.sh build test; fi
+if [ $full = yes ]; then scripts/dependencies.sh build cad test full; else scripts/dependencies.sh build cad test; fi
 step "Build"
 cmake --preset release
 cmake --build --preset release

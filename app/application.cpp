@@ -7,6 +7,7 @@
 #include <deque>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "app/document_session.hpp"
 #include "app/export_triangles.hpp"
 #include "app/failure_dialog.hpp"
+#include "app/files/export_cad.hpp"
 #include "app/files/open_file.hpp"
 #include "app/files/sheet_file.hpp"
 #include "app/gauss_engine.hpp"
@@ -36,6 +38,7 @@
 #include "core/document/edit_objects.hpp"
 #include "core/document/format.hpp"
 #include "ui/export_text.hpp"
+#include "ui/panels/quantity.hpp"
 #include "ui/panels/selected_items.hpp"
 #include "ui/workbench.hpp"
 
@@ -159,6 +162,7 @@ class Application {
     actions.recover = [this](const std::string& id) { session_.recover(id); };
     actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
     actions.export_file = [this](const auto& path, const auto& settings) { export_file(path, settings); };
+    actions.export_cad = [this](const auto& path, const auto& choices) { write_cad(path, choices); };
     actions.count_export = [this](const ExportSettings& settings) { count_export(settings); };
     actions.export_pictures = [this](PictureOrder order) { export_pictures(std::move(order)); };
     actions.export_pages = [this](const auto& path) { export_pages(path); };
@@ -474,6 +478,34 @@ class Application {
             return editor_.notify(exported.error());
           }
           editor_.notify(Notice::Kind::info, export_text(editor_.language, path, *exported, unit, choices));
+          ++editor_.exports;
+          log_.file("exported", path);
+        });
+  }
+
+  void write_cad(const std::filesystem::path& path, const CadChoices& choices) {
+    const Unit unit = editor_.document().unit;
+    long_.run_cancellable(
+        fill(translatable("Exporting {0}"), {path.filename().string()}),
+        [path, choices, document = editor_.history.current()](const CancelToken& cancel,
+                                                              const Progress& progress) {
+          return export_cad(document, path, choices, header_time(), cancel, progress);
+        },
+        [this, path, unit](const Result<CadExportReport>& exported) {
+          if (!exported.ok()) {
+            log_.file("export_failed", path);
+            return editor_.notify(exported.error());
+          }
+          for (const Message& warning : warnings_of(*exported)) editor_.notify(warning);
+          const CadTotals all = totals(*exported);
+          Quantity angle = angle_quantity();
+          angle.decimals = 3;
+          editor_.notify(Notice::Kind::info,
+                         fill(editor_.language("Exported {0}: {1} faces, {2} of them exact; off by {3} and "
+                                               "turned by {4} at the most."),
+                              {path.filename().string(), std::to_string(all.faces), std::to_string(all.exact),
+                               format_quantity(length_quantity(unit, all.distance), all.distance),
+                               format_quantity(angle, all.normal_jump * 180 / std::numbers::pi)}));
           ++editor_.exports;
           log_.file("exported", path);
         });

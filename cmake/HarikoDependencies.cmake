@@ -15,6 +15,18 @@ add_library(osd::cpu UNKNOWN IMPORTED)
 set_target_properties(osd::cpu PROPERTIES IMPORTED_LOCATION "${OSD_CPU_LIB}"
   INTERFACE_INCLUDE_DIRECTORIES "${OSD_INCLUDE}")
 
+# STEP and IGES. The package is complete only with all of these components, and takes a version for exactly that one.
+set(HARIKO_OPENCASCADE OFF)
+if(HARIKO_CAD)
+  find_package(OpenCASCADE QUIET COMPONENTS FoundationClasses ModelingData ModelingAlgorithms Visualization
+    ApplicationFramework DataExchange)
+  if(OpenCASCADE_FOUND AND TARGET TKXDESTEP AND OpenCASCADE_VERSION VERSION_GREATER_EQUAL 7.6)
+    set(HARIKO_OPENCASCADE ON)
+  else()
+    message(STATUS "OpenCASCADE was not found: the program will not write STEP and IGES")
+  endif()
+endif()
+
 if(HARIKO_WINDOW)
   find_package(glfw3 3.3 REQUIRED)
   find_package(X11 REQUIRED)

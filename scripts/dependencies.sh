@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, as root or with sudo; does nothing when all are there.
-#   scripts/dependencies.sh [build] [test] [full] [bench]      (default: build)
+#   scripts/dependencies.sh [build] [cad] [test] [full] [bench]      (default: build)
 set -euo pipefail
 
 build_packages=(build-essential cmake ninja-build pkg-config ccache
@@ -9,17 +9,20 @@ build_packages=(build-essential cmake ninja-build pkg-config ccache
   fonts-inter fonts-font-awesome fonts-noto-cjk libmuparser-dev libegl1 libgl1 libgl1-mesa-dri)
 test_packages=(libgtest-dev libgmock-dev libassimp-dev lib3mf-dev xvfb xauth xdotool libx11-dev x11-utils imagemagick python3 git)
 full_packages=(clang-14 libclang-rt-14-dev clang-tidy clang-format valgrind librsvg2-bin poppler-utils python3-ezdxf)
-bench_packages=(libbenchmark-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libocct-foundation-dev libocct-visualization-dev
-  libocct-ocaf-dev libgtest-dev)
+# STEP and IGES: the program builds without them, and says so.
+cad_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libocct-foundation-dev
+  libocct-visualization-dev libocct-ocaf-dev)
+bench_packages=(libbenchmark-dev libgtest-dev "${cad_packages[@]}")
 
 wanted=()
 for group in "${@:-build}"; do
   case "$group" in
     build) wanted+=("${build_packages[@]}") ;;
+    cad) wanted+=("${cad_packages[@]}") ;;
     test) wanted+=("${test_packages[@]}") ;;
     full) wanted+=("${full_packages[@]}") ;;
     bench) wanted+=("${bench_packages[@]}") ;;
-    *) echo "dependencies.sh: unknown group '$group' (build, test, full, bench)" >&2; exit 2 ;;
+    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, bench)" >&2; exit 2 ;;
   esac
 done
 

@@ -335,6 +335,20 @@ void Workbench::show_export_dialog() {
   actions_.count_export(export_options_.settings());
 }
 
+void Workbench::show_cad_dialog() {
+  std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
+  proposal += ".step";
+  dialog_.open({translatable("Export the surfaces for CAD"),
+                translatable("Export"),
+                true,
+                {".step", ".stp", ".iges", ".igs"},
+                proposal,
+                [this](const auto& path) { actions_.export_cad(path, cad_options_.choices()); },
+                [this] { cad_options_.draw(editor_, marks_, metrics_); },
+                [] { return CadOptions::rows; }});
+  cad_options_.begin(editor_);
+}
+
 void Workbench::show_picture_dialog(bool turntable) {
   std::filesystem::path proposal = name_proposal();
   proposal.replace_extension(".png");
@@ -459,6 +473,7 @@ void Workbench::forget_interface() {
   palette_ = {};
   cheat_sheet_ = {};
   export_options_ = {};
+  cad_options_ = {};
   picture_settings_ = {};
   editor_.meshing = {};
   ImGui::ClearActiveID();

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "ui/commands/command_host.hpp"
+#include "ui/panels/cad_options.hpp"
 #include "ui/panels/cheat_sheet.hpp"
 #include "ui/panels/command_palette.hpp"
 #include "ui/panels/context_menu.hpp"
@@ -34,6 +35,7 @@ struct FileActions {
   /// Finds out what the triangles would be like; ends in `Workbench::take_export_count`. Only the last one
   /// asked for counts.
   std::function<void(const ExportSettings&)> count_export;
+  std::function<void(const std::filesystem::path&, const CadChoices&)> export_cad;
   std::function<void(PictureOrder)> export_pictures;
   /// Writes the pages of the paper model that is shown.
   std::function<void(const std::filesystem::path&)> export_pages;
@@ -100,6 +102,7 @@ class Workbench {
   void show_open_dialog();
   void show_import_dialog();
   void show_export_dialog();
+  void show_cad_dialog();
   void take_export_count(const ExportSettings& settings, const Result<ExportCount>& count) {
     export_options_.take(settings, count);
   }
@@ -154,6 +157,7 @@ class Workbench {
   OffersDialog offers_dialog_;
   Prompt prompt_;
   ExportOptions export_options_;
+  CadOptions cad_options_;
   PictureSettings picture_settings_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/files/model_facets.hpp"
 #include "core/approximation/mesh_options.hpp"
+#include "core/document/cad_choices.hpp"
 #include "core/document/display.hpp"
 #include "core/document/file_choices.hpp"
 #include "core/gaussmap/outline_settings.hpp"
@@ -57,6 +58,7 @@ struct ExportArguments {
   int density = 8;       ///< 1 .. 256
   bool control = false;  ///< the control meshes of skins instead of triangles
   FileArguments file_arguments;
+  CadChoices cad;        ///< of STEP and IGES
   Construction construction;
 };
 int run_export(const ExportArguments& arguments);

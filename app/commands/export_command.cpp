@@ -1,8 +1,10 @@
+#include "app/commands/cad_report_text.hpp"
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/file_options.hpp"
 #include "app/files/control_mesh_file.hpp"
+#include "app/files/export_cad.hpp"
 #include "app/files/export_surfaces.hpp"
 
 namespace hariko {
@@ -14,6 +16,18 @@ int run_export(const ExportArguments& arguments) {
   if (!document.ok()) {
     report(arguments.file.string(), document.error());
     return exit_failed;
+  }
+  if (cad_format_of(arguments.out)) {
+    CadChoices choices = arguments.cad;
+    if (arguments.file_arguments.choices.unit) choices.unit = *arguments.file_arguments.choices.unit;
+    choices.scale = arguments.file_arguments.choices.scale;
+    const auto written = export_cad(*document, arguments.out, choices, header_time());
+    if (!written.ok()) {
+      report(arguments.file.string(), written.error());
+      return exit_failed;
+    }
+    for (const Message& warning : warnings_of(*written)) report(arguments.file.string(), warning);
+    return print(text_of(*written, document->unit)) ? exit_fine : exit_failed;
   }
   const auto done = arguments.control ? export_control_meshes(*document, arguments.out)
                                       : export_surfaces(*document, arguments.out, arguments.density,

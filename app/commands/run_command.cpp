@@ -13,6 +13,7 @@
 #include "app/commands/file_options.hpp"
 #include "app/commands/outline_command_line.hpp"
 #include "app/commands/unfold_command_line.hpp"
+#include "core/cad/kernel/cad_file.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "render/color_map.hpp"
 #include "render/picture.hpp"
@@ -165,19 +166,35 @@ class CommandLine {
     add_construction(info_);
   }
   void add_export() {
-    export_ = app_.add_subcommand("export", "Writes the surfaces of the visible objects as triangles");
+    export_ =
+        app_.add_subcommand("export", "Writes the surfaces of the visible objects, as triangles or for CAD");
     export_->add_option("FILE", export_arguments_.file, "Document or mesh")->required();
     export_
-        ->add_option("OUT", export_arguments_.out,
-                     "File to write: *.obj, *.off, *.ply, *.stl, *.3mf, *.glb or *.gltf")
+        ->add_option(
+            "OUT", export_arguments_.out,
+            "File to write: *.obj, *.off, *.ply, *.stl, *.3mf, *.glb, *.gltf, *.step, *.stp, *.iges or *.igs")
         ->required();
-    export_->add_option("--density", export_arguments_.density, "Intervals a patch side, 1 to 256")
-        ->check(CLI::Range(1, 256))
-        ->capture_default_str();
+    density_ = export_
+                   ->add_option("--density", export_arguments_.density,
+                                "Of triangles: intervals a patch side, 1 to 256")
+                   ->check(CLI::Range(1, 256))
+                   ->capture_default_str();
+    add_cad();
     export_->add_flag("--control", export_arguments_.control,
                       "Writes the control meshes of skins, with creases, as OBJ instead");
     file_options_.add_to(export_);
     add_construction(export_);
+  }
+  /// STEP and IGES.
+  void add_cad() {
+    cad_options_ = {
+        export_
+            ->add_option("--tolerance", export_arguments_.cad.tolerance,
+                         "Of STEP and IGES: between the surface and faces that cannot be exact, in the "
+                         "document's unit; 1e-5 of each object's diagonal otherwise")
+            ->check(CLI::PositiveNumber),
+        export_->add_flag("--ap242", export_arguments_.cad.ap242,
+                          "STEP in the newer schema AP242, not AP214")};
   }
   void add_render() {
     render_ =
@@ -271,7 +288,7 @@ class CommandLine {
 
   void check_combinations() const {
     if (*unfold_.command()) unfold_.check();
-    if (*export_) check_mesh_output(export_arguments_.file, export_arguments_.out);
+    if (*export_) check_export();
     if (*export_ && export_arguments_.control && lower_extension(export_arguments_.out) != ".obj")
       throw CLI::ValidationError("--control", "the name must end in .obj");
     if (*mesh_) {
@@ -291,6 +308,20 @@ class CommandLine {
         throw CLI::ValidationError("--section", "must be like x=10, y=-2.5 or -z=3");
       if (!is_png(output_)) throw CLI::ValidationError("OUT", "the name must end in .png");
     }
+  }
+  void check_export() const {
+    const bool cad = cad_format_of(export_arguments_.out).has_value();
+    if (!cad && !written_format(export_arguments_.out))
+      throw CLI::ValidationError("OUT", "the name must end in " + std::string(written_mesh_endings) +
+                                            ", or in " + std::string(cad_endings));
+    check_distinct(export_arguments_.file, export_arguments_.out);
+    file_options_.check(export_arguments_.out);
+    if (cad && *density_)
+      throw CLI::ValidationError("--density", "is for triangles; STEP and IGES have a --tolerance");
+    if (cad && file_options_.arguments().choices.y_up)
+      throw CLI::ValidationError("--up", "z is up in STEP and IGES");
+    for (const CLI::Option* option : cad_options_)
+      if (!cad && *option) throw CLI::ValidationError(option->get_name(), "is for STEP and IGES");
   }
   void check_mesh_output(const std::filesystem::path& in, const std::filesystem::path& out) const {
     if (!written_format(out))
@@ -380,6 +411,8 @@ class CommandLine {
   InfoArguments info_arguments_;
   ExportArguments export_arguments_;
   FileOptions file_options_;
+  CLI::Option* density_ = nullptr;
+  std::vector<CLI::Option*> cad_options_;
   RenderArguments render_arguments_;
   UnfoldCommandLine unfold_;
   OutlineCommandLine outlines_;

@@ -40,6 +40,7 @@ const std::map<std::string, Names>& core_arrows() {
         "polyhedron", "surface", "base"}},
       {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "base"}},
       {"approximation", {"approximation", "surface", "base"}},
+      {"cad", {"cad", "skinning", "g2", "patching", "network", "polyhedron", "surface", "base"}},
       {"exchange", {"exchange", "skinning", "patching", "network", "polyhedron", "surface", "base"}},
       {"unfolding",
        {"unfolding", "document", "exchange", "patching", "network", "polyhedron", "surface", "base"}},
@@ -90,6 +91,8 @@ std::optional<std::string> violation(const std::string& file, const std::string&
   if (fs::path(file).extension() == ".hpp" &&
       begins_with_any(target, {"Eigen/Sparse", "nlohmann/json.hpp", "tbb/", "oneapi/"}))
     return target + " is kept out of headers: it slows every build down";
+  if (target.ends_with(".hxx") && !file.starts_with("core/cad/kernel/opencascade/"))
+    return "core/cad/kernel/opencascade is the only folder that knows OpenCASCADE";
   if (begins_with_any(target, {"tbb/", "oneapi/"}) && file != "core/base/parallel.cpp")
     return "core/base/parallel.cpp is the only door to the thread library";
   return core_violation(file, target);
@@ -213,9 +216,12 @@ TEST(Includes, TheRulesFindWhatTheyForbid) {
   EXPECT_TRUE(refused("core/network/x.hpp", "Eigen/SparseCholesky"));
   EXPECT_TRUE(refused("app/x.hpp", "nlohmann/json.hpp"));
   EXPECT_TRUE(refused("core/network/x.cpp", "tbb/parallel_for.h"));
+  EXPECT_TRUE(refused("core/cad/x.cpp", "TopoDS.hxx"));
+  EXPECT_TRUE(refused("core/cad/kernel/cad_file.hpp", "gp_Pnt.hxx"));
 
   EXPECT_FALSE(refused("core/network/x.cpp", "Eigen/SparseCholesky"));
   EXPECT_FALSE(refused("core/base/parallel.cpp", "tbb/parallel_for.h"));
+  EXPECT_FALSE(refused("core/cad/kernel/opencascade/shape.cpp", "TopoDS.hxx"));
   EXPECT_FALSE(refused("core/patching/x.hpp", "core/surface/surface.hpp"));
   EXPECT_FALSE(refused("core/document/x.cpp", "core/patching/polyhedron_surface.hpp"));
   EXPECT_FALSE(refused("ui/x.cpp", "imgui.h"));

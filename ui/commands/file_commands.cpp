@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/cad/kernel/cad_file.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 #include "ui/workbench.hpp"
@@ -55,6 +56,15 @@ void add_file_commands(CommandHost& host) {
              "Ctrl+I", icon::import_file, true, true, [&workbench] { workbench.show_import_dialog(); }});
   table.add({"file.export", "File", "Export\u2026", "Write the surfaces as triangles.", "Ctrl+E",
              icon::export_file, false, false, [&workbench] { workbench.show_export_dialog(); }, document});
+  table.add(
+      {"file.export_cad", "File", "Export for CAD\u2026",
+       "Write the surfaces as STEP or IGES: splines with common edges, and solids where they are closed.", "",
+       "", false, false, [&workbench] { workbench.show_cad_dialog(); },
+       [document]() -> Reason {
+         if (auto reason = document()) return reason;
+         if (const auto missing = why_no_cad_files()) return missing->text;
+         return {};
+       }});
   const WhyNot something_shown = [&editor, document]() -> Reason {
     if (auto reason = document()) return reason;
     const auto& objects = editor.document().objects;

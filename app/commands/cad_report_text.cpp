@@ -1,0 +1,34 @@
+#include "app/commands/cad_report_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <numbers>
+
+namespace hariko {
+
+std::string text_of(const CadExportReport& report, Unit unit) {
+  const auto number = [](double value) {
+    std::array<char, 32> text;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+    return std::string(text.data(), end.ptr);
+  };
+  const std::string length = " " + std::string(to_string(unit));
+  std::string out;
+  for (const CadObjectReport& object : report.objects) {
+    out += object.name + ": " + std::to_string(object.faces) + " faces, " + std::to_string(object.exact) +
+           " of them exact, " + std::to_string(object.edges) + " edges, " +
+           (object.closed ? "closed" : "open") + "\n  distance: largest " + number(object.distance) + length +
+           ", tolerance " + number(object.tolerance) + length;
+    if (object.unreached > 0) out += ", not kept by " + std::to_string(object.unreached) + " faces";
+    out += "\n  normal jump across smooth edges: " + number(object.normal_jump * 180 / std::numbers::pi) +
+           " degrees\n";
+  }
+  out += "file: " + std::to_string(report.file.solids) + " solids, " +
+         std::to_string(report.file.open_shells) + " open shells, " +
+         (report.file.valid ? "valid" : "NOT VALID") + " by OpenCASCADE, largest edge tolerance " +
+         number(report.file.edge_tolerance) + " mm, " + std::to_string(report.bytes) + " bytes\n";
+  return out;
+}
+
+}  // namespace hariko

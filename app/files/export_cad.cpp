@@ -1,0 +1,161 @@
+#include "app/files/export_cad.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <deque>
+
+#include "app/files/export_surfaces.hpp"
+#include "core/base/file_io.hpp"
+#include "core/exchange/mesh_file.hpp"
+#include "core/modeling/attached.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// What making the surfaces and their faces takes of the whole, about.
+constexpr double modelling = 0.7;
+
+CadUnit cad_unit(Unit unit) {
+  switch (unit) {
+    case Unit::centimetre:
+      return CadUnit::centimetre;
+    case Unit::metre:
+      return CadUnit::metre;
+    case Unit::inch:
+      return CadUnit::inch;
+    default:
+      return CadUnit::millimetre;
+  }
+}
+
+/// From object space to the file's, in millimetres.
+void place(CadModel& model, const Similarity& transform, double factor) {
+  const auto move = [&](Vector3& p) { p = factor * transform.apply_to_vector(p); };
+  model.origin = factor * transform.apply(model.origin);
+  model.size *= factor * transform.scale;
+  for (Vector3& vertex : model.vertices) move(vertex);
+  for (CadEdge& edge : model.edges) {
+    for (Vector3& p : edge.curve.points) move(p);
+    edge.deviation *= factor * transform.scale;
+  }
+  for (CadFace& face : model.faces)
+    for (Vector3& p : face.surface.points) move(p);
+}
+
+struct MadeObject {
+  CadModel model;
+  CadObjectReport report;
+};
+
+Result<MadeObject> make_object(const Document& document, const Object& object, const CadChoices& choices,
+                               const CancelToken& cancel, const Progress& progress) {
+  const auto built = object_surface(document, object, cancel);
+  if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
+  if (!built.ok()) return built.error();
+  progress.report(0.2);
+  const double own_scale = object.transform.scale;
+  CadModelOptions options;
+  options.tolerance = choices.tolerance / (own_scale * choices.scale);
+  auto model = make_cad_model(built->surface, options, cancel, progress.part(0.2, 0.8));
+  if (!model.ok()) return model.error();
+  MadeObject out{std::move(model).value(), {}};
+  const CadMeasure measure = measure_cad(built->surface, out.model);
+  const double scale = own_scale * choices.scale;
+  const double tolerance = options.tolerance > 0 ? options.tolerance : usual_cad_tolerance * out.model.size;
+  CadObjectReport& report = out.report;
+  report.name = object.name;
+  report.faces = out.model.faces.size();
+  report.edges = out.model.edges.size();
+  report.exact = measure.exact;
+  report.control_points = measure.control_points;
+  report.closed = out.model.closed();
+  report.distance = scale * measure.largest;
+  report.tolerance = scale * tolerance;
+  report.normal_jump = measure.normal_jump;
+  report.unreached = std::size_t(std::count_if(measure.distances.begin(), measure.distances.end(),
+                                               [&](double distance) { return distance > tolerance; }));
+  place(out.model, object.transform, choices.scale * millimetres_per(document.unit));
+  return out;
+}
+
+}  // namespace
+
+Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
+                                   const CadChoices& choices, const std::string& time,
+                                   const CancelToken& cancel, const Progress& progress) {
+  if (const auto missing = why_no_cad_files()) return *missing;
+  const auto format = cad_format_of(path);
+  if (!format) return make_error(e_format_unknown, "The name must end in " + std::string(cad_endings) + ".");
+  std::deque<MadeObject> made;
+  std::vector<CadObject> objects;
+  const auto count = static_cast<double>(document.objects.size());
+  double number = 0;
+  for (const auto& object : document.objects) {
+    const Progress part = progress.part(modelling * number / count, modelling * (number + 1) / count);
+    ++number;
+    if (!object->visible || !object->has_surface()) continue;
+    auto one = make_object(document, *object, choices, cancel, part);
+    if (!one.ok()) {
+      Message error = one.error();
+      if (!(error.code == e_cancelled)) error.text = object->name + ": " + error.text;
+      return error;
+    }
+    if (one->model.faces.empty()) continue;
+    made.push_back(std::move(one).value());
+    objects.push_back({object->name, &made.back().model, colour_of(*object)});
+  }
+  if (objects.empty())
+    return make_error(e_no_surface, "There is no visible surface to export.",
+                      "Show an object or import one.");
+  CadFileOptions options;
+  options.format = *format == CadFormat::step_ap214 && choices.ap242 ? CadFormat::step_ap242 : *format;
+  options.unit = cad_unit(choices.unit);
+  options.time = time;
+  auto file = make_cad_file(objects, options, cancel, progress.part(modelling, 0.95));
+  if (!file.ok()) return file.error();
+  if (const auto done = write_file_atomic(path, file->bytes); !done.ok()) return done.error();
+  CadExportReport report;
+  for (MadeObject& one : made) report.objects.push_back(std::move(one.report));
+  report.file = file->report;
+  report.bytes = file->bytes.size();
+  progress.report(1);
+  return report;
+}
+
+CadTotals totals(const CadExportReport& report) {
+  CadTotals out;
+  for (const CadObjectReport& object : report.objects) {
+    out.faces += object.faces;
+    out.exact += object.exact;
+    out.distance = std::max(out.distance, object.distance);
+    out.normal_jump = std::max(out.normal_jump, object.normal_jump);
+  }
+  return out;
+}
+
+std::vector<Message> warnings_of(const CadExportReport& report) {
+  std::vector<Message> out;
+  for (const CadObjectReport& object : report.objects)
+    if (object.unreached > 0)
+      out.push_back(
+          make_warning(w_cad_tolerance,
+                       object.name + ": " + std::to_string(object.unreached) +
+                           " faces are farther from the surface than the tolerance.",
+                       "Look for folds and needle-like patches there, or choose a larger tolerance."));
+  if (!report.file.valid)
+    out.push_back(make_warning(w_cad_invalid, "OpenCASCADE's own check does not accept the written shape.",
+                               "Look for folds in the surface, or choose a smaller tolerance."));
+  return out;
+}
+
+std::string header_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
+  return text;
+}
+
+}  // namespace hariko

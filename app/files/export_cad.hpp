@@ -1,0 +1,57 @@
+#pragma once
+
+// Writing the surfaces of a document as STEP or IGES.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
+#include "core/cad/cad_measure.hpp"
+#include "core/cad/kernel/cad_file.hpp"
+#include "core/document/cad_choices.hpp"
+
+namespace hariko {
+
+inline constexpr Code w_cad_tolerance{"W_CAD_TOLERANCE"};
+inline constexpr Code w_cad_invalid{"W_CAD_INVALID"};
+
+/// One object as it was written; lengths are the document's, after `scale`.
+struct CadObjectReport {
+  std::string name;
+  std::size_t faces = 0, exact = 0, edges = 0, control_points = 0;
+  bool closed = false;
+  double distance = 0;        ///< largest measured between the surface and its faces
+  double tolerance = 0;       ///< that was asked for
+  double normal_jump = 0;     ///< largest across smooth edges, radians
+  std::size_t unreached = 0;  ///< faces that do not keep the tolerance
+};
+
+struct CadExportReport {
+  std::vector<CadObjectReport> objects;
+  CadFileReport file;  ///< lengths in millimetres
+  std::uintmax_t bytes = 0;
+};
+
+/// Writes the surfaces of all visible objects, at quality `final`, atomically. `time` goes into the file's
+/// header. Errors: those of rebuilding (with the object's name) and of writing, E_NO_SURFACE,
+/// E_NO_CAD_KERNEL, E_CAD_KERNEL, E_FORMAT_UNKNOWN, E_CANCELLED; the file is as it was then.
+Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
+                                   const CadChoices& settings, const std::string& time,
+                                   const CancelToken& cancel = {}, const Progress& progress = {});
+
+/// Of all objects together; lengths are the document's.
+struct CadTotals {
+  std::size_t faces = 0, exact = 0;
+  double distance = 0, normal_jump = 0;
+};
+CadTotals totals(const CadExportReport& report);
+
+/// W_CAD_TOLERANCE for objects with faces that do not keep it; W_CAD_INVALID where the kernel objects.
+std::vector<Message> warnings_of(const CadExportReport& report);
+
+/// The local time as headers want it: 2026-11-22T12:00:00.
+std::string header_time();
+
+}  // namespace hariko

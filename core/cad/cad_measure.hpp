@@ -1,0 +1,26 @@
+#pragma once
+
+// How near a CAD model is to the surface that it was made of.
+
+#include <vector>
+
+#include "core/cad/cad_model.hpp"
+
+namespace hariko {
+
+struct CadMeasure {
+  /// Of each face, at equal parameters, which is never less than the distance between the two; lengths.
+  std::vector<double> distances;
+  double largest = 0;
+  double normal_jump = 0;  ///< largest across edges that are meant to be smooth, radians
+  Index jump_edge = no_index;
+  std::size_t exact = 0;  ///< faces closer than `exact_face` of the size
+  std::size_t control_points = 0;
+  double edge_deviation = 0;  ///< largest between edges and the boundaries of their faces
+};
+
+/// Looks at `samples` x `samples` places in each rectangle between knots, its sides included, and at as many
+/// along each stretch of an edge.
+CadMeasure measure_cad(const Surface& surface, const CadModel& model, int samples = 4);
+
+}  // namespace hariko

@@ -1,0 +1,61 @@
+#pragma once
+
+// CadModel: a surface as CAD programs want it: vertices, edges and faces with B-splines, every edge shared by
+// the faces that meet there. What makes files of it is in core/cad/kernel.
+
+#include <string>
+#include <vector>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/cad/cad_plan.hpp"
+#include "core/cad/spline.hpp"
+
+namespace hariko {
+
+/// A curve over 0 .. length of its first use; runs from `begin` to `end`.
+struct CadEdge {
+  Index begin = no_index, end = no_index;
+  SplineCurve curve;
+  std::array<CadUse, 2> uses;  ///< pieces are faces here
+  int use_count = 1;
+  bool smooth = true;
+  bool degenerate = false;  ///< a side that is shrunk to a point
+  double deviation = 0;     ///< largest measured distance to the faces' own boundaries
+};
+
+struct CadFace {
+  SplineSurface surface;  ///< over 0 .. columns, 0 .. rows of its piece; the outside is on the left of ds, dt
+  std::array<std::vector<Index>, 4> sides;  ///< edges, counter-clockwise
+  bool exact = false;                       ///< the surface itself, to rounding
+  bool reached = true;                      ///< the tolerance held at the places that the fit looked at
+};
+
+/// Positions are relative to `origin`.
+struct CadModel {
+  Vector3 origin = Vector3::Zero();
+  double size = 0;  ///< diagonal of the box round the vertices and control points
+  std::vector<Vector3> vertices;
+  std::vector<CadEdge> edges;
+  std::vector<CadFace> faces;
+  std::vector<CadPiece> pieces;  ///< one a face: what it stands for
+
+  /// Every edge has two faces.
+  bool closed() const;
+};
+
+struct CadModelOptions {
+  double tolerance = 0;  ///< of faces that cannot be exact, length; 0: `usual_cad_tolerance` of the size
+  double normal_angle = 0.0005;  ///< likewise between normals, radians (0.03 degrees)
+};
+inline constexpr double usual_cad_tolerance = 1e-5;  ///< of the diagonal
+/// Of the diagonal: closer than this, a face is the surface.
+inline constexpr double exact_face = 1e-12;
+
+/// Errors: E_CANCELLED. What is not a spline of the degree in use is interpolated by splines whose knots are
+/// halved where the surface is farther away than the tolerance. O(patches) for a fixed tolerance.
+Result<CadModel> make_cad_model(const Surface& surface, const CadModelOptions& options = {},
+                                const CancelToken& cancel = {}, const Progress& progress = {});
+
+}  // namespace hariko

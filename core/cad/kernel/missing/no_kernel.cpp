@@ -1,0 +1,17 @@
+// Built where OpenCASCADE is not: says so.
+
+#include "core/cad/kernel/cad_file.hpp"
+
+namespace hariko {
+
+std::optional<Message> why_no_cad_files() {
+  return make_error(e_no_cad_kernel, "This build of Hariko has no OpenCASCADE, which STEP and IGES need.",
+                    "Install OpenCASCADE's development files and build again.");
+}
+
+Result<CadFile> make_cad_file(std::span<const CadObject>, const CadFileOptions&, const CancelToken&,
+                              const Progress&) {
+  return *why_no_cad_files();
+}
+
+}  // namespace hariko

@@ -1,0 +1,187 @@
+#include "core/cad/kernel/cad_file.hpp"
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <IGESCAFControl_Writer.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <Standard_Failure.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <TCollection_ExtendedString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDF_Label.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <mutex>
+#include <sstream>
+
+#include "core/cad/kernel/opencascade/shape.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// The kernel keeps settings and its application for the whole process.
+std::mutex& kernel_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+const char* name_of(CadUnit unit) {
+  switch (unit) {
+    case CadUnit::centimetre:
+      return "CM";
+    case CadUnit::metre:
+      return "M";
+    case CadUnit::inch:
+      return "INCH";
+    default:
+      return "MM";
+  }
+}
+
+/// A document of the kernel, which is closed with it.
+class KernelDocument {
+ public:
+  KernelDocument() { XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document_); }
+  ~KernelDocument() { XCAFApp_Application::GetApplication()->Close(document_); }
+  KernelDocument(const KernelDocument&) = delete;
+  KernelDocument& operator=(const KernelDocument&) = delete;
+
+  const Handle(TDocStd_Document) & handle() const { return document_; }
+  void add(const TopoDS_Shape& shape, const CadObject& object) {
+    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
+    const Handle(XCAFDoc_ColorTool) colours = XCAFDoc_DocumentTool::ColorTool(document_->Main());
+    const TDF_Label label = shapes->AddShape(shape, false);
+    TDataStd_Name::Set(label, TCollection_ExtendedString(object.name.c_str(), true));
+    const auto part = [&](std::size_t i) { return object.colour[i] / 255.0; };
+    colours->SetColor(label, Quantity_Color(part(0), part(1), part(2), Quantity_TOC_sRGB), XCAFDoc_ColorSurf);
+  }
+
+ private:
+  Handle(TDocStd_Document) document_;
+};
+
+double largest_edge_tolerance(const TopoDS_Shape& shape) {
+  double largest = 0;
+  for (TopExp_Explorer edge(shape, TopAbs_EDGE); edge.More(); edge.Next())
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(edge.Current())));
+  return largest;
+}
+
+Message failed(const std::string& what) {
+  return make_error(e_cad_kernel, "OpenCASCADE could not make the file: " + what + ".");
+}
+
+Handle(TCollection_HAsciiString) text(const std::string& value) {
+  return new TCollection_HAsciiString(value.c_str());
+}
+
+Result<std::string> step_text(const KernelDocument& document, const CadFileOptions& options) {
+  Interface_Static::SetCVal("write.step.schema",
+                            options.format == CadFormat::step_ap242 ? "AP242DIS" : "AP214IS");
+  Interface_Static::SetCVal("write.step.unit", name_of(options.unit));
+  STEPCAFControl_Writer writer;
+  writer.SetColorMode(true);
+  writer.SetNameMode(true);
+  if (!writer.Transfer(document.handle(), STEPControl_AsIs)) return failed("nothing was transferred");
+  const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
+  APIHeaderSection_MakeHeader header(model);
+  header.SetName(text("hariko"));
+  header.SetTimeStamp(text(options.time));
+  header.SetOriginatingSystem(text("Hariko"));
+  header.Apply(model);
+  const Handle(StepData_Protocol) protocol =
+      Handle(StepData_Protocol)::DownCast(writer.ChangeWriter().WS()->Protocol());
+  StepData_StepWriter lines(model);
+  lines.SendModel(protocol);
+  std::ostringstream stream;
+  if (!lines.Print(stream)) return failed("the text of the STEP file could not be made");
+  return std::move(stream).str();
+}
+
+Result<std::string> iges_text(const KernelDocument& document, const CadFileOptions& options) {
+  Interface_Static::SetCVal("write.iges.unit", name_of(options.unit));
+  Interface_Static::SetIVal("write.iges.brep.mode", 1);
+  IGESCAFControl_Writer writer;
+  writer.SetColorMode(true);
+  writer.SetNameMode(true);
+  if (!writer.Transfer(document.handle())) return failed("nothing was transferred");
+  writer.ComputeModel();
+  IGESData_GlobalSection global = writer.Model()->GlobalSection();
+  std::string time;  // 20261122.120000
+  for (const char c : options.time) {
+    if (c < '0' || c > '9') continue;
+    if (time.size() == 8) time += '.';
+    time += c;
+  }
+  global.SetDate(text(time));
+  global.SetLastChangeDate(text(time));
+  global.SetFileName(text("hariko"));
+  writer.Model()->SetGlobalSection(global);
+  std::ostringstream stream;
+  if (!writer.Write(stream)) return failed("the text of the IGES file could not be made");
+  return std::move(stream).str();
+}
+
+Result<CadFile> make(std::span<const CadObject> objects, const CadFileOptions& options,
+                     const CancelToken& cancel, const Progress& progress) {
+  CadFile out;
+  out.report.valid = true;
+  KernelDocument document;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
+    const TopoDS_Shape shape = shape_of(*objects[i].model, out.report);
+    out.report.valid = out.report.valid && BRepCheck_Analyzer(shape).IsValid();
+    out.report.edge_tolerance = std::max(out.report.edge_tolerance, largest_edge_tolerance(shape));
+    document.add(shape, objects[i]);
+    progress.report(0.5 * double(i + 1) / double(objects.size()));
+  }
+  if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
+  auto bytes =
+      options.format == CadFormat::iges ? iges_text(document, options) : step_text(document, options);
+  if (!bytes.ok()) return bytes.error();
+  out.bytes = std::move(bytes).value();
+  progress.report(1);
+  return out;
+}
+
+}  // namespace
+
+std::optional<Message> why_no_cad_files() {
+  return {};
+}
+
+Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileOptions& options,
+                              const CancelToken& cancel, const Progress& progress) {
+  const std::lock_guard lock(kernel_mutex());
+  try {
+    STEPControl_Controller::Init();  // or the settings do not exist yet
+    IGESControl_Controller::Init();
+    ::Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+    return make(objects, options, cancel, progress);
+  } catch (const Standard_Failure& failure) {
+    return failed(failure.GetMessageString());
+  }
+}
+
+}  // namespace hariko

@@ -1,0 +1,15 @@
+#pragma once
+
+// A CAD model as OpenCASCADE's boundary representation. Only for the files of this folder.
+
+#include <TopoDS_Shape.hxx>
+
+#include "core/cad/kernel/cad_file.hpp"
+
+namespace hariko {
+
+/// Solids of closed shells, looking outward, and open shells; a compound where there are several. Faces share
+/// edges and vertices by construction: nothing is sewn. Adds to the counts of the report.
+TopoDS_Shape shape_of(const CadModel& model, CadFileReport& report);
+
+}  // namespace hariko

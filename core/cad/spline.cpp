@@ -1,0 +1,140 @@
+#include "core/cad/spline.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+std::vector<double> SplineSpace::knots() const {
+  std::vector<double> out(std::size_t(degree), breaks.front());
+  out.insert(out.end(), breaks.begin(), breaks.end());
+  out.insert(out.end(), std::size_t(degree), breaks.back());
+  return out;
+}
+
+std::vector<double> SplineSpace::greville() const {
+  const std::vector<double> all = knots();
+  std::vector<double> out(size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = 1; k <= std::size_t(degree); ++k) sum += all[i + k];
+    out[i] = sum / degree;
+  }
+  out.front() = begin();
+  out.back() = end();
+  return out;
+}
+
+std::size_t SplineSpace::span(double x) const {
+  const auto above = std::upper_bound(breaks.begin(), breaks.end(), x);
+  const auto at = std::size_t(std::max<std::ptrdiff_t>(above - breaks.begin(), 1)) - 1;
+  return std::min(at, span_count() - 1);
+}
+
+SplineSpace SplineSpace::reversed() const {
+  SplineSpace out{degree, {}};
+  for (auto b = breaks.rbegin(); b != breaks.rend(); ++b) out.breaks.push_back(begin() + end() - *b);
+  out.breaks.front() = begin();
+  out.breaks.back() = end();
+  return out;
+}
+
+SplineBasis spline_basis(const SplineSpace& space, const std::vector<double>& knots, double x) {
+  SplineBasis out;
+  out.first = space.span(x);
+  const auto p = std::size_t(space.degree);
+  const std::size_t at = out.first + p;  // knots[at] <= x < knots[at + 1]
+  std::array<double, max_spline_degree + 1> left{}, right{}, lower{};
+  out.value[0] = 1;
+  for (std::size_t d = 1; d <= p; ++d) {
+    left[d] = x - knots[at + 1 - d];
+    right[d] = knots[at + d] - x;
+    lower = out.value;
+    double saved = 0;
+    for (std::size_t r = 0; r < d; ++r) {
+      const double part = lower[r] / (right[r + 1] + left[d - r]);
+      out.value[r] = saved + right[r + 1] * part;
+      saved = left[d - r] * part;
+    }
+    out.value[d] = saved;
+  }
+  // `lower` holds the functions of degree p - 1 now.
+  for (std::size_t r = 0; r <= p && p > 0; ++r) {
+    const double below = r > 0 ? lower[r - 1] / (knots[at + r] - knots[at + r - p]) : 0;
+    const double above = r < p ? lower[r] / (knots[at + r + 1] - knots[at + r + 1 - p]) : 0;
+    out.derivative[r] = double(p) * (below - above);
+  }
+  return out;
+}
+
+SplinePoint evaluate(const SplineCurve& curve, double x) {
+  const SplineBasis basis = spline_basis(curve.space, curve.space.knots(), x);
+  SplinePoint out;
+  for (std::size_t r = 0; r <= std::size_t(curve.space.degree); ++r) {
+    out.position += basis.value[r] * curve.points[basis.first + r];
+    out.derivative += basis.derivative[r] * curve.points[basis.first + r];
+  }
+  return out;
+}
+
+SplineCurve reversed(const SplineCurve& curve) {
+  return {curve.space.reversed(), {curve.points.rbegin(), curve.points.rend()}};
+}
+
+SplineEvaluator::SplineEvaluator(const SplineSurface& surface)
+    : surface_(surface), knots_s_(surface.s.knots()), knots_t_(surface.t.knots()) {}
+
+PatchPoint SplineEvaluator::at(double s, double t) const {
+  const SplineBasis a = spline_basis(surface_.s, knots_s_, s), b = spline_basis(surface_.t, knots_t_, t);
+  PatchPoint out;
+  for (std::size_t j = 0; j <= std::size_t(surface_.t.degree); ++j) {
+    Vector3 row = Vector3::Zero(), row_s = Vector3::Zero();
+    for (std::size_t i = 0; i <= std::size_t(surface_.s.degree); ++i) {
+      const Vector3& p = surface_.points[surface_.index(a.first + i, b.first + j)];
+      row += a.value[i] * p;
+      row_s += a.derivative[i] * p;
+    }
+    out.position += b.value[j] * row;
+    out.ds += b.value[j] * row_s;
+    out.dt += b.derivative[j] * row;
+  }
+  return out;
+}
+
+struct SplineInterpolation::Factors {
+  Eigen::PartialPivLU<Eigen::MatrixXd> matrix;
+};
+
+SplineInterpolation::SplineInterpolation(const SplineSpace& space)
+    : places_(space.greville()), factors_(std::make_unique<Factors>()) {
+  const auto n = Eigen::Index(space.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+  const std::vector<double> knots = space.knots();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const SplineBasis basis = spline_basis(space, knots, places_[std::size_t(i)]);
+    for (Eigen::Index r = 0; r <= space.degree; ++r)
+      matrix(i, Eigen::Index(basis.first) + r) = basis.value[std::size_t(r)];
+  }
+  factors_->matrix.compute(matrix);
+}
+
+SplineInterpolation::~SplineInterpolation() = default;
+SplineInterpolation::SplineInterpolation(SplineInterpolation&&) noexcept = default;
+
+void SplineInterpolation::solve(std::span<Vector3> values, std::size_t stride, std::size_t count,
+                                std::size_t offset) const {
+  const std::size_t n = places_.size();
+  HARIKO_ASSERT((n - 1) * stride + (count - 1) * offset < values.size(), "values are too few");
+  Eigen::MatrixXd right(Eigen::Index(n), Eigen::Index(3 * count));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < count; ++k)
+      right.block<1, 3>(Eigen::Index(i), Eigen::Index(3 * k)) = values[i * stride + k * offset].transpose();
+  const Eigen::MatrixXd solved = factors_->matrix.solve(right);
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    for (std::size_t k = 0; k < count; ++k)
+      values[i * stride + k * offset] = solved.block<1, 3>(Eigen::Index(i), Eigen::Index(3 * k)).transpose();
+}
+
+}  // namespace hariko

@@ -1,0 +1,164 @@
+#include "core/cad/spline_fit.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace hariko {
+
+namespace {
+
+/// Narrower spans are not halved: something there is no smooth surface.
+constexpr double narrowest = 1.0 / 4096;
+
+double angle_between(const Vector3& a, const Vector3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Halves the spans that are marked; false where none was.
+bool halve(SplineSpace& space, const std::vector<char>& marked, std::size_t most) {
+  std::vector<double> breaks{space.breaks.front()};
+  bool changed = false;
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    const double a = space.breaks[i], b = space.breaks[i + 1];
+    if (marked[i] && b - a > narrowest && space.span_count() + (breaks.size() - i) <= most) {
+      breaks.push_back(0.5 * (a + b));
+      changed = true;
+    }
+    breaks.push_back(b);
+  }
+  space.breaks = std::move(breaks);
+  return changed;
+}
+
+}  // namespace
+
+bool has_normal(const PatchPoint& point) {
+  return point.ds.cross(point.dt).norm() > 1e-5 * point.ds.norm() * point.dt.norm();
+}
+
+FittedCurve fit_curve(const SplineSpace& start, const std::function<SplinePoint(double)>& function,
+                      const FitLimits& limits) {
+  SplineSpace space = start;
+  const std::size_t most = limits.most_spans + start.span_count();
+  for (;;) {
+    const SplineInterpolation interpolation(space);
+    std::vector<Vector3> points;
+    for (const double x : interpolation.places()) points.push_back(function(x).position);
+    interpolation.solve(points, 1, 1, 0);
+    SplineCurve curve{space, std::move(points)};
+    std::vector<char> marked(space.span_count(), 0);
+    bool missed = false;
+    for (std::size_t i = 0; i < marked.size(); ++i)
+      for (const double f : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+        const double x = space.breaks[i] + f * (space.breaks[i + 1] - space.breaks[i]);
+        const SplinePoint want = function(x), got = evaluate(curve, x);
+        const double length = want.derivative.norm() * (space.end() - space.begin());
+        if ((want.position - got.position).norm() > limits.distance ||
+            (length > limits.distance && angle_between(want.derivative, got.derivative) > limits.angle))
+          marked[i] = 1, missed = true;
+      }
+    if (!missed) return {std::move(curve), true};
+    SplineSpace finer = space;
+    if (!halve(finer, marked, most)) return {std::move(curve), false};
+    space = std::move(finer);
+  }
+}
+
+SplineCurve in_space(const SplineCurve& curve, const SplineSpace& space) {
+  if (curve.space == space) return curve;
+  const SplineInterpolation interpolation(space);
+  std::vector<Vector3> points;
+  for (const double x : interpolation.places()) points.push_back(evaluate(curve, x).position);
+  interpolation.solve(points, 1, 1, 0);
+  points.front() = curve.points.front();
+  points.back() = curve.points.back();
+  return {space, std::move(points)};
+}
+
+namespace {
+
+/// Normals of spans of this width do not call for narrower ones: something there is no smooth surface.
+bool narrow(const SplineSpace& space, std::size_t span) {
+  return space.breaks[span + 1] - space.breaks[span] <= 1.0 / 64;
+}
+
+struct Place {
+  double at = 0;
+  std::size_t span = 0;
+};
+/// None but the ends is a Greville place of a single span: there every spline is right.
+constexpr std::array<double, 4> looks{0, 0.1, 0.46, 0.9};
+std::vector<Place> places(const SplineSpace& space, bool few) {
+  std::vector<Place> out;
+  for (std::size_t i = 0; i < space.span_count(); ++i)
+    for (std::size_t k = 0; k < looks.size(); ++k)
+      if (!few || k == 2)
+        out.push_back({space.breaks[i] + looks[k] * (space.breaks[i + 1] - space.breaks[i]), i});
+  if (!few) out.push_back({space.end(), space.span_count() - 1});
+  return out;
+}
+
+/// The spline with the given boundary that has the function's values inside.
+SplineSurface interpolate(const SplineSpace& s, const SplineSpace& t,
+                          const std::function<PatchPoint(double, double)>& function,
+                          const std::function<std::vector<Vector3>(int, const SplineSpace&)>& boundary) {
+  SplineSurface out{s, t, std::vector<Vector3>(s.size() * t.size())};
+  const SplineInterpolation along(s), up(t);
+  const std::size_t m = s.size(), n = t.size();
+  const std::array<SplineCurve, 4> sides{SplineCurve{s, boundary(0, s)}, SplineCurve{t, boundary(1, t)},
+                                         SplineCurve{s, boundary(2, s)}, SplineCurve{t, boundary(3, t)}};
+  for (std::size_t j = 1; j + 1 < n; ++j) {
+    out.points[out.index(0, j)] = evaluate(sides[3], up.places()[j]).position;
+    out.points[out.index(m - 1, j)] = evaluate(sides[1], up.places()[j]).position;
+    for (std::size_t i = 1; i + 1 < m; ++i)
+      out.points[out.index(i, j)] = function(along.places()[i], up.places()[j]).position;
+  }
+  if (n > 2) along.solve({out.points.data() + m, m * (n - 2)}, 1, n - 2, m);
+  for (std::size_t i = 0; i < m; ++i) {
+    out.points[out.index(i, 0)] = sides[0].points[i];
+    out.points[out.index(i, n - 1)] = sides[2].points[i];
+  }
+  up.solve(out.points, m, m, 1);
+  for (std::size_t j = 0; j < n; ++j) {
+    out.points[out.index(0, j)] = sides[3].points[j];
+    out.points[out.index(m - 1, j)] = sides[1].points[j];
+  }
+  return out;
+}
+
+}  // namespace
+
+FittedSurface fit_surface(const SplineSpace& s, const SplineSpace& t,
+                          const std::function<PatchPoint(double, double)>& function,
+                          const std::function<std::vector<Vector3>(int, const SplineSpace&)>& boundary,
+                          const FitLimits& limits, bool few) {
+  FittedSurface out;
+  SplineSpace across = s, up = t;
+  const std::size_t most_s = limits.most_spans + s.span_count(), most_t = limits.most_spans + t.span_count();
+  for (;;) {
+    out.surface = interpolate(across, up, function, boundary);
+    out.distance = 0;
+    const SplineEvaluator spline(out.surface);
+    std::vector<char> marked_s(across.span_count(), 0), marked_t(up.span_count(), 0);
+    out.reached = true;
+    const std::vector<Place> along = places(across, few), upward = places(up, few);
+    for (const Place& y : upward)
+      for (const Place& x : along) {
+        const PatchPoint want = function(x.at, y.at), got = spline.at(x.at, y.at);
+        const double distance = (want.position - got.position).norm();
+        out.distance = std::max(out.distance, distance);
+        if (distance <= limits.distance && narrow(across, x.span) && narrow(up, y.span)) continue;
+        if (distance <= limits.distance &&
+            (!has_normal(want) || angle_between(unit_normal(want), unit_normal(got)) <= limits.angle))
+          continue;
+        marked_s[x.span] = marked_t[y.span] = 1;
+        out.reached = false;
+      }
+    if (out.reached) return out;
+    const bool finer_s = halve(across, marked_s, most_s), finer_t = halve(up, marked_t, most_t);
+    if (!finer_s && !finer_t) return out;
+  }
+}
+
+}  // namespace hariko

@@ -1,0 +1,149 @@
+#include "core/cad/cad_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/base/parallel.hpp"
+#include "core/cad/cad_measure.hpp"
+#include "core/skinning/subdivision_surface.hpp"
+#include "tests/cad/producers.hpp"
+
+namespace hariko::test {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+bool is_closed(const Surface& surface) {
+  return surface.boundary_sides().empty();
+}
+
+Vector3 start_of_side(const CadModel& model, Index face, int side) {
+  const CadEdge& edge = model.edges[model.faces[face].sides[std::size_t(side)].front()];
+  const bool first = edge.uses[0].piece == face && edge.uses[0].side == side;
+  return model.vertices[first ? edge.begin : edge.end];
+}
+
+TEST(CadModel, FacesShareEdgesAndVerticesBitForBit) {
+  std::size_t compared = 0;  // of edges whose faces have no further knots along them
+  for_produced([&](const Surface& surface) {
+    const auto made = make_cad_model(surface);
+    ASSERT_TRUE(made.ok());
+    const CadModel& model = *made;
+    EXPECT_EQ(model.closed(), is_closed(surface));
+    for (const CadEdge& edge : model.edges) {
+      EXPECT_EQ(edge.curve.points.front(), model.vertices[edge.begin]);
+      EXPECT_EQ(edge.curve.points.back(), model.vertices[edge.end]);
+      EXPECT_LE(edge.deviation, exact_face * model.size);
+    }
+    for (Index f = 0; f < model.faces.size(); ++f) {
+      const SplineSurface& s = model.faces[f].surface;
+      const std::array<Vector3, 4> corners{s.points[0], s.points[s.s.size() - 1], s.points.back(),
+                                           s.points[s.index(0, s.t.size() - 1)]};
+      for (int side = 0; side < 4; ++side)
+        EXPECT_EQ(corners[std::size_t(side)], start_of_side(model, f, side)) << "face " << f;
+    }
+    // Both faces of an edge have its control points along it, where they have its knots.
+    for (const CadEdge& edge : model.edges)
+      for (int u = 0; u < edge.use_count; ++u) {
+        const CadUse& use = edge.uses[std::size_t(u)];
+        const SplineSurface& s = model.faces[use.piece].surface;
+        const SplineSpace& space = use.side % 2 == 0 ? s.s : s.t;
+        const SplineSpace along = (u == 0) == (use.side < 2) ? space : space.reversed();
+        if (!(along == edge.curve.space)) continue;
+        ++compared;
+        for (std::size_t i = 0; i < space.size(); ++i) {
+          const std::size_t at = (u == 0) == (use.side < 2) ? i : space.size() - 1 - i;
+          const std::size_t point = use.side == 0   ? s.index(at, 0)
+                                    : use.side == 1 ? s.index(s.s.size() - 1, at)
+                                    : use.side == 2 ? s.index(at, s.t.size() - 1)
+                                                    : s.index(0, at);
+          ASSERT_EQ(s.points[point], edge.curve.points[i]);
+        }
+      }
+  });
+  EXPECT_GT(compared, 100U);
+}
+
+TEST(CadModel, KeepsTheToleranceAndStaysSmooth) {
+  for_produced([](const Surface& surface) {
+    const auto model = make_cad_model(surface);
+    ASSERT_TRUE(model.ok());
+    const CadMeasure measure = measure_cad(surface, *model);
+    EXPECT_LE(measure.largest, usual_cad_tolerance * model->size);
+    EXPECT_LE(measure.normal_jump, 0.1 * degree) << "edge " << measure.jump_edge;
+  });
+}
+
+TEST(CadModel, TighterTolerancesGiveNearerFaces) {
+  const auto produced = surfaces_of({"fig2_open"});
+  ASSERT_EQ(produced.size(), 1U);
+  std::size_t before = 0;
+  for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
+    const auto model = make_cad_model(produced[0].surface, {tolerance, 0.1});
+    ASSERT_TRUE(model.ok());
+    const CadMeasure measure = measure_cad(produced[0].surface, *model);
+    EXPECT_LE(measure.largest, tolerance);
+    EXPECT_GT(measure.control_points, before);
+    before = measure.control_points;
+  }
+}
+
+TEST(CadModel, PolynomialPatchesAreExact) {
+  for (const WantedSample& wanted : {WantedSample{"wheel_arch"}, WantedSample{"skin_smooth"}}) {
+    for (const Produced& produced : surfaces_of(wanted)) {
+      if (produced.surface.domain() != Domain::square) continue;
+      const auto model = make_cad_model(produced.surface);
+      ASSERT_TRUE(model.ok());
+      const CadMeasure measure = measure_cad(produced.surface, *model, 9);
+      EXPECT_EQ(measure.exact, model->faces.size()) << produced.name;
+      EXPECT_LE(measure.largest, 1e-12 * model->size);
+    }
+  }
+}
+
+TEST(CadModel, RegularFacesAreMergedIntoRectangles) {
+  const auto produced = surfaces_of({"skin_smooth"});
+  ASSERT_EQ(produced.size(), 1U);
+  const auto model = make_cad_model(produced[0].surface);
+  ASSERT_TRUE(model.ok());
+  // A tube of patches that all are one spline: two halves.
+  EXPECT_LE(model->faces.size(), 4U);
+  EXPECT_GT(produced[0].surface.patch_count(), 20U);
+}
+
+TEST(CadModel, NeighboursOfDividedSidesAreDivided) {
+  const auto produced = surfaces_of({"skin_merge_inside"});
+  ASSERT_EQ(produced.size(), 1U);
+  const auto model = make_cad_model(produced[0].surface);
+  ASSERT_TRUE(model.ok());
+  // Each edge runs between two vertices that no other edge passes through: Euler's number is the surface's.
+  const std::ptrdiff_t euler = std::ptrdiff_t(model->vertices.size()) - std::ptrdiff_t(model->edges.size()) +
+                               std::ptrdiff_t(model->faces.size());
+  EXPECT_EQ(euler, 1) << "a strip";
+  std::size_t divided = 0;
+  for (const CadFace& face : model->faces)
+    for (const auto& side : face.sides) divided += side.size() > 1;
+  EXPECT_GT(divided, 0U);
+}
+
+TEST(CadModel, SameForAnyNumberOfThreadsAndCanBeCancelled) {
+  const auto produced = surfaces_of({"cube_crease"});
+  ASSERT_EQ(produced.size(), 1U);
+  const auto one = [&] {
+    const ParallelLimit serial(1);
+    return make_cad_model(produced[0].surface);
+  }();
+  const auto two = make_cad_model(produced[0].surface);
+  ASSERT_TRUE(one.ok() && two.ok());
+  for (std::size_t f = 0; f < one->faces.size(); ++f)
+    EXPECT_EQ(one->faces[f].surface.points, two->faces[f].surface.points);
+  const CancelToken cancel = CancelToken::make();
+  cancel.cancel();
+  const auto none = make_cad_model(produced[0].surface, {}, cancel);
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().code, e_cancelled);
+}
+
+}  // namespace
+}  // namespace hariko::test
