@@ -33,6 +33,7 @@
 #include "app/replay.hpp"
 #include "app/samples.hpp"
 #include "app/signal_watch.hpp"
+#include "app/skin_jobs.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
 #include "core/document/edit_objects.hpp"
@@ -82,6 +83,7 @@ class Application {
         long_(editor_, &GlWindow::wake),
         meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
         paper_(editor_, long_, &GlWindow::wake),
+        skins_(editor_, long_, [this](const char* what, const auto& path) { log_.file(what, path); }),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         gauss_(editor_, workbench_.gauss(), &GlWindow::wake),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
@@ -165,6 +167,8 @@ class Application {
     actions.export_cad = [this](const auto& path, const auto& choices) { write_cad(path, choices); };
     actions.count_export = [this](const ExportSettings& settings) { count_export(settings); };
     actions.export_pictures = [this](PictureOrder order) { export_pictures(std::move(order)); };
+    actions.export_control = [this](const auto& path) { skins_.export_control(path); };
+    actions.convert_skin = [this](ObjectId object) { skins_.convert(object); };
     actions.export_pages = [this](const auto& path) { export_pages(path); };
     actions.record = [this](const auto& path) { record_to_ = path; };
     actions.stop_recording = [this] { recording_ends_ = true; };
@@ -243,6 +247,7 @@ class Application {
     editor_.stale_since.clear();
     for (const auto& [id, view] : engine_.views())
       if (engine_.pending(id)) editor_.stale_since[id] = engine_.pending_since(id);
+    skins_.follow(engine_);
     const Settings& settings = editor_.settings;
     if (window_.set_appearance(settings.theme, settings.interface_scale))
       frames_ = frames_after_input;          // sizes settle again
@@ -580,6 +585,7 @@ class Application {
   BackgroundWork long_;
   MeshPreviewer meshes_;
   PaperEngine paper_;
+  SkinJobs skins_;
   Workbench workbench_;
   GaussEngine gauss_;
   DocumentSession session_;

@@ -188,6 +188,11 @@ double RebuildEngine::pending_since(ObjectId id) const {
   return track == tracks_.end() ? 0 : track->second.stale_since;
 }
 
+double RebuildEngine::progress(ObjectId id) const {
+  const auto track = tracks_.find(id);
+  return track != tracks_.end() && track->second.pending ? track->second.builder->progress() : -1;
+}
+
 bool RebuildEngine::any_pending() const {
   for (const auto& [id, track] : tracks_)
     if (track.pending) return true;

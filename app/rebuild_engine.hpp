@@ -25,6 +25,8 @@ class ViewBuilder {
                             Quality quality, const CancelToken& cancel) = 0;
   /// How well the patches of a surface meet; without seams when cancelled.
   virtual ContinuityReport measure(const Surface& surface, const CancelToken& cancel) = 0;
+  /// How far the part is that takes long, 0 .. 1; negative where nothing is known. For any thread.
+  virtual double progress() const { return -1; }
 };
 
 /// Everything here runs on the main thread; the builders run on the worker.
@@ -59,6 +61,8 @@ class RebuildEngine {
   bool pending(ObjectId id) const;
   double pending_since(ObjectId id) const;
   bool any_pending() const;
+  /// Of the rebuilding of an object: see `ViewBuilder::progress`; negative when it is not pending.
+  double progress(ObjectId id) const;
   /// Objects whose surface is older than the document and not being rebuilt.
   std::set<ObjectId> outdated() const;
 

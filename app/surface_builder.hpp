@@ -14,6 +14,7 @@ class SurfaceBuilder final : public ViewBuilder {
   SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
                     Quality quality, const CancelToken& cancel) override;
   ContinuityReport measure(const Surface& surface, const CancelToken& cancel) override;
+  double progress() const override { return surfacer_.progress().fraction(); }
 
  private:
   Result<PolyhedronSurface> surface_of(const Object& object, const ObjectPointers& neighbours,

@@ -42,6 +42,13 @@ bool commit_skin(Editor& editor, ObjectId object, const Result<CorrespondenceEdi
   return true;
 }
 
+void select_new_points(Editor& editor, const SkinEdit& edit) {
+  if (edit.points.empty()) return;
+  ElementSelection elements;
+  for (const std::uint32_t id : edit.points) elements.vertices.insert(VertexId{id});
+  editor.selection.set(editor.selection.active, elements);
+}
+
 void delete_selected_points(Editor& editor) {
   const Object* object = shown_skin(editor);
   if (!object) return;

@@ -20,6 +20,9 @@ bool commit_skin(Editor& editor, ObjectId object, const Result<SkinEdit>& edit, 
 bool commit_skin(Editor& editor, ObjectId object, const Result<CorrespondenceEdit>& edit,
                  const std::string& label);
 
+/// Selects the points that an edit made in the active skin.
+void select_new_points(Editor& editor, const SkinEdit& edit);
+
 /// Deletes the selected points of sections, or the one of the path, as one step.
 void delete_selected_points(Editor& editor);
 

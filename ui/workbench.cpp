@@ -349,6 +349,17 @@ void Workbench::show_cad_dialog() {
   cad_options_.begin(editor_);
 }
 
+void Workbench::show_control_export() {
+  std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
+  proposal += " control.obj";
+  dialog_.open({translatable("Export the control meshes of skins"),
+                translatable("Export"),
+                true,
+                {".obj"},
+                proposal,
+                [this](const auto& path) { actions_.export_control(path); }});
+}
+
 void Workbench::show_picture_dialog(bool turntable) {
   std::filesystem::path proposal = name_proposal();
   proposal.replace_extension(".png");

@@ -23,7 +23,7 @@
 
 namespace hariko {
 
-/// Work on files, done by the application. None of these blocks.
+/// Work on files and other work that takes long, done by the application. None of these blocks.
 struct FileActions {
   std::function<void(const std::filesystem::path&)> open;         ///< replaces the document
   std::function<void(const std::filesystem::path&)> import_file;  ///< adds to the document
@@ -37,6 +37,10 @@ struct FileActions {
   std::function<void(const ExportSettings&)> count_export;
   std::function<void(const std::filesystem::path&, const CadChoices&)> export_cad;
   std::function<void(PictureOrder)> export_pictures;
+  /// Writes the control meshes of the visible skins.
+  std::function<void(const std::filesystem::path&)> export_control;
+  /// Makes a polyhedron of a skin, which is hidden then. Only the last one asked for counts.
+  std::function<void(ObjectId)> convert_skin;
   /// Writes the pages of the paper model that is shown.
   std::function<void(const std::filesystem::path&)> export_pages;
   /// Opens work that an earlier session left behind, or throws it away.
@@ -106,6 +110,9 @@ class Workbench {
   void take_export_count(const ExportSettings& settings, const Result<ExportCount>& count) {
     export_options_.take(settings, count);
   }
+  /// For the control meshes of skins.
+  void show_control_export();
+  void convert_skin(ObjectId object) { actions_.convert_skin(object); }
   void show_key_export();
   void show_key_import();
   /// Of the active view: one picture, or a series that turns round the model.

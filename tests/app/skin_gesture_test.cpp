@@ -1,11 +1,17 @@
 // Strokes over a skin, and dragging of its points, without a window.
 
 #include <algorithm>
+#include <map>
 
+#include "core/skinning/add_section.hpp"
 #include "core/skinning/simple_skin.hpp"
 #include "tests/app/tool_rig.hpp"
+#include "ui/tools/add_section_tool.hpp"
 #include "ui/tools/correspond_tool.hpp"
+#include "ui/tools/correspondence_drag.hpp"
+#include "ui/tools/draw_skin_tool.hpp"
 #include "ui/tools/skin_tool.hpp"
+#include "ui/tools/slide_section_tool.hpp"
 
 namespace hariko::test {
 namespace {
@@ -18,7 +24,19 @@ struct SkinRig : Rig {
   explicit SkinRig(const Skin& skin = arched_skin(6, 4, 1, 7)) : Rig(skin_document(skin)) {
     editor.set_camera(Camera::standard(StandardView::top));
     editor.frame_all(true);
-    view = view_of(this->skin(), surfacer);
+    editor.views = &views;
+    update();
+  }
+  /// As the worker does after a change.
+  void update() {
+    SurfaceView& shown = views[object().id];
+    if (auto made = SkinSurfacer().surface(skin(), Vector3::Zero())) {
+      shown.surface = made->surface;
+      shown.mesh = DisplayMesh::build(shown.surface, {});
+    }
+    shown.object = editor.document().objects[0];
+    view = view_of(skin(), &shown.surface);
+    scene.update(editor);
   }
   const Object& object() const { return *editor.document().objects[0]; }
   const Skin& skin() const { return *object().skin()->skin; }
@@ -26,7 +44,8 @@ struct SkinRig : Rig {
   Vector2 point(std::uint32_t id) const {
     Vector2 out = Vector2::Zero();
     for (const SkinView::Handle& handle : view.handles)
-      if (handle.id == id) out = pixel(handle.position);
+      if (handle.id == id && handle.section >= 0 && handle.kind != SkinView::Handle::Kind::place)
+        out = pixel(handle.position);
     return out;
   }
   Vector2 between(std::uint32_t a, std::uint32_t b) const { return (point(a) + point(b)) / 2; }
@@ -34,9 +53,29 @@ struct SkinRig : Rig {
     return gesture_edit(skin(), view, object(), Projector(editor.camera(), editor.viewport),
                         {kind, std::move(points)}, 1);
   }
-  SkinSurfacer surfacer;
+  void press(const Vector2& pixel) { send(PointerEvent::Kind::press, pixel); }
+  void release(const Vector2& pixel) { send(PointerEvent::Kind::release, pixel); }
+  void click(const Vector2& pixel) { move(pixel), press(pixel), release(pixel); }
+  void drag(const Vector2& from, const Vector2& to) {
+    move(from), press(from);
+    for (int i = 1; i <= 4; ++i) move(from + (to - from) * i / 4);
+    release(to);
+  }
+  std::size_t line_between(std::uint32_t a, std::uint32_t b) const {
+    for (std::size_t l = 0; l < view.lines.size(); ++l)
+      if (view.lines[l].a == a && view.lines[l].b == b) return l;
+    ADD_FAILURE() << "no line from " << a << " to " << b;
+    return 0;
+  }
+  std::map<ObjectId, SurfaceView> views;
   SkinView view;
 };
+
+/// A third section in the middle.
+Skin three_sections() {
+  const Skin skin = arched_skin(6, 4, 1, 7);
+  return add_section(skin, 0.5).value().skin;
+}
 
 using Ids = std::vector<std::uint32_t>;
 
@@ -134,6 +173,265 @@ TEST(SkinTool, DragsPointsInThePlaneOfTheirSection) {
   EXPECT_EQ(rig.skin(), before);
   press.pixel = {3, 3};
   EXPECT_EQ(skin_tool_at(rig.context(), press), nullptr);
+}
+
+TEST(SkinTool, WithControlBothHalvesMove) {
+  SkinRig rig;
+  rig.editor.set_camera(Camera::standard(StandardView::iso));
+  rig.editor.frame_all(true);
+  PointerEvent press;
+  press.kind = PointerEvent::Kind::press;
+  press.pixel = rig.point(2);
+  rig.tool = skin_tool_at(rig.context(), press);
+  ASSERT_NE(rig.tool, nullptr);
+  ToolContext context = rig.context();
+  rig.tool->begin(context, press);
+  rig.move(press.pixel + Vector2(0, -50), false, true);
+  rig.release(press.pixel + Vector2(0, -50));
+  const auto limits = limit_points(rig.skin().sections[0].curve());
+  EXPECT_GT(limits[2].z(), limits[1].z() + 0.1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector3 image(limits[6 - i].x(), -limits[6 - i].y(), limits[6 - i].z());
+    EXPECT_LT((limits[i] - image).norm(), 1e-9);
+  }
+}
+
+TEST(SkinGesture, LinesGoOnAcrossAllSections) {
+  const SkinRig rig(three_sections());
+  const Skin& skin = rig.skin();
+  const auto point = [&](int k, int i) { return skin.sections[std::size_t(k)].points[std::size_t(i)].id; };
+  for (int i = 0; i < 7; ++i) {
+    const auto lines = connected_lines(rig.view, rig.line_between(point(1, i), point(2, i)));
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(rig.view.lines[lines[1]].a, point(0, i));
+    EXPECT_EQ(rig.view.lines[lines[1]].b, point(1, i));
+  }
+  // The sketch of a section runs once over every line.
+  EXPECT_EQ(section_sketch(rig.view, 0.25).size(), 7U);
+  for (const Vector3& p : section_sketch(rig.view, 0.25)) EXPECT_NEAR(p.x(), -1.5, 0.2);
+}
+
+TEST(CorrespondTool, EndsOfLinesAreDraggedToOtherPoints) {
+  SkinRig rig;
+  rig.start(make_correspond_tool());
+  const std::size_t line = rig.line_between(3, 10);
+  const Projector projector(rig.editor.camera(), rig.editor.viewport);
+  const auto ends = line_ends(rig.view, rig.object(), projector, line, rig.point(10), 1);
+  ASSERT_EQ(ends.size(), 2U);
+  ASSERT_TRUE(ends[0].at_b);
+  rig.drag(ends[0].pixel, rig.point(11) + Vector2(4, 3));
+  EXPECT_EQ(rig.editor.history.position(), 1U);
+  ASSERT_EQ(rig.skin().links.size(), 1U);
+  EXPECT_EQ(rig.skin().links[0].a, Ids{3});
+  EXPECT_EQ(rig.skin().links[0].b, Ids{11});
+  rig.update();
+  const auto again = line_ends(rig.view, rig.object(), projector, rig.line_between(3, 11), rig.point(3), 1);
+  ASSERT_EQ(again.size(), 2U);
+  rig.drag(again[0].pixel, rig.point(4));
+  ASSERT_EQ(rig.skin().links.size(), 1U);
+  EXPECT_EQ(rig.skin().links[0].a, Ids{4});
+  // Each drag is one step, which the tool undoes.
+  rig.key(GLFW_KEY_Z);
+  EXPECT_EQ(rig.editor.history.position(), 2U) << "without Ctrl";
+  ToolContext context = rig.context();
+  rig.tool->key(context, {{GLFW_KEY_Z, true, false, false}, 0});
+  rig.tool->key(context, {{GLFW_KEY_Z, true, false, false}, 0});
+  EXPECT_EQ(rig.editor.history.position(), 0U);
+  EXPECT_TRUE(rig.skin().links.empty());
+  rig.tool->key(context, {{GLFW_KEY_Y, true, false, false}, 0});
+  EXPECT_EQ(rig.editor.history.position(), 1U);
+}
+
+TEST(CorrespondTool, DiamondsSnapToRowsUnlessTheyAreFree) {
+  Skin skin = arched_skin(6, 4, 1, 7);
+  skin = merge_points(skin, Ids{2, 3, 4}, 10, 0.37).value().skin;
+  const SkinRig rig(skin);
+  ASSERT_EQ(rig.view.diamonds.size(), 1U);
+  const SkinView::Line& line = rig.view.lines[rig.line_between(3, 10)];
+  MergeDrag drag(skin, rig.view, 0);
+  const Projector projector(rig.editor.camera(), rig.editor.viewport);
+  ASSERT_GT(line.points.size(), 3U);
+  for (std::size_t i = 1; i + 1 < line.points.size(); ++i) {
+    const Vector2 row = rig.pixel(line.points[i]);
+    const auto snapped = drag.to({rig.object(), projector, row + Vector2(3, 2), 1, false});
+    ASSERT_TRUE(snapped.ok()) << to_string(snapped.error());
+    EXPECT_EQ(snapped->skin.merges.at(0).v, line.along[i]);
+    const auto free = drag.to({rig.object(), projector, row + Vector2(3, 2), 1, true});
+    ASSERT_TRUE(free.ok());
+    EXPECT_NE(free->skin.merges.at(0).v, line.along[i]);
+    EXPECT_NEAR(free->skin.merges.at(0).v, line.along[i], 0.05);
+  }
+}
+
+TEST(SlideSectionTool, FollowsThePointerAndTypedNumbers) {
+  SkinRig rig(three_sections());
+  const std::uint32_t middle = rig.skin().sections[1].id;
+  const auto place = [&](double v) { return rig.pixel(evaluate(rig.skin().path, v).position); };
+  rig.start(make_slide_section_tool(middle, true), place(0.5));
+  rig.move(place(0.5) + Vector2(10, 0));
+  rig.move(place(0.7));
+  EXPECT_NEAR(rig.skin().sections[1].v, 0.7, 0.01);
+  EXPECT_NEAR(rig.skin().sections[1].points[0].position.x(), 6 * (0.7 - 0.5), 0.1) << "it is not carried";
+  // Points of the path attract, except with Alt.
+  rig.move(place(0.747));
+  EXPECT_EQ(rig.skin().sections[1].v, 0.75);
+  rig.type("40");
+  EXPECT_NEAR(rig.skin().sections[1].v, 0.4, 1e-12);
+  rig.enter();
+  EXPECT_EQ(rig.tool, nullptr);
+  EXPECT_EQ(rig.editor.history.position(), 1U);
+  EXPECT_EQ(rig.editor.history.undo_label(), "Slide section");
+  // Beyond its neighbours it does not go: what was good last stays, and Esc takes all back.
+  rig.start(make_slide_section_tool(middle, true), place(0.4));
+  rig.type("120");
+  rig.enter();
+  EXPECT_NE(rig.tool, nullptr) << "an error was confirmed";
+  rig.escape();
+  EXPECT_NEAR(rig.skin().sections[1].v, 0.4, 1e-12);
+  EXPECT_EQ(rig.editor.history.position(), 1U);
+}
+
+TEST(SlideSectionTool, BeginsAtThePlaceOnThePath) {
+  SkinRig rig(three_sections());
+  const std::uint32_t middle = rig.skin().sections[1].id;
+  // Beside the point of the path that lies there, too.
+  PointerEvent press;
+  press.kind = PointerEvent::Kind::press;
+  press.pixel = rig.pixel(evaluate(rig.skin().path, 0.5).position) + Vector2(0, 9);
+  rig.tool = skin_tool_at(rig.context(), press);
+  ASSERT_NE(rig.tool, nullptr);
+  ToolContext context = rig.context();
+  rig.tool->begin(context, press);
+  // A click selects the section.
+  rig.release(press.pixel);
+  EXPECT_EQ(rig.editor.selection.of(rig.object().id).vertices.size(), rig.skin().sections[1].points.size());
+  rig.tool = skin_tool_at(rig.context(), press);
+  ASSERT_NE(rig.tool, nullptr);
+  rig.tool->begin(context, press);
+  const Vector2 by = rig.pixel(evaluate(rig.skin().path, 0.63).position) -
+                     rig.pixel(evaluate(rig.skin().path, 0.5).position);
+  rig.move(press.pixel + by / 2);
+  rig.move(press.pixel + by);
+  rig.release(press.pixel + by);
+  EXPECT_NEAR(rig.skin().sections[1].v, 0.63, 1e-3);
+  EXPECT_EQ(rig.skin().sections[1].id, middle);
+  EXPECT_EQ(rig.editor.history.position(), 1U);
+}
+
+TEST(AddSectionTool, AddsWhereTheSurfaceIsClicked) {
+  for (const SkinMethod method : {SkinMethod::pleat, SkinMethod::smooth}) {
+    Skin skin = arched_skin(6, 4, 1, 7);
+    skin.method = method;
+    skin.smooth.parameters = ColumnParameters::uniform;
+    SkinRig rig(skin);
+    rig.start(make_add_section_tool());
+    const Vector2 at = rig.pixel({-3 + 6 * 0.3, 0.5, 0.7});
+    rig.click(at);
+    ASSERT_EQ(rig.skin().section_count(), 3);
+    EXPECT_NEAR(rig.skin().sections[1].v, 0.3, 0.03);
+    EXPECT_EQ(rig.skin().sections[1].size(), 7);
+    EXPECT_EQ(rig.editor.history.undo_label(), "Add section");
+    rig.update();
+    // Beside the surface nothing happens.
+    rig.click({5, 5});
+    EXPECT_EQ(rig.skin().section_count(), 3);
+    rig.enter();
+    EXPECT_EQ(rig.tool, nullptr);
+  }
+}
+
+struct DrawingRig : Rig {
+  DrawingRig() : Rig(Document{}) {
+    editor.has_document = true;
+    editor.set_camera(Camera::standard(StandardView::top));
+  }
+  void click(const Vector2& pixel) {
+    move(pixel);
+    send(PointerEvent::Kind::press, pixel);
+    send(PointerEvent::Kind::release, pixel);
+  }
+  void stroke(const std::vector<Vector2>& pixels) {
+    move(pixels.front());
+    send(PointerEvent::Kind::press, pixels.front());
+    for (const Vector2& pixel : pixels) move(pixel);
+    send(PointerEvent::Kind::release, pixels.back());
+  }
+  /// The camera arrives.
+  void wait() { editor.now += 1; }
+};
+
+TEST(DrawSkinTool, DrawsAPathAndTwoSections) {
+  DrawingRig rig;
+  rig.start(make_draw_skin_tool());
+  rig.enter();
+  ASSERT_NE(rig.tool, nullptr) << "there is nothing yet";
+  for (const double x : {150.0, 300.0, 500.0, 650.0}) rig.click({x, 300});
+  rig.enter();
+  rig.wait();
+  // The view looks along the path: an arch by hand.
+  std::vector<Vector2> arch;
+  for (int i = 0; i <= 60; ++i)
+    arch.push_back({400 - 200 * std::cos(3.14159265 * i / 60), 380 - 150 * std::sin(3.14159265 * i / 60)});
+  rig.stroke(arch);
+  rig.enter();
+  rig.wait();
+  for (const auto& p : {Vector2(250, 380), Vector2(400, 300), Vector2(550, 380)}) rig.click(p);
+  // Backspace takes the last point, then it is drawn anew.
+  rig.key(GLFW_KEY_BACKSPACE);
+  rig.click({560, 380});
+  rig.enter();
+  ASSERT_EQ(rig.tool, nullptr);
+  ASSERT_EQ(rig.editor.document().objects.size(), 1U);
+  EXPECT_EQ(rig.editor.history.position(), 1U);
+  EXPECT_EQ(rig.editor.history.undo_label(), "Draw skin");
+  const Skin& skin = *rig.editor.document().objects[0]->skin()->skin;
+  EXPECT_EQ(skin.path.size(), 4);
+  ASSERT_EQ(skin.section_count(), 2);
+  EXPECT_GE(skin.sections[0].size(), 5);
+  EXPECT_EQ(skin.sections[1].size(), 3);
+  // In planes across the path, arching upwards.
+  for (const SkinSection& section : skin.sections) {
+    const CurvePoint at = evaluate(skin.path, section.v);
+    for (const SectionPoint& p : section.points)
+      EXPECT_NEAR((p.position - at.position).dot(at.first.normalized()), 0, 1e-9);
+    const auto limits = limit_points(section.curve());
+    EXPECT_GT(limits[limits.size() / 2].z(), limits.front().z() + 0.1);
+  }
+  EXPECT_TRUE(SkinSurfacer().surface(skin, Vector3::Zero()).ok());
+}
+
+TEST(DrawSkinTool, EscapeLeavesNothingAndTheViewAsItWas) {
+  DrawingRig rig;
+  const Camera before = rig.editor.camera();
+  rig.start(make_draw_skin_tool());
+  rig.click({200, 300});
+  rig.click({600, 300});
+  rig.enter();
+  rig.wait();
+  EXPECT_GT(rig.editor.camera().orientation.angularDistance(before.orientation), 0.5);
+  rig.escape();
+  rig.wait();
+  EXPECT_TRUE(rig.editor.document().objects.empty());
+  EXPECT_LT(rig.editor.camera().orientation.angularDistance(before.orientation), 1e-6);
+}
+
+TEST(DrawSectionTool, DrawsInThePlaneAcrossThePath) {
+  SkinRig rig;
+  rig.start(make_draw_section_tool());
+  const Vector2 at = rig.pixel(evaluate(rig.skin().path, 0.4).position);
+  rig.click(at + Vector2(0, 6));
+  rig.editor.now += 1;
+  rig.click({300, 320});
+  rig.click({400, 200});
+  rig.click({500, 320});
+  rig.enter();
+  ASSERT_EQ(rig.tool, nullptr);
+  ASSERT_EQ(rig.skin().section_count(), 3);
+  const SkinSection& section = rig.skin().sections[1];
+  EXPECT_NEAR(section.v, 0.4, 1e-3);
+  ASSERT_EQ(section.size(), 3);
+  for (const SectionPoint& p : section.points) EXPECT_NEAR(p.position.x(), 6 * (section.v - 0.5), 1e-9);
+  EXPECT_EQ(rig.editor.history.undo_label(), "Draw section");
 }
 
 }  // namespace

@@ -124,6 +124,8 @@ class HeadlessWorkbench {
     complete(actions.export_file);
     complete(actions.count_export);
     complete(actions.export_pictures);
+    complete(actions.export_control);
+    complete(actions.convert_skin);
     complete(actions.recover);
     complete(actions.discard_recovery);
     complete(actions.record);

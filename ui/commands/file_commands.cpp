@@ -65,6 +65,16 @@ void add_file_commands(CommandHost& host) {
          if (const auto missing = why_no_cad_files()) return missing->text;
          return {};
        }});
+  table.add({"file.export_control", "File", "Export control meshes\u2026",
+             "Write the control meshes of skins, with their creases, for programs that subdivide themselves.",
+             "", "", false, false, [&workbench] { workbench.show_control_export(); },
+             [&editor, document]() -> Reason {
+               if (auto reason = document()) return reason;
+               const auto& objects = editor.document().objects;
+               const auto skin = [](const auto& object) { return object->visible && object->skin(); };
+               if (std::any_of(objects.begin(), objects.end(), skin)) return {};
+               return "No skin is visible. Only skins have control meshes.";
+             }});
   const WhyNot something_shown = [&editor, document]() -> Reason {
     if (auto reason = document()) return reason;
     const auto& objects = editor.document().objects;

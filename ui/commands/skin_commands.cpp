@@ -2,16 +2,18 @@
 
 #include <algorithm>
 
-#include "core/document/edits.hpp"
-#include "core/modeling/skin_polyhedron.hpp"
 #include "core/skinning/add_section.hpp"
 #include "core/skinning/edit_path.hpp"
-#include "core/skinning/edit_section.hpp"
+#include "core/skinning/symmetric_edit.hpp"
+#include "ui/commands/new_object.hpp"
 #include "ui/commands/skin_commands.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/skin_view.hpp"
+#include "ui/tools/add_section_tool.hpp"
 #include "ui/tools/correspond_tool.hpp"
-#include "ui/viewport.hpp"
+#include "ui/tools/draw_skin_tool.hpp"
+#include "ui/tools/slide_section_tool.hpp"
+#include "ui/workbench.hpp"
 
 namespace hariko {
 
@@ -58,20 +60,12 @@ int chosen_span(const Editor& editor) {
   return section.closed ? chosen.front() : std::min(chosen.front(), last - 1);
 }
 
-/// Selects the points that an edit made.
-void select_new(Editor& editor, const Result<SkinEdit>& edit) {
-  if (!edit || edit->points.empty()) return;
-  ElementSelection elements;
-  for (const std::uint32_t id : edit->points) elements.vertices.insert(VertexId{id});
-  editor.selection.set(editor.selection.active, elements);
-}
-
 using MakeEdit = std::function<Result<SkinEdit>()>;
 
 void run_edit(Editor& editor, const MakeEdit& make, const char* label) {
   const ObjectId object = shown_skin(editor)->id;
   const auto edit = make();
-  if (commit_skin(editor, object, edit, label)) select_new(editor, edit);
+  if (commit_skin(editor, object, edit, label)) select_new_points(editor, *edit);
 }
 
 /// The middle of the strip behind the selected section, of the longest one where none is selected.
@@ -90,19 +84,15 @@ double place_for_section(const Editor& editor) {
   return (strip(best).first + strip(best).second) / 2;
 }
 
-void convert(Editor& editor) {
-  const Object object = *shown_skin(editor);
-  const auto made = skin_polyhedron(*object.skin()->skin);
-  if (!made) return editor.notify(made.error());
-  auto added = add_object(editor.history.current(), object.name, Source(made->source), object.transform);
-  if (!added) return editor.notify(added.error());
-  const ObjectId id = added->id;
-  if (!editor.commit(set_visible(added->document, object.id, false), "Convert to polyhedron")) return;
-  editor.selection.clear_objects();
-  editor.selection.active = id;
-  editor.notify(Notice::Kind::info,
-                fill(editor.language("The surface of the polyhedron is at most {0} from the skin."),
-                     {format_number(made->distance * object.transform.scale, 3)}));
+/// Sections that have selected points; none when nothing is selected.
+std::vector<std::uint32_t> chosen_sections(const Editor& editor) {
+  const auto points = selected_section_points(editor);
+  std::vector<std::uint32_t> out;
+  for (const SkinSection& section : skin_of(editor).sections)
+    if (std::any_of(points.begin(), points.end(),
+                    [&](std::uint32_t id) { return find_point(section, id) >= 0; }))
+      out.push_back(section.id);
+  return out;
 }
 
 void add_point_commands(CommandHost& host) {
@@ -148,6 +138,28 @@ void add_point_commands(CommandHost& host) {
                         translatable("Begin section here"));
                   },
                   one});
+  host.table.add({"skin.symmetric", "Skin", "Make symmetric",
+                  "The halves of the selected sections, or of all, become mirror images of each other.", "",
+                  "", true, false,
+                  [&editor] {
+                    run_edit(
+                        editor,
+                        [&] {
+                          const Skin& skin = skin_of(editor);
+                          return make_symmetric(skin, chosen_sections(editor), mirror_plane(skin));
+                        },
+                        translatable("Make symmetric"));
+                  },
+                  needs_skin(editor)});
+  host.table.add({"skin.close_sections", "Skin", "Close or open sections",
+                  "All sections become closed curves, or open ones.", "", "", true, false,
+                  [&editor] {
+                    run_edit(
+                        editor,
+                        [&] { return set_closed(skin_of(editor), !has_closed_sections(skin_of(editor))); },
+                        translatable("Close or open sections"));
+                  },
+                  needs_skin(editor)});
 }
 
 void add_section_commands(CommandHost& host) {
@@ -162,6 +174,18 @@ void add_section_commands(CommandHost& host) {
                         translatable("Add section"));
                   },
                   skin});
+  host.table.add({"skin.section_here", "Skin", "Add section by click\u2026",
+                  "A section taken from the surface where it is clicked.", "", "", false, false,
+                  [&host] { host.viewport.start_modal(make_add_section_tool()); }, skin});
+  host.table.add({"skin.draw_section", "Skin", "Draw section\u2026",
+                  "A section drawn by hand or by points, in a plane across the path.", "", "", false, false,
+                  [&host] { host.viewport.start_modal(make_draw_section_tool()); }, skin});
+  host.table.add({"skin.slide_section", "Skin", "Slide section\u2026",
+                  "Moves the section of the selected points along the path.", "", "", false, false,
+                  [&host, &editor] {
+                    host.viewport.start_modal(make_slide_section_tool(selected_section(editor)->id, true));
+                  },
+                  needs_points(editor, true)});
   host.table.add({"skin.delete_section", "Skin", "Delete section",
                   "Deletes the section of the selected points.", "", "", true, false,
                   [&editor] {
@@ -170,6 +194,11 @@ void add_section_commands(CommandHost& host) {
                         translatable("Delete section"));
                   },
                   needs_points(editor, true)});
+}
+
+void add_path_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot skin = needs_skin(editor);
   host.table.add({"skin.insert_path_point", "Skin", "Insert path point",
                   "One more point behind the selected one of the path; it keeps its shape.", "", "", true,
                   true,
@@ -193,6 +222,29 @@ void add_section_commands(CommandHost& host) {
              translatable("Delete path point"));
        },
        needs_path_point(editor)});
+  host.table.add({"skin.refine_path", "Skin", "Refine path",
+                  "Twice as many points; the path stays exactly as it is.", "", "", true, false,
+                  [&editor] {
+                    run_edit(
+                        editor, [&] { return refine_path(skin_of(editor)); }, translatable("Refine path"));
+                  },
+                  skin});
+  host.table.add({"skin.trim_path", "Skin", "Trim path",
+                  "Cuts the path off at its first and its last section.", "", "", true, false,
+                  [&editor] {
+                    run_edit(
+                        editor, [&] { return trim_path(skin_of(editor)); }, translatable("Trim path"));
+                  },
+                  skin});
+  host.table.add({"skin.close_path", "Skin", "Close or open path",
+                  "The path runs back to its beginning, or ends at its last section.", "", "", true, false,
+                  [&editor] {
+                    run_edit(
+                        editor,
+                        [&] { return set_path_closed(skin_of(editor), !skin_of(editor).path.closed); },
+                        translatable("Close or open path"));
+                  },
+                  skin});
 }
 
 }  // namespace
@@ -200,6 +252,12 @@ void add_section_commands(CommandHost& host) {
 void add_skin_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor);
+  host.table.add({"skin.draw", "Skin", "Draw skin\u2026",
+                  "Draw a path and two sections, by hand or by points: a new skin.", "", "", false, false,
+                  [&host, &editor] {
+                    begin_document(editor);
+                    host.viewport.start_modal(make_draw_skin_tool());
+                  }});
   host.table.add(
       {"skin.correspond", "Skin", "Correspondences\u2026",
        "Draw over the sections which points belong together: a line joins, a closed curve groups, a "
@@ -207,9 +265,11 @@ void add_skin_commands(CommandHost& host) {
        "", "", false, false, [&host] { host.viewport.start_modal(make_correspond_tool()); }, skin});
   add_point_commands(host);
   add_section_commands(host);
+  add_path_commands(host);
   host.table.add({"skin.to_polyhedron", "Skin", "Convert to polyhedron",
                   "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
-                  "", "", true, true, [&editor] { convert(editor); }, skin});
+                  "", "", false, true,
+                  [&host, &editor] { host.workbench.convert_skin(shown_skin(editor)->id); }, skin});
 }
 
 }  // namespace hariko

@@ -56,6 +56,16 @@ class Drawing {
     }
   }
 
+  void ring(const Vector3& point, float radius, ImU32 colour) const {
+    if (const auto p = at(point))
+      overlay_.list.AddCircle(*p, overlay_.metrics.px(radius), colour, 0, overlay_.metrics.px(1.3F));
+  }
+
+  void triangle(const std::array<Vector3, 3>& corners, ImU32 colour) const {
+    const auto a = at(corners[0]), b = at(corners[1]), c = at(corners[2]);
+    if (a && b && c) overlay_.list.AddTriangleFilled(*a, *b, *c, colour);
+  }
+
   void diamond(const Vector3& point, float radius, ImU32 colour) const {
     const auto p = at(point);
     if (!p) return;
@@ -77,6 +87,12 @@ class Drawing {
   const ToolOverlay& overlay_;
 };
 
+/// What is not as in a regular grid: triangles tinted, extraordinary points ringed.
+void draw_irregularities(const Drawing& drawing, const SkinView& view) {
+  for (const auto& triangle : view.triangles) drawing.triangle(triangle, with_alpha(merge_colour, 0.15F));
+  for (const Vector3& point : view.extraordinary) drawing.ring(point, 4, with_alpha(section_colour, 0.75F));
+}
+
 void draw_lines(const Drawing& drawing, const SkinView& view) {
   // Those of the designer lie over the others.
   for (const bool own : {false, true})
@@ -89,15 +105,39 @@ void draw_lines(const Drawing& drawing, const SkinView& view) {
     }
 }
 
+void draw_handle(const Drawing& drawing, const SkinView::Handle& handle, bool hot, bool selected,
+                 Marks* marks) {
+  using Kind = SkinView::Handle::Kind;
+  if (handle.kind == Kind::place) {
+    drawing.ring(handle.position, 8, hot ? palette().secondary : path_colour);
+    drawing.mark(marks, "skin.place." + std::to_string(handle.id), handle.position);
+    return;
+  }
+  const bool limit = handle.kind == Kind::limit, path = handle.kind == Kind::path;
+  const ImU32 colour = selected ? palette().accent
+                       : hot    ? palette().secondary
+                       : path   ? path_colour
+                       : limit  ? section_colour
+                                : IM_COL32(0xa8, 0xac, 0xb2, 0xff);
+  drawing.dot(handle.position, (limit || path ? 3.5F : 2.5F) + (selected || hot ? 1.2F : 0), colour,
+              handle.sharp);
+  drawing.mark(marks,
+               path    ? "skin.path." + std::to_string(handle.id & 0x3fffffffU)
+               : limit ? "skin.limit." + std::to_string(handle.id)
+                       : "skin.point." + std::to_string(handle.id),
+               handle.position);
+}
+
 }  // namespace
 
 void SkinOverlay::draw(const Editor& editor, const Projector& projector, const ToolOverlay& overlay,
                        const std::optional<Vector2>& pointer, Marks* marks) {
   const Object* object = shown_skin(editor);
   if (!object) return;
-  const SkinView& view = cache_.of(object->skin()->skin);
+  const SkinView& view = cache_.of(editor, *object);
   const Drawing drawing(*object, projector, overlay);
   const SkinHit hit = pointer ? skin_hit(view, *object, projector, *pointer, editor.pixel_scale) : SkinHit{};
+  draw_irregularities(drawing, view);
   draw_lines(drawing, view);
   for (const auto& path : view.paths) drawing.polyline(path, path_colour, 1.6F);
   for (const SkinView::Section& section : view.sections) {
@@ -105,25 +145,9 @@ void SkinOverlay::draw(const Editor& editor, const Projector& projector, const T
     drawing.polyline(section.curve, section_colour, 2);
   }
   const auto& chosen = editor.selection.of(object->id).vertices;
-  for (std::size_t i = 0; i < view.handles.size(); ++i) {
-    const SkinView::Handle& handle = view.handles[i];
-    const bool hot = hit.kind == SkinHit::Kind::handle && hit.index == i;
-    const bool selected = chosen.contains(VertexId{handle.id});
-    const bool limit = handle.kind == SkinView::Handle::Kind::limit;
-    const bool path = handle.kind == SkinView::Handle::Kind::path;
-    const ImU32 colour = selected ? palette().accent
-                         : hot    ? palette().secondary
-                         : path   ? path_colour
-                         : limit  ? section_colour
-                                  : IM_COL32(0xa8, 0xac, 0xb2, 0xff);
-    drawing.dot(handle.position, (limit || path ? 3.5F : 2.5F) + (selected || hot ? 1.2F : 0), colour,
-                handle.sharp);
-    drawing.mark(marks,
-                 path    ? "skin.path." + std::to_string(handle.id & 0x3fffffffU)
-                 : limit ? "skin.limit." + std::to_string(handle.id)
-                         : "skin.point." + std::to_string(handle.id),
-                 handle.position);
-  }
+  for (std::size_t i = 0; i < view.handles.size(); ++i)
+    draw_handle(drawing, view.handles[i], hit.kind == SkinHit::Kind::handle && hit.index == i,
+                chosen.contains(VertexId{view.handles[i].id}), marks);
   for (std::size_t i = 0; i < view.diamonds.size(); ++i) {
     const bool hot = hit.kind == SkinHit::Kind::diamond && hit.index == i;
     drawing.diamond(view.diamonds[i].position, hot ? 8 : 6.5F, hot ? palette().secondary : merge_colour);

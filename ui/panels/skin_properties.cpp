@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/document/edit_skin.hpp"
+#include "core/skinning/edit_path.hpp"
 #include "core/skinning/edit_section.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/value_fields.hpp"
@@ -175,8 +176,13 @@ void draw_skin_properties(PanelContext& context) {
                 [](Skin& s, int chosen) { s.smooth.blend = Blend(chosen); });
     if (skin.method == SkinMethod::smooth) rows.optimised();
   }
-  const bool closed =
-      std::any_of(skin.sections.begin(), skin.sections.end(), [](const SkinSection& s) { return s.closed; });
+  const bool closed = has_closed_sections(skin);
+  if (const auto on = check_row(context, "skin_closed", "Tube",
+                                "Sections are closed curves and the skin is a tube", closed))
+    commit_skin(context.editor, shown.id, set_closed(skin, *on), "Close or open sections");
+  if (const auto on = check_row(context, "skin_closed_path", "Closed path",
+                                "The path runs back to its beginning", skin.path.closed))
+    commit_skin(context.editor, shown.id, set_path_closed(skin, *on), "Close or open path");
   if (closed && !skin.path.closed)
     rows.choice("skin_caps", "Ends", "What closes a tube", cap_choices, int(skin.caps), "Ends of the skin",
                 [](Skin& s, int chosen) { s.caps = Caps(chosen); });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/columns_job.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/overlay_window.hpp"
 
@@ -55,11 +56,17 @@ bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   return pressed;
 }
 
+bool placing_columns(const Editor& editor) {
+  return std::any_of(editor.jobs.begin(), editor.jobs.end(),
+                     [](const auto& job) { return job->text == placing_columns_job; });
+}
+
 /// Computing that takes long enough to notice, with a button that stops it, or surfaces that are not up to
 /// date, with one that brings them there.
 void draw_recompute(PanelContext& context, float& right) {
   const Editor& editor = context.editor;
-  constexpr double noticeable = 0.3;  // seconds
+  if (placing_columns(editor)) return;  // says how far it is, and can be cancelled
+  constexpr double noticeable = 0.3;    // seconds
   const bool computes =
       std::any_of(editor.stale_since.begin(), editor.stale_since.end(),
                   [&](const auto& entry) { return editor.now - entry.second > noticeable; });

@@ -6,7 +6,9 @@
 
 #include "core/document/edit_skin.hpp"
 #include "ui/skin_edits.hpp"
+#include "ui/tools/correspondence_drag.hpp"
 #include "ui/tools/overlay_drawing.hpp"
+#include "ui/tools/pointing_tool.hpp"
 
 namespace hariko {
 
@@ -14,32 +16,25 @@ namespace {
 
 constexpr double line_reach = 9;  // design pixels within which a line is meant
 
-class CorrespondTool final : public Tool {
+class CorrespondTool final : public PointingTool {
  public:
-  bool modal() const override { return true; }
-
-  void begin(ToolContext& context, const PointerEvent& press) override {
-    pointer_ = press.pixel;
-    look(context);
-  }
-
   ToolState update(ToolContext& context, const PointerEvent& event) override {
     pointer_ = event.pixel;
     if (!shown_skin(context.editor)) return ToolState::commit;
     switch (event.kind) {
       case PointerEvent::Kind::press:
         error_.clear();
-        if (!take_diamond(context)) stroke_ = {event.pixel};
+        if (!take_hold(context)) stroke_ = {event.pixel};
         break;
       case PointerEvent::Kind::move:
-        if (diamond_)
-          drag_diamond(context);
+        if (dragging())
+          drag(context, event.alt);
         else if (!stroke_.empty())
           stroke_.push_back(event.pixel);
         break;
       case PointerEvent::Kind::release:
-        if (diamond_)
-          drop_diamond(context);
+        if (dragging())
+          drop(context);
         else if (!stroke_.empty())
           finish_stroke(context);
         break;
@@ -50,14 +45,14 @@ class CorrespondTool final : public Tool {
 
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     const KeyChord& chord = press.chord;
-    Editor& editor = context.editor;
     if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER) return ToolState::commit;
-    if (chord.key == GLFW_KEY_Z && chord.control) {
+    if (chord.control && (chord.key == GLFW_KEY_Z || chord.key == GLFW_KEY_Y)) {
       cancel(context);
-      if (chord.shift)
-        editor.redo();
+      error_.clear();
+      if (chord.shift || chord.key == GLFW_KEY_Y)
+        context.editor.redo();
       else
-        editor.undo();
+        context.editor.undo();
       look(context);
       return ToolState::stay;
     }
@@ -73,9 +68,7 @@ class CorrespondTool final : public Tool {
       });
     } else if (chord.key == GLFW_KEY_R) {
       with_hovered(context, "Reset strip", [](const Skin& skin, const SkinView::Line& line) {
-        const auto n = skin.sections.size();
-        return Result<CorrespondenceEdit>(reset_strip(skin, skin.sections[std::size_t(line.strip)].id,
-                                                      skin.sections[(std::size_t(line.strip) + 1) % n].id));
+        return Result<CorrespondenceEdit>(reset_strip(skin, line.first, line.second));
       });
     } else if (press.text == 0) {
       return std::nullopt;
@@ -86,60 +79,91 @@ class CorrespondTool final : public Tool {
 
   void cancel(ToolContext& context) override {
     stroke_.clear();
-    if (diamond_) context.editor.cancel_preview();
-    diamond_.reset();
+    if (dragging()) context.editor.cancel_preview();
+    merge_.reset();
+    end_.reset();
   }
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     const Object* object = shown_skin(context.editor);
     if (!object) return;
-    if (hovered_ && hovered_->line < view_.lines.size() && stroke_.empty() && !diamond_) {
-      const Projector projector = context.projector();
-      const SkinView::Line& line = view_.lines[hovered_->line];
-      for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-        const auto a = projector.project(object->transform.apply(line.points[i])),
-                   b = projector.project(object->transform.apply(line.points[i + 1]));
-        if (a && b)
-          overlay.list.AddLine(on_screen(overlay, a->head<2>()), on_screen(overlay, b->head<2>()),
-                               palette().secondary, overlay.metrics.px(3));
-      }
-    }
+    const Projector projector = context.projector();
+    if (context.editor.now < flash_until_)
+      for (const auto& line : flashed_) draw_polyline(*object, projector, overlay, line, palette().error, 3);
+    if (hovered_ && hovered_->line < view_.lines.size() && stroke_.empty() && !dragging())
+      draw_hovered(context, *object, overlay);
     for (std::size_t i = 0; i + 1 < stroke_.size(); ++i)
       overlay.list.AddLine(on_screen(overlay, stroke_[i]), on_screen(overlay, stroke_[i + 1]), palette().hot,
                            overlay.metrics.px(2.5F));
-    if (diamond_)
-      draw_value_label(overlay, pointer_, error_.empty() ? fixed_text(along_, 2) : error_, !error_.empty());
+    if (end_)
+      if (const auto anchor = pixel_of(*object, projector, end_->anchor()))
+        draw_dashed_line(overlay, *anchor, pointer_, palette().hot);
+    if (merge_ && error_.empty())
+      draw_value_label(overlay, pointer_, fixed_text(merge_->along(), 2));
     else
       draw_value_label(overlay, pointer_, error_, true);
   }
 
   std::string hint(const Language& tr) const override {
+    if (merge_) return tr("Drag along the lines to merge earlier or later   sideways: to another line");
+    if (end_) return tr("Drag the end of the line to another point of its section");
     return tr(
-        "Line: joins points   closed curve: groups them   wedge: merges them at its tip   Del, L, R: "
-        "delete, lock, reset   Esc ends");
+        "Line: joins points   closed curve: groups them   wedge: merges them at its tip   drag ends and "
+        "diamonds   Del, L, R: delete, lock, reset   Esc ends");
   }
 
  private:
+  static constexpr double flash_seconds = 1.5;
+
   static Result<CorrespondenceEdit> nothing() {
     return make_error(e_no_correspondence, "There is no such correspondence.", "Select one of the lines.");
   }
 
   static const Object& skin_object(const ToolContext& context) { return *shown_skin(context.editor); }
 
+  bool dragging() const { return merge_ || end_; }
+
   /// The view of the skin as it is now, and the line under the pointer.
-  void look(const ToolContext& context) {
+  void look(const ToolContext& context) override {
     hovered_.reset();
     const Object* object = shown_skin(context.editor);
     if (!object) return;
-    if (!diamond_) view_ = cache_.of(object->skin()->skin);
-    if (!stroke_.empty() || diamond_) return;
+    if (!dragging()) view_ = cache_.of(context.editor, *object);
+    if (!stroke_.empty() || dragging()) return;
     const auto hit = nearest_line(view_, *object, context.projector(), pointer_);
     if (hit && hit->distance <= line_reach * context.editor.pixel_scale) hovered_ = hit;
   }
 
+  static void draw_polyline(const Object& object, const Projector& projector, const ToolOverlay& overlay,
+                            const std::vector<Vector3>& points, ImU32 colour, float width) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const auto a = pixel_of(object, projector, points[i]), b = pixel_of(object, projector, points[i + 1]);
+      if (a && b)
+        overlay.list.AddLine(on_screen(overlay, *a), on_screen(overlay, *b), colour,
+                             overlay.metrics.px(width));
+    }
+  }
+
+  /// The line across all sections, and the ends that can be dragged.
+  void draw_hovered(const ToolContext& context, const Object& object, const ToolOverlay& overlay) const {
+    const Projector projector = context.projector();
+    for (const std::size_t l : connected_lines(view_, hovered_->line))
+      draw_polyline(object, projector, overlay, view_.lines[l].points,
+                    with_alpha(palette().secondary, l == hovered_->line ? 1.0F : 0.55F), 3);
+    const double scale = context.editor.pixel_scale;
+    const auto hot = line_end_at(view_, object, projector, hovered_->line, pointer_, scale);
+    for (const LineEnd& end : line_ends(view_, object, projector, hovered_->line, pointer_, scale)) {
+      const bool under = hot && hot->at_b == end.at_b;
+      const ImVec2 at = on_screen(overlay, end.pixel);
+      overlay.list.AddCircleFilled(at, overlay.metrics.px(under ? 6.5F : 5), palette().window);
+      overlay.list.AddCircle(at, overlay.metrics.px(under ? 6.5F : 5), palette().secondary, 0,
+                             overlay.metrics.px(2));
+    }
+  }
+
   template <class Edit>
   void with_hovered(ToolContext& context, const char* label, const Edit& edit) {
-    if (!stroke_.empty() || diamond_ || !shown_skin(context.editor)) return;
+    if (!stroke_.empty() || dragging() || !shown_skin(context.editor)) return;
     look(context);
     if (!hovered_) return;
     const Object& object = skin_object(context);
@@ -147,6 +171,16 @@ class CorrespondTool final : public Tool {
     error_ = result ? std::string() : context.editor.language.text_of(result.error());
     if (result) commit_skin(context.editor, object.id, result, label);
     look(context);
+  }
+
+  /// What gave way shows in red for a moment.
+  void flash(const Editor& editor, const CorrespondenceEdit& edit) {
+    flashed_.clear();
+    for (const SkinView::Line& line : view_.lines)
+      if (line.entry &&
+          std::find(edit.removed.begin(), edit.removed.end(), *line.entry) != edit.removed.end())
+        flashed_.push_back(line.points);
+    if (!flashed_.empty()) flash_until_ = editor.now + flash_seconds;
   }
 
   void finish_stroke(ToolContext& context) {
@@ -158,7 +192,7 @@ class CorrespondTool final : public Tool {
     Stroke stroke = classify_stroke(pixels);
     for (Vector2& p : stroke.points) p *= editor.pixel_scale;
     const Object& object = skin_object(context);
-    const auto edit = gesture_edit(*object.skin()->skin, cache_.of(object.skin()->skin), object,
+    const auto edit = gesture_edit(*object.skin()->skin, cache_.of(editor, object), object,
                                    context.projector(), stroke, editor.pixel_scale);
     if (!edit) {
       error_ = editor.language.text_of(edit.error()) + "  " + editor.language.remedy_of(edit.error());
@@ -167,50 +201,52 @@ class CorrespondTool final : public Tool {
     const char* label = stroke.kind == StrokeKind::line    ? "Join points"
                         : stroke.kind == StrokeKind::lasso ? "Group points"
                                                            : "Merge points";
+    flash(editor, *edit);
     commit_skin(editor, object.id, edit, label);
   }
 
-  bool take_diamond(const ToolContext& context) {
+  /// Of the diamond under the pointer, or of the end of the line under it.
+  bool take_hold(const ToolContext& context) {
     const Object& object = skin_object(context);
+    look(context);
     const Projector projector = context.projector();
-    for (const SkinView::Diamond& diamond : view_.diamonds) {
-      const auto at = projector.project(object.transform.apply(diamond.position));
-      if (!at || (at->head<2>() - pointer_).norm() > 10 * context.editor.pixel_scale) continue;
-      diamond_ = diamond;
-      skin_ = *object.skin()->skin;
-      object_ = context.editor.history.current().find_shared(object.id);
-      return true;
+    const double scale = context.editor.pixel_scale;
+    const Skin& skin = *object.skin()->skin;
+    const SkinHit hit = skin_hit(view_, object, projector, pointer_, scale);
+    if (hit.kind == SkinHit::Kind::diamond) {
+      merge_.emplace(skin, view_, hit.index);
+    } else if (hovered_) {
+      const auto end = line_end_at(view_, object, projector, hovered_->line, pointer_, scale);
+      if (end) end_.emplace(skin, view_, *end);
     }
-    return false;
+    if (dragging()) object_ = context.editor.history.current().find_shared(object.id);
+    return dragging();
   }
 
-  void drag_diamond(ToolContext& context) {
+  void drag(ToolContext& context, bool free) {
     Editor& editor = context.editor;
-    const auto merge = std::find_if(skin_.merges.begin(), skin_.merges.end(),
-                                    [&](const SkinMerge& m) { return m.id == diamond_->merge; });
-    const auto hit = nearest_line(view_, *object_, context.projector(), pointer_, {diamond_->strip});
-    if (merge == skin_.merges.end() || !hit) return;
-    const SkinView::Line& line = view_.lines[hit->line];
-    along_ = std::clamp(hit->along, 0.02, 0.98);
-    const auto edit = move_merge(skin_, merge->id, along_, merge->side == StripSide::a ? line.b : line.a);
+    const DragPlace place{*object_, context.projector(), pointer_, editor.pixel_scale, free};
+    const auto edit = merge_ ? merge_->to(place) : end_->to(place);
     error_ = edit ? std::string() : editor.language.text_of(edit.error());
     if (edit) editor.preview(set_skin(editor.history.current(), object_->id, edit->skin));
   }
 
-  void drop_diamond(ToolContext& context) {
-    if (context.editor.history.in_gesture()) context.editor.commit_preview("Move a merge");
-    diamond_.reset();
+  void drop(ToolContext& context) {
+    if (context.editor.history.in_gesture())
+      context.editor.commit_preview(merge_ ? "Move a merge" : "Move a correspondence");
+    merge_.reset();
+    end_.reset();
   }
 
   SkinViewCache cache_;
   SkinView view_;
-  Vector2 pointer_ = Vector2::Zero();
   std::vector<Vector2> stroke_;
   std::optional<LineHit> hovered_;
-  std::optional<SkinView::Diamond> diamond_;
-  Skin skin_;                             ///< when the diamond was taken
-  std::shared_ptr<const Object> object_;  ///< likewise
-  double along_ = 0;
+  std::optional<MergeDrag> merge_;
+  std::optional<LineEndDrag> end_;
+  std::shared_ptr<const Object> object_;  ///< when what is dragged was taken
+  std::vector<std::vector<Vector3>> flashed_;
+  double flash_until_ = 0;
   std::string error_;
 };
 

@@ -12,6 +12,7 @@
 #include "ui/operations.hpp"
 #include "ui/tools/numeric_input.hpp"
 #include "ui/tools/overlay_drawing.hpp"
+#include "ui/tools/pointing_tool.hpp"
 
 namespace hariko {
 
@@ -21,15 +22,8 @@ constexpr double fine_share = 0.1;
 constexpr double most_slide = 0.98;
 constexpr int most_shown = 40;  ///< lines before the click
 
-class LoopCutTool final : public Tool {
+class LoopCutTool final : public PointingTool {
  public:
-  bool modal() const override { return true; }
-
-  void begin(ToolContext& context, const PointerEvent& press) override {
-    pointer_ = press.pixel;
-    look(context);
-  }
-
   ToolState update(ToolContext& context, const PointerEvent& event) override {
     const Vector2 by = event.pixel - pointer_;
     pointer_ = event.pixel;
@@ -87,7 +81,7 @@ class LoopCutTool final : public Tool {
   }
 
   /// Finds the edge under the pointer, and why it cannot be cut.
-  void look(const ToolContext& context) {
+  void look(const ToolContext& context) override {
     edge_.reset();
     error_.clear();
     PickOptions options;
@@ -189,7 +183,6 @@ class LoopCutTool final : public Tool {
     return text + "  " + value + " %";
   }
 
-  Vector2 pointer_ = Vector2::Zero();
   ObjectId object_;
   std::optional<EdgeId> edge_;
   LoopCutOptions options_;

@@ -20,7 +20,8 @@ class Gesture {
           double pixel_scale)
       : skin_(skin), view_(view), object_(object), projector_(projector), scale_(pixel_scale) {
     for (const SkinView::Handle& handle : view.handles) {
-      if (handle.kind == SkinView::Handle::Kind::path) continue;
+      if (handle.kind == SkinView::Handle::Kind::path || handle.kind == SkinView::Handle::Kind::place)
+        continue;
       const auto at = pixel(handle.position);
       if (!at) continue;
       // Limit points come after control points and take their place: they are what is seen.
@@ -94,10 +95,7 @@ class Gesture {
     double parameter = 0;  ///< of the section's curve, 0 .. 1
   };
 
-  std::optional<Vector2> pixel(const Vector3& point) const {
-    const auto at = projector_.project(object_.transform.apply(point));
-    return at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;
-  }
+  std::optional<Vector2> pixel(const Vector3& point) const { return pixel_of(object_, projector_, point); }
 
   /// Within 14 pixels; of equally near ones that nearer to the eye.
   std::optional<std::uint32_t> point_at(const Vector2& place, int section = -1, double radius = 14) const {
@@ -191,11 +189,14 @@ class Gesture {
       if (const auto at = point_at(tip, other, beyond ? 60 : 10))
         return merge_points(skin_, members, *at, strip == own ? 1 : 0);
     }
-    const auto hit = nearest_line(view_, object_, projector_, tip, strips);
+    std::vector<std::uint32_t> beginnings;
+    for (const int strip : strips) beginnings.push_back(skin_.sections[std::size_t(strip)].id);
+    const auto hit = nearest_line(view_, object_, projector_, tip, beginnings);
     if (!hit)
       return no_gesture("The tip of the wedge is beside the surface.", "Draw its tip between two sections.");
     const SkinView::Line& line = view_.lines[hit->line];
-    return merge_points(skin_, members, line.strip == own ? line.b : line.a, hit->along);
+    const bool behind = line.first == skin_.sections[std::size_t(own)].id;
+    return merge_points(skin_, members, behind ? line.b : line.a, hit->along);
   }
 
   const Skin& skin_;

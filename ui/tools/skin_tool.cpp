@@ -6,9 +6,12 @@
 #include "core/document/edit_skin.hpp"
 #include "core/skinning/edit_path.hpp"
 #include "core/skinning/edit_section.hpp"
+#include "core/skinning/symmetric_edit.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/skin_view.hpp"
+#include "ui/tools/correspondence_drag.hpp"
 #include "ui/tools/overlay_drawing.hpp"
+#include "ui/tools/slide_section_tool.hpp"
 
 namespace hariko {
 
@@ -43,6 +46,7 @@ class SkinTool final : public Tool {
     before_ = context.editor.selection;
     const Object* object = context.editor.history.current().find(object_);
     if (object && object->skin()) skin_ = *object->skin()->skin;
+    if (hit_.kind == SkinHit::Kind::diamond) merge_.emplace(skin_, view_, hit_.index);
   }
 
   ToolState update(ToolContext& context, const PointerEvent& event) override {
@@ -64,7 +68,7 @@ class SkinTool final : public Tool {
       const VertexId id{handle() ? handle()->id : 0};
       if (handle() && !editor.selection.of(object_).vertices.contains(id)) select(editor);
     }
-    show(context, event.alt);
+    show(context, event);
     return ToolState::stay;
   }
 
@@ -81,7 +85,7 @@ class SkinTool final : public Tool {
   std::string hint(const Language& tr) const override {
     if (hit_.kind == SkinHit::Kind::diamond)
       return tr("Drag along the lines to merge earlier or later   sideways: to another line");
-    return tr("Release to select, drag to move   Alt: parallel to the screen");
+    return tr("Release to select, drag to move   Ctrl: both halves   Alt: parallel to the screen");
   }
 
  private:
@@ -128,11 +132,14 @@ class SkinTool final : public Tool {
                      projector.on_facing_plane(press_.pixel, anchor));
   }
 
-  Result<SkinEdit> moved(const ToolContext& context, const Object& object, bool facing) {
+  /// With Ctrl the images of points in a mirror follow them.
+  Result<SkinEdit> moved(const ToolContext& context, const Object& object, bool facing, bool both) {
     const Vector3 by = way(context, object, facing);
     const SkinView::Handle& held = *handle();
+    const MirrorPlane plane = mirror_plane(skin_);
     if (held.kind == SkinView::Handle::Kind::limit && selected_count(context.editor) < 2)
-      return move_limit_point(skin_, held.id, held.position + by);
+      return both ? move_limit_point(skin_, held.id, held.position + by, plane)
+                  : move_limit_point(skin_, held.id, held.position + by);
     std::vector<MovedPathPoint> path;
     std::vector<MovedPoint> points;
     for (const VertexId id : context.editor.selection.of(object_).vertices) {
@@ -151,7 +158,8 @@ class SkinTool final : public Tool {
           points.push_back({id.value, section.points[std::size_t(i)].position + by});
     }
     if (points.empty()) return move_path_points(skin_, path);
-    if (path.empty()) return move_section_points(skin_, points);
+    if (path.empty())
+      return both ? move_section_points(skin_, points, plane) : move_section_points(skin_, points);
     // The path carries the sections; chosen points then go where they are drawn.
     const auto carried = move_path_points(skin_, path);
     return carried ? move_section_points(carried->skin, points) : carried;
@@ -161,36 +169,23 @@ class SkinTool final : public Tool {
     return editor.selection.of(object_).vertices.size();
   }
 
-  void show(ToolContext& context, bool facing) {
+  void show(ToolContext& context, const PointerEvent& event) {
     Editor& editor = context.editor;
     const Object* object = editor.history.current().find(object_);
     if (!object || !object->skin()) return;
     Result<Document> next = editor.history.current();
-    if (hit_.kind == SkinHit::Kind::diamond) {
-      const auto slid = slide_diamond(context, *object);
+    if (merge_) {
+      const auto slid = merge_->to({*object, context.projector(), pointer_, editor.pixel_scale, event.alt});
       next = slid ? set_skin(editor.history.current(), object_, slid->skin) : slid.error();
     } else {
-      next = with_skin(editor.history.current(), object_, moved(context, *object, facing));
+      next = with_skin(editor.history.current(), object_, moved(context, *object, event.alt, event.control));
     }
     error_ = next ? std::string() : editor.language.text_of(next.error());
     if (next) editor.preview(next);
   }
 
-  /// The merge goes to the place of the lines that is nearest to the pointer.
-  Result<CorrespondenceEdit> slide_diamond(const ToolContext& context, const Object& object) {
-    const SkinView::Diamond& diamond = view_.diamonds[hit_.index];
-    const auto merge = std::find_if(skin_.merges.begin(), skin_.merges.end(),
-                                    [&](const SkinMerge& m) { return m.id == diamond.merge; });
-    const auto hit = nearest_line(view_, object, context.projector(), pointer_, {diamond.strip});
-    if (merge == skin_.merges.end() || !hit)
-      return make_error(e_no_correspondence, "There is no such correspondence.", "Select one of the lines.");
-    const SkinView::Line& line = view_.lines[hit->line];
-    along_ = std::clamp(hit->along, 0.02, 0.98);
-    return move_merge(skin_, merge->id, along_, merge->side == StripSide::a ? line.b : line.a);
-  }
-
   std::string value(const ToolContext& context) const {
-    if (hit_.kind == SkinHit::Kind::diamond) return fixed_text(along_, 2);
+    if (merge_) return fixed_text(merge_->along(), 2);
     const Object* object = context.editor.document().find(object_);
     const double length = object ? way(context, *object, false).norm() * object->transform.scale : 0;
     return length_text(context.editor, length);
@@ -203,8 +198,8 @@ class SkinTool final : public Tool {
   PointerEvent press_;
   Vector2 pointer_ = Vector2::Zero();
   Selection before_;
+  std::optional<MergeDrag> merge_;
   bool dragging_ = false;
-  double along_ = 0;
   std::string error_;
 };
 
@@ -214,10 +209,11 @@ std::unique_ptr<Tool> skin_tool_at(const ToolContext& context, const PointerEven
   const Object* object = shown_skin(context.editor);
   if (!object || press.button != PointerButton::left || press.control || press.alt) return nullptr;
   if (context.editor.mode == ElementMode::object) return nullptr;
-  SkinSurfacer surfacer;
-  SkinView view = view_of(*object->skin()->skin, surfacer);
+  SkinView view = view_of(*object->skin()->skin, shown_surface(context.editor, *object));
   const SkinHit hit = skin_hit(view, *object, context.projector(), press.pixel, context.editor.pixel_scale);
   if (hit.kind == SkinHit::Kind::none) return nullptr;
+  if (hit.kind == SkinHit::Kind::handle && view.handles[hit.index].kind == SkinView::Handle::Kind::place)
+    return make_slide_section_tool(view.handles[hit.index].id, false);
   return std::make_unique<SkinTool>(object->id, std::move(view), hit);
 }
 

@@ -1,0 +1,90 @@
+#include "app/skin_jobs.hpp"
+
+#include <algorithm>
+
+#include "app/files/control_mesh_file.hpp"
+#include "core/document/edits.hpp"
+#include "core/modeling/skin_polyhedron.hpp"
+#include "ui/columns_job.hpp"
+
+namespace hariko {
+
+void SkinJobs::convert(ObjectId id) {
+  const auto object = editor_.history.current().find_shared(id);
+  if (!object || !object->skin()) return;
+  if (converting_) converting_->cancel.cancel();
+  work_.run_cancellable(
+      fill(translatable("Converting {0}"), {object->name}),
+      [object](const CancelToken& cancel, const Progress& progress) {
+        return skin_polyhedron(*object->skin()->skin, cancel, progress);
+      },
+      [this, object, number = ++conversions_](const Result<SkinPolyhedron>& made) {
+        if (number == conversions_) take(object, made);
+      });
+  converting_ = editor_.jobs.back();
+}
+
+void SkinJobs::take(const std::shared_ptr<const Object>& object, const Result<SkinPolyhedron>& made) {
+  if (!made.ok()) {
+    if (made.error().code != e_cancelled) editor_.notify(made.error());
+    return;
+  }
+  const Object* now = editor_.history.current().find(object->id);
+  if (!now || !now->skin() || !(now->skin()->skin == object->skin()->skin))
+    return editor_.notify(Notice::Kind::warning,
+                          editor_.language("The skin was changed while it was converted. Convert it again."));
+  if (editor_.history.in_gesture()) editor_.cancel_preview();
+  auto added = add_object(editor_.history.current(), now->name, Source(made->source), now->transform);
+  if (!added) return editor_.notify(added.error());
+  const double scale = now->transform.scale;
+  if (!editor_.commit(set_visible(added->document, object->id, false), translatable("Convert to polyhedron")))
+    return;
+  editor_.selection.clear_objects();
+  editor_.selection.active = added->id;
+  for (const Message& warning : made->warnings) editor_.notify(warning);
+  editor_.notify(Notice::Kind::info,
+                 fill(editor_.language("The surface of the polyhedron is at most {0} from the skin."),
+                      {format_number(made->distance * scale, 3)}));
+  log_("converted", {});
+}
+
+void SkinJobs::export_control(const std::filesystem::path& path) {
+  work_.run(
+      fill(translatable("Exporting {0}"), {path.filename().string()}),
+      [path, document = editor_.history.current()](const CancelToken&) {
+        return export_control_meshes(document, path);
+      },
+      [this, path](const Result<Done>& exported) {
+        if (!exported.ok()) {
+          log_("export_failed", path);
+          return editor_.notify(exported.error());
+        }
+        editor_.notify(Notice::Kind::info,
+                       fill(editor_.language("Exported {0}."), {path.filename().string()}));
+        ++editor_.exports;
+        log_("control_exported", path);
+      });
+}
+
+void SkinJobs::follow(RebuildEngine& engine) {
+  constexpr double noticeable = 0.3;  // seconds
+  double least = 1;
+  for (const auto& [id, since] : editor_.stale_since)
+    if (const double share = engine.progress(id); share >= 0 && editor_.now - since > noticeable)
+      least = std::min(least, share);
+  if (least < 1) {
+    if (!placing_) {
+      placing_ =
+          std::make_shared<const Job>(Job{placing_columns_job, true, CancelToken::make(), Progress::make()});
+      editor_.jobs.insert(editor_.jobs.begin(), placing_);
+    }
+    placing_->progress.report(least);
+  }
+  if (!placing_) return;
+  if (placing_->cancel.cancelled()) engine.cancel_all();
+  if (least < 1 && !placing_->cancel.cancelled()) return;
+  std::erase(editor_.jobs, placing_);
+  placing_.reset();
+}
+
+}  // namespace hariko
