@@ -344,7 +344,7 @@ void Workbench::show_cad_dialog() {
                 {".step", ".stp", ".iges", ".igs"},
                 proposal,
                 [this](const auto& path) { actions_.export_cad(path, cad_options_.choices()); },
-                [this] { cad_options_.draw(editor_, marks_, metrics_); },
+                [this](const std::filesystem::path&) { cad_options_.draw(editor_, marks_, metrics_); },
                 [] { return CadOptions::rows; }});
   cad_options_.begin(editor_);
 }
