@@ -11,6 +11,7 @@ def session(program, source, output):
     window = Window(program, os.path.join(source, "assets", "samples", "fig2.hariko"), size=(1280, 800))
 
     def keep(name):
+        window.arrive(700, 760)  # beside the model; what was asked for before has then been taken
         window.wait_idle()
         window.screenshot(os.path.join(output, "meshing_" + name + ".png"))
 

@@ -1,6 +1,7 @@
 """Ways of looking: maps with their ranges, materials, marks, combs, tensions and sections, by panel, legend and keys."""
 
 import os
+import subprocess
 
 from driver import Window, check, run
 
@@ -83,7 +84,20 @@ def session(program, source, output):
         position = window.last("document")["position"]
         window.key("alt+s")
         window.wait(lambda: "slider.section" in rects(), "the rows of the section")
+        # Its rows are below the others: the wheel brings them up.
+        window.arrive(1100, 600)
+        for _ in range(8):
+            window.press(5)
+            window.release(5)
+        window.wait(lambda: rects()["slider.section"][1] + 25 < 740, "the rows of the section in the window")
+        keep("section_one_half")
         window.click_on("check.section_flipped")
+        window.arrive(1100, 600)
+        keep("section_other_half")
+        same = subprocess.run(["compare", "-metric", "AE", *(os.path.join(output, "seeing_section_" + half + "_half.png[900x700+50+40]")
+                                                             for half in ("one", "other")), "null:"],
+                              capture_output=True, text=True, timeout=60).stderr.split()[0]
+        check(float(same) > 5000, "the other side of the section looks the same")
         choose("wire", 2)
         step("Lines over the surface")
         check(window.last("document")["position"] == position + 1, "the section made a step")
