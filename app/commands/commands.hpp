@@ -58,7 +58,7 @@ struct ExportArguments {
   int density = 8;       ///< 1 .. 256
   bool control = false;  ///< the control meshes of skins instead of triangles
   FileArguments file_arguments;
-  CadChoices cad;        ///< of STEP and IGES
+  CadChoices cad;  ///< of STEP and IGES
   Construction construction;
 };
 int run_export(const ExportArguments& arguments);
