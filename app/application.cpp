@@ -126,6 +126,7 @@ class Application {
       editor_.now = window_.now();
       follow_recording();
       if (recorder_) recorder_->batch(editor_.now, window_.input());
+      log_.input(window_.input());
       if (engine_.publish() + paper_.publish() + long_.publish() + session_.publish() + meshes_.publish() +
               gauss_.publish() >
           0) {

@@ -30,6 +30,13 @@ void TestLog::file(const char* what, const std::filesystem::path& path) {
   if (on_) out_ << Json{{"event", what}, {"path", path.string()}}.dump() << std::endl;
 }
 
+void TestLog::input(const std::vector<InputEvent>& batch) {
+  for (const InputEvent& event : batch) {
+    if (event.kind == InputEvent::Kind::key && !event.repeated) ++keys_, taken_ = true;
+    if (event.kind == InputEvent::Kind::button) ++buttons_, taken_ = true;
+  }
+}
+
 void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle) {
   if (!on_) return;
   ++frames_;
@@ -40,6 +47,7 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   paper(editor);
   commands(editor, workbench);
   pointer();
+  taken();
   pictures_ = workbench.viewport().pictures_drawn();
   if (idle && !idle_) frame_times(editor.frame_times);
   if (idle && !idle_)
@@ -54,6 +62,11 @@ void TestLog::pointer() {
   if (std::array{at.x, at.y} == pointer_) return;
   pointer_ = {at.x, at.y};
   out_ << Json{{"event", "pointer"}, {"at", pointer_}}.dump() << std::endl;
+}
+
+void TestLog::taken() {
+  if (!std::exchange(taken_, false)) return;
+  out_ << Json{{"event", "input"}, {"keys", keys_}, {"buttons", buttons_}}.dump() << std::endl;
 }
 
 void TestLog::frame_times(const FrameTimes& times) {

@@ -8,7 +8,9 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <vector>
 
+#include "app/input_queue.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
@@ -20,12 +22,16 @@ class TestLog {
 
   void rebuilt(ObjectId object, const SurfaceView& view);
   void file(const char* what, const std::filesystem::path& path);
+  /// What the next frame sees. Changes of keys and buttons are counted, and logged once that frame has acted
+  /// on them.
+  void input(const std::vector<InputEvent>& batch);
   /// After a frame: logs what changed since the last one. `idle`: nothing is left to do.
   void frame(const Editor& editor, const Workbench& workbench, bool idle);
 
  private:
   void layout(const Workbench& workbench);
   void pointer();
+  void taken();
   void frame_times(const FrameTimes& times);
   void vertices(const Editor& editor, const Workbench& workbench);
   void history(const Editor& editor);
@@ -36,6 +42,8 @@ class TestLog {
   std::ofstream out_;
   bool on_ = false, idle_ = false;
   std::array<float, 2> pointer_{-1, -1};
+  std::uint64_t keys_ = 0, buttons_ = 0;  ///< changes so far
+  bool taken_ = false;
   std::map<std::string, Marks::Rect> rects_;
   std::size_t position_ = 0;
   std::uint64_t serial_ = ~std::uint64_t{0}, pictures_ = 0, frames_ = 0, commands_run_ = 0;

@@ -13,6 +13,8 @@ import time
 # Programs with sanitizers are several times slower, and four tests run side by side.
 PATIENCE = float(os.environ.get("HARIKO_TEST_PATIENCE", "1"))
 HOLD = 0.12
+# Buttons of the X server that are steps of the wheel.
+WHEEL = (4, 5, 6, 7)
 
 
 class Failure(Exception):
@@ -92,7 +94,8 @@ class Window:
         self.read()
         return sum(1 for e in self.events if e["event"] == event and all(e.get(k) == v for k, v in values.items()))
 
-    def wait(self, condition, what, seconds=30):
+    def wait(self, condition, what, seconds=30, or_end=False):
+        """With `or_end` the end of the program ends the waiting, too."""
         end = time.monotonic() + seconds * PATIENCE
         while time.monotonic() < end:
             self.read()
@@ -100,6 +103,8 @@ class Window:
                 return
             status = self.program.poll()
             if status is not None:
+                if or_end:
+                    return
                 self.errors.seek(0)
                 raise Failure(f"the program ended with {status} while waiting for {what}: {self.errors.read()[-2000:]}")
             time.sleep(0.02)
@@ -138,18 +143,25 @@ class Window:
         pixels = self.last("vertices")["objects"][str(object_id)]
         return min(pixels, key=lambda v: pixels[v][2])
 
-    # Hands.
+    # Hands. What is sent is waited for, so that the log speaks of what came after it.
+    def send(self, counted, changes, *arguments):
+        """Sends keys or buttons, and waits until a frame has acted on all `changes` of them."""
+        self.read()
+        before = (self.last("input") or {counted: 0})[counted]
+        self.xdotool(*arguments)
+        self.wait(lambda: (self.last("input") or {counted: 0})[counted] >= before + changes, f"{arguments} to be taken",
+                  or_end=True)
+        time.sleep(HOLD)
+
     def move(self, x, y):
         self.xdotool("mousemove", str(round(x)), str(round(y)))
         time.sleep(HOLD)
 
     def press(self, button=1):
-        self.xdotool("mousedown", str(button))
-        time.sleep(HOLD)
+        self.send("buttons", 0 if button in WHEEL else 1, "mousedown", str(button))
 
     def release(self, button=1):
-        self.xdotool("mouseup", str(button))
-        time.sleep(HOLD)
+        self.send("buttons", 0 if button in WHEEL else 1, "mouseup", str(button))
 
     def arrive(self, x, y):
         """Moves there, and waits until the window has seen it, and with that all that came before."""
@@ -173,7 +185,7 @@ class Window:
         self.release()
 
     def drag(self, start, end, button=1, steps=6, before_release=None):
-        self.move(*start)
+        self.arrive(*start)
         self.press(button)
         for i in range(1, steps + 1):
             self.move(start[0] + (end[0] - start[0]) * i / steps, start[1] + (end[1] - start[1]) * i / steps)
@@ -182,12 +194,10 @@ class Window:
         self.release(button)
 
     def key(self, chord):
-        self.xdotool("key", "--delay", "60", chord)
-        time.sleep(HOLD)
+        self.send("keys", 2 * len(chord.split("+")), "key", "--delay", "60", chord)
 
     def type(self, text):
-        self.xdotool("type", "--delay", "40", "--", text, timeout=60)
-        time.sleep(HOLD)
+        self.send("keys", 2 * len(text), "type", "--delay", "40", "--", text)
 
     def type_path(self, path):
         """Fills in the file dialog and accepts it."""
