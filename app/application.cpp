@@ -7,27 +7,21 @@
 #include <deque>
 #include <iostream>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "app/background_work.hpp"
-#include "app/broken_mesh.hpp"
 #include "app/display_loss.hpp"
 #include "app/document_session.hpp"
-#include "app/export_triangles.hpp"
+#include "app/exchange_jobs.hpp"
 #include "app/failure_dialog.hpp"
-#include "app/files/export_cad.hpp"
-#include "app/files/open_file.hpp"
-#include "app/files/sheet_file.hpp"
 #include "app/gauss_engine.hpp"
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
 #include "app/mesh_previewer.hpp"
 #include "app/paper_engine.hpp"
 #include "app/persistence/settings_file.hpp"
-#include "app/picture_export.hpp"
 #include "app/pictures.hpp"
 #include "app/rebuild_engine.hpp"
 #include "app/replay.hpp"
@@ -36,11 +30,7 @@
 #include "app/skin_jobs.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
-#include "core/document/edit_objects.hpp"
 #include "core/document/format.hpp"
-#include "ui/export_text.hpp"
-#include "ui/panels/quantity.hpp"
-#include "ui/panels/selected_items.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
@@ -85,6 +75,8 @@ class Application {
         paper_(editor_, long_, &GlWindow::wake),
         skins_(editor_, long_, [this](const char* what, const auto& path) { log_.file(what, path); }),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
+        exchange_(editor_, workbench_, long_,
+                  [this](const char* what, const auto& path) { log_.file(what, path); }),
         gauss_(editor_, workbench_.gauss(), &GlWindow::wake),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
@@ -99,7 +91,7 @@ class Application {
     if (!player_) load_settings();
     if (player_) settings_of_replay();
     const auto& files = player_ ? player_->replay().start.files : options.files;
-    for (const auto& file : files) file == files.front() ? session_.open(file) : import_file(file);
+    for (const auto& file : files) file == files.front() ? session_.open(file) : exchange_.import_file(file);
     if (!player_) session_.find_offers(pictures_);
     if (files.empty()) picture_samples();
     watch_for_the_end();
@@ -158,19 +150,23 @@ class Application {
   FileActions file_actions() {
     FileActions actions;
     actions.open = [this](const auto& path) { session_.open(path); };
-    actions.import_file = [this](const auto& path) { import_file(path); };
+    actions.import_file = [this](const auto& path) { exchange_.import_file(path); };
     actions.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
     actions.save_copy = [this](const auto& path) { session_.save_copy(path); };
     actions.revert = [this] { session_.revert(); };
     actions.recover = [this](const std::string& id) { session_.recover(id); };
     actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
-    actions.export_file = [this](const auto& path, const auto& settings) { export_file(path, settings); };
-    actions.export_cad = [this](const auto& path, const auto& choices) { write_cad(path, choices); };
-    actions.count_export = [this](const ExportSettings& settings) { count_export(settings); };
-    actions.export_pictures = [this](PictureOrder order) { export_pictures(std::move(order)); };
+    actions.export_file = [this](const auto& path, const auto& settings) {
+      exchange_.export_file(path, settings);
+    };
+    actions.export_cad = [this](const auto& path, const auto& choices) {
+      exchange_.export_cad(path, choices);
+    };
+    actions.count_export = [this](const ExportSettings& settings) { exchange_.count_export(settings); };
+    actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };
     actions.export_control = [this](const auto& path) { skins_.export_control(path); };
     actions.convert_skin = [this](ObjectId object) { skins_.convert(object); };
-    actions.export_pages = [this](const auto& path) { export_pages(path); };
+    actions.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
     actions.record = [this](const auto& path) { record_to_ = path; };
     actions.stop_recording = [this] { recording_ends_ = true; };
     actions.picture_samples = [this] { picture_samples(); };
@@ -238,7 +234,7 @@ class Application {
       if (path.extension() == ".hariko" || !editor_.has_document)
         workbench_.open_guarded(path);
       else
-        import_file(path);
+        exchange_.import_file(path);
     }
     if (window_.take_close()) workbench_.quit();
   }
@@ -410,153 +406,6 @@ class Application {
     return 0;
   }
 
-  void warn(const std::vector<Message>& warnings) {
-    constexpr std::size_t most = 2;
-    for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) editor_.notify(warnings[i]);
-  }
-
-  void import_file(const std::filesystem::path& path) {
-    long_.run_cancellable(
-        fill(translatable("Importing {0}"), {path.filename().string()}),
-        [path](const CancelToken& cancel, const Progress& progress) {
-          return open_file(path, cancel, progress);
-        },
-        [this, path](const OpenedFile& opened) {
-          if (opened.document) return add_imported(path, *opened.document, opened.messages);
-          if (!opened.broken_mesh) return editor_.notify(*opened.error());
-          log_.file("broken", path);
-          ask_about_broken_mesh(editor_, workbench_, path, std::make_shared<const OpenedFile>(opened),
-                                [this, path](const Document& document, const std::string& note) {
-                                  add_imported(path, document, {});
-                                  editor_.notify(Notice::Kind::info, note);
-                                });
-        });
-  }
-
-  void add_imported(const std::filesystem::path& path, const Document& document,
-                    const std::vector<Message>& warnings) {
-    if (!editor_.has_document) editor_.open({}, {});
-    if (editor_.history.in_gesture()) editor_.cancel_preview();
-    if (!editor_.commit(append_document(editor_.history.current(), document),
-                        fill(translatable("Import {0}"), {path.filename().string()})))
-      return;
-    editor_.selection.clear_elements();
-    editor_.selection.active = editor_.document().objects.back()->id;
-    editor_.frame_all();
-    warn(warnings);
-    log_.file("imported", path);
-  }
-
-  void count_export(const ExportSettings& settings) {
-    counting_.cancel();
-    counting_ = CancelToken::make();
-    long_.run(
-        "",
-        [settings, document = document_to_export(settings), counting = counting_](const CancelToken&) {
-          return count_triangles(document, settings, counting);
-        },
-        [this, settings](const Result<ExportCount>& count) {
-          workbench_.take_export_count(settings, count);
-          log_.file("export_counted", {});
-        });
-  }
-
-  Document document_to_export(const ExportSettings& settings) const {
-    const Document& document = editor_.history.current();
-    if (!settings.only_selected) return document;
-    const auto shown = showing_only(document, chosen_ids(editor_));
-    HARIKO_ASSERT(shown.ok(), "every object can be hidden");
-    return *shown;
-  }
-
-  void export_file(const std::filesystem::path& path, const ExportSettings& settings) {
-    counting_.cancel();  // or the file would wait for it
-    long_.run_cancellable(
-        fill(translatable("Exporting {0}"), {path.filename().string()}),
-        [path, settings, document = document_to_export(settings)](const CancelToken& cancel,
-                                                                  const Progress& progress) {
-          return export_triangles(document, path, settings, cancel, progress);
-        },
-        [this, path, choices = settings.choices,
-         unit = editor_.history.current().unit](const Result<ExportReport>& exported) {
-          if (!exported.ok()) {
-            log_.file("export_failed", path);
-            return editor_.notify(exported.error());
-          }
-          editor_.notify(Notice::Kind::info, export_text(editor_.language, path, *exported, unit, choices));
-          ++editor_.exports;
-          log_.file("exported", path);
-        });
-  }
-
-  void write_cad(const std::filesystem::path& path, const CadChoices& choices) {
-    const Unit unit = editor_.document().unit;
-    long_.run_cancellable(
-        fill(translatable("Exporting {0}"), {path.filename().string()}),
-        [path, choices, document = editor_.history.current()](const CancelToken& cancel,
-                                                              const Progress& progress) {
-          return export_cad(document, path, choices, header_time(), cancel, progress);
-        },
-        [this, path, unit](const Result<CadExportReport>& exported) {
-          if (!exported.ok()) {
-            log_.file("export_failed", path);
-            return editor_.notify(exported.error());
-          }
-          for (const Message& warning : warnings_of(*exported)) editor_.notify(warning);
-          const CadTotals all = totals(*exported);
-          Quantity angle = angle_quantity();
-          angle.decimals = 3;
-          editor_.notify(Notice::Kind::info,
-                         fill(editor_.language("Exported {0}: {1} faces, {2} of them exact; off by {3} and "
-                                               "turned by {4} at the most."),
-                              {path.filename().string(), std::to_string(all.faces), std::to_string(all.exact),
-                               format_quantity(length_quantity(unit, all.distance), all.distance),
-                               format_quantity(angle, all.normal_jump * 180 / std::numbers::pi)}));
-          ++editor_.exports;
-          log_.file("exported", path);
-        });
-  }
-
-  void export_pictures(PictureOrder order) {
-    const std::size_t count = order.files.size();
-    const auto first = order.files.front();
-    long_.run_cancellable(
-        fill(translatable("Exporting {0}"), {first.filename().string()}),
-        [order = std::move(order)](const CancelToken& cancel, const Progress& progress) {
-          return write_pictures(order, cancel, progress);
-        },
-        [this, first, count](const Result<Done>& written) {
-          if (!written.ok()) {
-            log_.file("export_failed", first);
-            return editor_.notify(written.error());
-          }
-          const std::string name = first.filename().string();
-          editor_.notify(Notice::Kind::info, count == 1
-                                                 ? fill(editor_.language("Exported {0}."), {name})
-                                                 : fill(editor_.language("Exported {0} pictures, {1} first."),
-                                                        {std::to_string(count), name}));
-          log_.file("exported", first);
-        });
-  }
-
-  void export_pages(const std::filesystem::path& path) {
-    const auto layout = editor_.paper.layout;
-    if (!layout) return;
-    long_.run(
-        fill(translatable("Exporting {0}"), {path.filename().string()}),
-        [path, layout](const CancelToken&) { return write_sheet_file(path, layout->drawing); },
-        [this, path](const Result<Done>& written) {
-          if (!written.ok()) {
-            log_.file("export_failed", path);
-            return editor_.notify(written.error());
-          }
-          editor_.notify(Notice::Kind::info,
-                         fill(editor_.language("Exported {0}."), {path.filename().string()}));
-          ++editor_.exports;
-          log_.file("exported", path);
-        });
-  }
-
   void picture_samples() {
     if (std::exchange(pictured_theme_, editor_.settings.theme) == editor_.settings.theme) return;
     // NOLINTNEXTLINE(modernize-loop-convert): the pictures come later, the index finds their place then
@@ -582,12 +431,12 @@ class Application {
   InterfaceText text_{assets_folder() / "languages"};
   Editor editor_;
   RebuildEngine engine_;
-  CancelToken counting_;  ///< of the last count for the export dialog
   BackgroundWork long_;
   MeshPreviewer meshes_;
   PaperEngine paper_;
   SkinJobs skins_;
   Workbench workbench_;
+  ExchangeJobs exchange_;
   GaussEngine gauss_;
   DocumentSession session_;
   Pictures pictures_;

@@ -1,0 +1,167 @@
+#include "app/exchange_jobs.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "app/broken_mesh.hpp"
+#include "app/export_triangles.hpp"
+#include "app/files/export_cad.hpp"
+#include "app/files/sheet_file.hpp"
+#include "core/document/edit_objects.hpp"
+#include "ui/export_text.hpp"
+#include "ui/panels/quantity.hpp"
+#include "ui/panels/selected_items.hpp"
+
+namespace hariko {
+
+void ExchangeJobs::warn(const std::vector<Message>& warnings) {
+  constexpr std::size_t most = 2;
+  for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) editor_.notify(warnings[i]);
+}
+
+void ExchangeJobs::import_file(const std::filesystem::path& path) {
+  work_.run_cancellable(
+      fill(translatable("Importing {0}"), {path.filename().string()}),
+      [path](const CancelToken& cancel, const Progress& progress) {
+        return open_file(path, cancel, progress);
+      },
+      [this, path](const OpenedFile& opened) {
+        if (opened.document) return add_imported(path, *opened.document, opened.messages);
+        if (!opened.broken_mesh) return editor_.notify(*opened.error());
+        log_("broken", path);
+        ask_about_broken_mesh(editor_, workbench_, path, std::make_shared<const OpenedFile>(opened),
+                              [this, path](const Document& document, const std::string& note) {
+                                add_imported(path, document, {});
+                                editor_.notify(Notice::Kind::info, note);
+                              });
+      });
+}
+
+void ExchangeJobs::add_imported(const std::filesystem::path& path, const Document& document,
+                                const std::vector<Message>& warnings) {
+  if (!editor_.has_document) editor_.open({}, {});
+  if (editor_.history.in_gesture()) editor_.cancel_preview();
+  if (!editor_.commit(append_document(editor_.history.current(), document),
+                      fill(translatable("Import {0}"), {path.filename().string()})))
+    return;
+  editor_.selection.clear_elements();
+  editor_.selection.active = editor_.document().objects.back()->id;
+  editor_.frame_all();
+  warn(warnings);
+  log_("imported", path);
+}
+
+void ExchangeJobs::count_export(const ExportSettings& settings) {
+  counting_.cancel();
+  counting_ = CancelToken::make();
+  work_.run(
+      "",
+      [settings, document = document_to_export(settings), counting = counting_](const CancelToken&) {
+        return count_triangles(document, settings, counting);
+      },
+      [this, settings](const Result<ExportCount>& count) {
+        workbench_.take_export_count(settings, count);
+        log_("export_counted", {});
+      });
+}
+
+Document ExchangeJobs::document_to_export(const ExportSettings& settings) const {
+  const Document& document = editor_.history.current();
+  if (!settings.only_selected) return document;
+  const auto shown = showing_only(document, chosen_ids(editor_));
+  HARIKO_ASSERT(shown.ok(), "every object can be hidden");
+  return *shown;
+}
+
+void ExchangeJobs::export_file(const std::filesystem::path& path, const ExportSettings& settings) {
+  counting_.cancel();  // or the file would wait for it
+  work_.run_cancellable(
+      fill(translatable("Exporting {0}"), {path.filename().string()}),
+      [path, settings, document = document_to_export(settings)](const CancelToken& cancel,
+                                                                const Progress& progress) {
+        return export_triangles(document, path, settings, cancel, progress);
+      },
+      [this, path, choices = settings.choices,
+       unit = editor_.history.current().unit](const Result<ExportReport>& exported) {
+        if (!exported.ok()) {
+          log_("export_failed", path);
+          return editor_.notify(exported.error());
+        }
+        editor_.notify(Notice::Kind::info, export_text(editor_.language, path, *exported, unit, choices));
+        ++editor_.exports;
+        log_("exported", path);
+      });
+}
+
+void ExchangeJobs::export_cad(const std::filesystem::path& path, const CadChoices& choices) {
+  const Unit unit = editor_.document().unit;
+  work_.run_cancellable(
+      fill(translatable("Exporting {0}"), {path.filename().string()}),
+      [path, choices, document = editor_.history.current()](const CancelToken& cancel,
+                                                            const Progress& progress) {
+        return hariko::export_cad(document, path, choices, header_time(), cancel, progress);
+      },
+      [this, path, unit](const Result<CadExportReport>& exported) {
+        if (!exported.ok()) {
+          log_("export_failed", path);
+          return editor_.notify(exported.error());
+        }
+        for (const Message& warning : warnings_of(*exported)) editor_.notify(warning);
+        const CadTotals all = totals(*exported);
+        Quantity angle = angle_quantity();
+        angle.decimals = 3;
+        editor_.notify(Notice::Kind::info,
+                       fill(editor_.language("Exported {0}: {1} faces, {2} of them exact; off by {3} and "
+                                             "turned by {4} at the most."),
+                            {path.filename().string(), std::to_string(all.faces), std::to_string(all.exact),
+                             format_quantity(length_quantity(unit, all.distance), all.distance),
+                             format_quantity(angle, all.normal_jump * 180 / std::numbers::pi)}));
+        ++editor_.exports;
+        log_("exported", path);
+      });
+}
+
+void ExchangeJobs::export_pictures(PictureOrder order) {
+  const std::size_t count = order.files.size();
+  const auto first = order.files.front();
+  work_.run_cancellable(
+      fill(translatable("Exporting {0}"), {first.filename().string()}),
+      [order = std::move(order)](const CancelToken& cancel, const Progress& progress) {
+        return write_pictures(order, cancel, progress);
+      },
+      [this, first, count](const Result<Done>& written) {
+        if (!written.ok()) {
+          log_("export_failed", first);
+          return editor_.notify(written.error());
+        }
+        const std::string name = first.filename().string();
+        editor_.notify(Notice::Kind::info, count == 1
+                                               ? fill(editor_.language("Exported {0}."), {name})
+                                               : fill(editor_.language("Exported {0} pictures, {1} first."),
+                                                      {std::to_string(count), name}));
+        log_("exported", first);
+      });
+}
+
+void ExchangeJobs::export_pages(const std::filesystem::path& path) {
+  const auto layout = editor_.paper.layout;
+  if (!layout) return;
+  work_.run(
+      fill(translatable("Exporting {0}"), {path.filename().string()}),
+      [path, layout](const CancelToken&) { return write_sheet_file(path, layout->drawing); },
+      [this, path](const Result<Done>& written) {
+        if (!written.ok()) {
+          log_("export_failed", path);
+          return editor_.notify(written.error());
+        }
+        editor_.notify(Notice::Kind::info,
+                       fill(editor_.language("Exported {0}."), {path.filename().string()}));
+        ++editor_.exports;
+        log_("exported", path);
+      });
+}
+
+}  // namespace hariko

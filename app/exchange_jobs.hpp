@@ -1,0 +1,49 @@
+#pragma once
+
+// ExchangeJobs: imports and exports of the window, off the main thread.
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "app/background_work.hpp"
+#include "app/files/open_file.hpp"
+#include "app/picture_export.hpp"
+#include "ui/workbench.hpp"
+
+namespace hariko {
+
+/// For the main thread. What went wrong and what was written is told to the designer by notices.
+class ExchangeJobs {
+ public:
+  using Log = std::function<void(const char* what, const std::filesystem::path&)>;
+  /// `log`: told when something is done: "imported", "broken" (a mesh that needs a repair), "export_counted",
+  /// "exported" or "export_failed".
+  ExchangeJobs(Editor& editor, Workbench& workbench, BackgroundWork& work, Log log)
+      : editor_(editor), workbench_(workbench), work_(work), log_(std::move(log)) {}
+
+  /// Adds the objects of a file to the document, as one step; asks first whether a broken mesh is repaired.
+  void import_file(const std::filesystem::path& path);
+  /// Counts the triangles that an export would write, for the dialog; a count that is on its way is
+  /// cancelled.
+  void count_export(const ExportSettings& settings);
+  void export_file(const std::filesystem::path& path, const ExportSettings& settings);
+  void export_cad(const std::filesystem::path& path, const CadChoices& choices);
+  void export_pictures(PictureOrder order);
+  /// Writes the pages of the paper model as they lie.
+  void export_pages(const std::filesystem::path& path);
+
+ private:
+  void add_imported(const std::filesystem::path& path, const Document& document,
+                    const std::vector<Message>& warnings);
+  void warn(const std::vector<Message>& warnings);
+  Document document_to_export(const ExportSettings& settings) const;
+
+  Editor& editor_;
+  Workbench& workbench_;
+  BackgroundWork& work_;
+  Log log_;
+  CancelToken counting_;  ///< of the last count for the export dialog
+};
+
+}  // namespace hariko
