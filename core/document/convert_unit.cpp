@@ -58,6 +58,18 @@ void scale_mesh(MeshSource& source, double factor) {
   source.origin *= factor;
 }
 
+Result<Done> scale_patches(BezierSource& source, double factor) {
+  std::vector<BezierPatch> patches = *source.patches;
+  for (BezierPatch& patch : patches)
+    for (Vector3& point : patch.points) point *= factor;
+  auto scaled = BezierSource::from_patches(factor * source.origin, std::move(patches));
+  if (!scaled.ok()) return scaled.error();
+  BezierSource result = std::move(scaled).value();
+  result.kept = source.kept;
+  source = std::move(result);
+  return Done{};
+}
+
 void scale_solids(SolidsSource& source, double factor) {
   EnvelopeInput input = *source.input;
   for (Solid& solid : input.solids) {
@@ -112,6 +124,8 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
     } else if (auto* patches = std::get_if<PatchSource>(&object.source)) {
       if (const auto scaled = scale_positions(patches->net, factor); !scaled.ok()) return scaled.error();
       patches->origin *= factor;
+    } else if (auto* bezier = std::get_if<BezierSource>(&object.source)) {
+      if (const auto scaled = scale_patches(*bezier, factor); !scaled.ok()) return scaled.error();
     } else if (auto* solids = std::get_if<SolidsSource>(&object.source)) {
       scale_solids(*solids, factor);
       if (const auto checked = check_envelope(*solids->input); !checked.ok()) return checked.error();

@@ -44,6 +44,7 @@ struct Object {
   const PolyhedronSource* polyhedron() const { return std::get_if<PolyhedronSource>(&source); }
   const MeshSource* mesh() const { return std::get_if<MeshSource>(&source); }
   const PatchSource* patches() const { return std::get_if<PatchSource>(&source); }
+  const BezierSource* bezier() const { return std::get_if<BezierSource>(&source); }
   const SolidsSource* solids() const { return std::get_if<SolidsSource>(&source); }
   const SkinSource* skin() const { return std::get_if<SkinSource>(&source); }
   const OutlineSource* outline() const { return std::get_if<OutlineSource>(&source); }
@@ -53,7 +54,7 @@ struct Object {
     return patches() ? &patches()->net : nullptr;
   }
   /// A smooth surface is made of the object.
-  bool has_surface() const { return cage() || solids() || skin() || outline(); }
+  bool has_surface() const { return cage() || bezier() || solids() || skin() || outline(); }
   /// What the cage's positions are relative to.
   Vector3 cage_origin() const {
     if (const PolyhedronSource* own = polyhedron()) return own->origin;

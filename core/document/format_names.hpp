@@ -48,6 +48,8 @@ inline constexpr std::array frozen_members{"curve"sv, "row"sv};
 inline constexpr std::array continuity_names{"g0"sv, "g1"sv};
 inline constexpr std::array adapts_names{"surface"sv, "patch"sv};
 inline constexpr std::array patches_members{"kind"sv, "origin"sv, "columns"sv, "rows"sv, "points"sv};
+inline constexpr std::array bezier_members{"kind"sv, "origin"sv, "patches"sv};
+inline constexpr std::array bezier_patch_members{"degree"sv, "points"sv, "weights"sv};
 inline constexpr std::array mirror_members{"axis"sv, "weld_distance"sv};
 inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
 inline constexpr std::array solids_members{"kind"sv,        "primitives"sv, "roundness"sv, "waist"sv,

@@ -35,6 +35,14 @@ std::size_t bytes_of(const PaperModel& paper) {
          list(paper.strips) + list(paper.places) + list(paper.strip_places) + bytes_of(paper.kept);
 }
 
+std::size_t bytes_of(const std::vector<BezierPatch>& patches) {
+  std::size_t bytes = block_overhead + patches.capacity() * sizeof(BezierPatch);
+  for (const BezierPatch& patch : patches)
+    bytes += 2 * block_overhead + patch.points.capacity() * sizeof(Vector3) +
+             patch.weights.capacity() * sizeof(double);
+  return bytes;
+}
+
 std::size_t bytes_of(const EnvelopeInput& input) {
   std::size_t bytes = block_overhead + sizeof(EnvelopeInput) + input.solids.capacity() * sizeof(Solid);
   for (const Solid& solid : input.solids) bytes += solid.points.capacity() * sizeof(Vector3);
@@ -102,6 +110,9 @@ void visit_object(const Object& object, Visit&& visit) {
   } else if (const auto* patches = object.patches()) {
     visit(patches->kept.get(), bytes_of(*patches->kept));
     visit_polyhedron(patches->net, visit);
+  } else if (const auto* bezier = object.bezier()) {
+    visit(bezier->patches.get(), bytes_of(*bezier->patches));
+    visit(bezier->kept.get(), bytes_of(*bezier->kept));
   } else if (const auto* mesh = object.mesh()) {
     visit(mesh->mesh.get(), bytes_of(*mesh->mesh));
     visit(mesh->kept.get(), bytes_of(*mesh->kept));

@@ -20,6 +20,9 @@ void visit_points(const Object& object, Visit&& visit) {
     }
   } else if (const MeshSource* mesh = object.mesh()) {
     for (const Vector3& position : mesh->mesh->positions) visit(mesh->origin + position);
+  } else if (const BezierSource* bezier = object.bezier()) {
+    for (const BezierPatch& patch : *bezier->patches)
+      for (const Vector3& point : patch.points) visit(bezier->origin + point);
   } else if (const SolidsSource* solids = object.solids()) {
     for (const Solid& solid : solids->input->solids) {
       const Eigen::AlignedBox3d box = box_of(solid);

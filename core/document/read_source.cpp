@@ -326,6 +326,46 @@ std::optional<Source> read_patches(JsonReader& reader, const JsonCursor& at, std
   return out;
 }
 
+BezierPatch read_bezier_patch(JsonReader& reader, const JsonCursor& at) {
+  BezierPatch patch;
+  if (!reader.is_object(at)) return patch;
+  refuse_unknown_members(reader, at, bezier_patch_members);
+  reader.member(at, "degree", [&](const JsonCursor& pair) {
+    if (reader.array_size(pair, 2, 2) != 2) return;
+    patch.degree_s = int(reader.integer(JsonCursor(pair, 0), 1, max_bezier_degree));
+    patch.degree_t = int(reader.integer(JsonCursor(pair, 1), 1, max_bezier_degree));
+  });
+  const auto count = std::size_t(patch.degree_s + 1) * std::size_t(patch.degree_t + 1);
+  reader.member(at, "points", [&](const JsonCursor& list) {
+    if (reader.array_size(list, count, count) != count) return;
+    reader.for_each(list, [&](const JsonCursor& row) { patch.points.push_back(reader.vector(row)); });
+  });
+  reader.if_member(at, "weights", [&](const JsonCursor& list) {
+    if (reader.array_size(list, count, count) != count) return;
+    reader.for_each(list, [&](const JsonCursor& weight) { patch.weights.push_back(reader.number(weight)); });
+  });
+  return patch;
+}
+
+std::optional<Source> read_bezier(JsonReader& reader, const JsonCursor& at, std::string_view text) {
+  const Vector3 origin = read_origin(reader, at);
+  std::vector<BezierPatch> patches;
+  reader.member(at, "patches", [&](const JsonCursor& list) {
+    if (reader.array_size(list, 1, BezierSource::max_patches) == 0) return;
+    reader.for_each(list,
+                    [&](const JsonCursor& patch) { patches.push_back(read_bezier_patch(reader, patch)); });
+  });
+  if (reader.failed()) return std::nullopt;
+  Result<BezierSource> source = BezierSource::from_patches(origin, std::move(patches));
+  if (!source) {
+    reader.fail(at, source.error().text);
+    return std::nullopt;
+  }
+  BezierSource out = std::move(source).value();
+  out.kept = kept_members(at, bezier_members, text);
+  return out;
+}
+
 std::optional<Source> read_mesh(JsonReader& reader, const JsonCursor& at, std::string_view text) {
   const Vector3 origin = read_origin(reader, at);
   PolygonMesh mesh;
@@ -361,6 +401,7 @@ std::optional<Source> read_source(JsonReader& reader, const JsonCursor& at, std:
   if (kind == "polyhedron") return read_polyhedron(reader, at, text);
   if (kind == "mesh") return read_mesh(reader, at, text);
   if (kind == "patches") return read_patches(reader, at, text);
+  if (kind == "bezier") return read_bezier(reader, at, text);
   if (kind == "solids") {
     EnvelopeInput input = read_solids(reader, at);
     if (reader.failed()) return std::nullopt;

@@ -93,10 +93,33 @@ bool operator==(const PatchSource& a, const PatchSource& b) {
          a.net == b.net;
 }
 
+Result<BezierSource> BezierSource::from_patches(const Vector3& origin, std::vector<BezierPatch> patches) {
+  if (patches.empty() || patches.size() > max_patches)
+    return make_error(e_patch_points, "There are no Bezier patches, or too many.",
+                      "An object has 1 to " + std::to_string(max_patches) + " patches.");
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    if (auto error = check_patch(patches[k], k)) return *error;
+  return BezierSource{origin, std::move(patches), {}};
+}
+
+Result<BezierSource> BezierSource::from_patches(std::vector<BezierPatch> patches) {
+  // Checked before the origin is taken, so that a message names the patch.
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    if (auto error = check_patch(patches[k], k)) return *error;
+  std::vector<Vector3> points;
+  for (const BezierPatch& patch : patches)
+    points.insert(points.end(), patch.points.begin(), patch.points.end());
+  const Vector3 origin = origin_for(points);
+  for (BezierPatch& patch : patches)
+    for (Vector3& point : patch.points) point -= origin;
+  return from_patches(origin, std::move(patches));
+}
+
 std::string_view kind_of(const Source& source) {
   if (std::holds_alternative<PolyhedronSource>(source)) return "polyhedron";
   if (std::holds_alternative<MeshSource>(source)) return "mesh";
   if (std::holds_alternative<PatchSource>(source)) return "patches";
+  if (std::holds_alternative<BezierSource>(source)) return "bezier";
   if (std::holds_alternative<SolidsSource>(source)) return "solids";
   if (std::holds_alternative<SkinSource>(source)) return "skin";
   if (std::holds_alternative<OutlineSource>(source)) return "outline";

@@ -19,6 +19,7 @@
 #include "core/polyhedron/polygon_mesh.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "core/skinning/skin.hpp"
+#include "core/surface/bezier_patch.hpp"
 
 namespace hariko {
 
@@ -89,6 +90,24 @@ struct PatchSource {
   friend bool operator==(const PatchSource& a, const PatchSource& b);
 };
 
+/// Bezier patches of any degree, polynomial or rational, that become one surface where their sides meet
+/// (`weld_patches`). They are shown, analysed and meshed as they are; no control points are edited.
+struct BezierSource {
+  Vector3 origin = Vector3::Zero();
+  Shared<std::vector<BezierPatch>> patches;  ///< relative to origin; at least one, all pass `check_patch`
+  Shared<KeptMembers> kept;
+
+  static constexpr std::size_t max_patches = 100'000;
+
+  /// Takes patches with absolute points. Errors: E_PATCH_POINTS where there are none or too many, those of
+  /// `check_patch`.
+  static Result<BezierSource> from_patches(std::vector<BezierPatch> patches);
+  /// As above with points relative to `origin`.
+  static Result<BezierSource> from_patches(const Vector3& origin, std::vector<BezierPatch> patches);
+
+  friend bool operator==(const BezierSource&, const BezierSource&) = default;
+};
+
 /// Placed solids, round which a smooth surface goes (core/envelope).
 struct SolidsSource {
   Shared<EnvelopeInput> input;  ///< passes `check_envelope`
@@ -123,10 +142,10 @@ struct UnknownSource {
   friend bool operator==(const UnknownSource&, const UnknownSource&) = default;
 };
 
-using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, SolidsSource, SkinSource,
+using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, BezierSource, SolidsSource, SkinSource,
                             OutlineSource, UnknownSource>;
 
-/// "polyhedron", "mesh", "patches", "solids", "skin", "outline", or the kind's name in the file.
+/// "polyhedron", "mesh", "patches", "bezier", "solids", "skin", "outline", or the kind's name in the file.
 std::string_view kind_of(const Source& source);
 
 }  // namespace hariko

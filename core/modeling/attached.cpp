@@ -6,6 +6,7 @@
 #include "core/document/edit_attachments.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
+#include "core/surface/weld_patches.hpp"
 
 namespace hariko {
 
@@ -270,6 +271,10 @@ ObjectSurfacer::~ObjectSurfacer() = default;
 
 Result<PolyhedronSurface> ObjectSurfacer::surface(const Object& object, const ObjectPointers& neighbours,
                                                   Quality quality, const CancelToken& cancel) {
+  if (const BezierSource* bezier = object.bezier()) {
+    auto welded = weld_patches(bezier->origin, *bezier->patches);
+    return welded ? whole(std::move(welded).value(), {}) : Result<PolyhedronSurface>(welded.error());
+  }
   if (const SolidsSource* solids = object.solids()) return around(*solids, quality, cancel);
   if (const SkinSource* skin = object.skin()) return over(*skin, quality, cancel);
   if (const OutlineSource* outline = object.outline()) return inside(*outline, quality, cancel);

@@ -33,9 +33,10 @@ class ObjectSurfacer {
 
   /// `neighbours`: as `neighbours_of` gives them. Errors: those of `surface_input` and of
   /// `PolyhedronSurfacer::rebuild`, E_JOIN_LOST (what an edge is attached to is gone), E_JOIN_SEAM (an
-  /// attached edge is inside of the mirrored whole), E_ATTACHMENT_CYCLE; of solids those of
-  /// `EnvelopeSurfacer::rebuild`, of skins those of `SkinSurfacer::surface`, of outlines those of
-  /// `control_points` and `outline_polyhedron`. Warnings of patches: W_JOIN_REFUSED.
+  /// attached edge is inside of the mirrored whole), E_ATTACHMENT_CYCLE; of Bezier patches those of
+  /// `weld_patches`, of solids those of `EnvelopeSurfacer::rebuild`, of skins those of
+  /// `SkinSurfacer::surface`, of outlines those of `control_points` and `outline_polyhedron`. Warnings of
+  /// patches: W_JOIN_REFUSED.
   Result<PolyhedronSurface> surface(const Object& object, const ObjectPointers& neighbours, Quality quality,
                                     const CancelToken& cancel = {});
   /// Of the part of the work that takes long: placing the columns of skins. For any thread.

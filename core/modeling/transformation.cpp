@@ -79,6 +79,20 @@ Result<PatchSource> stretched(const PatchSource& source, const Matrix3& linear) 
   return result;
 }
 
+Result<BezierSource> stretched(const BezierSource& source, const Matrix3& linear) {
+  std::vector<BezierPatch> patches = *source.patches;
+  for (BezierPatch& patch : patches) {
+    for (Vector3& point : patch.points) point = linear * (source.origin + point) - source.origin;
+    // The outside stays outside.
+    if (linear.determinant() < 0) patch = flipped(patch);
+  }
+  Result<BezierSource> made = BezierSource::from_patches(source.origin, std::move(patches));
+  if (!made) return made;
+  BezierSource result = std::move(made).value();
+  result.kept = source.kept;
+  return result;
+}
+
 Result<MeshSource> stretched(const MeshSource& source, const Matrix3& linear) {
   PolygonMesh mesh = *source.mesh;
   for (Vector3& position : mesh.positions) {
@@ -104,6 +118,7 @@ Result<Source> stretched(const Object& object, const Matrix3& linear) {
   if (const PolyhedronSource* source = object.polyhedron()) return as_source(stretched(*source, linear));
   if (const MeshSource* source = object.mesh()) return as_source(stretched(*source, linear));
   if (const PatchSource* source = object.patches()) return as_source(stretched(*source, linear));
+  if (const BezierSource* source = object.bezier()) return as_source(stretched(*source, linear));
   return make_error(e_wrong_kind,
                     "The object \"" + object.name + "\" cannot be stretched: its kind is not known here.",
                     "Scale it evenly.", element_of(object.id));
