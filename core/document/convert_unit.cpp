@@ -88,6 +88,7 @@ void scale_solids(SolidsSource& source, double factor) {
 void scale_skin(SkinSource& source, double factor) {
   Skin skin = *source.skin;
   change_positions(skin, [&](Vector3& position) { position *= factor; });
+  if (skin.mirror) skin.mirror->position *= factor;
   source.skin = std::move(skin);
 }
 

@@ -61,7 +61,8 @@ inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};
 inline constexpr std::array symmetry_names{"none"sv, "x"sv, "y"sv, "z"sv};
 inline constexpr std::array skin_members{"kind"sv,   "path"sv,  "rail2"sv,   "frame"sv,        "sections"sv,
                                          "method"sv, "caps"sv,  "creases"sv, "flip_normals"sv, "smooth"sv,
-                                         "pleat"sv,  "links"sv, "merges"sv};
+                                         "pleat"sv,  "links"sv, "merges"sv,  "mirror"sv};
+inline constexpr std::array skin_mirror_members{"axis"sv, "position"sv};
 inline constexpr std::array outline_members{"kind"sv,   "loops"sv,       "method"sv, "curvature_sign"sv,
                                             "radius"sv, "most_points"sv, "gap"sv,    "mode"sv};
 inline constexpr std::array gauss_names{"curvature"sv, "umbilic"sv, "minkowski"sv, "paper"sv, "position"sv};

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/document/format_names.hpp"
+#include "core/document/read_source.hpp"
 #include "core/document/read_text.hpp"
 #include "core/skinning/section_direction.hpp"
 #include "core/skinning/skin_messages.hpp"
@@ -121,6 +122,7 @@ class SkinReader {
     read_choice(at, "caps", caps_names, skin_.caps);
     read_flag(at, "creases", skin_.creases);
     read_flag(at, "flip_normals", skin_.flip_normals);
+    reader_.if_member(at, "mirror", [&](const JsonCursor& mirror) { skin_.mirror = read_mirror(mirror); });
     reader_.if_member(at, "smooth", [&](const JsonCursor& smooth) {
       if (!reader_.is_object(smooth)) return;
       const auto count = [&](std::string_view name, int& value) {
@@ -154,6 +156,15 @@ class SkinReader {
       positive("tension", skin_.pleat.tension);
       positive("density", skin_.pleat.density);
     });
+  }
+
+  MirrorPlane read_mirror(const JsonCursor& at) {
+    MirrorPlane plane;
+    if (!reader_.is_object(at)) return plane;
+    refuse_unknown_members(reader_, at, skin_mirror_members);
+    reader_.member(at, "axis", [&](const JsonCursor& m) { plane.axis = int(reader_.choice(m, axis_names)); });
+    reader_.member(at, "position", [&](const JsonCursor& m) { plane.position = reader_.number(m); });
+    return plane;
   }
 
   /// The sections of a strip: by index in the plain layout, by ids otherwise.

@@ -158,6 +158,14 @@ void write_source(JsonWriter& out, const SkinSource& source) {
   out.boolean(skin.creases);
   out.key("flip_normals");
   out.boolean(skin.flip_normals);
+  if (skin.mirror) {
+    out.key("mirror");
+    out.raw("{\"axis\": ");
+    out.string(axis_names[std::size_t(skin.mirror->axis)]);
+    out.raw(", \"position\": ");
+    out.number(skin.mirror->position);
+    out.raw("}");
+  }
   write_smooth(out, skin.smooth);
   write_pleat(out, skin.pleat);
   out.list("links", skin.links, [&](const SkinLink& link) { write_link(out, link); });

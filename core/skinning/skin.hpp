@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/skinning/mirror_plane.hpp"
 #include "core/skinning/subdivision_curve.hpp"
 
 namespace hariko {
@@ -102,6 +103,8 @@ struct Skin {
   bool creases = true;
   Caps caps = Caps::none;
   bool flip_normals = false;
+  /// Edits of sections change both halves.
+  std::optional<MirrorPlane> mirror = {};
 
   int section_count() const { return int(sections.size()); }
   /// Strips between neighbouring sections; one more on a closed path.

@@ -16,7 +16,7 @@ namespace {
 double asymmetry(const Skin& skin, const MirrorPlane& plane) {
   double out = 0;
   for (const SkinSection& section : skin.sections) {
-    const std::vector<int> partner = mirror_partners(section, plane.point, plane.normal);
+    const std::vector<int> partner = mirror_partners(section, plane.point(), plane.normal());
     for (int i = 0; i < section.size(); ++i)
       out += (section.points[std::size_t(i)].position -
               plane.image(section.points[std::size_t(partner[std::size_t(i)])].position))
@@ -32,13 +32,14 @@ std::optional<std::uint32_t> partner_of(const Skin& skin, std::uint32_t point, c
   const int k = section_with(skin, point);
   if (k < 0) return {};
   const SkinSection& section = skin.sections[std::size_t(k)];
-  const std::vector<int> partner = mirror_partners(section, plane.point, plane.normal);
+  const std::vector<int> partner = mirror_partners(section, plane.point(), plane.normal());
   return section.points[std::size_t(partner[std::size_t(find_point(section, point))])].id;
 }
 
 }  // namespace
 
 MirrorPlane mirror_plane(const Skin& skin) {
+  if (skin.mirror) return *skin.mirror;
   MirrorPlane best;
   if (skin.path.points.empty()) return best;
   Vector3 middle = Vector3::Zero();
@@ -46,7 +47,7 @@ MirrorPlane mirror_plane(const Skin& skin) {
   double least = std::numeric_limits<double>::infinity();
   // Across the path no section is its own image; of equals the first wins.
   for (const int axis : {1, 0, 2}) {
-    const MirrorPlane plane{middle, Vector3::Unit(axis)};
+    const MirrorPlane plane{axis, middle[axis]};
     const double value = asymmetry(skin, plane);
     if (value < least) least = value, best = plane;
   }
@@ -86,7 +87,7 @@ Result<SkinEdit> make_symmetric(const Skin& skin, std::span<const std::uint32_t>
   for (const SkinSection& section : skin.sections) {
     if (!sections.empty() && std::find(sections.begin(), sections.end(), section.id) == sections.end())
       continue;
-    auto one = make_symmetric(edit.skin, section.id, plane.point, plane.normal);
+    auto one = make_symmetric(edit.skin, section.id, plane.point(), plane.normal());
     if (!one) return one;
     edit.skin = std::move(one->skin);
   }

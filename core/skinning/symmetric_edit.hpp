@@ -9,14 +9,7 @@
 
 namespace hariko {
 
-struct MirrorPlane {
-  Vector3 point = Vector3::Zero(), normal = Vector3::UnitX();  ///< unit normal
-  Vector3 image(const Vector3& p) const { return p - 2 * normal.dot(p - point) * normal; }
-  /// The point of the plane nearest to `p`.
-  Vector3 foot(const Vector3& p) const { return p - normal.dot(p - point) * normal; }
-};
-
-/// Across an axis of the skin's space, through the middle of the path: of the three planes that about which
+/// The skin's own, else across an axis through the middle of the path: of the three planes that about which
 /// sections and path are most nearly symmetric. O(points of the skin).
 MirrorPlane mirror_plane(const Skin& skin);
 

@@ -117,6 +117,7 @@ inline Skin any_skin(std::mt19937_64& rng) {
   skin.creases = chance(rng, 0.5);
   skin.caps = static_cast<Caps>(uniform_int(rng, 0, 2));
   skin.flip_normals = chance(rng, 0.5);
+  if (chance(rng, 0.5)) skin.mirror = {uniform_int(rng, 0, 2), uniform(rng, -100, 100)};
   return skin;
 }
 
