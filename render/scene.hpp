@@ -65,6 +65,8 @@ struct SceneObject {
   bool elements_pickable = true;  ///< vertices and edges: not those of a net that is not shown
   PatchWire wire = PatchWire::none;
   bool show_points = true;     ///< with the polyhedron
+  bool show_bodies = false;    ///< faces of the polyhedron as translucent bodies, through the surface as well
+  bool faint_bodies = false;   ///< of an object that cannot be edited
   bool show_tensions = false;  ///< colours of the polyhedron's edges and points
   bool x_ray = false;          ///< hidden lines and points show through faintly
   bool dimmed = false;         ///< the surface is not up to date
