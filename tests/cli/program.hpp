@@ -64,8 +64,13 @@ class ProgramTest : public ::testing::Test {
 
   /// `arguments` as a shell would split them. Runs without a display.
   Outcome run(const std::string& arguments) const {
-    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY '" HARIKO_PROGRAM "' " + arguments +
-                                " >'" + path("stdout.txt") + "' 2>'" + path("stderr.txt") + "' </dev/null";
+    // Threads of the graphics driver end while the leak checker looks at their stacks, which stops the
+    // checker.
+    const bool draws = arguments.starts_with("render ");
+    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY " +
+                                std::string(draws ? "ASAN_OPTIONS=detect_leaks=0 " : "") +
+                                "'" HARIKO_PROGRAM "' " + arguments + " >'" + path("stdout.txt") + "' 2>'" +
+                                path("stderr.txt") + "' </dev/null";
     const int status = std::system(command.c_str());
     Outcome out;
     out.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
