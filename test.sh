@@ -39,7 +39,7 @@ sanitizer_tests() {
   step "Sanitizer build"
   cmake --preset debug
   cmake --build --preset debug
-  export UBSAN_OPTIONS=print_stacktrace=1
+  export UBSAN_OPTIONS=print_stacktrace=1 LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0
   ASAN_OPTIONS=detect_leaks=1 ctest --test-dir build/debug -L core -LE full --output-on-failure --no-tests=error -j2
   # Graphics drivers keep memory until the end, so leaks are looked for in the core tests only.
   ASAN_OPTIONS=detect_leaks=0 ctest --test-dir build/debug -L 'window|monkey' -LE full --output-on-failure --no-tests=error -j$window_jobs

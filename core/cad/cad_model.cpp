@@ -336,7 +336,7 @@ class Maker {
   const Surface& surface_;
   int degree_;
   const CancelToken& cancel_;
-  const Progress& progress_;
+  Progress progress_;
   FitLimits limits_;
   CadModel out_;
   std::vector<std::array<std::vector<Index>, 4>> sides_;  ///< edges of each piece

@@ -8,6 +8,7 @@
 
 #include "core/exchange/write_mesh.hpp"
 #include "tests/exchange/mesh_text.hpp"
+#include "tests/support/leaks_of_library.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -78,6 +79,7 @@ FoundFile read_back(const std::string& bytes) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "a.3mf";
   test::spill(path, bytes);
+  const test::LeaksOfLibrary leaks;  // a handle for every part that is read
   Handle model, reader, items;
   NMR::lib3mf_createmodel(model.target());
   NMR::lib3mf_model_queryreader(model.get(), "3mf", reader.target());
