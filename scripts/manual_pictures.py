@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws the sheets of materials, maps, marks and skins of docs/manual.md with the program's own command line.
 
-    python3 scripts/manual_pictures.py build/release/app/hariko
+    python3 scripts/manual_pictures.py build/release/app/hariko [sheet ...]
 
 Needs ImageMagick (montage) to put the pictures side by side. The pictures of the window come from
 manual_windows.py."""
@@ -38,7 +38,7 @@ SHEETS = {
         ("Display mesh", "fig2", ["--wire", "mesh"]),
         ("Section", "genus3", ["--section", "y=0.1", "--show", "network"]),
     ],
-    "manual_skins": [(caption, "skin_" + sample, ["--wire", "borders"]) for caption, sample in [
+    "manual_skins": [(caption, "skin_" + sample, ["--show", "network"]) for caption, sample in [
         ("Smooth, 8 columns", "smooth"),
         ("Ridges by themselves", "ridges"),
         ("Ridges joined", "joined"),
@@ -55,7 +55,8 @@ SHEETS = {
 def main():
     program = os.path.abspath(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
-        for sheet, cells in SHEETS.items():
+        for sheet in sys.argv[2:] or SHEETS:
+            cells = SHEETS[sheet]
             arguments = []
             for number, (caption, sample, options) in enumerate(cells):
                 path = os.path.join(folder, f"{sheet}_{number}.png")
