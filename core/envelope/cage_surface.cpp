@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/envelope/sample_tree.hpp"
+
 namespace hariko {
 
 namespace {
@@ -13,6 +15,7 @@ constexpr int sample_density = 6;  ///< 28 samples a patch
 constexpr double overshoot = 1.15;
 constexpr double largest_step = 0.25, largest_push = 1.0;  ///< of the cell
 constexpr int strict_rounds = 10;
+constexpr double strict_share = 0.9;  ///< of the tolerance: the last solve moves the surface a little
 constexpr int check_density = 8, check_points = 200;
 constexpr double chord_slack = 2e-5;  ///< of the diagonal
 
@@ -54,27 +57,14 @@ class Pusher {
 
   Result<CageSurface> run(const CancelToken& cancel) {
     CageSurface out{{}, input_.polyhedron, input_.shaping, 0, {}, 0, 0};
-    int strict = 0;
-    const double tolerance = request_.tolerance * request_.diagonal;
-    for (;;) {
-      auto made = surfacer_.rebuild(input_, Quality::final, cancel);
-      if (!made) return made.error();
-      out.made = std::move(made).value();
-      pushes_.clear();
-      pushes_.resize(moved_.size());
-      take_samples(out.made.surface);
-      out.worst = test();
-      if (out.worst <= tolerance || out.rounds >= request_.rounds) {
-        if (!request_.strict) break;
-        out.check = check_enclosure(out.made.surface, request_.placed, check_density, check_points,
-                                    chord_slack * request_.diagonal, cancel);
-        if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
-        if (out.check->worst <= 0.9 * tolerance || strict++ >= strict_rounds) break;
-        pushes_.assign(moved_.size(), {});
-        push_outside(*out.check);
-      }
-      ++out.rounds;
-      apply();
+    // Surfaces between pushes start from the one before and are solved to the push's accuracy only.
+    if (const auto made = make(Quality::drag, cancel, out); !made) return made.error();
+    if (const auto pushed = push_as_tested(cancel, out); !pushed) return pushed.error();
+    if (request_.strict) {
+      if (const auto pushed = push_strictly(cancel, out); !pushed) return pushed.error();
+      if (const auto made = make(Quality::final, cancel, out); !made) return made.error();
+      out.check = check(out.made.surface, cancel);
+      if (cancel.cancelled()) return cancelled();
     }
     out.folds = folds();
     out.cage = input_.polyhedron;
@@ -89,6 +79,51 @@ class Pusher {
 
   const HalfEdgeMesh& mesh() const { return input_.polyhedron.topology(); }
 
+  static Message cancelled() { return make_error(e_cancelled, "The surface was cancelled."); }
+
+  /// The surface over the cage as it is now, tested; pushes for what the test finds.
+  Result<Done> make(Quality quality, const CancelToken& cancel, CageSurface& out) {
+    auto made = surfacer_.rebuild(input_, quality, cancel);
+    if (!made) return made.error();
+    out.made = std::move(made).value();
+    pushes_.assign(moved_.size(), {});
+    take_samples(out.made.surface);
+    out.worst = test();
+    return Done{};
+  }
+
+  EnclosureReport check(const Surface& surface, const CancelToken& cancel) const {
+    return check_enclosure(surface, request_.placed, check_density, check_points,
+                           chord_slack * request_.diagonal, cancel);
+  }
+
+  Result<Done> apply_and_make(const CancelToken& cancel, CageSurface& out) {
+    ++out.rounds;
+    apply();
+    return make(Quality::drag, cancel, out);
+  }
+
+  Result<Done> push_as_tested(const CancelToken& cancel, CageSurface& out) {
+    while (out.worst > request_.tolerance * request_.diagonal && out.rounds < request_.rounds)
+      if (const auto made = apply_and_make(cancel, out); !made) return made.error();
+    return Done{};
+  }
+
+  /// Pushes what the independent check finds. A surface that folds by now is none: the next setting's turn.
+  Result<Done> push_strictly(const CancelToken& cancel, CageSurface& out) {
+    for (int round = 0; round < strict_rounds && folds() == 0; ++round) {
+      const EnclosureReport report = check(out.made.surface, cancel);
+      if (cancel.cancelled()) return cancelled();
+      if (report.worst <= strict_share * request_.tolerance * request_.diagonal) break;
+      pushes_.assign(moved_.size(), {});
+      push_outside(report);
+      if (const auto made = apply_and_make(cancel, out); !made) return made.error();
+      // What the push opened elsewhere goes first.
+      if (const auto pushed = push_as_tested(cancel, out); !pushed) return pushed.error();
+    }
+    return Done{};
+  }
+
   void take_samples(const Surface& surface) {
     std::vector<Index> all(surface.patch_count());
     std::iota(all.begin(), all.end(), Index{0});
@@ -96,15 +131,7 @@ class Pusher {
     positions_.resize(all.size() * per_patch_);
     normals_.resize(positions_.size());
     surface.patches().evaluate_grid(all, pattern_, positions_, normals_);
-    centre_.clear();
-    radius_.clear();
-    for (std::size_t p = 0; p < all.size(); ++p) {
-      const auto points = std::span(positions_).subspan(p * per_patch_, per_patch_);
-      Vector3 low = points[0], high = points[0];
-      for (const Vector3& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
-      centre_.push_back(0.5 * (low + high));
-      radius_.push_back(0.5 * (high - low).norm());
-    }
+    tree_.emplace(positions_, per_patch_);
   }
 
   /// Lets the corners of a sample's face go along a direction, by shares that lift the sample by `depth`.
@@ -130,9 +157,10 @@ class Pusher {
   double test() {
     double worst = 0;
     const double tolerance = request_.tolerance * request_.diagonal;
-    for (std::size_t p = 0; p < centre_.size(); ++p)
-      for (const SolidDistance& solid : request_.distances) {
-        if ((centre_[p] - solid.centre()).norm() > radius_[p] + solid.reach()) continue;
+    for (const SolidDistance& solid : request_.distances) {
+      // Distances change by no more than the way.
+      const auto far = [&](const Vector3& centre, double radius) { return solid(centre) > radius; };
+      tree_->visit(far, [&](Index p) {
         for (std::size_t i = p * per_patch_; i < (p + 1) * per_patch_; ++i) {
           const double depth = -solid(positions_[i]);
           worst = std::max(worst, depth);
@@ -140,30 +168,16 @@ class Pusher {
           const Vector3 g = solid.gradient(positions_[i]);
           push(i, depth, g.dot(normals_[i]) < 0.3 ? normals_[i] : g);
         }
-      }
+      });
+    }
     for (const PlacedSolid& solid : request_.placed)
       for (const Vector3& z : solid.test_points) {
-        const std::size_t near = nearest(z);
+        const std::size_t near = tree_->nearest(z);
         const double height = (z - positions_[near]).dot(normals_[near]);
         worst = std::max(worst, height);
         if (height > tolerance) push(near, height, normals_[near]);
       }
     return worst;
-  }
-
-  std::size_t nearest(const Vector3& z) {
-    order_.clear();
-    for (std::size_t p = 0; p < centre_.size(); ++p)
-      order_.emplace_back(std::max(0.0, (z - centre_[p]).norm() - radius_[p]), p);
-    std::sort(order_.begin(), order_.end());
-    double square = 1e300;
-    std::size_t best = 0;
-    for (const auto& [bound, p] : order_) {
-      if (bound * bound >= square) break;
-      for (std::size_t i = p * per_patch_; i < (p + 1) * per_patch_; ++i)
-        if (const double s = (positions_[i] - z).squaredNorm(); s < square) square = s, best = i;
-    }
-    return best;
   }
 
   void push_outside(const EnclosureReport& check) {
@@ -230,9 +244,8 @@ class Pusher {
   std::vector<double> moved_;
   std::vector<Push> pushes_;
   std::size_t per_patch_ = 0;
-  std::vector<Vector3> positions_, normals_, centre_;
-  std::vector<double> radius_;
-  std::vector<std::pair<double, std::size_t>> order_;
+  std::vector<Vector3> positions_, normals_;
+  std::optional<SampleTree> tree_;  ///< of the positions
 };
 
 }  // namespace

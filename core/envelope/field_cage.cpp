@@ -41,13 +41,14 @@ Matrix3 frame_of(const FieldScene& scene, const FieldCluster& cluster) {
 class CageBuilder {
  public:
   CageBuilder(const FieldScene& scene, const FieldCluster& cluster, const FieldCageSettings& settings)
-      : scene_(scene), cluster_(cluster), settings_(settings) {}
+      : scene_(scene), cluster_(cluster), settings_(settings), axes_(frame_of(scene, cluster)) {
+    place_frame();
+  }
 
   /// Appends to the cage; false where there is none.
-  bool build(FieldCage& out, const CancelToken& cancel) {
-    axes_ = frame_of(scene_, cluster_);
-    place_frame();
-    auto chosen = choose(cancel);
+  bool build(const GridReference& reference, FieldCage& out, const CancelToken& cancel) {
+    std::optional<ChosenGrid> chosen;
+    with_request([&](const GridRequest& request) { chosen = choose_grid(request, reference, cancel); });
     if (!chosen) return false;
     cell_ = chosen->cell;
     UnionField field(local_, settings_.fillet * cell_);
@@ -65,15 +66,13 @@ class CageBuilder {
     append(out);
     ++out.components;
     out.tunnels += chosen->topology.tunnels;
-    out.wanted_tunnels += chosen->reference.tunnels;
+    out.wanted_tunnels += reference.topology.tunnels;
     return true;
   }
 
-  int wanted_tunnels() {
-    axes_ = frame_of(scene_, cluster_);
-    place_frame();
-    int out = 0;
-    with_request([&](const GridRequest& request) { out = reference_topology(request).tunnels; });
+  GridReference reference() const {
+    GridReference out;
+    with_request([&](const GridRequest& request) { out = grid_reference(request); });
     return out;
   }
 
@@ -92,12 +91,6 @@ class CageBuilder {
     half_ = 0.5 * (high - low);
     for (const Index s : cluster_.solids) local_.push_back(scene_.distances[s].in_frame(axes_, origin_));
     for (const SolidDistance& bar : cluster_.bridges) local_.push_back(bar.in_frame(axes_, origin_));
-  }
-
-  std::optional<ChosenGrid> choose(const CancelToken& cancel) {
-    std::optional<ChosenGrid> out;
-    with_request([&](const GridRequest& request) { out = choose_grid(request, cancel); });
-    return out;
   }
 
   /// The request's functions hold only during the call.
@@ -255,7 +248,7 @@ class CageBuilder {
   const FieldScene& scene_;
   const FieldCluster& cluster_;
   FieldCageSettings settings_;
-  Matrix3 axes_ = Matrix3::Identity();
+  Matrix3 axes_;
   Vector3 origin_ = Vector3::Zero(), half_ = Vector3::Zero();
   std::vector<SolidDistance> local_;
   const UnionField* field_ = nullptr;
@@ -269,16 +262,24 @@ class CageBuilder {
 
 }  // namespace
 
-int tunnels_of(const FieldScene& scene) {
-  int out = 0;
-  for (const FieldCluster& cluster : scene.clusters) out += CageBuilder(scene, cluster, {}).wanted_tunnels();
+std::vector<GridReference> grid_references(const FieldScene& scene) {
+  std::vector<GridReference> out;
+  for (const FieldCluster& cluster : scene.clusters)
+    out.push_back(CageBuilder(scene, cluster, {}).reference());
   return out;
 }
 
-FieldCage field_cage(const FieldScene& scene, const FieldCageSettings& settings, const CancelToken& cancel) {
+int tunnels_of(const FieldScene& scene) {
+  int out = 0;
+  for (const GridReference& reference : grid_references(scene)) out += reference.topology.tunnels;
+  return out;
+}
+
+FieldCage field_cage(const FieldScene& scene, std::span<const GridReference> references,
+                     const FieldCageSettings& settings, const CancelToken& cancel) {
   FieldCage out;
-  for (const FieldCluster& cluster : scene.clusters)
-    if (!CageBuilder(scene, cluster, settings).build(out, cancel)) return {};
+  for (std::size_t c = 0; c < scene.clusters.size(); ++c)
+    if (!CageBuilder(scene, scene.clusters[c], settings).build(references[c], out, cancel)) return {};
   return out;
 }
 

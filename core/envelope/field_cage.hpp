@@ -45,11 +45,14 @@ struct FieldCage {
   int components = 0, tunnels = 0, wanted_tunnels = 0;
 };
 
+/// What the grids of each cluster are measured by. The same for all settings.
+std::vector<GridReference> grid_references(const FieldScene& scene);
+
 /// Holes through the solids with their bridges.
 int tunnels_of(const FieldScene& scene);
 
-/// Empty where a cluster is met by no grid.
-FieldCage field_cage(const FieldScene& scene, const FieldCageSettings& settings,
-                     const CancelToken& cancel = {});
+/// `references`: those of the scene. Empty where a cluster is met by no grid.
+FieldCage field_cage(const FieldScene& scene, std::span<const GridReference> references,
+                     const FieldCageSettings& settings, const CancelToken& cancel = {});
 
 }  // namespace hariko

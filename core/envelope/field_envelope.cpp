@@ -28,12 +28,13 @@ double score_of(const FieldEnvelope& one, double diagonal) {
 Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
                                      const Vector3& origin, Quality quality, const CancelToken& cancel) {
   const FieldScene scene = field_scene(input, placed, origin);
+  const std::vector<GridReference> references = grid_references(scene);
   std::optional<FieldEnvelope> best;
   double least = 1e300;
   std::optional<Message> failure;
   for (int level = 0; level < int(std::size(ladder)); ++level) {
     const Rung& rung = ladder[level];
-    const FieldCage cage = field_cage(scene,
+    const FieldCage cage = field_cage(scene, references,
                                       {rung.fillet + slack_fillet * (1 - input.settings.tightness),
                                        rung.crispness, rung.detail * input.settings.cage_detail, rung.budget},
                                       cancel);

@@ -226,30 +226,6 @@ class PlaneRemoval {
   GridTopology topology_;
 };
 
-struct Reference {
-  GridTopology topology;
-  double volume = 0, area = 0;
-};
-
-Reference reference_of(const GridRequest& request) {
-  const Vector3 size = request.high - request.low;
-  const double step = std::max(request.thickness / 3.3, std::cbrt(size.prod() / reference_nodes));
-  std::vector<double> values;
-  FlagGrid grid = sampled(request.sharp, request.low, request.high, step, values);
-  for (const double f : values) grid.inside.push_back(f < 0);
-  const Components parts(grid, 1, false);
-  Reference out;
-  if (parts.count() == 0) return out;
-  // The solids are connected: what else there is comes of thin tips.
-  const int largest =
-      int(std::max_element(parts.sizes().begin(), parts.sizes().end()) - parts.sizes().begin());
-  for (std::size_t i = 0; i < grid.inside.size(); ++i) grid.inside[i] = parts.label(i) == largest;
-  out.topology = tidy(grid);
-  out.volume = double(std::count(grid.inside.begin(), grid.inside.end(), 1)) * step * step * step;
-  out.area = double(sign_changes(grid)) * step * step;
-  return out;
-}
-
 double grid_volume(const FlagGrid& grid, double cell) {
   return double(std::count(grid.inside.begin(), grid.inside.end(), 1)) * cell * cell * cell;
 }
@@ -291,12 +267,27 @@ std::size_t sign_changes(const FlagGrid& grid) {
   return out;
 }
 
-GridTopology reference_topology(const GridRequest& request) {
-  return reference_of(request).topology;
+GridReference grid_reference(const GridRequest& request) {
+  const Vector3 size = request.high - request.low;
+  const double step = std::max(request.thickness / 3.3, std::cbrt(size.prod() / reference_nodes));
+  std::vector<double> values;
+  FlagGrid grid = sampled(request.sharp, request.low, request.high, step, values);
+  for (const double f : values) grid.inside.push_back(f < 0);
+  const Components parts(grid, 1, false);
+  GridReference out;
+  if (parts.count() == 0) return out;
+  // The solids are connected: what else there is comes of thin tips.
+  const int largest =
+      int(std::max_element(parts.sizes().begin(), parts.sizes().end()) - parts.sizes().begin());
+  for (std::size_t i = 0; i < grid.inside.size(); ++i) grid.inside[i] = parts.label(i) == largest;
+  out.topology = tidy(grid);
+  out.volume = double(std::count(grid.inside.begin(), grid.inside.end(), 1)) * step * step * step;
+  out.area = double(sign_changes(grid)) * step * step;
+  return out;
 }
 
-std::optional<ChosenGrid> choose_grid(const GridRequest& request, const CancelToken& cancel) {
-  const Reference reference = reference_of(request);
+std::optional<ChosenGrid> choose_grid(const GridRequest& request, const GridReference& reference,
+                                      const CancelToken& cancel) {
   if (reference.volume == 0) return std::nullopt;
   std::vector<double> ladder;
   const double crowded = std::sqrt(reference.area / request.budget);
@@ -321,7 +312,6 @@ std::optional<ChosenGrid> choose_grid(const GridRequest& request, const CancelTo
         ChosenGrid one;
         one.grid = sublattice(fine, values, {parity & 1, parity >> 1 & 1, parity >> 2 & 1}, limit);
         one.topology = tidy(one.grid);
-        one.reference = reference.topology;
         one.cell = h;
         one.offset = limit;
         const double faces = double(sign_changes(one.grid));

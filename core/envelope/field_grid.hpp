@@ -39,6 +39,12 @@ struct GridTopology {
 GridTopology tidy(FlagGrid& grid);
 std::size_t sign_changes(const FlagGrid& grid);
 
+/// Of the sharp field on a grid that is fine enough for the thinnest solid.
+struct GridReference {
+  GridTopology topology;
+  double volume = 0, area = 0;
+};
+
 struct GridRequest {
   std::function<double(const Vector3&)> field;  ///< with the wanted fillet, in the grid's frame
   std::function<double(const Vector3&)> sharp;  ///< with a small fillet, for the reference
@@ -53,13 +59,13 @@ struct ChosenGrid {
   FlagGrid grid;
   double cell = 0;    ///< size before planes were left out
   double offset = 0;  ///< inside is field < offset
-  GridTopology topology, reference;
+  GridTopology topology;
 };
 
-/// Of the sharp field on a grid that is fine enough for the thinnest solid.
-GridTopology reference_topology(const GridRequest& request);
+GridReference grid_reference(const GridRequest& request);
 
 /// The coarsest grid with the topology of the reference, or the best there is. Deterministic.
-std::optional<ChosenGrid> choose_grid(const GridRequest& request, const CancelToken& cancel = {});
+std::optional<ChosenGrid> choose_grid(const GridRequest& request, const GridReference& reference,
+                                      const CancelToken& cancel = {});
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace hariko {
 
@@ -30,18 +31,61 @@ double cone_profile(double r, double z, double radius, double low, double high) 
   return std::min(to_segment(0, low, radius, low), to_segment(radius, low, 0, high));
 }
 
-double triangle_square_distance(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
-  const auto segment = [&](const Vector3& x, const Vector3& y) {
+/// From the nearest point of a triangle with the unit normal n to p.
+Vector3 from_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c,
+                      const Vector3& n) {
+  const auto segment = [&](const Vector3& x, const Vector3& y) -> Vector3 {
     const Vector3 e = y - x;
-    return (x + std::clamp((p - x).dot(e) / e.squaredNorm(), 0.0, 1.0) * e - p).squaredNorm();
+    return p - x - std::clamp((p - x).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
   };
-  const Vector3 n = (b - a).cross(c - a);
   if (n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
-      n.dot((a - c).cross(p - c)) >= 0) {
-    const double h = n.dot(p - a);
-    return h * h / n.squaredNorm();
+      n.dot((a - c).cross(p - c)) >= 0)
+    return n.dot(p - a) * n;
+  Vector3 best = segment(a, b);
+  for (const Vector3& other : {segment(b, c), segment(c, a)})
+    if (other.squaredNorm() < best.squaredNorm()) best = other;
+  return best;
+}
+
+struct HullPlace {
+  double plane;  ///< largest height above the triangles' planes, positive outside
+  Vector3 from;  ///< outside: from the nearest point of the hull
+};
+HullPlace place_at_hull(const Vector3& p, std::span<const Vector3> points,
+                        std::span<const std::array<Index, 3>> triangles, std::span<const Vector3> normals) {
+  HullPlace out{-1e300, Vector3::Zero()};
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    out.plane = std::max(out.plane, normals[i].dot(p - points[triangles[i][0]]));
+  if (out.plane <= 0) return out;
+  double square = 1e300;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
+    const double height = normals[i].dot(p - points[t[0]]);
+    if (height <= 0 || height * height >= square) continue;
+    const Vector3 from = from_triangle(p, points[t[0]], points[t[1]], points[t[2]], normals[i]);
+    if (const double s = from.squaredNorm(); s < square) square = s, out.from = from;
   }
-  return std::min({segment(a, b), segment(b, c), segment(c, a)});
+  return out;
+}
+
+/// What central differences make of a maximum of functions: for each coordinate the mean of the largest and
+/// the smallest derivative among those that reach it.
+class SteepestOf {
+ public:
+  void add(const Vector3& gradient) {
+    low_ = low_.cwiseMin(gradient);
+    high_ = high_.cwiseMax(gradient);
+  }
+  Vector3 gradient() const { return (0.5 * (low_ + high_)).stableNormalized(); }
+
+ private:
+  Vector3 low_ = Vector3::Constant(1e300), high_ = Vector3::Constant(-1e300);
+};
+
+constexpr double tied = 1e-6;  ///< of the solid's reach: faces are equally near
+
+double sign_of(double x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
 
 std::vector<Vector3> ring(std::uint32_t count, double radius, double z) {
@@ -201,30 +245,77 @@ double SolidDistance::local(const Vector3& p) const {
     case Shape::hull:
       break;
   }
-  double plane = -1e300;
-  for (std::size_t i = 0; i < hull_->triangles.size(); ++i)
-    plane = std::max(plane, hull_->normals[i].dot(p - hull_->points[hull_->triangles[i][0]]));
-  if (plane <= 0) return plane;
-  double square = 1e300;
-  for (std::size_t i = 0; i < hull_->triangles.size(); ++i) {
-    const auto& t = hull_->triangles[i];
-    if (hull_->normals[i].dot(p - hull_->points[t[0]]) <= 0) continue;
-    square = std::min(
-        square, triangle_square_distance(p, hull_->points[t[0]], hull_->points[t[1]], hull_->points[t[2]]));
-  }
-  return std::sqrt(square);
+  const HullPlace at = place_at_hull(p, hull_->points, hull_->triangles, hull_->normals);
+  return at.plane <= 0 ? at.plane : at.from.norm();
 }
 
 Vector3 SolidDistance::gradient(const Vector3& point) const {
-  const double step = 1e-6 * std::max(reach_, 1e-12);
-  Vector3 out;
-  for (int i = 0; i < 3; ++i) {
-    Vector3 a = point, b = point;
-    a[i] -= step;
-    b[i] += step;
-    out[i] = (*this)(b) - (*this)(a);
+  const Vector3 p = rotation_.transpose() * (point - centre_);
+  const double near = tied * reach_, r = std::hypot(p.x(), p.y());
+  const Vector3 radial = r > 0 ? Vector3(p.x() / r, p.y() / r, 0) : Vector3::Zero();
+  /// In a plane through the axis: `x` along the radius, `z` along the axis.
+  const auto profile = [&](double x, double z) -> Vector3 {
+    return (x * radial + z * Vector3::UnitZ()).stableNormalized();
+  };
+  SteepestOf steepest;
+  Vector3 out = Vector3::Zero();
+  switch (shape_) {
+    case Shape::box: {
+      const Vector3 d = p.cwiseAbs() - half_;
+      out = d.cwiseMax(0);
+      if (out.isZero(0))
+        for (int i = 0; i < 3; ++i) out[i] = d[i] >= d.maxCoeff() - near ? 1 : 0;
+      for (int i = 0; i < 3; ++i) out[i] *= sign_of(p[i]);
+      break;
+    }
+    case Shape::ball:
+      out = p;
+      break;
+    case Shape::cylinder: {
+      const double x = r - half_.x(), z = std::abs(p.z()) - half_.z(), s = sign_of(p.z());
+      if (x > 0 && z > 0)
+        out = profile(x, s * z);
+      else
+        out = profile(x >= z - near ? 1 : 0, z >= x - near ? s : 0);
+      break;
+    }
+    case Shape::cone: {
+      const double low = -0.5 * half_.z(), high = 1.5 * half_.z(), height = high - low;
+      const double slant = std::hypot(half_.x(), height);
+      const double side = (r * height + (p.z() - high) * half_.x()) / slant, base = low - p.z();
+      if (side <= 0 && base <= 0) {
+        if (side >= base - near) steepest.add(profile(height, half_.x()));
+        if (base >= side - near) steepest.add(-Vector3::UnitZ());
+        out = steepest.gradient();
+        break;
+      }
+      const auto from_segment = [&](double ax, double az, double bx, double bz) {
+        const double ex = bx - ax, ez = bz - az;
+        const double t = std::clamp(((r - ax) * ex + (p.z() - az) * ez) / (ex * ex + ez * ez), 0.0, 1.0);
+        return Vector3((r - ax - t * ex) * radial + (p.z() - az - t * ez) * Vector3::UnitZ());
+      };
+      const Vector3 a = from_segment(0, low, half_.x(), low), b = from_segment(half_.x(), low, 0, high);
+      out = a.squaredNorm() <= b.squaredNorm() ? a : b;
+      break;
+    }
+    case Shape::capsule:
+      out = p - std::clamp(p.z(), -half_.z(), half_.z()) * Vector3::UnitZ();
+      break;
+    case Shape::torus:
+      out = profile(r - half_.x(), p.z());
+      break;
+    case Shape::hull: {
+      const HullPlace at = place_at_hull(p, hull_->points, hull_->triangles, hull_->normals);
+      out = at.from;
+      if (at.plane > 0 && out.norm() > near) break;
+      for (std::size_t i = 0; i < hull_->normals.size(); ++i)
+        if (hull_->normals[i].dot(p - hull_->points[hull_->triangles[i][0]]) >= at.plane - near)
+          steepest.add(hull_->normals[i]);
+      out = steepest.gradient();
+      break;
+    }
   }
-  return out.stableNormalized();
+  return rotation_ * out.stableNormalized();
 }
 
 double SolidDistance::support(const Vector3& direction) const {

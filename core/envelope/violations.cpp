@@ -151,31 +151,35 @@ class ViolationFinder {
     Index patch = 0;
     std::uint32_t sample = 0;
   };
-  using Nearest = std::array<Near, 4>;
+  /// Ascending by distance.
+  template <std::size_t N>
+  using Nearest = std::array<Near, N>;
 
-  void scan(Index patch, const Samples::Block& block, const Vector3& z, Nearest& near) const {
+  template <std::size_t N>
+  void scan(Index patch, const Samples::Block& block, const Vector3& z, Nearest<N>& near) const {
     for (std::uint32_t k = block.begin; k < block.end; ++k) {
       const double square = (samples_.position(patch, k) - z).squaredNorm();
-      if (square >= near[3].square) continue;
-      std::size_t at = 3;
+      if (square >= near[N - 1].square) continue;
+      std::size_t at = N - 1;
       while (at > 0 && near[at - 1].square > square) near[at] = near[at - 1], --at;
       near[at] = {square, patch, k};
     }
   }
 
   /// The block with the nearest centre first: it rules out nearly all others.
-  void take_near(Index patch, const Vector3& z, Nearest& near) {
+  template <std::size_t N>
+  void take_near(Index patch, const Vector3& z, Nearest<N>& near) {
     const auto blocks = samples_.blocks(patch);
     squares_.clear();
     for (const Samples::Block& block : blocks) squares_.push_back((z - block.ball.centre).squaredNorm());
     const auto first = std::size_t(std::min_element(squares_.begin(), squares_.end()) - squares_.begin());
     scan(patch, blocks[first], z, near);
-    double reach = std::sqrt(near[3].square);
+    double reach = std::sqrt(near[N - 1].square);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const double far = blocks[i].ball.radius + reach;
       if (i == first || squares_[i] >= far * far) continue;
       scan(patch, blocks[i], z, near);
-      reach = std::sqrt(near[3].square);
+      reach = std::sqrt(near[N - 1].square);
     }
   }
 
@@ -183,24 +187,33 @@ class ViolationFinder {
     return (z - samples_.position(near.patch, near.sample)).dot(samples_.normal(near.patch, near.sample));
   }
 
+  /// The N nearest samples; `bounds_` are of all patches. The nearest patch first: it rules out nearly all
+  /// others.
+  template <std::size_t N>
+  Nearest<N> nearest(const Vector3& z) {
+    Nearest<N> near;
+    const auto first = std::size_t(std::min_element(bounds_.begin(), bounds_.end()) - bounds_.begin());
+    take_near(bounds_[first].second, z, near);
+    open_.clear();
+    for (std::size_t p = 0; p < bounds_.size(); ++p)
+      if (p != first && bounds_[p].first * bounds_[p].first < near[N - 1].square) open_.push_back(bounds_[p]);
+    std::sort(open_.begin(), open_.end());
+    for (const auto& [bound, patch] : open_) {
+      if (bound * bound >= near[N - 1].square) break;
+      take_near(patch, z, near);
+    }
+    return near;
+  }
+
   void test_point(Index solid, const Vector3& z) {
-    // The nearest patch first: it rules out nearly all others.
     bounds_.clear();
     for (Index p = 0; p < samples_.patch_count(); ++p) {
       const Ball& ball = samples_.ball(p);
       bounds_.emplace_back(std::max(0.0, (z - ball.centre).norm() - ball.radius), p);
     }
-    Nearest near;
-    const auto first = std::min_element(bounds_.begin(), bounds_.end());
-    take_near(first->second, z, near);
-    std::swap(*first, bounds_.back());
-    bounds_.pop_back();
-    std::erase_if(bounds_, [&](const auto& bound) { return bound.first * bound.first >= near[3].square; });
-    std::sort(bounds_.begin(), bounds_.end());
-    for (const auto& [bound, patch] : bounds_) {
-      if (bound * bound >= near[3].square) break;
-      take_near(patch, z, near);
-    }
+    // Most points lie below the tangent plane of the nearest sample, which is enough.
+    if (height(nearest<1>(z)[0], z) <= 0) return;
+    const Nearest<4> near = nearest<4>(z);
     double least = 1e300;
     for (const Near& n : near) {
       least = std::min(least, height(n, z));
@@ -225,7 +238,7 @@ class ViolationFinder {
   ListedViolations which_;
   Samples samples_;
   Violations out_;
-  std::vector<std::pair<double, Index>> bounds_;
+  std::vector<std::pair<double, Index>> bounds_, open_;
   std::vector<double> squares_;
 };
 
