@@ -26,8 +26,10 @@ bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
   switch (next.kind) {
     case Kind::move:
     case Kind::leave:
-    case Kind::button:
       return only_moves;
+    case Kind::button:
+      // A slider lets go in the frame that sees the button up: what it was dragged to must have come before.
+      return next.down ? only_moves : batch.empty();
     case Kind::wheel:
       return std::all_of(batch.begin(), batch.end(),
                          [](const InputEvent& event) { return is_move(event) || event.kind == Kind::wheel; });

@@ -28,8 +28,8 @@ struct InputEvent {
 
 /// A frame sees the state of the pointer and the keys at one moment only. So that nothing is lost or
 /// reordered when frames are slow, each frame gets a batch that one state can describe: moves up to the first
-/// button, one change of a button, keys of which none goes up again. What a gesture does then does not depend
-/// on the frame rate.
+/// button, one press of a button, the end of a press alone, keys of which none goes up again. What a gesture
+/// does then does not depend on the frame rate.
 class InputQueue {
  public:
   void push(InputEvent event) { waiting_.push_back(std::move(event)); }

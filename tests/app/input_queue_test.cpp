@@ -32,6 +32,18 @@ TEST(InputQueue, AClickIsTwoFramesAtItsPlace) {
   EXPECT_TRUE(queue.take().empty());
 }
 
+TEST(InputQueue, ADragEndsWhereItWasLetGo) {
+  InputQueue queue;
+  queue.push(move(1, 1));
+  queue.push(button(0, true));
+  queue.push(move(5, 6));
+  queue.push(move(9, 9));
+  queue.push(button(0, false));
+  EXPECT_EQ(queue.take(), (std::vector{move(1, 1), button(0, true)}));
+  EXPECT_EQ(queue.take(), (std::vector{move(9, 9)}));
+  EXPECT_EQ(queue.take(), (std::vector{button(0, false)}));
+}
+
 TEST(InputQueue, KeysWaitForAFieldThatOpensAndKeepTheirPlace) {
   InputQueue queue;
   queue.push(move(1, 1));

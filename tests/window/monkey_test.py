@@ -36,8 +36,12 @@ def act(window, rng, size):
     elif kind < 0.75:
         window.type(rng.choice(TEXTS))
     elif kind < 0.8:
-        name = rng.choice(sorted(window.last("layout")["rects"]))
-        window.click_on(name)
+        # Where something was, whatever is there now; a row that is scrolled away is nowhere.
+        rects = window.last("layout")["rects"]
+        left, top, width, height = rects[rng.choice(sorted(rects))]
+        at = left + width // 2, top + height // 2
+        if 0 <= at[0] < size[0] and 0 <= at[1] < size[1]:
+            window.click(*at)
     else:
         window.key(rng.choice(KEYS))
 
