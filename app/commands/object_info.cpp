@@ -9,6 +9,7 @@
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/document/format_names.hpp"
+#include "core/envelope/scene_symmetry.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/modeling/attached.hpp"
@@ -65,9 +66,12 @@ std::optional<SurfaceComparison> compare(const Surface& surface, const Object& o
   return compare_surfaces(surface, built->surface);
 }
 
-EnvelopeInfo envelope_info(const EnvelopeSurface& made, std::size_t solids) {
+EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& input) {
   EnvelopeInfo out;
-  out.solids = solids;
+  out.solids = input.solids.size();
+  out.symmetry = detail::name_of(input.settings.symmetry, detail::symmetry_names);
+  out.images = images_of(input).size();
+  out.symmetric = made.symmetric;
   out.method = made.network ? "network" : "field";
   out.level = made.level;
   out.enclosed = made.enclosed;
@@ -85,7 +89,7 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, std::size_t solids) {
 Result<PolyhedronSurface> inspect_solids(const SolidsSource& source, ObjectInfo& info) {
   auto made = EnvelopeSurfacer().rebuild(*source.input);
   if (!made) return made.error();
-  info.envelope = envelope_info(*made, source.input->solids.size());
+  info.envelope = envelope_info(*made, *source.input);
   if (made->network) {
     info.vertices = made->network->cage.vertices.size();
     info.edges = made->network->curves.size();

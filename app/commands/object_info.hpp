@@ -18,10 +18,13 @@ namespace hariko {
 /// Of solids: how the surface round them was made.
 struct EnvelopeInfo {
   std::size_t solids = 0;
-  std::string method;     ///< "network" or "field"
-  int level = 0;          ///< of tightness: 0 as asked for, 9 the filled hull
-  bool enclosed = false;  ///< by the search
-  double worst = 0;       ///< farthest test point outside, by the independent check, over the diagonal
+  std::string symmetry;    ///< "none", or the axis across the plane
+  std::size_t images = 0;  ///< of solids, in that plane
+  bool symmetric = false;  ///< the surface is its own image
+  std::string method;      ///< "network" or "field"
+  int level = 0;           ///< of tightness: 0 as asked for, 9 the filled hull
+  bool enclosed = false;   ///< by the search
+  double worst = 0;        ///< farthest test point outside, by the independent check, over the diagonal
   std::size_t tested = 0, outside = 0;
   std::size_t folds = 0;
   int builds = 0;

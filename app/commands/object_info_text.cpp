@@ -48,9 +48,15 @@ Json to_json(const OutlineInfo& outline) {
 }
 
 Json to_json(const EnvelopeInfo& envelope) {
-  return {{"solids", envelope.solids},     {"method", envelope.method}, {"level", envelope.level},
-          {"enclosed", envelope.enclosed}, {"worst", envelope.worst},   {"tested", envelope.tested},
-          {"outside", envelope.outside},   {"folds", envelope.folds},   {"builds", envelope.builds}};
+  Json out = {{"solids", envelope.solids},     {"method", envelope.method}, {"level", envelope.level},
+              {"enclosed", envelope.enclosed}, {"worst", envelope.worst},   {"tested", envelope.tested},
+              {"outside", envelope.outside},   {"folds", envelope.folds},   {"builds", envelope.builds},
+              {"symmetry", envelope.symmetry}};
+  if (envelope.symmetry != "none") {
+    out["images"] = envelope.images;
+    out["symmetric"] = envelope.symmetric;
+  }
+  return out;
 }
 
 Json to_json(const SkinInfo& skin) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/envelope/envelope.hpp"
+#include "core/envelope/scene_symmetry.hpp"
 
 namespace hariko {
 
@@ -20,18 +21,18 @@ Json to_json(const Homogeneous& h, const Vector3& origin) {
       {h.x() + h.w() * origin.x(), h.y() + h.w() * origin.y(), h.z() + h.w() * origin.z(), h.w()});
 }
 
-/// The number of a placed solid, as the file has it: capsules make two of one.
-Json owner(Index solid, const std::vector<PlacedSolid>& solids) {
-  return solid == no_index ? Json(nullptr) : Json(solids[solid].owner);
+/// The number of a placed solid, as the file has it: capsules make two of one, and images none.
+Json owner(Index solid, const EnvelopedScene& scene) {
+  return solid == no_index ? Json(nullptr) : Json(scene.image_of[scene.placed[solid].owner]);
 }
 
-void add_network(const CurveNetwork& network, const EnvelopeSurface& made,
-                 const std::vector<PlacedSolid>& solids, Json& out) {
+void add_network(const CurveNetwork& network, const EnvelopeSurface& made, const EnvelopedScene& scene,
+                 Json& out) {
   Json vertices = Json::array(), edges = Json::array(), faces = Json::array();
   for (const CageVertex& v : network.cage.vertices)
     vertices.push_back({{"position", to_json(Vector3(v.position + made.origin))},
                         {"normal", to_json(v.normal)},
-                        {"owner", owner(v.solid, solids)}});
+                        {"owner", owner(v.solid, scene)}});
   for (const NetworkCurve& curve : network.curves) {
     Json control = Json::array();
     for (const Homogeneous& h : curve.ribbon.curve) control.push_back(to_json(h, made.origin));
@@ -39,7 +40,7 @@ void add_network(const CurveNetwork& network, const EnvelopeSurface& made,
         {{"ends", {curve.low, curve.high}}, {"primitive", curve.primitive}, {"control", control}});
   }
   for (const CageFace& face : network.cage.faces)
-    faces.push_back({{"loop", face.loop}, {"owner", owner(face.solid, solids)}});
+    faces.push_back({{"loop", face.loop}, {"owner", owner(face.solid, scene)}});
   out["vertices"] = vertices;
   out["edges"] = edges;
   out["faces"] = faces;
@@ -53,10 +54,11 @@ Result<std::string> solids_json(const SolidsSource& source) {
   if (!made.ok()) return made.error();
   Json out = Json::object();
   if (made->network)
-    add_network(*made->network, *made, place_solids(*source.input), out);
+    add_network(*made->network, *made, enveloped_scene(*source.input), out);
   else
     out["patches"] = made->surface.patch_count();
   out["method"] = made->network ? "network" : "field";
+  if (source.input->settings.symmetry != SymmetryPlane::none) out["symmetric"] = made->symmetric;
   out["level"] = made->level;
   out["enclosed"] = made->enclosed;
   out["worst_violation"] = made->check ? made->check->worst / made->diagonal : made->worst / made->diagonal;

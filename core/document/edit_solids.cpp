@@ -89,6 +89,16 @@ Result<Document> remove_solids(const Document& document, ObjectId object,
   });
 }
 
+Result<Document> change_waist(const Document& document, ObjectId object, const SolidPair& solids,
+                              double factor) {
+  return change_envelope(document, object, [&](EnvelopeInput& input) {
+    if (factor == 1)
+      input.settings.waists.erase(solids);
+    else
+      input.settings.waists.set(solids, factor);
+  });
+}
+
 const Solid* find_solid(const Object& object, std::uint32_t id) {
   if (!object.solids()) return nullptr;
   const auto& solids = object.solids()->input->solids;

@@ -38,6 +38,10 @@ Result<Document> array_solids(const Document& document, ObjectId object, std::sp
 /// E_LAST_SOLID when none would be left.
 Result<Document> remove_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids);
 
+/// Sets the factor on the waist of the bridge between two solids; 1 forgets it. Errors as above.
+Result<Document> change_waist(const Document& document, ObjectId object, const SolidPair& solids,
+                              double factor);
+
 /// The solid with this id, or null.
 const Solid* find_solid(const Object& object, std::uint32_t id);
 

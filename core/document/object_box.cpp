@@ -24,9 +24,16 @@ void visit_points(const Object& object, Visit&& visit) {
     for (const BezierPatch& patch : *bezier->patches)
       for (const Vector3& point : patch.points) visit(bezier->origin + point);
   } else if (const SolidsSource* solids = object.solids()) {
+    const SymmetryPlane plane = solids->input->settings.symmetry;
     for (const Solid& solid : solids->input->solids) {
       const Eigen::AlignedBox3d box = box_of(solid);
-      for (int i = 0; i < 8; ++i) visit(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+      for (int i = 0; i < 8; ++i) {
+        Vector3 corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+        visit(corner);
+        if (plane == SymmetryPlane::none) continue;
+        corner[static_cast<Eigen::Index>(plane) - 1] *= -1;
+        visit(corner);
+      }
     }
   } else if (const SkinSource* skin = object.skin()) {
     for (const SkinSection& section : skin->skin->sections)

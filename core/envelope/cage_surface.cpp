@@ -205,6 +205,7 @@ class Pusher {
       for (const Index w : neighbours_[v]) mean += before[w] / double(neighbours_[v].size());
       if (before[v].norm() < 0.5 * mean.norm()) move[v] = 0.5 * mean;
     }
+    if (request_.mirror) even_moves(*request_.mirror, move);
     std::vector<Index> vertices;
     std::vector<Vector3> positions;
     for (Index v = 0; v < move.size(); ++v) {
@@ -214,6 +215,17 @@ class Pusher {
     }
     auto next = input_.polyhedron.with_positions(vertices, positions);
     if (next) input_.polyhedron = std::move(next).value();
+  }
+
+  /// Of a vertex and its image the longer way is gone by both.
+  static void even_moves(const CageMirror& mirror, std::vector<Vector3>& move) {
+    for (Index v = 0; v < move.size(); ++v) {
+      const Index w = mirror.image[v];
+      if (w == v) move[v] = mirror.evened(move[v], move[v]);
+      if (w <= v) continue;
+      if (move[v].squaredNorm() < move[w].squaredNorm()) move[v] = mirror.reflected(move[w]);
+      move[w] = mirror.reflected(move[v]);
+    }
   }
 
   std::size_t folds() const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "core/envelope/cage_mirror.hpp"
 #include "core/envelope/enclosure_check.hpp"
 #include "core/envelope/solid_distance.hpp"
 #include "core/patching/polyhedron_surface.hpp"
@@ -19,6 +20,7 @@ struct CageSurfaceRequest {
   double diagonal = 1;
   std::span<const SolidDistance> distances;  ///< of the solids, relative to `origin`
   std::span<const PlacedSolid> placed;       ///< their test points
+  std::optional<CageMirror> mirror = {};     ///< the cage is its own image in it, and stays so
   double tolerance = 1e-4;                   ///< of the diagonal
   int rounds = 14;                           ///< of pushing by the loop's own test
   bool strict = true;                        ///< then by the independent check

@@ -89,9 +89,10 @@ class NetworkBuilder {
 
   double fullness(const NetworkCurve& curve) const {
     if (!settings_.fullness || settings_.fullness->empty()) return 1;
-    return settings_.fullness->get_or(NetworkEdgeKey::of(key_of(vertex(curve.low), settings_.solids),
-                                                         key_of(vertex(curve.high), settings_.solids)),
-                                      1.0);
+    return settings_.fullness->get_or(
+        NetworkEdgeKey::of(settings_key(key_of(vertex(curve.low), settings_.solids)),
+                           settings_key(key_of(vertex(curve.high), settings_.solids))),
+        1.0);
   }
 
   void make_curves() {
@@ -118,10 +119,38 @@ class NetworkBuilder {
       } else {
         make_inserted(curve);
       }
+    }
+    if (out_.cage.mirror) even_curves(*out_.cage.mirror);
+    for (NetworkCurve& curve : out_.curves) {
       const HomogeneousCubic& c = curve.ribbon.curve;
       const Vector3 p0 = cartesian(c[0]), p1 = cartesian(c[1]), p2 = cartesian(c[2]), p3 = cartesian(c[3]);
       curve.ribbon.across = {vertex(curve.low).normal.cross(p1 - p0).stableNormalized(),
                              vertex(curve.high).normal.cross(p3 - p2).stableNormalized()};
+    }
+  }
+
+  /// Control points of curves that are images of each other become so to the last bit.
+  void even_curves(const CageMirror& mirror) {
+    const auto evened = [&](const Homogeneous& own, Homogeneous other) -> Homogeneous {
+      other[mirror.axis] = -other[mirror.axis];
+      return 0.5 * (own + other);
+    };
+    for (Index k = 0; k < out_.curves.size(); ++k) {
+      const Index low = mirror.image[out_.curves[k].low], high = mirror.image[out_.curves[k].high];
+      const Index other = out_.find(low, high);
+      if (other < k) continue;
+      const HomogeneousCubic own = out_.curves[k].ribbon.curve, theirs = out_.curves[other].ribbon.curve;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = low < high ? i : 3 - i;
+        const Homogeneous point = evened(own[i], theirs[j]);
+        out_.curves[k].ribbon.curve[i] = point;
+        if (other == k) continue;
+        Homogeneous image = point;
+        image[mirror.axis] = -image[mirror.axis];
+        out_.curves[other].ribbon.curve[j] = image;
+      }
+      out_.curves[k].matched = out_.curves[other].matched =
+          out_.curves[k].matched && out_.curves[other].matched;
     }
   }
 

@@ -61,7 +61,10 @@ class Search {
         add_outside(network, *check, found);
       }
       const bool better = found.worst < best.worst;
-      if (found.worst > tolerance) repair(network, found, build);
+      if (found.worst > tolerance) {
+        repair(network, found, build);
+        if (settings_.symmetry) even_state();
+      }
       if (better) {
         best.worst = found.worst;
         best.enclosed = found.worst <= tolerance;
@@ -107,6 +110,7 @@ class Search {
     input.pinned = &state_.pinned;
     input.kept = &state_.kept;
     input.offsets = settings_.offsets;
+    input.symmetry = settings_.symmetry;
     NetworkCage cage = hull_cage(input);
     if (grown_ && !cage.faces.empty()) cage = sunk(std::move(cage));
     cuts_ = state_.cuts;
@@ -132,7 +136,29 @@ class Search {
     input.settings = settings_.valleys->settings;
     input.pushes = &state_.pushes;
     input.stars = &state_.stars;
-    return valley_cage(std::move(hull), input);
+    NetworkCage cage = valley_cage(std::move(hull), input);
+    if (!settings_.symmetry || cage.faces.empty()) return cage;
+    make_symmetric(cage, *settings_.symmetry, solids_, diagonal_);
+    return cage.mirror ? cage : NetworkCage{};
+  }
+
+  /// What was changed for a solid is changed for its image.
+  void even_state() {
+    const SceneSymmetry& symmetry = *settings_.symmetry;
+    for (Index s = 0; s < solids_.size(); ++s) {
+      double& own = state_.sigma[s];
+      double& other = state_.sigma[symmetry.solid[s]];
+      own = other = std::max(own, other);
+    }
+    const std::map<std::pair<Index, Index>, double> cuts = state_.cuts;
+    for (const auto& [pair, factor] : cuts) {
+      const auto image = std::minmax(symmetry.solid[pair.first], symmetry.solid[pair.second]);
+      double& other = state_.cuts.try_emplace(image, 1.0).first->second;
+      other = std::min(other, factor);
+    }
+    for (std::set<SolidVertex>* corners : {&state_.pinned, &state_.stars})
+      for (const SolidVertex& corner : std::vector<SolidVertex>(corners->begin(), corners->end()))
+        corners->insert(symmetry.image(corner));
   }
 
   std::vector<Index> owners(const CurveNetwork& network, Index face) const {

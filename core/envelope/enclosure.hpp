@@ -42,6 +42,8 @@ struct EnclosureSettings {
   const FlatMap<NetworkEdgeKey, double>* fullness = nullptr;
   const FlatMap<NetworkVertexKey, Vector3>* offsets = nullptr;
   std::optional<ValleyRequest> valleys;  ///< none: the filled hull
+  /// Of the solids: the network is its own image then, and where valleys cannot be, there is none.
+  const SceneSymmetry* symmetry = nullptr;
 };
 
 struct EnclosedNetwork {

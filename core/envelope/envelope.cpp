@@ -4,6 +4,7 @@
 
 #include "core/envelope/convex_hull.hpp"
 #include "core/envelope/field_envelope.hpp"
+#include "core/envelope/network_bridges.hpp"
 #include "core/envelope/valley_tips.hpp"
 
 namespace hariko {
@@ -97,20 +98,6 @@ void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warning
                                       "Make it of several convex solids."));
 }
 
-/// Solids in their places relative to the origin that is chosen for them.
-std::vector<PlacedSolid> placed_about(const EnvelopeInput& input, Vector3& origin) {
-  std::vector<PlacedSolid> solids = place_solids(input);
-  std::vector<Vector3> corners;
-  for (const PlacedSolid& solid : solids)
-    for (const Vector3& u : solid.unit_vertices) corners.push_back(solid.world(u));
-  origin = origin_for(corners);
-  for (PlacedSolid& solid : solids) {
-    solid.centre -= origin;
-    for (Vector3& p : solid.test_points) p -= origin;
-  }
-  return solids;
-}
-
 void take_cage(CageSurface cage, EnvelopeSurface& out) {
   out.surface = std::move(cage.made.surface);
   out.cage = std::make_shared<const Polyhedron>(std::move(cage.cage));
@@ -137,6 +124,7 @@ Result<Done> make_fair(const EnvelopeInput& input, std::span<const PlacedSolid> 
   request.diagonal = out.diagonal;
   request.distances = distances;
   request.placed = solids;
+  request.mirror = out.network->cage.mirror;
   request.strict = quality == Quality::final;
   if (quality == Quality::drag) request.rounds = drag_builds;
   auto made = cage_surface(request, cancel);
@@ -148,15 +136,20 @@ Result<Done> make_fair(const EnvelopeInput& input, std::span<const PlacedSolid> 
 }  // namespace
 
 struct EnvelopeSurfacer::Job {
-  const EnvelopeInput& input;
+  const EnvelopeInput& input;  ///< with the images of solids
   Quality quality;
   const CancelToken& cancel;
+  const SceneSymmetry* symmetry = nullptr;
   EnvelopeSurface out = {};
   std::vector<PlacedSolid> solids = {};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> names = {};
   std::map<std::pair<Index, Index>, double> waists = {};
 
-  EnclosureSettings search() const { return search_settings(input, waists, quality); }
+  EnclosureSettings search() const {
+    EnclosureSettings settings = search_settings(input, waists, quality);
+    settings.symmetry = symmetry;
+    return settings;
+  }
   Message cancelled() const { return make_error(e_cancelled, "The surface was cancelled."); }
 };
 
@@ -168,6 +161,7 @@ Result<bool> EnvelopeSurfacer::make_field(Job& job) {
   if (!made && insists) return made.error();
   if (!made || (made->surface.folds > 0 && !insists)) return false;
   job.out.network = nullptr;
+  job.out.symmetric = job.symmetry != nullptr;  // a field's cage is its own image, or there is none
   job.out.level = made->level;
   job.out.components = made->components;
   job.out.tunnels = made->tunnels;
@@ -209,16 +203,18 @@ Result<bool> EnvelopeSurfacer::make_valleys(Job& job) {
 Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Quality quality,
                                                   const CancelToken& cancel) {
   if (const auto checked = check_envelope(input); !checked) return checked.error();
-  Job job{input, quality, cancel};
-  job.solids = placed_about(input, job.out.origin);
+  EnvelopedScene scene = enveloped_scene(input);
+  Job job{scene.input, quality, cancel, scene.symmetry ? &*scene.symmetry : nullptr};
+  job.solids = std::move(scene.placed);
+  job.out.origin = scene.origin;
   job.out.diagonal = scene_diagonal(job.solids);
   for (const PlacedSolid& solid : job.solids) job.names.emplace_back(solid.id, solid.part);
-  job.waists = waists_of(input, job.solids);
+  job.waists = waists_of(job.input, job.solids);
   // While dragging the kind of surface stays.
   const bool stays = quality == Quality::drag && job.names == last_solids_ && input.settings.tightness > 0 &&
                      input.settings.method == EnvelopeMethod::automatic &&
                      (last_route_ != EnvelopeRoute::hull || last_level_ == hull_level);
-  const EnvelopeRoute first = stays ? last_route_ : envelope_route(input, job.solids, job.out.origin);
+  const EnvelopeRoute first = stays ? last_route_ : envelope_route(job.input, job.solids, job.out.origin);
   bool made = false;
   if (first == EnvelopeRoute::valleys) {
     const auto taken = make_valleys(job);
@@ -251,6 +247,10 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
   }
   last_solids_ = std::move(job.names);
   add_warnings(job.out);
+  if (job.symmetry && !job.out.symmetric)
+    job.out.warnings.push_back(make_warning(w_not_symmetric,
+                                            "The surface is not symmetric: its faces differ on both sides.",
+                                            "Change the thinning, or move a solid a little."));
   return std::move(job.out);
 }
 
@@ -277,6 +277,8 @@ Result<Done> EnvelopeSurfacer::take_network(Job& job, EnclosedNetwork found) {
     out.check = std::move(found.check);
   }
   out.network = std::make_shared<const CurveNetwork>(std::move(found.network));
+  out.symmetric = out.network->cage.mirror.has_value();
+  out.bridges = bridges_of(*out.network, job.solids, job.input.settings.waists);
   if (job.input.settings.patches == EnvelopePatches::fair)
     return make_fair(job.input, job.solids, job.quality, job.cancel, out);
   out.surface = network_surface(*out.network, out.origin);

@@ -8,6 +8,7 @@
 #include "core/base/result.hpp"
 #include "core/envelope/enclosure.hpp"
 #include "core/envelope/enclosure_check.hpp"
+#include "core/envelope/envelope_bridge.hpp"
 #include "core/envelope/envelope_route.hpp"
 #include "core/envelope/valley_envelope.hpp"
 #include "core/patching/polyhedron_surface.hpp"
@@ -20,6 +21,7 @@ inline constexpr Code w_not_enclosed{"W_NOT_ENCLOSED"};
 inline constexpr Code w_envelope_fold{"W_ENVELOPE_FOLD"};
 inline constexpr Code w_tightness_reduced{"W_TIGHTNESS_REDUCED"};
 inline constexpr Code w_solid_hull{"W_SOLID_HULL"};
+inline constexpr Code w_not_symmetric{"W_NOT_SYMMETRIC"};
 
 struct EnvelopeSurface {
   Surface surface;
@@ -36,6 +38,8 @@ struct EnvelopeSurface {
   int level = 0;          ///< of the route's ladder, 0: the tightness asked for; 9: the hull instead
   std::size_t folds = 0;  ///< patches with a fold
   int builds = 0;
+  bool symmetric = false;               ///< in the plane of the settings
+  std::vector<EnvelopeBridge> bridges;  ///< between solids of the network, relative to `origin`
   std::vector<Message> warnings;
 };
 
@@ -44,7 +48,7 @@ struct EnvelopeSurface {
 class EnvelopeSurfacer {
  public:
   /// Errors: those of `check_envelope`; E_ENVELOPE_FLAT. Warnings: W_NOT_ENCLOSED, W_ENVELOPE_FOLD,
-  /// W_TIGHTNESS_REDUCED, W_SOLID_HULL (a polyhedron with points inside of its hull).
+  /// W_TIGHTNESS_REDUCED, W_SOLID_HULL (a polyhedron with points inside of its hull), W_NOT_SYMMETRIC.
   Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
                                   const CancelToken& cancel = {});
 

@@ -30,11 +30,15 @@ Matrix3 frame_of(const FieldScene& scene, const FieldCluster& cluster) {
     }
     return sum;
   };
+  // A plane of symmetry has to be one of the grid.
+  const auto suits = [&](const Matrix3& axes) {
+    return !scene.symmetry || axes.row(*scene.symmetry).cwiseAbs().maxCoeff() > 1 - 1e-12;
+  };
   Matrix3 best = Matrix3::Identity();
   double most = score(best);
   for (const Index s : cluster.solids)
-    if (const double x = score(scene.distances[s].rotation()); x > 1.02 * most)
-      most = x, best = scene.distances[s].rotation();
+    if (const Matrix3& axes = scene.distances[s].rotation(); suits(axes))
+      if (const double x = score(axes); x > 1.02 * most) most = x, best = axes;
   return best;
 }
 

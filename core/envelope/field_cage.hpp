@@ -3,6 +3,7 @@
 // Cages contoured from a rounded union of distances: any number of solids, holes and separate parts
 // (docs/envelope.md, spec 16).
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct FieldScene {
   std::vector<std::vector<Vector3>> points;  ///< test points of each
   double diagonal = 1;
   std::vector<FieldCluster> clusters;
+  std::optional<Eigen::Index> symmetry = {};  ///< axis across the plane through zero that halves the scene
 };
 
 /// `placed`: as `place_solids` gives them, relative to `origin`. Gaps of at most 1.5 times the thinner solid

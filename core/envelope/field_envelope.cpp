@@ -17,6 +17,15 @@ constexpr Rung ladder[] = {{0.5, 0.7, 1, 400},   {1, 0.7, 1, 400}, {1, 0.2, 1, 4
 constexpr double accepted_score = 0.5;
 constexpr double slack_fillet = 2;  ///< of the cell: what a lower tightness adds to the fillets
 
+/// Vertices of a symmetric field are images of each other but for rounding and the ties that it breaks.
+constexpr double mirror_tolerance = 5e-3;  ///< of the diagonal
+
+std::vector<std::vector<Index>> cage_loops(const FieldCage& cage) {
+  std::vector<std::vector<Index>> out;
+  for (const auto& quad : cage.quads) out.emplace_back(quad.begin(), quad.end());
+  return out;
+}
+
 double score_of(const FieldEnvelope& one, double diagonal) {
   const double miss = one.surface.check ? one.surface.check->worst : one.surface.worst;
   return double(one.surface.folds) + 200 * std::max(0.0, miss / diagonal - 1e-3) +
@@ -43,6 +52,12 @@ Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const
     CageSurfaceRequest request;
     request.cage.positions = cage.positions;
     for (const auto& quad : cage.quads) request.cage.add_face(quad);
+    if (scene.symmetry) {
+      const std::vector<std::vector<Index>> loops(cage_loops(cage));
+      request.mirror = find_mirror(cage.positions, loops, *scene.symmetry, mirror_tolerance * scene.diagonal);
+      if (!request.mirror) continue;
+      even(*request.mirror, request.cage.positions);
+    }
     request.cell = cage.cell;
     request.origin = origin;
     request.diagonal = scene.diagonal;

@@ -127,6 +127,8 @@ FieldScene field_scene(const EnvelopeInput& input, std::span<const PlacedSolid> 
   for (const PlacedSolid& solid : placed)
     for (const Vector3& p : solid.test_points) scene.points[solid.owner].push_back(p);
   scene.diagonal = scene_diagonal(placed);
+  if (input.settings.symmetry != SymmetryPlane::none)
+    scene.symmetry = static_cast<Eigen::Index>(input.settings.symmetry) - 1;
   Clustering(scene).run();
   return scene;
 }

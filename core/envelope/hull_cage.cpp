@@ -62,7 +62,9 @@ class HullCageBuilder {
       merge_pairs();
       if (round == needle_rounds || !remove_needle(kept)) break;
     }
-    return compact();
+    NetworkCage out = compact();
+    if (input_.symmetry) make_symmetric(out, *input_.symmetry, input_.solids, input_.diagonal);
+    return out;
   }
 
  private:
@@ -94,7 +96,35 @@ class HullCageBuilder {
     all_.clear();
     for (const Index v : convex_hull(positions, hull_tolerance * input_.diagonal).vertices)
       all_.push_back(left[v]);
+    if (input_.symmetry) keep_pairs();
   }
+
+  /// Leaves the candidates that have an image, as the image of the first of each pair.
+  void keep_pairs() {
+    const SceneSymmetry& symmetry = *input_.symmetry;
+    const double near = 2 * duplicate_distance * input_.diagonal;
+    std::vector<Candidate> kept;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      const Vector3 wanted = symmetry.reflected(all_[i].position);
+      const auto found = std::find_if(all_.begin(), all_.end(), [&](const Candidate& other) {
+        return (other.position - wanted).norm() <= near;
+      });
+      const auto j = std::size_t(found - all_.begin());
+      if (found == all_.end() || j < i) continue;
+      Candidate first = all_[i], second = all_[i];
+      if (j == i) first.position[symmetry.axis] = 0;
+      second.position = symmetry.reflected(first.position);
+      std::tie(second.solid, second.vertex) = symmetry.image({first.solid, first.vertex});
+      const auto place = Index(kept.size());
+      kept.push_back(first);
+      image_.push_back(j == i ? place : place + 1);
+      if (j == i) continue;
+      kept.push_back(second);
+      image_.push_back(place);
+    }
+    all_ = std::move(kept);
+  }
+  Index image(Index i) const { return input_.symmetry ? image_[i] : i; }
 
   bool is(const std::set<SolidVertex>* set, Index i) const {
     return set && set->contains({all_[i].solid, all_[i].vertex});
@@ -102,9 +132,21 @@ class HullCageBuilder {
 
   const Vector3* offset(Index i) const {
     if (!input_.offsets || input_.offsets->empty()) return nullptr;
-    return input_.offsets->find(key_of(SolidVertex{all_[i].solid, all_[i].vertex}, input_.solids));
+    return input_.offsets->find(
+        settings_key(key_of(SolidVertex{all_[i].solid, all_[i].vertex}, input_.solids)));
   }
-  bool is_fixed(Index i) const { return is(input_.pinned, i) || offset(i); }
+  /// In the scene's axes; of a pair, whichever has one.
+  std::optional<Vector3> moved(Index i) const {
+    const auto own = [&](Index k) { return input_.solids[all_[k].solid].rotation * *offset(k); };
+    if (const Index first = std::min(i, image(i)); offset(first))
+      return first == i ? own(i) : input_.symmetry->reflected(own(first));
+    if (!input_.symmetry || !offset(std::max(i, image(i)))) return std::nullopt;
+    const Index second = std::max(i, image(i));
+    return second == i ? own(i) : input_.symmetry->reflected(own(second));
+  }
+  bool is_fixed(Index i) const {
+    return is(input_.pinned, i) || offset(i) || is(input_.pinned, image(i)) || offset(image(i));
+  }
 
   std::vector<Index> thinned() {
     Vector3 mean = Vector3::Zero();
@@ -123,12 +165,23 @@ class HullCageBuilder {
     std::vector<Index> kept;
     for (const Index i : order) {
       const double limit = input_.detail * input_.diagonal;
-      const bool far = std::all_of(kept.begin(), kept.end(), [&](Index k) {
-        return (all_[k].position - all_[i].position).norm() > limit;
-      });
+      if (image(i) < i) continue;
+      const auto apart = [&](Index k) { return (all_[k].position - all_[i].position).norm() > limit; };
+      const bool far =
+          std::all_of(kept.begin(), kept.end(), [&](Index k) { return apart(k) && apart(image(k)); });
       if (far || is_fixed(i)) kept.push_back(i);
     }
+    if (input_.symmetry) {
+      // Of a pair the first one decides.
+      std::vector<Index> pairs;
+      for (const Index i : kept) {
+        pairs.push_back(i);
+        pairs.push_back(image(i));
+      }
+      kept = std::move(pairs);
+    }
     std::sort(kept.begin(), kept.end());
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
     return kept;
   }
 
@@ -145,14 +198,18 @@ class HullCageBuilder {
       vertex.position = all_[k].position;
       vertex.unit = input_.growth[vertex.solid] * solid.unit_vertices[vertex.vertex];
       // The hull is that of the places without offsets, so that its faces stay while a vertex is moved.
-      if (const Vector3* moved = offset(k)) {
-        vertex.position += solid.rotation * *moved;
+      if (const auto step = moved(k)) {
+        vertex.position += *step;
         vertex.unit = solid.to_unit * (vertex.position - solid.centre);
       }
       vertex.radial = (vertex.position - solid.centre).stableNormalized();
       vertex.normal = (solid.to_unit.transpose() * vertex.unit).stableNormalized();
       cage_.vertices.push_back(vertex);
     }
+    corner_image_.clear();
+    if (input_.symmetry)
+      for (const Index k : kept)
+        corner_image_.push_back(Index(std::lower_bound(kept.begin(), kept.end(), image(k)) - kept.begin()));
     for (const auto& t : hull.triangles) cage_.faces.push_back({{t[0], t[1], t[2]}, no_index});
     return !cage_.faces.empty();
   }
@@ -262,6 +319,23 @@ class HullCageBuilder {
     return {area2 / longest, longest};
   }
 
+  /// Of a vertex of the cage.
+  Index corner_image(Index v) const { return input_.symmetry ? corner_image_[v] : v; }
+
+  bool can_merge(Index a, Index b) const {
+    const auto f = at_.find({a, b}), g = at_.find({b, a});
+    return f != at_.end() && g != at_.end() && valence_[a] >= 4 && valence_[b] >= 4 &&
+           cage_.faces[f->second].loop.size() == 3 && cage_.faces[g->second].loop.size() == 3;
+  }
+  bool merge_triangles(Index a, Index b) {
+    if (!can_merge(a, b)) return false;
+    const Index f = at_.at({a, b}), g = at_.at({b, a});
+    std::vector<Index> loop = merged(f, g, a, b);
+    if (loop.empty()) return false;
+    replace(f, g, a, b, std::move(loop));
+    return true;
+  }
+
   void merge_pairs() {
     struct Pair {
       double score;
@@ -293,11 +367,20 @@ class HullCageBuilder {
       return std::tuple(-x.score, x.a, x.b) < std::tuple(-y.score, y.a, y.b);
     });
     for (const Pair& pair : pairs) {
-      const auto f = at_.find({pair.a, pair.b}), g = at_.find({pair.b, pair.a});
-      if (f == at_.end() || g == at_.end() || valence_[pair.a] < 4 || valence_[pair.b] < 4) continue;
-      if (cage_.faces[f->second].loop.size() != 3 || cage_.faces[g->second].loop.size() != 3) continue;
-      std::vector<Index> loop = merged(f->second, g->second, pair.a, pair.b);
-      if (!loop.empty()) replace(f->second, g->second, pair.a, pair.b, std::move(loop));
+      const Index a = corner_image(pair.a), b = corner_image(pair.b);
+      const bool own = std::minmax(a, b) == std::minmax(pair.a, pair.b);
+      if (own) {
+        merge_triangles(pair.a, pair.b);
+        continue;
+      }
+      // Both of a pair, or none: a common corner loses two edges, and no triangle is used twice.
+      if (!can_merge(pair.a, pair.b) || !can_merge(a, b)) continue;
+      const std::set<Index> faces{at_.at({pair.a, pair.b}), at_.at({pair.b, pair.a}), at_.at({a, b}),
+                                  at_.at({b, a})};
+      const bool common = a == pair.a || a == pair.b || b == pair.a || b == pair.b;
+      const Index corner = a == pair.a || a == pair.b ? a : b;
+      if (faces.size() < 4 || (common && valence_[corner] < 5)) continue;
+      if (merge_triangles(pair.a, pair.b)) merge_triangles(a, b);
     }
     std::erase_if(cage_.faces, [](const CageFace& face) { return face.loop.empty(); });
   }
@@ -330,6 +413,7 @@ class HullCageBuilder {
     }
     if (drop == no_index) return false;
     std::erase(kept, drop);
+    std::erase(kept, image(drop));
     return true;
   }
 
@@ -356,7 +440,9 @@ class HullCageBuilder {
 
   const HullCageInput& input_;
   std::vector<Candidate> all_;
+  std::vector<Index> image_;  ///< of each candidate, in symmetric scenes
   NetworkCage cage_;
+  std::vector<Index> corner_image_;  ///< of each vertex of the cage, in symmetric scenes
   std::map<std::pair<Index, Index>, Index> at_;
   std::vector<int> valence_;
 };
@@ -378,6 +464,10 @@ Vector3 newell_normal(std::span<const Index> loop, std::span<const CageVertex> v
 NetworkVertexKey key_of(const SolidVertex& vertex, std::span<const PlacedSolid> solids) {
   const PlacedSolid& solid = solids[vertex.first];
   return {solid.id, vertex.second + (solid.part << 16)};
+}
+
+NetworkVertexKey settings_key(NetworkVertexKey key) {
+  return {key.solid, key.vertex & ~(image_part << 16)};
 }
 
 double scene_diagonal(std::span<const PlacedSolid> solids) {

@@ -7,7 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/envelope/placed_solid.hpp"
+#include "core/envelope/cage_mirror.hpp"
+#include "core/envelope/scene_symmetry.hpp"
 
 namespace hariko {
 
@@ -33,9 +34,8 @@ struct CageFace {
 struct NetworkCage {
   std::vector<CageVertex> vertices;
   std::vector<CageFace> faces;
+  std::optional<CageMirror> mirror = {};  ///< of a symmetric scene, where the cage is its own image
 };
-
-using SolidVertex = std::pair<Index, Index>;  ///< placed solid, unit vertex
 
 struct HullCageInput {
   std::span<const PlacedSolid> solids;
@@ -47,7 +47,12 @@ struct HullCageInput {
   const std::set<SolidVertex>* kept = nullptr;    ///< vertices of the last frame, preferred while dragging
   /// Added to places of vertices, in the solids' own axes; such vertices are never thinned. May be null.
   const FlatMap<NetworkVertexKey, Vector3>* offsets = nullptr;
+  const SceneSymmetry* symmetry = nullptr;  ///< the cage is its own image then
 };
+
+/// Makes a cage of a symmetric scene its own image to the last bit, where its faces allow that.
+void make_symmetric(NetworkCage& cage, const SceneSymmetry& symmetry, std::span<const PlacedSolid> solids,
+                    double diagonal);
 
 /// Thinned hull of the solids' vertices with pairs of triangles merged to quads. Closed, of genus 0. Faces
 /// empty where all vertices lie in a plane.
@@ -55,6 +60,8 @@ NetworkCage hull_cage(const HullCageInput& input);
 
 /// Name of a vertex that stays while solids move.
 NetworkVertexKey key_of(const SolidVertex& vertex, std::span<const PlacedSolid> solids);
+/// The name that settings have for it: those of images go by the names of what they are images of.
+NetworkVertexKey settings_key(NetworkVertexKey key);
 
 /// Diagonal of the box of all vertices of the solids.
 double scene_diagonal(std::span<const PlacedSolid> solids);

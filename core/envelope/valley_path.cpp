@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/envelope/scene_symmetry.hpp"
+
 namespace hariko {
 
 namespace {
@@ -54,7 +56,7 @@ GrownSolids::GrownSolids(const EnvelopeInput& input, std::span<const PlacedSolid
                          const Vector3& origin)
     : sigma_(input.solids.size(), 1) {
   for (const PlacedSolid& solid : placed)
-    if (solid.part == 0) distances_.push_back(distance_of(input, solid, origin));
+    if (solid.part % image_part == 0) distances_.push_back(distance_of(input, solid, origin));
 }
 
 void GrownSolids::grow(std::span<const PlacedSolid> placed, std::span<const double> sigma) {

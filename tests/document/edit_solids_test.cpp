@@ -78,6 +78,17 @@ TEST(EditSolids, SettingsThatNameARemovedSolidGoWithIt) {
   EXPECT_EQ(remove_solids(*removed, id, last).error().code, e_last_solid);
 }
 
+TEST(EditSolids, WaistsOfBridgesAreSetAndForgotten) {
+  const auto [document, id] = two_solids();
+  const auto taut = change_waist(document, id, SolidPair::of(8, 3), 0.2);
+  ASSERT_TRUE(taut.ok());
+  EXPECT_EQ(input_of(*taut, id).settings.waists.get_or(SolidPair::of(3, 8), 1), 0.2);
+  const auto usual = change_waist(*taut, id, SolidPair::of(3, 8), 1);
+  ASSERT_TRUE(usual.ok());
+  EXPECT_TRUE(input_of(*usual, id).settings.waists.empty());
+  EXPECT_EQ(change_waist(document, id, SolidPair::of(3, 8), 2.5).error().code, e_envelope_setting);
+}
+
 TEST(EditSolids, BadValuesLocksAndOtherObjectsAreRefused) {
   const auto [document, id] = two_solids();
   const std::array<std::uint32_t, 1> ids{3};
