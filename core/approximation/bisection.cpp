@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 
+#include "core/approximation/facet_queue.hpp"
 #include "core/approximation/fold_error.hpp"
 #include "core/base/parallel.hpp"
 
@@ -53,28 +53,21 @@ class Bisection {
       }
       const std::size_t batch = std::clamp<std::size_t>(queue_.size() / 8, 1, largest_batch);
       for (std::size_t i = 0; i < batch && !queue_.empty(); ++i) {
-        const Entry top = queue_.top();
-        queue_.pop();
+        const FacetQueue::Entry top = queue_.pop();
         if (state_[top.facet].version == top.version) cut(top.facet);
       }
       evaluate_touched();
       const auto count = static_cast<double>(mesh_.facets.size());
       progress.report(count / (count + std::max(pending_, 0.0)));
     }
+    if (!sampled_.empty()) give_all_nets_back();
     result_.nets = nets_;
     result_.distance_bounds = std::move(bounds_);
+    result_.sampled_distances = std::move(sampled_);
     return result_;
   }
 
  private:
-  struct Entry {
-    double error;
-    Index facet;
-    std::uint32_t version;
-    bool operator<(const Entry& other) const {
-      return error < other.error || (error == other.error && facet > other.facet);
-    }
-  };
   struct State {
     double error = 0;
     double pending = 0;  ///< its part of pending_
@@ -265,11 +258,40 @@ class Bisection {
     return std::max(worst, fold / *criteria_.fold_angle);
   }
 
+  /// Along a curve that fills the patch (Morton's), the patches one after the other.
+  std::uint64_t place_of(Index facet) const {
+    const ParameterFacet& at = mesh_.facets[facet];
+    const Vector2 centre = (at.parameter[0] + at.parameter[1] + at.parameter[2]) / 3;
+    std::uint64_t place = at.patch;
+    for (int bit = 15; bit >= 0; --bit)
+      for (const double x : {centre.x(), centre.y()})
+        place = 2 * place + ((std::uint32_t(std::clamp(x, 0.0, 1.0) * 65535) >> bit) & 1U);
+    return place;
+  }
+
+  /// What the report needs of a net that goes.
+  void note_sampled(Index facet) {
+    if (const FacetNet net = nets_->of(mesh_.facets[facet].patch, facet); net.shape)
+      sampled_[facet] = float(errors_.net_sampled(mesh_, facet, net));
+  }
+  void give_all_nets_back() {
+    sampled_.resize(mesh_.facets.size(), not_sampled);
+    parallel_for(mesh_.facets.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) note_sampled(Index(f));
+    });
+    nets_ = std::make_shared<FacetNets>(sampler_);
+  }
+
   void evaluate_touched() {
+    const bool gives_nets_back = criteria_.distance && mesh_.facets.size() > most_kept_nets;
     fresh_.resize(touched_.size());
     bounds_.resize(mesh_.facets.size());
+    if (gives_nets_back) sampled_.resize(mesh_.facets.size(), not_sampled);
     parallel_for(touched_.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) fresh_[i] = error_of(touched_[i]);
+      for (std::size_t i = begin; i < end; ++i) {
+        fresh_[i] = error_of(touched_[i]);
+        if (gives_nets_back && !(fresh_[i] > 1)) note_sampled(touched_[i]);
+      }
     });
     for (std::size_t i = 0; i < touched_.size(); ++i) {
       const Index facet = touched_[i];
@@ -278,7 +300,7 @@ class Bisection {
       if (options_.split == SplitRule::halving) take_stock(facet, fresh_[i]);
       state.error = fresh_[i];
       if (!(state.error > 1)) {
-        if (mesh_.facets.size() > most_kept_nets) nets_->release(facet);
+        if (gives_nets_back) nets_->release(facet);
         continue;
       }
       state.pending = std::min(state.error, most_pending);
@@ -306,6 +328,7 @@ class Bisection {
   }
 
   static constexpr double most_pending = 1e4;
+  static constexpr float not_sampled = -1;
 
   const SurfaceSampler& sampler_;
   const FacetErrors& errors_;
@@ -318,10 +341,11 @@ class Bisection {
   std::vector<int> failures_;     ///< per patch: facets at which halving was given up
   std::vector<State> state_;      ///< per facet
   std::vector<EdgeSplit> split_;  ///< per half-edge
-  std::priority_queue<Entry> queue_;
+  FacetQueue queue_{[this](Index facet) { return place_of(facet); }};
   std::vector<Index> touched_;
   std::vector<double> fresh_, bounds_;
-  double pending_ = 0;  ///< about how many facets those in the queue will become
+  std::vector<float> sampled_;  ///< per facet; empty as long as all nets are kept
+  double pending_ = 0;          ///< about how many facets those in the queue will become
   BisectionResult result_;
 };
 

@@ -19,6 +19,9 @@ struct BisectionResult {
   /// Of the facets as they are now; some may have no net. Bounds only where distance is a criterion.
   std::shared_ptr<const FacetNets> nets;
   std::vector<double> distance_bounds;
+  /// What `FacetErrors::net_sampled` gave for facets whose nets were given back, below 0 for those that never
+  /// had one; empty where all nets were kept.
+  std::vector<float> sampled_distances;
 };
 
 /// Refines the mesh in place, facets with the largest errors first (Yamamoto and Saitoh, sections 2 and 4).

@@ -100,7 +100,7 @@ class DistanceSearch {
   /// Bound over a triangle of parameters. Where it is above the tolerance and `depth` allows, that of its
   /// quarters.
   double certain(const ParameterTriangle& triangle, const Sides& sides, int depth, bool stop) {
-    const BarycentricGrid& grid = errors_.hull_grids_[std::size_t(degree_)];
+    const BarycentricGrid& grid = barycentric_grid(degree_);
     const std::size_t count = grid.points.size();
     std::array<Vector2, max_samples> parameters;
     std::array<Vector3, max_samples> samples;
@@ -146,7 +146,7 @@ class DistanceSearch {
 
   /// Samples at a grid, then round the worst ones.
   double estimate(const ParameterTriangle& triangle, const Sides& sides) {
-    const BarycentricGrid& grid = errors_.distance_grid_;
+    const BarycentricGrid& grid = barycentric_grid(distance_density);
     const std::size_t count = grid.points.size();
     std::array<Vector2, max_samples> parameters;
     std::array<Vector3, max_samples> samples;
@@ -193,17 +193,7 @@ class DistanceSearch {
 };
 
 FacetErrors::FacetErrors(const SurfaceSampler& sampler, const MeshCriteria& criteria)
-    : sampler_(sampler),
-      criteria_(criteria),
-      spread_grid_(spread_density),
-      angle_grid_(angle_density),
-      distance_grid_(distance_density),
-      brightness_(criteria.luminance_model) {
-  int highest = 1;
-  for (Index p = 0; p < sampler.surface().patch_count(); ++p)
-    highest = std::max(highest, sampler.hull_degree(p));
-  for (int n = 0; n <= highest; ++n) hull_grids_.emplace_back(std::max(n, 1));
-}
+    : sampler_(sampler), criteria_(criteria), brightness_(criteria.luminance_model) {}
 
 DistanceError FacetErrors::distance(const ParameterMesh& mesh, Index facet, double tolerance) const {
   return DistanceSearch(*this, mesh, facet, tolerance)
@@ -241,11 +231,11 @@ double largest_angle(const SurfaceSampler& sampler, const ParameterMesh& mesh, I
 }  // namespace
 
 double FacetErrors::normal_angle(const ParameterMesh& mesh, Index facet) const {
-  return largest_angle(sampler_, mesh, facet, angle_grid_);
+  return largest_angle(sampler_, mesh, facet, barycentric_grid(angle_density));
 }
 
 double FacetErrors::normal_spread(const ParameterMesh& mesh, Index facet) const {
-  return largest_angle(sampler_, mesh, facet, spread_grid_);
+  return largest_angle(sampler_, mesh, facet, barycentric_grid(spread_density));
 }
 
 double FacetErrors::luminance(const ParameterMesh& mesh, Index facet) const {
@@ -254,7 +244,7 @@ double FacetErrors::luminance(const ParameterMesh& mesh, Index facet) const {
   if (own.isZero(0)) return 0;
   std::array<Vector2, max_samples> parameters;
   std::array<Vector3, max_samples> normals;
-  const BarycentricGrid& grid = angle_grid_;
+  const BarycentricGrid& grid = barycentric_grid(angle_density);
   const std::size_t count = grid.points.size();
   const ParameterPieces pieces = pieces_of(mesh.facets[facet]);
   const bool flat = criteria_.luminance_model.shading == LuminanceModel::Shading::flat;

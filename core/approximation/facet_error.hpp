@@ -61,8 +61,6 @@ class FacetErrors {
 
   const SurfaceSampler& sampler_;
   const MeshCriteria& criteria_;
-  BarycentricGrid spread_grid_, angle_grid_, distance_grid_;
-  std::vector<BarycentricGrid> hull_grids_;  ///< by degree
   Brightness brightness_;
   friend class DistanceSearch;
 };

@@ -14,15 +14,12 @@ constexpr double cut_rounding = 1e-15;
 FacetNets::FacetNets(const SurfaceSampler& sampler) : sampler_(sampler) {
   const PatchSet& patches = sampler.surface().patches();
   shapes_.assign(patches.patch_count(), nullptr);
-  int highest = 0;
   for (Index p = 0; p < patches.patch_count(); ++p) {
     const int degree = polynomial_degree(patches, p);
     if (degree == 0) continue;
     shapes_[p] = &triangle_net(degree);
     stride_ = std::max(stride_, shapes_[p]->count());
-    highest = std::max(highest, degree);
   }
-  for (int n = 0; n <= highest; ++n) grids_.emplace_back(std::max(n, 1));
 }
 
 FacetNet FacetNets::of(Index patch, Index facet) const {
@@ -45,7 +42,7 @@ FacetNet FacetNets::made(const ParameterFacet& facet, std::span<Vector3, Triangl
   std::array<Vector2, TriangleNet::max_count> parameters;
   std::array<Vector3, TriangleNet::max_count> samples;
   std::array<HullBall, TriangleNet::max_count> balls;
-  const std::vector<Vector2>& grid = grids_[std::size_t(shape.degree())].points;
+  const std::vector<Vector2>& grid = barycentric_grid(shape.degree()).points;
   const std::size_t count = shape.count();
   for (std::size_t k = 0; k < count; ++k)
     parameters[k] = at_barycentric(facet.parameter, grid[k].x(), grid[k].y());

@@ -53,7 +53,6 @@ class FacetNets {
 
   const SurfaceSampler& sampler_;
   std::vector<const TriangleNet*> shapes_;  ///< per patch; null where it is no polynomial
-  std::vector<BarycentricGrid> grids_;      ///< by degree
   std::vector<Slot> slots_;                 ///< per facet
   std::vector<std::vector<Vector3>> blocks_;
   std::vector<Index> free_;

@@ -148,6 +148,17 @@ struct Known {
     const FacetNet kept = nets->of(mesh.facets[f].patch, original[f]);
     return kept.shape || !nets->possible(mesh.facets[f]) ? kept : nets->made(mesh.facets[f], room);
   }
+  /// As a first pass finds it.
+  DistanceError distance(const FacetErrors& errors, const ParameterMesh& mesh, Index f,
+                         double tolerance) const {
+    const Index number = original[f];
+    if (!refined.sampled_distances.empty() && refined.sampled_distances[number] >= 0)
+      return {double(refined.sampled_distances[number]), refined.distance_bounds[number], true};
+    std::array<Vector3, TriangleNet::max_count> room;
+    const FacetNet net = of(mesh, f, room);
+    if (!net.shape) return errors.distance(mesh, f, tolerance);
+    return {errors.net_sampled(mesh, f, net), refined.distance_bounds[number], true};
+  }
 };
 
 /// The largest distance, looked for with care where it matters; per facet values by a first pass.
@@ -156,12 +167,7 @@ CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh&
   std::vector<float> bound(mesh.facets.size());
   std::vector<char> certified(mesh.facets.size());
   CriterionErrors out = measure_facets(mesh.facets.size(), [&](Index f) {
-    std::array<Vector3, TriangleNet::max_count> room;
-    const FacetNet net = known.of(mesh, f, room);
-    const DistanceError error = net.shape
-                                    ? DistanceError{errors.net_sampled(mesh, f, net),
-                                                    known.refined.distance_bounds[known.original[f]], true}
-                                    : errors.distance(mesh, f, tolerance);
+    const DistanceError error = known.distance(errors, mesh, f, tolerance);
     // Up, so that the bound stays one.
     bound[f] = std::nextafter(static_cast<float>(error.bound), std::numeric_limits<float>::infinity());
     certified[f] = error.certified;
@@ -207,15 +213,19 @@ CriterionErrors measure_folds(const SurfaceSampler& sampler, const ParameterMesh
     }
   });
   return measure_facets(mesh.facets.size(), [&](Index f) {
-    double worst = 0;
+    // The angle grows with the distance of the normals.
+    double farthest = 0;
+    Vector3 across = normals[f];
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       if (mesh.twin[h] == no_index) continue;
       const Vector3 &a = normals[f], &b = normals[facet_of(mesh.twin[h])];
       if (a.isZero(0) || b.isZero(0)) continue;
-      const double fold = angle_between(a, b);
-      if (fold > worst && !is_crease(sampler, mesh, h, crease)) worst = fold;
+      const double distance = (b - a).squaredNorm();
+      if (!(distance > farthest) || is_crease(sampler, mesh, h, crease)) continue;
+      farthest = distance;
+      across = b;
     }
-    return worst;
+    return farthest > 0 ? angle_between(normals[f], across) : 0;
   });
 }
 
@@ -246,14 +256,13 @@ MeshApproximation mesh_report(const SurfaceSampler& sampler, const FacetErrors& 
                               const Progress& progress) {
   MeshApproximation out;
   Known known{refined, {}};
-  const ParameterMesh mesh = without_degenerate(given, known.original);
+  ParameterMesh mesh = without_degenerate(given, known.original);
   const std::size_t count = mesh.facets.size();
   const MeshCriteria& criteria = options.criteria;
   out.mesh.origin = sampler.surface().origin();
   out.mesh.positions = mesh.positions;
   out.mesh.triangles.reserve(count);
   for (const ParameterFacet& facet : mesh.facets) out.mesh.triangles.push_back(facet.vertex);
-  out.parts = mesh.facets;
   add_normals(sampler, mesh, out.mesh);
   progress.report(0.3);
   if (cancel.cancelled()) return {};
@@ -271,6 +280,7 @@ MeshApproximation mesh_report(const SurfaceSampler& sampler, const FacetErrors& 
       criteria.fold_angle ? std::min(crease_angle, 0.5 * *criteria.fold_angle) : crease_angle;
   out.fold_angle = measure_folds(sampler, mesh, crease);
   measure_shapes(mesh, out);
+  out.parts = std::move(mesh.facets);
   progress.report(1);
   return out;
 }

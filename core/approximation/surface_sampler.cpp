@@ -1,11 +1,40 @@
 #include "core/approximation/surface_sampler.hpp"
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include "core/base/assert.hpp"
+
 namespace hariko {
+
+namespace {
+
+/// `unit_normal`, which keeps clear of the limits of numbers, where there is need to.
+Vector3 quick_normal(const PatchPoint& point) {
+  const Vector3 cross = point.ds.cross(point.dt);
+  const double square = cross.squaredNorm(), sides = point.ds.squaredNorm() * point.dt.squaredNorm();
+  const bool plain = square > 1e-12 * sides && square > 1e-200 && square < 1e200;
+  return plain ? Vector3(cross / std::sqrt(square)) : unit_normal(point);
+}
+
+}  // namespace
 
 BarycentricGrid::BarycentricGrid(int n) : density(n) {
   const GridPattern pattern{Domain::triangle, n};
   points = pattern.parameters();
   for (int side = 0; side < 3; ++side) sides[std::size_t(side)] = pattern.side(side);
+}
+
+const BarycentricGrid& barycentric_grid(int density) {
+  constexpr int highest = 12;
+  static std::array<std::once_flag, highest + 1> made;
+  static std::array<std::unique_ptr<const BarycentricGrid>, highest + 1> grids;
+  HARIKO_ASSERT(density >= 1 && density <= highest, "density out of range");
+  const auto at = std::size_t(density);
+  std::call_once(made[at], [&] { grids[at] = std::make_unique<const BarycentricGrid>(density); });
+  return *grids[at];
 }
 
 Vector3 SurfaceSampler::position(Index patch, const Vector2& parameter) const {
@@ -18,7 +47,7 @@ Vector3 SurfaceSampler::normal(Index patch, const Vector2& parameter) const {
     fast_->first_order(patch, {&parameter, 1}, {&point, 1});
   else
     point = surface_.patches().evaluate(patch, parameter, Order::first);
-  const Vector3 out = unit_normal(point);
+  const Vector3 out = quick_normal(point);
   return out.isZero(0) ? inner_normal(patch, parameter) : out;
 }
 
@@ -42,7 +71,7 @@ void SurfaceSampler::normals(Index patch, std::span<const Vector2> parameters, s
       for (std::size_t k = 0; k < count; ++k)
         points[k] = surface_.patches().evaluate(patch, parameters[begin + k], Order::first);
     for (std::size_t k = 0; k < count; ++k) {
-      out[begin + k] = unit_normal(points[k]);
+      out[begin + k] = quick_normal(points[k]);
       if (out[begin + k].isZero(0)) out[begin + k] = inner_normal(patch, parameters[begin + k]);
     }
   }

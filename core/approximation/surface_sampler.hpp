@@ -20,6 +20,9 @@ struct BarycentricGrid {
   std::array<std::vector<int>, 3> sides;
 };
 
+/// The grid of a density, 1 to 12, made when it is first asked for. Thread-safe.
+const BarycentricGrid& barycentric_grid(int density);
+
 /// Borrows the surface. Thread-safe.
 class SurfaceSampler {
  public:

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
-#include <type_traits>
 
 #include "core/base/assert.hpp"
 #include "core/surface/bicubic_patch.hpp"
@@ -56,8 +55,8 @@ TriangleNet::TriangleNet(int degree) : degree_(degree) {
 namespace {
 
 /// One row of m + 1 control points.
-template <class Count>
-void split_row(Count m, const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
+template <int m>
+void split_row(const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
   double row[TriangleNet::max_degree + 1][3];
   for (int i = 0; i <= m; ++i)
     for (int axis = 0; axis < 3; ++axis) row[i][axis] = net[at[i]][axis];
@@ -74,19 +73,25 @@ void split_row(Count m, const int* at, double t, const Vector3* net, Vector3* fi
   }
 }
 
-/// Lengths known when compiled, for the degree of bicubic patches.
+/// Lengths known when compiled.
 template <int m>
 void split_rows(const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
-  split_row(std::integral_constant<int, m>(), at, t, net, first, second);
+  split_row<m>(at, t, net, first, second);
   if constexpr (m > 0) split_rows<m - 1>(at + m + 1, t, net, first, second);
+}
+
+template <int m = TriangleNet::max_degree>
+void split_net(int degree, const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
+  if (degree == m)
+    split_rows<m>(at, t, net, first, second);
+  else if constexpr (m > 1)
+    split_net<m - 1>(degree, at, t, net, first, second);
 }
 
 }  // namespace
 
 void TriangleNet::split(int side, double t, const Vector3* net, Vector3* first, Vector3* second) const {
-  const int* at = rows_[std::size_t(side)].data();
-  if (degree_ == 6) return split_rows<6>(at, t, net, first, second);
-  for (int m = degree_; m >= 0; at += m + 1, --m) split_row(m, at, t, net, first, second);
+  split_net(degree_, rows_[std::size_t(side)].data(), t, net, first, second);
 }
 
 void TriangleNet::samples(const Vector3* net, std::span<Vector3, sample_count> out) const {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/approximation/approximate.hpp"
+#include "core/approximation/facet_error.hpp"
 #include "core/approximation/initial_mesh.hpp"
 #include "core/base/parallel.hpp"
 #include "tests/approximation/checker.hpp"
@@ -210,6 +211,40 @@ TEST(Bisection, SameMeshOnAnyNumberOfThreads) {
     EXPECT_EQ(other.mesh.positions, made[0].mesh.positions);
     EXPECT_EQ(other.mesh.triangles, made[0].mesh.triangles);
     EXPECT_EQ(other.distance.facets, made[0].distance.facets);
+  }
+}
+
+TEST(Bisection, ManyFacetsKeepTheToleranceAsFewDo) {
+  // Above a hundred thousand the nets of good facets are given back, and facets come in another order.
+  const Surface surface = golden_surface("fender");
+  const std::size_t few = mesh_of(surface, by_distance(0.01 / 64)).mesh.triangles.size();
+  std::vector<MeshApproximation> made;
+  for (const int threads : {1, 3}) {
+    const ParallelLimit limit(threads);
+    made.push_back(mesh_of(surface, by_distance(0.01 / 256)));
+  }
+  const MeshApproximation& mesh = made[0];
+  EXPECT_GT(mesh.mesh.triangles.size(), 110'000U);
+  EXPECT_NEAR(double(mesh.mesh.triangles.size()), 4.0 * double(few), 0.03 * 4.0 * double(few));
+  EXPECT_TRUE(mesh.reached());
+  EXPECT_TRUE(mesh.distance.certified);
+  EXPECT_LE(mesh.distance.bound, 0.01 / 256);
+  EXPECT_LE(mesh.distance.largest, mesh.distance.bound);
+  EXPECT_EQ(made[1].mesh.positions, mesh.mesh.positions);
+  EXPECT_EQ(made[1].mesh.triangles, mesh.mesh.triangles);
+  EXPECT_EQ(made[1].distance.facets, mesh.distance.facets);
+  // What is reported of single facets is what their surface shows.
+  const SurfaceSampler sampler(surface);
+  MeshCriteria criteria;
+  criteria.distance = 0.01 / 256;
+  const FacetErrors errors(sampler, criteria);
+  ParameterMesh parts;
+  parts.positions = mesh.mesh.positions;
+  parts.facets = mesh.parts;
+  parts.twin.assign(3 * parts.facets.size(), 0);  // no borders: those are compared with more
+  for (Index f = 0; f < parts.facets.size(); f += 97) {
+    const double best = errors.measured_distance(parts, f).sampled, noted = double(mesh.distance.facets[f]);
+    EXPECT_GE(noted, 0.85 * best - 1e-12) << f;
   }
 }
 
