@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/vector.hpp"
 #include "core/document/source.hpp"
@@ -87,6 +88,15 @@ class JsonWriter {
   }
   void vector(const Vector3& v) {
     row(3, [&](std::size_t i) { number(v[static_cast<Eigen::Index>(i)]); });
+  }
+  /// [a, b, c] of plain numbers.
+  template <class Number>
+  void numbers(const std::vector<Number>& values) {
+    row(values.size(), [&](std::size_t i) { number(values[i]); });
+  }
+  /// [[x, y, z], ...] on one line.
+  void vectors(const std::vector<Vector3>& values) {
+    row(values.size(), [&](std::size_t i) { vector(values[i]); });
   }
   void kept(const KeptMembers& members) {
     for (const KeptMember& member : members) {

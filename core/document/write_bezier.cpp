@@ -17,7 +17,7 @@ void write_patch(JsonWriter& out, const BezierPatch& patch) {
   out.close(']');
   if (patch.rational()) {
     out.key("weights");
-    out.row(patch.weights.size(), [&](std::size_t i) { out.number(patch.weights[i]); });
+    out.numbers(patch.weights);
   }
   out.close('}');
 }

@@ -5,18 +5,15 @@ namespace hariko::detail {
 
 namespace {
 
-void write_vectors(JsonWriter& out, std::string_view name, const std::vector<Vector3>& vectors) {
-  out.key(name);
-  out.row(vectors.size(), [&](std::size_t i) { out.vector(vectors[i]); });
-}
-
 void write_loop(JsonWriter& out, const OutlineLoop& loop) {
   out.open('{');
-  write_vectors(out, "points", loop.points);
-  write_vectors(out, "normals", loop.normals);
+  out.key("points");
+  out.vectors(loop.points);
+  out.key("normals");
+  out.vectors(loop.normals);
   if (!loop.curvature.empty()) {
     out.key("K");
-    out.row(loop.curvature.size(), [&](std::size_t i) { out.number(loop.curvature[i]); });
+    out.numbers(loop.curvature);
   }
   out.close('}');
 }

@@ -5,19 +5,11 @@ namespace hariko::detail {
 
 namespace {
 
-void write_points(JsonWriter& out, const std::vector<Vector3>& points) {
-  out.key("points");
-  out.row(points.size(), [&](std::size_t i) { out.vector(points[i]); });
-}
-
-void write_ids(JsonWriter& out, const std::vector<std::uint32_t>& ids) {
-  out.row(ids.size(), [&](std::size_t i) { out.number(ids[i]); });
-}
-
 void write_curve(JsonWriter& out, std::string_view name, const SubdivisionCurve& curve) {
   out.key(name);
   out.open('{');
-  write_points(out, curve.points);
+  out.key("points");
+  out.vectors(curve.points);
   out.key("closed");
   out.boolean(curve.closed);
   if (!curve.sharp.empty()) {
@@ -25,7 +17,7 @@ void write_curve(JsonWriter& out, std::string_view name, const SubdivisionCurve&
     for (int i = 0; i < curve.size(); ++i)
       if (curve.is_sharp(i)) sharp.push_back(std::uint32_t(i));
     out.key("sharp");
-    write_ids(out, sharp);
+    out.numbers(sharp);
   }
   out.close('}');
 }
@@ -53,12 +45,13 @@ void write_section(JsonWriter& out, const SkinSection& section) {
     points.push_back(point.position);
     ids.push_back(point.id);
   }
-  write_points(out, points);
+  out.key("points");
+  out.vectors(points);
   out.key("ids");
-  write_ids(out, ids);
+  out.numbers(ids);
   if (!sharp.empty()) {
     out.key("sharp");
-    write_ids(out, sharp);
+    out.numbers(sharp);
   }
   out.close('}');
 }
@@ -73,9 +66,9 @@ void write_strip(JsonWriter& out, std::uint32_t id, std::uint32_t first, std::ui
 void write_link(JsonWriter& out, const SkinLink& link) {
   write_strip(out, link.id, link.first, link.second);
   out.raw(", \"a\": ");
-  write_ids(out, link.a);
+  out.numbers(link.a);
   out.raw(", \"b\": ");
-  write_ids(out, link.b);
+  out.numbers(link.b);
   if (link.lasso) out.raw(", \"lasso\": true");
   if (link.locked) out.raw(", \"locked\": true");
   out.raw("}");
@@ -86,7 +79,7 @@ void write_merge(JsonWriter& out, const SkinMerge& merge) {
   out.raw(", \"side\": ");
   out.string(name_of(merge.side, strip_side_names));
   out.raw(", \"members\": ");
-  write_ids(out, merge.members);
+  out.numbers(merge.members);
   out.raw(", \"target\": ");
   out.number(merge.target);
   out.raw(", \"v\": ");
@@ -106,9 +99,7 @@ void write_smooth(JsonWriter& out, const SmoothOptions& options) {
   out.string(name_of(options.parameters, parameters_names));
   out.key("blend");
   out.string(name_of(options.blend, blend_names));
-  out.list("anchors", options.anchors, [&](const std::vector<double>& row) {
-    out.row(row.size(), [&](std::size_t i) { out.number(row[i]); });
-  });
+  out.list("anchors", options.anchors, [&](const std::vector<double>& row) { out.numbers(row); });
   out.close('}');
 }
 

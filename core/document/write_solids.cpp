@@ -49,7 +49,7 @@ void write_solid(JsonWriter& out, const Solid& solid) {
   if (solid.roundness) number("roundness", *solid.roundness);
   if (!solid.points.empty()) {
     out.raw(", \"vertices\": ");
-    out.row(solid.points.size(), [&](std::size_t i) { out.vector(solid.points[i]); });
+    out.vectors(solid.points);
   }
   out.raw("}");
 }

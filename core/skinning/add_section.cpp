@@ -406,7 +406,7 @@ class Divider {
 
 }  // namespace
 
-Result<SkinEdit> add_section(const Skin& skin, double v) {
+Result<SkinEdit> add_section(const Skin& skin, double v, const SkinWork& work) {
   auto plan = plan_skin(skin);
   if (!plan) return plan.error();
   const auto place = place_of(skin, *plan, v);
@@ -416,9 +416,15 @@ Result<SkinEdit> add_section(const Skin& skin, double v) {
     if (!anchors) return anchors.error();
     return Divider(skin, *plan, *place).divide(VirtualSurface(skin, *plan, *anchors));
   }
-  const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  work.progress.report(0.1);
+  SkinWork skinning;
+  skinning.cancel = work.cancel;
+  const auto made = SkinSurfacer().surface(skin, Vector3::Zero(), skinning);
   if (!made) return made.error();
-  return Divider(skin, made->result.plan, *place).divide(made->result.mesh, made->surface);
+  work.progress.report(0.8);
+  auto divided = Divider(skin, made->result.plan, *place).divide(made->result.mesh, made->surface);
+  if (work.cancel.cancelled()) return make_error(e_cancelled, "Skinning was cancelled.");
+  return divided;
 }
 
 Result<SkinEdit> draw_section(const Skin& skin, double v, const std::vector<Vector3>& points, bool closed) {

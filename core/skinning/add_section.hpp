@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/skinning/skin_edit.hpp"
+#include "core/skinning/skin_work.hpp"
 
 namespace hariko {
 
@@ -13,9 +14,9 @@ namespace hariko {
 /// the surface at v, once for every point of the neighbour with more points (points that have merged there
 /// are one, points of a merge of the other side that has not happened yet are several). Links and merges of
 /// the strip go to the part where they have their effect. Errors: E_SECTION_ORDER where there is a section,
-/// E_SECTION_RANGE outside of the path, E_FEW_POINTS where nearly all lines have merged, and those of
-/// `SkinSurfacer::surface`.
-Result<SkinEdit> add_section(const Skin& skin, double v);
+/// E_SECTION_RANGE outside of the path, E_FEW_POINTS where nearly all lines have merged, E_CANCELLED, and
+/// those of `SkinSurfacer::surface`. A pleated skin is skinned once: not for the thread of a window.
+Result<SkinEdit> add_section(const Skin& skin, double v, const SkinWork& work = {});
 
 /// A section that the designer drew, through or by these control points. Links and merges of the strip that
 /// it divides go. May be the first or second section of a skin.

@@ -71,7 +71,7 @@ void warn_fold(const SkinMesh& skin_mesh, std::vector<Message>& out) {
     const Vector3 at = (mesh.positions[edge.first] + mesh.positions[edge.second]) / 2;
     char place[96];
     std::snprintf(place, sizeof place, "(%.4g, %.4g, %.4g)", at.x(), at.y(), at.z());
-    out.push_back(make_warning(w_fold, std::string("The mesh folds over near ") + place + ".",
+    out.push_back(make_warning(w_skin_fold, std::string("The mesh folds over near ") + place + ".",
                                "Move the sections apart, or change their correspondences there."));
     return;
   }

@@ -28,7 +28,7 @@ inline constexpr Code e_rail{"E_RAIL"};
 inline constexpr Code e_skin_size{"E_SKIN_SIZE"};
 inline constexpr Code w_spacing{"W_SPACING"};
 inline constexpr Code w_section_not_exact{"W_SECTION_NOT_EXACT"};
-inline constexpr Code w_fold{"W_FOLD"};
+inline constexpr Code w_skin_fold{"W_FOLD"};
 inline constexpr Code w_twist{"W_TWIST"};
 
 }  // namespace hariko

@@ -24,6 +24,11 @@ std::string number(int k) {
   return std::to_string(k + 1);
 }
 
+/// Stands for a section in messages about all of it.
+Element first_point(const SkinSection& section) {
+  return section.points.empty() ? Element{} : element_of(VertexId{section.points.front().id});
+}
+
 Problem check_order(const Skin& skin) {
   const auto& sections = skin.sections;
   for (std::size_t k = 0; k + 1 < sections.size(); ++k)
@@ -32,7 +37,7 @@ Problem check_order(const Skin& skin) {
       return make_error(e_section_order,
                         "Sections " + number(int(k)) + " and " + number(int(k) + 1) +
                             " are at the same place on the path (or in the wrong order).",
-                        "Slide one of them along the path.");
+                        "Slide one of them along the path.", first_point(sections[k + 1]));
   for (const SkinSection& section : sections)
     if (!std::isfinite(section.v))
       return make_error(e_not_finite, "The place of a section on the path is not a finite number.",
@@ -44,7 +49,8 @@ Problem check_order(const Skin& skin) {
                         "Slide the first or last section.");
   } else if (std::abs(first) > same_place || std::abs(last - 1) > same_place) {
     return make_error(e_section_range, "The first and last section must lie at the ends of an open path.",
-                      "Slide them to the ends, or trim the path.");
+                      "Slide them to the ends, or trim the path.",
+                      first_point(std::abs(first) > same_place ? sections.front() : sections.back()));
   }
   return {};
 }
@@ -74,7 +80,7 @@ Problem check_points(const Skin& skin) {
     total += section.points.size();
     if (section.size() == 0 || (section.closed && section.size() == 2))
       return make_error(e_few_points, "Section " + number(k) + " needs at least 2 (closed: 3) points.",
-                        "Add points to it, or delete it.");
+                        "Add points to it, or delete it.", first_point(section));
   }
   if (total > max_points)
     return make_error(e_skin_size, "The sections have more than 100000 points.", "Use fewer points.");
@@ -83,7 +89,8 @@ Problem check_points(const Skin& skin) {
     const bool alone = end && skin.section_count() == 2 && skin.sections[std::size_t(1 - k)].size() == 1;
     if (skin.sections[std::size_t(k)].size() == 1 && (!end || alone))
       return make_error(e_point_section, "A one-point section is only possible at an end.",
-                        "Give section " + number(k) + " more points.");
+                        "Give section " + number(k) + " more points.",
+                        first_point(skin.sections[std::size_t(k)]));
   }
   int first = -1;
   for (int k = 0; k < skin.section_count(); ++k) {
@@ -93,7 +100,7 @@ Problem check_points(const Skin& skin) {
     if (section.closed != skin.sections[std::size_t(first)].closed)
       return make_error(e_open_closed,
                         "Open and closed sections cannot be mixed: " + number(first) + ", " + number(k) + ".",
-                        "Close the open ones or open the closed ones.");
+                        "Close the open ones or open the closed ones.", first_point(section));
   }
   return {};
 }
@@ -149,6 +156,14 @@ std::optional<std::vector<int>> in_a_row(std::vector<int> sorted, int count, boo
   if (!closed || gaps.size() > 1 || sorted.front() != 0 || sorted.back() != count - 1) return {};
   std::rotate(sorted.begin(), sorted.begin() + std::ptrdiff_t(gaps[0]), sorted.end());
   return sorted;
+}
+
+/// The first of two pairs that cross; none where that shows across the seam only.
+std::optional<PointPair> crossed(std::vector<PointPair> pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  for (std::size_t k = 0; k + 1 < pairs.size(); ++k)
+    if (pairs[k + 1].b < pairs[k].b) return pairs[k];
+  return {};
 }
 
 PairCost strip_cost(const Skin& skin, const SkinPlan& plan, const PlannedStrip& strip) {
@@ -208,7 +223,12 @@ class Planner {
             forced.push_back(pair), merged.insert(pair);
     auto lines = correspondence(section(strip.a).size(), section(strip.b).size(), plan_.closed_sections,
                                 strip_cost(skin_, plan_, strip), forced);
-    if (!lines) return lines.error();
+    if (!lines) {
+      Message error = lines.error();
+      if (const auto found = crossed(forced))
+        error.element = element_of(VertexId{section(strip.a).points[std::size_t(found->a)].id});
+      return error;
+    }
     strip.lines = *std::move(lines);
     for (const PointPair& line : strip.lines)
       strip.origins.push_back(merged.contains(line)   ? LineOrigin::merge
@@ -224,16 +244,18 @@ class Planner {
       const bool a = merge.side == StripSide::a;
       const SkinSection &own = section(a ? strip.a : strip.b), &other = section(a ? strip.b : strip.a);
       const std::vector<int> members = indices(own, merge.members);
+      const Element where =
+          members.empty() ? Element{} : element_of(VertexId{own.points[std::size_t(members.front())].id});
       if (!(merge.v > 0 && merge.v < 1))
         return make_error(e_merge_v, "The tip of the wedge must lie between the two sections.",
-                          "Draw its tip between them.");
+                          "Draw its tip between them.", where);
       if (members.size() < 2)
         return make_error(e_merge_small, "A merge needs at least two points.",
-                          "Draw the wedge around more points.");
+                          "Draw the wedge around more points.", where);
       const auto row = in_a_row(members, own.size(), plan_.closed_sections);
       if (!row)
         return make_error(e_merge_gap, "The points of a merge must be neighbours.",
-                          "Draw the wedge around all points between them.");
+                          "Draw the wedge around all points between them.", where);
       for (const PointPair& line : forced_pairs(skin_, merge))
         if (!taken.insert(line).second)
           return make_error(e_merge_overlap, "A line belongs to two merges.", "Delete one of the merges.",
@@ -241,7 +263,7 @@ class Planner {
       if (plan_.closed_sections && int(members.size()) == own.size())
         return make_error(e_merge_all,
                           "A closed section cannot merge into one line; use a one-point section.",
-                          "Leave points out of the merge.");
+                          "Leave points out of the merge.", where);
       strip.merges.push_back({merge.side, *row, find_point(other, merge.target), merge.v});
     }
     return {};
@@ -263,7 +285,7 @@ Problem check_rails(const Skin& skin, const SkinPlan& plan) {
     const double last = (section.points.back().position - plan.frames.rail(section.v)).norm();
     if (section.closed || section.size() < 2 || !(std::max(first, last) <= 1e-6 * size))
       return make_error(e_rail, "Section " + number(k) + " does not start and end on the rails.",
-                        "Move its first and last point onto the rails.");
+                        "Move its first and last point onto the rails.", first_point(section));
   }
   return {};
 }

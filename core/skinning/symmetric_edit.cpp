@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace hariko {
@@ -38,16 +39,19 @@ std::optional<std::uint32_t> partner_of(const Skin& skin, std::uint32_t point, c
 
 }  // namespace
 
+MirrorPlane mirror_plane(const Skin& skin, int axis) {
+  MirrorPlane plane{axis, 0};
+  for (const Vector3& p : skin.path.points) plane.position += p[axis] / double(skin.path.size());
+  return plane;
+}
+
 MirrorPlane mirror_plane(const Skin& skin) {
   if (skin.mirror) return *skin.mirror;
   MirrorPlane best;
-  if (skin.path.points.empty()) return best;
-  Vector3 middle = Vector3::Zero();
-  for (const Vector3& p : skin.path.points) middle += p / double(skin.path.size());
   double least = std::numeric_limits<double>::infinity();
   // Across the path no section is its own image; of equals the first wins.
   for (const int axis : {1, 0, 2}) {
-    const MirrorPlane plane{axis, middle[axis]};
+    const MirrorPlane plane = mirror_plane(skin, axis);
     const double value = asymmetry(skin, plane);
     if (value < least) least = value, best = plane;
   }
@@ -79,6 +83,45 @@ Result<SkinEdit> move_limit_point(const Skin& skin, std::uint32_t point, const V
   const auto both = move_limit_point(first->skin, *partner, plane.image(position));
   if (!both) return both;
   return accepted(skin, {both->skin, 0, {}, {}, {}});
+}
+
+Result<SkinEdit> insert_section_point(const Skin& skin, std::uint32_t id, int span,
+                                      const MirrorPlane& plane) {
+  const int k = skin.find_section(id);
+  if (k < 0) return no_such_section();
+  const SkinSection& section = skin.sections[std::size_t(k)];
+  const SubdivisionCurve curve = section.curve();
+  if (span < 0 || span >= curve.spans()) return no_such_point();
+  const auto partner = mirror_partners(section, plane.point(), plane.normal());
+  const int image = partner[std::size_t((span + 1) % section.size())];
+  if (image == span || image >= curve.spans()) return insert_section_point(skin, id, span);
+  // The later one first, so that the number of the other one stays.
+  const int first = std::max(span, image), second = std::min(span, image);
+  const auto one = insert_section_point(skin, id, first);
+  if (!one) return one;
+  const auto both = insert_section_point(one->skin, id, second);
+  if (!both) return both;
+  const Vector3 middle = evaluate(curve, (second + 0.5) / curve.spans()).position;
+  auto placed = move_limit_point(both->skin, both->points.front(), middle);
+  if (!placed) return placed;
+  SkinEdit edit{std::move(placed->skin), one->deviation + both->deviation, {}, one->lost, {}};
+  edit.points = {one->points.front(), both->points.front()};
+  edit.lost.insert(edit.lost.end(), both->lost.begin(), both->lost.end());
+  edit.lost.insert(edit.lost.end(), placed->lost.begin(), placed->lost.end());
+  return accepted(skin, std::move(edit));
+}
+
+std::vector<std::uint32_t> with_partners(const Skin& skin, std::span<const std::uint32_t> points,
+                                         const MirrorPlane& plane) {
+  std::set<std::uint32_t> all(points.begin(), points.end());
+  for (const std::uint32_t id : points)
+    if (const auto partner = partner_of(skin, id, plane)) all.insert(*partner);
+  std::vector<std::uint32_t> out;
+  for (const SkinSection& section : skin.sections)
+    for (const SectionPoint& p : section.points)
+      if (all.erase(p.id) > 0) out.push_back(p.id);
+  out.insert(out.end(), all.begin(), all.end());
+  return out;
 }
 
 Result<SkinEdit> make_symmetric(const Skin& skin, std::span<const std::uint32_t> sections,

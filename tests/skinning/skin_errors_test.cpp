@@ -146,6 +146,44 @@ TEST(SkinErrors, Correspondences) {
   EXPECT_EQ(code_of(skin), "E_INDEX");
 }
 
+TEST(SkinErrors, NameAPointOfWhatIsWrong) {
+  const auto element = [](const Skin& skin) {
+    const auto result = evaluate_skin(skin);
+    EXPECT_FALSE(result.ok());
+    return result.ok() ? Element{} : result.error().element;
+  };
+  const auto at = [](const Skin& skin, int k, int i) { return element_of(VertexId{point(skin, k, i)}); };
+  Skin skin = skin_input("tube");
+  skin.sections[2].v = skin.sections[1].v;
+  EXPECT_EQ(element(skin), at(skin, 2, 0));
+  skin = skin_input("tube");
+  skin.sections[2].v = 0.9;
+  EXPECT_EQ(element(skin), at(skin, 2, 0));
+  skin.sections[0].v = 0.1;
+  EXPECT_EQ(element(skin), at(skin, 0, 0));
+  skin = skin_input("tube");
+  skin.sections[1].points.resize(2);
+  EXPECT_EQ(element(skin), at(skin, 1, 0));
+  skin.sections[1].points.resize(1);
+  EXPECT_EQ(element(skin), at(skin, 1, 0));
+  skin = skin_input("tube");
+  skin.sections[1].closed = false;
+  EXPECT_EQ(element(skin), at(skin, 1, 0));
+  skin = skin_input("tworail");
+  skin.sections[1].points.back().position.x() += 0.01;
+  EXPECT_EQ(element(skin), at(skin, 1, 0));
+  skin = skin_input("fig6a");
+  link(skin, {2}, {3});
+  link(skin, {4}, {2});
+  EXPECT_EQ(element(skin), at(skin, 0, 2));
+  skin = skin_input("fig6a");
+  merge(skin, {2, 3}, 2, 1.2);
+  EXPECT_EQ(element(skin), at(skin, 0, 2));
+  skin = skin_input("fig6a");
+  merge(skin, {1, 3}, 2);
+  EXPECT_EQ(element(skin), at(skin, 0, 1));
+}
+
 TEST(SkinErrors, Warnings) {
   const auto warned = [](const Skin& skin, const char* code) {
     auto made = SkinSurfacer().surface(skin, Vector3::Zero());
