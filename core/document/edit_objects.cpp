@@ -31,6 +31,15 @@ Document with_object(const Document& document, Object object) {
   return changed;
 }
 
+std::string name_with(std::string name, std::string_view suffix) {
+  if (name.size() + suffix.size() > Object::max_name_length) {
+    std::size_t size = Object::max_name_length - suffix.size();
+    while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80) --size;
+    name.resize(size);
+  }
+  return name.append(suffix);
+}
+
 Result<Similarity> checked_transform(const Similarity& transform) {
   const double norm = transform.rotation.norm();
   const bool finite =
@@ -73,17 +82,6 @@ Message too_many_objects() {
 bool has_room(const Document& document, std::size_t count) {
   return document.objects.size() + count <= Document::max_objects &&
          document.next_object_id.value <= no_index - count;
-}
-
-/// "Cup copy", with the name cut at a character boundary where that would be too long.
-std::string copy_name(std::string name) {
-  const std::string suffix = " copy";
-  if (name.size() + suffix.size() > Object::max_name_length) {
-    std::size_t size = Object::max_name_length - suffix.size();
-    while (size > 0 && (static_cast<unsigned char>(name[size]) & 0xc0) == 0x80) --size;
-    name.resize(size);
-  }
-  return name + suffix;
 }
 
 }  // namespace
@@ -177,7 +175,7 @@ Result<Added> duplicate_object(const Document& document, ObjectId object) {
   if (!has_room(document, 1)) return too_many_objects();
   Object copy = **original;
   copy.id = document.next_object_id;
-  copy.name = copy_name(copy.name);
+  copy.name = detail::name_with(copy.name, " copy");
   copy.locked = false;
   if (copy.polyhedron()) copy.source = frozen_source(**original, document.objects);
   Added added{document, copy.id};

@@ -12,6 +12,9 @@ namespace hariko::detail {
 Message unknown_object(ObjectId id);
 Message locked_object(const Object& object);
 
+/// "Cup copy": the name, cut at a character boundary where it would be too long, and the suffix.
+std::string name_with(std::string name, std::string_view suffix);
+
 /// A copy of the document in which `object` stands for the one with the same id.
 Document with_object(const Document& document, Object object);
 

@@ -142,6 +142,11 @@ inline Source any_source(std::mt19937_64& rng) {
   if (chance(rng, 0.2)) return SkinSource{any_skin(rng), any_kept(rng)};
   if (chance(rng, 0.2)) return OutlineSource{any_outline(rng), any_outline_settings(rng), any_kept(rng)};
   if (chance(rng, 0.4)) return any_patches(rng);
+  if (chance(rng, 0.4)) {
+    BezierSource source = any_bezier(rng);
+    source.kept = any_kept(rng);
+    return source;
+  }
   if (chance(rng, 0.6)) return MeshSource{any_vector(rng), any_mesh(rng), any_kept(rng)};
   return UnknownSource{"envelope",
                        std::string("{ \"solids\":[1.0, 2e0,\n\n {\"r\": 1}], \"kind\":  \"envelope\" }")};

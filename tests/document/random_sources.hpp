@@ -49,6 +49,24 @@ inline EnvelopeInput any_solids(std::mt19937_64& rng) {
   return input;
 }
 
+inline BezierPatch any_bezier_patch(std::mt19937_64& rng) {
+  BezierPatch patch;
+  patch.degree_s = uniform_int(rng, 1, 6);
+  patch.degree_t = uniform_int(rng, 1, 6);
+  const bool rational = chance(rng, 0.5);
+  for (int i = (patch.degree_s + 1) * (patch.degree_t + 1); i > 0; --i) {
+    patch.points.push_back(std::exp(uniform(rng, -20, 20)) * random_vector(rng));
+    if (rational) patch.weights.push_back(log_uniform(rng, 1e-3, 1e3));
+  }
+  return patch;
+}
+
+inline BezierSource any_bezier(std::mt19937_64& rng) {
+  std::vector<BezierPatch> patches;
+  for (int i = uniform_int(rng, 1, 4); i > 0; --i) patches.push_back(any_bezier_patch(rng));
+  return BezierSource::from_patches(100 * random_vector(rng), std::move(patches)).value();
+}
+
 inline std::vector<Vector3> any_points(std::mt19937_64& rng, int most) {
   std::vector<Vector3> out;
   for (int i = uniform_int(rng, 1, most); i > 0; --i) out.push_back(100 * random_vector(rng));
