@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <numbers>
+
 #include "core/analysis/measures.hpp"
 #include "core/base/disjoint_sets.hpp"
 #include "core/cad/cad_measure.hpp"
@@ -97,9 +100,12 @@ std::vector<ReadPart> read_parts(const std::filesystem::path& path) {
     Quantity_Color colour;
     TopExp_Explorer solid(part.shape, TopAbs_SOLID), shell(part.shape, TopAbs_SHELL),
         face(part.shape, TopAbs_FACE);
-    bool coloured = colours->GetColor(part.shape, XCAFDoc_ColorSurf, colour);
-    for (TopExp_Explorer* at : {&solid, &shell, &face})
-      coloured = coloured || (at->More() && colours->GetColor(at->Current(), XCAFDoc_ColorSurf, colour));
+    bool coloured = false;
+    for (const XCAFDoc_ColorType kind : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen}) {
+      coloured = coloured || colours->GetColor(part.shape, kind, colour);
+      for (TopExp_Explorer* at : {&solid, &shell, &face})
+        coloured = coloured || (at->More() && colours->GetColor(at->Current(), kind, colour));
+    }
     if (coloured) {
       double r = 0, g = 0, b = 0;
       colour.Values(r, g, b, Quantity_TOC_sRGB);
@@ -186,7 +192,7 @@ CadFile written(const CadObject& object, const std::filesystem::path& path, cons
   return std::move(file).value();
 }
 
-void round_trip(const Surface& surface, CadFormat format) {
+void round_trip(const std::string& name, const Surface& surface, CadFormat format) {
   const auto model = make_cad_model(surface);
   ASSERT_TRUE(model.ok());
   const TemporaryFolder folder;
@@ -213,20 +219,37 @@ void round_trip(const Surface& surface, CadFormat format) {
     // What OpenCASCADE makes of an IGES file has fewer digits.
     EXPECT_LE(distance, (format == CadFormat::iges ? 1e-9 : 1e-12) * model->size);
   }
+  if (repetitions(1) < 2) return;
+  std::printf("| %s | %s | %zu | %zu | %zu | %zu | %.1e | %.1e | %.4f |\n", name.c_str(),
+              format == CadFormat::iges ? "IGES" : "STEP", model->faces.size(), measure.exact,
+              file.report.solids, file.bytes.size(), file.report.edge_tolerance, distance / model->size,
+              measure.normal_jump * 180 / std::numbers::pi);
+}
+
+void print_head() {
+  if (repetitions(1) > 1)
+    std::printf(
+        "| object | format | faces | exact | solids | bytes | edge tolerance, mm | distance / size | normal "
+        "jump, degrees |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
 }
 
 TEST(CadFile, EveryProducerComesBackThroughStep) {
-  for_produced([](const Surface& surface) { round_trip(surface, CadFormat::step_ap214); });
+  print_head();
+  for_named([](const std::string& name, const Surface& surface) {
+    round_trip(name, surface, CadFormat::step_ap214);
+  });
 }
 
 TEST(CadFile, EveryProducerComesBackThroughIges) {
-  for_produced([](const Surface& surface) { round_trip(surface, CadFormat::iges); });
+  print_head();
+  for_named(
+      [](const std::string& name, const Surface& surface) { round_trip(name, surface, CadFormat::iges); });
 }
 
 TEST(CadFile, Ap242IsReadAsWell) {
   const auto produced = surfaces_of({"cube_crease"});
   ASSERT_EQ(produced.size(), 1U);
-  round_trip(produced[0].surface, CadFormat::step_ap242);
+  round_trip("cube_crease", produced[0].surface, CadFormat::step_ap242);
 }
 
 TEST(CadFile, UnitsNamesAndColoursAreKept) {
@@ -248,9 +271,9 @@ TEST(CadFile, UnitsNamesAndColoursAreKept) {
       BRepGProp::SurfaceProperties(parts[0].shape, found);
       if (area == 0) area = found.Mass();
       EXPECT_NEAR(found.Mass(), area, 1e-6 * area) << int(unit);
+      EXPECT_EQ(parts[0].colour, (std::array<int, 3>{200, 30, 90}));
       if (format != CadFormat::iges) {
         EXPECT_EQ(parts[0].name, name);
-        EXPECT_EQ(parts[0].colour, (std::array<int, 3>{200, 30, 90}));
       }
     }
 }

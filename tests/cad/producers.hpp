@@ -74,13 +74,21 @@ inline std::vector<WantedSample> wanted_samples() {
   return out;
 }
 
+/// test(name, surface).
 template <class Test>
-void for_produced(const Test& test) {
+void for_named(const Test& test) {
   for (const WantedSample& wanted : wanted_samples())
     for (const Produced& produced : surfaces_of(wanted)) {
-      SCOPED_TRACE(produced.name + (wanted.mode ? ", mode " + std::to_string(int(*wanted.mode)) : ""));
-      test(produced.surface);
+      const std::string name =
+          produced.name + (wanted.mode ? ", mode " + std::to_string(int(*wanted.mode)) : "");
+      SCOPED_TRACE(name);
+      test(name, produced.surface);
     }
+}
+
+template <class Test>
+void for_produced(const Test& test) {
+  for_named([&](const std::string&, const Surface& surface) { test(surface); });
 }
 
 }  // namespace hariko::test

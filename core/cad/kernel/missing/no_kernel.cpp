@@ -1,6 +1,7 @@
 // Built where OpenCASCADE is not: says so.
 
 #include "core/cad/kernel/cad_file.hpp"
+#include "core/cad/kernel/read_cad_file.hpp"
 
 namespace hariko {
 
@@ -11,6 +12,11 @@ std::optional<Message> why_no_cad_files() {
 
 Result<CadFile> make_cad_file(std::span<const CadObject>, const CadFileOptions&, const CancelToken&,
                               const Progress&) {
+  return *why_no_cad_files();
+}
+
+Result<CadScene> read_cad_file(const std::filesystem::path&, const CadReadOptions&, const CancelToken&,
+                               const Progress&) {
   return *why_no_cad_files();
 }
 

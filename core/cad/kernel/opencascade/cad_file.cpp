@@ -4,15 +4,11 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <IGESCAFControl_Writer.hxx>
-#include <IGESControl_Controller.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
-#include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
 #include <Standard_Failure.hxx>
 #include <StepData_Protocol.hxx>
@@ -22,29 +18,21 @@
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_Label.hxx>
 #include <TDataStd_Name.hxx>
-#include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
-#include <mutex>
 #include <sstream>
 
+#include "core/cad/kernel/opencascade/kernel_session.hpp"
 #include "core/cad/kernel/opencascade/shape.hpp"
 
 namespace hariko {
 
 namespace {
-
-/// The kernel keeps settings and its application for the whole process.
-std::mutex& kernel_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 const char* name_of(CadUnit unit) {
   switch (unit) {
@@ -59,27 +47,14 @@ const char* name_of(CadUnit unit) {
   }
 }
 
-/// A document of the kernel, which is closed with it.
-class KernelDocument {
- public:
-  KernelDocument() { XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document_); }
-  ~KernelDocument() { XCAFApp_Application::GetApplication()->Close(document_); }
-  KernelDocument(const KernelDocument&) = delete;
-  KernelDocument& operator=(const KernelDocument&) = delete;
-
-  const Handle(TDocStd_Document) & handle() const { return document_; }
-  void add(const TopoDS_Shape& shape, const CadObject& object) {
-    const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
-    const Handle(XCAFDoc_ColorTool) colours = XCAFDoc_DocumentTool::ColorTool(document_->Main());
-    const TDF_Label label = shapes->AddShape(shape, false);
-    TDataStd_Name::Set(label, TCollection_ExtendedString(object.name.c_str(), true));
-    const auto part = [&](std::size_t i) { return object.colour[i] / 255.0; };
-    colours->SetColor(label, Quantity_Color(part(0), part(1), part(2), Quantity_TOC_sRGB), XCAFDoc_ColorSurf);
-  }
-
- private:
-  Handle(TDocStd_Document) document_;
-};
+void add(KernelDocument& document, const TopoDS_Shape& shape, const CadObject& object) {
+  const TDF_Label main = document.handle()->Main();
+  const TDF_Label label = XCAFDoc_DocumentTool::ShapeTool(main)->AddShape(shape, false);
+  TDataStd_Name::Set(label, TCollection_ExtendedString(object.name.c_str(), true));
+  const auto part = [&](std::size_t i) { return object.colour[i] / 255.0; };
+  XCAFDoc_DocumentTool::ColorTool(main)->SetColor(
+      label, Quantity_Color(part(0), part(1), part(2), Quantity_TOC_sRGB), XCAFDoc_ColorSurf);
+}
 
 double largest_edge_tolerance(const TopoDS_Shape& shape) {
   double largest = 0;
@@ -153,7 +128,7 @@ Result<CadFile> make(std::span<const CadObject> objects, const CadFileOptions& o
     const TopoDS_Shape shape = shape_of(*objects[i].model, out.report);
     out.report.valid = out.report.valid && BRepCheck_Analyzer(shape).IsValid();
     out.report.edge_tolerance = std::max(out.report.edge_tolerance, largest_edge_tolerance(shape));
-    document.add(shape, objects[i]);
+    add(document, shape, objects[i]);
     progress.report(0.5 * double(i + 1) / double(objects.size()));
   }
   if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
@@ -173,11 +148,8 @@ std::optional<Message> why_no_cad_files() {
 
 Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileOptions& options,
                               const CancelToken& cancel, const Progress& progress) {
-  const std::lock_guard lock(kernel_mutex());
   try {
-    STEPControl_Controller::Init();  // or the settings do not exist yet
-    IGESControl_Controller::Init();
-    ::Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+    const KernelSession session;
     return make(objects, options, cancel, progress);
   } catch (const Standard_Failure& failure) {
     return failed(failure.GetMessageString());

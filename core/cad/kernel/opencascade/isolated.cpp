@@ -1,0 +1,106 @@
+#include "core/cad/kernel/opencascade/isolated.hpp"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <new>
+#include <string_view>
+
+namespace hariko {
+
+namespace {
+
+constexpr int look_milliseconds = 50;  ///< between two looks whether the work was cancelled
+
+/// Memory that both processes see.
+class SharedFraction {
+ public:
+  SharedFraction()
+      : memory_(::mmap(nullptr, sizeof(std::atomic<double>), PROT_READ | PROT_WRITE,
+                       MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    if (memory_ != MAP_FAILED) fraction_ = new (memory_) std::atomic<double>(0);
+  }
+  ~SharedFraction() {
+    if (fraction_) ::munmap(memory_, sizeof(std::atomic<double>));
+  }
+  SharedFraction(const SharedFraction&) = delete;
+  SharedFraction& operator=(const SharedFraction&) = delete;
+  std::atomic<double>* get() const { return fraction_; }
+
+ private:
+  void* memory_;
+  std::atomic<double>* fraction_ = nullptr;
+};
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// Never returns: what this process would do at its end is its parent's to do.
+[[noreturn]] void work_and_end(const std::function<std::string(const std::function<void(double)>&)>& work,
+                               std::atomic<double>& fraction, int out) {
+  // A crash is an answer here, no reason for a report.
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE}) ::signal(signal, SIG_DFL);
+  bool whole = false;
+  try {
+    whole = write_all(out, work([&](double value) { fraction.store(value, std::memory_order_relaxed); }));
+  } catch (...) {
+  }
+  ::_exit(whole ? 0 : 1);
+}
+
+/// Until the other end is closed; false where the work was cancelled.
+bool read_all(int descriptor, std::string& bytes, const SharedFraction& fraction, const CancelToken& cancel,
+              const Progress& progress) {
+  std::array<char, 65536> part{};
+  for (;;) {
+    if (cancel.cancelled()) return false;
+    progress.report(fraction.get()->load(std::memory_order_relaxed));
+    pollfd waiting{descriptor, POLLIN, 0};
+    if (::poll(&waiting, 1, look_milliseconds) <= 0) continue;
+    const ssize_t got = ::read(descriptor, part.data(), part.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return got == 0;
+    bytes.append(part.data(), static_cast<std::size_t>(got));
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> isolated(
+    const std::function<std::string(const std::function<void(double)>& report)>& work,
+    const CancelToken& cancel, const Progress& progress) {
+  const SharedFraction fraction;
+  std::array<int, 2> ends{};
+  if (!fraction.get() || ::pipe(ends.data()) != 0) return {};
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::close(ends[0]);
+    work_and_end(work, *fraction.get(), ends[1]);
+  }
+  ::close(ends[1]);
+  std::string bytes;
+  const bool whole = child > 0 && read_all(ends[0], bytes, fraction, cancel, progress);
+  ::close(ends[0]);
+  if (child < 0) return {};
+  if (!whole) ::kill(child, SIGKILL);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!whole || !WIFEXITED(status) || WEXITSTATUS(status) != 0) return {};
+  return bytes;
+}
+
+}  // namespace hariko

@@ -1,0 +1,21 @@
+#pragma once
+
+// Work in a process of its own, for a kernel that damaged files can crash. Only for this folder.
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
+
+namespace hariko {
+
+/// Runs `work` in a copy of this process and gives its bytes; nothing where it crashed, was cancelled (then
+/// it is killed) or could not begin. `work` may lock nothing that another thread can hold, and tells its
+/// progress by the function that it is given.
+std::optional<std::string> isolated(
+    const std::function<std::string(const std::function<void(double)>& report)>& work,
+    const CancelToken& cancel, const Progress& progress);
+
+}  // namespace hariko

@@ -1,0 +1,304 @@
+#include "core/cad/kernel/read_cad_file.hpp"
+
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <Interface_Static.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <new>
+#include <sstream>
+
+#include "core/base/file_io.hpp"
+#include "core/base/printable.hpp"
+#include "core/cad/kernel/cad_file.hpp"
+#include "core/cad/kernel/cad_text.hpp"
+#include "core/cad/kernel/opencascade/isolated.hpp"
+#include "core/cad/kernel/opencascade/kernel_session.hpp"
+#include "core/cad/kernel/opencascade/scene_bytes.hpp"
+#include "core/cad/kernel/opencascade/triangulated.hpp"
+#include "core/cad/kernel/opencascade/whole_splines.hpp"
+
+namespace hariko {
+
+namespace {
+
+Message failed(std::string what) {
+  return make_error(e_cad_read, std::move(what), "Export the model again, or as STL or OBJ.");
+}
+
+Message cancelled() {
+  return make_error(e_cancelled, "The import was cancelled.");
+}
+
+/// Tells how far the kernel is.
+class Indicator : public Message_ProgressIndicator {
+ public:
+  explicit Indicator(const std::function<void(double)>& report) : report_(report) {}
+  void Show(const Message_ProgressScope&, const Standard_Boolean) override { report_(GetPosition()); }
+
+ private:
+  std::function<void(double)> report_;
+};
+
+std::string name_of(const TDF_Label& label) {
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
+  std::string out(std::size_t(name->Get().LengthOfCString()) + 1, '\0');
+  Standard_PCharacter at = out.data();
+  name->Get().ToUTF8CString(at);
+  out.resize(out.size() - 1);
+  return printable(out, 200);
+}
+
+using Colour = std::optional<std::array<std::uint8_t, 3>>;
+
+/// A shape of the file in its place.
+struct Leaf {
+  TopoDS_Shape shape;
+  std::string name;
+  Colour colour;
+};
+
+class Collector {
+ public:
+  explicit Collector(const Handle(TDocStd_Document) & document)
+      : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
+        colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {}
+
+  /// E_LIMIT where there are too many.
+  Result<std::vector<Leaf>> run() {
+    TDF_LabelSequence labels;
+    shapes_->GetFreeShapes(labels);
+    for (int i = 1; i <= labels.Length(); ++i) add(labels.Value(i), TopLoc_Location(), {}, {}, 0);
+    if (too_many_)
+      return make_error(e_limit, "The file has more than " + std::to_string(max_cad_parts) + " parts.",
+                        "Export the assembly in several files.");
+    return std::move(leaves_);
+  }
+
+ private:
+  static constexpr int deepest = 100;
+
+  Colour colour_of(const TDF_Label& label) const {
+    for (const XCAFDoc_ColorType kind : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv})
+      if (Quantity_Color colour; colours_->GetColor(label, kind, colour)) return as_bytes(colour);
+    return {};
+  }
+  Colour colour_of(const TopoDS_Shape& shape) const {
+    for (const XCAFDoc_ColorType kind : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen})
+      if (Quantity_Color colour; colours_->GetColor(shape, kind, colour)) return as_bytes(colour);
+    return {};
+  }
+  static Colour as_bytes(const Quantity_Color& colour) {
+    double r = 0, g = 0, b = 0;
+    colour.Values(r, g, b, Quantity_TOC_sRGB);
+    const auto byte = [](double x) { return std::uint8_t(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
+    return std::array{byte(r), byte(g), byte(b)};
+  }
+  /// Of its first coloured body, else of its first face.
+  Colour inner_colour(const TopoDS_Shape& shape) const {
+    for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
+      if (TopExp_Explorer at(shape, kind); at.More())
+        if (const Colour colour = colour_of(at.Current())) return colour;
+    return {};
+  }
+
+  void add(const TDF_Label& label, const TopLoc_Location& place, const std::string& given_name,
+           const Colour& given_colour, int depth) {
+    if (depth > deepest || too_many_) return;
+    const std::string own_name = name_of(label);
+    const std::string& name = given_name.empty() ? own_name : given_name;
+    const Colour colour = given_colour ? given_colour : colour_of(label);
+    TDF_Label referred;
+    if (XCAFDoc_ShapeTool::IsReference(label) && XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
+      // Components are often called by nothing or by the kernel's own "=>[0:1:1:2]".
+      const bool named = !name.empty() && !name.starts_with("=>");
+      return add(referred, place * XCAFDoc_ShapeTool::GetLocation(label), named ? name : std::string(),
+                 colour, depth + 1);
+    }
+    if (XCAFDoc_ShapeTool::IsAssembly(label)) {
+      TDF_LabelSequence components;
+      XCAFDoc_ShapeTool::GetComponents(label, components);
+      const bool alone = components.Length() == 1;
+      for (int i = 1; i <= components.Length(); ++i)
+        add(components.Value(i), place, alone ? name : std::string(), colour, depth + 1);
+      return;
+    }
+    if (leaves_.size() >= max_cad_parts) {
+      too_many_ = true;
+      return;
+    }
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    if (shape.IsNull()) return;
+    leaves_.push_back({shape.Moved(place), name, colour ? colour : inner_colour(shape)});
+  }
+
+  Handle(XCAFDoc_ShapeTool) shapes_;
+  Handle(XCAFDoc_ColorTool) colours_;
+  std::vector<Leaf> leaves_;
+  bool too_many_ = false;
+};
+
+double diagonal_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  if (box.IsVoid() || box.IsOpen()) return 0;
+  return std::sqrt(box.SquareExtent());
+}
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(const CadReadOptions& options) : options_(options) {}
+
+  Result<CadScene> run(const std::vector<Leaf>& leaves, const Message_ProgressRange& range) {
+    if (options_.patches) find_splines(leaves);
+    Message_ProgressScope scope(range, nullptr, double(std::max<std::size_t>(leaves.size(), 1)));
+    for (const Leaf& leaf : leaves) {
+      add(leaf, scope.Next());
+      if (triangles_ > max_cad_triangles)
+        return make_error(
+            e_limit, "The shapes would have more than " + std::to_string(max_cad_triangles) + " triangles.",
+            "Export fewer parts.");
+    }
+    if (failed_ > 0)
+      out_.warnings.push_back(make_warning(
+          w_cad_faces, std::to_string(failed_) + " faces could not be made into triangles and are missing.",
+          "Repair the model in the program that it comes from."));
+    if (out_.parts.empty()) return failed("The file holds no faces.");
+    return std::move(out_);
+  }
+
+ private:
+  /// Of all faces in their order, unless there are too many: then all is triangles.
+  void find_splines(const std::vector<Leaf>& leaves) {
+    std::size_t count = 0;
+    for (const Leaf& leaf : leaves)
+      for (TopExp_Explorer face(leaf.shape, TopAbs_FACE); face.More(); face.Next()) {
+        splines_.push_back(whole_spline(TopoDS::Face(face.Current())));
+        count += splines_.back().size();
+        if (count <= max_cad_patches) continue;
+        splines_.clear();
+        out_.warnings.push_back(make_warning(w_cad_patches,
+                                             "The file has more than " + std::to_string(max_cad_patches) +
+                                                 " spline patches: all of it is triangles.",
+                                             "Export parts of it to have patches."));
+        return;
+      }
+  }
+
+  void add(const Leaf& leaf, const Message_ProgressRange& range) {
+    CadPart part{leaf.name, leaf.colour, {}, {}};
+    TopoDS_Compound others;
+    BRep_Builder builder;
+    builder.MakeCompound(others);
+    bool empty = true;
+    for (TopExp_Explorer face(leaf.shape, TopAbs_FACE); face.More(); face.Next(), ++face_) {
+      if (face_ < splines_.size() && !splines_[face_].empty()) {
+        std::move(splines_[face_].begin(), splines_[face_].end(), std::back_inserter(part.patches));
+        continue;
+      }
+      builder.Add(others, face.Current());
+      empty = false;
+    }
+    if (const double size = diagonal_of(leaf.shape); !empty && size > 0) {
+      BRepTools::Clean(others);  // of triangles that the file brought along
+      Triangulated made =
+          triangulated(others, options_.tolerance > 0 ? options_.tolerance : usual_cad_mesh_tolerance * size,
+                       options_.angle, range);
+      part.mesh = std::move(made.mesh);
+      failed_ += made.failed;
+      triangles_ += part.mesh.face_count();
+    }
+    if (!part.patches.empty() || part.mesh.face_count() > 0) out_.parts.push_back(std::move(part));
+  }
+
+  const CadReadOptions& options_;
+  CadScene out_;
+  std::vector<std::vector<BezierPatch>> splines_;  ///< of each face of the file
+  std::size_t face_ = 0, failed_ = 0, triangles_ = 0;
+};
+
+/// What the kernel's readers have in common, by name.
+template <class Reader, class Read>
+std::optional<Message> transfer(Reader& reader, const Read& read, KernelDocument& document,
+                                const Message_ProgressRange& range) {
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  if (read(reader) != IFSelect_RetDone) return failed("OpenCASCADE cannot read this file.");
+  if (!reader.Transfer(document.handle(), range)) return failed("OpenCASCADE finds no shapes in this file.");
+  return {};
+}
+
+std::optional<Message> load(const std::filesystem::path& path, CadFormat format, KernelDocument& document,
+                            const Message_ProgressRange& range) {
+  auto bytes = read_file(path, max_cad_file_bytes);
+  if (!bytes.ok()) return bytes.error();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  if (format == CadFormat::iges) {
+    if (auto wrong = check_iges_text(*bytes)) return wrong;
+    IGESCAFControl_Reader reader;
+    return transfer(
+        reader, [&](auto& r) { return r.ReadFile(path.c_str()); }, document, range);
+  }
+  if (auto wrong = check_step_text(*bytes)) return wrong;
+  STEPCAFControl_Reader reader;
+  std::istringstream stream(std::move(bytes).value());
+  // Without a folder in its name no other files are looked for.
+  return transfer(
+      reader, [&](auto& r) { return r.ChangeReader().ReadStream("file", stream); }, document, range);
+}
+
+Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const CadReadOptions& options,
+                      const std::function<void(double)>& report) {
+  try {
+    const Handle(Indicator) indicator = new Indicator(report);
+    Message_ProgressScope scope(indicator->Start(), nullptr, 2);
+    KernelDocument document;
+    if (const auto wrong = load(path, format, document, scope.Next())) return *wrong;
+    const auto leaves = Collector(document.handle()).run();
+    if (!leaves.ok()) return leaves.error();
+    return SceneMaker(options).run(*leaves, scope.Next());
+  } catch (const Standard_Failure& failure) {
+    return failed("OpenCASCADE cannot read this file: " + printable(failure.GetMessageString(), 200) + ".");
+  } catch (const std::bad_alloc&) {
+    return make_error(e_limit, "There is not enough memory for this file.", "Export fewer parts.");
+  } catch (const std::exception& failure) {
+    return failed("OpenCASCADE cannot read this file: " + printable(failure.what(), 200) + ".");
+  }
+}
+
+}  // namespace
+
+Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadOptions& options,
+                               const CancelToken& cancel, const Progress& progress) {
+  const auto format = cad_format_of(path);
+  HARIKO_ASSERT(format, "the ending tells the format");
+  const KernelSession session;
+  const auto bytes = isolated(
+      [&](const std::function<void(double)>& report) {
+        return bytes_of(read(path, *format, options, report));
+      },
+      cancel, progress);
+  if (cancel.cancelled()) return cancelled();
+  if (!bytes) return failed("OpenCASCADE cannot read this file: it broke off.");
+  return scene_of(*bytes);
+}
+
+}  // namespace hariko

@@ -1,0 +1,57 @@
+#pragma once
+
+// What STEP and IGES files hold, read by OpenCASCADE where the program was built with it.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/polyhedron/polygon_mesh.hpp"
+#include "core/surface/bezier_patch.hpp"
+
+namespace hariko {
+
+inline constexpr Code e_cad_read{"E_CAD_READ"};
+inline constexpr Code w_cad_patches{"W_CAD_PATCHES"};
+inline constexpr Code w_cad_faces{"W_CAD_FACES"};
+
+struct CadReadOptions {
+  double tolerance = 0;  ///< between a face and its triangles, mm; 0: `usual_cad_mesh_tolerance` of its part
+  double angle = 0.2;    ///< between the triangles' chords and the curves that they cut, radians
+  bool patches = true;   ///< false: all faces become triangles
+};
+inline constexpr double usual_cad_mesh_tolerance = 5e-4;  ///< of the part's diagonal
+inline constexpr std::uint64_t max_cad_file_bytes = std::uint64_t{1} << 29;
+inline constexpr std::size_t max_cad_parts = 10'000;
+inline constexpr std::size_t max_cad_patches = 20'000;  ///< of a file; with more all of it is triangles
+inline constexpr std::size_t max_cad_triangles = 20'000'000;
+
+/// Every face is in one of the two; positions in millimetres, absolute.
+struct CadPart {
+  std::string name;                                   ///< printable; empty where the file gives none
+  std::optional<std::array<std::uint8_t, 3>> colour;  ///< sRGB
+  std::vector<BezierPatch> patches;                   ///< of faces that are whole splines, exactly
+  PolygonMesh mesh;                                   ///< triangles of all other faces, joined at their edges
+};
+
+struct CadScene {
+  std::vector<CadPart> parts;  ///< at least one, none of them empty
+  std::vector<Message> warnings;
+};
+
+/// The ending tells the format (asserted to be one). Parts of assemblies stand in their places. A face
+/// becomes patches where its surface is a spline of a degree that patches have and its border runs along the
+/// sides of a rectangle of parameters. Errors: those of `read_file`, E_NO_CAD_KERNEL, E_CAD_READ (no such
+/// file, cut off, or what the kernel says), E_LIMIT, E_CANCELLED. W_CAD_FACES: faces that could not be
+/// triangulated; W_CAD_PATCHES: too many splines for patches. Calls wait for each other and for those of
+/// make_cad_file.
+Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadOptions& options = {},
+                               const CancelToken& cancel = {}, const Progress& progress = {});
+
+}  // namespace hariko
