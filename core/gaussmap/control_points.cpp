@@ -199,7 +199,7 @@ Result<ControlPoints> by_position(const Outline& outline, const GaussOptions& op
   auto laid = position_mesh(scaled, options.radius, options.most_points);
   if (!laid) return laid.error();
   PositionMesh mesh = std::move(laid).value();
-  auto filled = fill_positions(mesh, normals, 1, cancel);
+  auto filled = fill_positions(mesh, normals, 1, options.relaxation, cancel);
   if (!filled) return filled.error();
   ControlPoints out;
   out.normals = std::move(filled->normals);

@@ -8,6 +8,7 @@
 
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
+#include "core/gaussmap/spread_mesh.hpp"
 
 namespace hariko {
 namespace {
@@ -90,8 +91,11 @@ void measure(const PositionMesh& mesh, const std::vector<Vector3>& given, Positi
 }  // namespace
 
 Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vector3>& normals, double size,
-                                      const CancelToken& cancel) {
+                                      int rounds, const CancelToken& cancel) {
   PositionResult out;
+  // Of the rounds after each of five steps: vertices are spread over the shape as it comes out.
+  const int portion = (rounds + 4) / 5;
+  if (mesh.in_rows) rounds = 0;
   const Eigen::Index boundary = mesh.boundary_count, inner = Eigen::Index(mesh.points.size()) - boundary;
   const Positions flux = boundary_flux(mesh, normals);
   constexpr int most_steps = 60;
@@ -120,6 +124,11 @@ Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vect
     if (out.iterations == most_steps)  // near a minimal surface nearly no energy is left to compare with
       out.settled = share == 1 && std::abs(before - energy) <= 0.05 * energy + 1e-3;
     before = energy;
+    if (share < 1 || rounds <= 0 || out.iterations == most_steps) continue;
+    spread_evenly(mesh, std::min(rounds, portion));
+    rounds -= portion;
+    out.settled = false;
+    before = HUGE_VAL;
   }
   measure(mesh, normals, out);
   return out;

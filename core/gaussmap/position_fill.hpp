@@ -18,9 +18,11 @@ struct PositionResult {
 };
 
 /// Moves the inner vertices of `mesh`: lagged Gauss-Newton on the integral of the squared mean curvature,
-/// whose boundary terms clamp the normals. `normals`: unit, one a boundary vertex. Errors: E_DIVERGED,
-/// E_CANCELLED. A sparse factorisation a step, at most 60.
+/// whose boundary terms clamp the normals. After the first full steps the vertices are spread evenly over the
+/// shape, `rounds` rounds of `spread_evenly` in all, which flips edges too; those in rows stay in them.
+/// `normals`: unit, one a boundary vertex. Errors: E_DIVERGED, E_CANCELLED. A sparse factorisation a step, at
+/// most 60.
 Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vector3>& normals, double size,
-                                      const CancelToken& cancel);
+                                      int rounds, const CancelToken& cancel);
 
 }  // namespace hariko

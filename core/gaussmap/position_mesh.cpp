@@ -211,6 +211,7 @@ Result<PositionMesh> strip_mesh(const Outline& outline, double radius, Index mos
   const double distance = std::sqrt(least / 32);
   const auto rows = std::size_t(std::clamp(std::round(distance / (wanted * std::sqrt(0.75))), 1.0, 1e4));
   PositionMesh out;
+  out.in_rows = true;
   out.points = first;
   out.points.insert(out.points.end(), outline.loops[1].points.begin(), outline.loops[1].points.end());
   const auto m = Index(first.size()), n = Index(second.size());

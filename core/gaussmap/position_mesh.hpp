@@ -19,6 +19,7 @@ struct PositionMesh {
   std::vector<Index> next;  ///< of each boundary vertex
   std::vector<std::array<Index, 3>> triangles;
   bool limited = false;  ///< the largest number of points ended it, not the radius
+  bool in_rows = false;  ///< a strip, whose vertices stand in rows, evenly
 };
 
 /// One loop: a disc over the loop's projection along its mean normal, or over a circle where that crosses
