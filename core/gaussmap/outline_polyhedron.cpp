@@ -1,5 +1,6 @@
 #include "core/gaussmap/outline_polyhedron.hpp"
 
+#include "core/gaussmap/fitted_tangents.hpp"
 #include "core/gaussmap/rim_tangents.hpp"
 
 namespace hariko {
@@ -20,6 +21,9 @@ Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points) {
   const auto rims = rim_tangents(out.polyhedron, out.shaping);
   if (!rims) return rims.error();
   for (const auto& [vertex, pin] : *rims) out.shaping.pin.set(vertex, pin);
+  const auto fitted = fitted_tangents(out.polyhedron, out.shaping, points.normals);
+  if (!fitted) return fitted.error();
+  out.shaping.pin = *fitted;
   return out;
 }
 

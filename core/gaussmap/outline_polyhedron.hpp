@@ -11,12 +11,13 @@ namespace hariko {
 
 struct OutlinePolyhedron {
   Polyhedron polyhedron;  ///< positions relative to origin; the ids are the numbers of the control points
-  /// Normals are pinned inside; on the outline, whose vertices are smooth, tangents are (`rim_tangents`).
+  /// Tangents are pinned, along the outline by `rim_tangents` and inside by `fitted_tangents`; the outline's
+  /// vertices are smooth.
   Shaping shaping;
   Vector3 origin = Vector3::Zero();
 };
 
-/// Errors: those of `Polyhedron::build` and `rim_tangents`. O(points).
+/// Errors: those of `Polyhedron::build`, `rim_tangents` and `fitted_tangents`.
 Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points);
 
 }  // namespace hariko
