@@ -93,6 +93,21 @@ TEST(OutlineCheck, NamesThePointThatIsWrong) {
   expect_message(bad, e_coarse_normals, "point", 11);
 }
 
+TEST(OutlineCheck, NamesTheArcsThatCross) {
+  // Two neighbours in the wrong order: the arcs to the one and from the other cross.
+  Outline bad = test::sphere_band(32).outline;
+  OutlineLoop& loop = bad.loops[1];
+  std::swap(loop.points[5], loop.points[6]);
+  std::swap(loop.normals[5], loop.normals[6]);
+  expect_message(bad, e_image_crosses,
+                 "the arc from point 4 of loop 1 crosses the arc from point 6 of loop 1", 36,
+                 GaussMode::umbilic);
+  bool crosses = false;
+  for (const Message& message : check_outline(bad, GaussMode::position))
+    crosses = crosses || message.code == e_image_crosses;
+  EXPECT_FALSE(crosses);  // the mode that needs no simple image
+}
+
 TEST(OutlineCheck, UnevenTurning) {
   const test::Truth sphere = test::ellipsoid(Vector3::Ones());
   OutlineLoop loop = test::circle_of_normals(sphere, Vector3::UnitZ(), 1, 64, false);
@@ -146,6 +161,9 @@ TEST(OutlineCheck, ConvexityHasTwoLimits) {
       if (!(message.code == code)) continue;
       found = true;
       EXPECT_NE(message.text.find("cuts off point 6"), std::string::npos) << message.text;
+      // The plane is that of the point before or after.
+      const Index plane = message.text.find("plane of point 5 ") != std::string::npos ? 5 : 7;
+      EXPECT_EQ(message.element, element_of(VertexId{plane}));
     }
     EXPECT_TRUE(found) << code.name;
   }

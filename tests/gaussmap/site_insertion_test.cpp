@@ -138,6 +138,7 @@ TEST(SiteInsertion, MissingEdgesAndLeaksAreNamed) {
   ASSERT_FALSE(leak);
   EXPECT_EQ(leak.error().code, e_image_leak);
   EXPECT_EQ(leak.error().element.kind, Element::Kind::vertex);
+  EXPECT_NE(leak.error().text.find("point"), std::string::npos) << leak.error().text;
 }
 
 }  // namespace
