@@ -39,14 +39,18 @@ Skin large() {
   return skin;
 }
 
-/// The whole way from a moved point to preview triangles: 2 subdivisions a face.
-void drag(benchmark::State& state, Skin skin) {
+/// The whole way from a moved point to preview triangles: 2 subdivisions a face. The first rebuilding, which
+/// makes the topology, is not counted. `moving`: in the middle of a drag, as the window asks for it.
+void drag(benchmark::State& state, Skin skin, bool moving = true) {
   const ParallelLimit one(1);
   SkinSurfacer surfacer;
+  SkinWork work;
+  benchmark::DoNotOptimize(surfacer.surface(skin, Vector3::Zero(), work));
+  work.moving = moving;
   std::size_t triangles = 0;
   for (auto _ : state) {
     skin.sections[skin.sections.size() / 2].points[2].position.z() += 1e-4;
-    const auto made = surfacer.surface(skin, Vector3::Zero());
+    const auto made = surfacer.surface(skin, Vector3::Zero(), work);
     const bool cut = subdivision_patches(made->surface)->topology().cut();
     triangles = tessellate(made->surface, cut ? 2 : 4).triangles.size();
     benchmark::DoNotOptimize(triangles);
@@ -57,14 +61,30 @@ void drag(benchmark::State& state, Skin skin) {
 void skin_drag_car_pleat(benchmark::State& state) {
   drag(state, input("car_edited"));
 }
-void skin_drag_car_smooth(benchmark::State& state) {
-  Skin skin = input("car_edited");
+Skin smooth(Skin skin, ColumnParameters parameters) {
   skin.method = SkinMethod::smooth;
-  skin.smooth.parameters = ColumnParameters::uniform;
-  drag(state, skin);
+  skin.smooth.parameters = parameters;
+  return skin;
+}
+void skin_drag_car_smooth(benchmark::State& state) {
+  drag(state, smooth(input("car_edited"), ColumnParameters::uniform));
+}
+/// Columns were placed; in the drag they stay.
+void skin_drag_car_placed_columns(benchmark::State& state) {
+  drag(state, smooth(input("car_edited"), ColumnParameters::per_section));
+}
+/// The end of the drag: those of the section that moved are placed anew.
+void skin_release_car_placed_columns(benchmark::State& state) {
+  drag(state, smooth(input("car_edited"), ColumnParameters::per_section), false);
 }
 void skin_drag_fifty_sections(benchmark::State& state) {
   drag(state, large());
+}
+void skin_drag_fifty_sections_smooth(benchmark::State& state) {
+  drag(state, smooth(large(), ColumnParameters::uniform));
+}
+void skin_drag_fifty_sections_placed_columns(benchmark::State& state) {
+  drag(state, smooth(large(), ColumnParameters::per_section));
 }
 void skin_new_topology_car(benchmark::State& state) {
   const ParallelLimit one(1);
@@ -79,7 +99,11 @@ void skin_optimise_parameters(benchmark::State& state) {
 
 BENCHMARK(skin_drag_car_pleat)->Unit(benchmark::kMillisecond);
 BENCHMARK(skin_drag_car_smooth)->Unit(benchmark::kMillisecond);
+BENCHMARK(skin_drag_car_placed_columns)->Unit(benchmark::kMillisecond);
+BENCHMARK(skin_release_car_placed_columns)->Unit(benchmark::kMillisecond);
 BENCHMARK(skin_drag_fifty_sections)->Unit(benchmark::kMillisecond);
+BENCHMARK(skin_drag_fifty_sections_smooth)->Unit(benchmark::kMillisecond);
+BENCHMARK(skin_drag_fifty_sections_placed_columns)->Unit(benchmark::kMillisecond);
 BENCHMARK(skin_new_topology_car)->Unit(benchmark::kMillisecond);
 BENCHMARK(skin_optimise_parameters)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 
