@@ -120,7 +120,7 @@ Result<Painter> Painter::create() {
     return "#define DASHED " + std::to_string(dashed) + "\n#define COMB " + std::to_string(comb) + "\n";
   };
   const std::string plain = surface_defines(0, Material::clay, false, false);
-  const std::array<std::tuple<Program*, const char*, std::string>, 9> all{
+  const std::array<std::tuple<Program*, const char*, std::string>, 10> all{
       {{&programs.background, "background", {}},
        {&programs.grid, "grid", {}},
        {&programs.line, "line", line_defines(0, 0)},
@@ -129,6 +129,7 @@ Result<Painter> Painter::create() {
        {&programs.point, "point", "#define COLORED 0\n"},
        {&programs.colored_point, "point", "#define COLORED 1\n"},
        {&programs.fill, "fill", {}},
+       {&programs.body, "body", {}},
        {&programs.surface[plain], "surface", plain}}};
   for (const auto& [program, name, defines] : all)
     if (Result<Done> done = load(*program, name, defines); !done) return done.error();
@@ -426,6 +427,35 @@ void Painter::faces(const Frame& frame, const Matrix4& model, const DisplayPolyh
   glBindVertexArray(stream_triangles_.name());
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
   count(corners.size() / 3);
+}
+
+void Painter::bodies(const Frame& frame, const Matrix4& model, const BodyBuffers& buffers,
+                     std::span<const Index> faces, const BodyStyle& style, float opacity) {
+  if (faces.empty()) return;
+  const Matrix3 linear = (frame.view * model).topLeftCorner<3, 3>();
+  set_frame(programs_.body, frame, model, 0);
+  programs_.body.set("to_eye_normal", glm::mat3(to_float(Matrix3(linear.inverse().transpose()))));
+  programs_.body.set("viewport",
+                     glm::vec2(static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)));
+  programs_.body.set("pixel_slope", frame.camera.pixel_length(frame.size) / frame.camera.distance);
+  programs_.body.set("front", faded(style.front, opacity));
+  programs_.body.set("rim", faded(style.rim, opacity));
+  programs_.body.set("reach", style.reach);
+  glEnable(GL_BLEND);
+  set_depth(Depth::any);
+  glEnable(GL_CULL_FACE);
+  glFrontFace(linear.determinant() < 0 ? GL_CW : GL_CCW);
+  glBindVertexArray(buffers.array());
+  for (std::size_t i = 0; i < faces.size();) {
+    std::size_t end = i + 1;
+    while (end < faces.size() && faces[end] == faces[end - 1] + 1) ++end;
+    const auto [first, number] = buffers.corners_of(faces[i], faces[end - 1]);
+    glDrawArrays(GL_TRIANGLES, first, number);
+    count(static_cast<std::size_t>(number / 3));
+    i = end;
+  }
+  glFrontFace(GL_CCW);
+  glDisable(GL_CULL_FACE);
 }
 
 void Painter::overlay(const Frame& frame, std::span<const OverlayLine> overlay_lines) {

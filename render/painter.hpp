@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/body_buffers.hpp"
 #include "render/mesh_buffers.hpp"
 #include "render/program.hpp"
 #include "render/renderer.hpp"
@@ -81,13 +82,16 @@ class Painter {
                    std::span<const Index> vertices, const PointStyle& style, Depth depth, float opacity);
   void faces(const Frame& frame, const Matrix4& model, const DisplayPolyhedron& polyhedron,
              std::span<const Index> faces, const Color& paint);
+  /// Some faces of bodies, by their numbers ascending: what looks at the eye, whatever lies before it.
+  void bodies(const Frame& frame, const Matrix4& model, const BodyBuffers& buffers,
+              std::span<const Index> faces, const BodyStyle& style, float opacity);
   void overlay(const Frame& frame, std::span<const OverlayLine> lines);
 
   void reset(FrameStatistics* statistics) { statistics_ = statistics; }
 
  private:
   struct Programs {
-    Program background, grid, line, dashed_line, comb_line, point, colored_point, fill;
+    Program background, grid, line, dashed_line, comb_line, point, colored_point, fill, body;
     /// By what is defined: software drivers execute every branch of a shader, so each look has a program of
     /// its own.
     std::map<std::string, Program> surface;

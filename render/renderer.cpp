@@ -115,10 +115,11 @@ struct Renderer::State {
                      const gl::Style& style, gl::Depth depth, float opacity);
   void draw_polyhedron(const gl::Frame& frame, const SceneObject& object, const gl::Style& style,
                        gl::Depth depth, float opacity);
+  void draw_bodies(const gl::Frame& frame, const SceneObject& object, const gl::Style& style);
   void draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style);
 
   struct Picture {
-    gl::FrameTarget target;
+    gl::FrameTarget target, kept;
     Background background = Background::dark;
   };
   /// Says that the picture in `bit` is drawn anew or goes: what it used and no other does is dropped at
@@ -132,6 +133,7 @@ struct Renderer::State {
   gl::IndexCache indices;
   std::vector<MeshEntry> meshes;
   BufferCache<DisplayPolyhedron, gl::PolyhedronBuffers> polyhedra;
+  BufferCache<DisplayPolyhedron, gl::BodyBuffers> bodies;
   BufferCache<EdgeMarks, gl::MarkBuffers> marks;
   BufferCache<CombLines, gl::CombBuffers> combs;
   BufferCache<FacetLines, gl::FacetLineBuffers> facet_edges;
@@ -170,6 +172,7 @@ void Renderer::State::release(unsigned pictures_released) {
   for (auto& entry : meshes) entry.used_by &= ~pictures_released;
   for (auto& entry : sections) entry.used_by &= ~pictures_released;
   polyhedra.release(pictures_released);
+  bodies.release(pictures_released);
   marks.release(pictures_released);
   combs.release(pictures_released);
   facet_edges.release(pictures_released);
@@ -179,6 +182,7 @@ void Renderer::State::drop_unused() {
   std::erase_if(meshes, [](const auto& entry) { return entry.used_by == 0; });
   std::erase_if(sections, [](const auto& entry) { return entry.used_by == 0; });
   polyhedra.drop_unused();
+  bodies.drop_unused();
   marks.drop_unused();
   combs.drop_unused();
   facet_edges.drop_unused();
@@ -315,8 +319,34 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
   points(object.failed.vertices, style.failed_point);
 }
 
+/// Over the surface that the bodies are inside of: a map's colours are touched at their outlines only.
+void Renderer::State::draw_bodies(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
+  constexpr float faint = 0.45F;
+  const gl::BodyBuffers& buffers = bodies.get(object.polyhedron, bit, statistics.uploaded_bytes);
+  const bool colours_matter = object.show_surface && object.map != SurfaceMap::shaded;
+  const gl::Style::Bodies& look = colours_matter ? style.bodies_over_map : style.bodies;
+  const auto has = [](const std::vector<Index>& faces, Index f) {
+    return std::binary_search(faces.begin(), faces.end(), f);
+  };
+  std::vector<Index> plain, hovered;
+  for (Index f = 0; f < buffers.face_count(); ++f) {
+    if (has(object.selected.faces, f)) continue;
+    (has(object.hovered.faces, f) ? hovered : plain).push_back(f);
+  }
+  const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
+  const float opacity = object.faint_bodies ? faint : 1;
+  painter.bodies(frame, model, buffers, plain, look.plain, opacity);
+  painter.bodies(frame, model, buffers, hovered, look.hovered, opacity);
+  painter.bodies(frame, model, buffers, object.selected.faces, look.selected, opacity);
+}
+
 void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style) {
   for (const SceneObject& object : scene.objects) {
+    if (object.polyhedron && object.show_bodies) {
+      painter.cut(frame, true);
+      draw_bodies(frame, object, style);
+      painter.cut(frame, false);
+    }
     if (object.mesh && object.show_surface && object.mesh->patch_count() > 0) {
       painter.cut(frame, true);
       draw_facet_edges(frame, object, style);
@@ -332,8 +362,10 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
     if (!any) continue;
     const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
     painter.cut(frame, true);
-    painter.faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
-    painter.faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
+    if (!object.show_bodies) {
+      painter.faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
+      painter.faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
+    }
     painter.faces(frame, model, *object.polyhedron, object.failed.faces, style.failed_fill);
     if (object.x_ray) draw_polyhedron(frame, object, style, gl::Depth::hidden, scene.hidden_opacity);
     draw_polyhedron(frame, object, style, gl::Depth::visible, 1);
@@ -410,6 +442,22 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Fram
 
 unsigned Renderer::texture(int picture) const {
   return state_->pictures[std::size_t(picture)].target.texture();
+}
+
+bool Renderer::keep(int picture) {
+  State::Picture& p = state_->pictures[std::size_t(picture)];
+  const PixelSize size = p.target.size();
+  if (!p.kept.resize(size, 1).ok()) return false;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, p.target.framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, p.kept.framebuffer());
+  glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return true;
+}
+
+unsigned Renderer::kept_texture(int picture) const {
+  return state_->pictures[std::size_t(picture)].kept.texture();
 }
 
 void Renderer::forget(int picture) {

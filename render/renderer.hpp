@@ -47,6 +47,10 @@ class Renderer {
 
   /// GL name of the RGBA8 texture with a picture; rows run upwards, as GL has them (ImGui: uv (0,1)..(1,0)).
   unsigned texture(int picture = 0) const;
+  /// Keeps what a picture shows now beside the next ones, to fade from: it is in kept_texture(picture) until
+  /// the next call or `forget`. False where there is no memory.
+  bool keep(int picture);
+  unsigned kept_texture(int picture) const;
   /// Copies a picture into framebuffer 0 with its lower left corner at (x, y).
   void blit_to_window(int x, int y, int picture = 0) const;
   /// Reads a picture back.

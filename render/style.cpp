@@ -58,6 +58,17 @@ Style style_of(Background background) {
   s.selected_fill = with_alpha(accent, 0.30F);
   s.hovered_fill = with_alpha(secondary, 0.22F);
   s.failed_fill = with_alpha(color_from_hex("#ff3b30"), 0.28F);
+  const auto body = [](const Color& front, float in_front, const Color& rim, float at_rim) {
+    return BodyStyle{with_alpha(front, in_front), with_alpha(rim, at_rim), 0.85F};
+  };
+  const Color glass = color_from_hex("#8ec4ee"), deep = color_from_hex("#143048");
+  const Color amber = color_from_hex("#ffc477"), brown = color_from_hex("#7a4200");
+  s.bodies = {body(glass, 0.20F, deep, 0.62F), body(amber, 0.42F, brown, 0.70F),
+              body(color_from_hex("#9ed8ff"), 0.40F, color_from_hex("#0d4a78"), 0.70F)};
+  s.bodies_over_map = {body(deep, 0, deep, 0.50F), body(accent, 0.10F, brown, 0.75F),
+                       body(secondary, 0.10F, color_from_hex("#0d4a78"), 0.70F)};
+  for (BodyStyle* one : {&s.bodies_over_map.plain, &s.bodies_over_map.selected, &s.bodies_over_map.hovered})
+    one->reach = 0.7F;
   return s;
 }
 

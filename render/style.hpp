@@ -26,6 +26,12 @@ struct PointStyle {
   PointShape shape = PointShape::disc;
 };
 
+/// A translucent body: paint where its surface looks at the eye, and where it turns away.
+struct BodyStyle {
+  Color front, rim;
+  float reach = 0.85F;  ///< cosine between view and normal from where on the front is painted alone
+};
+
 struct Style {
   Color top, bottom;  ///< background
   Color grid, axis_x, axis_y;
@@ -41,6 +47,10 @@ struct Style {
   std::array<Dash, 3> mark_dashes;
   PointStyle point, selected_point, hovered_point, corner, smooth, pinned, failed_point;
   Color selected_fill, hovered_fill, failed_fill;
+  /// Over a shaded surface, and over one whose colours are to be read.
+  struct Bodies {
+    BodyStyle plain, selected, hovered;
+  } bodies, bodies_over_map;
   float dimming = 0.2F;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/scene_builder.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "ui/solids_display.hpp"
 
@@ -17,9 +18,10 @@ bool same(const SceneObject& a, const SceneObject& b) {
          a.range == b.range && a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
          a.show_network == b.show_network && a.elements_pickable == b.elements_pickable && a.wire == b.wire &&
          a.material == b.material && a.color == b.color && a.show_tensions == b.show_tensions &&
-         a.marks == b.marks && a.combs == b.combs && a.facet_edges == b.facet_edges &&
-         a.comb_scale == b.comb_scale && a.failed == b.failed && a.show_points == b.show_points &&
-         a.x_ray == b.x_ray && a.dimmed == b.dimmed && a.selected == b.selected && a.hovered == b.hovered &&
+         a.show_bodies == b.show_bodies && a.faint_bodies == b.faint_bodies && a.marks == b.marks &&
+         a.combs == b.combs && a.facet_edges == b.facet_edges && a.comb_scale == b.comb_scale &&
+         a.failed == b.failed && a.show_points == b.show_points && a.x_ray == b.x_ray &&
+         a.dimmed == b.dimmed && a.selected == b.selected && a.hovered == b.hovered &&
          a.selected_patches == b.selected_patches && a.hovered_patches == b.hovered_patches;
 }
 
@@ -110,6 +112,7 @@ void clear_lines(SceneObject& out) {
   out.wire = PatchWire::none;
   out.show_surface = true;
   out.show_network = false;
+  out.show_bodies = false;
   out.marks.reset();
   out.combs.reset();
   out.selected_patches.clear();
@@ -135,6 +138,30 @@ void show_errors(const MeshPreview& mesh, MeshShown shown, SceneObject& out) {
   out.map = SurfaceMap::gaussian;
   out.range = errors.range;
   out.facet_edges = mesh.edges;
+}
+
+/// The plane of symmetry of solids as a frame round them, in the colour of its axis.
+void add_symmetry_plane(const Object& object, std::vector<OverlayLine>& lines) {
+  if (!object.visible || !object.solids() || !object.display.polyhedron) return;
+  const SymmetryPlane plane = object.solids()->input->settings.symmetry;
+  if (plane == SymmetryPlane::none) return;
+  Object straight = object;
+  straight.transform = Similarity{};
+  const Box3 box = world_box(straight);
+  if (box.isEmpty()) return;
+  const auto axis = static_cast<Eigen::Index>(plane) - 1, u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double margin = 0.08 * box.sizes().maxCoeff();
+  Color color = color_from_hex(std::array{"#e5484d", "#46a758", "#3e82f7"}[static_cast<std::size_t>(axis)]);
+  color.a = 0.8F;
+  const auto corner = [&](bool far_u, bool far_v) {
+    Vector3 out = Vector3::Zero();
+    out[u] = far_u ? box.max()[u] + margin : box.min()[u] - margin;
+    out[v] = far_v ? box.max()[v] + margin : box.min()[v] - margin;
+    return Vector3(object.transform.apply(out));
+  };
+  const std::array corners{corner(false, false), corner(true, false), corner(true, true),
+                           corner(false, true)};
+  for (std::size_t i = 0; i < 4; ++i) lines.push_back({corners[i], corners[(i + 1) % 4], color, 1.6F, false});
 }
 
 /// The element that an error names, to be outlined: faces by their edges too.
@@ -183,6 +210,8 @@ void SceneBuilder::update(const Editor& editor) {
     next.objects.push_back(scene_object_of(*paper_, editor.paper));
     ids_.push_back(ObjectId{});
   }
+  if (const Object* active = editor.has_document ? editor.active_object() : nullptr; active && !paper_)
+    add_symmetry_plane(*active, next.lines);
   if (editor.paper.shown && editor.paper.fault)
     for (const auto& [from, to] : editor.paper.fault->lines)
       next.lines.push_back({from, to, color_from_hex("#e5484d"), 3, true});
@@ -297,6 +326,8 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     // They lie inside of their surface.
     out.x_ray = true;
     out.show_points = false;
+    out.show_bodies = editor.view.bodies && display.polyhedron;
+    out.faint_bodies = object->locked;
   }
   if (editor.mode == ElementMode::object || !(cage || object->solids())) return out;
   const ElementSelection& selected = editor.selection.of(object->id);

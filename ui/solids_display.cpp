@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/envelope/convex_hull.hpp"
+#include "core/envelope/scene_symmetry.hpp"
 
 namespace hariko {
 
@@ -188,19 +189,26 @@ class DisplayBuilder {
 std::shared_ptr<const DisplayPolyhedron> display_of(const SolidsSource& source) {
   const auto& solids = source.input->solids;
   Eigen::AlignedBox3d box;
+  const std::vector<Solid> images = images_of(*source.input);
   for (const Solid& solid : solids) box.extend(box_of(solid));
+  for (const Solid& solid : images) box.extend(box_of(solid));
   DisplayBuilder builder(box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.center()));
   std::vector<const Solid*> ordered;
   for (const Solid& solid : solids) ordered.push_back(&solid);
-  std::sort(ordered.begin(), ordered.end(), [](const Solid* a, const Solid* b) { return a->id < b->id; });
+  for (const Solid& solid : images) ordered.push_back(&solid);
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const Solid* a, const Solid* b) { return a->id < b->id; });
   for (const Solid* solid : ordered) builder.add(*solid);
   return builder.finish();
 }
 
 Highlights highlights_of_solids(const DisplayPolyhedron& display, const std::set<VertexId>& ids) {
   Highlights out;
-  for (Index e = 0; !ids.empty() && e < display.edges.size(); ++e)
+  if (ids.empty()) return out;
+  for (Index e = 0; e < display.edges.size(); ++e)
     if (ids.contains(display.vertex_ids[display.edges[e][0]])) out.edges.push_back(e);
+  for (Index f = 0; f < display.face_count(); ++f)
+    if (ids.contains(VertexId{display.face_ids[f].value})) out.faces.push_back(f);
   return out;
 }
 

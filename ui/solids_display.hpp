@@ -10,11 +10,12 @@
 
 namespace hariko {
 
-/// All solids of an object. Points carry the solid's id as that of a vertex, faces as that of a face; round
+/// All solids of an object, and their images in its plane of symmetry, which have the ids of what they are
+/// images of. Points carry the solid's id as that of a vertex, faces as that of a face; round
 /// solids have faces to be picked by and few lines to be seen by.
 std::shared_ptr<const DisplayPolyhedron> display_of(const SolidsSource& source);
 
-/// The lines of the solids with these ids, as edges of what `display_of` made.
+/// The lines and faces of the solids with these ids, as elements of what `display_of` made.
 Highlights highlights_of_solids(const DisplayPolyhedron& display, const std::set<VertexId>& ids);
 
 }  // namespace hariko

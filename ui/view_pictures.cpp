@@ -5,8 +5,8 @@
 
 namespace hariko {
 
-void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<const Shown> shown,
-                          bool busy) {
+void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<const Shown> shown, bool busy,
+                          std::uint64_t jumps) {
   statistics_ = {};
   const auto start = std::chrono::steady_clock::now();
   const std::uint64_t before = drawn_;
@@ -40,6 +40,11 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
     const bool waits = slow && wanted && state.exists && s.view != editor.layout.active() && other_drawn;
     state.stale = changed && waits;
     if (!wanted || waits) continue;
+    // Replays show the same pictures at any speed.
+    if (state.jumps != jumps && state.exists && state.size == s.size && !editor.recording &&
+        renderer_.keep(s.view))
+      state.fades_from = editor.now;
+    state.jumps = jumps;
     draw(editor, scene, s, samples);
     other_drawn = other_drawn || s.view != editor.layout.active() || samples == full_samples;
   }
@@ -54,7 +59,13 @@ void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& 
   const Camera camera = editor.layout.views[static_cast<std::size_t>(shown.view)].camera(editor.now);
   const auto done = renderer_.draw(scene.scene_of(shown.view), camera, {shown.size, samples, shown.view});
   if (!done.ok()) editor.notify(done.error());
-  state = {true, false, scene.version(), camera, shown.size, samples, state.changed_at};
+  if (state.size != shown.size) state.fades_from = -1;
+  state.exists = true;
+  state.stale = false;
+  state.version = scene.version();
+  state.camera = camera;
+  state.size = shown.size;
+  state.samples = samples;
   const FrameStatistics& now = renderer_.statistics();
   statistics_.uploaded_bytes += now.uploaded_bytes;
   statistics_.triangles += now.triangles;
@@ -62,10 +73,17 @@ void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& 
   ++drawn_;
 }
 
+double ViewPictures::shown_share(int view, double now) const {
+  const State& state = states_[static_cast<std::size_t>(view)];
+  if (state.fades_from < 0 || now >= state.fades_from + fade_seconds) return 1;
+  const double left = 1 - std::max(0.0, now - state.fades_from) / fade_seconds;
+  return 1 - left * left;
+}
+
 double ViewPictures::next_frame_in(const Editor& editor, bool busy) const {
   double next = -1;
   for (const State& state : states_) {
-    if (state.stale) return 0;
+    if (state.stale || shown_share(static_cast<int>(&state - states_.data()), editor.now) < 1) return 0;
     if (!wants_rest(state) || busy) continue;
     const double in = std::max(0.0, state.changed_at + rest_seconds - editor.now);
     next = next < 0 ? in : std::min(next, in);

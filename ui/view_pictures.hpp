@@ -26,10 +26,15 @@ class ViewPictures {
     PixelSize size;
   };
   /// Draws what changed: on slow renderers, while things move, the active view and one of the others a frame.
-  /// `busy`: a tool runs. Errors become notices.
-  void update(Editor& editor, const SceneBuilder& scene, std::span<const Shown> shown, bool busy);
+  /// `busy`: a tool runs. `jumps`: rises when the next pictures are to be faded to. Errors become notices.
+  void update(Editor& editor, const SceneBuilder& scene, std::span<const Shown> shown, bool busy,
+              std::uint64_t jumps);
 
   unsigned texture(int view) const { return renderer_.texture(view); }
+  /// Share of a view's picture over what was there before a jump: 1 where nothing fades.
+  double shown_share(int view, double now) const;
+  unsigned faded_texture(int view) const { return renderer_.kept_texture(view); }
+  static constexpr double fade_seconds = 0.15;
   /// Seconds until a picture wants another frame without any event; negative when none does.
   double next_frame_in(const Editor& editor, bool busy) const;
   std::uint64_t drawn() const { return drawn_; }
@@ -46,6 +51,8 @@ class ViewPictures {
     PixelSize size;
     int samples = 0;
     double changed_at = 0;
+    std::uint64_t jumps = 0;
+    double fades_from = -1;  ///< when a fade began
   };
   bool wants_rest(const State& state) const { return state.exists && state.samples < full_samples; }
   void draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples);

@@ -79,6 +79,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     scene_.update(editor_);  // hovering and clicking look at what is there now
     gizmo_.update(editor_, tool_ != nullptr);
     arrows_.update(editor_);
+    waists_.update(editor_);
     handle_pointer(hovered);
     // A title or a tool may have arranged the views anew.
     place_views(rect);
@@ -86,7 +87,9 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     std::vector<ViewPictures::Shown> shown;
     for (const Place& place : places_) shown.push_back({place.view, size_of(place)});
     gizmo_.update(editor_, tool_ != nullptr);
-    pictures_.update(editor_, scene_, shown, tool_ != nullptr);
+    waists_.update(editor_);
+    jumps_.update(editor_);
+    pictures_.update(editor_, scene_, shown, tool_ != nullptr, jumps_.count());
     for (const Place& place : places_) show(context, place);
     draw_legend(context, rect, scene_);
   }
@@ -212,10 +215,15 @@ void Viewport::show(PanelContext& context, const Place& place) {
   const Camera camera = editor_.layout.views[static_cast<std::size_t>(place.view)].camera(editor_.now);
   context.marks.rect("view." + std::to_string(place.view), place.rect.min, place.rect.max);
   list.PushClipRect(place.rect.min, place.rect.max, true);
-  list.AddImage(
-      // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
-      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(pictures_.texture(place.view))),
-      place.rect.min, place.rect.max, {0, 1}, {1, 0});
+  const auto picture = [&](unsigned texture, float opacity) {
+    list.AddImage(
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), place.rect.min, place.rect.max,
+        {0, 1}, {1, 0}, with_alpha(IM_COL32_WHITE, opacity));
+  };
+  const double share = pictures_.shown_share(place.view, editor_.now);
+  if (share < 1) picture(pictures_.faded_texture(place.view), 1);
+  picture(pictures_.texture(place.view), static_cast<float>(share));
   const bool active = place.view == editor_.layout.active();
   draw_scale_bar(context, camera, place.rect);
   draw_tension_numbers(context, place.rect, camera, scene_.scene());
@@ -231,6 +239,10 @@ void Viewport::show(PanelContext& context, const Place& place) {
   if (active) {
     arrows_.draw(overlay, hot_arrow_);
     arrows_.mark(context.marks, overlay);
+    if (!tool_) {
+      waists_.draw(overlay, hot_waist_);
+      waists_.mark(context.marks, overlay);
+    }
     gizmo_.draw(overlay, hot_handle_);
     gizmo_.mark(context.marks, overlay);
   }
@@ -296,8 +308,10 @@ void Viewport::look_for_press(PointerEvent event) {
     const bool plain = event.button == PointerButton::left && !event.shift && !event.control && !event.alt;
     const auto handle = plain ? gizmo_.hit(event.pixel) : std::nullopt;
     const auto arrow = plain && !handle ? arrows_.hit(event.pixel) : std::nullopt;
+    const auto waist = plain && !handle && !arrow ? waists_.hit(event.pixel) : std::nullopt;
     auto tool = handle  ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
                 : arrow ? make_normal_tool(editor_.selection.active, *arrow)
+                : waist ? make_waist_tool(editor_.selection.active, waists_.bridge(*waist))
                         : skin_tool_at({editor_, scene_}, event);
     if (!tool) tool = tool_for(editor_, event);
     if (tool) start(std::move(tool), event);
@@ -369,6 +383,7 @@ void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   press_ = press;
   hot_handle_.reset();
   hot_arrow_.reset();
+  hot_waist_.reset();
   editor_.hovered.reset();
   ToolContext context{editor_, scene_};
   tool_->begin(context, press);
@@ -419,6 +434,7 @@ bool Viewport::cancel_tool() {
 void Viewport::hover(const Vector2& pixel, bool inside) {
   hot_handle_.reset();
   hot_arrow_.reset();
+  hot_waist_.reset();
   if (std::exchange(on_paper_, false)) editor_.paper.hovered = {};
   if (!inside) {
     editor_.hovered.reset();
@@ -428,7 +444,8 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
   const ToolContext context{editor_, scene_};
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
   if (!hot_handle_) hot_arrow_ = arrows_.hit(pixel);
-  if (hot_handle_ || hot_arrow_) return editor_.hovered.reset();
+  if (!hot_handle_ && !hot_arrow_) hot_waist_ = waists_.hit(pixel);
+  if (hot_handle_ || hot_arrow_ || hot_waist_) return editor_.hovered.reset();
   if (const PaperSolid* paper = scene_.paper()) {
     const Projector projector = context.projector();
     const double reach = 5 * editor_.pixel_scale * editor_.camera().pixel_length(editor_.viewport);
@@ -452,6 +469,7 @@ std::string Viewport::hint() const {
   const Language& tr = editor_.language;
   if (hot_handle_) return tr("Drag the handle   click to type a number");
   if (hot_arrow_) return tr("Drag turns the normal   click selects the point");
+  if (hot_waist_) return tr("Drag changes the waist of the bridge   click selects its solids");
   if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
   const std::size_t objects = editor_.selection.objects().size();
   const std::string selected =

@@ -9,10 +9,12 @@
 #include "ui/gauss_view.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/skin_overlay.hpp"
+#include "ui/patch_jumps.hpp"
 #include "ui/scene_builder.hpp"
 #include "ui/tools/gizmo.hpp"
 #include "ui/tools/outline_handles.hpp"
 #include "ui/tools/tool.hpp"
+#include "ui/tools/waist_handles.hpp"
 #include "ui/view_pictures.hpp"
 
 namespace hariko {
@@ -81,13 +83,16 @@ class Viewport {
   Editor& editor_;
   ViewPictures pictures_;
   SceneBuilder scene_;
+  PatchJumps jumps_;
   std::unique_ptr<Tool> tool_;
   Gizmo gizmo_;
   SkinOverlay skin_overlay_;
   const GaussView* gauss_ = nullptr;
   std::optional<GizmoHandle> hot_handle_;  ///< under the pointer
   OutlineHandles arrows_;
-  std::optional<Index> hot_arrow_;        ///< under the pointer
+  std::optional<Index> hot_arrow_;  ///< under the pointer
+  WaistHandles waists_;
+  std::optional<std::size_t> hot_waist_;  ///< under the pointer
   bool shift_ = false, control_ = false;  ///< as the tool knows them
   PointerEvent press_;
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits

@@ -8,6 +8,7 @@
 #include "core/modeling/attached.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
+#include "ui/solids_display.hpp"
 
 namespace hariko {
 
@@ -24,7 +25,7 @@ Result<SceneObject> scene_object(const Document& document, const Object& object,
                           ? object.display.density
                           : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
   out.mesh = DisplayMesh::build(built->surface, map_options(arguments.map, density));
-  out.polyhedron = cage_of(object);
+  out.polyhedron = object.solids() ? display_of(*object.solids()) : cage_of(object);
   out.transform = matrix_of(object.transform);
   out.map = arguments.map;
   const DisplaySettings display =
@@ -32,6 +33,10 @@ Result<SceneObject> scene_object(const Document& document, const Object& object,
   out.material = display.material;
   out.color = color_of(arguments.colour.value_or(display.colour));
   out.show_polyhedron = arguments.polyhedron;
+  if (object.solids()) {
+    out.show_bodies = out.x_ray = arguments.polyhedron;
+    out.show_points = false;
+  }
   out.show_network = arguments.network;
   out.show_tensions = arguments.tensions;
   out.wire = arguments.wire;

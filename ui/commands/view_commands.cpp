@@ -120,6 +120,17 @@ void add_view_commands(CommandHost& host) {
                   [&editor] { editor.view.x_ray = !editor.view.x_ray; },
                   {},
                   [&editor] { return editor.view.x_ray; }});
+  host.table.add({"view.solids",
+                  "View",
+                  "Solids in the surface",
+                  "See the bodies of solids through the surface round them.",
+                  "Alt+B",
+                  "",
+                  false,
+                  false,
+                  [&editor] { editor.view.bodies = !editor.view.bodies; },
+                  {},
+                  [&editor] { return editor.view.bodies; }});
   host.table.add({"view.grid",
                   "View",
                   "Ground grid",

@@ -273,6 +273,14 @@ void show_rows(PanelContext& context, const Object& object) {
   if (!object.polyhedron()) {
     ImGui::SameLine(second);
     show_flag(context, object, edges_flag);
+    if (!object.solids()) return;
+    ImGui::SetCursorPosX(start);
+    ImGui::BeginDisabled(!object.display.polyhedron);
+    ImGui::Checkbox(context.tr("bodies"), &context.editor.view.bodies);
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("%s", context.tr("See the bodies of solids through the surface round them."));
+    context.marks.item("check.bodies");
     return;
   }
   ImGui::SameLine(second);

@@ -32,6 +32,13 @@ const char* kind_name(SolidKind kind) {
   return kind_names[static_cast<std::size_t>(kind)];
 }
 
+constexpr std::array symmetry_choices{
+    Choice{"None", "Only the solids that are there"},
+    Choice{"Across x", "Solids have images beyond the plane across the x axis; the surface is symmetric"},
+    Choice{"Across y", "Solids have images beyond the plane across the y axis; the surface is symmetric"},
+    Choice{"Across z", "Solids have images beyond the plane across the z axis; the surface is symmetric"},
+};
+
 Quantity share(double low, double high, double standard) {
   Quantity quantity = plain_quantity(3, 0.02);
   quantity.low = low;
@@ -79,6 +86,11 @@ void choice_rows(PanelContext& context, const Object& object) {
                                  patch_choices, static_cast<int>(now.patches)))
     set("Patches of the surface",
         [&](EnvelopeSettings& settings) { settings.patches = static_cast<EnvelopePatches>(*chosen); });
+  if (const auto chosen = choose(context, "envelope_symmetry", "Symmetry",
+                                 "A plane through the object's zero, across an axis of the object",
+                                 symmetry_choices, static_cast<int>(now.symmetry)))
+    set("Symmetry of the surface",
+        [&](EnvelopeSettings& settings) { settings.symmetry = static_cast<SymmetryPlane>(*chosen); });
 }
 
 /// Whether the surface contains the solids, and whether it follows their notches.
@@ -93,6 +105,13 @@ void state_rows(PanelContext& context, const Object& object) {
   ImGui::TextUnformatted(context.tr(says(w_not_enclosed) ? translatable("Not all of the solids")
                                                          : translatable("All of the solids")));
   context.marks.item("solids.contains");
+  if (object.solids()->input->settings.symmetry != SymmetryPlane::none) {
+    row_label(context, "Symmetric", "Whether the surface is its own image in the plane");
+    ImGui::TextUnformatted(context.tr(says(w_not_symmetric)
+                                          ? translatable("No: its faces differ on both sides")
+                                          : translatable("On both sides of the plane")));
+    context.marks.item("solids.symmetric");
+  }
   if (!(object.solids()->input->settings.tightness > 0)) return;
   row_label(context, "Follows", "Notches between the solids");
   ImGui::TextUnformatted(context.tr(says(w_tightness_reduced)
@@ -263,6 +282,28 @@ void roundness_rows(PanelContext& context, const Object& object, const Ids& ids)
       });
 }
 
+/// Of the bridge between two selected solids.
+void bridge_row(PanelContext& context, const Object& object, const Ids& ids) {
+  if (ids.size() != 2) return;
+  const EnvelopeSettings& settings = object.solids()->input->settings;
+  const SolidPair pair = SolidPair::of(ids[0], ids[1]);
+  const double waist = settings.waist;
+  const Quantity quantity = share(0.01, std::min(1.0, 2 * waist), waist);
+  slider_row(
+      context,
+      {"bridge_waist", translatable("Bridge"),
+       translatable("Waist of the bridge between the two solids alone; the rings on bridges can be dragged"),
+       translatable("Waist of bridge"), quantity},
+      quantity.low, quantity.high, false, std::min(quantity.high, waist * settings.waists.get_or(pair, 1)),
+      [object = object.id, pair, waist, quantity](const Document& document, const ValueChange& change) {
+        const Object* found = document.find(object);
+        const double now = found && found->solids()
+                               ? waist * found->solids()->input->settings.waists.get_or(pair, 1)
+                               : waist;
+        return change_waist(document, object, pair, change.apply(quantity, now) / waist);
+      });
+}
+
 void selected_rows(PanelContext& context, const Object& object, const Ids& ids) {
   heading(context, ids.size() == 1 ? context.tr(kind_name(find_solid(object, ids.front())->kind))
                                    : fill(context.tr("{0} solids"), {std::to_string(ids.size())}).c_str());
@@ -283,6 +324,7 @@ void selected_rows(PanelContext& context, const Object& object, const Ids& ids) 
                {"solid.scale_x", "solid.scale_y", "solid.scale_z"}, "Scale solid", scale,
                [](Solid& solid) -> Vector3& { return solid.scale; });
   roundness_rows(context, object, ids);
+  bridge_row(context, object, ids);
 }
 
 void list_rows(PanelContext& context, const Object& object, const Ids& ids) {

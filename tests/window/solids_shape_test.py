@@ -1,0 +1,123 @@
+"""The surface round solids: its bodies, its plane of symmetry, waists dragged on bridges, a drag that changes its
+patches."""
+
+import os
+
+from driver import Window, check, run
+
+
+def position(window):
+    return window.last("document")["position"]
+
+
+def label(window):
+    return window.last("document")["label"]
+
+
+def rings(window):
+    return [name for name in window.last("layout")["rects"] if name.startswith("waist.")]
+
+
+def pixels(path):
+    """The picture as lines of text, to be compared."""
+    import subprocess
+    return subprocess.run(["convert", path, "-depth", "8", "rgb:-"], capture_output=True, check=True).stdout
+
+
+def show_bodies(window, output):
+    with_bodies, without = (os.path.join(output, f"solids_bodies_{name}.png") for name in ("on", "off"))
+    window.screenshot(with_bodies)
+    window.key("alt+b")
+    window.wait_idle()
+    window.screenshot(without)
+    check(pixels(with_bodies) != pixels(without), "Alt+B changes nothing")
+    check(position(window) == 0, "showing bodies made a step")
+    window.key("alt+b")
+    window.wait_idle()
+
+
+def choose_symmetry(window, number, text):
+    window.click_on("combo.envelope_symmetry")
+    window.click_on(f"choice.envelope_symmetry.{number}")
+    window.wait(lambda: label(window) == text, text)
+    window.wait_idle()
+
+
+def make_symmetric(window, output):
+    before = position(window)
+    choose_symmetry(window, 1, "Symmetry of the surface")
+    check(position(window) == before + 1, "the plane is not one step")
+    window.rect("solids.symmetric")
+    window.screenshot(os.path.join(output, "solids_symmetric.png"))
+    window.key("ctrl+z")
+    window.wait(lambda: position(window) == before, "undo of the plane")
+    window.wait_idle()
+    check("solids.symmetric" not in window.last("layout")["rects"], "without a plane there is a row about it")
+
+
+def drag_waist(window, output):
+    window.wait(lambda: rings(window), "rings on the bridges")
+    name = sorted(rings(window))[0]
+    x, y = window.center(name)
+    before = position(window)
+    # Esc leaves the waist as it was.
+    window.arrive(x, y)
+    window.press()
+    for i in range(1, 5):
+        window.move(x + 10 * i, y + 10 * i)
+    window.key("Escape")
+    window.release()
+    window.wait_idle()
+    check(position(window) == before, "Esc did not cancel the drag of the waist")
+    # One of two opposite drags can be held back by the largest or the least waist.
+    window.drag((x, y), (x + 30, y + 30), before_release=lambda: window.screenshot(
+        os.path.join(output, "solids_waist_dragged.png")))
+    window.wait(lambda: position(window) == before + 1, "a dragged waist")
+    window.wait_idle()
+    check(label(window) == "Waist of bridge", "the drag made the step " + label(window))
+    window.key("ctrl+z")
+    window.wait(lambda: position(window) == before, "undo of the waist")
+    window.wait_idle()
+    # A click takes both solids, whose number can be typed.
+    window.click_on(name)
+    window.wait(lambda: window.last("document")["selection"] == "2 solids", "both solids")
+    window.wait_idle()
+    window.click_on("field.bridge_waist")
+    window.key("ctrl+a")
+    window.type("0.2")
+    window.key("Return")
+    window.wait(lambda: label(window) == "Waist of bridge" and position(window) == before + 1, "a typed waist")
+    window.wait_idle()
+    window.screenshot(os.path.join(output, "solids_waist_typed.png"))
+    window.key("ctrl+z")
+    window.wait(lambda: position(window) == before, "undo of the typed waist")
+    window.key("ctrl+shift+a")
+    window.wait(lambda: window.last("document")["selection"] == "nothing selected", "no selection")
+    window.wait_idle()
+
+
+def drag_through(window):
+    """Patches change on the way and pictures are faded; the window comes to rest, and undo takes all of it back."""
+    before = position(window)
+    start = window.vertex(0)[:2]
+    end = window.vertex(3)[:2]
+    window.drag(start, end, steps=25)
+    window.wait(lambda: position(window) == before + 1, "a solid dragged through the others")
+    window.wait_idle()
+    window.key("ctrl+z")
+    window.wait(lambda: position(window) == before, "undo")
+    window.wait_idle()
+
+
+def session(program, source, output):
+    window = Window(program, os.path.join(source, "assets", "samples", "solids_four.hariko"), size=(1280, 800))
+    try:
+        show_bodies(window, output)
+        make_symmetric(window, output)
+        drag_waist(window, output)
+        drag_through(window)
+    finally:
+        window.close()
+
+
+run(session)
