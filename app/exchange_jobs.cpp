@@ -10,6 +10,7 @@
 #include "app/export_triangles.hpp"
 #include "app/files/export_cad.hpp"
 #include "app/files/sheet_file.hpp"
+#include "core/document/convert_unit.hpp"
 #include "core/document/edit_objects.hpp"
 #include "ui/export_text.hpp"
 #include "ui/panels/quantity.hpp"
@@ -29,22 +30,26 @@ void ExchangeJobs::import_file(const std::filesystem::path& path) {
         return open_file(path, cancel, progress);
       },
       [this, path](const OpenedFile& opened) {
-        if (opened.document) return add_imported(path, *opened.document, opened.messages);
+        if (opened.document) return add_imported(path, *opened.document, opened.says_unit, opened.messages);
         if (!opened.broken_mesh) return editor_.notify(*opened.error());
         log_("broken", path);
-        ask_about_broken_mesh(editor_, workbench_, path, std::make_shared<const OpenedFile>(opened),
-                              [this, path](const Document& document, const std::string& note) {
-                                add_imported(path, document, {});
-                                editor_.notify(Notice::Kind::info, note);
-                              });
+        ask_about_broken_mesh(
+            editor_, workbench_, path, std::make_shared<const OpenedFile>(opened),
+            [this, path, says_unit = opened.says_unit](const Document& document, const std::string& note) {
+              add_imported(path, document, says_unit, {});
+              editor_.notify(Notice::Kind::info, note);
+            });
       });
 }
 
-void ExchangeJobs::add_imported(const std::filesystem::path& path, const Document& document,
+void ExchangeJobs::add_imported(const std::filesystem::path& path, const Document& document, bool says_unit,
                                 const std::vector<Message>& warnings) {
   if (!editor_.has_document) editor_.open({}, {});
   if (editor_.history.in_gesture()) editor_.cancel_preview();
-  if (!editor_.commit(append_document(editor_.history.current(), document),
+  const Document& before = editor_.history.current();
+  const auto fitting = says_unit ? convert_unit(document, before.unit) : document;
+  if (!fitting.ok()) return editor_.notify(fitting.error());
+  if (!editor_.commit(append_document(before, *fitting),
                       fill(translatable("Import {0}"), {path.filename().string()})))
     return;
   editor_.selection.clear_elements();

@@ -34,7 +34,8 @@ class ExchangeJobs {
   void export_pages(const std::filesystem::path& path);
 
  private:
-  void add_imported(const std::filesystem::path& path, const Document& document,
+  /// Where the file says its unit, objects keep their size, otherwise the numbers.
+  void add_imported(const std::filesystem::path& path, const Document& document, bool says_unit,
                     const std::vector<Message>& warnings);
   void warn(const std::vector<Message>& warnings);
   Document document_to_export(const ExportSettings& settings) const;

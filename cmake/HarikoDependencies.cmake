@@ -6,6 +6,7 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(TBB REQUIRED)
 # The CMake package of libzip asks for its command line tools, too.
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
+find_package(EXPAT REQUIRED)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 
 # OpenSubdiv's own CMake package names static libraries that Debian does not ship, so it is looked up by hand.

@@ -394,7 +394,7 @@ void Workbench::show_open_dialog() {
   dialog_.open({translatable("Open"),
                 translatable("Open"),
                 false,
-                {".hariko", ".obj", ".off", ".ply", ".stl", ".bpt", ".json"},
+                {".hariko", ".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json"},
                 folder_proposal(),
                 [this](const auto& path) { open_guarded(path); }});
 }
@@ -403,7 +403,7 @@ void Workbench::show_import_dialog() {
   dialog_.open({translatable("Import a mesh"),
                 translatable("Import"),
                 false,
-                {".obj", ".off", ".ply", ".stl", ".bpt", ".json"},
+                {".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json"},
                 folder_proposal(),
                 [this](const auto& path) { actions_.import_file(path); }});
 }

@@ -1,6 +1,8 @@
 #include "app/files/open_file.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
@@ -20,41 +22,103 @@ namespace hariko {
 
 namespace {
 
+/// The objects of a mesh file, each as it came, repaired, and as reference facets where it makes no
+/// polyhedron.
+class MeshObjects {
+ public:
+  explicit MeshObjects(OpenedFile& opened) : opened_(opened) {}
+
+  void add(PolygonMesh mesh, const std::string& name, bool alone) {
+    auto polyhedron = PolyhedronSource::from_mesh(mesh);
+    if (polyhedron.ok()) {
+      for (auto* document : {&whole_, &repaired_, &reference_}) put(*document, name, polyhedron);
+      return;
+    }
+    if (whole_) repaired_ = reference_ = std::exchange(whole_, std::nullopt);
+    note_errors(mesh, polyhedron.error(), alone ? "" : "\"" + name + "\": ");
+    const auto repaired = make_manifold(mesh);
+    if (repaired.ok()) count_repair(repaired->report);
+    put(repaired_, name,
+        repaired.ok() ? PolyhedronSource::from_mesh(repaired->mesh)
+                      : Result<PolyhedronSource>(repaired.error()));
+    put(reference_, name, MeshSource::from_mesh(mesh));
+    if (opened_.broken_mesh) return;
+    opened_.broken_mesh = std::move(mesh);
+    opened_.name = name;
+  }
+
+  /// `metres_per_unit` is nothing where the file does not say it.
+  void finish(const std::optional<double>& metres_per_unit) {
+    opened_.says_unit = metres_per_unit.has_value();
+    for (const Unit unit : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch})
+      for (auto* document : {&whole_, &repaired_, &reference_})
+        if (*document && metres_per_unit &&
+            std::abs(millimetres_per(unit) / (1000 * *metres_per_unit) - 1) < 1e-9)
+          (*document)->unit = unit;
+    opened_.document = std::move(whole_);
+    if (!opened_.broken_mesh) return;
+    opened_.repaired = std::move(repaired_);
+    opened_.reference = std::move(reference_);
+  }
+
+ private:
+  void count_repair(const RepairReport& report) {
+    opened_.repair.merged_vertices += report.merged_vertices;
+    opened_.repair.dropped_faces += report.dropped_faces;
+    opened_.repair.turned_faces += report.turned_faces;
+    opened_.repair.split_vertices += report.split_vertices;
+    opened_.repair.removed_vertices += report.removed_vertices;
+  }
+
+  template <class Made>
+  static void put(std::optional<Document>& document, const std::string& name, const Result<Made>& source) {
+    if (!document) return;
+    auto added = source.ok() ? add_object(*document, name, *source) : Result<Added>(source.error());
+    if (added.ok())
+      document = std::move(added).value().document;
+    else
+      document.reset();
+  }
+
+  /// The first error stopped the conversion; the designer wants to know all of them.
+  void note_errors(const PolygonMesh& mesh, const Message& first, const std::string& start) {
+    const std::size_t before = opened_.messages.size();
+    for (Message& message : validate(mesh))
+      if (message.severity == Severity::error) opened_.messages.push_back(std::move(message));
+    const auto same = [&](const Message& message) { return message.code == first.code; };
+    if (std::none_of(opened_.messages.begin() + std::ptrdiff_t(before), opened_.messages.end(), same))
+      opened_.messages.push_back(first);
+    for (std::size_t k = before; k < opened_.messages.size(); ++k)
+      opened_.messages[k].text = start + opened_.messages[k].text;
+  }
+
+  OpenedFile& opened_;
+  std::optional<Document> whole_{Document{}};     ///< while every mesh makes a polyhedron
+  std::optional<Document> repaired_, reference_;  ///< afterwards, as long as they can be made
+};
+
 void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress,
                OpenedFile& opened) {
   ReadLimits limits;
   limits.cancel = cancel;
   limits.progress = progress.part(0, 0.8);
-  auto imported = read_mesh_file(file, limits);
+  auto imported = read_scene_file(file, limits);
   if (!imported.ok()) {
     opened.messages.push_back(imported.error());
     return;
   }
-  opened.messages = imported->warnings;
-  if (const std::string own = printable(imported->name, Object::max_name_length); check_name(own).ok())
-    opened.name = own;
-  PolygonMesh mesh = std::move(imported).value().mesh;
-  auto document = document_from_mesh(mesh, opened.name);
-  if (document.ok()) {
-    opened.document = std::move(document).value();
-    return;
+  ImportedScene scene = std::move(imported).value();
+  opened.messages = std::move(scene.warnings);
+  const bool alone = scene.parts.size() == 1;
+  MeshObjects objects(opened);
+  for (ImportedPart& part : scene.parts) {
+    if (cancel.cancelled()) return;
+    const std::string own = printable(part.name, Object::max_name_length);
+    const std::string name = check_name(own).ok() ? own : opened.name;
+    if (alone) opened.name = name;
+    objects.add(std::move(part.mesh), name, alone);
   }
-  // The first error stopped the conversion; the designer wants to know all of them.
-  for (Message& message : validate(mesh))
-    if (message.severity == Severity::error) opened.messages.push_back(std::move(message));
-  const auto same = [&](const Message& message) { return message.code == document.error().code; };
-  if (std::none_of(opened.messages.begin(), opened.messages.end(), same))
-    opened.messages.push_back(document.error());
-  if (const auto repaired = make_manifold(mesh); repaired.ok()) {
-    if (auto made = document_from_mesh(repaired->mesh, opened.name); made.ok()) {
-      opened.repaired = std::move(made).value();
-      opened.repair = repaired->report;
-    }
-  }
-  if (auto facets = MeshSource::from_mesh(mesh); facets.ok())
-    if (auto made = add_object({}, opened.name, std::move(facets).value()); made.ok())
-      opened.reference = std::move(made).value().document;
-  opened.broken_mesh = std::move(mesh);
+  objects.finish(scene.metres_per_unit);
 }
 
 /// What a layout of its own becomes: solids, sections or outlines.

@@ -1,6 +1,7 @@
 #pragma once
 
-// Reading what a designer opens: a document, or a mesh file as a document with one polyhedron.
+// Reading what a designer opens: a document, or a mesh file as a document with a polyhedron for each of its
+// objects.
 
 #include <filesystem>
 #include <optional>
@@ -17,13 +18,16 @@ namespace hariko {
 struct OpenedFile {
   std::optional<Document> document;  ///< nothing when an error is among the messages
   std::vector<Message> messages;     ///< of reading and, for a mesh that makes no polyhedron, of validation
-  /// A mesh that was read but makes no polyhedron, for reports and repairs.
+  /// The first mesh that was read but makes no polyhedron, for reports and repairs.
   std::optional<PolygonMesh> broken_mesh;
-  /// What such a mesh becomes by `make_manifold`, and as reference facets; nothing where it cannot be that.
+  /// What the file becomes where such meshes are changed by `make_manifold`, and as reference facets; nothing
+  /// where it cannot be that.
   std::optional<Document> repaired, reference;
   RepairReport repair;  ///< how `repaired` was made
   std::string name;     ///< of the object that a mesh file makes: as the file says, else after the file
   bool native = false;  ///< a *.hariko document, so that saving may go back to the same file
+  /// A mesh file that says the unit of its lengths: the documents have it, or millimetres.
+  bool says_unit = false;
 
   /// The first error among the messages; null when there is a document.
   const Message* error() const;
@@ -33,8 +37,8 @@ struct OpenedFile {
 /// Errors: those of `read_file` and `json_kind`; E_FORMAT_UNKNOWN for kinds that are not opened.
 Result<JsonKind> content_of(const std::filesystem::path& file);
 
-/// The ending of the name decides: .obj .off .ply .stl are meshes, else `content_of` does; patches must be
-/// bicubic. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and
+/// The ending of the name decides: .obj .off .ply .stl .glb .gltf .3mf are meshes, else `content_of` does;
+/// patches must be bicubic. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and
 /// `validate`; E_CANCELLED alone where it was cancelled.
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
                      const Progress& progress = {});

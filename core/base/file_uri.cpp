@@ -36,23 +36,27 @@ std::string file_uri(const std::filesystem::path& path) {
   return uri;
 }
 
-std::optional<std::filesystem::path> path_of_uri(std::string_view uri) {
-  if (!uri.starts_with(scheme)) return {};
-  uri.remove_prefix(scheme.size());
-  if (!uri.starts_with('/')) return {};
+std::optional<std::string> without_escapes(std::string_view text) {
   std::string bytes;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] != '%') {
-      bytes += uri[i];
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      bytes += text[i];
       continue;
     }
-    if (i + 2 >= uri.size()) return {};
-    const int high = digit_value(uri[i + 1]), low = digit_value(uri[i + 2]);
+    if (i + 2 >= text.size()) return {};
+    const int high = digit_value(text[i + 1]), low = digit_value(text[i + 2]);
     if (high < 0 || low < 0 || (high == 0 && low == 0)) return {};
     bytes += static_cast<char>(high * 16 + low);
     i += 2;
   }
   return bytes;
+}
+
+std::optional<std::filesystem::path> path_of_uri(std::string_view uri) {
+  if (!uri.starts_with(scheme)) return {};
+  uri.remove_prefix(scheme.size());
+  if (!uri.starts_with('/')) return {};
+  return without_escapes(uri);
 }
 
 }  // namespace hariko

@@ -16,4 +16,7 @@ std::string file_uri(const std::filesystem::path& path);
 /// The path of such a text; nothing when it is not an absolute file URI of this machine.
 std::optional<std::filesystem::path> path_of_uri(std::string_view uri);
 
+/// Every %AB as the byte that it stands for; nothing where one is cut off or zero.
+std::optional<std::string> without_escapes(std::string_view text);
+
 }  // namespace hariko

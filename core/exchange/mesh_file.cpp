@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/base/printable.hpp"
+#include "core/exchange/gltf_container.hpp"
+#include "core/exchange/read_3mf.hpp"
 #include "core/exchange/read_obj.hpp"
 #include "core/exchange/read_off.hpp"
 #include "core/exchange/read_ply.hpp"
@@ -31,6 +33,16 @@ bool looks_like_obj(std::string_view bytes) {
 Message in_file(const std::filesystem::path& path, Message message) {
   message.text = "\"" + printable(path.native()) + "\": " + message.text;
   return message;
+}
+
+/// Of the formats that have one mesh.
+Result<ImportedScene> as_scene(Result<ImportedMesh> result) {
+  if (!result) return result.error();
+  ImportedMesh mesh = std::move(result).value();
+  ImportedScene scene;
+  scene.parts.push_back({std::move(mesh.mesh), std::move(mesh.name)});
+  scene.warnings = std::move(mesh.warnings);
+  return scene;
 }
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -91,10 +103,14 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path)
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".ply") return MeshFormat::ply;
   if (extension == ".stl") return MeshFormat::stl;
+  if (extension == ".glb" || extension == ".gltf") return MeshFormat::gltf;
+  if (extension == ".3mf") return MeshFormat::three_mf;
   return {};
 }
 
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
+  if (looks_like_glb(bytes)) return MeshFormat::gltf;
+  if (looks_like_zip(bytes)) return MeshFormat::three_mf;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return MeshFormat::ply;
   if (looks_like_stl(bytes)) return MeshFormat::stl;
   if (looks_like_off(bytes)) return MeshFormat::off;
@@ -102,41 +118,71 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return {};
 }
 
-Result<ImportedMesh> read_mesh(std::string_view bytes, MeshFormat format, const ReadLimits& limits) {
+Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, const ReadLimits& limits,
+                                 const FileBeside& beside) {
   switch (format) {
     case MeshFormat::obj:
-      return read_obj(bytes, limits);
+      return as_scene(read_obj(bytes, limits));
     case MeshFormat::off:
-      return read_off(bytes, limits);
+      return as_scene(read_off(bytes, limits));
     case MeshFormat::ply:
-      return read_ply(bytes, limits);
+      return as_scene(read_ply(bytes, limits));
     case MeshFormat::stl:
-      return read_stl(bytes, limits);
+      return as_scene(read_stl(bytes, limits));
+    case MeshFormat::gltf:
+      return read_gltf(bytes, limits, beside);
+    case MeshFormat::three_mf:
+      return read_3mf(bytes, limits);
   }
   HARIKO_ASSERT(false, "unknown mesh format");
   return make_error(e_format_unknown, {});
 }
 
-Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const ReadLimits& limits,
-                                    std::uint64_t size_limit) {
+Result<ImportedMesh> read_mesh(std::string_view bytes, MeshFormat format, const ReadLimits& limits) {
+  auto scene = read_parts(bytes, format, limits);
+  return scene ? Result<ImportedMesh>(merged(std::move(scene).value())) : scene.error();
+}
+
+Result<ImportedScene> read_scene_file(const std::filesystem::path& path, const ReadLimits& limits,
+                                      std::uint64_t size_limit) {
   const Result<std::string> bytes = read_file(path, size_limit);
   if (!bytes) return bytes.error();
   std::optional<MeshFormat> format = format_of_extension(path);
   if (!format) format = format_of_content(*bytes);
   if (!format)
     return in_file(path, make_error(e_format_unknown, "This is not a mesh file that can be read.",
-                                    "Export the model as OBJ, OFF, PLY or STL."));
+                                    "Export the model as OBJ, OFF, PLY, STL, glTF or 3MF."));
+  std::uint64_t left = size_limit - bytes->size();
+  const auto beside = [&](const std::string& name) {
+    auto content = read_file(path.parent_path() / name, left);
+    if (content) left -= content->size();
+    return content;
+  };
   try {
-    Result<ImportedMesh> result = read_mesh(*bytes, *format, limits);
+    Result<ImportedScene> result = read_parts(*bytes, *format, limits, beside);
     if (!result) return in_file(path, result.error());
-    ImportedMesh mesh = std::move(result).value();
-    for (Message& warning : mesh.warnings) warning = in_file(path, std::move(warning));
-    if (mesh.name.empty()) mesh.name = printable(path.stem().native(), 200);
-    return mesh;
+    ImportedScene scene = std::move(result).value();
+    for (Message& warning : scene.warnings) warning = in_file(path, std::move(warning));
+    const std::string own = printable(path.stem().native(), 200);
+    for (std::size_t k = 0; k < scene.parts.size(); ++k)
+      if (scene.parts[k].name.empty())
+        scene.parts[k].name = scene.parts.size() == 1 ? own : own + " " + std::to_string(k + 1);
+    return scene;
   } catch (const std::bad_alloc&) {
     return in_file(path, make_error(e_limit, "There is not enough memory for this mesh.",
                                     "Reduce the model before importing it."));
   }
+}
+
+Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const ReadLimits& limits,
+                                    std::uint64_t size_limit) {
+  auto scene = read_scene_file(path, limits, size_limit);
+  if (!scene) return scene.error();
+  const double factor = scene->metres_per_unit.value_or(0.001) / 0.001;
+  ImportedMesh mesh = merged(std::move(scene).value());
+  if (factor != 1)
+    for (Vector3& position : mesh.mesh.positions) position *= factor;
+  return mesh;
 }
 
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,

@@ -8,23 +8,33 @@
 #include <string_view>
 
 #include "core/exchange/file_space.hpp"
-#include "core/exchange/imported_mesh.hpp"
+#include "core/exchange/imported_scene.hpp"
+#include "core/exchange/read_gltf.hpp"
 #include "core/exchange/write_mesh.hpp"
 
 namespace hariko {
 
-enum class MeshFormat { obj, off, ply, stl };
+enum class MeshFormat { obj, off, ply, stl, gltf, three_mf };
 
 /// Format that a file name's extension stands for, whatever its case.
 std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path);
 /// Format that the first bytes speak for.
 std::optional<MeshFormat> format_of_content(std::string_view bytes);
 
+/// The objects of a file; OBJ, OFF, PLY and STL have one. `beside` gives the buffers of glTF that lie in
+/// files of their own. Errors: those of the reader.
+Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, const ReadLimits& limits = {},
+                                 const FileBeside& beside = {});
+/// The same with all objects in one mesh.
 Result<ImportedMesh> read_mesh(std::string_view bytes, MeshFormat format, const ReadLimits& limits = {});
 
 /// Reads a mesh file; its extension tells the format, and its content does where the extension is not known.
-/// The name of the mesh falls back to the file's. Errors begin with the file: those of `read_file` and of the
-/// readers, and E_FORMAT_UNKNOWN.
+/// Names fall back to the file's, and are numbered then where there are several. Errors begin with the file:
+/// those of `read_file` and of the readers, and E_FORMAT_UNKNOWN. All files that are read are together at
+/// most `size_limit` bytes.
+Result<ImportedScene> read_scene_file(const std::filesystem::path& path, const ReadLimits& limits = {},
+                                      std::uint64_t size_limit = default_file_size_limit);
+/// The same with all objects in one mesh, in millimetres where the file says its unit.
 Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const ReadLimits& limits = {},
                                     std::uint64_t size_limit = default_file_size_limit);
 

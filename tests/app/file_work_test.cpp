@@ -75,14 +75,15 @@ TEST(FileWork, EveryReaderCanBeCancelledAndReports) {
   const test::TemporaryFolder folder;
   PolygonMesh mesh = test::torus(6, 5);
   const std::array<NamedPolygons, 1> meshes{{{"Torus", &mesh}}};
-  for (const char* name : {"a.obj", "a.ply", "a.stl"})
+  for (const char* name : {"a.obj", "a.ply", "a.stl", "a.glb", "a.gltf", "a.3mf"})
     ASSERT_TRUE(write_mesh_file(folder.path() / name, meshes).ok());
   test::spill(folder.path() / "text.ply", write_ply(meshes, PlyEncoding::ascii));
   test::spill(folder.path() / "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   test::spill(folder.path() / "text.stl",
               "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
               "endloop\nendfacet\nendsolid a\n");
-  for (const char* name : {"a.obj", "a.ply", "text.ply", "a.off", "a.stl", "text.stl"}) {
+  for (const char* name :
+       {"a.obj", "a.ply", "text.ply", "a.off", "a.stl", "text.stl", "a.glb", "a.gltf", "a.3mf"}) {
     SCOPED_TRACE(name);
     const Progress progress = Progress::make();
     const OpenedFile whole = open_file(folder.path() / name, {}, progress);

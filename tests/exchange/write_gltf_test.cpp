@@ -6,12 +6,12 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
-#include <Eigen/Geometry>
 #include <cstring>
 #include <functional>
 
 #include "core/exchange/read_off.hpp"
 #include "core/exchange/write_mesh.hpp"
+#include "tests/exchange/gltf_text.hpp"
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -84,20 +84,8 @@ double area_of(const std::vector<Vector3>& positions, const std::vector<std::arr
 
 /// Triangles over a random polyhedron, with a normal a facet.
 TriangleMesh faceted(std::mt19937_64& rng) {
-  const PolygonMesh polygons = test::torus(test::uniform_int(rng, 3, 8), test::uniform_int(rng, 3, 8));
-  TriangleMesh mesh;
-  mesh.origin = 1e3 * test::random_vector(rng);
-  mesh.positions = polygons.positions;
-  for (std::size_t f = 0; f < polygons.face_count(); ++f) {
-    const auto face = polygons.face(f);
-    const Vector3 a = mesh.positions[face[0]], b = mesh.positions[face[1]], c = mesh.positions[face[2]];
-    mesh.normals.push_back((b - a).cross(c - a).normalized());
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      mesh.triangles.push_back({face[0], face[k], face[k + 1]});
-      mesh.normal_triangles.push_back({Index(f), Index(f), Index(f)});
-    }
-  }
-  return mesh;
+  return test::faceted(test::torus(test::uniform_int(rng, 3, 8), test::uniform_int(rng, 3, 8)),
+                       1e3 * test::random_vector(rng));
 }
 
 TEST(WriteGltf, TextHoldsTheSameAsTheBinaryForm) {

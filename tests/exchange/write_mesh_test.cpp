@@ -288,7 +288,7 @@ TEST(MeshFile, FormatsAreToldByExtensionOrContent) {
   const PolygonMesh mesh = tetrahedra(rng, 1);
   const std::vector<NamedPolygons> named{{"", &mesh}};
   const test::TemporaryFolder folder;
-  for (const char* name : {"a.obj", "a.PLY", "a.Stl", "a.oFF"}) {
+  for (const char* name : {"a.obj", "a.PLY", "a.Stl", "a.oFF", "a.Glb", "a.3mF"}) {
     ASSERT_TRUE(write_mesh_file(folder.path() / name, std::span<const NamedPolygons>(named)).ok());
     const std::string bytes = test::slurp(folder.path() / name);
     for (const std::string& copy : {std::string(name), std::string("none"), std::string("odd.xyz")}) {
@@ -344,6 +344,9 @@ TEST(MeshFile, ErrorsNameTheFile) {
   expect_error("a.off", "OFF\n", e_truncated);
   expect_error("a.ply", "none", e_format_unknown);
   expect_error("a.stl", "", e_empty);
+  expect_error("a.glb", "", e_empty);
+  expect_error("a.gltf", "{}", e_format_unknown);
+  expect_error("a.3mf", "v 0 0 0", e_format_unknown);
   expect_error("a.xyz", "0 0 0\n", e_format_unknown);
   EXPECT_EQ(read_mesh_file(folder.path() / "missing.obj").error().code, e_file_open);
   EXPECT_EQ(read_mesh_file(folder.path()).error().code, e_file_open);
@@ -364,7 +367,8 @@ TEST(MeshFile, FixturesAreReadOrRefused) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     ++count;
     const std::string bytes = test::slurp(entry.path());
-    for (const MeshFormat format : {MeshFormat::obj, MeshFormat::off, MeshFormat::ply, MeshFormat::stl}) {
+    for (const MeshFormat format : {MeshFormat::obj, MeshFormat::off, MeshFormat::ply, MeshFormat::stl,
+                                    MeshFormat::gltf, MeshFormat::three_mf}) {
       const auto result = read_mesh(bytes, format);
       if (result.ok())
         test::expect_sound(result->mesh);

@@ -56,7 +56,8 @@ void actions(PanelContext& context) {
       guide.paused() ? tr("Go on with your first model") : tr("Your first model in two minutes");
   if (ImGui::Button(label(icon::info, text).c_str())) context.run("help.guide");
   context.marks.item("start.guide");
-  ImGui::TextDisabled("%s", tr("or drop a file here: .hariko, .obj, .off, .ply, .stl, .bpt, .json"));
+  ImGui::TextDisabled(
+      "%s", tr("or drop a file here: .hariko, .obj, .off, .ply, .stl, .glb, .gltf, .3mf, .bpt, .json"));
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+#include "core/exchange/scene_collector.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+#include "core/base/printable.hpp"
+
+namespace hariko {
+namespace {
+
+constexpr std::uint64_t always_accepted = 20'000'000;
+constexpr const char* remedy_reduce = "Reduce the model before importing it.";
+
+void place(PolygonMesh& mesh, const Placement& placement) {
+  if (placement.is_same()) return;
+  for (Vector3& position : mesh.positions) position = placement(position);
+  if (!placement.mirrors()) return;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    std::reverse(mesh.face_vertices.begin() + mesh.face_offsets[f],
+                 mesh.face_vertices.begin() + mesh.face_offsets[f + 1]);
+}
+
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return std::to_string(count) + (count == 1 ? one : several);
+}
+
+}  // namespace
+
+bool Placement::flattens() const {
+  if (!(largest() > 0)) return true;
+  const Vector3 stretches = Eigen::JacobiSVD<Matrix3>(linear / largest()).singularValues();
+  return !(stretches[2] > 1e-12 * stretches[0]);
+}
+
+std::optional<Message> SceneCollector::reserve(std::uint64_t vertices, std::uint64_t corners) {
+  if (limits_.cancel.cancelled()) return make_error(e_cancelled, "The import was cancelled.");
+  vertices_ += vertices;
+  corners_ += corners;
+  if (vertices_ > limits_.vertices || corners_ > limits_.corners)
+    return make_error(e_limit,
+                      "The file has more than " + std::to_string(limits_.vertices) + " vertices or " +
+                          std::to_string(limits_.corners) + " corners.",
+                      remedy_reduce);
+  if (vertices_ + corners_ > always_accepted + 4 * bytes_)
+    return make_error(e_limit, "The file places its objects so often that the whole becomes too large.",
+                      "Place fewer copies before importing it.");
+  return {};
+}
+
+std::optional<Message> SceneCollector::add(PolygonMesh mesh, const Placement& placement,
+                                           std::string_view name) {
+  if (mesh.face_count() == 0) return {};
+  if (placement.is_finite() && placement.flattens()) {
+    ++flat_;
+    return {};
+  }
+  if (scene_.parts.size() == ImportedScene::max_parts)
+    return make_error(e_limit,
+                      "The file places more than " + std::to_string(ImportedScene::max_parts) + " objects.",
+                      "Join objects before importing it.");
+  place(mesh, placement);
+  if (std::any_of(mesh.positions.begin(), mesh.positions.end(),
+                  [](const Vector3& position) { return !position.allFinite(); }))
+    return make_error(e_parse,
+                      name.empty() ? std::string("The transform of an object is too large.")
+                                   : "The transform of \"" + printable(name, 80) + "\" is too large.",
+                      "Correct the file, or export it again.");
+  scene_.parts.push_back({std::move(mesh), printable(name, 200)});
+  return {};
+}
+
+Result<ImportedScene> SceneCollector::finish() {
+  if (scene_.parts.empty())
+    return make_error(e_empty,
+                      flat_ > 0         ? "The transforms of all objects of the file make them flat."
+                      : degenerate_ > 0 ? "All triangles of the file have two corners at the same place."
+                                        : "The file places no triangles.",
+                      "Export surfaces, not points or lines.");
+  if (degenerate_ > 0)
+    scene_.warnings.push_back(
+        make_warning(w_degenerate_triangles,
+                     counted(degenerate_, " triangle with two corners at the same place was left out.",
+                             " triangles with two corners at the same place were left out.")));
+  if (flat_ > 0)
+    scene_.warnings.push_back(
+        make_warning(w_flat_part, counted(flat_, " object that its transform makes flat was left out.",
+                                          " objects that their transforms make flat were left out.")));
+  return std::move(scene_);
+}
+
+ImportedMesh merged(ImportedScene scene) {
+  ImportedMesh out;
+  out.warnings = std::move(scene.warnings);
+  out.name = scene.parts.front().name;
+  out.mesh = std::move(scene.parts.front().mesh);
+  for (std::size_t k = 1; k < scene.parts.size(); ++k) {
+    const PolygonMesh& part = scene.parts[k].mesh;
+    const auto before = static_cast<Index>(out.mesh.positions.size());
+    const auto corners_before = static_cast<Index>(out.mesh.face_vertices.size());
+    out.mesh.positions.insert(out.mesh.positions.end(), part.positions.begin(), part.positions.end());
+    for (const Index v : part.face_vertices) out.mesh.face_vertices.push_back(before + v);
+    for (std::size_t f = 1; f < part.face_offsets.size(); ++f)
+      out.mesh.face_offsets.push_back(corners_before + part.face_offsets[f]);
+  }
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,101 @@
+// Files with several objects, as the window and the command line open them.
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "app/files/model_facets.hpp"
+#include "app/files/open_file.hpp"
+#include "core/document/convert_unit.hpp"
+#include "core/exchange/mesh_file.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace hariko {
+namespace {
+
+/// Two triangles that share an edge and are turned against each other: no polyhedron.
+PolygonMesh twisted() {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.add_face({0, 1, 2});
+  mesh.add_face({1, 2, 3});
+  return mesh;
+}
+
+double size_of(const Document& document, std::size_t object) {
+  const Polyhedron& polyhedron = document.objects[object]->polyhedron()->polyhedron;
+  double size = 0;
+  for (const Vector3& p : polyhedron.positions())
+    for (const Vector3& q : polyhedron.positions()) size = std::max(size, (p - q).norm());
+  return millimetres_per(document.unit) * size;
+}
+
+TEST(OpenScene, ObjectsKeepNamesAndSizes) {
+  const test::TemporaryFolder folder;
+  const PolygonMesh first = test::octahedron(), second = test::torus(5, 4);
+  const std::array<NamedPolygons, 2> named{{{"one", &first}, {"two", &second}}};
+  for (const Unit unit : {Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch}) {
+    for (const char* name : {"a.glb", "a.gltf", "a.3mf"}) {
+      SCOPED_TRACE(name);
+      const auto file = folder.path() / name;
+      ASSERT_TRUE(write_mesh_file(file, named, {.metres_per_unit = millimetres_per(unit) / 1000}).ok());
+      const OpenedFile opened = open_file(file);
+      ASSERT_TRUE(opened.document);
+      EXPECT_TRUE(opened.messages.empty());
+      EXPECT_TRUE(opened.says_unit);
+      EXPECT_EQ(opened.document->unit, name == std::string("a.3mf") ? unit : Unit::millimetre);
+      ASSERT_EQ(opened.document->objects.size(), 2U);
+      EXPECT_EQ(opened.document->objects[0]->name, "one");
+      EXPECT_EQ(opened.document->objects[1]->name, "two");
+      // Both the document and what is unfolded have the size of the model.
+      const Document model = document_from_mesh(first, "one").value();
+      EXPECT_NEAR(size_of(*opened.document, 0), millimetres_per(unit) * size_of(model, 0),
+                  1e-6 * millimetres_per(unit));
+      const auto facets = model_facets(file, {});
+      ASSERT_TRUE(facets.ok()) << to_string(facets.error());
+      EXPECT_NEAR(facets->mesh.positions[0].norm(), millimetres_per(unit) * first.positions[0].norm(),
+                  1e-6 * millimetres_per(unit));
+    }
+  }
+}
+
+TEST(OpenScene, BrokenMeshesAreRepairedOrKeptBesideTheOthers) {
+  const test::TemporaryFolder folder;
+  const PolygonMesh good = test::octahedron(), broken = twisted();
+  const std::array<NamedPolygons, 3> named{{{"good", &good}, {"broken", &broken}, {"also good", &good}}};
+  ASSERT_TRUE(write_mesh_file(folder.path() / "a.3mf", named).ok());
+  const OpenedFile opened = open_file(folder.path() / "a.3mf");
+  EXPECT_FALSE(opened.document);
+  EXPECT_EQ(opened.name, "broken");
+  ASSERT_TRUE(opened.broken_mesh);
+  EXPECT_EQ(opened.broken_mesh->face_count(), 2U);
+  ASSERT_TRUE(opened.error());
+  EXPECT_TRUE(opened.error()->text.starts_with("\"broken\": ")) << opened.error()->text;
+  ASSERT_TRUE(opened.repaired && opened.reference);
+  for (const auto* document : {&*opened.repaired, &*opened.reference}) {
+    ASSERT_EQ(document->objects.size(), 3U);
+    EXPECT_EQ(document->objects[1]->name, "broken");
+    EXPECT_TRUE(document->objects[0]->polyhedron() && document->objects[2]->polyhedron());
+  }
+  EXPECT_TRUE(opened.repaired->objects[1]->polyhedron());
+  EXPECT_TRUE(opened.reference->objects[1]->mesh());
+  EXPECT_EQ(opened.repair.turned_faces, 1U);
+}
+
+TEST(OpenScene, OneBrokenMeshIsSaidAsInOtherFormats) {
+  const test::TemporaryFolder folder;
+  const PolygonMesh broken = twisted();
+  const std::array<NamedPolygons, 1> named{{{"broken", &broken}}};
+  std::array<std::vector<std::string>, 2> texts;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto file = folder.path() / (k == 0 ? "a.obj" : "a.3mf");
+    ASSERT_TRUE(write_mesh_file(file, named).ok());
+    for (const Message& message : open_file(file).messages) texts[k].push_back(to_string(message));
+  }
+  EXPECT_FALSE(texts[0].empty());
+  EXPECT_EQ(texts[0], texts[1]);
+}
+
+}  // namespace
+}  // namespace hariko

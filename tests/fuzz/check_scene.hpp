@@ -1,0 +1,38 @@
+#pragma once
+
+// What readers of formats with several objects promise.
+
+#include "core/exchange/imported_scene.hpp"
+#include "tests/fuzz/check.hpp"
+
+namespace hariko::fuzz {
+
+/// So that copies of one mesh end before they take long.
+inline ReadLimits small_limits() {
+  ReadLimits limits;
+  limits.vertices = 20'000;
+  limits.corners = 60'000;
+  return limits;
+}
+
+inline void check(const Result<ImportedScene>& result) {
+  if (!result.ok()) return check(result.error(), Severity::error);
+  for (const Message& warning : result->warnings) check(warning, Severity::warning);
+  require(!result->parts.empty() && result->parts.size() <= ImportedScene::max_parts, "there are parts");
+  std::size_t vertices = 0, corners = 0;
+  for (const ImportedPart& part : result->parts) {
+    const PolygonMesh& mesh = part.mesh;
+    require(printable(part.name, 100'000) == part.name, "name is printable");
+    require(mesh.face_count() > 0 && mesh.face_offsets.front() == 0, "there are faces");
+    require(mesh.face_offsets.back() == mesh.face_vertices.size(), "offsets end at the corners");
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+      require(mesh.face(f).size() == 3 && mesh.face_offsets[f] <= mesh.face_offsets[f + 1], "triangles");
+    for (const Index v : mesh.face_vertices) require(v < mesh.positions.size(), "indices are in range");
+    for (const Vector3& p : mesh.positions) require(p.allFinite(), "positions are finite");
+    vertices += mesh.positions.size();
+    corners += mesh.face_vertices.size();
+  }
+  require(vertices <= small_limits().vertices && corners <= small_limits().corners, "limits are kept");
+}
+
+}  // namespace hariko::fuzz
