@@ -20,6 +20,8 @@ constexpr double literal_least = 0.1, literal_most = 0.9;
 /// Images of normals and square roots of curvature (over the square root of the length) that count as zero.
 constexpr double flat_angle = 1e-7, flat_curvature = 1e-5;
 
+constexpr double shortest_bend = 0.1;  ///< in parameters
+
 /// To 40 binary digits.
 double rounded(double x) {
   constexpr std::uint64_t half = 1U << 11, mask = ~std::uint64_t{0xfff};
@@ -130,6 +132,19 @@ EdgeSplit by_normal_halving(const SurfaceSampler& sampler, const ParameterLine& 
   return out;
 }
 
+/// Length of an edge; where the surface turns back under it, so that a half is longer than the whole, that of
+/// both halves: such an edge would never be the longest of its facets, and cutting the others would not end.
+double bent_length(const SurfaceSampler& sampler, const ParameterMesh& mesh, Index half_edge) {
+  const double length = mesh.length(half_edge);
+  const ParameterLine line = mesh.canonical_line(half_edge);
+  // Shorter lines do not turn back, or their patch needs more facets than these.
+  if ((line.to - line.from).squaredNorm() < shortest_bend * shortest_bend) return length;
+  const Vector3 middle = sampler.position(line.patch, line.at(0.5));
+  const double first = (middle - mesh.positions[mesh.from(half_edge)]).norm(),
+               second = (mesh.positions[mesh.to(half_edge)] - middle).norm();
+  return std::max(first, second) > length ? first + second : length;
+}
+
 }  // namespace
 
 EdgeSplit edge_split(const SurfaceSampler& sampler, const ParameterMesh& mesh, Index half_edge,
@@ -137,7 +152,7 @@ EdgeSplit edge_split(const SurfaceSampler& sampler, const ParameterMesh& mesh, I
   if (mesh.from(half_edge) == mesh.to(half_edge)) return {};
   EdgeSplit out;
   if (rule == SplitRule::midpoint) {
-    out.priority = mesh.length(half_edge);
+    out.priority = bent_length(sampler, mesh, half_edge);
   } else {
     const ParameterLine line = mesh.canonical_line(half_edge);
     out = rule == SplitRule::gauss       ? by_gauss_image(sampler, line)

@@ -283,7 +283,8 @@ Vector3 SolidDistance::gradient(const Vector3& point) const {
       const double low = -0.5 * half_.z(), high = 1.5 * half_.z(), height = high - low;
       const double slant = std::hypot(half_.x(), height);
       const double side = (r * height + (p.z() - high) * half_.x()) / slant, base = low - p.z();
-      if (side <= 0 && base <= 0) {
+      // On the solid the vector to the nearest point has no direction but that of rounding.
+      if (side <= near && base <= near) {
         if (side >= base - near) steepest.add(profile(height, half_.x()));
         if (base >= side - near) steepest.add(-Vector3::UnitZ());
         out = steepest.gradient();

@@ -66,6 +66,13 @@ TEST(Samples, AreUnfoldedWithoutOverlaps) {
   }
 }
 
+/// A patch of this sample turns back: halves of its diagonal are longer than the diagonal.
+TEST(Samples, ASurfaceThatTurnsBackNeedsFewFacets) {
+  const auto document = load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/solids_ten.hariko");
+  ASSERT_TRUE(document.ok());
+  EXPECT_LT(facets_of(*document, 4).mesh.face_count(), 2000U);
+}
+
 /// A dented sample: what is left of the mesh keeps its folds and most of its places.
 TEST(Samples, AMovedVertexKeepsMostCuts) {
   const auto document = load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/fig2.hariko");
