@@ -9,7 +9,8 @@ namespace hariko {
 namespace {
 
 constexpr int most_points = 60;
-constexpr int per_span = 8;  ///< samples by which the curve is compared
+constexpr int per_span = 8;     ///< samples by which the curve is compared
+constexpr int refinement = 16;  ///< parts of a step in which a corner is placed
 constexpr double corner_angle = 50 * std::numbers::pi / 180;
 
 /// A polyline by its length; closed ones repeat.
@@ -67,7 +68,14 @@ std::vector<double> corners_of(const DrawnLine& line, bool closed, double reach)
       return std::min(gap, closed ? line.length() - gap : gap) > 2 * reach;
     });
     // A bend that is sharp in the large only has no corner in the small.
-    if (apart && line.turn(turn.at, reach / 3) > corner_angle) out.push_back(turn.at);
+    if (!apart || !(line.turn(turn.at, reach / 3) > corner_angle)) continue;
+    // The curve has its corner there: a step beside the line's own would cut that off.
+    Turn best = turn;
+    for (int k = -refinement; k <= refinement; ++k) {
+      const double s = turn.at + step * k / refinement;
+      if (const double angle = line.turn(s, reach); angle > best.angle) best = {s, angle};
+    }
+    out.push_back(best.at);
   }
   std::sort(out.begin(), out.end());
   return out;
@@ -79,6 +87,12 @@ struct Layout {
   std::vector<int> counts;
   bool corners_at_breaks = false;
 };
+
+double to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const double square = (b - a).squaredNorm();
+  const double t = square > 0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0;
+  return (a + t * (b - a) - p).norm();
+}
 
 struct Made {
   SubdivisionCurve curve;
@@ -102,6 +116,7 @@ Made make(const DrawnLine& line, const Layout& layout, bool closed) {
   for (std::size_t p = 0; p < parts; ++p) {
     const double length = layout.breaks[p + 1] - layout.breaks[p];
     double largest = 0;
+    std::vector<Vector3> drawn, passed;
     for (int i = 0; i <= layout.counts[p] * per_span; ++i) {
       const double share = double(i) / (layout.counts[p] * per_span);
       const double u = (span + share * layout.counts[p]) / out.curve.spans();
@@ -114,6 +129,16 @@ Made make(const DrawnLine& line, const Layout& layout, bool closed) {
         const double there = s + reach * k / per_span;
         least = std::min(least, (line.point(there) - at).norm());
       }
+      largest = std::max(largest, least);
+      drawn.push_back(line.point(s));
+      passed.push_back(at);
+    }
+    // A curve that cuts a corner off is near the line, but the corner is not near the curve.
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      double least = largest + (drawn[i] - passed[i]).norm();
+      for (std::size_t k = i - std::min<std::size_t>(i, per_span); k + 1 < passed.size() && k < i + per_span;
+           ++k)
+        least = std::min(least, to_segment(drawn[i], passed[k], passed[k + 1]));
       largest = std::max(largest, least);
     }
     out.deviation.push_back(largest);

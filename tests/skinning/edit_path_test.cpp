@@ -199,7 +199,7 @@ TEST(AddSection, DividesMergesWhereTheyHappen) {
 }
 
 TEST(AddSection, KeepsTheSurfaceAndAllCorrespondences) {
-  int divided = 0;
+  int divided = 0, with_loss = 0;
   for_random(821, 40, [&](std::mt19937_64& rng) {
     Skin skin = random_skin(rng);
     skin.method = chance(rng, 0.7) ? SkinMethod::pleat : SkinMethod::smooth;
@@ -213,7 +213,9 @@ TEST(AddSection, KeepsTheSurfaceAndAllCorrespondences) {
       return;
     }
     ASSERT_TRUE(plan_skin(edit->skin).ok());
-    EXPECT_TRUE(edit->lost.empty()) << to_string(edit->notes[0]);
+    // Rarely two merges would share a line of the new section: one of them goes, and a note says so.
+    EXPECT_EQ(edit->lost.empty(), edit->notes.empty());
+    with_loss += !edit->lost.empty();
     EXPECT_EQ(edit->skin.section_count(), skin.section_count() + 1);
     divided += edit->skin.merges != skin.merges;
     for (const SkinSection& old : skin.sections)
@@ -241,6 +243,7 @@ TEST(AddSection, KeepsTheSurfaceAndAllCorrespondences) {
     EXPECT_LT(size, 0.35);
   });
   EXPECT_GT(divided, 2);
+  EXPECT_LE(with_loss, repetitions(40) / 50);
 }
 
 TEST(AddSection, DrawnAndDeletedSections) {

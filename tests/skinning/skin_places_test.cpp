@@ -19,6 +19,8 @@ double apart(double a, double b, bool closed) {
 
 void expect_places(const Skin& skin) {
   const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  // Random correspondences may fold a mesh onto itself.
+  if (!made.ok() && made.error().code == e_control_mesh) return;
   ASSERT_TRUE(made.ok()) << to_string(made.error());
   const SkinMesh& mesh = made->result.mesh;
   const SubdivisionTopology& topology = subdivision_patches(made->surface)->topology();
