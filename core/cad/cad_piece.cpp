@@ -10,8 +10,6 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array<std::array<double, 2>, 4> square_corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-
 const G2PatchSet* g2_patches(const Surface& surface) {
   return dynamic_cast<const G2PatchSet*>(&surface.patches());
 }
