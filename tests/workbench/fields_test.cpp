@@ -22,7 +22,7 @@ TEST(Fields, DigitsRightAfterAClickOnTheLegendAreItsNumber) {
   display.map = SurfaceMap::mean;
   editor.commit(set_display(editor.document(), editor.active_object()->id, display), "Map");
   const auto& marks = bench.workbench().marks().all();
-  for (int i = 0; i < 400 && !marks.contains("legend.high"); ++i) bench.frame();
+  for (int i = 0; i < 20 && !marks.contains("legend.high"); ++i) bench.settle();
   ASSERT_TRUE(marks.contains("legend.high"));
   const auto click = [&](const std::string& mark) {
     const Vector2 at = centre_of(marks.at(mark));
