@@ -290,12 +290,12 @@ EnclosureReport check_network(const CurveNetwork& network, std::span<const Place
                          chord_slack * diagonal, cancel);
 }
 
-std::size_t folded_patches(const CurveNetwork& network) {
+std::vector<Index> folded_patches(const CurveNetwork& network) {
   constexpr int cells = 10;
   const EnvelopeGrid grid(cells);
   std::vector<Vector3> positions(grid.point_count()), normals(grid.point_count());
-  std::size_t folded = 0;
-  for (std::size_t p = 0; p < network.patches.size(); ++p) {
+  std::vector<Index> folded;
+  for (Index p = 0; p < network.patches.size(); ++p) {
     grid.evaluate(network.patches[p], positions, normals);
     const auto at = [&](int i, int j) -> const Vector3& { return normals[std::size_t(j * (cells + 1) + i)]; };
     bool fold = false;
@@ -306,7 +306,7 @@ std::size_t folded_patches(const CurveNetwork& network) {
                               u * v * at(cells, cells) + (1 - u) * v * at(0, cells);
         fold = fold || !(at(i, j).dot(blend) > 0);
       }
-    folded += fold;
+    if (fold) folded.push_back(p);
   }
   return folded;
 }

@@ -66,7 +66,7 @@ EnclosedNetwork search_enclosure(std::span<const PlacedSolid> solids, const Encl
                                  GrowthState start = {}, const CancelToken& cancel = {});
 
 /// Interior samples of patches whose normal looks away from the face: patch normal . Newell normal of its
-/// face, or the blend of the normals at the patch's corners, is negative. Number of patches.
-std::size_t folded_patches(const CurveNetwork& network);
+/// face, or the blend of the normals at the patch's corners, is negative. Numbers of patches, ascending.
+std::vector<Index> folded_patches(const CurveNetwork& network);
 
 }  // namespace hariko

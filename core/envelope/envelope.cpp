@@ -52,24 +52,6 @@ void relax(GrowthState& state) {
   for (auto& [pair, factor] : state.cuts) factor = 1 - decay * (1 - factor);
 }
 
-/// A network that folds is made again with fewer vertices, then with tauter bridges; the better one is kept.
-void unfold(std::span<const PlacedSolid> solids, EnclosureSettings settings, EnclosedNetwork& found,
-            const CancelToken& cancel) {
-  const auto badness = [&](const EnclosedNetwork& n) {
-    return double(folded_patches(n.network)) + (n.enclosed ? 0 : 1000 * n.worst / n.diagonal);
-  };
-  double least = badness(found);
-  for (int round = 0; round < 3 && least > 0 && !cancel.cancelled(); ++round) {
-    if (round < 2)
-      settings.detail = std::min(0.3, settings.detail + 0.03);
-    else
-      settings.waist *= 0.5;
-    EnclosedNetwork other = search_enclosure(solids, settings, {}, cancel);
-    if (other.network.patches.empty()) continue;
-    if (const double bad = badness(other); bad < least) least = bad, found = std::move(other);
-  }
-}
-
 std::string percent(double part) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", 100 * part);
@@ -255,14 +237,18 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
 }
 
 Result<Done> EnvelopeSurfacer::make_hull(Job& job) {
-  const EnclosureSettings settings = job.search();
-  EnclosedNetwork found = search_enclosure(job.solids, settings, last_state(job), job.cancel);
-  if (job.quality == Quality::final) unfold(job.solids, settings, found, job.cancel);
+  const bool drag = job.quality == Quality::drag;
+  // While dragging the settings stay those of the last final result.
+  const bool warm = job.names == last_solids_ && last_route_ == EnvelopeRoute::hull;
+  HullEnvelope made = drag ? make_attempt(job.solids, job.search(), warm ? last_hull_ : HullAttempt{},
+                                          last_state(job), job.cancel)
+                           : hull_envelope(job.solids, job.search(), job.cancel);
   if (job.cancel.cancelled()) return job.cancelled();
-  if (found.network.patches.empty())
+  if (made.found.network.patches.empty())
     return make_error(e_envelope_flat, "The solids are too flat for a surface round them.",
                       "Make one of them thicker.");
-  return take_network(job, std::move(found));
+  if (!drag) last_hull_ = std::move(made.attempt);
+  return take_network(job, std::move(made.found));
 }
 
 Result<Done> EnvelopeSurfacer::take_network(Job& job, EnclosedNetwork found) {
@@ -273,7 +259,7 @@ Result<Done> EnvelopeSurfacer::take_network(Job& job, EnclosedNetwork found) {
   out.builds = found.builds;
   out.folds = 0;
   if (job.quality == Quality::final) {
-    out.folds = folded_patches(found.network);
+    out.folds = folded_patches(found.network).size();
     out.check = std::move(found.check);
   }
   out.network = std::make_shared<const CurveNetwork>(std::move(found.network));

@@ -10,6 +10,7 @@
 #include "core/envelope/enclosure_check.hpp"
 #include "core/envelope/envelope_bridge.hpp"
 #include "core/envelope/envelope_route.hpp"
+#include "core/envelope/hull_envelope.hpp"
 #include "core/envelope/valley_envelope.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/surface/surface.hpp"
@@ -67,6 +68,7 @@ class EnvelopeSurfacer {
   EnvelopeRoute last_route_ = EnvelopeRoute::hull;
   int last_level_ = 0;
   ValleyAttempt last_attempt_;
+  HullAttempt last_hull_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> last_solids_;  ///< id and part
 };
 

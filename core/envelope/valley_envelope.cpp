@@ -26,7 +26,7 @@ ValleyEnvelope make_attempt(const EnvelopeInput& input, std::span<const PlacedSo
   ValleyEnvelope out;
   out.attempt = attempt;
   out.found = search_enclosure(placed, settings, std::move(start), cancel);
-  if (!out.found.network.patches.empty()) out.folds = folded_patches(out.found.network);
+  out.folds = folded_patches(out.found.network).size();
   return out;
 }
 

@@ -93,9 +93,9 @@ TEST(EnvelopeRandomScenes, HullsAreClosedSmoothAndHonest) {
   Tally tally;
   for_random(1, 8, [&](std::mt19937_64& rng) { check_scene(random_scene(rng), tally); });
   print("hull", tally);
-  // Folds are rare (9 of 80 scenes with HARIKO_SEED=2833383932), and never silent.
-  EXPECT_LE(tally.folded, 1 + tally.scenes / 6);
-  EXPECT_GE(tally.enclosed, tally.scenes - 1 - tally.scenes / 10);
+  // Folds are rare (2 of 80 scenes with HARIKO_SEED=2833383932, 1 of them not enclosed), and never silent.
+  EXPECT_LE(tally.folded, 1 + tally.scenes / 20);
+  EXPECT_GE(tally.enclosed, tally.scenes - 1 - tally.scenes / 20);
 }
 
 TEST(EnvelopeRandomScenes, TightSurfacesAreClosedSmoothAndHonest) {

@@ -215,7 +215,7 @@ TEST(EnvelopeSymmetry, HalfASceneBecomesTheWhole) {
   NetworkVertexKey key;
   for (const CageVertex& vertex : made->network->cage.vertices)
     if (vertex.solid == 1) key = key_of(SolidVertex{1, vertex.vertex}, enveloped_scene(input).placed);
-  input.settings.offsets.set(key, {0.1, 0.02, 0.05});
+  input.settings.offsets.set(key, {0.06, 0.01, 0.03});
   const auto moved = EnvelopeSurfacer().rebuild(input);
   ASSERT_TRUE(moved.ok());
   EXPECT_TRUE(moved->symmetric);

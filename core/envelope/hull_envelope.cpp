@@ -1,0 +1,83 @@
+#include "core/envelope/hull_envelope.hpp"
+
+#include <algorithm>
+
+namespace hariko {
+
+namespace {
+
+constexpr int local_rounds = 3;
+constexpr double local_step = 0.5;  ///< on the waists of bridges whose patches fold
+constexpr double most_detail = 0.3;
+
+struct Rung {
+  double more_detail, waist;
+  bool paired = true;
+};
+/// In the order of how little they change.
+constexpr Rung ladder[] = {{0, 0.5},   {0, 0.25}, {0.03, 1},   {0.03, 0.5},   {0.06, 1},      {0.06, 0.5},
+                           {-0.03, 1}, {0.12, 1}, {0.12, 0.5}, {0, 1, false}, {0, 0.5, false}};
+
+double badness(const HullEnvelope& made) {
+  const EnclosedNetwork& found = made.found;
+  if (found.network.patches.empty()) return 1e300;
+  return double(made.folds) + (found.enclosed ? 0 : 1000 * found.worst / found.diagonal);
+}
+
+/// Between the solids of faces with folded patches.
+std::set<std::pair<Index, Index>> folded_bridges(const CurveNetwork& network) {
+  std::set<std::pair<Index, Index>> out;
+  for (const Index patch : folded_patches(network)) {
+    const CageFace& face = network.cage.faces[network.patch_places[patch].face];
+    for (const Index v : face.loop)
+      for (const Index w : face.loop) {
+        const Index a = network.cage.vertices[v].solid, b = network.cage.vertices[w].solid;
+        if (a < b && b != no_index) out.insert({a, b});
+      }
+  }
+  return out;
+}
+
+}  // namespace
+
+HullEnvelope make_attempt(std::span<const PlacedSolid> solids, EnclosureSettings settings,
+                          const HullAttempt& attempt, GrowthState start, const CancelToken& cancel) {
+  settings.detail = std::clamp(settings.detail + attempt.more_detail, 0.0, most_detail);
+  settings.waist *= attempt.waist;
+  if (!attempt.paired) settings.merge_angle = 0;
+  std::map<std::pair<Index, Index>, double> waists;
+  if (settings.waists) waists = *settings.waists;
+  for (const auto& [pair, factor] : attempt.waists) waists.try_emplace(pair, 1.0).first->second *= factor;
+  settings.waists = &waists;
+  HullEnvelope out;
+  out.attempt = attempt;
+  out.found = search_enclosure(solids, settings, std::move(start), cancel);
+  out.folds = folded_patches(out.found.network).size();
+  return out;
+}
+
+HullEnvelope hull_envelope(std::span<const PlacedSolid> solids, const EnclosureSettings& settings,
+                           const CancelToken& cancel) {
+  HullEnvelope best = make_attempt(solids, settings, {}, {}, cancel);
+  if (best.found.network.patches.empty()) return best;
+  double least = badness(best);
+  const auto attempt = [&](const HullAttempt& how) {
+    HullEnvelope one = make_attempt(solids, settings, how, {}, cancel);
+    if (const double bad = badness(one); bad < least) least = bad, best = one;
+    return one;
+  };
+  HullEnvelope last = best;
+  HullAttempt local;
+  for (int round = 0; round < local_rounds && last.folds > 0 && least > 0 && !cancel.cancelled(); ++round) {
+    for (const auto& pair : folded_bridges(last.found.network))
+      local.waists.try_emplace(pair, 1.0).first->second *= local_step;
+    last = attempt(local);
+  }
+  for (const Rung& rung : ladder) {
+    if (!(least > 0) || cancel.cancelled()) break;
+    attempt({rung.more_detail, rung.waist, rung.paired, {}});
+  }
+  return best;
+}
+
+}  // namespace hariko
