@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "core/base/disjoint_sets.hpp"
+
 namespace hariko {
 
 namespace {
@@ -157,6 +159,18 @@ class Contouring {
 
 Contour contour(const FlagGrid& grid, const std::function<bool(const Vector3&)>& inside) {
   return Contouring(grid, inside).make();
+}
+
+GridTopology topology_of(const Contour& contour) {
+  DisjointSets parts(contour.vertices.size());
+  for (const auto& quad : contour.quads)
+    for (std::size_t k = 1; k < 4; ++k) parts.join(quad[0], quad[k]);
+  GridTopology out;
+  for (Index v = 0; v < contour.vertices.size(); ++v) out.components += parts.find(v) == v;
+  // Closed, of quads: twice as many edges as quads.
+  const long euler = long(contour.vertices.size()) - long(contour.quads.size());
+  out.tunnels = out.components - int(euler / 2);
+  return out;
 }
 
 }  // namespace hariko

@@ -25,4 +25,7 @@ struct Contour {
 /// three.
 Contour contour(const FlagGrid& grid, const std::function<bool(const Vector3&)>& inside);
 
+/// Of the mesh itself: where faces of cells were cut in the other way it differs from that of the flags.
+GridTopology topology_of(const Contour& contour);
+
 }  // namespace hariko

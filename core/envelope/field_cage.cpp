@@ -68,8 +68,9 @@ class CageBuilder {
     fair(6);
     fair(local_.size() > many_solids ? 10 : 28);
     append(out);
-    ++out.components;
-    out.tunnels += chosen->topology.tunnels;
+    const GridTopology topology = topology_of(contour_);
+    out.components += topology.components;
+    out.tunnels += topology.tunnels;
     out.wanted_tunnels += reference.topology.tunnels;
     return true;
   }

@@ -26,10 +26,10 @@ std::vector<std::vector<Index>> cage_loops(const FieldCage& cage) {
   return out;
 }
 
-double score_of(const FieldEnvelope& one, double diagonal) {
+double score_of(const FieldEnvelope& one, int wanted_components, double diagonal) {
   const double miss = one.surface.check ? one.surface.check->worst : one.surface.worst;
   return double(one.surface.folds) + 200 * std::max(0.0, miss / diagonal - 1e-3) +
-         2 * std::abs(one.tunnels - one.wanted_tunnels);
+         2 * std::abs(one.tunnels - one.wanted_tunnels) + 2 * std::abs(one.components - wanted_components);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const
       continue;
     }
     FieldEnvelope one{std::move(made).value(), level, cage.components, cage.tunnels, cage.wanted_tunnels};
-    const double score = score_of(one, scene.diagonal);
+    const double score = score_of(one, int(scene.clusters.size()), scene.diagonal);
     if (score < least) least = score, best = std::move(one);
     if (least < accepted_score || quality == Quality::drag) break;
   }

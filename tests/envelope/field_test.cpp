@@ -4,6 +4,7 @@
 
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
+#include "core/envelope/contour.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 
 namespace hariko::test {
@@ -55,6 +56,27 @@ TEST(FieldCage, ConcaveArrangementsAndHolesHaveTheMeasuredCages) {
     EXPECT_EQ(made->tunnels, expected.tunnels);
     EXPECT_TRUE(made->warnings.empty());
   }
+}
+
+TEST(FieldCage, TheTopologyIsThatOfTheMesh) {
+  FlagGrid grid;
+  for (auto& planes : grid.planes) planes = {0, 1, 2, 3};
+  // Two nodes across the middle of a face, then beside each other.
+  for (const bool beside : {false, true}) {
+    grid.inside.assign(64, 0);
+    grid.inside[grid.index(1, 1, 1)] = grid.inside[grid.index(2, beside ? 1 : 2, 1)] = 1;
+    const GridTopology found = topology_of(contour(grid, [](const Vector3&) { return false; }));
+    EXPECT_EQ(found.components, beside ? 1 : 2);
+    EXPECT_EQ(found.tunnels, 0);
+  }
+  // A ring of eight nodes.
+  for (auto& planes : grid.planes) planes = {0, 1, 2, 3, 4};
+  grid.inside.assign(125, 0);
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 1; j <= 3; ++j) grid.inside[grid.index(i, j, 2)] = i != 2 || j != 2;
+  const GridTopology ring = topology_of(contour(grid, [](const Vector3&) { return false; }));
+  EXPECT_EQ(ring.components, 1);
+  EXPECT_EQ(ring.tunnels, 1);
 }
 
 TEST(FieldCage, SolidsFarApartGetPartsOfTheirOwn) {
