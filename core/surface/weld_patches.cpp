@@ -77,16 +77,18 @@ class Welder {
     return true;
   }
 
-  /// Sides that are the same curve have the same middle: a sweep over sorted middles finds them.
+  /// Sides that are the same curve have the same middle: a sweep over sorted middles finds them. It goes in a
+  /// direction that nets of points do not have, for else all middles of a net across it would be candidates.
   void match_whole_sides() {
+    const Vector3 direction = Vector3(0.4871, 0.6257, 0.6092).normalized();
     std::vector<Index> order;
     for (Index slot = 0; slot < curves_.size(); ++slot)
       if (!curves_[slot].collapsed) order.push_back(slot);
-    const auto middle = [&](Index slot) { return curves_[slot].point[samples / 2].x(); };
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return middle(a) < middle(b); });
+    const auto place = [&](Index slot) { return curves_[slot].point[samples / 2].dot(direction); };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return place(a) < place(b); });
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t j = i + 1; j < order.size() && !matched_[order[i]]; ++j) {
-        if (middle(order[j]) - middle(order[i]) > tolerance_) break;
+        if (place(order[j]) - place(order[i]) > tolerance_) break;
         if (matched_[order[j]]) continue;
         const Index a = std::min(order[i], order[j]), b = std::max(order[i], order[j]);
         const bool reversed = same(curves_[a], curves_[b], true);
@@ -95,6 +97,8 @@ class Welder {
         matched_[a] = matched_[b] = 1;
       }
     }
+    std::sort(meetings_.begin(), meetings_.end(),
+              [](const Meeting& a, const Meeting& b) { return a.first < b.first; });
   }
 
   /// Parameter of the point on a side that is nearest to p; negative when it is farther than the tolerance.

@@ -1,0 +1,59 @@
+// Loose patches are found to be neighbours however they are written and wherever they lie.
+
+#include "core/surface/weld_patches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <tuple>
+
+#include "tests/support/random.hpp"
+
+namespace hariko {
+namespace {
+
+constexpr int cells = 24;  ///< along each side of the net
+
+/// Flat patches of degree 1 to 3 over a net of squares in the plane across `axis`, in any order and written
+/// from any corner, either side up. In such a plane one coordinate of all points is the same.
+std::vector<BezierPatch> flat_net(int axis, std::mt19937_64& rng) {
+  std::vector<BezierPatch> patches;
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x) {
+      BezierPatch patch;
+      patch.degree_s = patch.degree_t = 1 + int(rng() % 3);
+      const auto turns = rng() % 4;
+      for (int j = 0; j <= patch.degree_t; ++j)
+        for (int i = 0; i <= patch.degree_s; ++i) {
+          double s = double(i) / patch.degree_s, t = double(j) / patch.degree_t;
+          for (std::size_t k = 0; k < turns; ++k) std::tie(s, t) = std::pair(1 - t, s);
+          Vector3 point = Vector3::Constant(0.75);
+          point[(axis + 1) % 3] = x + s;
+          point[(axis + 2) % 3] = y + t;
+          patch.points.push_back(point);
+        }
+      patches.push_back(rng() % 2 ? flipped(patch) : patch);
+    }
+  std::shuffle(patches.begin(), patches.end(), rng);
+  return patches;
+}
+
+TEST(WeldPatches, NetsInPlanesAcrossTheAxes) {
+  test::for_random(20261122, 3, [](std::mt19937_64& rng) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Surface surface = weld_patches(Vector3::Zero(), flat_net(axis, rng)).value();
+      EXPECT_EQ(surface.seams().size(), 2U * cells * (cells - 1)) << "axis " << axis;
+      EXPECT_EQ(surface.boundary_sides().size(), 4U * cells);
+      EXPECT_EQ(surface.node_count(), Index((cells + 1) * (cells + 1)));
+      for (const Seam& seam : surface.seams()) EXPECT_EQ(seam.intended, Continuity::g1);
+      const Vector3 outside = surface.normal(0, {0.5, 0.5});
+      EXPECT_NEAR(std::abs(outside[axis]), 1, 1e-12);
+      for (Index k = 0; k < surface.patch_count(); ++k)
+        EXPECT_LE((surface.normal(k, {0.3, 0.6}) - outside).norm(), 1e-12) << "patch " << k;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace hariko
