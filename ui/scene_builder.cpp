@@ -52,6 +52,12 @@ std::vector<Index> patches_of(const DisplayMesh& mesh, const std::set<FaceId>& f
   return patches;
 }
 
+/// Picking names what it finds, though nothing of these lines can be selected alone.
+void number_through(DisplayPolyhedron& lines) {
+  for (Index v = 0; v < lines.positions.size(); ++v) lines.vertex_ids.push_back(VertexId{v});
+  for (Index f = 0; f < lines.face_count(); ++f) lines.face_ids.push_back(FaceId{f});
+}
+
 /// Facets of a reference mesh as lines.
 std::shared_ptr<const DisplayPolyhedron> lines_of(const MeshSource& source) {
   auto lines = std::make_shared<DisplayPolyhedron>();
@@ -72,6 +78,29 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const MeshSource& source) {
   lines->edge_kinds.assign(lines->edges.size(), EdgeKind::plain);
   lines->face_offsets = mesh.face_offsets;
   lines->face_vertices = mesh.face_vertices;
+  number_through(*lines);
+  return lines;
+}
+
+/// The control nets of Bezier patches.
+std::shared_ptr<const DisplayPolyhedron> lines_of(const BezierSource& source) {
+  auto lines = std::make_shared<DisplayPolyhedron>();
+  lines->origin = source.origin;
+  for (const BezierPatch& patch : *source.patches) {
+    const auto first = Index(lines->positions.size());
+    for (const Vector3& p : patch.points) {
+      lines->positions.push_back({float(p.x()), float(p.y()), float(p.z())});
+      lines->box.extend(p);
+    }
+    for (int j = 0; j <= patch.degree_t; ++j)
+      for (int i = 0; i <= patch.degree_s; ++i) {
+        const auto at = [&](int k, int l) { return first + Index(patch.index(k, l)); };
+        if (i < patch.degree_s) lines->edges.push_back({at(i, j), at(i + 1, j)});
+        if (j < patch.degree_t) lines->edges.push_back({at(i, j), at(i, j + 1)});
+      }
+  }
+  lines->edge_kinds.assign(lines->edges.size(), EdgeKind::plain);
+  number_through(*lines);
   return lines;
 }
 
@@ -268,7 +297,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   out.show_surface = display.surface;
   out.show_polyhedron = display.polyhedron;
   out.show_network = display.network;
-  out.elements_pickable = !object->patches() || display.polyhedron;
+  out.elements_pickable = !(object->patches() || object->bezier()) || display.polyhedron;
   out.x_ray = editor.view.x_ray;
   out.material = display.material;
   out.color = color_of(display.colour);
@@ -387,6 +416,9 @@ std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
     const OutlineSource* outline_before = entry.object ? entry.object->outline() : nullptr;
     if (!outline_before || !(outline_before->outline == outline->outline))
       entry.polyhedron = lines_of(*outline->outline);
+  } else if (const BezierSource* bezier = object->bezier()) {
+    const BezierSource* bezier_before = entry.object ? entry.object->bezier() : nullptr;
+    if (!bezier_before || !(*bezier_before == *bezier)) entry.polyhedron = lines_of(*bezier);
   } else if (!source && !object->mesh()) {
     entry.polyhedron = object->solids() ? display_of(*object->solids()) : nullptr;
   } else if (!source) {
