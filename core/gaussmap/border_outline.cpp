@@ -117,4 +117,26 @@ Result<Outline> border_outline(const Surface& surface, BorderSide side, std::siz
   return out;
 }
 
+BorderFill border_fill(OutlineLoop loop) {
+  const auto& values = loop.curvature;
+  const bool known = !values.empty();
+  const bool all_positive = std::all_of(values.begin(), values.end(), [](double value) { return value > 0; });
+  const bool all_negative =
+      known && std::all_of(values.begin(), values.end(), [](double value) { return value < 0; });
+  BorderFill out{{{std::move(loop)}}, {}};
+  Outline bare = out.outline;
+  bare.loops[0].curvature.clear();
+  const std::vector<Message> messages = check_outline(bare, GaussMode::umbilic, CurvatureSign::positive);
+  const bool dome = std::none_of(messages.begin(), messages.end(),
+                                 [](const Message& message) { return message.code == e_not_convex; });
+  if (dome) {
+    if (!all_positive) out.outline = bare;
+  } else if (all_negative) {
+    out.settings.sign = CurvatureSign::negative;
+  } else {
+    out.settings.mode = GaussMode::position;
+  }
+  return out;
+}
+
 }  // namespace hariko

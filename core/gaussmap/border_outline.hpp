@@ -2,7 +2,7 @@
 
 // The border of a surface as an outline, for another surface that goes on from there.
 
-#include "core/gaussmap/outline.hpp"
+#include "core/gaussmap/outline_settings.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
@@ -21,5 +21,15 @@ enum class BorderSide {
 /// lowest patch. The outline has no curvature where the surface has none at some point. Errors: E_NO_BORDER
 /// (a closed surface; a border that does not come round). O(border points).
 Result<Outline> border_outline(const Surface& surface, BorderSide side, std::size_t least_points = 24);
+
+struct BorderFill {
+  Outline outline;
+  OutlineSettings settings;
+};
+/// One loop of a border with the settings that fill it most likely: those of a dome where its tangent planes
+/// cut off none of its points, of a saddle where all of its curvature is negative, else the mode position.
+/// The curvature is kept where it has the sign of that shape: patches bend across their border as the faces
+/// beyond do not hold them, so that on a sphere's border it may be negative. O(points^2).
+BorderFill border_fill(OutlineLoop loop);
 
 }  // namespace hariko

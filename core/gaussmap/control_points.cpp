@@ -45,6 +45,7 @@ class Problem {
   }
 
   const std::vector<std::vector<Vector3>>& loops() const { return loops_; }
+  bool reversed() const { return reversed_; }
   const BoundaryData& boundary() const { return boundary_; }
   double size() const { return size_; }
 
@@ -89,7 +90,7 @@ class Solver {
 
   /// All steps with one smallest radius, in steps of the outline.
   Result<ControlPoints> solve(double radius) {
-    auto begun = SiteInsertion::begin(problem_.loops());
+    auto begun = SiteInsertion::begin(problem_.loops(), problem_.reversed());
     if (!begun) return begun.error();
     SiteInsertion insertion = std::move(begun).value();
     const double smallest = radius * insertion.boundary_spacing();
@@ -263,20 +264,43 @@ void add_result_warnings(ControlPoints& result, std::optional<CurvatureSign> sig
         "Check the normals and the curvature along the outline.", element_of(VertexId{*first_concave})));
 }
 
-bool diverged(const Outline& outline, const ControlPoints& result) {
+/// The point of the outline whose normal is nearest to that of the inner point furthest off; none where all
+/// are near.
+std::optional<OutlinePoint> runs_away(const Outline& outline, const ControlPoints& result) {
   Vector3 middle = Vector3::Zero();
   for (Index i = 0; i < result.boundary_count; ++i)
     middle += result.points[i] / double(result.boundary_count);
-  return std::any_of(result.points.begin(), result.points.end(),
-                     [&](const Vector3& point) { return !((point - middle).norm() <= 10 * outline.size()); });
+  double furthest = 10 * outline.size();
+  std::optional<Index> found;
+  for (Index i = 0; i < result.points.size(); ++i) {
+    const double distance = (result.points[i] - middle).norm();
+    if (distance <= furthest) continue;
+    found = i;
+    furthest = std::isfinite(distance) ? distance : HUGE_VAL;
+  }
+  if (!found) return {};
+  return outline_point(outline, nearest_boundary(result.normals, result.boundary_count, *found));
+}
+
+/// Solvers count sites; the text names the outline's point.
+Message with_point(const Outline& outline, Message error) {
+  const bool worst = error.code == e_curvature_incompatible || error.code == e_curvature_unreachable;
+  if (!worst || error.element.kind != Element::Kind::vertex) return error;
+  error.text.back() = ';';
+  error.text +=
+      " it fits least near " + to_string(outline, outline_point(outline, Index(error.element.id))) + ".";
+  return error;
 }
 
 /// What all modes end with. `sign`: none where the curvature may have any.
 Result<ControlPoints> finished(const Outline& outline, ControlPoints result,
                                const std::vector<Message>& messages, std::optional<CurvatureSign> sign) {
-  if (diverged(outline, result))
-    return make_error(e_diverged, "The boundary data do not determine a bounded surface.",
-                      "Check the normals, or use the mode umbilic or position.");
+  if (const auto at = runs_away(outline, result))
+    return make_error(e_diverged,
+                      "The boundary data do not determine a bounded surface: it runs away near " +
+                          to_string(outline, *at) + ".",
+                      "Check the normals, or use the mode umbilic or position.",
+                      element_of(VertexId{at->number}));
   add_result_warnings(result, sign);
   result.messages.insert(result.messages.begin(), messages.begin(), messages.end());
   return result;
@@ -311,7 +335,7 @@ Result<ControlPoints> control_points(const Outline& outline, const GaussOptions&
   double radius = options.radius;
   for (;;) {
     Result<ControlPoints> made = solver.solve(radius);
-    if (!made) return made;
+    if (!made) return with_point(outline, made.error());
     ControlPoints result = std::move(made).value();
     result.gap = largest_gap(result);
     if (const double found = result.gap * problem.size(); options.gap && found > *options.gap) {

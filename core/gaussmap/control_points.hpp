@@ -36,7 +36,7 @@ struct GaussOptions {
   /// 0.
   double radius = 0.6;
   Index most_points = 20000;  ///< inserted ones
-  /// Rounds of `relaxed` after the insertion; modes umbilic, curvature and minkowski.
+  /// Rounds of `relaxed` (sites; not mode paper) or `spread_evenly` (vertices of mode position, no strips).
   int relaxation = 20;
   /// Where set: radius is lowered until tangent planes and control points are nowhere further apart than this
   /// length.

@@ -16,6 +16,10 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
+Element boundary_element(const SphereMesh& mesh, Index site) {
+  return element_of(VertexId{nearest_boundary(mesh.sites(), mesh.boundary_count(), site)});
+}
+
 class Newton {
  public:
   Newton(const SphereMesh& mesh, const BoundaryData& boundary, std::vector<double> start, Vector targets)
@@ -48,9 +52,16 @@ class Newton {
   }
 
  private:
-  static Message unreachable() {
+  /// Names the point of the outline next to the area that is furthest off.
+  Message unreachable() const {
+    Element element;
+    if (polytope_) {
+      Eigen::Index worst = 0;
+      (areas_ - targets_).cwiseQuotient(targets_).cwiseAbs().maxCoeff(&worst);
+      element = boundary_element(mesh_, mesh_.boundary_count() + Index(worst));
+    }
     return make_error(e_curvature_unreachable, "No convex surface through the outline has this curvature.",
-                      "Use the mode curvature, which does not need it to be exact.");
+                      "Use the mode curvature, which does not need it to be exact.", element);
   }
   std::optional<TangentPolytope> polytope(const std::vector<double>& support) const {
     const auto inner = inner_point(mesh_.sites(), support, points_, 1);
@@ -234,14 +245,16 @@ Result<std::vector<double>> closing_curvature(const SphereMesh& mesh, const Boun
     right -= area * mesh.site(i);
   }
   const Vector3 factor = system.ldlt().solve(right);
+  Index worst = 0;
   for (Index i = 0; i < mesh.site_count(); ++i) {
     const double change = 1 + factor.dot(mesh.site(i));
-    if (!(change > 0.2))
-      return make_error(e_curvature_incompatible,
-                        "No surface through the outline has curvature like that along the outline.",
-                        "Use the mode curvature, or give the curvature inside.");
+    if (!(change >= 1 + factor.dot(mesh.site(worst)))) worst = i;
     curvature[i] /= change;
   }
+  if (!(1 + factor.dot(mesh.site(worst)) > 0.2))
+    return make_error(e_curvature_incompatible,
+                      "No surface through the outline has curvature like that along the outline.",
+                      "Use the mode curvature, or give the curvature inside.", boundary_element(mesh, worst));
   return curvature;
 }
 

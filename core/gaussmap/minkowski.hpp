@@ -22,7 +22,7 @@ struct MinkowskiResult {
 };
 
 /// `start`: support of all sites, from `linear_fill`. `curvature`: at every site, positive. Errors:
-/// E_K_UNREACHABLE, E_CANCELLED.
+/// E_K_UNREACHABLE (the element is the boundary site next to the worst area), E_CANCELLED.
 Result<MinkowskiResult> minkowski(const SphereMesh& mesh, const BoundaryData& boundary,
                                   std::vector<double> start, const std::vector<double>& curvature,
                                   CellMeasure measure, const CancelToken& cancel);
@@ -32,7 +32,8 @@ Result<MinkowskiResult> minkowski(const SphereMesh& mesh, const BoundaryData& bo
 std::vector<double> spread_curvature(const SphereMesh& mesh, const std::vector<double>& boundary_curvature);
 
 /// Changes curvature by a factor that is linear in the normal, so that the areas can close over the loops:
-/// any surface that spans them has the same vector area. Error: E_K_INCOMPATIBLE.
+/// any surface that spans them has the same vector area. Error: E_K_INCOMPATIBLE; the element is the boundary
+/// site next to where that fits least.
 Result<std::vector<double>> closing_curvature(const SphereMesh& mesh, const BoundaryData& boundary,
                                               std::vector<double> curvature);
 

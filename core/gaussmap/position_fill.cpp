@@ -44,18 +44,17 @@ Geometry geometry_of(const PositionMesh& mesh) {
   return out;
 }
 
-/// What the conormal along the loops adds to the Laplacian of the position.
+/// What the conormal along the loops adds to the Laplacian of the position: its integral along each edge, by
+/// the edge and the normal in its middle, half of it at each end. Exact on planes.
 Positions boundary_flux(const PositionMesh& mesh, const std::vector<Vector3>& normals) {
   Positions out = Positions::Zero(Eigen::Index(mesh.points.size()), 3);
-  std::vector<Index> previous(mesh.boundary_count);
-  for (Index i = 0; i < mesh.boundary_count; ++i) previous[mesh.next[i]] = i;
   for (Index i = 0; i < mesh.boundary_count; ++i) {
-    const Vector3 before = mesh.points[i] - mesh.points[previous[i]],
-                  after = mesh.points[mesh.next[i]] - mesh.points[i];
-    const Vector3 along = mesh.points[mesh.next[i]] - mesh.points[previous[i]];
-    const Vector3 outward = along.cross(normals[i]);
-    if (outward.norm() > 0)
-      out.row(i) = (before.norm() + after.norm()) / 2 * outward.normalized().transpose();
+    const Index k = mesh.next[i];
+    const Vector3 middle = normals[i] + normals[k];
+    if (!(middle.norm() > 0)) continue;
+    const Vector3 half = (mesh.points[k] - mesh.points[i]).cross(middle.normalized()) / 2;
+    out.row(i) += half.transpose();
+    out.row(k) += half.transpose();
   }
   return out;
 }

@@ -56,7 +56,7 @@ SiteInsertion::SiteInsertion(ConvexHull hull, std::vector<Index> next, Index gua
   boundary_spacing_ = median_of(std::move(angles));
 }
 
-Result<SiteInsertion> SiteInsertion::begin(const std::vector<std::vector<Vector3>>& loops) {
+Result<SiteInsertion> SiteInsertion::begin(const std::vector<std::vector<Vector3>>& loops, bool reversed) {
   std::vector<Vector3> points;
   std::vector<Index> next;
   for (const auto& loop : loops) {
@@ -69,7 +69,7 @@ Result<SiteInsertion> SiteInsertion::begin(const std::vector<std::vector<Vector3
   auto hull = ConvexHull::build(std::move(points));
   if (!hull) return flat_image();
   SiteInsertion out(*std::move(hull), std::move(next), guard ? 1 : 0);
-  const Result<Done> filled = out.fill_inside(loops);
+  const Result<Done> filled = out.fill_inside(loops, reversed);
   if (!filled) return filled.error();
   return out;
 }
@@ -78,19 +78,27 @@ bool SiteInsertion::is_loop_edge(Index a, Index b) const {
   return a < next_.size() && b < next_.size() && (next_[a] == b || next_[b] == a);
 }
 
-Result<Done> SiteInsertion::fill_inside(const std::vector<std::vector<Vector3>>& loops) {
+Result<Done> SiteInsertion::fill_inside(const std::vector<std::vector<Vector3>>& loops, bool reversed) {
   const auto& faces = hull_.faces();
   std::unordered_map<std::uint64_t, Index> face_of;
   for (Index f = 0; f < faces.size(); ++f)
     if (faces[f].alive)
       for (std::size_t k = 0; k < 3; ++k)
         face_of[edge_key(faces[f].corner[k], faces[f].corner[(k + 1) % 3])] = f;
+  // Where the arc from a site to the next one begins for the outline.
+  struct Place {
+    Element element;
+    std::string text;
+  };
   const auto place = [&](Index site) {
     std::size_t loop = 0;
     Index first = 0;
     while (site - first >= loops[loop].size()) first += static_cast<Index>(loops[loop++].size());
-    std::string text = "point " + std::to_string(site - first);
-    return loops.size() > 1 ? text + " of loop " + std::to_string(loop) : text;
+    const Index at =
+        reversed ? static_cast<Index>(loops[loop].size()) - 1 - (next_[site] - first) : site - first;
+    std::string text = "point " + std::to_string(at);
+    if (loops.size() > 1) text += " of loop " + std::to_string(loop);
+    return Place{element_of(VertexId{first + at}), std::move(text)};
   };
   inside_.assign(faces.size(), 0);
   std::vector<Index> stack;
@@ -99,8 +107,8 @@ Result<Done> SiteInsertion::fill_inside(const std::vector<std::vector<Vector3>>&
     if (found == face_of.end())
       return make_error(
           e_boundary_edge,
-          "The Gauss image between " + place(i) + " and the next is coarser than its surroundings.",
-          "Sample the outline more densely there.", element_of(VertexId{i}));
+          "The Gauss image between " + place(i).text + " and the next is coarser than its surroundings.",
+          "Sample the outline more densely there.", place(i).element);
     if (!inside_[found->second]) stack.push_back(found->second);
     inside_[found->second] = 1;
   }
@@ -110,9 +118,9 @@ Result<Done> SiteInsertion::fill_inside(const std::vector<std::vector<Vector3>>&
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = face.corner[k], b = face.corner[(k + 1) % 3];
       if (a < next_.size() && b < next_.size() && next_[b] == a)
-        return make_error(e_image_leak, "The Gauss image leaks out between " + place(b) + " and the next.",
-                          "Sample the outline more densely there, or reverse a loop.",
-                          element_of(VertexId{b}));
+        return make_error(e_image_leak,
+                          "The Gauss image leaks out between " + place(b).text + " and the next.",
+                          "Sample the outline more densely there, or reverse a loop.", place(b).element);
       if (a >= next_.size())
         return make_error(e_image_leak, "The Gauss image is not enclosed by the outline.",
                           "Reverse the loop, so that the surface lies on its left.", element_of(VertexId{0}));

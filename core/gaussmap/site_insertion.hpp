@@ -25,8 +25,9 @@ class SiteInsertion {
  public:
   /// `loops`: unit vectors, at least three a loop; the image lies on the left of each. Errors:
   /// E_BOUNDARY_EDGE (an arc is no edge of the Delaunay triangulation), E_LEAK (the image is not bounded by
-  /// the loops); the element is the vertex, counted through all loops, where the arc begins.
-  static Result<SiteInsertion> begin(const std::vector<std::vector<Vector3>>& loops);
+  /// the loops); the element is the vertex, counted through all loops, where the arc begins. `reversed`: the
+  /// loops are those of an outline turned round, and errors name its points.
+  static Result<SiteInsertion> begin(const std::vector<std::vector<Vector3>>& loops, bool reversed = false);
 
   /// Angle between a site and its neighbour on the loop: the median over all arcs, radians.
   double boundary_spacing() const { return boundary_spacing_; }
@@ -52,7 +53,7 @@ class SiteInsertion {
     double cosine;  ///< of half the angle
   };
   SiteInsertion(ConvexHull hull, std::vector<Index> next, Index guard_count);
-  Result<Done> fill_inside(const std::vector<std::vector<Vector3>>& loops);
+  Result<Done> fill_inside(const std::vector<std::vector<Vector3>>& loops, bool reversed);
   bool is_loop_edge(Index a, Index b) const;
   void offer(Index face);
   /// The horizon of the face's circumcentre, empty when that is no place for a site.

@@ -16,6 +16,13 @@ double solid_angle(const Vector3& a, const Vector3& b, const Vector3& c) {
   return 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
 }
 
+Index nearest_boundary(const std::vector<Vector3>& sites, Index boundary_count, Index of) {
+  Index nearest = 0;
+  for (Index i = 1; i < boundary_count; ++i)
+    if (sites[i].dot(sites[of]) > sites[nearest].dot(sites[of])) nearest = i;
+  return nearest;
+}
+
 double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }

@@ -55,7 +55,7 @@ TEST(GaussMapAcceptance, MinkowskiWithExactCurvature) {  // 6.2
     double inner, distance, gnomonic, degrees, curvature;
   };
   const std::vector<Row> rows = {
-      {sphere_cap(16), 36, 2.0e-2, 1.5e-4, 1.3, .15},
+      {sphere_cap(16), 36, 1.5e-2, 1.5e-4, 1.07, .124},
       {sphere_cap(32), 179, 4.1e-3, 2.9e-6, .25, .030},
       {sphere_cap(64), 757, 1.0e-3, 5.7e-8, .07, .012},
       {ellipsoid_cap(16), 32, 7.1e-3, 1.9e-2, 2.1, .171},
@@ -158,14 +158,14 @@ GroundTruth golden_catenoid() {
 }
 
 TEST(GaussMapAcceptance, NegativeCurvature) {  // 8
-  // The prototype had 4.0e-3 for the mode curvature on the saddle with 32 points, on four sites less.
   struct Row {
     GroundTruth truth;
     double umbilic, curvature;
   };
-  for (const Row& row : {Row{golden_catenoid(), 2.8e-3, 7.6e-3},
+  for (const Row& row : {Row{catenoid_strip(15), 1.3e-2, 1.6e-2},
+                         {golden_catenoid(), 2.8e-3, 7.6e-3},
                          {saddle_disc(16), 7.1e-3, 1.3e-2},
-                         {saddle_disc(32), 2.0e-3, 5.7e-3},
+                         {saddle_disc(32), 2.0e-3, 4.0e-3},
                          {saddle_disc(48), 1.4e-3, HUGE_VAL}}) {
     SCOPED_TRACE(row.truth.name);
     for (const auto& [name, mode, number] : {std::tuple{"umbilic", GaussMode::umbilic, row.umbilic},
@@ -186,19 +186,19 @@ TEST(GaussMapAcceptance, ThePaperDoesNotConverge) {  // 6.1
     PaperRule rule;
     CellMeasure measure;
     bool exact_curvature;
-    std::array<double, 4> distance;  ///< at 10, 30, 60, 120 inserted points
+    std::array<double, 4> distance, degrees;  ///< at 10, 30, 60, 120 inserted points
   };
   const auto solid = CellMeasure::solid_angle, flat = CellMeasure::gnomonic;
   const std::vector<Row> rows = {
-      {sphere_cap(32), PaperRule::neighbour, solid, false, {.26, .26, .26, .27}},
-      {sphere_cap(32), PaperRule::all_neighbours, solid, false, {.15, .15, .16, .16}},
-      {sphere_cap(32), PaperRule::own_facet, solid, false, {.21, .21, .21, .21}},
-      {ellipsoid_cap(32), PaperRule::all_neighbours, solid, false, {.32, .32, .32, .32}},
-      {ellipsoid_cap(32), PaperRule::own_facet, solid, false, {.73, .73, .73, .73}},
-      {paraboloid_cap(32), PaperRule::all_neighbours, solid, false, {.50, .50, .50, .50}},
-      {paraboloid_cap(32), PaperRule::own_facet, solid, false, {.35, .35, .35, .35}},
-      {paraboloid_cap(32), PaperRule::own_facet, flat, true, {.11, .11, .11, .11}},
-      {sphere_band(20), PaperRule::own_facet, solid, false, {.047, .047, .047, .047}}};
+      {sphere_cap(32), PaperRule::neighbour, solid, false, {.26, .26, .26, .27}, {14, 15, 20, 22}},
+      {sphere_cap(32), PaperRule::all_neighbours, solid, false, {.15, .15, .16, .16}, {4.4, 8.0, 11, 14}},
+      {sphere_cap(32), PaperRule::own_facet, solid, false, {.21, .21, .21, .21}, {5.9, 7.0, 7.0, 7.3}},
+      {ellipsoid_cap(32), PaperRule::all_neighbours, solid, false, {.32, .32, .32, .32}, {13, 21, 22, 25}},
+      {ellipsoid_cap(32), PaperRule::own_facet, solid, false, {.73, .73, .73, .73}, {25, 30, 32, 33}},
+      {paraboloid_cap(32), PaperRule::all_neighbours, solid, false, {.50, .50, .50, .50}, {33, 39, 44, 45}},
+      {paraboloid_cap(32), PaperRule::own_facet, solid, false, {.35, .35, .35, .35}, {22, 30, 30, 32}},
+      {paraboloid_cap(32), PaperRule::own_facet, flat, true, {.11, .11, .11, .11}, {7.9, 8.1, 8.7, 12}},
+      {sphere_band(20), PaperRule::own_facet, solid, false, {.047, .047, .047, .047}, {3.7, 3.9, 4.7, 4.8}}};
   const std::array<Index, 4> counts{10, 30, 60, 120};
   for (const Row& row : rows) {
     SCOPED_TRACE(row.truth.name + " rule " + std::to_string(int(row.rule)));
@@ -216,6 +216,7 @@ TEST(GaussMapAcceptance, ThePaperDoesNotConverge) {  // 6.1
       show(text("paper", row.truth, points, errors) + " | of " + std::to_string(counts[k]) + " | clamped " +
            std::to_string(points.clamped_count));
       EXPECT_NEAR(errors.distance, row.distance[k], 0.3 * row.distance[k]) << counts[k];
+      EXPECT_NEAR(errors.degrees, row.degrees[k], 0.3 * row.degrees[k]) << counts[k];
     }
   }
 }
@@ -241,6 +242,26 @@ TEST(GaussMapAcceptance, ThePaperIsExactOnSpheresByGnomonicAreas) {  // 6.1
   }
 }
 
+/// Gaussian noise on each component of the normals.
+Outline with_noise(Outline outline, double degrees, std::mt19937_64& rng) {
+  for (OutlineLoop& loop : outline.loops)
+    for (Vector3& normal : loop.normals)
+      for (int c = 0; c < 3; ++c) {
+        const double radius = std::sqrt(-2 * std::log(1 - uniform(rng))), turn = 2 * pi * uniform(rng);
+        normal[c] += degrees * pi / 180 * radius * std::cos(turn);
+      }
+  return outline;
+}
+
+/// A refusal for what noise does to normals, that names a point.
+void expect_refused_for_noise(const Message& error, const Outline& outline) {
+  const std::array<Code, 4> codes{e_normal_tangent, e_not_convex, e_coarse_normals, e_image_crosses};
+  EXPECT_TRUE(std::find(codes.begin(), codes.end(), error.code) != codes.end()) << to_string(error);
+  ASSERT_EQ(error.element.kind, Element::Kind::vertex);
+  const std::string point = to_string(outline, outline_point(outline, Index(error.element.id)));
+  EXPECT_NE(error.text.find(point), std::string::npos) << error.text;
+}
+
 TEST(GaussMapAcceptance, NoisyNormals) {  // 7
   const std::array<double, 6> degrees{0, .1, .5, 1, 2, 5};
   struct Row {
@@ -251,28 +272,26 @@ TEST(GaussMapAcceptance, NoisyNormals) {  // 7
   const Row rows[] = {{"umbilic", GaussMode::umbilic, {3e-6, 3e-4, 3e-3, 4e-3, 2e-2, 7e-2}},
                       {"curvature", GaussMode::curvature, {3e-6, 1.5e-3, 1.4e-2, 7e-2, .22, .48}},
                       {"minkowski", GaussMode::minkowski, {4e-3, 4e-3, 4e-3, 4e-3, 4e-3, 2e-2}}};
+  const GroundTruth truth = sphere_cap(32);
   for (const Row& row : rows)
     for (std::size_t k = 0; k < degrees.size(); ++k) {
-      GroundTruth truth = sphere_cap(32);
+      SCOPED_TRACE(row.name + std::string(" ") + std::to_string(degrees[k]));
       std::mt19937_64 rng(random_seed(9401));
       std::vector<double> found;
       int refused = 0;
       // The table is of one run; noise differs from run to run, so the median of some is compared with it.
       for (int run = 0; run < 5; ++run) {
-        Outline noisy = truth.outline;
-        for (Vector3& normal : noisy.loops[0].normals)
-          for (int c = 0; c < 3; ++c) {
-            const double radius = std::sqrt(-2 * std::log(1 - uniform(rng))), turn = 2 * pi * uniform(rng);
-            normal[c] += degrees[k] * pi / 180 * radius * std::cos(turn);
-          }
+        const Outline noisy = with_noise(truth.outline, degrees[k], rng);
         GaussOptions options;
         options.mode = row.mode;
         if (row.mode == GaussMode::minkowski) options.curvature_inside = truth.truth.curvature_of_normal;
         const auto result = control_points(noisy, options);
-        if (result.ok())
+        if (result.ok()) {
           found.push_back(point_errors(*result, truth.truth).distance);
-        else
-          ++refused;
+          continue;
+        }
+        ++refused;
+        expect_refused_for_noise(result.error(), noisy);
       }
       std::sort(found.begin(), found.end());
       std::ostringstream line;
@@ -280,10 +299,10 @@ TEST(GaussMapAcceptance, NoisyNormals) {  // 7
       if (!found.empty()) line << " | median d " << found[found.size() / 2] << ", largest " << found.back();
       show(line.str());
       if (degrees[k] < 2) {
-        EXPECT_EQ(refused, 0) << row.name << " " << degrees[k];
+        EXPECT_EQ(refused, 0);
       }
       if (!found.empty()) {
-        EXPECT_LE(found[found.size() / 2], 3 * row.distance[k]) << row.name << " " << degrees[k];
+        EXPECT_LE(found[found.size() / 2], 3 * row.distance[k]);
       }
     }
 }

@@ -72,6 +72,46 @@ TEST(BorderOutline, OfABandHasTwoLoopsAndClosesItsHole) {
   for (const Vector3& point : points->points) EXPECT_NEAR(point.norm(), 1, 5e-3);
 }
 
+TEST(BorderOutline, HolesOfSpheresAreFilledByDomes) {
+  for (const auto& [truth, mode] : {std::pair{sphere_band(20), Mode::fair},
+                                    {sphere_band(40), Mode::g2},
+                                    {three_holes(Vector3::Ones(), 14, "three holes"), Mode::fair}}) {
+    SCOPED_TRACE(truth.name);
+    const auto made = border_outline(surface_over(truth.outline, mode), BorderSide::beyond);
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    int inside = 0;
+    for (const OutlineLoop& loop : made->loops) {
+      const BorderFill fill = border_fill(loop);
+      EXPECT_EQ(fill.settings.mode, GaussMode::umbilic);
+      EXPECT_EQ(curvature_sign(fill.outline, fill.settings.sign), CurvatureSign::positive);
+      const auto points = control_points(fill.outline, gauss_options(fill.settings));
+      ASSERT_TRUE(points.ok()) << to_string(points.error());
+      // The hole, not the rest of the sphere: all of it lies beyond the loop.
+      Vector3 middle = Vector3::Zero();
+      for (const Vector3& point : loop.points) middle += point / double(loop.points.size());
+      for (Index i = points->boundary_count; i < points->points.size(); ++i) {
+        const Vector3& point = points->points[i];
+        EXPECT_NEAR(point.norm(), 1, 2e-2);
+        EXPECT_GT(point.dot(middle), middle.squaredNorm());
+        ++inside;
+      }
+    }
+    EXPECT_GT(inside, 10);
+  }
+}
+
+TEST(BorderOutline, ASaddleIsFilledByASaddle) {
+  OutlineLoop loop = saddle_disc(32).outline.loops[0];
+  BorderFill fill = border_fill(loop);
+  EXPECT_EQ(fill.settings.sign, CurvatureSign::negative);
+  EXPECT_EQ(fill.settings.mode, GaussMode::umbilic);
+  EXPECT_EQ(fill.outline.loops[0], loop);
+  loop.curvature[3] = 1;  // of both signs
+  EXPECT_EQ(border_fill(loop).settings.mode, GaussMode::position);
+  loop.curvature.clear();
+  EXPECT_EQ(border_fill(loop).settings.mode, GaussMode::position);
+}
+
 TEST(BorderOutline, CurvatureOfABicubicGridIsItsOwn) {
   // z = x^2 / 2 + y^2 / 4 over [-1, 1]^2: one bicubic patch, exactly. Its outer side is up.
   BicubicNet net{1, 1, {}};

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/gaussmap/minkowski.hpp"
 #include "core/gaussmap/position_fill.hpp"
+#include "core/gaussmap/site_insertion.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 
@@ -18,12 +21,26 @@ GaussOptions in_mode(GaussMode mode) {
   return options;
 }
 
-void expect_error(const Outline& outline, const GaussOptions& options, Code code) {
+/// The error names a point of the outline, in its text and as its element: the number of that point.
+Index expect_error(const Outline& outline, const GaussOptions& options, Code code) {
   SCOPED_TRACE(code.name);
   const auto made = control_points(outline, options);
-  ASSERT_FALSE(made.ok());
-  EXPECT_EQ(made.error().code, code) << to_string(made.error());
-  EXPECT_FALSE(made.error().remedy.empty());
+  if (made.ok()) {
+    ADD_FAILURE() << "no error";
+    return 0;
+  }
+  const Message& error = made.error();
+  EXPECT_EQ(error.code, code) << to_string(error);
+  EXPECT_FALSE(error.remedy.empty());
+  EXPECT_EQ(error.element.kind, Element::Kind::vertex) << to_string(error);
+  const auto number = Index(error.element.id);
+  if (number >= outline.point_count()) {
+    ADD_FAILURE() << "no point " << number;
+    return 0;
+  }
+  EXPECT_NE(error.text.find(to_string(outline, outline_point(outline, number))), std::string::npos)
+      << error.text;
+  return number;
 }
 
 /// The first message of that code.
@@ -62,7 +79,8 @@ TEST(GaussMessages, CurvatureThatDoesNotCloseOverTheLoops) {
   // Flat on one side and curved on the other: more area there than the loop spans.
   const Outline outline =
       scaled_curvature(sphere_cap(32).outline, [](const Vector3& n) { return std::exp(4 * n.x()); });
-  expect_error(outline, in_mode(GaussMode::minkowski), e_curvature_incompatible);
+  const Index worst = expect_error(outline, in_mode(GaussMode::minkowski), e_curvature_incompatible);
+  EXPECT_LE(outline.loops[0].normals[worst].x(), -0.8);  // where the area is too large
 }
 
 TEST(GaussMessages, CurvatureThatNoConvexSurfaceHas) {
@@ -70,6 +88,28 @@ TEST(GaussMessages, CurvatureThatNoConvexSurfaceHas) {
     return std::exp(4 * std::sin(2 * std::atan2(n.y(), n.x())));
   });
   expect_error(outline, in_mode(GaussMode::minkowski), e_curvature_unreachable);
+}
+
+TEST(GaussMessages, ACoarseArcIsNamedOnBothSidesOfTheSurface) {
+  // Between two dense loops one lacks four neighbours; with negative curvature loops run the other way round
+  // through the Gauss map.
+  const Truth sphere = ellipsoid(Vector3::Ones());
+  const auto circle = [&](double angle, bool clockwise) {
+    return circle_of_normals(sphere, Vector3::UnitZ(), angle, 48, clockwise);
+  };
+  Outline dome{{circle(0.55, false), circle(0.5, true), circle(0.42, false)}};
+  OutlineLoop& gap = dome.loops[1];
+  for (auto* list : {&gap.points, &gap.normals}) list->erase(list->begin() + 11, list->begin() + 15);
+  Outline saddle = dome;
+  for (OutlineLoop& loop : saddle.loops)
+    for (auto* list : {&loop.points, &loop.normals}) std::reverse(list->begin(), list->end());
+  for (OutlineLoop* loop :
+       {&dome.loops[0], &dome.loops[1], &dome.loops[2], &saddle.loops[0], &saddle.loops[1], &saddle.loops[2]})
+    loop->curvature.clear();
+  GaussOptions options = in_mode(GaussMode::umbilic);
+  EXPECT_EQ(expect_error(dome, options, e_boundary_edge), 48u + 10u);
+  options.sign = CurvatureSign::negative;
+  EXPECT_EQ(expect_error(saddle, options, e_boundary_edge), 48u + 44u - 1 - 11u);
 }
 
 TEST(GaussMessages, TheLimitOfPoints) {

@@ -18,21 +18,6 @@ namespace {
 
 using namespace test;
 
-GroundTruth catenoid_strip(std::size_t count) {
-  const auto ring = [](double v, std::size_t n, bool clockwise) {
-    OutlineLoop loop;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double t = (clockwise ? -2 : 2) * pi * double(i) / double(n), r = std::cosh(v);
-      const Vector3 out(std::cos(t), std::sin(t), 0);
-      loop.points.push_back(r * out + v * Vector3::UnitZ());
-      loop.normals.push_back((out - std::sinh(v) * Vector3::UnitZ()).normalized());
-      loop.curvature.push_back(-1 / std::pow(r, 4));
-    }
-    return loop;
-  };
-  return {"catenoid", {{ring(-0.9, count, false), ring(0.7, count * 7 / 8, true)}}, catenoid()};
-}
-
 double distance(const GroundTruth& truth) {
   GaussOptions options;
   options.mode = GaussMode::position;
@@ -60,9 +45,8 @@ TEST(PositionMode, ConvergesOnTheCatenoid) {
 }
 
 TEST(PositionMode, ConvergesOnTheSaddle) {
-  // Measured 5.4e-3, 2.4e-3, 1.3e-3; a prototype on other meshes had 4.0e-3, 1.8e-3, 1.2e-3.
-  EXPECT_LE(distance(saddle_disc(16)), 6e-3);
-  EXPECT_LE(distance(saddle_disc(32)), 2.7e-3);
+  EXPECT_LE(distance(saddle_disc(16)), 1.25 * 4.0e-3);
+  EXPECT_LE(distance(saddle_disc(32)), 1.25 * 1.8e-3);
   EXPECT_LE(distance(saddle_disc(64)), 1.25 * 1.2e-3);
 }
 
@@ -128,7 +112,7 @@ TEST(PositionMode, VerticesAreSpreadEvenlyOverTheShape) {
                  after = raggedness(even->points, even->triangles);
     if (std::getenv("HARIKO_SHOW_NUMBERS"))
       std::cout << "raggedness | " << truth.name << " | " << before << " -> " << after << std::endl;
-    EXPECT_LT(after, 0.7 * before);
+    EXPECT_LT(after, 0.75 * before);
   }
 }
 

@@ -208,6 +208,22 @@ inline GroundTruth saddle_disc(std::size_t count) {
   return {"saddle", {{uniform_loop(count, at)}}, saddle()};
 }
 
+/// `count` points on the lower loop, seven eighths of it on the upper one.
+inline GroundTruth catenoid_strip(std::size_t count) {
+  const auto ring = [](double v, std::size_t n, bool clockwise) {
+    OutlineLoop loop;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double t = (clockwise ? -2 : 2) * pi * double(i) / double(n), r = std::cosh(v);
+      const Vector3 out(std::cos(t), std::sin(t), 0);
+      loop.points.push_back(r * out + v * Vector3::UnitZ());
+      loop.normals.push_back((out - std::sinh(v) * Vector3::UnitZ()).normalized());
+      loop.curvature.push_back(-1 / std::pow(r, 4));
+    }
+    return loop;
+  };
+  return {"catenoid", {{ring(-0.9, count, false), ring(0.7, count * 7 / 8, true)}}, catenoid()};
+}
+
 /// Of the inserted points: largest distance from the true surface, largest angle between given and true
 /// normal.
 struct PointErrors {

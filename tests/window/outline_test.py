@@ -1,6 +1,7 @@
 """Outlines in the window: a loop drawn on the ground, its normals tilted, a hole drawn on its surface, the polyhedron
-it becomes, undo and redo, export."""
+it becomes, undo and redo, export; outlines of a surface's borders, normals spread along one, even steps of its normals."""
 
+import json
 import math
 import os
 import tempfile
@@ -127,8 +128,106 @@ def export(window, folder):
     return saved
 
 
+def angle(a, b):
+    return math.acos(max(-1, min(1, sum(x * y for x, y in zip(a, b)) / (math.hypot(*a) * math.hypot(*b)))))
+
+
+def turns(loop):
+    """Angles between the normals of neighbours."""
+    normals = loop["normals"]
+    return [angle(normals[i - 1], normals[i]) for i in range(len(normals))]
+
+
+def sources(window, name):
+    """The sources of all objects of the document, once it is saved."""
+    before = window.count("saved")
+    window.key("ctrl+s")
+    window.wait(lambda: window.count("saved") > before, "the saved file")
+    with open(os.path.join(window.folder, name), encoding="utf-8") as file:
+        return [item["source"] for item in json.load(file)["objects"]]
+
+
+def outlines(window, name):
+    return [source["loops"] for source in sources(window, name)]
+
+
+def borders(window, name, output):
+    before = finals(window)
+    choose(window, "Outline", "command.outline.from_border")
+    step(window, "Outline from border", 1)
+    window.wait(lambda: finals(window) >= before + 2, "the surfaces beyond both borders")
+    window.wait_idle()
+    check(all(event["error"] is None for event in window.events if event["event"] == "rebuild"),
+          "a border makes no surface")
+    window.screenshot(os.path.join(output, "outline_borders.png"))
+    made = sources(window, name)
+    loops = [source["loops"] for source in made]
+    check([len(of) for of in loops] == [2, 1, 1], f"loops: {[len(of) for of in loops]}")
+    # Saddles would fill the rest of the sphere instead of the holes.
+    signs = [source["curvature_sign"] for source in made]
+    check(signs == ["positive"] * 3, f"the holes are no domes: {signs}")
+    for (loop,) in loops[1:]:
+        for point, normal in zip(loop["points"], loop["normals"]):
+            # A sphere round the origin, of radius 50; normals of the band are off by up to 2.3 degrees (docs/gaussmap.md 6).
+            check(abs(math.hypot(*point) - 50) < 0.1 and angle(point, normal) < 0.05,
+                  f"the border is not that of the sphere: {point} {normal}")
+
+
+def spread(window, name, output):
+    """One normal is turned, and all of its loop follow."""
+    loop = outlines(window, name)[-1][0]
+    window.key("1")
+    window.click_on("outline.point.3")
+    window.wait(lambda: window.last("document")["selection"] == "1 vertex", "a selected point")
+    window.click_on("field.outline_tilt")
+    window.key("ctrl+a")
+    window.type("50")
+    window.key("Return")
+    step(window, "Turn normal", 2)
+    before = finals(window)
+    window.click_on("button.outline.spread")
+    step(window, "Spread normals", 3)
+    surface(window, before, "the surface with spread normals")
+    window.screenshot(os.path.join(output, "outline_spread.png"))
+    made = outlines(window, name)[-1][0]
+    check(made["points"] == loop["points"], "spreading normals moved points")
+    heights = [normal[2] for normal in made["normals"]]
+    check(max(heights) - min(heights) < 1e-3, f"the normals of a circle differ: {heights}")
+    check(angle(made["normals"][0], loop["normals"][0]) > 0.05, "no normal was turned")
+
+
+def resample(window, name, output):
+    """Without one of its points a loop has a longer step, and then even ones again."""
+    window.key("Delete")
+    window.wait(lambda: window.last("document")["position"] == 4, "a point less")
+    window.wait_idle()
+    uneven = outlines(window, name)[-1][0]
+    check(max(turns(uneven)) > 1.5 * min(turns(uneven)), "the steps are even already")
+    window.key("Escape")
+    before = finals(window)
+    window.click_on("button.outline.resample")
+    step(window, "Resample by normals", 5)
+    surface(window, before, "the surface of the resampled outline")
+    window.screenshot(os.path.join(output, "outline_resampled.png"))
+    even = outlines(window, name)[-1][0]
+    check(len(even["points"]) == len(uneven["points"]), "resampling changed the number of points")
+    check(max(turns(even)) < 1.02 * min(turns(even)), f"uneven steps: {turns(even)}")
+
+
+def session_of_borders(program, source, output):
+    name = "sphere_band.hariko"
+    window = Window(program, os.path.join(source, "assets", "samples", name), size=(1280, 800))
+    try:
+        window.wait(lambda: finals(window) > 0, "the surface of the sample")
+        window.wait_idle()
+        borders(window, name, output)
+        spread(window, name, output)
+        resample(window, name, output)
+    finally:
+        window.close()
+
+
 def session(program, source, output):
-    del source
     with tempfile.TemporaryDirectory() as folder:
         window = Window(program, size=(1280, 800))
         try:
@@ -150,6 +249,7 @@ def session(program, source, output):
             window.rect("outline.point.63")
         finally:
             window.close()
+    session_of_borders(program, source, output)
 
 
 run(session)

@@ -58,14 +58,10 @@ void outline_from_border(Editor& editor) {
   Document document = editor.history.current();
   ObjectId last;
   for (const OutlineLoop& loop : border->loops) {
+    BorderFill fill = border_fill(loop);
     OutlineSource source;
-    source.outline = Outline{{loop}};
-    const Outline& outline = *source.outline;
-    source.settings.sign = curvature_sign(outline, CurvatureSign::positive);
-    // Where the curvature changes its sign along the border no Gauss map is one to one.
-    for (const double value : loop.curvature)
-      if ((value > 0) != (source.settings.sign == CurvatureSign::positive))
-        source.settings.mode = GaussMode::position;
+    source.outline = std::move(fill.outline);
+    source.settings = fill.settings;
     auto added = add_object(document, free_name(document, object.name + " " + editor.language("border")),
                             std::move(source), object.transform);
     if (!added) return editor.notify(added.error());
