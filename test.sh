@@ -57,13 +57,15 @@ fuzz() {
   fi
   mkdir -p build/fuzz/artifacts
   for fuzzer in "${fuzzers[@]}"; do
-    local name corpus
+    local name format corpus
     name=$(basename "$fuzzer")
+    format=${name%_fuzz}
     corpus=build/fuzz/corpus/$name
     mkdir -p "$corpus"
     step "Fuzzer $name, one minute"
     "$fuzzer" -max_total_time=60 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
-      "-artifact_prefix=build/fuzz/artifacts/$name-" "$corpus" tests/golden assets/samples 2>&1 | tail -n 25
+      "-artifact_prefix=build/fuzz/artifacts/$name-" "-dict=tests/fuzz/$format.dict" \
+      "$corpus" "tests/fuzz/seeds/$format" tests/golden assets/samples 2>&1 | tail -n 25
   done
 }
 

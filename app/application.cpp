@@ -136,6 +136,9 @@ class Application {
       frame();
     }
     if (recorder_) recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
+    if (recorder_ && !recorder_->ok())
+      std::cerr << editor_.language("The replay is not whole: its file could not be written to the end.")
+                << "\n";
     session_.update();
     signal_ == 0 ? session_.end() : session_.write_autosave();
     save_settings();
@@ -300,9 +303,15 @@ class Application {
     if (!std::exchange(recording_ends_, false)) return;
     if (recorder_) {
       recorder_->finish(editor_.now, editor_.history.current(), editor_.history.position());
+      const bool whole = recorder_->ok();
       recorder_.reset();
       log_.file("recorded", {});
-      editor_.notify(Notice::Kind::info, editor_.language("The replay is written."));
+      if (whole)
+        editor_.notify(Notice::Kind::info, editor_.language("The replay is written."));
+      else
+        editor_.notify(
+            Notice::Kind::error,
+            editor_.language("The replay is not whole: its file could not be written to the end."));
     }
     editor_.end_recording();
   }

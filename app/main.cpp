@@ -1,5 +1,7 @@
 // hariko: subcommands run without a window; files alone, or nothing, open it.
 
+#include <signal.h>
+
 #include <CLI/CLI.hpp>
 
 #include "app/application.hpp"
@@ -10,6 +12,8 @@ int main(int argc, char** argv) {
 #ifndef __SANITIZE_ADDRESS__  // whose own report says more
   hariko::report_crashes();
 #endif
+  // A file that gets too large for a limit is an error of its writing, not the end of the program.
+  ::signal(SIGXFSZ, SIG_IGN);
   if (const auto exit_code = hariko::run_command(argc, argv)) return *exit_code;
   hariko::WindowOptions options;
   CLI::App arguments("A modeler for free-form shapes");

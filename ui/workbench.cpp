@@ -394,16 +394,18 @@ void Workbench::show_open_dialog() {
   dialog_.open({translatable("Open"),
                 translatable("Open"),
                 false,
-                {".hariko", ".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json"},
+                {".hariko", ".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json", ".step",
+                 ".stp", ".iges", ".igs"},
                 folder_proposal(),
                 [this](const auto& path) { open_guarded(path); }});
 }
 
 void Workbench::show_import_dialog() {
-  dialog_.open({translatable("Import a mesh"),
+  dialog_.open({translatable("Import"),
                 translatable("Import"),
                 false,
-                {".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json"},
+                {".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json", ".step", ".stp",
+                 ".iges", ".igs"},
                 folder_proposal(),
                 [this](const auto& path) { actions_.import_file(path); }});
 }

@@ -125,8 +125,8 @@ class CommandLine {
     unfold_.add_to(app_);
     add_mesh();
     app_.footer(
-        "Files are Hariko documents (*.hariko), meshes (*.obj, *.off, *.ply, *.stl, *.glb, *.gltf, *.3mf) or "
-        "Bezier patches (*.bpt, *.json).\n"
+        "Files are Hariko documents (*.hariko), meshes (*.obj, *.off, *.ply, *.stl, *.glb, *.gltf, *.3mf), "
+        "Bezier patches (*.bpt, *.json) or CAD files (*.step, *.stp, *.iges, *.igs).\n"
         "Exit codes: 0 fine, 1 the input or the job failed, 2 wrong usage.");
   }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "app/files/open_cad.hpp"
 #include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
+#include "core/cad/kernel/cad_file.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/file.hpp"
 #include "core/document/format.hpp"
@@ -191,6 +193,16 @@ void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
   opened.document = std::move(document);
 }
 
+void take(Result<OpenedCad> cad, OpenedFile& opened) {
+  if (!cad.ok()) {
+    opened.messages.push_back(cad.error());
+    return;
+  }
+  opened.document = std::move(cad.value().document);
+  opened.messages = std::move(cad.value().warnings);
+  opened.says_unit = true;
+}
+
 }  // namespace
 
 const Message* OpenedFile::error() const {
@@ -216,6 +228,10 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
   if (!check_name(opened.name).ok()) opened.name = "mesh";
   if (format_of_extension(file)) {
     open_mesh(file, cancel, progress, opened);
+    return cancel.cancelled() ? cancelled() : std::move(opened);
+  }
+  if (cad_format_of(file)) {
+    take(open_cad(file, opened.name, cancel, progress), opened);
     return cancel.cancelled() ? cancelled() : std::move(opened);
   }
   const auto holds = content_of(file);

@@ -1,7 +1,6 @@
 #pragma once
 
-// Reading what a designer opens: a document, or a mesh file as a document with a polyhedron for each of its
-// objects.
+// Reading what a designer opens: a document, or a file of another program as a document with its objects.
 
 #include <filesystem>
 #include <optional>
@@ -26,7 +25,7 @@ struct OpenedFile {
   RepairReport repair;  ///< how `repaired` was made
   std::string name;     ///< of the object that a mesh file makes: as the file says, else after the file
   bool native = false;  ///< a *.hariko document, so that saving may go back to the same file
-  /// A mesh file that says the unit of its lengths: the documents have it, or millimetres.
+  /// The file says the unit of its lengths: the documents have it, or millimetres.
   bool says_unit = false;
 
   /// The first error among the messages; null when there is a document.
@@ -37,9 +36,10 @@ struct OpenedFile {
 /// Errors: those of `read_file` and `json_kind`; E_FORMAT_UNKNOWN for kinds that are not opened.
 Result<JsonKind> content_of(const std::filesystem::path& file);
 
-/// The ending of the name decides: .obj .off .ply .stl .glb .gltf .3mf are meshes, else `content_of` does;
-/// patches must be bicubic. Messages are those of `load_document`, `read_mesh_file`, `document_from_mesh` and
-/// `validate`; E_CANCELLED alone where it was cancelled.
+/// The ending of the name decides: .obj .off .ply .stl .glb .gltf .3mf are meshes, .step .stp .iges .igs
+/// parts of a CAD program, else `content_of` does; patches must be bicubic. Messages are those of
+/// `load_document`, `read_mesh_file`, `open_cad`, `document_from_mesh` and `validate`; E_CANCELLED alone
+/// where it was cancelled.
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
                      const Progress& progress = {});
 

@@ -1,6 +1,7 @@
-"""The export dialog for four formats: unit, scale and up axis, remembered for each format; only what is selected; what was
-written comes back in the right size by import."""
+"""The export dialog for three formats: unit, scale and up axis, remembered for each format; what was written comes back by
+import, with the names and sizes that the format keeps."""
 
+import json
 import os
 import struct
 
@@ -58,9 +59,14 @@ def session(program, source, output):
         def path(name):
             return os.path.join(folder, name)
 
-        export(window, path("plain.stl"))
+        def coarse():
+            """Few triangles: each import makes a polyhedron of them."""
+            number(window, "export.distance", "0.05 mm")
+
+        export(window, path("plain.stl"), coarse)
         plain = extent(corners_of_stl(path("plain.stl")))
 
+        # Settings are those that the format had last, so that the triangles are coarse still.
         def in_centimetres():
             choose(window, "export.unit", "export.unit.cm")
             number(window, "export.scale", "3")
@@ -78,13 +84,14 @@ def session(program, source, output):
         def of_gltf():
             window.wait(lambda: "export.unit" not in window.last("layout")["rects"], "no unit to choose")
             check("export.up.y" not in window.last("layout")["rects"], "an axis to choose for glTF")
+            coarse()
             window.wait_idle()
             window.screenshot(os.path.join(output, "export_glb.png"))
 
         export(window, path("a.glb"), of_gltf)
         with open(path("a.glb"), "rb") as file:
             check(file.read(4) == b"glTF", "no glTF file")
-        export(window, path("a.3mf"))
+        export(window, path("a.3mf"), coarse)
         with open(path("a.3mf"), "rb") as file:
             check(file.read(2) == b"PK", "no 3MF file")
 
@@ -93,14 +100,27 @@ def session(program, source, output):
         check(open(path("again.stl"), "rb").read() == open(path("other.stl"), "rb").read(),
               "the settings of the format were not remembered")
 
-        # Back in.
-        objects = len(window.last("layout")["rects"])
-        window.key("ctrl+i")
-        window.rect("dialog.name")
-        count = window.count("imported")
-        window.type_path(path("other.stl"))
-        window.wait(lambda: window.count("imported") == count + 1, "the mesh")
-        check(len(window.last("layout")["rects"]) > 0 and objects > 0, "an empty window")
+        # Back in: formats that say their unit have the size of the model and its name, STL has the numbers of the file.
+        names = ("other.stl", "a.glb", "a.3mf")
+        for number_before, name in enumerate(names):
+            window.key("ctrl+i")
+            window.rect("dialog.name")
+            window.type_path(path(name))
+            window.wait_event("imported", number_before)
+            window.wait_idle()
+        window.screenshot(os.path.join(output, "export_imported.png"))
+        window.key("ctrl+s")
+        window.wait_event("saved", 0)
+        with open(path("fig2.hariko"), encoding="utf-8") as file:
+            objects = json.load(file)["objects"]
+        check(len(objects) == 4, f"{len(objects)} objects instead of 4")
+        for item, size in zip(objects[1:], (other, plain, plain)):
+            found = extent([row[1:] for row in item["source"]["vertices"]])
+            check(all(abs(a - b) < 1e-5 * max(size) for a, b in zip(found, size)),
+                  f"{item['name']}: {found} instead of {size}")
+        found = [item["name"] for item in objects]
+        check(found == ["Vase", "other", "Vase", "Vase"], f"the names {found}")
+        check(window.quit() == 0, "the program did not end well")
     finally:
         window.close()
 

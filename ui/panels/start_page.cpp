@@ -57,7 +57,8 @@ void actions(PanelContext& context) {
   if (ImGui::Button(label(icon::info, text).c_str())) context.run("help.guide");
   context.marks.item("start.guide");
   ImGui::TextDisabled(
-      "%s", tr("or drop a file here: .hariko, .obj, .off, .ply, .stl, .glb, .gltf, .3mf, .bpt, .json"));
+      "%s", tr("or drop a file here: .hariko, .obj, .off, .ply, .stl, .glb, .gltf, .3mf, .bpt, .json, "
+               ".step, .iges"));
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+#include "app/files/open_cad.hpp"
+
+#include "core/cad/kernel/read_cad_file.hpp"
+#include "core/document/edit_objects.hpp"
+
+namespace hariko {
+
+namespace {
+
+DisplaySettings display_of(const CadPart& part) {
+  DisplaySettings out;
+  if (part.colour) out.colour = {(*part.colour)[0], (*part.colour)[1], (*part.colour)[2]};
+  return out;
+}
+
+/// Adds what a part consists of; the patches come first.
+Result<Document> with_part(Document document, CadPart part, const std::string& name) {
+  const DisplaySettings display = display_of(part);
+  const bool both = !part.patches.empty() && part.mesh.face_count() > 0;
+  if (!part.patches.empty()) {
+    auto source = BezierSource::from_patches(std::move(part.patches));
+    if (!source.ok()) return source.error();
+    auto added = add_object(document, name, std::move(source).value(), {}, display);
+    if (!added.ok()) return added.error();
+    document = std::move(added).value().document;
+  }
+  if (part.mesh.face_count() == 0) return document;
+  auto source = MeshSource::from_mesh(std::move(part.mesh));
+  if (!source.ok()) return source.error();
+  auto added = add_object(document, both ? name + " (mesh)" : name, std::move(source).value(), {}, display);
+  if (!added.ok()) return added.error();
+  return std::move(added).value().document;
+}
+
+}  // namespace
+
+Result<OpenedCad> open_cad(const std::filesystem::path& file, const std::string& name,
+                           const CancelToken& cancel, const Progress& progress) {
+  auto scene = read_cad_file(file, {}, cancel, progress);
+  if (!scene.ok()) return scene.error();
+  OpenedCad out{{}, std::move(scene.value().warnings)};
+  const bool alone = scene->parts.size() == 1;
+  std::size_t number = 0;
+  for (CadPart& part : scene.value().parts) {
+    ++number;
+    std::string own = check_name(part.name).ok() ? part.name
+                      : alone                    ? name
+                                                 : name + " " + std::to_string(number);
+    auto next = with_part(std::move(out.document), std::move(part), own);
+    if (!next.ok()) return next.error();
+    out.document = std::move(next).value();
+  }
+  return out;
+}
+
+}  // namespace hariko
