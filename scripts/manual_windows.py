@@ -6,6 +6,7 @@
 Needs what the window tests need: Xvfb, xdotool and ImageMagick."""
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -104,6 +105,24 @@ def triangles(window):
     meshed(lambda: window.key("ctrl+alt+t"))
     meshed(lambda: window.click_on("meshing.normal.on"))
     meshed(lambda: window.click_on("meshing.compare"))
+
+
+def vase():
+    """A file of Bezier patches: a profile of three cubics, each turned by four exact quarter circles."""
+    profile = [(0, 0), (0.6, 0), (1, 0.05), (1.15, 0.5), (1.3, 0.95), (1, 1.5), (0.6, 1.9), (0.4, 2.1), (0.5, 2.4),
+               (0.8, 2.6)]
+    patches = []
+    for quarter in range(4):
+        arc = [(math.cos(math.pi / 4 * k) * far, math.sin(math.pi / 4 * k) * far, weight)
+               for k, far, weight in ((2 * quarter, 1, 1), (2 * quarter + 1, math.sqrt(2), math.sqrt(0.5)),
+                                      (2 * quarter + 2, 1, 1))]
+        for first in (0, 3, 6):
+            points = profile[first:first + 4]
+            patches.append({"ctrl": [[[r * x, r * y, z] for r, z in points] for x, y, _ in arc],
+                            "weights": [[weight] * 4 for _, _, weight in arc]})
+    return json.dumps({"vase": patches})
+
+
 def paper(window):
     window.key("ctrl+p")
     window.wait_idle()
@@ -139,7 +158,7 @@ def gauss(window):
     window.wait_idle()
 
 
-# Picture -> (sample or none, what is done, settings of the interface)
+# Picture -> (sample, text of a .json or none, what is done, settings of the interface)
 WINDOWS = {
     "manual_start": (None, nothing, {}),
     "manual_four": ("car", four, {}),
@@ -158,6 +177,7 @@ WINDOWS = {
     "manual_paper": ("fig2", paper, {}),
     "manual_folding": ("fig2", folding, {}),
     "manual_joins": ("wheel_arch", attached, {}),
+    "manual_patches": (vase, nothing, {}),
     "manual_gauss": ("ellipsoid_cap", gauss, {}),
 }
 
@@ -170,7 +190,12 @@ def take(program, name):
         if settings:
             with open(os.path.join(folder, "settings.json"), "w", encoding="utf-8") as file:
                 json.dump(settings, file)
-        window = Window(program, *([sample(model)] if model else []), home=home)
+        files = [sample(model)] if isinstance(model, str) else []
+        if callable(model):
+            files = [os.path.join(home, model.__name__ + ".json")]
+            with open(files[0], "w", encoding="ascii") as file:
+                file.write(model())
+        window = Window(program, *files, home=home)
         try:
             window.move(4, 796)  # off everything that answers to the pointer
             time.sleep(2 if model is None else 0.5)  # the cards of the start page draw themselves one by one

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/base/file_io.hpp"
+#include "ui/commands/patch_commands.hpp"
 #include "ui/commands/skin_commands.hpp"
 #include "ui/icons.hpp"
 #include "ui/key_file.hpp"
@@ -51,6 +52,7 @@ void Workbench::add_commands() {
   add_mesh_cleanup_commands(host_);
   add_shape_commands(host_);
   add_attach_commands(host_);
+  add_patch_commands(host_);
   add_recompute_commands(host_);
   add_skin_commands(host_);
   add_paper_commands(host_);

@@ -3,6 +3,7 @@
 #include "app/commands/document_input.hpp"
 #include "app/commands/evaluation.hpp"
 #include "app/commands/outline_evaluation.hpp"
+#include "app/commands/patch_evaluation.hpp"
 #include "app/commands/skin_evaluation.hpp"
 #include "app/commands/solids_evaluation.hpp"
 #include "app/commands/tension_file.hpp"
@@ -34,6 +35,7 @@ int run_evaluate(const EvaluateArguments& arguments) {
     if (const SolidsSource* solids = only.solids()) return answer(solids_json(*solids));
     if (const SkinSource* skin = only.skin()) return answer(skin_evaluation_json(*skin->skin));
     if (const OutlineSource* outline = only.outline()) return answer(outline_json(*outline));
+    if (only.bezier() || only.patches()) return answer(patch_evaluation_json(*document, only));
   }
   const PolyhedronSource* found = nullptr;
   int count = 0;

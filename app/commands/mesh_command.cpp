@@ -8,7 +8,6 @@
 #include "app/commands/file_options.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
-#include "app/files/open_file.hpp"
 #include "core/base/file_io.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/number_text.hpp"
@@ -107,27 +106,19 @@ int run_mesh(const MeshArguments& arguments) {
     return exit_failed;
   };
   const MeshRequest request{arguments.options, !arguments.errors.empty(), true};
-  Result<std::vector<MeshedObject>> meshed = std::vector<MeshedObject>{};
-  const auto holds = content_of(arguments.file);
-  if (!holds.ok()) return failed(holds.error());
-  // Files of patches have no unit: theirs counts as the usual one.
-  WriteOptions writing_options = write_options({}, arguments.file_arguments.choices);
-  if (*holds == JsonKind::patches) {
-    meshed = mesh_patch_file(arguments.file, request);
-  } else {
-    const auto read = read_document_or_report(arguments.file, arguments.construction);
-    if (!read) return exit_failed;
-    const auto document = with_only(*read, arguments.file_arguments.only);
-    if (!document.ok()) return failed(document.error());
-    meshed = mesh_surfaces(*document, request);
-    writing_options = write_options(*document, arguments.file_arguments.choices);
-  }
+  const auto read = read_document_or_report(arguments.file, arguments.construction);
+  if (!read) return exit_failed;
+  const auto document = with_only(*read, arguments.file_arguments.only);
+  if (!document.ok()) return failed(document.error());
+  const auto meshed = mesh_surfaces(*document, request);
   if (!meshed.ok()) return failed(meshed.error());
   const double meshing = watch.lap();
   std::vector<NamedTriangles> named;
   for (const MeshedObject& object : *meshed)
     named.push_back({object.name, &object.result.mesh, object.colour});
-  if (const auto done = write_mesh_file(arguments.out, named, writing_options); !done.ok())
+  if (const auto done =
+          write_mesh_file(arguments.out, named, write_options(*document, arguments.file_arguments.choices));
+      !done.ok())
     return failed(done.error());
   if (!arguments.errors.empty()) {
     const auto done = write_file_atomic(arguments.errors, error_text(*meshed));

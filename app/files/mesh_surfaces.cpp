@@ -1,15 +1,10 @@
 #include "app/files/mesh_surfaces.hpp"
 
-#include <Eigen/Geometry>
-
 #include "app/files/export_surfaces.hpp"
 #include "core/approximation/decimate.hpp"
-#include "core/base/printable.hpp"
-#include "core/exchange/read_patches.hpp"
 #include "core/exchange/triangulate.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/surface/facets.hpp"
-#include "core/surface/weld_patches.hpp"
 
 namespace hariko {
 
@@ -92,13 +87,6 @@ Result<MeshedObject> decimated(const MeshSource& source, const std::string& name
   return out;
 }
 
-Vector3 centre_of(const std::vector<BezierPatch>& patches) {
-  Eigen::AlignedBox3d box;
-  for (const BezierPatch& patch : patches)
-    for (const Vector3& p : patch.points) box.extend(p);
-  return 0.5 * (box.min() + box.max());
-}
-
 }  // namespace
 
 Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
@@ -131,28 +119,6 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
   }
   if (out.empty())
     return make_error(e_no_surface, "There is nothing to approximate.", "Show an object or import one.");
-  return out;
-}
-
-Result<std::vector<MeshedObject>> mesh_patch_file(const std::filesystem::path& file,
-                                                  const MeshRequest& request, const CancelToken& cancel,
-                                                  const Progress& progress) {
-  auto groups = read_patch_file(file);
-  if (!groups.ok()) return groups.error();
-  std::vector<MeshedObject> out;
-  const auto count = static_cast<double>(groups->size());
-  for (NamedPatches& group : groups.value()) {
-    const std::string name = group.name.empty() ? printable(file.stem().string(), 200) : group.name;
-    const Vector3 origin = centre_of(group.patches);
-    for (BezierPatch& patch : group.patches)
-      for (Vector3& p : patch.points) p -= origin;
-    const auto surface = weld_patches(origin, std::move(group.patches));
-    if (!surface.ok()) return named(surface.error(), name);
-    const double done = double(out.size());
-    auto made = mesh_of(*surface, name, request, cancel, progress.part(done / count, (done + 1) / count));
-    if (!made.ok()) return made.error();
-    out.push_back(std::move(made).value());
-  }
   return out;
 }
 

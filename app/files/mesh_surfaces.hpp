@@ -1,8 +1,7 @@
 #pragma once
 
-// The surfaces of a file, or of a document, as triangles under tolerances.
+// The surfaces of a document as triangles under tolerances.
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,10 +33,5 @@ struct MeshRequest {
 Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel = {},
                                                 const Progress& progress = {});
-
-/// The patches of a file, welded: one object for each of its names.
-Result<std::vector<MeshedObject>> mesh_patch_file(const std::filesystem::path& file,
-                                                  const MeshRequest& request, const CancelToken& cancel = {},
-                                                  const Progress& progress = {});
 
 }  // namespace hariko

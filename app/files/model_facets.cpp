@@ -1,16 +1,13 @@
 #include "app/files/model_facets.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 
 #include "app/files/export_surfaces.hpp"
-#include "app/files/mesh_surfaces.hpp"
 #include "app/files/open_file.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/document/edit_paper.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/exchange/read_patches.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/unfolding/facet_graph.hpp"
 
@@ -113,30 +110,6 @@ Result<Done> append_surface(ModelFacets& out, const Document& document, const Ob
   return Done{};
 }
 
-Result<ModelFacets> patch_file_facets(const std::filesystem::path& file, const FacetOptions& options,
-                                      const CancelToken& cancel) {
-  const auto groups = read_patch_file(file);
-  if (!groups.ok()) return groups.error();
-  Eigen::AlignedBox3d box;
-  for (const NamedPatches& group : *groups)
-    for (const BezierPatch& patch : group.patches)
-      for (const Vector3& p : patch.points) box.extend(p);
-  MeshOptions meshing;
-  meshing.criteria.distance = options.distance.value_or(box.isEmpty() ? 0 : 0.01 * box.diagonal().norm());
-  if (options.normal_angle > 0) meshing.criteria.normal_angle = options.normal_angle;
-  meshing.optimise = options.optimise;
-  meshing.facet_limit = max_facets;
-  const auto meshed = mesh_patch_file(file, {meshing}, cancel);
-  if (!meshed.ok()) return meshed.error();
-  ModelFacets out;
-  for (const MeshedObject& object : *meshed) {
-    const TriangleMesh& mesh = object.result.mesh;
-    append(out, polygons_of(mesh), Vector3::Zero(), {}, numbered(ObjectId{0}, mesh.positions.size()));
-    out.warnings.insert(out.warnings.end(), object.result.warnings.begin(), object.result.warnings.end());
-  }
-  return out;
-}
-
 }  // namespace
 
 Result<ModelFacets> document_facets(const Document& document, std::span<const ObjectId> objects,
@@ -179,9 +152,6 @@ Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetO
     out.warnings = mesh->warnings;
     return out;
   }
-  const auto holds = content_of(file);
-  if (!holds.ok()) return holds.error();
-  if (*holds == JsonKind::patches) return patch_file_facets(file, options, cancel);
   OpenedFile opened = open_file(file, cancel);
   if (!opened.document) {
     const Message* error = opened.error();

@@ -16,9 +16,10 @@
 #include "core/document/read_solids.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "core/exchange/read_bpt.hpp"
 #include "core/exchange/read_patches.hpp"
+#include "core/modeling/patch_objects.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "core/surface/weld_patches.hpp"
 
 namespace hariko {
 
@@ -168,7 +169,22 @@ bool has_ending(const std::filesystem::path& file, std::string_view ending) {
   return own == ending;
 }
 
-/// One object for each patch.
+/// A patch whose control points can be edited, where it is alone and does not close on itself; else all of
+/// them as one surface.
+Result<Source> source_of(const std::vector<BezierPatch>& patches) {
+  if (patches.size() == 1 && is_editable(patches[0])) {
+    const auto alone = weld_patches(Vector3::Zero(), patches);
+    if (!alone.ok()) return alone.error();
+    if (alone->seams().empty()) {
+      auto single = PatchSource::from_net(BicubicNet{1, 1, patches[0].points});
+      return single.ok() ? Result<Source>(std::move(single).value()) : single.error();
+    }
+  }
+  auto welded = BezierSource::from_patches(patches);
+  return welded.ok() ? Result<Source>(std::move(welded).value()) : welded.error();
+}
+
+/// One object for each name.
 void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
   const auto take = [&](const auto& result) {
     if (!result.ok()) opened.messages.push_back(result.error());
@@ -178,17 +194,12 @@ void open_patches(const std::filesystem::path& file, OpenedFile& opened) {
   if (!take(named)) return;
   Document document;
   for (const NamedPatches& group : *named) {
-    const auto nets = bicubic_nets(group.patches);
-    if (!take(nets)) return;
+    const auto source = source_of(group.patches);
+    if (!take(source)) return;
     const std::string name = check_name(group.name).ok() ? group.name : opened.name;
-    for (std::size_t k = 0; k < nets->size(); ++k) {
-      const auto source = PatchSource::from_net((*nets)[k]);
-      if (!take(source)) return;
-      const std::string number = nets->size() == 1 ? "" : " " + std::to_string(k + 1);
-      const auto added = add_object(document, name + number, *source);
-      if (!take(added)) return;
-      document = added->document;
-    }
+    const auto added = add_object(document, name, *source);
+    if (!take(added)) return;
+    document = added->document;
   }
   opened.document = std::move(document);
 }

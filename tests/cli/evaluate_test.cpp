@@ -124,5 +124,109 @@ TEST_F(Evaluate, ObjectFarAwayHasTheSameShape) {
   EXPECT_NEAR(far.json()["faces"][0]["O"][0].get<double>(), 1048576, 1e-9);
 }
 
+/// A quarter of the cylinder x^2 + y^2 = 1 of height 2, its mirror image in y = 0 written the other way
+/// round, and a plane beside the first, whose side has another parameter so that it is not joined.
+constexpr const char* cylinder_patches =
+    R"({"arc": [{"ctrl": [[[1,0,0],[1,0,2]],[[1,1,0],[1,1,2]],[[0,1,0],[0,1,2]]],
+        "weights": [[1,1],[0.70710678118654752,0.70710678118654752],[1,1]]},
+        {"ctrl": [[[1,0,0],[1,-1,0],[0,-1,0]],[[1,0,2],[1,-1,2],[0,-1,2]]],
+        "weights": [[1,0.70710678118654752,1],[1,0.70710678118654752,1]]},
+        {"ctrl": [[[0,1,0],[0,1,1],[0,1,1],[0,1,2]],[[0,3,0],[0,3,1],[0,3,1],[0,3,2]]]}]})";
+
+TEST_F(Evaluate, PatchesSayWhereTheyAreAndHowTheyBend) {
+  write_text(path("arc.json"), cylinder_patches);
+  const Outcome result = run("evaluate " + path("arc.json"));
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  const Json json = result.json();
+  EXPECT_EQ(json["kind"], "bezier");
+  EXPECT_EQ(json["seams"], 1);
+  EXPECT_EQ(json["smooth_seams"], 1);
+  EXPECT_EQ(json["border_sides"], 3 * 4 - 2);
+  const Json& at = json["sample_st"];
+  ASSERT_EQ(json["patches"].size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Json& patch = json["patches"][k];
+    EXPECT_EQ(patch["degree"], k == 0 ? Json({2, 1}) : k == 1 ? Json({1, 2}) : Json({1, 3}));
+    EXPECT_EQ(patch["rational"], k < 2);
+    EXPECT_FALSE(patch["flipped"].get<bool>()) << k;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const double s = at[i][0], t = at[i][1];
+      const auto number = [&](const Json& list, std::size_t axis) { return list[i][axis].get<double>(); };
+      const double x = number(patch["points"], 0), y = number(patch["points"], 1),
+                   z = number(patch["points"], 2);
+      if (k == 2) {
+        EXPECT_NEAR(y, 1 + 2 * s, 1e-13);
+        EXPECT_NEAR(patch["gauss"][i].get<double>(), 0, 1e-12);
+        EXPECT_NEAR(patch["mean"][i].get<double>(), 0, 1e-12);
+        EXPECT_NEAR(std::abs(number(patch["normals"], 0)), 1, 1e-13);
+        continue;
+      }
+      // The exact circle by its rational parameter.
+      const double u = k == 0 ? s : t, w = k == 0 ? t : s;
+      const double b0 = (1 - u) * (1 - u), b1 = std::sqrt(2.0) * u * (1 - u), b2 = u * u;
+      EXPECT_NEAR(x, (b0 + b1) / (b0 + b1 + b2), 1e-13);
+      EXPECT_NEAR(y, (k == 0 ? 1 : -1) * (b1 + b2) / (b0 + b1 + b2), 1e-13);
+      EXPECT_NEAR(z, 2 * w, 1e-13);
+      EXPECT_NEAR(number(patch["normals"], 0) * x + number(patch["normals"], 1) * y, 1, 1e-12);
+      EXPECT_NEAR(patch["mean"][i].get<double>(), 0.5, 1e-11);
+      EXPECT_NEAR(patch["gauss"][i].get<double>(), 0, 1e-11);
+      EXPECT_NEAR(number(patch["principal"], 0), 1, 1e-11);
+      EXPECT_NEAR(number(patch["principal"], 1), 0, 1e-11);
+    }
+  }
+  EXPECT_NEAR(json["metrics"]["area"].get<double>(), 3.14159265358979 * 2 + 4, 1e-6);
+  EXPECT_LE(json["metrics"]["gap"].get<double>(), 1e-14);
+  EXPECT_LE(json["metrics"]["g1"].get<double>(), 1e-9);
+}
+
+TEST_F(Evaluate, PatchesThatLookTheOtherWayAreFlippedAndKeepTheirParameters) {
+  write_text(path("two.json"), R"({"two": [{"ctrl": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]},
+                                           {"ctrl": [[[1,0,0],[3,0,0]],[[1,1,0],[3,1,0]]]}]})");
+  const Json json = run("evaluate " + path("two.json")).json();
+  ASSERT_EQ(json["patches"].size(), 2U);
+  EXPECT_EQ(json["smooth_seams"], 1);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Json& patch = json["patches"][k];
+    EXPECT_EQ(patch["flipped"], k == 1);
+    for (std::size_t i = 0; i < json["sample_st"].size(); ++i) {
+      const double s = json["sample_st"][i][0], t = json["sample_st"][i][1];
+      EXPECT_NEAR(patch["points"][i][0].get<double>(), k == 0 ? s : 1 + 2 * t, 1e-15);
+      EXPECT_NEAR(patch["points"][i][1].get<double>(), k == 0 ? t : s, 1e-15);
+      EXPECT_NEAR(patch["normals"][i][2].get<double>(), 1, 1e-15);
+    }
+  }
+}
+
+TEST_F(Evaluate, CurvatureIsNullWhereASideIsShrunkToAPoint) {
+  std::string text = "1\n3 3\n";
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) text += std::to_string(i * j) + " " + std::to_string(j) + " 0\n";
+  write_text(path("fan.bpt"), text);
+  const Json json = run("evaluate " + path("fan.bpt")).json();
+  EXPECT_EQ(json["kind"], "patches");
+  const Json& patch = json["patches"][0];
+  for (std::size_t i = 0; i < json["sample_st"].size(); ++i) {
+    const bool shrunk = json["sample_st"][i][1] == 0.0;
+    EXPECT_EQ(patch["gauss"][i].is_null(), shrunk) << i;
+    if (!shrunk) {
+      EXPECT_NEAR(patch["gauss"][i].get<double>(), 0, 1e-14);
+    }
+    EXPECT_NEAR(std::abs(patch["normals"][i][2].get<double>()), 1, 1e-12) << i;
+  }
+}
+
+TEST_F(Evaluate, APatchThatClosesOnItselfStaysClosed) {
+  // The last column is the first one but for rounding.
+  std::string text = "1\n3 3\n";
+  for (int j = 0; j < 4; ++j)
+    for (const char* point : {"1 0 ", "2 2 ", "-2 2 ", "1.0000000000000002 0 "})
+      text += point + std::to_string(j) + "\n";
+  write_text(path("tube.bpt"), text);
+  const Json json = run("evaluate " + path("tube.bpt")).json();
+  EXPECT_EQ(json["kind"], "bezier");
+  EXPECT_EQ(json["seams"], 1);
+  EXPECT_EQ(json["border_sides"], 2);
+}
+
 }  // namespace
 }  // namespace hariko::test

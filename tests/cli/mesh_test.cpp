@@ -5,6 +5,7 @@
 
 #include "core/document/edit_objects.hpp"
 #include "core/document/file.hpp"
+#include "core/exchange/read_patches.hpp"
 #include "tests/cli/program.hpp"
 
 namespace hariko {
@@ -62,6 +63,38 @@ TEST_F(Mesh, FilesOfPatches) {
   EXPECT_EQ(rational.exit_code, 0) << rational.error;
   EXPECT_EQ(rational.json()["objects"].at(0)["name"], "arc");
   EXPECT_LE(rational.json()["objects"].at(0)["distance"]["bound"].get<double>(), 0.001);
+}
+
+/// A quarter of a cylinder of radius 1 and height 2, exact, and a plane of degree 4 by 1 beside it.
+constexpr const char* rational_patches =
+    R"({"arc": [{"ctrl": [[[1,0,0],[1,0,2]],[[1,1,0],[1,1,2]],[[0,1,0],[0,1,2]]],
+        "weights": [[1,1],[0.70710678118654752,0.70710678118654752],[1,1]]},
+        {"ctrl": [[[1,0,0],[1,0,2]],[[1,-0.5,0],[1,-0.5,2]],[[1,-1,0],[1,-1,2]],[[1,-1.5,0],[1,-1.5,2]],
+        [[1,-2,0],[1,-2,2]]]}]})";
+
+TEST_F(Mesh, PatchesOfAnyDegreeAreObjects) {
+  write_text(path("arc.json"), rational_patches);
+  const Outcome info = run("info " + path("arc.json") + " --json");
+  EXPECT_EQ(info.exit_code, 0) << info.error;
+  const Json object = info.object();
+  EXPECT_EQ(object["kind"], "bezier");
+  EXPECT_EQ(object["name"], "arc");
+  EXPECT_EQ(object["patches"], 2);
+  EXPECT_NEAR(object["area"].get<double>(), 2 * 1.5707963267948966 + 4, 1e-6);
+  // Written, read again, meshed from the document as from the file.
+  const auto groups = read_patch_file(path("arc.json"));
+  ASSERT_TRUE(groups.ok());
+  const auto source = BezierSource::from_patches(groups->front().patches);
+  ASSERT_TRUE(source.ok());
+  const auto made = add_object({}, "arc", Source(*source));
+  ASSERT_TRUE(save_document(made.value().document, path("arc.hariko")).ok());
+  const Outcome first = run("mesh " + path("arc.json") + " " + path("a.obj") + " --distance 0.001 --json");
+  const Outcome second = run("mesh " + path("arc.hariko") + " " + path("b.obj") + " --distance 0.001 --json");
+  EXPECT_EQ(first.exit_code, 0) << first.error;
+  EXPECT_EQ(second.exit_code, 0) << second.error;
+  EXPECT_EQ(first.json()["facets"], second.json()["facets"]);
+  EXPECT_LE(second.json()["objects"].at(0)["distance"]["bound"].get<double>(), 0.001);
+  EXPECT_EQ(run("export " + path("arc.json") + " " + path("c.stl")).exit_code, 0);
 }
 
 TEST_F(Mesh, ErrorsOfEveryFacetAndSample) {

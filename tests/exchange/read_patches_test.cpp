@@ -20,6 +20,27 @@ TEST(ReadPatches, TextOfAnyDegree) {
   EXPECT_EQ((*patches)[0].points[(*patches)[0].index(2, 1)], Vector3(2, 1, 0));
 }
 
+TEST(ReadPatches, TextIsRefusedWithItsLine) {
+  const auto points = [](int count) {
+    std::string out;
+    for (int i = 0; i < count; ++i) out += std::to_string(i % 4) + " " + std::to_string(i / 4) + " 0.5\n";
+    return out;
+  };
+  const auto code = [](const std::string& text) {
+    const auto patches = read_bezier_text(text);
+    return patches.ok() ? Code{"none"} : patches.error().code;
+  };
+  EXPECT_EQ(code("2\n3 3\n" + points(16) + "3 3\n" + points(16)), Code{"none"});
+  EXPECT_EQ(code(""), e_empty);
+  EXPECT_EQ(code("x"), e_parse);
+  EXPECT_EQ(code("0"), e_limit);
+  EXPECT_EQ(code("1\n3 3\n" + points(15)), e_truncated);
+  EXPECT_EQ(code("1\n3 3\n" + points(15) + "1 2 nan"), e_parse);
+  const auto broken = read_bezier_text("1\n3 3\n" + points(3) + "1 oops 3\n");
+  ASSERT_FALSE(broken.ok());
+  EXPECT_NE(broken.error().text.find("Line 6"), std::string::npos) << broken.error().text;
+}
+
 TEST(ReadPatches, IndexedText) {
   std::string text =
       "2\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16\n1,1,1,1,5,6,7,8,9,10,11,12,13,14,15,16\n16\n";

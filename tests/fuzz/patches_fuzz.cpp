@@ -1,5 +1,4 @@
 #include "core/exchange/json_kind.hpp"
-#include "core/exchange/read_bpt.hpp"
 #include "core/exchange/read_patches.hpp"
 #include "tests/fuzz/check.hpp"
 
@@ -33,7 +32,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check(*plain, size);
   else
     fuzz::check(plain.error(), Severity::error);
-  if (const auto nets = read_bpt(text); !nets.ok()) fuzz::check(nets.error(), Severity::error);
   const auto named = read_bezier_json(text);
   if (named.ok()) {
     for (const NamedPatches& group : *named) check(group.patches, size);

@@ -14,6 +14,7 @@
 #include "ui/panels/message_list.hpp"
 #include "ui/panels/outline_rows.hpp"
 #include "ui/panels/paper_properties.hpp"
+#include "ui/panels/patch_rows.hpp"
 #include "ui/panels/selected_items.hpp"
 #include "ui/panels/skin_properties.hpp"
 #include "ui/panels/solids_properties.hpp"
@@ -297,6 +298,7 @@ void object_section(PanelContext& context, const Objects& objects) {
   round_row(context, objects);
   if (objects.size() == 1) mirror_row(context, *objects.front());
   preparation_rows(context, objects);
+  if (objects.size() == 1) patch_section(context, *objects.front());
   if (ImGui::TreeNodeEx("##place",
                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen |
                             (objects.size() > 1 ? ImGuiTreeNodeFlags_DefaultOpen : 0),

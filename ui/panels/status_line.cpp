@@ -127,6 +127,8 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
         right = fill(context.tr("patches: {0} \u00d7 {1}"),
                      {std::to_string(patches->columns), std::to_string(patches->rows)});
       }
+      if (const BezierSource* bezier = object->bezier())
+        right = fill(context.tr("patches: {0}"), {std::to_string(bezier->patches->size())});
       const SurfaceView* view = editor.view_of(object->id);
       if (view && view->error) {
         right = context.tr.text_of(*view->error);
