@@ -4,6 +4,7 @@
 
 #include "core/document/edit_solids.hpp"
 #include "ui/outlines.hpp"
+#include "ui/skin_view.hpp"
 
 namespace hariko {
 
@@ -179,6 +180,11 @@ Box3 Editor::selected_box() const {
       for (const VertexId id : selection.of(object->id).vertices)
         if (id.value < object->outline()->outline->point_count())
           box.extend(place_of_point(*object, id.value).point);
+    if (object->skin() && !selection.of(object->id).empty())
+      for (const SkinView::Handle& handle : hariko::view_of(*object->skin()->skin, nullptr).handles)
+        if (handle.kind != SkinView::Handle::Kind::place &&
+            selection.of(object->id).vertices.contains(VertexId{handle.id}))
+          box.extend(object->transform.apply(handle.position));
     const Polyhedron* cage = object->cage();
     if (!cage || selection.of(object->id).empty()) continue;
     for (const VertexId id : touched_vertices(selection.of(object->id), *cage))

@@ -5,6 +5,7 @@
 #include "core/document/edit_skin.hpp"
 #include "core/skinning/edit_path.hpp"
 #include "core/skinning/edit_section.hpp"
+#include "core/skinning/symmetric_edit.hpp"
 #include "ui/skin_view.hpp"
 
 namespace hariko {
@@ -49,12 +50,16 @@ void select_new_points(Editor& editor, const SkinEdit& edit) {
   editor.selection.set(editor.selection.active, elements);
 }
 
+std::vector<std::uint32_t> with_mirrored(const Skin& skin, const std::vector<std::uint32_t>& points) {
+  return skin.mirror ? with_partners(skin, points, *skin.mirror) : points;
+}
+
 void delete_selected_points(Editor& editor) {
   const Object* object = shown_skin(editor);
   if (!object) return;
   const Skin& skin = *object->skin()->skin;
   if (const auto points = selected_section_points(editor); !points.empty())
-    commit_skin(editor, object->id, delete_section_points(skin, points),
+    commit_skin(editor, object->id, delete_section_points(skin, with_mirrored(skin, points)),
                 translatable("Delete section points"));
   else if (const auto path = selected_path_points(editor); !path.empty())
     commit_skin(editor, object->id, delete_path_point(skin, path.front()), translatable("Delete path point"));

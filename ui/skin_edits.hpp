@@ -23,7 +23,11 @@ bool commit_skin(Editor& editor, ObjectId object, const Result<CorrespondenceEdi
 /// Selects the points that an edit made in the active skin.
 void select_new_points(Editor& editor, const SkinEdit& edit);
 
-/// Deletes the selected points of sections, or the one of the path, as one step.
+/// The points, with their partners where the skin has a mirror.
+std::vector<std::uint32_t> with_mirrored(const Skin& skin, const std::vector<std::uint32_t>& points);
+
+/// Deletes the selected points of sections with those that they have in the skin's mirror, or the one of the
+/// path, as one step.
 void delete_selected_points(Editor& editor);
 
 /// Ids of the selected points of sections, in the order of the sections.

@@ -11,8 +11,7 @@ namespace hariko {
 namespace {
 
 std::vector<Vector3> sampled(const SubdivisionCurve& curve) {
-  constexpr int per_span = 12;
-  const int count = per_span * std::max(0, curve.spans());
+  const int count = curve_samples * std::max(0, curve.spans());
   std::vector<Vector3> out;
   if (count == 0) return curve.points;
   for (int i = 0; i <= count; ++i) out.push_back(evaluate(curve, double(i) / count).position);

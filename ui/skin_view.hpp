@@ -20,6 +20,9 @@ inline bool is_path_point(std::uint32_t id) {
   return id >= path_point_ids && id != 0xffffffffU;
 }
 
+/// Of the curves that are shown, for each of their spans.
+inline constexpr int curve_samples = 12;
+
 struct SkinView {
   struct Section {
     std::uint32_t id = 0;

@@ -97,7 +97,8 @@ void warn_twist(const Skin& skin, const SkinPlan& plan, std::vector<Message>& ou
       out.push_back(make_warning(w_twist,
                                  "The lines between sections " + number(strip.a) + " and " + number(strip.b) +
                                      " run round the path.",
-                                 "Shift the seam of one of them, or turn its direction round."));
+                                 "Shift the seam of one of them, or turn its direction round.",
+                                 element_of(VertexId{skin.sections[std::size_t(strip.b)].points[0].id})));
   }
 }
 

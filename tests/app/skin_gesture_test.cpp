@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include "core/skinning/add_section.hpp"
 #include "core/skinning/simple_skin.hpp"
 #include "tests/app/tool_rig.hpp"
+#include "ui/skin_edits.hpp"
 #include "ui/tools/add_section_tool.hpp"
 #include "ui/tools/correspond_tool.hpp"
 #include "ui/tools/correspondence_drag.hpp"
@@ -175,25 +177,64 @@ TEST(SkinTool, DragsPointsInThePlaneOfTheirSection) {
   EXPECT_EQ(skin_tool_at(rig.context(), press), nullptr);
 }
 
-TEST(SkinTool, WithControlBothHalvesMove) {
-  SkinRig rig;
+/// The curve of the first section after point 2 was dragged upwards.
+std::vector<Vector3> dragged(const Skin& skin, bool control) {
+  SkinRig rig(skin);
   rig.editor.set_camera(Camera::standard(StandardView::iso));
   rig.editor.frame_all(true);
   PointerEvent press;
   press.kind = PointerEvent::Kind::press;
   press.pixel = rig.point(2);
   rig.tool = skin_tool_at(rig.context(), press);
-  ASSERT_NE(rig.tool, nullptr);
+  EXPECT_NE(rig.tool, nullptr);
+  if (!rig.tool) return {};
   ToolContext context = rig.context();
   rig.tool->begin(context, press);
-  rig.move(press.pixel + Vector2(0, -50), false, true);
+  rig.move(press.pixel + Vector2(0, -50), false, control);
   rig.release(press.pixel + Vector2(0, -50));
-  const auto limits = limit_points(rig.skin().sections[0].curve());
-  EXPECT_GT(limits[2].z(), limits[1].z() + 0.1);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 image(limits[6 - i].x(), -limits[6 - i].y(), limits[6 - i].z());
-    EXPECT_LT((limits[i] - image).norm(), 1e-9);
-  }
+  return limit_points(rig.skin().sections[0].curve());
+}
+
+TEST(SkinTool, WithControlOrAMirrorBothHalvesMove) {
+  const Skin plain = arched_skin(6, 4, 1, 7);
+  Skin mirrored = plain;
+  mirrored.mirror = MirrorPlane{1, 0};
+  const auto before = limit_points(plain.sections[0].curve());
+  for (const bool mirror : {false, true})
+    for (const bool control : {false, true}) {
+      SCOPED_TRACE(std::to_string(mirror) + std::to_string(control));
+      const auto limits = dragged(mirror ? mirrored : plain, control);
+      ASSERT_EQ(limits.size(), before.size());
+      EXPECT_GT(limits[2].z(), before[2].z() + 0.1);
+      const Vector3 image(limits[4].x(), -limits[4].y(), limits[4].z());
+      // With the mirror Ctrl is for one half, without for both.
+      EXPECT_LT(mirror != control ? (limits[2] - image).norm() : (limits[4] - before[4]).norm(), 1e-9);
+    }
+}
+
+TEST(SkinEdits, PointsGoWithTheirPartnersWhereThereIsAMirror) {
+  Skin skin = arched_skin(6, 4, 1, 7);
+  skin.mirror = MirrorPlane{1, 0};
+  SkinRig rig(skin);
+  rig.editor.selection.select({rig.object().id, element_of(VertexId{2})}, Selection::How::replace);
+  rig.editor.selection.active = rig.object().id;
+  EXPECT_EQ(with_mirrored(skin, {2}), (Ids{2, 4}));
+  delete_selected_points(rig.editor);
+  ASSERT_EQ(rig.skin().sections[0].size(), 5);
+  EXPECT_EQ(find_point(rig.skin().sections[0], 4), -1);
+  rig.editor.undo();
+  skin.mirror.reset();
+  EXPECT_EQ(with_mirrored(skin, {2}), (Ids{2}));
+}
+
+TEST(SkinView, TheSelectedPointsAreFramed) {
+  SkinRig rig;
+  rig.editor.mode = ElementMode::vertex;
+  rig.editor.selection.select({rig.object().id, element_of(VertexId{2})}, Selection::How::replace);
+  const Box3 box = rig.editor.selected_box();
+  ASSERT_FALSE(box.isEmpty());
+  EXPECT_TRUE(box.contains(rig.skin().sections[0].points[2].position));
+  EXPECT_FALSE(box.contains(rig.skin().sections[0].points[4].position));
 }
 
 TEST(SkinGesture, LinesGoOnAcrossAllSections) {

@@ -211,6 +211,8 @@ TEST(SkinErrors, Warnings) {
   EXPECT_FALSE(warned(twist, "W_TWIST"));
   for (SectionPoint& p : twist.sections[1].points) p.position.y() *= -12;
   EXPECT_TRUE(warned(twist, "W_TWIST"));
+  // The section to be turned round.
+  EXPECT_EQ(evaluate_skin(twist)->warnings.back().element, element_of(VertexId{point(twist, 1, 0)}));
 }
 
 TEST(SkinErrors, LayoutsThatAreWrong) {

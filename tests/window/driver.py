@@ -208,7 +208,7 @@ class Window:
         self.key("Return")
 
     def screenshot(self, path):
-        subprocess.run(["import", "-window", self.id, path], env=self.environment, check=True, timeout=30)
+        subprocess.run(["import", "-window", self.id, path], env=self.environment, check=True, timeout=30 * PATIENCE)
 
     def quit(self):
         """Leaves by the shortcut; the exit code."""

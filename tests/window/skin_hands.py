@@ -1,6 +1,51 @@
-"""What the window tests of skins share: steps by their labels, strokes of the mouse."""
+"""What the window tests of skins share: steps by their labels, strokes of the mouse, a session that is opened again."""
 
+import json
 import math
+import os
+import tempfile
+
+from driver import Window, check
+
+
+def empty_document(window):
+    window.wait_idle()
+    window.key("ctrl+n")
+    window.wait(lambda: window.last("document")["serial"] is not None and not window.last("vertices")["objects"], "an empty document")
+    window.wait_idle()
+
+
+def save(window, path):
+    """Saves the document under a new name; the source of its only object, as the file has it."""
+    window.wait_idle()
+    window.key("ctrl+s")
+    window.type_path(path)
+    window.wait(lambda: os.path.exists(path), "the file")
+    window.wait_idle()
+    with open(path, encoding="utf-8") as file:
+        source = json.load(file)["objects"][0]["source"]
+    check(source["kind"] == "skin", f"saved: {source}")
+    return source
+
+
+def session_and_again(program, source, work, again):
+    """A window for work(window, path), which saves a skin at `path`; another one that opens it, for again(window, path)."""
+    # Not from the start page: the pictures of all samples take a while.
+    cube = os.path.join(source, "assets", "samples", "cube.hariko")
+    with tempfile.TemporaryDirectory(prefix="hariko-skin-") as folder:
+        path = os.path.join(folder, "skin.hariko")
+        for opened, act in ((cube, work), (path, again)):
+            window = Window(program, opened, size=(1280, 800))
+            try:
+                act(window, path)
+                check(window.quit() == 0, "the program failed at the end")
+            finally:
+                window.close()
+
+
+def names(window, prefix):
+    """What is marked in the view with names that begin so."""
+    return [name for name in window.last("layout")["rects"] if name.startswith(prefix)]
 
 
 def label(window, text, what=None):

@@ -2,21 +2,17 @@
 diamond is dragged, all is undone and done again, methods are tried, a section is taken from the surface, and the skin is saved,
 opened again and exported."""
 
-import json
 import math
 import os
 import subprocess
-import tempfile
 
-from driver import Window, check, run
-from skin_hands import between, capsule, choose, label, skin_mark, stroke
+from driver import check, run
+from skin_hands import (between, capsule, choose, empty_document, label, names, save, session_and_again,
+                        skin_mark, stroke)
 
 
 def add(window, output):
-    window.wait_idle()
-    window.key("ctrl+n")
-    window.wait(lambda: window.last("document")["serial"] is not None and not window.last("vertices")["objects"], "an empty document")
-    window.wait_idle()
+    empty_document(window)
     choose(window, "Add", "command.add.skin")
     check(label(window, "Add skin") == 1, "the skin is not one step")
     window.screenshot(os.path.join(output, "skin_added.png"))
@@ -45,7 +41,7 @@ def gestures(window, output):
     stroke(window, first, between(start, skin_mark(window, "limit.10"), 0.4), last)
     check(label(window, "Merge points") == position + 1, "the wedge is not one step")
     window.screenshot(os.path.join(output, "skin_wedge.png"))
-    diamond = next(name for name in window.last("layout")["rects"] if name.startswith("skin.diamond."))
+    diamond = names(window, "skin.diamond.")[0]
     before = window.center(diamond)
     window.drag(before, between(before, start, 0.5),
                 before_release=lambda: window.screenshot(os.path.join(output, "skin_diamond.png")))
@@ -83,48 +79,50 @@ def settings(window, output):
     window.wait_idle()
     choose(window, "Skin", "command.skin.add_section")
     label(window, "Add section")
+    check(window.last("rebuild")["error"] is None, f"with the section: {window.last('rebuild')}")
     window.screenshot(os.path.join(output, "skin_section.png"))
 
 
-def saved(window, path):
-    window.key("ctrl+s")
-    window.type_path(path)
-    window.wait(lambda: os.path.exists(path), "the file")
-    window.wait_idle()
-    with open(path, encoding="utf-8") as file:
-        return json.load(file)["objects"][0]["source"]
+def mirror(window, output):
+    """With the mirror of the skin what is done to one half happens to the other."""
+    window.click_on("combo.skin_mirror")
+    window.click_on("choice.skin_mirror.2")
+    position = label(window, "Mirror of the skin")
+    skin_mark(window, "mirror")
+    before = {i: skin_mark(window, f"limit.{i}") for i in (2, 3, 4)}
+    window.drag(before[2], (before[2][0], before[2][1] - 40),
+                before_release=lambda: window.screenshot(os.path.join(output, "skin_mirror.png")))
+    check(label(window, "Move section points") == position + 1, "the drag is not one step")
+    moved = {i: math.dist(before[i], skin_mark(window, f"limit.{i}")) for i in before}
+    check(moved[2] > 20 and moved[4] > 10 and moved[3] < 3, f"points moved by {moved}")
+    window.key("ctrl+z")
+    label(window, "Mirror of the skin")
+    check(math.dist(before[4], skin_mark(window, "limit.4")) < 3, "undo leaves the other half elsewhere")
 
 
 def session(program, source, output):
-    # Not from the start page: the pictures of all samples take a while.
-    cube = os.path.join(source, "assets", "samples", "cube.hariko")
-    with tempfile.TemporaryDirectory(prefix="hariko-skin-") as folder:
-        path = os.path.join(folder, "skin.hariko")
-        window = Window(program, cube, size=(1280, 800))
-        try:
-            add(window, output)
-            gestures(window, output)
-            settings(window, output)
-            source_now = saved(window, path)
-            check(source_now["kind"] == "skin" and len(source_now["sections"]) == 3, "the sections are not saved")
-            check(len(source_now["merges"]) == 1, f"the merge is not saved: {source_now.get('merges')}")
-            check(any(link.get("lasso") for link in source_now["links"]), "the group is not saved")
-            check(window.quit() == 0, "the program failed at the end")
-        finally:
-            window.close()
-        window = Window(program, path, size=(1280, 800))
-        try:
-            window.wait_idle()
-            skin_mark(window, "limit.3")
-            check(any(name.startswith("skin.diamond.") for name in window.last("layout")["rects"]), "no diamond is shown")
-            window.screenshot(os.path.join(output, "skin_again.png"))
-            check(window.quit() == 0, "the program failed at the end")
-        finally:
-            window.close()
-        for arguments in (["export", path, os.path.join(folder, "skin.stl")],
-                          ["export", "--control", path, os.path.join(folder, "skin.obj")]):
+    def work(window, path):
+        add(window, output)
+        mirror(window, output)
+        gestures(window, output)
+        settings(window, output)
+        saved = save(window, path)
+        check(len(saved["sections"]) == 3, "the sections are not saved")
+        check(saved["mirror"]["axis"] == "y", f"the mirror is not saved: {saved.get('mirror')}")
+        check(len(saved["merges"]) == 1, f"the merge is not saved: {saved.get('merges')}")
+        check(any(link.get("lasso") for link in saved["links"]), "the group is not saved")
+
+    def again(window, path):
+        window.wait_idle()
+        skin_mark(window, "limit.3")
+        check(names(window, "skin.diamond."), "no diamond is shown")
+        check(names(window, "skin.mirror"), "the mirror is not shown")
+        window.screenshot(os.path.join(output, "skin_again.png"))
+        for arguments in (["export", path, path + ".stl"], ["export", "--control", path, path + ".obj"]):
             done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=120)
             check(done.returncode == 0, f"{arguments}: {done.stderr}")
+
+    session_and_again(program, source, work, again)
 
 
 run(session)

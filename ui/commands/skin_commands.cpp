@@ -104,8 +104,11 @@ void add_point_commands(CommandHost& host) {
                     run_edit(
                         editor,
                         [&] {
-                          return insert_section_point(skin_of(editor), selected_section(editor)->id,
-                                                      chosen_span(editor));
+                          const Skin& s = skin_of(editor);
+                          const std::uint32_t section = selected_section(editor)->id;
+                          const int span = chosen_span(editor);
+                          return s.mirror ? insert_section_point(s, section, span, *s.mirror)
+                                          : insert_section_point(s, section, span);
                         },
                         translatable("Insert section point"));
                   },

@@ -7,6 +7,7 @@
 #include "core/polyhedron/validation.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/outline_rows.hpp"
+#include "ui/panels/skin_properties.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -106,6 +107,7 @@ void draw_message_list(PanelContext& context, const Object& object) {
   if (view->error) draw_adapt(context, *view->error);
   if (view->error) draw_outline_fix(context, object, *view->error);
   draw_fix(context, object, view->warnings);
+  draw_skin_fix(context, object, *view);
   if (clicked) show_element(context.editor, object.id, *clicked);
 }
 

@@ -6,8 +6,12 @@
 #include <functional>
 
 #include "core/document/edit_skin.hpp"
+#include "core/document/object_box.hpp"
 #include "core/skinning/edit_path.hpp"
 #include "core/skinning/edit_section.hpp"
+#include "core/skinning/make_rails.hpp"
+#include "core/skinning/skin_messages.hpp"
+#include "core/skinning/symmetric_edit.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/value_fields.hpp"
 #include "ui/skin_edits.hpp"
@@ -45,6 +49,22 @@ constexpr std::array cap_choices{
     Choice{"Dome", "A round end"},
 };
 
+constexpr std::array match_choices{
+    Choice{"Parameter", "By how far along their sections points are"},
+    Choice{"Shape", "By where points are on their sections: finds the seams of closed ones"},
+};
+constexpr std::array column_choices{
+    Choice{"Even", "At even distances along each section"},
+    Choice{"Shared", "Where they follow all sections best, at the same places of each"},
+    Choice{"Each section", "Where they follow each section best"},
+};
+constexpr std::array mirror_choices{
+    Choice{"None", "Sections are edited point by point"},
+    Choice{"Across X", "What is done to a point of a section is done to its image, too"},
+    Choice{"Across Y", "What is done to a point of a section is done to its image, too"},
+    Choice{"Across Z", "What is done to a point of a section is done to its image, too"},
+};
+
 /// Changes the skin of the active object.
 Result<Document> changed(const Document& document, ObjectId object,
                          const std::function<void(Skin&)>& change) {
@@ -53,6 +73,14 @@ Result<Document> changed(const Document& document, ObjectId object,
   Skin skin = *found->skin()->skin;
   change(skin);
   return set_skin(document, object, skin);
+}
+
+/// Over the rest of the row. Mark: "button.<id>".
+bool button(PanelContext& context, const std::string& id, const char* label, const char* help) {
+  const bool pressed = ImGui::Button((context.tr(label) + ("###" + id)).c_str(), {-1, 0});
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr(help));
+  context.marks.item("button." + id);
+  return pressed;
 }
 
 class Rows {
@@ -101,13 +129,30 @@ class Rows {
               });
   }
 
-  void optimised() {
-    const bool now = skin_.smooth.parameters != ColumnParameters::uniform;
-    if (const auto on = check_row(context_, "skin_optimised", "Place columns",
-                                  "Columns where they follow the sections best, instead of evenly", now))
-      commit("Place columns", [&](Skin& skin) {
-        skin.smooth.parameters = *on ? ColumnParameters::per_section : ColumnParameters::uniform;
-      });
+  /// The plane of symmetric edits, and what makes the sections symmetric about it.
+  void mirror(const Object& object) {
+    choice("skin_mirror", "Mirror", "Edits of sections change both halves", mirror_choices,
+           skin_.mirror ? skin_.mirror->axis + 1 : 0, "Mirror of the skin", [](Skin& skin, int chosen) {
+             skin.mirror.reset();
+             if (chosen > 0) skin.mirror = mirror_plane(skin, chosen - 1);
+           });
+    if (!skin_.mirror) return;
+    const Box3 box = world_box(object);
+    const Quantity quantity =
+        length_quantity(context_.editor.document().unit, box.isEmpty() ? 1 : box.sizes().maxCoeff());
+    value_row(context_,
+              {"skin_mirror_at", "At", "Where the mirror is on the axis of the object", "Mirror of the skin",
+               quantity},
+              skin_.mirror->position,
+              [id = object_, quantity](const Document& document, const ValueChange& change) {
+                return changed(document, id, [&](Skin& skin) {
+                  if (skin.mirror) skin.mirror->position = change.apply(quantity, skin.mirror->position);
+                });
+              });
+    row_label(context_, "", "");
+    if (button(context_, "skin_symmetric", "Make symmetric",
+               "The halves of the selected sections, or of all, become mirror images of each other."))
+      context_.run("skin.symmetric");
   }
 
  private:
@@ -119,6 +164,27 @@ class Rows {
   ObjectId object_;
   Skin skin_;
 };
+
+void set_frame(Editor& editor, const Object& object, FrameMode frame) {
+  const Skin& skin = *object.skin()->skin;
+  SkinEdit plain{skin, 0, {}, {}, {}};
+  plain.skin.frame = frame;
+  commit_skin(editor, object.id, frame == FrameMode::two_rail ? make_rails(skin) : plain,
+              translatable("Frames of the skin"));
+}
+
+/// Corners of the path.
+void path_section(PanelContext& context, const Object& object) {
+  const auto chosen = selected_path_points(context.editor);
+  if (chosen.size() != 1) return;
+  heading(context, "Path point");
+  const Skin& skin = *object.skin()->skin;
+  const int point = chosen.front();
+  if (const auto on = check_row(context, "skin_path_sharp", "Corner", "The path has a corner here",
+                                skin.path.is_sharp(point)))
+    commit_skin(context.editor, object.id, set_path_sharp(skin, PathCurve::path, point, *on),
+                *on ? "Corner" : "Smooth point");
+}
 
 void point_section(PanelContext& context, const Object& object) {
   const auto ids = selected_section_points(context.editor);
@@ -134,7 +200,20 @@ void point_section(PanelContext& context, const Object& object) {
   });
   if (const auto on = check_row(context, "skin_sharp", "Corner",
                                 "The section has a corner here, and the surface a crease", sharp))
-    commit_skin(context.editor, object.id, set_sharp(skin, ids, *on), *on ? "Corner" : "Smooth point");
+    commit_skin(context.editor, object.id, set_sharp(skin, with_mirrored(skin, ids), *on),
+                *on ? "Corner" : "Smooth point");
+  if (!selected_section(context.editor)) return;
+  if (button(context, "skin_turn", "Turn section round", "Swaps the ends of the section."))
+    context.run("skin.flip_section");
+}
+
+/// The section whose lines run round the path.
+const SkinSection* twisted_section(const Skin& skin, const std::vector<Message>& warnings) {
+  for (const Message& warning : warnings)
+    for (const SkinSection& section : skin.sections)
+      if (warning.code == w_twist && find_point(section, std::uint32_t(warning.element.id)) >= 0)
+        return &section;
+  return nullptr;
 }
 
 }  // namespace
@@ -146,12 +225,15 @@ void draw_skin_properties(PanelContext& context) {
   const Object shown = *object;
   const Skin& skin = *shown.skin()->skin;
   point_section(context, shown);
+  path_section(context, shown);
   heading(context, "Skin");
   Rows rows(context, shown);
   rows.choice("skin_method", "Method", "How the surface spans the sections", method_choices, int(skin.method),
               "Method of the skin", [](Skin& s, int chosen) { s.method = SkinMethod(chosen); });
-  rows.choice("skin_frame", "Frames", "How sections turn along the path", frame_choices, int(skin.frame),
-              "Frames of the skin", [](Skin& s, int chosen) { s.frame = FrameMode(chosen); });
+  if (const auto chosen = choose(context, "skin_frame", "Frames", "How sections turn along the path",
+                                 frame_choices, int(skin.frame)))
+    set_frame(context.editor, shown, FrameMode(*chosen));
+  rows.mirror(shown);
   if (skin.method == SkinMethod::pleat) {
     rows.slider("skin_density", "Density", "Rows for each span of the path", 0.25, 8, 1,
                 &PleatOptions::density);
@@ -162,6 +244,9 @@ void draw_skin_properties(PanelContext& context) {
       rows.slider("skin_tension", "Tension",
                   "Low flows like a spline, high runs straight from section to section", 5, 1e4, 200,
                   &PleatOptions::tension);
+    rows.choice("skin_match", "Match by", "How points find those of the next section where no line is drawn",
+                match_choices, int(skin.pleat.cost), "Matching of the skin",
+                [](Skin& s, int chosen) { s.pleat.cost = MatchCost(chosen); });
     rows.check("skin_quads", "Quads in fans", "Pairs of triangles become quads: rounder where lines merge",
                "Quads in fans", &PleatOptions::quad_fans);
     rows.check("skin_collars", "Collars", "Rows of their own beside sections, so that these can be exact",
@@ -174,7 +259,10 @@ void draw_skin_properties(PanelContext& context) {
     rows.choice("skin_blend", "Blend", "How one section becomes the next", blend_choices,
                 int(skin.smooth.blend), "Blend of the skin",
                 [](Skin& s, int chosen) { s.smooth.blend = Blend(chosen); });
-    if (skin.method == SkinMethod::smooth) rows.optimised();
+    if (skin.method == SkinMethod::smooth)
+      rows.choice("skin_placed", "Place columns", "Where the columns cross the sections", column_choices,
+                  int(skin.smooth.parameters), "Place columns",
+                  [](Skin& s, int chosen) { s.smooth.parameters = ColumnParameters(chosen); });
   }
   const bool closed = has_closed_sections(skin);
   if (const auto on = check_row(context, "skin_closed", "Tube",
@@ -190,6 +278,18 @@ void draw_skin_properties(PanelContext& context) {
              "Creases of the skin", &Skin::creases);
   rows.check("skin_flip", "Inside out", "Swaps the outside and the inside", "Turn the skin inside out",
              &Skin::flip_normals);
+}
+
+void draw_skin_fix(PanelContext& context, const Object& object, const SurfaceView& view) {
+  if (!object.skin() || object.locked) return;
+  const Skin& skin = *object.skin()->skin;
+  if (view.error && view.error->code == e_section_range && !skin.path.closed) {
+    if (button(context, "skin_trim", "Trim path", "Cuts the path off at its first and its last section."))
+      commit_skin(context.editor, object.id, trim_path(skin), "Trim path");
+  } else if (const SkinSection* section = twisted_section(skin, view.warnings)) {
+    if (button(context, "skin_untwist", "Turn section round", "Swaps the ends of the section."))
+      commit_skin(context.editor, object.id, flip_section(skin, section->id), "Turn section round");
+  }
 }
 
 }  // namespace hariko

@@ -109,17 +109,9 @@ class LoopTool final : public Tool {
   }
 
   static std::optional<Corner> on_ground(const ToolContext& context, const Ray& ray, bool snaps) {
-    // Near the horizon places run away from the pointer.
-    if (std::abs(ray.direction.z()) < 0.02) return std::nullopt;
-    const double t = -ray.origin.z() / ray.direction.z();
-    if (!(t > 0)) return std::nullopt;
-    Vector3 point = ray.at(t);
-    point.z() = 0;
-    if (snaps) {
-      const DecimalStep step = grid_step(context, point);
-      for (int axis = 0; axis < 2; ++axis) point[axis] = step.nearest(point[axis]);
-    }
-    return Corner{point, {}, 0};
+    const auto point = point_on_ground(context, ray, snaps);
+    if (!point) return std::nullopt;
+    return Corner{*point, {}, 0};
   }
 
   void look(const ToolContext& context, const PointerEvent& event) {

@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_slope = 0.02;  ///< of rays against the ground: near the horizon places run away
+constexpr double least_slope = 0.02;  ///< of rays against the plane on which the solid stands
 constexpr int circle_sides = 48;
 
 /// Where a solid is to stand, in the document's space.
@@ -80,16 +80,9 @@ class PlaceSolidTool final : public Tool {
   }
 
   static std::optional<Stand> on_ground(const ToolContext& context, const Ray& ray, bool snaps) {
-    if (std::abs(ray.direction.z()) < least_slope) return std::nullopt;
-    const double t = -ray.origin.z() / ray.direction.z();
-    if (!(t > 0)) return std::nullopt;
-    Vector3 point = ray.at(t);
-    point.z() = 0;
-    if (snaps) {
-      const DecimalStep step = grid_step(context, point);
-      for (int axis = 0; axis < 2; ++axis) point[axis] = step.nearest(point[axis]);
-    }
-    return Stand{point, Vector3::UnitZ()};
+    const auto point = point_on_ground(context, ray, snaps);
+    if (!point) return std::nullopt;
+    return Stand{*point, Vector3::UnitZ()};
   }
 
   void look(const ToolContext& context, const PointerEvent& event) {

@@ -85,7 +85,10 @@ class SkinTool final : public Tool {
   std::string hint(const Language& tr) const override {
     if (hit_.kind == SkinHit::Kind::diamond)
       return tr("Drag along the lines to merge earlier or later   sideways: to another line");
-    return tr("Release to select, drag to move   Ctrl: both halves   Alt: parallel to the screen");
+    if (handle()->kind == SkinView::Handle::Kind::path) return tr("Release to select, drag to move");
+    return skin_.mirror
+               ? tr("Release to select, drag to move   Ctrl: this half only   Alt: parallel to the screen")
+               : tr("Release to select, drag to move   Ctrl: both halves   Alt: parallel to the screen");
   }
 
  private:
@@ -132,7 +135,7 @@ class SkinTool final : public Tool {
                      projector.on_facing_plane(press_.pixel, anchor));
   }
 
-  /// With Ctrl the images of points in a mirror follow them.
+  /// `both`: the images of points in a mirror follow them.
   Result<SkinEdit> moved(const ToolContext& context, const Object& object, bool facing, bool both) {
     const Vector3 by = way(context, object, facing);
     const SkinView::Handle& held = *handle();
@@ -162,7 +165,9 @@ class SkinTool final : public Tool {
       return both ? move_section_points(skin_, points, plane) : move_section_points(skin_, points);
     // The path carries the sections; chosen points then go where they are drawn.
     const auto carried = move_path_points(skin_, path);
-    return carried ? move_section_points(carried->skin, points) : carried;
+    if (!carried) return carried;
+    return both ? move_section_points(carried->skin, points, plane)
+                : move_section_points(carried->skin, points);
   }
 
   std::size_t selected_count(const Editor& editor) const {
@@ -178,7 +183,8 @@ class SkinTool final : public Tool {
       const auto slid = merge_->to({*object, context.projector(), pointer_, editor.pixel_scale, event.alt});
       next = slid ? set_skin(editor.history.current(), object_, slid->skin) : slid.error();
     } else {
-      next = with_skin(editor.history.current(), object_, moved(context, *object, event.alt, event.control));
+      next = with_skin(editor.history.current(), object_,
+                       moved(context, *object, event.alt, event.control != skin_.mirror.has_value()));
     }
     error_ = next ? std::string() : editor.language.text_of(next.error());
     if (next) editor.preview(next);

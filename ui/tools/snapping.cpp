@@ -31,6 +31,20 @@ DecimalStep grid_step(const ToolContext& context, const Vector3& at) {
   return {1, std::clamp(static_cast<int>(std::ceil(std::log10(length))), -12, 12)};
 }
 
+std::optional<Vector3> point_on_ground(const ToolContext& context, const Ray& ray, bool snaps) {
+  constexpr double least_slope = 0.02;
+  if (std::abs(ray.direction.z()) < least_slope) return {};
+  const double t = -ray.origin.z() / ray.direction.z();
+  if (!(t > 0)) return {};
+  Vector3 point = ray.at(t);
+  point.z() = 0;
+  if (snaps) {
+    const DecimalStep step = grid_step(context, point);
+    for (int axis = 0; axis < 2; ++axis) point[axis] = step.nearest(point[axis]);
+  }
+  return point;
+}
+
 std::optional<SnapTarget> snap_to_elements(const ToolContext& context, const TransformTarget& target,
                                            const Vector2& pixel) {
   const Projector projector = context.projector();

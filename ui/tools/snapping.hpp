@@ -34,4 +34,8 @@ struct DecimalStep {
 /// A power of ten that covers at least 10 design pixels: the lines of the ground grid or a tenth of them.
 DecimalStep grid_step(const ToolContext& context, const Vector3& at);
 
+/// Where a ray of the eye meets the ground, on the grid's steps when it snaps; nothing near the horizon,
+/// where places run away from the pointer, and behind the eye.
+std::optional<Vector3> point_on_ground(const ToolContext& context, const Ray& ray, bool snaps);
+
 }  // namespace hariko
