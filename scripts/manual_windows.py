@@ -17,7 +17,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PICTURES = os.path.join(ROOT, "docs", "pictures")
 sys.path.insert(0, os.path.join(ROOT, "tests", "window"))
 sys.dont_write_bytecode = True
-from driver import Window  # noqa: E402  (beside the tests)
+import skin_hands as hands  # noqa: E402  (beside the tests)
+from driver import Window  # noqa: E402
 
 
 def sample(name):
@@ -158,6 +159,35 @@ def gauss(window):
     window.wait_idle()
 
 
+def skin(window):
+    hands.empty_document(window)
+    hands.choose(window, "Add", "command.add.skin")
+    hands.label(window, "Add skin")
+    window.click_on("combo.skin_mirror")
+    window.click_on("choice.skin_mirror.2")
+    hands.label(window, "Mirror of the skin")
+    x, y = hands.skin_mark(window, "limit.2")
+    window.arrive(x, y)
+    window.press()
+    for i in range(1, 7):
+        window.move(x - 2 * i, y - 8 * i)
+
+
+def gestures(window):
+    hands.empty_document(window)
+    hands.choose(window, "Add", "command.add.skin")
+    hands.label(window, "Add skin")
+    at = {i: hands.skin_mark(window, f"limit.{i}") for i in (1, 2, 3, 4, 5, 9, 10, 12)}
+    hands.choose(window, "Skin", "command.skin.correspond")
+    window.wait_idle()
+    hands.stroke(window, at[1], at[9])
+    hands.label(window, "Join points")
+    hands.stroke(window, hands.between(at[1], at[2]), hands.between(at[3], at[10], 0.4), hands.between(at[4], at[5]))
+    hands.label(window, "Merge points")
+    hands.stroke(window, *hands.capsule(at[5], at[12], 12), steps=2)
+    hands.label(window, "Group points")
+
+
 # Picture -> (sample, text of a .json or none, what is done, settings of the interface)
 WINDOWS = {
     "manual_start": (None, nothing, {}),
@@ -179,6 +209,8 @@ WINDOWS = {
     "manual_joins": ("wheel_arch", attached, {}),
     "manual_patches": (vase, nothing, {}),
     "manual_gauss": ("ellipsoid_cap", gauss, {}),
+    "manual_skin": ("cube", skin, {}),
+    "manual_gestures": ("cube", gestures, {}),
 }
 
 

@@ -57,7 +57,11 @@ TEST_F(SkinCommands, InfoTellsHowNearTheSectionsAre) {
   EXPECT_EQ(object["vertices"], 191);
   EXPECT_EQ(skin["method"], "pleat");
   EXPECT_EQ(skin["sections"], 7);
-  EXPECT_EQ(skin["extraordinary"], golden_case("car_edited/pleat_fair200")["extraordinary"]);
+  const Json expected = golden_case("car_edited/pleat_fair200");
+  std::size_t rows = 1;
+  for (const Json& strip : expected["rows"]) rows += strip.size() - 1;
+  EXPECT_EQ(skin["rows"], rows);
+  EXPECT_EQ(skin["extraordinary"], expected["extraordinary"]);
   ASSERT_EQ(skin["section_miss"].size(), 7U);
   for (const Json& miss : skin["section_miss"]) EXPECT_LT(miss, 1e-6);
   EXPECT_NEAR(skin["condition"].get<double>(), 8.85, 0.1);
@@ -71,6 +75,18 @@ TEST_F(SkinCommands, InfoTellsHowNearTheSectionsAre) {
   const Outcome failed = run("info --json '" + path("one.json") + "'");
   EXPECT_EQ(failed.exit_code, 1);
   EXPECT_EQ(failed.object()["messages"][0]["code"], "E_FEW_SECTIONS");
+}
+
+TEST_F(SkinCommands, SkinsBecomeTrianglesAndPaperAsOtherSurfacesDo) {
+  const Outcome mesh = run("mesh " + sections("fig5") + " '" + path("out.obj") + "' --distance 0.01 --json");
+  ASSERT_EQ(mesh.exit_code, 0) << mesh.error;
+  const Json& distance = mesh.json()["objects"].at(0)["distance"];
+  EXPECT_LE(distance["bound"].get<double>(), 0.01);
+  EXPECT_LE(distance["measured"].get<double>(), distance["bound"].get<double>());
+  const Outcome paper =
+      run("unfold " + sections("fig5") + " '" + path("out.svg") + "' --height 100 --steps 200 --json");
+  ASSERT_EQ(paper.exit_code, 0) << paper.error;
+  EXPECT_EQ(paper.json()["overlaps"], 0);
 }
 
 TEST_F(SkinCommands, TheControlMeshIsWrittenWithItsCreases) {

@@ -1,13 +1,12 @@
-"""A skin drawn in the real window: a path by points and two sections by hand, skinned both ways; a section is added where the
-surface is clicked and slid along the path; the skin becomes a polyhedron, and its control mesh is exported."""
+"""A skin drawn in the real window: a path by points and two sections by hand, skinned both ways; sections and path are closed
+and opened, rails are made and dragged; a section is added where the surface is clicked and slid along the path; the skin becomes a
+polyhedron, and its control mesh is exported."""
 
-import json
 import math
 import os
-import tempfile
 
-from driver import Window, check, run
-from skin_hands import between, choose, label, skin_mark, stroke
+from driver import check, run
+from skin_hands import between, choose, empty_document, label, names, save, session_and_again, skin_mark, stroke
 
 
 def in_view(window, x, y):
@@ -22,10 +21,7 @@ def arch(window, width, height):
 
 
 def draw(window, output):
-    window.wait_idle()
-    window.key("ctrl+n")
-    window.wait(lambda: window.last("document")["serial"] is not None and not window.last("vertices")["objects"], "an empty document")
-    window.wait_idle()
+    empty_document(window)
     choose(window, "Skin", "command.skin.draw")
     window.wait_idle()
     for x, y in ((0.25, 0.62), (0.42, 0.58), (0.58, 0.5), (0.75, 0.38)):
@@ -53,13 +49,72 @@ def methods(window, output):
         window.screenshot(os.path.join(output, f"skin_drawn_{name}.png"))
 
 
+def sound(window, what):
+    check(window.last("rebuild")["error"] is None, f"{what}: {window.last('rebuild')}")
+
+
+def closed(window, output):
+    """Sections and path are closed and opened, by command and in the panel."""
+    position = window.last("document")["position"]
+    check(not names(window, "combo.skin_caps"), "open sections have ends to close")
+    choose(window, "Skin", "command.skin.close_sections")
+    check(label(window, "Close or open sections") == position + 1, "closing the sections is not one step")
+    sound(window, "a tube")
+    window.rect("combo.skin_caps")
+    window.screenshot(os.path.join(output, "skin_tube.png"))
+    window.click_on("check.skin_closed")
+    window.wait(lambda: window.last("document")["position"] == position + 2, "the step that opens the sections")
+    window.wait_idle()
+    check(not names(window, "combo.skin_caps"), "the sections are still closed")
+    check(not names(window, "skin.place."), "sections at the ends can slide")
+    choose(window, "Skin", "command.skin.close_path")
+    check(label(window, "Close or open path") == position + 3, "closing the path is not one step")
+    sound(window, "a closed path")
+    check(len(names(window, "skin.place.")) == 2, "on a closed path every section slides")
+    window.screenshot(os.path.join(output, "skin_ring.png"))
+    choose(window, "Skin", "command.skin.close_path")
+    window.wait(lambda: window.last("document")["position"] == position + 4, "the step that opens the path")
+    window.wait_idle()
+    check(not names(window, "skin.place."), "the path is still closed")
+    # Opening a path keeps the part between the sections only, so all goes back as it was drawn.
+    for back in (3, 2, 1, 0):
+        window.key("ctrl+z")
+        window.wait(lambda: window.last("document")["position"] == position + back, "undo")
+        window.wait_idle()
+    sound(window, "as it was drawn")
+
+
+def rails(window, output):
+    """Two rails are made of the skin, and can be dragged; a point of the path becomes a corner."""
+    position = window.last("document")["position"]
+    check(not names(window, "skin.rail."), "there is a second rail")
+    window.click_on("combo.skin_frame")
+    window.click_on("choice.skin_frame.3")
+    check(label(window, "Frames of the skin") == position + 1, "the rails are not one step")
+    sound(window, "two rails")
+    check(len(names(window, "skin.rail.")) == 4, f"rails: {names(window, 'skin.')}")
+    x, y = skin_mark(window, "rail.1")
+    window.drag((x, y), (x + 12, y - 30), before_release=lambda: window.screenshot(os.path.join(output, "skin_rails.png")))
+    check(label(window, "Move path") == position + 2, "the drag of the rail is not one step")
+    sound(window, "a bent rail")
+    window.click(*skin_mark(window, "path.1"))
+    window.click_on("check.skin_path_sharp")
+    check(label(window, "Corner") == position + 3, "the corner is not one step")
+    sound(window, "a corner in a rail")
+    for back in (2, 1, 0):
+        window.key("ctrl+z")
+        window.wait(lambda: window.last("document")["position"] == position + back, "undo")
+        window.wait_idle()
+    check(not names(window, "skin.rail."), "undo leaves the rail")
+
+
 def points_of(window):
     """Ids of the points of the curves, by their numbers."""
-    return sorted(int(name.rsplit(".", 1)[1]) for name in window.last("layout")["rects"] if name.startswith("skin.limit."))
+    return sorted(int(name.rsplit(".", 1)[1]) for name in names(window, "skin.limit."))
 
 
 def place_marks(window):
-    return [name for name in window.last("layout")["rects"] if name.startswith("skin.place.")]
+    return names(window, "skin.place.")
 
 
 def sections(window, output):
@@ -76,6 +131,7 @@ def sections(window, output):
     window.screenshot(os.path.join(output, "skin_section_here.png"))
     window.click(*top)
     label(window, "Add section")
+    sound(window, "with one more section")
     window.key("Return")
     window.wait_idle()
     marks = place_marks(window)
@@ -117,35 +173,22 @@ def export(window, path):
 
 
 def session(program, source, output):
-    # Not from the start page: the pictures of all samples take a while.
-    cube = os.path.join(source, "assets", "samples", "cube.hariko")
-    with tempfile.TemporaryDirectory(prefix="hariko-skin-") as folder:
-        path = os.path.join(folder, "drawn.hariko")
-        window = Window(program, cube, size=(1280, 800))
-        try:
-            draw(window, output)
-            methods(window, output)
-            sections(window, output)
-            convert(window, output)
-            export(window, os.path.join(folder, "control.obj"))
-            window.wait_idle()
-            window.key("ctrl+s")
-            window.type_path(path)
-            window.wait(lambda: os.path.exists(path), "the file")
-            window.wait_idle()
-            with open(path, encoding="utf-8") as file:
-                saved = json.load(file)["objects"][0]["source"]
-            check(saved["kind"] == "skin" and len(saved["sections"]) == 3 and len(saved["path"]["points"]) == 4, f"saved: {saved}")
-            check(window.quit() == 0, "the program failed at the end")
-        finally:
-            window.close()
-        window = Window(program, path, size=(1280, 800))
-        try:
-            window.wait_idle()
-            check(len(place_marks(window)) == 1, "the section in the middle is not shown")
-            check(window.quit() == 0, "the program failed at the end")
-        finally:
-            window.close()
+    def work(window, path):
+        draw(window, output)
+        methods(window, output)
+        closed(window, output)
+        rails(window, output)
+        sections(window, output)
+        convert(window, output)
+        export(window, os.path.join(os.path.dirname(path), "control.obj"))
+        saved = save(window, path)
+        check(len(saved["sections"]) == 3 and len(saved["path"]["points"]) == 4, f"saved: {saved}")
+
+    def again(window, _):
+        window.wait_idle()
+        check(len(place_marks(window)) == 1, "the section in the middle is not shown")
+
+    session_and_again(program, source, work, again)
 
 
 run(session)
