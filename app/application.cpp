@@ -71,9 +71,10 @@ class Application {
         engine_([] { return std::make_unique<SurfaceBuilder>(); }, &GlWindow::wake,
                 [this](ObjectId id, const SurfaceView& view) { log_.rebuilt(id, view); }),
         long_(editor_, &GlWindow::wake),
+        edits_(editor_, &GlWindow::wake),
         meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
         paper_(editor_, long_, &GlWindow::wake),
-        skins_(editor_, long_, [this](const char* what, const auto& path) { log_.file(what, path); }),
+        skins_(editor_, long_, edits_, [this](const char* what, const auto& path) { log_.file(what, path); }),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { log_.file(what, path); }),
@@ -119,8 +120,8 @@ class Application {
       follow_recording();
       if (recorder_) recorder_->batch(editor_.now, window_.input());
       log_.input(window_.input());
-      if (engine_.publish() + paper_.publish() + long_.publish() + session_.publish() + meshes_.publish() +
-              gauss_.publish() >
+      if (engine_.publish() + paper_.publish() + long_.publish() + edits_.publish() + session_.publish() +
+              meshes_.publish() + gauss_.publish() >
           0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
@@ -169,6 +170,7 @@ class Application {
     actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };
     actions.export_control = [this](const auto& path) { skins_.export_control(path); };
     actions.convert_skin = [this](ObjectId object) { skins_.convert(object); };
+    actions.add_section = [this](ObjectId object, double place) { skins_.add_section(object, place); };
     actions.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
     actions.record = [this](const auto& path) { record_to_ = path; };
     actions.stop_recording = [this] { recording_ends_ = true; };
@@ -227,8 +229,8 @@ class Application {
 
   /// Nothing is left to do until something comes in.
   bool rests() const {
-    return frames_ <= 0 && !due() && long_.idle() && paper_.idle() && session_.idle() && meshes_.idle() &&
-           gauss_.idle() && workbench_.viewport().next_frame_in() < 0 && !session_waits_;
+    return frames_ <= 0 && !due() && long_.idle() && edits_.idle() && paper_.idle() && session_.idle() &&
+           meshes_.idle() && gauss_.idle() && workbench_.viewport().next_frame_in() < 0 && !session_waits_;
   }
 
   void take_input() {
@@ -248,6 +250,7 @@ class Application {
     for (const auto& [id, view] : engine_.views())
       if (engine_.pending(id)) editor_.stale_since[id] = engine_.pending_since(id);
     skins_.follow(engine_);
+    if (!ImGui::IsAnyMouseDown()) skins_.settle();
     const Settings& settings = editor_.settings;
     if (window_.set_appearance(settings.theme, settings.interface_scale))
       frames_ = frames_after_input;          // sizes settle again
@@ -441,6 +444,7 @@ class Application {
   Editor editor_;
   RebuildEngine engine_;
   BackgroundWork long_;
+  BackgroundWork edits_;  ///< edits that are made by a worker do not wait for files
   MeshPreviewer meshes_;
   PaperEngine paper_;
   SkinJobs skins_;

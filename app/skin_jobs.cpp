@@ -5,7 +5,9 @@
 #include "app/files/control_mesh_file.hpp"
 #include "core/document/edits.hpp"
 #include "core/modeling/skin_polyhedron.hpp"
+#include "core/skinning/add_section.hpp"
 #include "ui/columns_job.hpp"
+#include "ui/skin_edits.hpp"
 
 namespace hariko {
 
@@ -13,31 +15,82 @@ void SkinJobs::convert(ObjectId id) {
   const auto object = editor_.history.current().find_shared(id);
   if (!object || !object->skin()) return;
   if (converting_) converting_->cancel.cancel();
-  work_.run_cancellable(
+  files_.run_cancellable(
       fill(translatable("Converting {0}"), {object->name}),
       [object](const CancelToken& cancel, const Progress& progress) {
         return skin_polyhedron(*object->skin()->skin, cancel, progress);
       },
       [this, object, number = ++conversions_](const Result<SkinPolyhedron>& made) {
-        if (number == conversions_) take(object, made);
+        if (number == conversions_) take(*object, made);
       });
   converting_ = editor_.jobs.back();
 }
 
-void SkinJobs::take(const std::shared_ptr<const Object>& object, const Result<SkinPolyhedron>& made) {
+void SkinJobs::add_section(ObjectId id, double place) {
+  // Asked for twice before it is there, by two clicks on one spot.
+  for (const WantedSection& wanted : wanted_)
+    if (wanted.object == id && wanted.place == place) return;
+  wanted_.push_back({id, place});
+  if (wanted_.size() == 1) make_section();
+}
+
+void SkinJobs::make_section() {
+  while (!wanted_.empty()) {
+    const auto [id, place] = wanted_.front();
+    const auto object = editor_.history.current().find_shared(id);
+    if (!object || !object->skin()) {
+      wanted_.pop_front();
+      continue;
+    }
+    edits_.run_cancellable(
+        fill(translatable("Adding a section to {0}"), {object->name}),
+        [object, at = place](const CancelToken& cancel, const Progress& progress) {
+          SkinWork work;
+          work.cancel = cancel;
+          work.progress = progress;
+          return hariko::add_section(*object->skin()->skin, at, work);
+        },
+        [this, object](const Result<SkinEdit>& edit) {
+          made_ = MadeSection{object, edit};
+        });
+    return;
+  }
+}
+
+void SkinJobs::settle() {
+  // A gesture goes on from the skin that it began with: a section that came in its middle would be lost.
+  if (!made_ || editor_.history.in_gesture()) return;
+  const MadeSection made = *std::move(made_);
+  made_.reset();
+  wanted_.pop_front();
+  if (!made.edit.ok() && made.edit.error().code == e_cancelled)
+    wanted_.clear();
+  else
+    take(made);
+  make_section();
+}
+
+const Object* SkinJobs::still(const Object& object, const char* changed) const {
+  const Object* now = editor_.history.current().find(object.id);
+  if (!now || !now->skin()) return nullptr;
+  if (now->skin()->skin == object.skin()->skin) return now;
+  editor_.notify(Notice::Kind::warning, editor_.language(changed));
+  return nullptr;
+}
+
+void SkinJobs::take(const Object& object, const Result<SkinPolyhedron>& made) {
   if (!made.ok()) {
     if (made.error().code != e_cancelled) editor_.notify(made.error());
     return;
   }
-  const Object* now = editor_.history.current().find(object->id);
-  if (!now || !now->skin() || !(now->skin()->skin == object->skin()->skin))
-    return editor_.notify(Notice::Kind::warning,
-                          editor_.language("The skin was changed while it was converted. Convert it again."));
+  const Object* now =
+      still(object, translatable("The skin was changed while it was converted. Convert it again."));
+  if (!now) return;
   if (editor_.history.in_gesture()) editor_.cancel_preview();
   auto added = add_object(editor_.history.current(), now->name, Source(made->source), now->transform);
   if (!added) return editor_.notify(added.error());
   const double scale = now->transform.scale;
-  if (!editor_.commit(set_visible(added->document, object->id, false), translatable("Convert to polyhedron")))
+  if (!editor_.commit(set_visible(added->document, object.id, false), translatable("Convert to polyhedron")))
     return;
   editor_.selection.clear_objects();
   editor_.selection.active = added->id;
@@ -48,8 +101,17 @@ void SkinJobs::take(const std::shared_ptr<const Object>& object, const Result<Sk
   log_("converted", {});
 }
 
+void SkinJobs::take(const MadeSection& made) {
+  const Object& object = *made.object;
+  if (!made.edit.ok()) return editor_.notify(made.edit.error());
+  if (!still(object, translatable("The skin was changed while the section was taken. Add it again."))) return;
+  if (!commit_skin(editor_, object.id, made.edit, translatable("Add section"))) return;
+  if (editor_.selection.active == object.id) select_new_points(editor_, *made.edit);
+  log_("section_added", {});
+}
+
 void SkinJobs::export_control(const std::filesystem::path& path) {
-  work_.run(
+  files_.run(
       fill(translatable("Exporting {0}"), {path.filename().string()}),
       [path, document = editor_.history.current()](const CancelToken&) {
         return export_control_meshes(document, path);

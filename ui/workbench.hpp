@@ -41,6 +41,8 @@ struct FileActions {
   std::function<void(const std::filesystem::path&)> export_control;
   /// Makes a polyhedron of a skin, which is hidden then. Only the last one asked for counts.
   std::function<void(ObjectId)> convert_skin;
+  /// Adds a section to a skin, at a place of its path: a step when it is there.
+  std::function<void(ObjectId, double place)> add_section;
   /// Writes the pages of the paper model that is shown.
   std::function<void(const std::filesystem::path&)> export_pages;
   /// Opens work that an earlier session left behind, or throws it away.
@@ -113,6 +115,7 @@ class Workbench {
   /// For the control meshes of skins.
   void show_control_export();
   void convert_skin(ObjectId object) { actions_.convert_skin(object); }
+  void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
   void show_key_export();
   void show_key_import();
   /// Of the active view: one picture, or a series that turns round the model.

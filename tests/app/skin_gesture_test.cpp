@@ -365,7 +365,9 @@ TEST(AddSectionTool, AddsWhereTheSurfaceIsClicked) {
     skin.method = method;
     skin.smooth.parameters = ColumnParameters::uniform;
     SkinRig rig(skin);
-    rig.start(make_add_section_tool());
+    rig.start(make_add_section_tool([&](ObjectId object, double place) {
+      commit_skin(rig.editor, object, add_section(rig.skin(), place), "Add section");
+    }));
     const Vector2 at = rig.pixel({-3 + 6 * 0.3, 0.5, 0.7});
     rig.click(at);
     ASSERT_EQ(rig.skin().section_count(), 3);

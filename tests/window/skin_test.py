@@ -77,7 +77,9 @@ def settings(window, output):
     # A section from the surface, behind that of the selected point.
     window.click(*skin_mark(window, "limit.3"))
     window.wait_idle()
+    since = window.count("section_added")
     choose(window, "Skin", "command.skin.add_section")
+    window.wait_event("section_added", since)
     label(window, "Add section")
     check(window.last("rebuild")["error"] is None, f"with the section: {window.last('rebuild')}")
     window.screenshot(os.path.join(output, "skin_section.png"))

@@ -126,6 +126,7 @@ class HeadlessWorkbench {
     complete(actions.export_pictures);
     complete(actions.export_control);
     complete(actions.convert_skin);
+    complete(actions.add_section);
     complete(actions.recover);
     complete(actions.discard_recovery);
     complete(actions.record);

@@ -168,18 +168,19 @@ void add_point_commands(CommandHost& host) {
 void add_section_commands(CommandHost& host) {
   Editor& editor = host.editor;
   const WhyNot skin = needs_skin(editor);
-  host.table.add({"skin.add_section", "Skin", "Add section",
-                  "A section taken from the surface, in the middle behind the selected one.", "", "", true,
-                  true,
-                  [&editor] {
-                    run_edit(
-                        editor, [&] { return add_section(skin_of(editor), place_for_section(editor)); },
-                        translatable("Add section"));
-                  },
-                  skin});
+  host.table.add(
+      {"skin.add_section", "Skin", "Add section",
+       "A section taken from the surface, in the middle behind the selected one.", "", "", true, true,
+       [&host, &editor] { host.workbench.add_section(shown_skin(editor)->id, place_for_section(editor)); },
+       skin});
   host.table.add({"skin.section_here", "Skin", "Add section by click\u2026",
                   "A section taken from the surface where it is clicked.", "", "", false, false,
-                  [&host] { host.viewport.start_modal(make_add_section_tool()); }, skin});
+                  [&host] {
+                    host.viewport.start_modal(make_add_section_tool([&host](ObjectId object, double place) {
+                      host.workbench.add_section(object, place);
+                    }));
+                  },
+                  skin});
   host.table.add({"skin.draw_section", "Skin", "Draw section\u2026",
                   "A section drawn by hand or by points, in a plane across the path.", "", "", false, false,
                   [&host] { host.viewport.start_modal(make_draw_section_tool()); }, skin});

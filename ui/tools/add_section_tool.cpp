@@ -2,10 +2,8 @@
 
 #include <GLFW/glfw3.h>
 
-#include "core/skinning/add_section.hpp"
 #include "core/skinning/skin_places.hpp"
 #include "ui/probe.hpp"
-#include "ui/skin_edits.hpp"
 #include "ui/skin_view.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 #include "ui/tools/pointing_tool.hpp"
@@ -16,6 +14,8 @@ namespace {
 
 class AddSectionTool final : public PointingTool {
  public:
+  explicit AddSectionTool(AddSection add) : add_(std::move(add)) {}
+
   ToolState update(ToolContext& context, const PointerEvent& event) override {
     if (!shown_skin(context.editor)) return ToolState::commit;
     pointer_ = event.pixel;
@@ -70,18 +70,10 @@ class AddSectionTool final : public PointingTool {
   }
 
   void add(ToolContext& context) {
-    Editor& editor = context.editor;
-    const Object* object = shown_skin(editor);
-    if (!place_) {
-      error_ = editor.language("Click the surface of the skin.");
-      return;
-    }
-    const auto edit = add_section(*object->skin()->skin, *place_);
-    if (!edit) {
-      error_ = editor.language.text_of(edit.error());
-      return;
-    }
-    if (commit_skin(editor, object->id, edit, translatable("Add section"))) select_new_points(editor, *edit);
+    if (place_)
+      add_(shown_skin(context.editor)->id, *place_);
+    else
+      error_ = context.editor.language("Click the surface of the skin.");
   }
 
   std::string value_text(const Language& tr) const {
@@ -90,6 +82,7 @@ class AddSectionTool final : public PointingTool {
     return text;
   }
 
+  AddSection add_;
   SkinViewCache cache_;
   std::optional<double> place_;  ///< on the path, under the pointer
   std::vector<Vector3> sketch_;
@@ -98,8 +91,8 @@ class AddSectionTool final : public PointingTool {
 
 }  // namespace
 
-std::unique_ptr<Tool> make_add_section_tool() {
-  return std::make_unique<AddSectionTool>();
+std::unique_ptr<Tool> make_add_section_tool(AddSection add) {
+  return std::make_unique<AddSectionTool>(std::move(add));
 }
 
 }  // namespace hariko
