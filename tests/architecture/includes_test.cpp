@@ -42,6 +42,7 @@ const std::map<std::string, Names>& core_arrows() {
       {"approximation", {"approximation", "surface", "base"}},
       {"cad", {"cad", "skinning", "g2", "patching", "network", "polyhedron", "surface", "base"}},
       {"exchange", {"exchange", "skinning", "patching", "network", "polyhedron", "surface", "base"}},
+      {"drawing", {"drawing", "exchange", "surface", "base"}},
       {"unfolding",
        {"unfolding", "document", "exchange", "patching", "network", "polyhedron", "surface", "base"}},
   };

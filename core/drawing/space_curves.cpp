@@ -1,0 +1,272 @@
+#include "core/drawing/space_curves.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/surface/patch.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr int seam_oversampling = 2;
+constexpr int root_rounds = 40;
+constexpr double root_width = 1e-9;     ///< of a grid edge
+constexpr double join_distance = 1e-3;  ///< of a grid edge
+
+/// Zero lines of a function of the surface's points. The function is given at grid points by `at_grid`, and
+/// anywhere by `at`.
+class Contours {
+ public:
+  using Value = std::function<double(const Vector3& position, const Vector3& normal)>;
+  struct Place {
+    Index patch;
+    Vector2 parameter;
+    Vector3 position;
+    double edge;  ///< length of the grid edge that it lies on
+  };
+  using Line = std::vector<Place>;
+
+  /// `noise`: what rounding may add to the function.
+  Contours(const SurfaceGrid& grid, Value value, double noise)
+      : grid_(grid), value_(std::move(value)), noise_(noise), parameters_(grid.pattern().parameters()) {}
+
+  std::vector<Line> trace(const CancelToken& cancel) {
+    for (Index patch = 0; patch < grid_.surface().patch_count() && !cancel.cancelled(); ++patch)
+      trace_patch(patch);
+    join();
+    return std::move(lines_);
+  }
+
+ private:
+  /// Zero counts as positive, so that every crossing has two different signs; and rounding's noise, so that
+  /// patches agree about the nodes of a common side that a line runs along (silhouettes of symmetric things).
+  bool positive(double x) const { return x >= -noise_; }
+
+  Place cross(Index patch, int a, int b) const {
+    Vector2 low = parameters_[std::size_t(a)], high = parameters_[std::size_t(b)];
+    double at_low = values_[std::size_t(a)], at_high = values_[std::size_t(b)];
+    const double edge = (grid_.position(patch, a) - grid_.position(patch, b)).norm();
+    const Vector2 whole = high - low;
+    double from = 0, to = 1;
+    const Vector2 start = low;
+    // False position, bisection where it does not halve the interval.
+    for (int round = 0; round < root_rounds && to - from > root_width; ++round) {
+      double x = 0.5 * (from + to);
+      if (round % 3 != 2 && at_high != at_low)
+        x = std::clamp(from + (to - from) * at_low / (at_low - at_high), from + 0.01 * (to - from),
+                       to - 0.01 * (to - from));
+      const SurfaceGrid::Point p = grid_.evaluate(patch, start + x * whole);
+      const double value = value_(p.position, p.normal);
+      if (positive(value) == positive(at_low))
+        from = x, at_low = value;
+      else
+        to = x, at_high = value;
+    }
+    const Vector2 parameter = start + 0.5 * (from + to) * whole;
+    return {patch, parameter, grid_.evaluate(patch, parameter).position, edge};
+  }
+
+  void trace_patch(Index patch) {
+    const int count = grid_.pattern().point_count();
+    values_.resize(std::size_t(count));
+    bool above = false, below = false;
+    for (int i = 0; i < count; ++i) {
+      const double value = value_(grid_.position(patch, i), grid_.normal(patch, i));
+      values_[std::size_t(i)] = value;
+      (positive(value) ? above : below) = true;
+    }
+    if (!above || !below) return;
+    // Each crossed edge has at most two triangles, each triangle two crossed edges.
+    std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> next;
+    for (const auto& triangle : grid_.triangles()) {
+      std::vector<std::pair<int, int>> crossed;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int a = triangle[k], b = triangle[(k + 1) % 3];
+        if (positive(values_[std::size_t(a)]) != positive(values_[std::size_t(b)]))
+          crossed.push_back(std::minmax(a, b));
+      }
+      if (crossed.size() != 2) continue;
+      next[crossed[0]].push_back(crossed[1]);
+      next[crossed[1]].push_back(crossed[0]);
+    }
+    const auto follow = [&](std::pair<int, int> edge) {
+      Line line;
+      for (;;) {
+        line.push_back(cross(patch, edge.first, edge.second));
+        auto& ways = next[edge];
+        if (ways.empty()) break;
+        const std::pair<int, int> other = ways.back();
+        ways.pop_back();
+        auto& back = next[other];
+        back.erase(std::find(back.begin(), back.end(), edge));
+        edge = other;
+      }
+      lines_.push_back(std::move(line));
+    };
+    // Open lines first, from their ends; what is left is closed.
+    std::vector<std::pair<int, int>> edges;
+    for (const auto& [edge, ways] : next) edges.push_back(edge);
+    for (const auto& edge : edges)
+      if (next[edge].size() == 1) follow(edge);
+    for (const auto& edge : edges)
+      if (!next[edge].empty()) follow(edge);
+  }
+
+  /// Lines that end at the same place on a seam are one.
+  void join() {
+    struct End {
+      std::size_t line;
+      bool back;
+    };
+    const auto place = [&](const End& end) -> const Place& {
+      return end.back ? lines_[end.line].back() : lines_[end.line].front();
+    };
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (!closed(lines_[i])) ends.insert(ends.end(), {End{i, false}, End{i, true}});
+    std::sort(ends.begin(), ends.end(),
+              [&](const End& a, const End& b) { return place(a).position.x() < place(b).position.x(); });
+    std::vector<std::size_t> partner(2 * lines_.size(), no_partner);
+    const auto number = [](const End& end) { return 2 * end.line + (end.back ? 1 : 0); };
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      for (std::size_t j = i + 1; j < ends.size(); ++j) {
+        const Place &a = place(ends[i]), &b = place(ends[j]);
+        const double near = join_distance * std::max(a.edge, b.edge);
+        if (b.position.x() - a.position.x() > near) break;
+        if (a.patch == b.patch || (a.position - b.position).norm() > near) continue;
+        std::size_t &first = partner[number(ends[i])], &second = partner[number(ends[j])];
+        if (first == no_partner && second == no_partner) first = number(ends[j]), second = number(ends[i]);
+      }
+    std::vector<bool> used(lines_.size(), false);
+    std::vector<Line> joined;
+    const auto chain = [&](std::size_t first, bool reversed) {
+      Line out;
+      std::size_t line = first;
+      while (!used[line]) {
+        used[line] = true;
+        if (reversed)
+          out.insert(out.end(), lines_[line].rbegin(), lines_[line].rend());
+        else
+          out.insert(out.end(), lines_[line].begin(), lines_[line].end());
+        const std::size_t other = partner[2 * line + (reversed ? 0 : 1)];
+        if (other == no_partner) break;
+        line = other / 2;
+        reversed = other % 2 == 1;
+        if (used[line]) out.push_back(out.front());
+      }
+      joined.push_back(std::move(out));
+    };
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (used[i]) continue;
+      if (partner[2 * i] == no_partner)
+        chain(i, false);
+      else if (partner[2 * i + 1] == no_partner)
+        chain(i, true);
+    }
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (!used[i]) chain(i, false);
+    lines_ = std::move(joined);
+  }
+
+  static bool closed(const Line& line) {
+    return line.size() > 2 && line.front().parameter == line.back().parameter &&
+           line.front().patch == line.back().patch;
+  }
+
+  static constexpr std::size_t no_partner = std::size_t(-1);
+  const SurfaceGrid& grid_;
+  Value value_;
+  double noise_;
+  std::vector<Vector2> parameters_;
+  std::vector<double> values_;  ///< of the present patch
+  std::vector<Line> lines_;
+};
+
+Vector3 facing(const Vector3& normal, const Vector3& towards) {
+  return normal.dot(towards) < 0 ? Vector3(-normal) : normal;
+}
+
+/// The side of a seam as points, and what leads away from it.
+void add_side(const SurfaceGrid& grid, const DrawingView& view, const PatchSide& side, double begin,
+              double end, std::vector<Vector3>* points, std::vector<Vector3>& away) {
+  const int count = seam_oversampling * grid.pattern().density;
+  away.resize(std::size_t(count) + 1, Vector3::Zero());
+  for (int i = 0; i <= count; ++i) {
+    const double x = begin + (end - begin) * grid_fraction(i, count);
+    const SurfaceGrid::Point p =
+        grid.evaluate(side.patch, side_parameter(grid.surface().domain(), side.side, x));
+    if (points) points->push_back(p.position);
+    away[std::size_t(i)] += facing(p.normal, view.towards_eye(p.position));
+  }
+}
+
+}  // namespace
+
+std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& view,
+                                    const CancelToken& cancel) {
+  constexpr double noise = 1e-9;  // of a cosine
+  Contours contours(
+      grid,
+      [&view](const Vector3& position, const Vector3& normal) {
+        return normal.dot(view.towards_eye(position).stableNormalized());
+      },
+      noise);
+  std::vector<SpaceCurve> out;
+  for (const Contours::Line& line : contours.trace(cancel)) {
+    SpaceCurve curve{StrokeKind::silhouette, {}, {}};
+    for (const Contours::Place& place : line) {
+      const Vector3 normal = grid.evaluate(place.patch, place.parameter).normal;
+      // A surface that bends towards its normal is seen past its other side.
+      const bool inside = grid.bending(place.patch, place.parameter, view.towards_eye(place.position)) > 0;
+      curve.points.push_back(place.position);
+      curve.away.push_back(inside ? Vector3(-normal) : normal);
+    }
+    out.push_back(std::move(curve));
+  }
+  return out;
+}
+
+std::vector<SpaceCurve> section_lines(const SurfaceGrid& grid, const DrawingView& view,
+                                      const CancelToken& cancel) {
+  if (!view.section) return {};
+  const double noise = 1e-9 * (view.width + view.height) / view.focal;
+  Contours contours(
+      grid,
+      [&view](const Vector3& position, const Vector3&) { return view.section->signedDistance(position); },
+      noise);
+  std::vector<SpaceCurve> out;
+  for (const Contours::Line& line : contours.trace(cancel)) {
+    SpaceCurve curve{StrokeKind::section, {}, {}};
+    for (const Contours::Place& place : line) {
+      curve.points.push_back(place.position);
+      // Seen across the plane that was cut along.
+      curve.away.push_back(view.section->normal());
+    }
+    out.push_back(std::move(curve));
+  }
+  return out;
+}
+
+std::vector<SpaceCurve> seam_curves(const SurfaceGrid& grid, const DrawingView& view, bool network) {
+  std::vector<SpaceCurve> out;
+  const Surface& surface = grid.surface();
+  for (const PatchSide& side : surface.boundary_sides()) {
+    SpaceCurve curve{StrokeKind::border, {}, {}};
+    add_side(grid, view, side, 0, 1, &curve.points, curve.away);
+    out.push_back(std::move(curve));
+  }
+  for (const Seam& seam : surface.seams()) {
+    const bool crease = seam.intended == Continuity::g0;
+    if (!crease && !(network && seam.source.kind != Element::Kind::none)) continue;
+    SpaceCurve curve{crease ? StrokeKind::crease : StrokeKind::network, {}, {}};
+    add_side(grid, view, seam.first, seam.first_begin, seam.first_end, &curve.points, curve.away);
+    if (crease) add_side(grid, view, seam.second, seam.second_begin, seam.second_end, nullptr, curve.away);
+    out.push_back(std::move(curve));
+  }
+  for (SpaceCurve& curve : out)
+    for (Vector3& a : curve.away) a = a.stableNormalized();
+  return out;
+}
+
+}  // namespace hariko
