@@ -37,8 +37,8 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
                                     const FacetOptions& options, const CancelToken& cancel = {},
                                     const Progress& progress = {});
 
-/// The ending of the name decides: mesh files (`open_file`) give their polygons as facets, patch files
-/// are meshed, all else is opened as a document, of which the visible objects count. Errors: also those of
+/// The ending of the name decides: mesh files (`open_file`) give their polygons as facets, all else is opened
+/// as a document (patch files become one), of which the visible objects count. Errors: also those of
 /// reading.
 Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetOptions& options,
                                  const CancelToken& cancel = {});

@@ -15,6 +15,7 @@
 #include "core/document/read_skin.hpp"
 #include "core/document/read_solids.hpp"
 #include "core/exchange/imported_mesh.hpp"
+#include "core/exchange/json_kind.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/read_patches.hpp"
 #include "core/modeling/patch_objects.hpp"
@@ -214,14 +215,7 @@ void take(Result<OpenedCad> cad, OpenedFile& opened) {
   opened.says_unit = true;
 }
 
-}  // namespace
-
-const Message* OpenedFile::error() const {
-  const auto found = std::find_if(messages.begin(), messages.end(),
-                                  [](const Message& message) { return message.severity == Severity::error; });
-  return found == messages.end() ? nullptr : &*found;
-}
-
+/// What a file holds that is no mesh. Errors: those of `read_file` and `json_kind`; E_FORMAT_UNKNOWN.
 Result<JsonKind> content_of(const std::filesystem::path& file) {
   if (has_ending(file, ".bpt")) return JsonKind::patches;
   if (!has_ending(file, ".json")) return JsonKind::document;
@@ -231,6 +225,14 @@ Result<JsonKind> content_of(const std::filesystem::path& file) {
   if (!kind.ok() || use_of(*kind).empty()) return kind;
   return make_error(e_format_unknown, "The file holds " + std::string(name_of(*kind)) + ".",
                     std::string(use_of(*kind)));
+}
+
+}  // namespace
+
+const Message* OpenedFile::error() const {
+  const auto found = std::find_if(messages.begin(), messages.end(),
+                                  [](const Message& message) { return message.severity == Severity::error; });
+  return found == messages.end() ? nullptr : &*found;
 }
 
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress) {

@@ -9,7 +9,6 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/document.hpp"
-#include "core/exchange/json_kind.hpp"
 #include "core/polyhedron/repair.hpp"
 
 namespace hariko {
@@ -32,14 +31,11 @@ struct OpenedFile {
   const Message* error() const;
 };
 
-/// What a file holds that is no mesh: .bpt is patches, .json what its content says, all else a document.
-/// Errors: those of `read_file` and `json_kind`; E_FORMAT_UNKNOWN for kinds that are not opened.
-Result<JsonKind> content_of(const std::filesystem::path& file);
-
 /// The ending of the name decides: .obj .off .ply .stl .glb .gltf .3mf are meshes, .step .stp .iges .igs
-/// parts of a CAD program, else `content_of` does; patches must be bicubic. Messages are those of
-/// `load_document`, `read_mesh_file`, `open_cad`, `document_from_mesh` and `validate`; E_CANCELLED alone
-/// where it was cancelled.
+/// parts of a CAD program, .bpt Bezier patches, .json what its content says, all else a document. Bezier
+/// patches become one object a name; a single one that `is_editable` can be edited at once. Messages are
+/// those of the readers, of `validate` and of making sources, E_FORMAT_UNKNOWN for kinds of JSON that are not
+/// opened; E_CANCELLED alone where it was cancelled.
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
                      const Progress& progress = {});
 

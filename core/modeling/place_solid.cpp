@@ -11,7 +11,8 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_step = 1e-4;  ///< of the solid's size: rays along a side get on
+constexpr double least_step = 1e-4;   ///< of the solid's size: rays along a side get on
+constexpr double normal_step = 1e-6;  ///< likewise
 constexpr int bisections = 40;
 
 /// How far the base is below the solid's place, without scale.
@@ -65,7 +66,9 @@ std::optional<SolidHit> hit_solids(std::span<const Solid> solids, const Vector3&
       (distance(origin + middle * direction) > 0 ? before : t) = middle;
     }
     const Vector3 point = origin + before * direction;
-    nearest = SolidHit{solid.id, point, distance.gradient(point), before};
+    // On an edge either face's normal may come; a little before it, it is that of a face the ray runs to.
+    const Vector3 in_front = origin + (before - normal_step * distance.reach()) * direction;
+    nearest = SolidHit{solid.id, point, distance.gradient(in_front), before};
   }
   return nearest;
 }

@@ -80,7 +80,7 @@ TEST_F(SkinCommands, InfoTellsHowNearTheSectionsAre) {
 TEST_F(SkinCommands, SkinsBecomeTrianglesAndPaperAsOtherSurfacesDo) {
   const Outcome mesh = run("mesh " + sections("fig5") + " '" + path("out.obj") + "' --distance 0.01 --json");
   ASSERT_EQ(mesh.exit_code, 0) << mesh.error;
-  const Json& distance = mesh.json()["objects"].at(0)["distance"];
+  const Json distance = mesh.json()["objects"].at(0)["distance"];
   EXPECT_LE(distance["bound"].get<double>(), 0.01);
   EXPECT_LE(distance["measured"].get<double>(), distance["bound"].get<double>());
   const Outcome paper =

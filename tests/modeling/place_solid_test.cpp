@@ -70,6 +70,7 @@ TEST(PlaceSolid, ARayMeetsTheNearestSolidFromOutside) {
   EXPECT_FALSE(hit_solids(solids, {-5, 0, 0}, -Vector3::UnitX()));
 }
 
+/// Long runs found edges whose other face gave the normal (HARIKO_SEED=2860399648).
 TEST(PlaceSolid, WhatARayMeetsLiesOnTheSolid) {
   for_random(12, 60, [](std::mt19937_64& rng) {
     Solid solid = random_solid(rng);
