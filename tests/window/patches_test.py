@@ -131,7 +131,9 @@ def session(program, source, output):
             window.close()
         window = opened(program, os.path.join(source, "tests", "golden", "approximation", "surfaces.json"))
         try:
-            wait_rows(window, 8)
+            # The list shows the last of the eight; the first has scrolled out.
+            window.wait(lambda: "object.8" in rows(window), f"eight objects, not {sorted(rows(window))}")
+            window.wait_idle()
             window.screenshot(os.path.join(output, "patches_names.png"))
         finally:
             window.close()
