@@ -41,7 +41,7 @@ struct JobsRig {
       edits.wait();
       edits.publish();
       jobs.settle();
-    } while (!editor.jobs.empty());
+    } while (!edits.idle());
   }
 };
 

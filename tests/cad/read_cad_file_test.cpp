@@ -94,6 +94,16 @@ Solid solid_of(const PolygonMesh& mesh) {
   return out;
 }
 
+double area_of(const PolygonMesh& mesh) {
+  double area = 0;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const Vector3& a = mesh.positions[face[0]];
+    area += (mesh.positions[face[1]] - a).cross(mesh.positions[face[2]] - a).norm() / 2;
+  }
+  return area;
+}
+
 TEST(ReadCadFile, OwnFilesComeBackAsTheSamePatches) {
   for_produced([](const Surface& surface) {
     if (surface.domain() != Domain::square && repetitions(1) < 2) return;
@@ -101,10 +111,21 @@ TEST(ReadCadFile, OwnFilesComeBackAsTheSamePatches) {
     for (const CadFormat format : {CadFormat::step_ap214, CadFormat::iges}) {
       if (format == CadFormat::iges && surface.patch_count() > 10 && repetitions(1) < 2) continue;
       const TemporaryFolder folder;
-      auto parts = parts_of(written(folder.path(), surface, format, CadUnit::centimetre));
+      const auto path = written(folder.path(), surface, format, CadUnit::centimetre);
+      auto read = read_cad_file(path);
+      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      auto& parts = read->parts;
       ASSERT_EQ(parts.size(), 1U);
       EXPECT_EQ(parts[0].name, "the part");
       EXPECT_EQ(parts[0].colour, (std::array<std::uint8_t, 3>{200, 30, 90}));
+      if (!read->warnings.empty()) {
+        // A face of a surface of spheres and rings becomes several splines: of too many, triangles.
+        EXPECT_EQ(read->warnings.size(), 1U);
+        EXPECT_EQ(read->warnings[0].code, w_cad_patches);
+        EXPECT_GT(16 * surface.patch_count(), max_cad_patches);
+        EXPECT_NEAR(area_of(parts[0].mesh), wanted.area, 1e-2 * wanted.area);
+        continue;
+      }
       EXPECT_EQ(parts[0].mesh.face_count(), 0U);
       const auto welded = weld_patches(Vector3::Zero(), std::move(parts[0].patches));
       ASSERT_TRUE(welded.ok());

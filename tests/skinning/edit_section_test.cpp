@@ -40,12 +40,30 @@ const SkinSection& any_section(std::mt19937_64& rng, const Skin& skin) {
   return skin.sections[std::size_t(uniform_int(rng, 0, skin.section_count() - 1))];
 }
 
+bool contains(const Ids& ids, std::uint32_t id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
 bool refers_to(const Skin& skin, std::uint32_t id) {
-  const auto in = [&](const Ids& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  const auto in = [&](const Ids& ids) { return contains(ids, id); };
   for (const SkinLink& link : skin.links)
     if (in(link.a) || in(link.b)) return true;
   for (const SkinMerge& merge : skin.merges)
     if (in(merge.members) || merge.target == id) return true;
+  return false;
+}
+
+/// Whether a point of a merge is joined to a point beside its target, too: then a point that is put beside it
+/// belongs to the merge and would cross that link.
+bool merges_are_linked_elsewhere(const Skin& skin) {
+  for (const SkinMerge& merge : skin.merges)
+    for (const SkinLink& link : skin.links) {
+      if (link.first != merge.first || link.second != merge.second) continue;
+      const bool a = merge.side == StripSide::a;
+      const Ids &own = a ? link.a : link.b, &other = a ? link.b : link.a;
+      for (const std::uint32_t id : merge.members)
+        if (contains(own, id) && !contains(other, merge.target)) return true;
+    }
   return false;
 }
 
@@ -59,7 +77,7 @@ TEST(EditSection, AnInsertedPointKeepsTheCurveAndEveryCorrespondence) {
     const auto edit = insert_section_point(skin, section.id, span);
     ASSERT_TRUE(edit.ok()) << to_string(edit.error());
     ASSERT_TRUE(plan_skin(edit->skin).ok());
-    EXPECT_TRUE(edit->lost.empty());
+    EXPECT_TRUE(edit->lost.empty() || merges_are_linked_elsewhere(skin));
     const SkinSection& now = edit->skin.sections[std::size_t(skin.find_section(section.id))];
     ASSERT_EQ(now.size(), section.size() + 1);
     EXPECT_EQ(now.points[std::size_t(span) + 1].id, edit->points.at(0));
@@ -80,13 +98,16 @@ TEST(EditSection, AnInsertedPointKeepsTheCurveAndEveryCorrespondence) {
 }
 
 TEST(EditSection, RefiningChangesNoCurve) {
-  for_random(802, 30, [](std::mt19937_64& rng) {
+  int with_loss = 0;
+  for_random(802, 30, [&](std::mt19937_64& rng) {
     const Skin skin = random_skin(rng);
     const SkinSection& section = any_section(rng, skin);
     const auto edit = refine_section(skin, section.id);
     ASSERT_TRUE(edit.ok()) << to_string(edit.error());
     ASSERT_TRUE(plan_skin(edit->skin).ok());
-    EXPECT_TRUE(edit->lost.empty());
+    EXPECT_EQ(edit->notes.empty(), edit->lost.empty());
+    with_loss += !edit->lost.empty();
+    EXPECT_TRUE(edit->lost.empty() || merges_are_linked_elsewhere(skin));
     const SkinSection& now = edit->skin.sections[std::size_t(skin.find_section(section.id))];
     EXPECT_EQ(now.curve().spans(), 2 * section.curve().spans());
     for (int i = 0; i <= 50; ++i)
@@ -95,6 +116,7 @@ TEST(EditSection, RefiningChangesNoCurve) {
           1e-12);
     for (const SectionPoint& p : section.points) EXPECT_GE(find_point(now, p.id), 0);
   });
+  EXPECT_LE(with_loss, repetitions(30) / 30);
 }
 
 TEST(EditSection, DeletedPointsTakeTheirCorrespondencesAlongAndSaySo) {
