@@ -1,6 +1,7 @@
 // Eq. (1) of the paper: the printed control vectors against products of Bernstein polynomials.
 
 #include <Eigen/Geometry>
+#include <array>
 
 #include "core/envelope/rational_curve.hpp"
 #include "tests/support/random.hpp"
@@ -23,47 +24,52 @@ TEST(CrossField, ThePrintedVectorsAreTheProducts) {
     const RibbonCurve ribbon = random_ribbon(rng);
     const Vector3 h00 = ribbon.curve[0].head<3>();
     const double w0 = ribbon.curve[0].w();
-    Vector3 c[3], a[4];
+    Vector3 c[3], raised_field[4];
     double cw[3];
     for (std::size_t i = 0; i < 3; ++i) {
       c[i] = (ribbon.curve[i + 1] - ribbon.curve[i]).head<3>();
       cw[i] = ribbon.curve[i + 1].w() - ribbon.curve[i].w();
     }
-    // 3 a_i is the field of degree 1, raised to degree 3.
-    for (int i = 0; i < 4; ++i) a[i] = ((3 - i) * ribbon.across[0] + i * ribbon.across[1]) / 9;
+    // Three times this is the field of degree 1, raised to degree 3.
+    for (int i = 0; i < 4; ++i) raised_field[i] = ((3 - i) * ribbon.across[0] + i * ribbon.across[1]) / 9;
     const double k0 = uniform(rng, -2, 2), k1 = uniform(rng, -2, 2), h0 = uniform(rng, -2, 2),
                  h1 = uniform(rng, -2, 2);
     CrossCoefficients coefficients{{k0, 0.5 * (k0 + k1), k1}, {h0, 0.5 * (h0 + h1), h1}, {0, 0}};
     const HomogeneousSextic b = cross_field(ribbon, coefficients);
-    const auto &c0 = c[0], &c1 = c[1], &c2 = c[2];
     const double Cw0 = cw[0], Cw1 = cw[1], Cw2 = cw[2];
-    const Vector3 H0 = h0 * h00, H1 = h1 * h00;
-    const Vector3 printed[6] = {
-        3 * (-Cw0 * H0 + a[0] * k0 + c0 * h0 * w0) / 5,
-        -3 *
-            (2 * Cw0 * H0 + 2 * Cw1 * H0 + Cw0 * H1 - a[0] * k0 - 3 * a[1] * k0 - a[0] * k1 -
-             2 * c0 * h0 * w0 - 2 * c1 * h0 * w0 - c0 * h1 * w0) /
-            25,
-        -3 *
-            (-3 * c1 * Cw0 * h0 + 3 * c0 * Cw1 * h0 + Cw0 * H0 + 4 * Cw1 * H0 + Cw2 * H0 + 2 * Cw0 * H1 +
-             2 * Cw1 * H1 - 3 * a[1] * k0 - 3 * a[2] * k0 - a[0] * k1 - 3 * a[1] * k1 - c0 * h0 * w0 -
-             4 * c1 * h0 * w0 - c2 * h0 * w0 - 2 * c0 * h1 * w0 - 2 * c1 * h1 * w0) /
-            50,
-        3 *
-            (2 * c1 * Cw0 * h0 + 2 * c2 * Cw0 * h0 - 2 * c0 * Cw1 * h0 - 2 * c0 * Cw2 * h0 - 2 * Cw1 * H0 -
-             2 * Cw2 * H0 + 3 * c1 * Cw0 * h1 - 3 * c0 * Cw1 * h1 - Cw0 * H1 - 4 * Cw1 * H1 - Cw2 * H1 +
-             3 * a[2] * k0 + a[3] * k0 + 3 * a[1] * k1 + 3 * a[2] * k1 + 2 * c1 * h0 * w0 + 2 * c2 * h0 * w0 +
-             c0 * h1 * w0 + 4 * c1 * h1 * w0 + c2 * h1 * w0) /
-            50,
-        3 *
-            (c2 * Cw0 * h0 + c2 * Cw1 * h0 - c0 * Cw2 * h0 - c1 * Cw2 * h0 - Cw2 * H0 + 2 * c1 * Cw0 * h1 +
-             2 * c2 * Cw0 * h1 - 2 * c0 * Cw1 * h1 - 2 * c0 * Cw2 * h1 - 2 * Cw1 * H1 - 2 * Cw2 * H1 +
-             a[3] * k0 + 3 * a[2] * k1 + a[3] * k1 + c2 * h0 * w0 + 2 * c1 * h1 * w0 + 2 * c2 * h1 * w0) /
-            25,
-        -3 *
-            (-c2 * Cw0 * h1 - c2 * Cw1 * h1 + c0 * Cw2 * h1 + c1 * Cw2 * h1 + Cw2 * H1 - a[3] * k1 -
-             c2 * h1 * w0) /
-            5};
+    // By coordinates: of vectors the expressions take the compiler minutes.
+    std::array<Vector3, 6> printed;
+    for (Eigen::Index d = 0; d < 3; ++d) {
+      const double c0 = c[0][d], c1 = c[1][d], c2 = c[2][d], H0 = h0 * h00[d], H1 = h1 * h00[d];
+      const std::array a{raised_field[0][d], raised_field[1][d], raised_field[2][d], raised_field[3][d]};
+      const std::array<double, 6> coordinates{
+          3 * (-Cw0 * H0 + a[0] * k0 + c0 * h0 * w0) / 5,
+          -3 *
+              (2 * Cw0 * H0 + 2 * Cw1 * H0 + Cw0 * H1 - a[0] * k0 - 3 * a[1] * k0 - a[0] * k1 -
+               2 * c0 * h0 * w0 - 2 * c1 * h0 * w0 - c0 * h1 * w0) /
+              25,
+          -3 *
+              (-3 * c1 * Cw0 * h0 + 3 * c0 * Cw1 * h0 + Cw0 * H0 + 4 * Cw1 * H0 + Cw2 * H0 + 2 * Cw0 * H1 +
+               2 * Cw1 * H1 - 3 * a[1] * k0 - 3 * a[2] * k0 - a[0] * k1 - 3 * a[1] * k1 - c0 * h0 * w0 -
+               4 * c1 * h0 * w0 - c2 * h0 * w0 - 2 * c0 * h1 * w0 - 2 * c1 * h1 * w0) /
+              50,
+          3 *
+              (2 * c1 * Cw0 * h0 + 2 * c2 * Cw0 * h0 - 2 * c0 * Cw1 * h0 - 2 * c0 * Cw2 * h0 - 2 * Cw1 * H0 -
+               2 * Cw2 * H0 + 3 * c1 * Cw0 * h1 - 3 * c0 * Cw1 * h1 - Cw0 * H1 - 4 * Cw1 * H1 - Cw2 * H1 +
+               3 * a[2] * k0 + a[3] * k0 + 3 * a[1] * k1 + 3 * a[2] * k1 + 2 * c1 * h0 * w0 +
+               2 * c2 * h0 * w0 + c0 * h1 * w0 + 4 * c1 * h1 * w0 + c2 * h1 * w0) /
+              50,
+          3 *
+              (c2 * Cw0 * h0 + c2 * Cw1 * h0 - c0 * Cw2 * h0 - c1 * Cw2 * h0 - Cw2 * H0 + 2 * c1 * Cw0 * h1 +
+               2 * c2 * Cw0 * h1 - 2 * c0 * Cw1 * h1 - 2 * c0 * Cw2 * h1 - 2 * Cw1 * H1 - 2 * Cw2 * H1 +
+               a[3] * k0 + 3 * a[2] * k1 + a[3] * k1 + c2 * h0 * w0 + 2 * c1 * h1 * w0 + 2 * c2 * h1 * w0) /
+              25,
+          -3 *
+              (-c2 * Cw0 * h1 - c2 * Cw1 * h1 + c0 * Cw2 * h1 + c1 * Cw2 * h1 + Cw2 * H1 - a[3] * k1 -
+               c2 * h1 * w0) /
+              5};
+      for (std::size_t i = 0; i < 6; ++i) printed[i][d] = coordinates[i];
+    }
     for (std::size_t i = 0; i < 7; ++i) {
       // Raised from degree 5 to 6.
       const double x = double(i) / 6;
