@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/printable.hpp"
 #include "core/document/format_names.hpp"
 #include "core/document/read_text.hpp"
 
@@ -65,7 +66,7 @@ class SolidsReader {
       if (const auto kind = solid_kind_named(name))
         out.kind = *kind;
       else
-        reader_.fail(member, "there is no solid \"" + name.substr(0, 40) + "\"");
+        reader_.fail(member, "there is no solid \"" + printable(name, 40) + "\"");
     });
     out.id = no_index;
     reader_.if_member(at, "id",

@@ -45,6 +45,15 @@ TEST(FormatErrors, NotJson) {
   EXPECT_EQ(read_document("{\n\n  1}").error().element, (Element{Element::Kind::line, 3}));
 }
 
+TEST(FormatErrors, ForeignNamesAreShownWithoutControlCharacters) {
+  std::string text = read_file(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/solids_one.hariko").value();
+  const std::string name = "\"type\": \"box\"";
+  const std::size_t at = text.find(name);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, name.size(), R"("type": "b\u0001o\u0000x")");
+  expect_refused(text, e_schema, "there is no solid \"b?o?x\"");
+}
+
 TEST(FormatErrors, Head) {
   expect_refused("[]", e_format, "not a Hariko document");
   expect_refused("{}", e_format, "not a Hariko document");
