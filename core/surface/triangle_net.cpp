@@ -54,23 +54,30 @@ TriangleNet::TriangleNet(int degree) : degree_(degree) {
 
 namespace {
 
+/// De Casteljau's steps r .. m on a row; `done(r)` after each.
+template <int r, int m, class Row, class Done>
+void steps(Row& row, double t, const Done& done) {
+  if constexpr (r <= m) {
+    constexpr int length = 3 * (m - r + 1);
+    row.template head<length>() += t * (row.template segment<length>(3) - row.template head<length>());
+    done(r);
+    steps<r + 1, m>(row, t, done);
+  }
+}
+
 /// One row of m + 1 control points.
 template <int m>
 void split_row(const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
-  double row[TriangleNet::max_degree + 1][3];
-  for (int i = 0; i <= m; ++i)
-    for (int axis = 0; axis < 3; ++axis) row[i][axis] = net[at[i]][axis];
-  const auto store = [&](Vector3& to, int i) {
-    for (int axis = 0; axis < 3; ++axis) to[axis] = row[i][axis];
-  };
+  // The coordinates of all points one after the other: a step is one sum of long vectors.
+  Eigen::Array<double, 3 * (m + 1), 1> row;
+  for (int i = 0; i <= m; ++i) row.template segment<3>(3 * i) = net[at[i]].array();
+  const auto store = [&](Vector3& to, int i) { to = row.template segment<3>(3 * i).matrix(); };
   store(first[at[0]], 0);
   store(second[at[m]], m);
-  for (int r = 1; r <= m; ++r) {
-    for (int i = 0; i <= m - r; ++i)
-      for (int axis = 0; axis < 3; ++axis) row[i][axis] += t * (row[i + 1][axis] - row[i][axis]);
+  steps<1, m>(row, t, [&](int r) {
     store(first[at[r]], 0);
     store(second[at[m - r]], m - r);
-  }
+  });
 }
 
 /// Lengths known when compiled.
@@ -95,15 +102,17 @@ void TriangleNet::split(int side, double t, const Vector3* net, Vector3* first, 
 }
 
 void TriangleNet::samples(const Vector3* net, std::span<Vector3, sample_count> out) const {
-  double sums[3][sample_count] = {};
-  for (std::size_t i = 0; i < count_; ++i) {
-    const double* weight = weights_.data() + i * sample_count;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double value = net[i][axis];
-      for (std::size_t s = 0; s < sample_count; ++s) sums[axis][s] += weight[s] * value;
-    }
+  // One coordinate after the other, so that its sums stay in registers.
+  using Sums = Eigen::Array<double, int(sample_count), 1>;
+  std::array<Sums, 3> sums;
+  for (int axis = 0; axis < 3; ++axis) {
+    Sums sum = Sums::Zero();
+    for (std::size_t i = 0; i < count_; ++i)
+      sum += Eigen::Map<const Sums>(weights_.data() + i * sample_count) * net[i][axis];
+    sums[std::size_t(axis)] = sum;
   }
-  for (std::size_t s = 0; s < sample_count; ++s) out[s] = Vector3(sums[0][s], sums[1][s], sums[2][s]);
+  for (std::size_t s = 0; s < sample_count; ++s)
+    out[s] = Vector3(sums[0][Eigen::Index(s)], sums[1][Eigen::Index(s)], sums[2][Eigen::Index(s)]);
 }
 
 const TriangleNet& triangle_net(int degree) {
