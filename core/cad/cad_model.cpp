@@ -17,10 +17,8 @@ namespace hariko {
 
 namespace {
 
-/// Of the tolerances: what curves between faces may take. A face runs from its boundary to the surface within
-/// its first span, so that what the curve is off there turns the normal, the more the narrower the span is.
-/// Curves of subdivision surfaces have their knots in common with the faces and need less.
-constexpr double curve_share = 0.002, ringed_curve_share = 0.125;
+/// Of the tolerances: what curves between faces may take. Normals of both faces turn with their tangents.
+constexpr double curve_share = 0.05, ringed_curve_share = 0.125;
 /// Likewise for what is farther off between the places that the fit looks at.
 constexpr double fit_share = 0.4;
 /// Cubics and quartics have their own degree, the curves of mode G2 are sextics; the rest is interpolated.

@@ -16,20 +16,19 @@ double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Halves the spans that are marked; false where none was.
+/// Halves the spans that are marked, the widest ones first where not all of them may be; false where none
+/// was.
 bool halve(SplineSpace& space, const std::vector<char>& marked, std::size_t most) {
-  std::vector<double> breaks{space.breaks.front()};
-  bool changed = false;
-  for (std::size_t i = 0; i < marked.size(); ++i) {
-    const double a = space.breaks[i], b = space.breaks[i + 1];
-    if (marked[i] && b - a > narrowest && space.span_count() + (breaks.size() - i) <= most) {
-      breaks.push_back(0.5 * (a + b));
-      changed = true;
-    }
-    breaks.push_back(b);
-  }
-  space.breaks = std::move(breaks);
-  return changed;
+  const auto width = [&](std::size_t i) { return space.breaks[i + 1] - space.breaks[i]; };
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    if (marked[i] && width(i) > narrowest) chosen.push_back(i);
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](std::size_t i, std::size_t j) { return width(i) > width(j); });
+  chosen.resize(std::min(chosen.size(), most - std::min(most, space.span_count())));
+  for (const std::size_t i : chosen) space.breaks.push_back(0.5 * (space.breaks[i] + space.breaks[i + 1]));
+  std::sort(space.breaks.begin(), space.breaks.end());
+  return !chosen.empty();
 }
 
 }  // namespace
@@ -109,7 +108,44 @@ std::vector<Place> places(const SplineSpace& space, bool few) {
   return out;
 }
 
-/// The spline with the given boundary that has the function's values inside.
+/// What the given sides are off the function's, as a smooth field over the rectangle (Coons) that does not
+/// turn normals along the sides: a spline that ran from its boundary to the function within its first span
+/// would turn them the more the narrower that span is.
+class BoundaryMiss {
+ public:
+  /// Places in s and t; `sides` in the direction of growing s or t.
+  BoundaryMiss(const std::vector<double>& along, const std::vector<double>& up,
+               const std::function<PatchPoint(double, double)>& function,
+               const std::array<SplineCurve, 4>& sides) {
+    const double s0 = along.front(), s1 = along.back(), t0 = up.front(), t1 = up.back();
+    for (const double s : along) {
+      blend_s_.push_back(blend((s - s0) / (s1 - s0)));
+      low_t_.emplace_back(evaluate(sides[0], s).position - function(s, t0).position);
+      high_t_.emplace_back(evaluate(sides[2], s).position - function(s, t1).position);
+    }
+    for (const double t : up) {
+      blend_t_.push_back(blend((t - t0) / (t1 - t0)));
+      high_s_.emplace_back(evaluate(sides[1], t).position - function(s1, t).position);
+      low_s_.emplace_back(evaluate(sides[3], t).position - function(s0, t).position);
+    }
+  }
+  /// At place i along s and j along t.
+  Vector3 at(std::size_t i, std::size_t j) const {
+    const double a = blend_s_[i], b = blend_t_[j];
+    return (1 - b) * (low_t_[i] - (1 - a) * low_t_.front() - a * low_t_.back()) +
+           b * (high_t_[i] - (1 - a) * high_t_.front() - a * high_t_.back()) + (1 - a) * low_s_[j] +
+           a * high_s_[j];
+  }
+
+ private:
+  /// 0 to 1 with slopes of zero.
+  static double blend(double x) { return x * x * (3 - 2 * x); }
+  std::vector<double> blend_s_, blend_t_;
+  std::vector<Vector3> low_t_, high_t_, low_s_, high_s_;
+};
+
+/// The spline with the given boundary that has the function's values inside, but for what the boundary
+/// misses.
 SplineSurface interpolate(const SplineSpace& s, const SplineSpace& t,
                           const std::function<PatchPoint(double, double)>& function,
                           const std::function<std::vector<Vector3>(int, const SplineSpace&)>& boundary) {
@@ -118,11 +154,12 @@ SplineSurface interpolate(const SplineSpace& s, const SplineSpace& t,
   const std::size_t m = s.size(), n = t.size();
   const std::array<SplineCurve, 4> sides{SplineCurve{s, boundary(0, s)}, SplineCurve{t, boundary(1, t)},
                                          SplineCurve{s, boundary(2, s)}, SplineCurve{t, boundary(3, t)}};
+  const BoundaryMiss miss(along.places(), up.places(), function, sides);
   for (std::size_t j = 1; j + 1 < n; ++j) {
     out.points[out.index(0, j)] = evaluate(sides[3], up.places()[j]).position;
     out.points[out.index(m - 1, j)] = evaluate(sides[1], up.places()[j]).position;
     for (std::size_t i = 1; i + 1 < m; ++i)
-      out.points[out.index(i, j)] = function(along.places()[i], up.places()[j]).position;
+      out.points[out.index(i, j)] = function(along.places()[i], up.places()[j]).position + miss.at(i, j);
   }
   if (n > 2) along.solve({out.points.data() + m, m * (n - 2)}, 1, n - 2, m);
   for (std::size_t i = 0; i < m; ++i) {
