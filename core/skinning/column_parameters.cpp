@@ -142,6 +142,15 @@ std::vector<double> by_density(const std::vector<SubdivisionCurve>& sections, in
   return out;
 }
 
+/// Columns on the section's control points reproduce it exactly there. As many of them fall on these, or on
+/// even parts of the spans, as can: dense up to some place, one step sparser from there on.
+double stepped(const SubdivisionCurve& section, int columns, double u) {
+  const double ratio = double(section.closed ? columns : columns - 1) / std::max(1, section.spans());
+  const double low = ratio >= 1 ? std::floor(ratio) : 1 / std::ceil(1 / ratio),
+               high = ratio >= 1 ? low + 1 : 1 / std::max(1.0, std::ceil(1 / ratio) - 1);
+  return u * (high - low) < ratio - low ? high : low;
+}
+
 }  // namespace
 
 std::vector<double> uniform_parameters(int columns, bool closed) {
@@ -166,9 +175,13 @@ std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& se
     const double curvature = speed > 0 ? cross.norm() / (speed * speed * speed) : 0;
     return speed * (1 + std::sqrt(curvature * size(s))) / size(s);
   };
+  // The two are mirror images, so that sections may be turned round.
+  const auto first = [&](const SubdivisionCurve& s, double u) { return stepped(s, columns, u); };
+  const auto last = [&](const SubdivisionCurve& s, double u) { return stepped(s, columns, 1 - u); };
   const std::array<std::vector<double>, optimiser_seeds> seeds{
       uniform_parameters(columns, sections[0].closed), by_density(sections, columns, arc),
-      by_density(sections, columns, bent)};
+      by_density(sections, columns, bent), by_density(sections, columns, first),
+      by_density(sections, columns, last)};
   std::vector<double> best = seeds[0];
   double least = -1;
   for (const auto& seed : seeds) {

@@ -15,12 +15,14 @@ std::vector<double> uniform_parameters(int columns, bool closed);
 /// Parameters u_0 < u_1 < ... that minimise the squared distance, summed over the sections, between each
 /// section and the subdivision curve through its points at them. Open: from 0 to 1; closed: within one turn,
 /// the first anywhere near 0. Widths are a softmax, so the order cannot break. Levenberg and Marquardt from
-/// three seeds (uniform, arc length, curvature), at most 60 evaluations each; the best result wins. `step` is
+/// five seeds (uniform, arc length, curvature, and on control points of the sections, closer together at one
+/// end or at the other), at most 60 evaluations each; the best result wins. Curves have many optima: the
+/// first three seeds alone, which are the specification's, end in worse ones (docs/skinning.md). `step` is
 /// called after each of the `optimiser_seeds` seeds. Cancelled, it gives the best so far.
 std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& sections, int columns,
                                          const CancelToken& cancel = {},
                                          const std::function<void()>& step = {});
-inline constexpr std::size_t optimiser_seeds = 3;
+inline constexpr std::size_t optimiser_seeds = 5;
 
 /// Root of the mean squared distance that is minimised.
 double parameter_error(const std::vector<SubdivisionCurve>& sections, const std::vector<double>& parameters);
