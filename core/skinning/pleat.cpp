@@ -268,12 +268,8 @@ class PleatBuilder {
       const auto& row = out_.section_rows[std::size_t(k)];
       for (std::size_t i = 0; i < row.size(); ++i)
         if (skin_.pleat.fit == SectionFit::none || !regular_[row[i]] || !neighbours(k, int(i)))
-          if (!on_rail(k, int(i))) out_.inexact.emplace_back(k, int(i));
+          out_.inexact.emplace_back(k, int(i));
     }
-  }
-  bool on_rail(int k, int i) const {
-    return plan_.frames.mode() == FrameMode::two_rail &&
-           (i == 0 || i == skin_.sections[std::size_t(k)].size() - 1);
   }
   /// The vertices beside a section's point, where there is one on either side and not another section's.
   std::optional<std::pair<Index, Index>> neighbours(int k, int i) const {
@@ -309,8 +305,6 @@ class PleatBuilder {
       for (std::size_t i = 0; i < row.size(); ++i) {
         if (!interior(k)) {
           held[row[i]] = 1;
-        } else if (on_rail(k, int(i))) {
-          continue;
         } else if (!inexact.contains({k, int(i)})) {
           const auto [before, after] = *neighbours(k, int(i));
           equations.push_back({row[i], before, after, section_point(k, int(i))});
@@ -321,6 +315,8 @@ class PleatBuilder {
       fit_sections_locally(mesh().positions, equations);
       return;
     }
+    // Sides stay on the rails, but for what the ends of sections are beside them (E_RAIL tells how much may
+    // be).
     if (plan_.frames.mode() == FrameMode::two_rail)
       for (const auto& grid : out_.representative)
         for (const auto& row : grid) held[row.front()] = held[row.back()] = 1;

@@ -142,6 +142,13 @@ class RowBuilder {
     Vector3 mean = Vector3::Zero();
     for (const int p : group.lines)
       mean += offset(members, point_of(p, members)) / double(group.lines.size());
+    // Lines that meet on a side between rails meet on the rail.
+    const auto holds = [&](int p) {
+      return std::find(group.lines.begin(), group.lines.end(), p) != group.lines.end();
+    };
+    const int last = int(strip_.lines.size()) - 1;
+    if (plan_.frames.mode() == FrameMode::two_rail && holds(0) != holds(last))
+      mean = offset(members, point_of(holds(0) ? 0 : last, members));
     const double t = (out_.v[std::size_t(row)] - strip_.v0) / (strip_.v1 - strip_.v0);
     const double m = members == StripSide::a ? t : 1 - t;
     group.offset = (1 - m) * mean + m * offset(tip, point_of(group.lines[0], tip));

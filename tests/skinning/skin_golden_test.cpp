@@ -82,7 +82,7 @@ TEST_P(SkinGolden, IsMet) {
     const double wanted = row["max"];
     const bool exact =
         (!row["same_parameter_max"].is_null() && row["same_parameter_max"] < 1e-10) || wanted < 1e-6;
-    if (exact && misses[k].same_parameter >= 0 && input != "tworail") {
+    if (exact && misses[k].same_parameter >= 0) {
       EXPECT_LT(misses[k].same_parameter, 1e-10) << "section " << k;
     } else if (exact) {
       EXPECT_LT(misses[k].largest, 1e-6) << "section " << k;
