@@ -44,12 +44,13 @@ class Carrier {
   }
 
   void carry(SkinSection& section, double from, double to) const {
-    const Vector3 old = position(from_path_, from), now = position(to_path_, to);
+    // The reference is what stays on the path: beside it, it comes onto it now.
+    const Vector3 old = section.reference.value_or(position(from_path_, from)), now = position(to_path_, to);
     Matrix3 turn = Matrix3::Identity();
     if (from_ && to_) turn = to_->frame(to) * turn_ * from_->frame(from).inverse();
     if (!turn.allFinite()) turn = Matrix3::Identity();
     for (SectionPoint& p : section.points) p.position = now + turn * (p.position - old);
-    if (section.reference) section.reference = now + turn * (*section.reference - old);
+    if (section.reference) section.reference = now;
   }
 
  private:
@@ -126,7 +127,10 @@ Result<SkinEdit> with_path(const Skin& skin, Reshaped path, const std::optional<
   const Carrier carrier(skin, edit.skin);
   for (SkinSection& section : edit.skin.sections) {
     const double v = place(section.v);
-    if (carried(section.v)) carrier.carry(section, section.v, v);
+    if (carried(section.v))
+      carrier.carry(section, section.v, v);
+    else
+      section.reference.reset();  // the section stays where it is, beside another path
     section.v = v;
   }
   if (skin.path.closed) rotate_order(edit.skin);

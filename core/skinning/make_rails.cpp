@@ -35,13 +35,15 @@ Result<SkinEdit> make_rails(const Skin& skin) {
   }
   edit.skin.path = curve_through(std::move(first), skin.path.closed, sharp);
   edit.skin.second_rail = curve_through(std::move(last), skin.path.closed, std::move(sharp));
-  for (SkinSection& section : edit.skin.sections)
+  for (SkinSection& section : edit.skin.sections) {
+    section.reference.reset();  // it was on the path that is no more
     for (const auto& [point, rail] : {std::pair(&section.points.front(), &edit.skin.path),
                                       std::pair(&section.points.back(), &*edit.skin.second_rail)}) {
       const Vector3 on_rail = evaluate(*rail, section.v).position;
       edit.deviation = std::max(edit.deviation, (point->position - on_rail).norm());
       point->position = on_rail;
     }
+  }
   return accepted(skin, std::move(edit));
 }
 

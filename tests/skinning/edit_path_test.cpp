@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/skinning/add_section.hpp"
@@ -52,6 +53,44 @@ TEST(EditPath, ASectionSlidesWithItsFrame) {
     ASSERT_TRUE(back.ok());
     EXPECT_LT(largest_move(back->skin, skin), 1e-11);
     EXPECT_EQ(slide_section(skin, section.id, section.v + 0.6).error().code, e_section_order);
+  });
+}
+
+TEST(EditPath, TheReferenceOfACarriedSectionIsOnThePath) {
+  for_random(817, 40, [](std::mt19937_64& rng) {
+    Skin skin = random_skin(rng);
+    if (skin.path.closed || skin.section_count() < 3) return;
+    const Skin plain = skin;
+    SkinSection& section = skin.sections[1];
+    const Vector3 beside = random_vector(rng, 0.5);
+    section.reference = evaluate(skin.path, section.v).position + beside;
+    const double v = section.v + uniform(rng, -0.09, 0.09);
+    for (const bool slides : {true, false}) {
+      const auto carry = [&](const Skin& s) {
+        const MovedPathPoint moved{PathCurve::path, 1, skin.path.points[1] + Vector3(0, 0, 0.3)};
+        return slides ? slide_section(s, section.id, v) : move_path_points(s, std::array{moved});
+      };
+      const auto edit = carry(skin), without = carry(plain);
+      ASSERT_TRUE(edit.ok() && without.ok());
+      const SkinSection &now = edit->skin.sections[1], &other = without->skin.sections[1];
+      EXPECT_LT((*now.reference - evaluate(edit->skin.path, now.v).position).norm(), 1e-12);
+      // Carried as without a reference, and moved by as much as the reference was beside the path.
+      const auto after = plan_skin(edit->skin), as = plan_skin(without->skin);
+      ASSERT_TRUE(after.ok() && as.ok());
+      const Vector3 moved = after->offsets[1][0] - as->offsets[1][0];
+      EXPECT_NEAR(moved.norm(), beside.norm(), 1e-11);
+      for (std::size_t i = 0; i < now.points.size(); ++i)
+        EXPECT_LT((after->offsets[1][i] - as->offsets[1][i] - moved).norm(), 1e-11);
+      EXPECT_FALSE(other.reference.has_value());
+      // Once it is on the path, it stays there.
+      const auto again = carry(edit->skin);
+      ASSERT_TRUE(again.ok());
+      EXPECT_LT(largest_move(again->skin, edit->skin), 1e-11);
+    }
+    // A section that stays in space while its path becomes another one is no longer tied to a point of it.
+    const auto refined = refine_path(skin);
+    ASSERT_TRUE(refined.ok());
+    EXPECT_FALSE(refined->skin.sections[1].reference.has_value());
   });
 }
 
