@@ -14,6 +14,8 @@ class PointWelder {
   explicit PointWelder(std::size_t expected_points);
   /// Number of the position, which must be finite; a new one is appended.
   Index add(Vector3 position);
+  /// Fetches what `add` will look at: a table of many points is farther away than all else. Any numbers.
+  void expect(Vector3 position) const;
   std::vector<Vector3> take_positions() { return std::move(positions_); }
   std::size_t size() const { return positions_.size(); }
 

@@ -15,15 +15,27 @@ namespace {
 
 constexpr std::size_t header_size = 80;
 constexpr std::size_t facet_size = 50;  // 12 floats and 2 bytes of attributes
+constexpr int corner_size = 12;         // 3 floats
 constexpr const char* remedy_correct = "Correct the file, or export it again.";
 constexpr const char* remedy_reduce = "Reduce the model before importing it.";
 constexpr const char* remedy_cut = "The file was cut off: copy or export it again.";
 
 std::uint32_t little_endian_32(const char* bytes) {
   std::uint32_t value = 0;
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+  }
   for (int i = 0; i < 4; ++i)
     value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
   return value;
+}
+
+Vector3 point_at(const char* bytes) {
+  const auto coordinate = [&](int axis) {
+    return double(std::bit_cast<float>(little_endian_32(bytes + 4 * axis)));
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
 /// Size of the binary file whose header this is; 0 when there is no whole header.
@@ -56,9 +68,10 @@ class TriangleCollector {
     out_.mesh.face_offsets.reserve(expected_triangles + 1);
     out_.mesh.face_vertices.reserve(3 * expected_triangles);
   }
+  Index vertex(const Vector3& position) { return welder_.add(position); }
+  void expect(const Vector3& position) const { welder_.expect(position); }
   /// False when the limits are reached.
-  bool add(const Vector3 (&corners)[3]) {
-    const Index a = welder_.add(corners[0]), b = welder_.add(corners[1]), c = welder_.add(corners[2]);
+  bool add(Index a, Index b, Index c) {
     if (welder_.size() > limits_.vertices || out_.mesh.face_vertices.size() + 3 > limits_.corners)
       return false;
     if (a == b || b == c || c == a)
@@ -66,6 +79,10 @@ class TriangleCollector {
     else
       out_.mesh.add_face({a, b, c});
     return true;
+  }
+  bool add(const Vector3 (&corners)[3]) {
+    const Index a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
+    return add(a, b, c);
   }
   std::string limit_sentence() const {
     return "The file has more than " + std::to_string(limits_.vertices) + " vertices or " +
@@ -119,17 +136,32 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
                           std::to_string(count) + " promised triangles.",
                       remedy_cut);
   TriangleCollector collector(std::min<std::size_t>(count, limits.corners / 3), limits);
+  constexpr std::uint64_t row = 256, ahead = 8;  // triangles
+  // Most triangles have two corners of the one before: these need not be looked up.
+  const char* before = nullptr;
+  Index known[3] = {no_index, no_index, no_index};
   for (std::uint64_t facet = 0; facet < count; ++facet) {
-    if (auto error = limits.row((count - facet) * facet_size, bytes.size())) return *error;
-    const char* numbers = bytes.data() + header_size + 4 + facet * facet_size + 12;  // behind the normal
-    Vector3 corners[3];
-    for (int i = 0; i < 9; ++i)
-      corners[i / 3][i % 3] = std::bit_cast<float>(little_endian_32(numbers + 4 * i));
-    for (const Vector3& corner : corners)
-      if (!corner.allFinite())
+    if (facet % row == 0)
+      if (auto error = limits.row((count - facet) * facet_size, bytes.size())) return *error;
+    const char* corners = bytes.data() + header_size + 4 + facet * facet_size + 12;  // behind the normal
+    if (count - facet > ahead)
+      for (int k = 0; k < 3; ++k) collector.expect(point_at(corners + ahead * facet_size + corner_size * k));
+    Index vertices[3];
+    for (int k = 0; k < 3; ++k) {
+      vertices[k] = no_index;
+      for (int j = 0; before && j < 3; ++j)
+        if (std::memcmp(corners + corner_size * k, before + corner_size * j, corner_size) == 0)
+          vertices[k] = known[j];
+      if (vertices[k] != no_index) continue;
+      const Vector3 position = point_at(corners + corner_size * k);
+      if (!position.allFinite())
         return facet_error(e_parse, facet, "A coordinate is not finite.", remedy_correct);
-    if (!collector.add(corners))
+      vertices[k] = collector.vertex(position);
+    }
+    if (!collector.add(vertices[0], vertices[1], vertices[2]))
       return facet_error(e_limit, facet, collector.limit_sentence(), remedy_reduce);
+    before = corners;
+    std::copy(vertices, vertices + 3, known);
   }
   if (promised_size(bytes) < bytes.size())
     collector.out().warnings.push_back(
