@@ -48,8 +48,6 @@ std::size_t inner_count(const ControlPoints& points) {
 }
 
 TEST(GaussMapAcceptance, MinkowskiWithExactCurvature) {  // 6.2
-  // Sites of a circle are all alike: which of the equal empty circles comes first is up to rounding, and with
-  // 16 points it makes 36 sites or 44.
   struct Row {
     GroundTruth truth;
     double inner, distance, gnomonic, degrees, curvature;
@@ -87,6 +85,34 @@ TEST(GaussMapAcceptance, MinkowskiWithExactCurvature) {  // 6.2
     show(text("minkowski gnomonic", row.truth, flat, flat_errors));
     EXPECT_LE(flat_errors.distance, allowed(row.gnomonic));
   }
+}
+
+TEST(GaussMapAcceptance, EqualEmptyCirclesComeInAnyOrder) {  // 6.2
+  // The sites of a circle are all alike, so that rounding alone decides between equal empty circles: with 16
+  // points the table has 44 sites inside, we have 36, and either comes out when normals move by 1e-12.
+  const GroundTruth truth = sphere_cap(16);
+  GaussOptions options;
+  options.mode = GaussMode::umbilic;
+  options.relaxation = 0;
+  std::mt19937_64 rng(random_seed(9403));
+  std::size_t least = SIZE_MAX, most = 0;
+  for (int run = 0; run < 60; ++run) {
+    Outline moved = truth.outline;
+    for (std::size_t i = 0; i < 16; ++i) {
+      Vector3& normal = moved.loops[0].normals[i];
+      normal = (normal + random_vector(rng, 1e-12)).normalized();
+      moved.loops[0].points[i] = 2 * normal;
+    }
+    const auto points = control_points(moved, options);
+    ASSERT_TRUE(points.ok());
+    least = std::min(least, inner_count(*points));
+    most = std::max(most, inner_count(*points));
+  }
+  show("sites inside a circle of 16 | " + std::to_string(least) + " to " + std::to_string(most));
+  EXPECT_GE(least, 33u);
+  EXPECT_LE(least, 36u);
+  EXPECT_GE(most, 39u);
+  EXPECT_LE(most, 46u);
 }
 
 TEST(GaussMapAcceptance, BoundaryDataOnly) {  // 6.3
@@ -160,13 +186,13 @@ GroundTruth golden_catenoid() {
 TEST(GaussMapAcceptance, NegativeCurvature) {  // 8
   struct Row {
     GroundTruth truth;
-    double umbilic, curvature;
+    double inner, umbilic, curvature;
   };
-  for (const Row& row : {Row{catenoid_strip(15), 1.3e-2, 1.6e-2},
-                         {golden_catenoid(), 2.8e-3, 7.6e-3},
-                         {saddle_disc(16), 7.1e-3, 1.3e-2},
-                         {saddle_disc(32), 2.0e-3, 4.0e-3},
-                         {saddle_disc(48), 1.4e-3, HUGE_VAL}}) {
+  for (const Row& row : {Row{catenoid_strip(13, 15), 117, 1.3e-2, 1.6e-2},
+                         {golden_catenoid(), 500, 2.8e-3, 7.6e-3},
+                         {saddle_disc(16), 32, 7.1e-3, 1.3e-2},
+                         {saddle_disc(32), 143, 2.0e-3, 4.0e-3},
+                         {saddle_disc(48), 337, 1.4e-3, HUGE_VAL}}) {
     SCOPED_TRACE(row.truth.name);
     for (const auto& [name, mode, number] : {std::tuple{"umbilic", GaussMode::umbilic, row.umbilic},
                                              {"curvature", GaussMode::curvature, row.curvature}}) {
@@ -175,6 +201,7 @@ TEST(GaussMapAcceptance, NegativeCurvature) {  // 8
       const ControlPoints points = made(row.truth, options);
       const PointErrors errors = point_errors(points, row.truth.truth);
       show(text(name, row.truth, points, errors));
+      EXPECT_NEAR(double(inner_count(points)), row.inner, std::max(2.0, 0.05 * row.inner));
       EXPECT_LE(errors.distance, allowed(number)) << name;
     }
   }
@@ -271,7 +298,7 @@ TEST(GaussMapAcceptance, NoisyNormals) {  // 7
   };
   const Row rows[] = {{"umbilic", GaussMode::umbilic, {3e-6, 3e-4, 3e-3, 4e-3, 2e-2, 7e-2}},
                       {"curvature", GaussMode::curvature, {3e-6, 1.5e-3, 1.4e-2, 7e-2, .22, .48}},
-                      {"minkowski", GaussMode::minkowski, {4e-3, 4e-3, 4e-3, 4e-3, 4e-3, 2e-2}}};
+                      {"minkowski", GaussMode::minkowski, {4e-3, 4e-3, 4e-3, 3e-3, 4e-3, 2e-2}}};
   const GroundTruth truth = sphere_cap(32);
   for (const Row& row : rows)
     for (std::size_t k = 0; k < degrees.size(); ++k) {
@@ -279,8 +306,11 @@ TEST(GaussMapAcceptance, NoisyNormals) {  // 7
       std::mt19937_64 rng(random_seed(9401));
       std::vector<double> found;
       int refused = 0;
-      // The table is of one run; noise differs from run to run, so the median of some is compared with it.
-      for (int run = 0; run < 5; ++run) {
+      // The table is of one run, and runs differ by a factor of 4: its numbers are met by some of them, and
+      // their median is not far off.
+      const bool differ = degrees[k] > 0 && degrees[k] < 5;
+      const int runs = !differ ? 1 : row.mode == GaussMode::minkowski ? 8 : 32;
+      for (int run = 0; run < runs; ++run) {
         const Outline noisy = with_noise(truth.outline, degrees[k], rng);
         GaussOptions options;
         options.mode = row.mode;
@@ -295,14 +325,18 @@ TEST(GaussMapAcceptance, NoisyNormals) {  // 7
       }
       std::sort(found.begin(), found.end());
       std::ostringstream line;
-      line << "noise " << degrees[k] << " degrees | " << row.name << " | " << refused << " of 5 refused";
-      if (!found.empty()) line << " | median d " << found[found.size() / 2] << ", largest " << found.back();
+      line << "noise " << degrees[k] << " degrees | " << row.name << " | " << refused << " of " << runs
+           << " refused";
+      if (!found.empty())
+        line << " | d least " << found.front() << ", median " << found[found.size() / 2] << ", largest "
+             << found.back();
       show(line.str());
       if (degrees[k] < 2) {
         EXPECT_EQ(refused, 0);
       }
       if (!found.empty()) {
-        EXPECT_LE(found[found.size() / 2], 3 * row.distance[k]);
+        EXPECT_LE(found.front(), allowed(row.distance[k]));
+        EXPECT_LE(found[found.size() / 2], 2.25 * row.distance[k]);
       }
     }
 }
