@@ -15,7 +15,9 @@ constexpr int sample_density = 6;  ///< 28 samples a patch
 constexpr double overshoot = 1.15;
 constexpr double largest_step = 0.25, largest_push = 1.0;  ///< of the cell
 constexpr int strict_rounds = 10;
-constexpr double strict_share = 0.9;  ///< of the tolerance: the last solve moves the surface a little
+constexpr double largest_strict_push = 2.5;  ///< of the cell: tips of solids that the grid has missed
+constexpr double least_move = 0.1;           ///< of the tolerance: with less of it, pushing has ended
+constexpr double strict_share = 0.9;         ///< of the tolerance: the last solve moves the surface a little
 constexpr int check_density = 8, check_points = 200;
 constexpr double chord_slack = 2e-5;  ///< of the diagonal
 
@@ -97,27 +99,39 @@ class Pusher {
                            chord_slack * request_.diagonal, cancel);
   }
 
-  Result<Done> apply_and_make(const CancelToken& cancel, CageSurface& out) {
+  double tolerance() const { return request_.tolerance * request_.diagonal; }
+
+  /// False where no vertex may move any further.
+  Result<bool> apply_and_make(const CancelToken& cancel, CageSurface& out) {
+    if (!apply()) return false;
     ++out.rounds;
-    apply();
-    return make(Quality::drag, cancel, out);
+    if (const auto made = make(Quality::drag, cancel, out); !made) return made.error();
+    return true;
   }
 
   Result<Done> push_as_tested(const CancelToken& cancel, CageSurface& out) {
-    while (out.worst > request_.tolerance * request_.diagonal && out.rounds < request_.rounds)
-      if (const auto made = apply_and_make(cancel, out); !made) return made.error();
+    while (out.worst > tolerance() && out.rounds < request_.rounds) {
+      const auto moved = apply_and_make(cancel, out);
+      if (!moved) return moved.error();
+      if (!*moved) break;
+    }
     return Done{};
   }
 
   /// Pushes what the independent check finds. A surface that folds by now is none: the next setting's turn.
+  /// Nor is one that has lost a solid.
   Result<Done> push_strictly(const CancelToken& cancel, CageSurface& out) {
+    reach_ = largest_strict_push;
+    const double cell = *std::max_element(request_.cell.begin(), request_.cell.end());
     for (int round = 0; round < strict_rounds && folds() == 0; ++round) {
       const EnclosureReport report = check(out.made.surface, cancel);
       if (cancel.cancelled()) return cancelled();
-      if (report.worst <= strict_share * request_.tolerance * request_.diagonal) break;
+      if (report.worst <= strict_share * tolerance() || report.worst > reach_ * cell) break;
       pushes_.assign(moved_.size(), {});
       push_outside(report);
-      if (const auto made = apply_and_make(cancel, out); !made) return made.error();
+      const auto moved = apply_and_make(cancel, out);
+      if (!moved) return moved.error();
+      if (!*moved) break;
       // What the push opened elsewhere goes first.
       if (const auto pushed = push_as_tested(cancel, out); !pushed) return pushed.error();
     }
@@ -156,7 +170,6 @@ class Pusher {
 
   double test() {
     double worst = 0;
-    const double tolerance = request_.tolerance * request_.diagonal;
     for (const SolidDistance& solid : request_.distances) {
       // Distances change by no more than the way.
       const auto far = [&](const Vector3& centre, double radius) { return solid(centre) > radius; };
@@ -164,7 +177,7 @@ class Pusher {
         for (std::size_t i = p * per_patch_; i < (p + 1) * per_patch_; ++i) {
           const double depth = -solid(positions_[i]);
           worst = std::max(worst, depth);
-          if (!(depth > tolerance)) continue;
+          if (!(depth > tolerance())) continue;
           const Vector3 g = solid.gradient(positions_[i]);
           push(i, depth, g.dot(normals_[i]) < 0.3 ? normals_[i] : g);
         }
@@ -175,7 +188,7 @@ class Pusher {
         const std::size_t near = tree_->nearest(z);
         const double height = (z - positions_[near]).dot(normals_[near]);
         worst = std::max(worst, height);
-        if (height > tolerance) push(near, height, normals_[near]);
+        if (height > tolerance()) push(near, height, normals_[near]);
       }
     return worst;
   }
@@ -186,16 +199,17 @@ class Pusher {
       double square = 1e300;
       for (std::size_t i = miss.patch * per_patch_; i < (miss.patch + 1) * per_patch_; ++i)
         if (const double s = (positions_[i] - miss.point).squaredNorm(); s < square) square = s, best = i;
-      push(best, miss.distance + 0.3 * request_.tolerance * request_.diagonal, normals_[best]);
+      push(best, miss.distance + 0.3 * tolerance(), normals_[best]);
     }
   }
 
-  void apply() {
+  /// False, and nothing moves, where no vertex may move any further.
+  bool apply() {
     std::vector<Vector3> move(moved_.size(), Vector3::Zero());
     for (std::size_t v = 0; v < move.size(); ++v) {
       if (!(pushes_[v].length > 0)) continue;
       const double length = std::min({overshoot * pushes_[v].length, largest_step * request_.cell[v],
-                                      std::max(0.0, largest_push * request_.cell[v] - moved_[v])});
+                                      std::max(0.0, reach_ * request_.cell[v] - moved_[v])});
       move[v] = length * pushes_[v].direction.stableNormalized();
     }
     // Who stays behind its neighbours would make a dimple.
@@ -206,6 +220,9 @@ class Pusher {
       if (before[v].norm() < 0.5 * mean.norm()) move[v] = 0.5 * mean;
     }
     if (request_.mirror) even_moves(*request_.mirror, move);
+    if (std::none_of(move.begin(), move.end(),
+                     [&](const Vector3& m) { return m.norm() > least_move * tolerance(); }))
+      return false;
     std::vector<Index> vertices;
     std::vector<Vector3> positions;
     for (Index v = 0; v < move.size(); ++v) {
@@ -215,6 +232,7 @@ class Pusher {
     }
     auto next = input_.polyhedron.with_positions(vertices, positions);
     if (next) input_.polyhedron = std::move(next).value();
+    return true;
   }
 
   /// Of a vertex and its image the longer way is gone by both.
@@ -254,6 +272,7 @@ class Pusher {
   std::vector<Vector2> parameters_;
   std::vector<std::vector<Index>> neighbours_;
   std::vector<double> moved_;
+  double reach_ = largest_push;  ///< of the cell: no vertex moves further
   std::vector<Push> pushes_;
   std::size_t per_patch_ = 0;
   std::vector<Vector3> positions_, normals_;

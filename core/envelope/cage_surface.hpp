@@ -15,7 +15,8 @@ namespace hariko {
 
 struct CageSurfaceRequest {
   PolygonMesh cage;          ///< positions relative to `origin`
-  std::vector<double> cell;  ///< one a vertex: it moves by at most so much
+  std::vector<double> cell;  ///< one a vertex: it moves by at most so much, two and a half times as far for
+                             ///< what only the independent check finds
   Vector3 origin = Vector3::Zero();
   double diagonal = 1;
   std::span<const SolidDistance> distances;  ///< of the solids, relative to `origin`

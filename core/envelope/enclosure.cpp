@@ -12,7 +12,8 @@ namespace hariko {
 namespace {
 
 constexpr int coarse_cells = 14, fine_cells = 28;
-constexpr double largest_growth = 1.6, growth_step = 0.05;
+constexpr double largest_growth = 1.6;  ///< of what all solids begin with
+constexpr double growth_step = 0.05;
 constexpr double valley_growth = 1.25, valley_growth_step = 0.03;  ///< where valley vertices do most of it
 constexpr int hopeless_builds = 10;
 constexpr double hopeless_worst = 60;  ///< tolerances
@@ -34,6 +35,7 @@ class Search {
         coarse_(coarse_cells),
         fine_(fine_cells) {
     if (state_.sigma.size() != solids.size()) state_.sigma.assign(solids.size(), 1);
+    largest_ = largest_growth * *std::min_element(state_.sigma.begin(), state_.sigma.end());
     diagonal_ = scene_diagonal(solids);
     if (settings.valleys) grown_ = *settings.valleys->solids;
     for (const PlacedSolid& solid : solids) {
@@ -245,7 +247,7 @@ class Search {
     } else if (build >= first_pinning_build && pin(network, found)) {
       return;
     }
-    const double largest = grown_ ? valley_growth : largest_growth,
+    const double largest = grown_ ? valley_growth : largest_,
                  step = grown_ ? valley_growth_step : growth_step;
     std::vector<double> wanted(solids_.size(), 0);
     std::set<std::pair<Index, Index>> changed;
@@ -268,6 +270,7 @@ class Search {
   std::span<const PlacedSolid> solids_;
   EnclosureSettings settings_;
   GrowthState state_;
+  double largest_ = largest_growth;
   std::optional<GrownSolids> grown_;  ///< for valleys
   std::map<std::pair<Index, Index>, double> cuts_;
   EnvelopeGrid coarse_, fine_;

@@ -126,6 +126,7 @@ struct EnvelopeSurfacer::Job {
   std::vector<PlacedSolid> solids = {};
   std::vector<std::pair<std::uint32_t, std::uint32_t>> names = {};
   std::map<std::pair<Index, Index>, double> waists = {};
+  std::optional<int> dragged_level = {};  ///< of the field's ladder, where the last final result is on one
 
   EnclosureSettings search() const {
     EnclosureSettings settings = search_settings(input, waists, quality);
@@ -136,12 +137,22 @@ struct EnvelopeSurfacer::Job {
 };
 
 Result<bool> EnvelopeSurfacer::make_field(Job& job) {
-  auto made = field_envelope(job.input, job.solids, job.out.origin, job.quality, job.cancel);
+  auto made = field_envelope(job.input, job.solids, job.out.origin, job.quality,
+                             job.dragged_level.value_or(0), job.cancel);
   if (job.cancel.cancelled()) return job.cancelled();
-  // A folded surface is no answer, unless the designer insists on the field.
+  // A folded surface, or one that has lost a solid, is no answer, unless the designer insists on the field.
   const bool insists = job.input.settings.method == EnvelopeMethod::field;
   if (!made && insists) return made.error();
-  if (!made || (made->surface.folds > 0 && !insists)) return false;
+  if (!made) return false;
+  const bool answers =
+      job.quality == Quality::final ? made->sound() : job.dragged_level || made->surface.folds == 0;
+  if (!answers && !insists) return false;
+  if (made->distance > 0)
+    job.out.warnings.push_back(
+        make_warning(w_tightness_loose,
+                     "The surface keeps away from the solids by " + percent(made->distance) +
+                         " % of their size and fills narrow notches: a closer one folds or misses a solid.",
+                     "Move the solids apart or into each other, or choose smaller cells."));
   job.out.network = nullptr;
   job.out.symmetric = job.symmetry != nullptr;  // a field's cage is its own image, or there is none
   job.out.level = made->level;
@@ -207,6 +218,8 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
   const bool field = first == EnvelopeRoute::field || (!made && first == EnvelopeRoute::valleys &&
                                                        input.settings.method != EnvelopeMethod::network);
   if (field) {
+    if (quality == Quality::drag && job.names == last_solids_ && last_route_ == EnvelopeRoute::field)
+      job.dragged_level = last_level_;
     const auto taken = make_field(job);
     if (!taken) return taken.error();
     made = *taken;

@@ -9,6 +9,8 @@ namespace {
 constexpr int local_rounds = 3;
 constexpr double local_step = 0.5;  ///< on the waists of bridges whose patches fold
 constexpr double most_detail = 0.3;
+constexpr double growths[] = {1.15, 1.35, 1.7, 2.2};  ///< of all solids at the beginning of a search
+constexpr double outside_folds = 3;  ///< as bad as so many folded patches: a point of a solid outside
 
 struct Rung {
   double more_detail, waist;
@@ -21,7 +23,7 @@ constexpr Rung ladder[] = {{0, 0.5},   {0, 0.25}, {0.03, 1},   {0.03, 0.5},   {0
 double badness(const HullEnvelope& made) {
   const EnclosedNetwork& found = made.found;
   if (found.network.patches.empty()) return 1e300;
-  return double(made.folds) + (found.enclosed ? 0 : 1000 * found.worst / found.diagonal);
+  return double(made.folds) + (found.enclosed ? 0 : outside_folds + 1000 * found.worst / found.diagonal);
 }
 
 /// Between the solids of faces with folded patches.
@@ -61,8 +63,10 @@ HullEnvelope hull_envelope(std::span<const PlacedSolid> solids, const EnclosureS
   HullEnvelope best = make_attempt(solids, settings, {}, {}, cancel);
   if (best.found.network.patches.empty()) return best;
   double least = badness(best);
-  const auto attempt = [&](const HullAttempt& how) {
-    HullEnvelope one = make_attempt(solids, settings, how, {}, cancel);
+  const auto attempt = [&](const HullAttempt& how, double growth = 1) {
+    GrowthState start;
+    start.sigma.assign(solids.size(), growth);
+    HullEnvelope one = make_attempt(solids, settings, how, std::move(start), cancel);
     if (const double bad = badness(one); bad < least) least = bad, best = one;
     return one;
   };
@@ -76,6 +80,10 @@ HullEnvelope hull_envelope(std::span<const PlacedSolid> solids, const EnclosureS
   for (const Rung& rung : ladder) {
     if (!(least > 0) || cancel.cancelled()) break;
     attempt({rung.more_detail, rung.waist, rung.paired, {}});
+  }
+  for (const double growth : growths) {
+    if (best.found.enclosed || cancel.cancelled()) break;
+    attempt({}, growth);
   }
   return best;
 }

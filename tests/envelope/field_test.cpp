@@ -5,6 +5,9 @@
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/envelope/contour.hpp"
+#include "core/envelope/field_envelope.hpp"
+#include "core/envelope/network_cage.hpp"
+#include "core/envelope/scene_symmetry.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 
 namespace hariko::test {
@@ -36,7 +39,7 @@ void check_cage(const EnvelopeSurface& made) {
 }  // namespace
 
 TEST(FieldCage, ConcaveArrangementsAndHolesHaveTheMeasuredCages) {
-  for (const Expected& expected : {Expected{"ell_tight", 1, 24, 22, 0},
+  for (const Expected& expected : {Expected{"ell_tight", 0, 24, 22, 0},
                                    {"tee", 0, 38, 36, 0},
                                    {"car", 0, 54, 52, 0},
                                    {"dryer", 0, 92, 90, 0},
@@ -99,6 +102,46 @@ TEST(FieldCage, ItIsCloserToTheSolidsThanTheirHull) {
   ASSERT_TRUE(tight.ok() && hull.ok());
   EXPECT_TRUE(hull->network);
   EXPECT_LT(*measure(tight->surface).volume, 0.75 * *measure(hull->surface).volume);
+}
+
+TEST(FieldLadder, CrowdsEndInASurfaceThatContainsThem) {
+  // Of all of these the closest surface folds or leaves tips of solids outside.
+  std::vector<std::uint64_t> seeds{8};
+  if (repetitions(1) > 1) seeds = {1, 2, 4, 7, 8, 10};
+  for (const std::uint64_t seed : seeds) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 rng(seed);
+    EnvelopeInput input = random_scene(rng);
+    input.settings.tightness = 1;
+    const auto made = EnvelopeSurfacer().rebuild(input);
+    ASSERT_TRUE(made.ok()) << to_string(made.error());
+    EXPECT_EQ(made->route, EnvelopeRoute::field);
+    check_cage(*made);
+    // Nor do other points of the solids, and finer triangles, show what the surfacer's own check has missed.
+    const EnvelopedScene scene = enveloped_scene(input);
+    EXPECT_LE(check_enclosure(made->surface, scene.placed, 20, 333, 0).worst, 1e-3 * made->diagonal);
+  }
+}
+
+TEST(FieldLadder, TheLastLevelsKeepAwayFromTheSolids) {
+  for (const char* name : {"tee", "ring6"}) {
+    const EnvelopedScene scene = enveloped_scene(golden_scene(name));
+    const double diagonal = scene_diagonal(scene.placed);
+    double before = 0;
+    for (int level = 6; level <= 8; ++level) {
+      SCOPED_TRACE(std::string(name) + ", level " + std::to_string(level));
+      // While dragging the surface stays on its level.
+      const auto made = field_envelope(scene.input, scene.placed, scene.origin, Quality::drag, level);
+      ASSERT_TRUE(made.ok()) << to_string(made.error());
+      EXPECT_EQ(made->level, level);
+      EXPECT_GT(made->distance, before);
+      before = made->distance;
+      for (Index v = 0; v < made->surface.cage.vertex_count(); ++v)
+        for (const Solid& solid : scene.input.solids)
+          EXPECT_GE(SolidDistance(solid, 0, scene.origin)(made->surface.cage.position(v)),
+                    0.95 * made->distance * diagonal);
+    }
+  }
 }
 
 TEST(FieldCage, TheFairSurfaceOverTheHullsPolygonsContainsTheSolids) {

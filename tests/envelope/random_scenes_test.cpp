@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "core/analysis/continuity.hpp"
+#include "core/envelope/field_envelope.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/envelope/network_invariants.hpp"
 
@@ -58,6 +59,7 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
   EXPECT_EQ(warned(*made, w_not_enclosed), !made->enclosed);
   EXPECT_EQ(warned(*made, w_envelope_fold), made->folds > 0);
   EXPECT_EQ(warned(*made, w_tightness_reduced), made->level == 9);
+  EXPECT_EQ(warned(*made, w_tightness_loose), made->route == EnvelopeRoute::field && made->level >= 6);
   if (made->network) {
     const CurveNetwork& network = *made->network;
     EXPECT_EQ(

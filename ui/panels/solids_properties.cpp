@@ -5,6 +5,7 @@
 
 #include "core/document/edit_solids.hpp"
 #include "core/envelope/envelope.hpp"
+#include "core/envelope/field_envelope.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/value_fields.hpp"
 
@@ -114,8 +115,9 @@ void state_rows(PanelContext& context, const Object& object) {
   }
   if (!(object.solids()->input->settings.tightness > 0)) return;
   row_label(context, "Follows", "Notches between the solids");
-  ImGui::TextUnformatted(context.tr(says(w_tightness_reduced)
-                                        ? translatable("Only the hull of the solids")
+  ImGui::TextUnformatted(context.tr(says(w_tightness_reduced) ? translatable("Only the hull of the solids")
+                                    : says(w_tightness_loose)
+                                        ? translatable("The wide notches, at a distance")
                                         : translatable("The notches, as tight as wanted")));
   context.marks.item("solids.follows");
 }
