@@ -69,6 +69,35 @@ void method_rows(PanelContext& context, const Object& object) {
           [&](OutlineSettings& changed) { changed.sign = static_cast<CurvatureSign>(*chosen); });
 }
 
+/// A gap is asked for or not: without one there is no length to show.
+void gap_rows(PanelContext& context, const Object& object) {
+  const OutlineSettings& settings = object.outline()->settings;
+  const double size = outline_size(object);
+  const char* help =
+      "Inserts points until the control points' polyhedron and the tangent planes' are nowhere further apart";
+  if (const auto limited =
+          check_row(context, "outline_gap_limited", "Limit gap", help, settings.gap.has_value())) {
+    // A hundredth of the outline, in one digit.
+    const double digit = std::pow(10, std::floor(std::log10(size / 100)));
+    const double usual = std::max(1.0, std::round(size / 100 / digit)) * digit;
+    set(context, object, translatable("Gap of the outline"),
+        [&](OutlineSettings& changed) { changed.gap = *limited ? std::optional(usual) : std::nullopt; });
+  }
+  if (!settings.gap) return;
+  Quantity gap = length_quantity(context.editor.document().unit, size);
+  gap.low = 0;
+  value_row(context,
+            {"outline_gap", "Largest gap",
+             "Between the control points' polyhedron and the tangent planes'; 0 asks for none",
+             translatable("Gap of the outline"), gap},
+            *settings.gap, [id = object.id, gap](const Document& document, const ValueChange& change) {
+              return edit_settings(document, id, [&](OutlineSettings& changed) {
+                const double wanted = change.apply(gap, changed.gap.value_or(0));
+                changed.gap = wanted > 0 ? std::optional(wanted) : std::nullopt;
+              });
+            });
+}
+
 void density_rows(PanelContext& context, const Object& object) {
   const OutlineSettings& settings = object.outline()->settings;
   const ObjectId id = object.id;
@@ -92,27 +121,14 @@ void density_rows(PanelContext& context, const Object& object) {
   count.whole = true;
   count.standard = OutlineSettings::point_limit;
   value_row(context,
-            {"outline_count", "At most", "Points inside", translatable("Number of points inside"), count},
+            {"outline_count", "Most points", "Insertion inside ends at so many points",
+             translatable("Number of points inside"), count},
             double(settings.most_points), [id, count](const Document& document, const ValueChange& change) {
               return edit_settings(document, id, [&](OutlineSettings& changed) {
                 changed.most_points = Index(std::lround(change.apply(count, double(changed.most_points))));
               });
             });
-  if (settings.mode == GaussMode::position || settings.mode == GaussMode::paper) return;
-  Quantity gap = length_quantity(context.editor.document().unit, outline_size(object));
-  gap.low = 0;
-  gap.standard = 0;
-  value_row(
-      context,
-      {"outline_gap", "Gap",
-       "Largest distance between the control points' polyhedron and the tangent planes'; 0 asks for none",
-       translatable("Gap of the outline"), gap},
-      settings.gap.value_or(0), [id, gap](const Document& document, const ValueChange& change) {
-        return edit_settings(document, id, [&](OutlineSettings& changed) {
-          const double wanted = change.apply(gap, changed.gap.value_or(0));
-          changed.gap = wanted > 0 ? std::optional(wanted) : std::nullopt;
-        });
-      });
+  if (settings.mode != GaussMode::position && settings.mode != GaussMode::paper) gap_rows(context, object);
 }
 
 void button(PanelContext& context, const char* label, const char* id) {

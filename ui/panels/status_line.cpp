@@ -21,6 +21,12 @@ struct WorkRow {
   const char* mark = nullptr;
 };
 
+/// In seconds where milliseconds would need a power of ten.
+std::string duration_text(double milliseconds) {
+  return milliseconds < 999.5 ? format_number(milliseconds, 3) + " ms"
+                              : format_number(milliseconds / 1000, 3) + " s";
+}
+
 /// Draws a row that ends at `right`, which becomes its left end. True when the button was pressed.
 bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   const Metrics& m = context.metrics;
@@ -134,7 +140,7 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
         right = context.tr.text_of(*view->error);
         colour = palette().error;
       } else if (view) {
-        right += (right.empty() ? "" : "   \u00b7   ") + format_number(view->milliseconds, 3) + " ms";
+        right += (right.empty() ? "" : "   \u00b7   ") + duration_text(view->milliseconds);
         if (view->largest_normal_jump)
           right += *view->largest_normal_jump < 1e-9
                        ? std::string("   \u00b7   ") + context.tr("tangent-continuous")
