@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace hariko {
 
@@ -98,12 +99,19 @@ struct Place {
 };
 /// None but the ends is a Greville place of a single span: there every spline is right.
 constexpr std::array<double, 4> looks{0, 0.1, 0.46, 0.9};
+/// Few spans are looked at more closely: at the corners of rational patches what is missed waves between
+/// them.
+constexpr std::array<double, 9> close_looks{0, 0.04, 0.12, 0.27, 0.46, 0.54, 0.73, 0.88, 0.96};
+constexpr std::size_t few_spans = 4;
 std::vector<Place> places(const SplineSpace& space, bool few) {
   std::vector<Place> out;
+  const std::span<const double> inside = few ? std::span(looks).subspan(2, 1)
+                                         : space.span_count() <= few_spans
+                                             ? std::span<const double>(close_looks)
+                                             : looks;
   for (std::size_t i = 0; i < space.span_count(); ++i)
-    for (std::size_t k = 0; k < looks.size(); ++k)
-      if (!few || k == 2)
-        out.push_back({space.breaks[i] + looks[k] * (space.breaks[i + 1] - space.breaks[i]), i});
+    for (const double x : inside)
+      out.push_back({space.breaks[i] + x * (space.breaks[i + 1] - space.breaks[i]), i});
   if (!few) out.push_back({space.end(), space.span_count() - 1});
   return out;
 }
