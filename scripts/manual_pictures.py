@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Draws the sheets of materials, maps, marks and skins of docs/manual.md with the program's own command line.
+"""Draws the sheets of materials, maps, marks, skins and lines of docs/manual.md with the program's own command line.
 
     python3 scripts/manual_pictures.py build/release/app/hariko [sheet ...]
 
-Needs ImageMagick (montage) to put the pictures side by side. The pictures of the window come from
+Needs ImageMagick (montage) to put the pictures side by side, and rsvg-convert for lines. The pictures of the window come from
 manual_windows.py."""
 
 import os
@@ -49,7 +49,19 @@ SHEETS = {
         ("Car, smooth", "car_smooth"),
         ("Car, pleated", "car"),
     ]],
+    "manual_lines": [
+        ("Outlines and network", "skin_car", ["--hidden", "--lines", "silhouette,border,network"]),
+        ("Outlines alone", "torus", ["--lines", "silhouette"]),
+        ("A section", "genus3", ["--section", "y=0.1"]),
+    ],
 }
+
+
+def draw_lines(program, model, path, options):
+    """On paper of a width at which pens look as they do on a page."""
+    drawing = path.removesuffix(".png") + ".svg"
+    subprocess.run([program, "render", model, drawing, "--size", "400x300", *options], check=True, timeout=300)
+    subprocess.run(["rsvg-convert", "-z", "2", "-b", "white", "-o", path, drawing], check=True, timeout=120)
 
 
 def main():
@@ -61,8 +73,11 @@ def main():
             for number, (caption, sample, options) in enumerate(cells):
                 path = os.path.join(folder, f"{sheet}_{number}.png")
                 model = os.path.join(ROOT, "assets", "samples", sample + ".hariko")
-                subprocess.run([program, "render", model, path, "--size", SIZE, "--background", "transparent", *options],
-                               check=True, timeout=300)
+                if sheet == "manual_lines":
+                    draw_lines(program, model, path, options)
+                else:
+                    subprocess.run([program, "render", model, path, "--size", SIZE, "--background", "transparent",
+                                    *options], check=True, timeout=300)
                 arguments += ["-label", caption, path]
             whole = os.path.join(folder, sheet + ".png")
             subprocess.run(["montage", *arguments, "-tile", "3x", "-geometry", "400x300+3+3", "-background", "#2b2d31",

@@ -2,9 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -12,95 +9,15 @@
 #include "app/commands/console.hpp"
 #include "app/commands/file_options.hpp"
 #include "app/commands/outline_command_line.hpp"
+#include "app/commands/render_command_line.hpp"
 #include "app/commands/unfold_command_line.hpp"
+#include "core/base/file_ending.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/exchange/mesh_file.hpp"
-#include "render/color_map.hpp"
-#include "render/picture.hpp"
 
 namespace hariko {
 
 namespace {
-
-std::optional<int> parse_int(std::string_view text) {
-  int value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || stop != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-/// "1280x960"
-std::optional<PixelSize> parse_size(const std::string& text) {
-  const std::size_t cross = text.find('x');
-  if (cross == std::string::npos) return std::nullopt;
-  const auto width = parse_int(std::string_view(text).substr(0, cross));
-  const auto height = parse_int(std::string_view(text).substr(cross + 1));
-  const auto fits = [](const std::optional<int>& side) {
-    return side && *side >= 1 && *side <= max_picture_side;
-  };
-  if (!fits(width) || !fits(height)) return std::nullopt;
-  return PixelSize{*width, *height};
-}
-
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
-/// "symmetric", "percentile", "full", or "-1,1"
-std::optional<MapRange> parse_range(std::string_view text) {
-  if (text == "symmetric") return MapRange{RangeMode::symmetric};
-  if (text == "percentile") return MapRange{RangeMode::percentile};
-  if (text == "full") return MapRange{RangeMode::full};
-  const std::size_t comma = text.find(',');
-  if (comma == std::string_view::npos) return std::nullopt;
-  const auto low = parse_number(text.substr(0, comma)), high = parse_number(text.substr(comma + 1));
-  if (!low || !high || !(*low < *high)) return std::nullopt;
-  return MapRange{RangeMode::manual, *low, *high};
-}
-
-/// "#b9b4ac"
-std::optional<Colour> parse_colour(std::string_view text) {
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  std::uint32_t value = 0;
-  const auto [stop, status] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
-  if (status != std::errc() || stop != text.data() + 7) return std::nullopt;
-  const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift); };
-  return Colour{byte(16), byte(8), byte(0)};
-}
-
-/// "x=10", or "-x=10" for the other half
-std::optional<SectionPlane> parse_section(std::string_view text) {
-  const bool flipped = !text.empty() && text[0] == '-';
-  if (flipped) text.remove_prefix(1);
-  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return std::nullopt;
-  const auto offset = parse_number(text.substr(2));
-  if (!offset) return std::nullopt;
-  SectionPlane plane;
-  plane.normal = (flipped ? -1.0 : 1.0) * Vector3::Unit(text[0] - 'x');
-  plane.offset = flipped ? -*offset : *offset;
-  return plane;
-}
-
-Material material_from(std::string_view word) {
-  constexpr std::array<std::string_view, material_count> words{"clay", "porcelain", "metal",
-                                                               "wax",  "rubber",    "plastic"};
-  return static_cast<Material>(std::find(words.begin(), words.end(), word) - words.begin());
-}
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
-bool is_png(const std::string& path) {
-  return lower_extension(path) == ".png";
-}
 
 Mode mode_of(const std::string& word) {
   return word == "paper"    ? Mode::paper
@@ -120,7 +37,8 @@ class CommandLine {
     app_.add_option("FILE", files_, "Documents or meshes to open in the window");
     add_info();
     add_export();
-    add_render();
+    render_.add_to(app_);
+    add_construction(render_.command());
     add_evaluate();
     unfold_.add_to(app_);
     add_mesh();
@@ -133,7 +51,7 @@ class CommandLine {
   /// True when the first word is one that this class answers to; all else is for the window.
   bool answers(std::string_view word) const {
     if (word == "--help" || word == "-h" || word == "--version") return true;
-    const std::initializer_list<const CLI::App*> commands = {info_,     export_, render_,
+    const std::initializer_list<const CLI::App*> commands = {info_,     export_, render_.command(),
                                                              evaluate_, mesh_,   unfold_.command()};
     return std::any_of(commands.begin(), commands.end(),
                        [&](const CLI::App* command) { return command->get_name() == word; });
@@ -149,7 +67,7 @@ class CommandLine {
     info_arguments_.construction = construction();
     if (*info_) return run_info(info_arguments_);
     if (*export_) return run_export(export_arguments());
-    if (*render_) return run_render(render_arguments());
+    if (*render_.command()) return render_.run(construction());
     if (*unfold_.command()) return run_unfold(unfold_.arguments());
     if (*mesh_) return run_mesh(mesh_arguments());
     return run_evaluate(evaluate_arguments());
@@ -194,49 +112,6 @@ class CommandLine {
             ->check(CLI::PositiveNumber),
         export_->add_flag("--ap242", export_arguments_.cad.ap242,
                           "STEP in the newer schema AP242, not AP214")};
-  }
-  void add_render() {
-    render_ =
-        app_.add_subcommand("render", "Draws the visible objects into a PNG picture, without a display");
-    render_->add_option("FILE", input_, "Document or mesh")->required();
-    render_->add_option("OUT", output_, "Picture to write: *.png")->required();
-    render_->add_option("--size", size_, "Width and height in pixels, as 1280x960")->capture_default_str();
-    render_->add_option("--view", view_, "Direction of view")
-        ->check(CLI::IsMember({"iso", "front", "back", "left", "right", "top", "bottom"}))
-        ->capture_default_str();
-    render_->add_option("--map", map_, "What colours the surface")
-        ->check(CLI::IsMember(
-            {"shaded", "patches", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "continuity"}))
-        ->capture_default_str();
-    render_
-        ->add_option(
-            "--show", show_,
-            "Drawn as well, with commas between: polyhedron, network, tensions, marks (G0, G1, G2), combs")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"polyhedron", "network", "tensions", "marks", "combs"}));
-    add_render_looks();
-    add_construction(render_);
-  }
-  void add_render_looks() {
-    render_->add_option("--range", range_, "Of the map: symmetric, percentile, full, or LOW,HIGH")
-        ->capture_default_str();
-    render_->add_option("--material", material_, "Instead of each object's own")
-        ->check(CLI::IsMember({"clay", "porcelain", "metal", "wax", "rubber", "plastic"}));
-    render_->add_option("--colour", colour_, "As #b9b4ac, instead of each object's own");
-    render_
-        ->add_option("--wire", wire_, "Lines over the surface: none, borders of patches, or the display mesh")
-        ->check(CLI::IsMember({"none", "borders", "mesh"}))
-        ->capture_default_str();
-    render_->add_option("--section", section_,
-                        "Cuts away what is beyond: x=10, y=-2.5, or -z=3 for the other half");
-    render_->add_option("--stripes", render_arguments_.stripes, "Of zebra and isophotes, 2 to 64")
-        ->check(CLI::Range(2, 64))
-        ->capture_default_str();
-    render_->add_option("--background", background_, "")
-        ->check(CLI::IsMember({"dark", "light", "transparent"}))
-        ->capture_default_str();
-    render_->add_flag("--colour-blind-safe", render_arguments_.colour_blind_safe,
-                      "Colours of maps that differ for all kinds of colour vision");
   }
   void add_evaluate() {
     evaluate_ =
@@ -287,25 +162,14 @@ class CommandLine {
 
   void check_combinations() const {
     if (*unfold_.command()) unfold_.check();
+    if (*render_.command()) render_.check();
     if (*export_) check_export();
-    if (*export_ && export_arguments_.control && lower_extension(export_arguments_.out) != ".obj")
+    if (*export_ && export_arguments_.control && lower_ending(export_arguments_.out) != ".obj")
       throw CLI::ValidationError("--control", "the name must end in .obj");
     if (*mesh_) {
       check_mesh_output(input_, output_);
       if (!errors_.empty() && std::filesystem::path(errors_).extension() != ".csv")
         throw CLI::ValidationError("--errors", "the name must end in .csv");
-    }
-    if (*render_) {
-      if (!parse_size(size_))
-        throw CLI::ValidationError("--size", "must be like 1280x960, each side from 1 to " +
-                                                 std::to_string(max_picture_side) + " pixels");
-      if (!parse_range(range_))
-        throw CLI::ValidationError("--range", "must be symmetric, percentile, full, or two numbers as -1,1");
-      if (!colour_.empty() && !parse_colour(colour_))
-        throw CLI::ValidationError("--colour", "must be like #b9b4ac");
-      if (!section_.empty() && !parse_section(section_))
-        throw CLI::ValidationError("--section", "must be like x=10, y=-2.5 or -z=3");
-      if (!is_png(output_)) throw CLI::ValidationError("OUT", "the name must end in .png");
     }
   }
   void check_export() const {
@@ -338,35 +202,6 @@ class CommandLine {
     ExportArguments out = export_arguments_;
     out.file_arguments = file_options_.arguments();
     out.construction = construction();
-    return out;
-  }
-  RenderArguments render_arguments() const {
-    RenderArguments out = render_arguments_;
-    out.file = input_;
-    out.out = output_;
-    out.construction = construction();
-    const PixelSize size = *parse_size(size_);
-    out.width = size.width;
-    out.height = size.height;
-    out.view = *standard_view_from(view_);
-    out.map = *surface_map_from(map_);
-    const auto shows = [&](const char* item) {
-      return std::find(show_.begin(), show_.end(), item) != show_.end();
-    };
-    out.tensions = shows("tensions");
-    out.polyhedron = shows("polyhedron") || out.tensions;
-    out.network = shows("network");
-    out.marks = shows("marks");
-    out.combs = shows("combs");
-    out.range = *parse_range(range_);
-    out.wire =
-        wire_ == "mesh" ? PatchWire::mesh : (wire_ == "borders" ? PatchWire::borders : PatchWire::none);
-    if (!material_.empty()) out.material = material_from(material_);
-    if (!colour_.empty()) out.colour = parse_colour(colour_);
-    if (!section_.empty()) out.section = parse_section(section_);
-    out.background = background_ == "light"         ? Background::light
-                     : background_ == "transparent" ? Background::transparent
-                                                    : Background::dark;
     return out;
   }
   MeshArguments mesh_arguments() const {
@@ -405,18 +240,17 @@ class CommandLine {
   }
 
   CLI::App app_;
-  CLI::App *info_ = nullptr, *export_ = nullptr, *render_ = nullptr, *evaluate_ = nullptr, *mesh_ = nullptr;
-  std::vector<std::string> files_, show_;
+  CLI::App *info_ = nullptr, *export_ = nullptr, *evaluate_ = nullptr, *mesh_ = nullptr;
+  std::vector<std::string> files_;
   InfoArguments info_arguments_;
   ExportArguments export_arguments_;
   FileOptions file_options_;
   CLI::Option* density_ = nullptr;
   std::vector<CLI::Option*> cad_options_;
-  RenderArguments render_arguments_;
+  RenderCommandLine render_;
   UnfoldCommandLine unfold_;
   OutlineCommandLine outlines_;
-  std::string range_ = "symmetric", material_, colour_, wire_ = "none", section_, background_ = "dark";
-  std::string input_, output_, size_ = "1280x960", view_ = "iso", map_ = "shaded", mode_, tension_;
+  std::string input_, output_, mode_, tension_;
   std::string split_ = "mid", errors_;
   std::optional<double> distance_, normal_, fold_, luminance_, max_edge_, min_angle_;
   bool round_ = false, mesh_json_ = false, optimise_ = false, balanced_ = false;

@@ -9,6 +9,9 @@
 
 namespace hariko {
 
+/// Units beside the page within which lines are drawn, so that pens are not cut off: wider than any.
+inline constexpr double page_margin = 4;
+
 /// World to page. Page: x to the right, y down, from the upper left corner, in the page's unit.
 struct DrawingView {
   Vector3 eye = Vector3::Zero();

@@ -40,7 +40,7 @@ std::map<NodePair, FacetEdge> edges_of(const SurfaceGrid& grid) {
 /// Follows edges from node to node as long as exactly two of them meet.
 class Chains {
  public:
-  Chains(StrokeKind kind, const std::vector<LineEdge>& edges) : kind_(kind), edges_(edges) {
+  Chains(LineKind kind, const std::vector<LineEdge>& edges) : kind_(kind), edges_(edges) {
     for (std::size_t e = 0; e < edges.size(); ++e)
       for (const Index node : {edges[e].nodes.first, edges[e].nodes.second}) at_[node].push_back(e);
     used_.assign(edges.size(), false);
@@ -78,7 +78,7 @@ class Chains {
     out_.push_back(std::move(curve));
   }
 
-  StrokeKind kind_;
+  LineKind kind_;
   const std::vector<LineEdge>& edges_;
   std::map<Index, std::vector<std::size_t>> at_;
   std::vector<bool> used_;
@@ -93,7 +93,7 @@ bool is_facets(const Surface& surface) {
 }
 
 std::vector<SpaceCurve> facet_curves(const SurfaceGrid& grid, const DrawingView& view) {
-  std::map<StrokeKind, std::vector<LineEdge>> lines;
+  std::map<LineKind, std::vector<LineEdge>> lines;
   for (const auto& [nodes, edge] : edges_of(grid)) {
     const Vector3 towards = view.towards_eye(0.5 * (edge.from + edge.to));
     Vector3 away = Vector3::Zero();
@@ -102,13 +102,13 @@ std::vector<SpaceCurve> facet_curves(const SurfaceGrid& grid, const DrawingView&
       normals.push_back(grid.normal(facet, 0));
       away += normals.back().dot(towards) < 0 ? Vector3(-normals.back()) : normals.back();
     }
-    StrokeKind kind = StrokeKind::crease;
+    LineKind kind = LineKind::crease;
     if (normals.size() == 1)
-      kind = StrokeKind::border;
+      kind = LineKind::border;
     else if (normals.size() == 2) {
       const bool turns = (normals[0].dot(towards) < 0) != (normals[1].dot(towards) < 0);
       if (turns)
-        kind = StrokeKind::silhouette;
+        kind = LineKind::silhouette;
       else if (normals[0].dot(normals[1]) >= smooth_cosine)
         continue;
     }

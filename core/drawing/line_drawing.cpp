@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "core/base/parallel.hpp"
+#include "core/drawing/clip_curves.hpp"
 #include "core/drawing/facet_curves.hpp"
-#include "core/drawing/occlusion.hpp"
+#include "core/drawing/page_occlusion.hpp"
 #include "core/drawing/space_curves.hpp"
 
 namespace hariko {
@@ -14,23 +15,27 @@ namespace {
 
 constexpr std::size_t most_triangles = 2'000'000;
 constexpr double sample_spacing = 1.5;  ///< of the page
-constexpr int most_samples = 64;        ///< between two points of a curve
 constexpr double shortest_part = 1.5;   ///< of the page
 constexpr int change_rounds = 8;
-constexpr double away_steps = 2;     ///< chord errors that a point is moved away from its surface
-constexpr double least_away = 1e-6;  ///< of the view's depth at the point, so that rounding hides nothing
+constexpr double away_steps = 2;  ///< chord errors that a point is moved away from its surface
 
 struct PagePoint {
   Vector2 page;
-  bool drawn, hidden;
+  bool hidden;
 };
 
-class StrokeMaker {
+class LineMaker {
  public:
-  StrokeMaker(const DrawingView& view, const LineDrawingSettings& settings, const Occlusion& occlusion)
+  LineMaker(const DrawingView& view, const LineDrawingSettings& settings, const PageOcclusion& occlusion)
       : view_(view), settings_(settings), occlusion_(occlusion) {}
 
-  void add(const SpaceCurve& curve, double chord_error, std::vector<Stroke>& out) const {
+  void add(const SpaceCurve& whole, double chord_error, std::vector<PageLine>& out) const {
+    for (const SpaceCurve& curve : clipped(whole, view_)) add_part(curve, chord_error, out);
+  }
+
+ private:
+  /// A curve that is on the page.
+  void add_part(const SpaceCurve& curve, double chord_error, std::vector<PageLine>& out) const {
     std::vector<PagePoint> points;
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const PagePoint next = see(curve, i, 0, chord_error);
@@ -41,7 +46,6 @@ class StrokeMaker {
     cut(curve.kind, points, out);
   }
 
- private:
   /// The point at a share of the way from point i of the curve to the next.
   PagePoint see(const SpaceCurve& curve, std::size_t i, double share, double chord_error) const {
     Vector3 point = curve.points[i], away = curve.away[i];
@@ -49,24 +53,19 @@ class StrokeMaker {
       point += share * (curve.points[i + 1] - point);
       away += share * (curve.away[i + 1] - away);
     }
-    const Vector3 page = view_.project(point);
-    const double rounding = least_away * (view_.orthographic ? view_.height / view_.focal : page.z());
-    const bool cut_away =
-        curve.kind != StrokeKind::section && view_.section && view_.section->signedDistance(point) > rounding;
-    if (!view_.in_front(page.z()) || cut_away) return {Vector2::Zero(), false, false};
+    const double rounding = depth_rounding(view_, point);
     const Vector3 moved = point + (away_steps * chord_error + rounding) * away;
-    return {page.head<2>(), true, occlusion_.hides(moved, rounding)};
+    return {view_.project(point).head<2>(), occlusion_.hides(moved, rounding)};
   }
 
   /// The points between two: where it changes whether they are seen.
   void refine(const SpaceCurve& curve, std::size_t i, double chord_error, const PagePoint& from,
               const PagePoint& to, std::vector<PagePoint>& out) const {
-    double length = from.drawn && to.drawn ? (to.page - from.page).norm() : sample_spacing * 4;
-    const int count = std::clamp(int(std::ceil(length / sample_spacing)), 1, most_samples);
+    const int count = std::max(1, int(std::ceil((to.page - from.page).norm() / sample_spacing)));
     PagePoint last = from;
     for (int k = 1; k <= count; ++k) {
       const PagePoint next = k == count ? to : see(curve, i, double(k) / count, chord_error);
-      if (same(last, next)) {
+      if (last.hidden == next.hidden) {
         last = next;
         continue;
       }
@@ -75,7 +74,7 @@ class StrokeMaker {
       for (int round = 0; round < change_rounds; ++round) {
         const double middle = 0.5 * (low + high);
         const PagePoint p = see(curve, i, middle, chord_error);
-        if (same(p, last))
+        if (p.hidden == last.hidden)
           low = middle, before = p;
         else
           high = middle, after = p;
@@ -86,37 +85,32 @@ class StrokeMaker {
     }
   }
 
-  static bool same(const PagePoint& a, const PagePoint& b) {
-    return a.drawn == b.drawn && a.hidden == b.hidden;
-  }
-
   /// Changes of visibility that are shorter than a pen's width are noise of the triangles.
   static void drop_specks(std::vector<PagePoint>& points) {
     std::size_t begin = 0;
     while (begin < points.size()) {
       std::size_t end = begin + 1;
       double length = 0;
-      while (end < points.size() && same(points[end], points[begin])) {
+      while (end < points.size() && points[end].hidden == points[begin].hidden) {
         length += (points[end].page - points[end - 1].page).norm();
         ++end;
       }
-      if (begin > 0 && end < points.size() && points[begin].drawn && points[begin - 1].drawn &&
-          points[end].drawn && length < shortest_part)
+      if (begin > 0 && end < points.size() && length < shortest_part)
         for (std::size_t i = begin; i < end; ++i) points[i].hidden = points[begin - 1].hidden;
       begin = end;
     }
   }
 
-  void cut(StrokeKind kind, const std::vector<PagePoint>& points, std::vector<Stroke>& out) const {
+  void cut(LineKind kind, const std::vector<PagePoint>& points, std::vector<PageLine>& out) const {
     std::size_t begin = 0;
     while (begin < points.size()) {
       std::size_t end = begin + 1;
-      while (end < points.size() && same(points[end], points[begin])) ++end;
-      if (points[begin].drawn && (!points[begin].hidden || settings_.hidden)) {
-        Stroke stroke{kind, points[begin].hidden, {}};
-        for (std::size_t i = begin; i < end; ++i) stroke.points.push_back(points[i].page);
-        stroke.points = simplified(stroke.points);
-        if (stroke.points.size() > 1) out.push_back(std::move(stroke));
+      while (end < points.size() && points[end].hidden == points[begin].hidden) ++end;
+      if (!points[begin].hidden || settings_.hidden) {
+        PageLine line{kind, points[begin].hidden, {}};
+        for (std::size_t i = begin; i < end; ++i) line.points.push_back(points[i].page);
+        line.points = simplified(line.points);
+        if (line.points.size() > 1) out.push_back(std::move(line));
       }
       begin = end;
     }
@@ -152,52 +146,63 @@ class StrokeMaker {
 
   const DrawingView& view_;
   const LineDrawingSettings& settings_;
-  const Occlusion& occlusion_;
+  const PageOcclusion& occlusion_;
 };
 
 std::vector<SpaceCurve> curves_of(const SurfaceGrid& grid, const DrawingView& view,
-                                  const LineDrawingSettings& settings, const CancelToken& cancel) {
-  std::vector<SpaceCurve> out = section_lines(grid, view, cancel);
+                                  const std::set<LineKind>& kinds, const CancelToken& cancel) {
+  std::vector<SpaceCurve> out;
   const auto add = [&](std::vector<SpaceCurve> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(out));
+    for (SpaceCurve& curve : more)
+      if (kinds.contains(curve.kind)) out.push_back(std::move(curve));
   };
+  if (kinds.contains(LineKind::section)) add(section_lines(grid, view, cancel));
   if (is_facets(grid.surface())) {
     add(facet_curves(grid, view));
     return out;
   }
-  add(silhouettes(grid, view, cancel));
-  add(seam_curves(grid, view, settings.network));
+  if (kinds.contains(LineKind::silhouette)) add(silhouettes(grid, view, cancel));
+  add(seam_curves(grid, view, kinds.contains(LineKind::network)));
   return out;
 }
 
-/// Of the strokes in the file: lines that matter more are drawn over others.
-int rank(const Stroke& stroke) {
-  const auto at = std::find(std::begin(stroke_kinds), std::end(stroke_kinds), stroke.kind);
-  return 2 * int(at - std::begin(stroke_kinds)) + (stroke.hidden ? 1 : 0);
+/// Of the lines in the file: lines that matter more are drawn over others.
+int rank(const PageLine& line) {
+  const auto at = std::find(std::begin(line_kinds), std::end(line_kinds), line.kind);
+  return 2 * int(at - std::begin(line_kinds)) + (line.hidden ? 1 : 0);
 }
 
 }  // namespace
 
-std::string_view to_string(StrokeKind kind) {
+std::string_view to_string(LineKind kind) {
   switch (kind) {
-    case StrokeKind::silhouette:
+    case LineKind::silhouette:
       return "silhouette";
-    case StrokeKind::border:
+    case LineKind::border:
       return "border";
-    case StrokeKind::crease:
+    case LineKind::crease:
       return "crease";
-    case StrokeKind::section:
+    case LineKind::section:
       return "section";
-    case StrokeKind::network:
+    case LineKind::network:
       break;
   }
   return "network";
 }
 
+std::optional<LineKind> line_kind_from(std::string_view name) {
+  for (const LineKind kind : line_kinds)
+    if (to_string(kind) == name) return kind;
+  return std::nullopt;
+}
+
 Result<LineDrawing> draw_lines(std::span<const DrawnSurface> surfaces, const DrawingView& view,
-                               const LineDrawingSettings& settings, const CancelToken& cancel) {
+                               const LineDrawingSettings& settings, const CancelToken& cancel,
+                               const Progress& progress) {
+  constexpr double grids_share = 0.3;  // of the time
+  progress.report(0);
   std::vector<SurfaceGrid> grids;
-  Occlusion occlusion(view);
+  PageOcclusion occlusion(view);
   for (const DrawnSurface& drawn : surfaces) {
     if (drawn.surface.patch_count() == 0) continue;
     if (cancel.cancelled()) return make_error(e_cancelled, "The drawing was cancelled.");
@@ -206,25 +211,27 @@ Result<LineDrawing> draw_lines(std::span<const DrawnSurface> surfaces, const Dra
     for (Index patch = 0; patch < grid.surface().patch_count(); ++patch)
       for (const auto& t : grid.triangles())
         occlusion.add({grid.position(patch, t[0]), grid.position(patch, t[1]), grid.position(patch, t[2])});
+    progress.report(grids_share * double(grids.size()) / double(surfaces.size()));
   }
   LineDrawing out{view.width, view.height, {}};
-  const StrokeMaker maker(view, settings, occlusion);
-  for (const SurfaceGrid& grid : grids) {
-    const std::vector<SpaceCurve> curves = curves_of(grid, view, settings, cancel);
-    std::vector<std::vector<Stroke>> strokes(curves.size());
+  const LineMaker maker(view, settings, occlusion);
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    const std::vector<SpaceCurve> curves = curves_of(grids[g], view, settings.kinds, cancel);
+    std::vector<std::vector<PageLine>> lines(curves.size());
     parallel_for(curves.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end && !cancel.cancelled(); ++i)
-        maker.add(curves[i], grid.chord_error(), strokes[i]);
+        maker.add(curves[i], grids[g].chord_error(), lines[i]);
     });
     if (cancel.cancelled()) return make_error(e_cancelled, "The drawing was cancelled.");
-    for (std::vector<Stroke>& own : strokes)
-      for (Stroke& stroke : own) out.strokes.push_back(std::move(stroke));
+    for (std::vector<PageLine>& own : lines)
+      for (PageLine& line : own) out.lines.push_back(std::move(line));
+    progress.report(grids_share + (1 - grids_share) * double(g + 1) / double(grids.size()));
   }
-  std::stable_sort(out.strokes.begin(), out.strokes.end(),
-                   [](const Stroke& a, const Stroke& b) { return rank(a) < rank(b); });
-  if (out.strokes.empty())
-    return make_error(e_drawing_empty, "There is no line in this view: nothing lies before the camera.",
-                      "Turn the view to the model, or move the section.");
+  std::stable_sort(out.lines.begin(), out.lines.end(),
+                   [](const PageLine& a, const PageLine& b) { return rank(a) < rank(b); });
+  if (out.lines.empty())
+    return make_error(e_drawing_empty, "There is no line of the chosen kinds in this view.",
+                      "Turn the view to the model, move the section, or choose more kinds of lines.");
   return out;
 }
 

@@ -187,18 +187,45 @@ Vector3 facing(const Vector3& normal, const Vector3& towards) {
   return normal.dot(towards) < 0 ? Vector3(-normal) : normal;
 }
 
-/// The side of a seam as points, and what leads away from it.
-void add_side(const SurfaceGrid& grid, const DrawingView& view, const PatchSide& side, double begin,
-              double end, std::vector<Vector3>* points, std::vector<Vector3>& away) {
+/// The side of a seam as points, and what leads away from it. For each point whether the side faces the
+/// viewer.
+std::vector<bool> add_side(const SurfaceGrid& grid, const DrawingView& view, const PatchSide& side,
+                           double begin, double end, std::vector<Vector3>* points,
+                           std::vector<Vector3>& away) {
   const int count = seam_oversampling * grid.pattern().density;
   away.resize(std::size_t(count) + 1, Vector3::Zero());
+  std::vector<bool> front;
   for (int i = 0; i <= count; ++i) {
     const double x = begin + (end - begin) * grid_fraction(i, count);
     const SurfaceGrid::Point p =
         grid.evaluate(side.patch, side_parameter(grid.surface().domain(), side.side, x));
     if (points) points->push_back(p.position);
-    away[std::size_t(i)] += facing(p.normal, view.towards_eye(p.position));
+    const Vector3 towards = view.towards_eye(p.position);
+    front.push_back(p.normal.dot(towards) >= 0);
+    away[std::size_t(i)] += facing(p.normal, towards);
   }
+  return front;
+}
+
+/// A crease, and as silhouettes the parts of it where one side faces the viewer and the other does not.
+std::vector<SpaceCurve> crease_curves(const SurfaceGrid& grid, const DrawingView& view, const Seam& seam) {
+  SpaceCurve whole{LineKind::crease, {}, {}};
+  const std::vector<bool> first = add_side(grid, view, seam.first, seam.first_begin, seam.first_end,
+                                           &whole.points, whole.away),
+                          second = add_side(grid, view, seam.second, seam.second_begin, seam.second_end,
+                                            nullptr, whole.away);
+  std::vector<SpaceCurve> out;
+  for (std::size_t i = 0; i < whole.points.size(); ++i) {
+    const LineKind kind = first[i] != second[i] ? LineKind::silhouette : LineKind::crease;
+    if (!out.empty()) {
+      out.back().points.push_back(whole.points[i]);
+      out.back().away.push_back(whole.away[i]);
+    }
+    const bool last = i + 1 == whole.points.size();
+    if (!last && (out.empty() || out.back().kind != kind))
+      out.push_back({kind, {whole.points[i]}, {whole.away[i]}});
+  }
+  return out;
 }
 
 }  // namespace
@@ -214,7 +241,7 @@ std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& 
       noise);
   std::vector<SpaceCurve> out;
   for (const Contours::Line& line : contours.trace(cancel)) {
-    SpaceCurve curve{StrokeKind::silhouette, {}, {}};
+    SpaceCurve curve{LineKind::silhouette, {}, {}};
     for (const Contours::Place& place : line) {
       const Vector3 normal = grid.evaluate(place.patch, place.parameter).normal;
       // A surface that bends towards its normal is seen past its other side.
@@ -237,7 +264,7 @@ std::vector<SpaceCurve> section_lines(const SurfaceGrid& grid, const DrawingView
       noise);
   std::vector<SpaceCurve> out;
   for (const Contours::Line& line : contours.trace(cancel)) {
-    SpaceCurve curve{StrokeKind::section, {}, {}};
+    SpaceCurve curve{LineKind::section, {}, {}};
     for (const Contours::Place& place : line) {
       curve.points.push_back(place.position);
       // Seen across the plane that was cut along.
@@ -252,16 +279,18 @@ std::vector<SpaceCurve> seam_curves(const SurfaceGrid& grid, const DrawingView& 
   std::vector<SpaceCurve> out;
   const Surface& surface = grid.surface();
   for (const PatchSide& side : surface.boundary_sides()) {
-    SpaceCurve curve{StrokeKind::border, {}, {}};
+    SpaceCurve curve{LineKind::border, {}, {}};
     add_side(grid, view, side, 0, 1, &curve.points, curve.away);
     out.push_back(std::move(curve));
   }
   for (const Seam& seam : surface.seams()) {
-    const bool crease = seam.intended == Continuity::g0;
-    if (!crease && !(network && seam.source.kind != Element::Kind::none)) continue;
-    SpaceCurve curve{crease ? StrokeKind::crease : StrokeKind::network, {}, {}};
+    if (seam.intended == Continuity::g0) {
+      for (SpaceCurve& curve : crease_curves(grid, view, seam)) out.push_back(std::move(curve));
+      continue;
+    }
+    if (!network || seam.source.kind == Element::Kind::none) continue;
+    SpaceCurve curve{LineKind::network, {}, {}};
     add_side(grid, view, seam.first, seam.first_begin, seam.first_end, &curve.points, curve.away);
-    if (crease) add_side(grid, view, seam.second, seam.second_begin, seam.second_end, nullptr, curve.away);
     out.push_back(std::move(curve));
   }
   for (SpaceCurve& curve : out)

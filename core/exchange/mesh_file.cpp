@@ -1,12 +1,12 @@
 #include "core/exchange/mesh_file.hpp"
 
-#include <algorithm>
 #include <deque>
 #include <new>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "core/base/file_ending.hpp"
 #include "core/base/printable.hpp"
 #include "core/exchange/gltf_container.hpp"
 #include "core/exchange/read_3mf.hpp"
@@ -45,13 +45,6 @@ Result<ImportedScene> as_scene(Result<ImportedMesh> result) {
   return scene;
 }
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().native();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
-}
-
 template <class Mesh>
 Result<std::string> bytes_of(const std::string& extension, std::span<const Mesh> meshes,
                              double metres_per_unit) {
@@ -81,7 +74,7 @@ Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mes
   std::deque<std::remove_const_t<std::remove_pointer_t<decltype(Mesh::mesh)>>> moved;
   if (!space.is_same())
     for (Mesh& mesh : named) mesh.mesh = &moved.emplace_back(in_space(space, *mesh.mesh));
-  const auto bytes = bytes_of(lower_extension(path), std::span<const Mesh>(named), metres_per_file_unit);
+  const auto bytes = bytes_of(lower_ending(path), std::span<const Mesh>(named), metres_per_file_unit);
   if (!bytes) return in_file(path, bytes.error());
   if (options.cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
   return write_file_atomic(path, *bytes);
@@ -90,7 +83,7 @@ Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mes
 }  // namespace
 
 std::optional<FormatChoices> written_format(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
+  const std::string extension = lower_ending(path);
   if (extension == ".glb" || extension == ".gltf") return FormatChoices{false, false};
   if (extension == ".3mf") return FormatChoices{true, false};
   if (format_of_extension(path)) return FormatChoices{};
@@ -98,7 +91,7 @@ std::optional<FormatChoices> written_format(const std::filesystem::path& path) {
 }
 
 std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
+  const std::string extension = lower_ending(path);
   if (extension == ".obj") return MeshFormat::obj;
   if (extension == ".off") return MeshFormat::off;
   if (extension == ".ply") return MeshFormat::ply;

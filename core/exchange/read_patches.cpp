@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/file_ending.hpp"
 #include "core/base/printable.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/text_scanner.hpp"
@@ -150,13 +151,6 @@ std::optional<Message> read_json_patch(const Json& json, const std::string& name
   return std::nullopt;
 }
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string out = path.extension().native();
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 }  // namespace
 
 Result<std::vector<BezierPatch>> read_bezier_text(std::string_view text) {
@@ -195,7 +189,7 @@ Result<std::vector<NamedPatches>> read_bezier_json(std::string_view text) {
 Result<std::vector<NamedPatches>> read_patch_file(const std::filesystem::path& path) {
   const auto text = read_file(path);
   if (!text.ok()) return text.error();
-  if (lower_extension(path) == ".json") return read_bezier_json(*text);
+  if (lower_ending(path) == ".json") return read_bezier_json(*text);
   auto patches = read_bezier_text(*text);
   if (!patches.ok()) return patches.error();
   return std::vector<NamedPatches>{{"", std::move(patches).value()}};

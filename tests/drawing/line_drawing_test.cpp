@@ -24,16 +24,16 @@ DrawnSurface placed(Surface surface, const Vector3& at, double scale = 1) {
   return out;
 }
 
-std::vector<Stroke> strokes_of(std::span<const DrawnSurface> surfaces, const DrawingView& view,
-                               bool hidden = false) {
+std::vector<PageLine> strokes_of(std::span<const DrawnSurface> surfaces, const DrawingView& view,
+                                 bool hidden = false) {
   LineDrawingSettings settings;
   settings.hidden = hidden;
   auto drawing = draw_lines(surfaces, view, settings);
   if (!drawing) ADD_FAILURE() << to_string(drawing.error());
-  return drawing ? std::move(drawing).value().strokes : std::vector<Stroke>{};
+  return drawing ? std::move(drawing).value().lines : std::vector<PageLine>{};
 }
 
-double length_of(const Stroke& stroke) {
+double length_of(const PageLine& stroke) {
   double length = 0;
   for (std::size_t i = 1; i < stroke.points.size(); ++i)
     length += (stroke.points[i] - stroke.points[i - 1]).norm();
@@ -41,9 +41,9 @@ double length_of(const Stroke& stroke) {
 }
 
 /// Lengths on the page, by kind; hidden ones second.
-std::map<StrokeKind, std::array<double, 2>> lengths_of(const std::vector<Stroke>& strokes) {
-  std::map<StrokeKind, std::array<double, 2>> out;
-  for (const Stroke& stroke : strokes) out[stroke.kind][stroke.hidden ? 1 : 0] += length_of(stroke);
+std::map<LineKind, std::array<double, 2>> lengths_of(const std::vector<PageLine>& strokes) {
+  std::map<LineKind, std::array<double, 2>> out;
+  for (const PageLine& stroke : strokes) out[stroke.kind][stroke.hidden ? 1 : 0] += length_of(stroke);
   return out;
 }
 
@@ -105,9 +105,9 @@ TEST(LineDrawing, ASphereIsACircle) {
     const Vector3 centre = test::random_vector(rng, 1e3 * radius);
     const DrawingView view = view_along(test::random_vector(rng), centre, distance, 3 * radius, orthographic);
     const DrawnSurface sphere = placed(test::sphere(radius), centre);
-    const std::vector<Stroke> strokes = strokes_of(std::span(&sphere, 1), view);
+    const std::vector<PageLine> strokes = strokes_of(std::span(&sphere, 1), view);
     ASSERT_EQ(strokes.size(), 1U);
-    EXPECT_EQ(strokes[0].kind, StrokeKind::silhouette);
+    EXPECT_EQ(strokes[0].kind, LineKind::silhouette);
     EXPECT_EQ(strokes[0].points.front(), strokes[0].points.back());
     const double wanted =
         view.focal * (orthographic ? radius : radius / std::sqrt(distance * distance - radius * radius));
@@ -122,11 +122,11 @@ TEST(LineDrawing, TheNearerSphereHidesTheOther) {
   const DrawingView view = view_along(Vector3::UnitY(), Vector3::Zero(), 10, 6, true);
   const DrawnSurface two[] = {placed(test::sphere(1), Vector3::Zero()),
                               placed(test::sphere(1), 3 * view.forward + view.right)};
-  const std::vector<Stroke> strokes = strokes_of(two, view, true);
+  const std::vector<PageLine> strokes = strokes_of(two, view, true);
   const double radius = view.focal;
   const Vector2 near(400, 300), far(400 + radius, 300);
   double hidden = 0, visible = 0;
-  for (const Stroke& stroke : strokes) {
+  for (const PageLine& stroke : strokes) {
     (stroke.hidden ? hidden : visible) += length_of(stroke);
     for (const Vector2& p : stroke.points)
       if (stroke.hidden) {
@@ -150,8 +150,8 @@ TEST(LineDrawing, LinesOfATorusAreWhereTheyShouldBeAndHiddenWhereItHidesThem) {
     const DrawnSurface torus = placed(test::torus(large, small, 6, 5), Vector3::Zero());
     int checked = 0;
     double wrong = 0, all = 0;
-    for (const Stroke& stroke : strokes_of(std::span(&torus, 1), view, true)) {
-      ASSERT_EQ(stroke.kind, StrokeKind::silhouette);
+    for (const PageLine& stroke : strokes_of(std::span(&torus, 1), view, true)) {
+      ASSERT_EQ(stroke.kind, LineKind::silhouette);
       for (std::size_t i = 1; i < stroke.points.size(); ++i) {
         const Vector2 page = 0.5 * (stroke.points[i - 1] + stroke.points[i]);
         const Vector2 at((page.x() - 400) / view.focal, (300 - page.y()) / view.focal);
@@ -203,7 +203,11 @@ TEST(LineDrawing, ABoxShowsNineEdgesAndHidesThree) {
       const std::array<double, 2> wanted = box_edges(view);
       EXPECT_NEAR(visible, wanted[0], 2);
       EXPECT_NEAR(hidden, wanted[1], 2);
-      EXPECT_EQ(lengths.count(StrokeKind::silhouette), facets ? 1U : 0U);
+      // Six edges are its outline; all others are seen from both sides, or from none.
+      ASSERT_EQ(lengths.count(LineKind::silhouette), 1U);
+      EXPECT_EQ(lengths.at(LineKind::silhouette)[1], 0);
+      EXPECT_NEAR(lengths.at(LineKind::silhouette)[0] + lengths.at(LineKind::crease)[0], wanted[0], 2);
+      EXPECT_NEAR(lengths.at(LineKind::crease)[1], wanted[1], 2);
     }
 }
 
@@ -213,8 +217,8 @@ TEST(LineDrawing, ASectionShowsItsLineAndWhatLiesInside) {
   const DrawnSurface sphere = placed(test::sphere(1), Vector3::Zero());
   const auto strokes = strokes_of(std::span(&sphere, 1), view);
   bool cut = false;
-  for (const Stroke& stroke : strokes) {
-    if (stroke.kind != StrokeKind::section) continue;
+  for (const PageLine& stroke : strokes) {
+    if (stroke.kind != LineKind::section) continue;
     cut = true;
     for (const Vector2& p : stroke.points)
       EXPECT_NEAR((p - Vector2(400, 300)).norm(), 0.8 * view.focal, 1e-3);
@@ -223,7 +227,7 @@ TEST(LineDrawing, ASectionShowsItsLineAndWhatLiesInside) {
   // From the side the cap is gone.
   DrawingView side = view_along({0, 1, 0}, Vector3::Zero(), 10, 3, true);
   side.section = view.section;
-  for (const Stroke& stroke : strokes_of(std::span(&sphere, 1), side))
+  for (const PageLine& stroke : strokes_of(std::span(&sphere, 1), side))
     for (const Vector2& p : stroke.points) {
       // Lines lie in the plane through the middle that faces the viewer.
       const double x = (p.x() - 400) * side.right.x() + (300 - p.y()) * side.up.x();
@@ -236,7 +240,7 @@ TEST(LineDrawing, SizeAndPlaceDoNotMatter) {
     DrawingView view = view_along({1, 2, -1}, at, 10 * scale, 7 * scale, false);
     test::AnalyticOptions options;
     const DrawnSurface torus = placed(test::torus(2, 0.6, 6, 5, options), at, scale);
-    return lengths_of(strokes_of(std::span(&torus, 1), view, true))[StrokeKind::silhouette];
+    return lengths_of(strokes_of(std::span(&torus, 1), view, true))[LineKind::silhouette];
   };
   const auto plain = drawing(1, Vector3::Zero());
   for (const double scale : {1e-3, 1e6}) {
@@ -257,6 +261,96 @@ TEST(LineDrawing, IsTheSameOnAnyNumberOfThreads) {
   const auto one = strokes_of(std::span(&torus, 1), view, true);
   ASSERT_EQ(one.size(), many.size());
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].points, many[i].points);
+}
+
+TEST(LineDrawing, OnlyTheKindsAskedForAreDrawn) {
+  const DrawingView view = view_along({-1, -2, -1.3}, Vector3::Zero(), 12, 5, false);
+  const DrawnSurface two[] = {placed(box_of_patches(), Vector3::Zero()),
+                              placed(test::sphere(0.5), Vector3(0, 0, 1.8))};
+  const auto all = lengths_of(strokes_of(two, view));
+  ASSERT_EQ(all.size(), 2U);
+  for (const auto& [kind, length] : all) {
+    LineDrawingSettings settings;
+    settings.kinds = {kind};
+    const auto drawing = draw_lines(two, view, settings);
+    ASSERT_TRUE(drawing.ok()) << to_string(drawing.error());
+    const auto found = lengths_of(drawing->lines);
+    ASSERT_EQ(found.size(), 1U) << to_string(kind);
+    EXPECT_EQ(found.begin()->first, kind);
+    EXPECT_DOUBLE_EQ(found.begin()->second[0], length[0]);
+    EXPECT_EQ(line_kind_from(to_string(kind)), kind);
+  }
+  LineDrawingSettings none;
+  none.kinds = {LineKind::section};
+  EXPECT_EQ(draw_lines(two, view, none).error().code, e_drawing_empty);
+  EXPECT_FALSE(line_kind_from("outline"));
+}
+
+TEST(LineDrawing, ThePageCutsLinesOffAndChangesNothingOnIt) {
+  // The page of a closer view is the middle of that of a wider one.
+  test::for_random(7, 4, [](std::mt19937_64& rng) {
+    const bool orthographic = test::chance(rng, 0.5);
+    const Vector3 direction = test::random_vector(rng);
+    DrawingView wide = view_along(direction, Vector3::Zero(), 10, 7, orthographic);
+    DrawingView close = wide;
+    close.width = 300;
+    close.height = 200;
+    const DrawnSurface two[] = {placed(test::torus(2, 0.6, 6, 5), Vector3::Zero()),
+                                placed(box_of_facets(), Vector3(0.3, 0.1, 0.2), 0.7)};
+    const Vector2 shift((wide.width - close.width) / 2, (wide.height - close.height) / 2);
+    std::array<double, 2> inside{0, 0}, found{0, 0};
+    const auto measure = [](const PageLine& stroke, const Vector2& by, std::array<double, 2>& sum) {
+      // Lengths of the parts well inside of the closer page.
+      for (std::size_t i = 1; i < stroke.points.size(); ++i)
+        for (int k = 0; k < 100; ++k) {
+          const Vector2 step = stroke.points[i] - stroke.points[i - 1];
+          const Vector2 p = stroke.points[i - 1] + (k + 0.5) / 100 * step - by;
+          if (p.x() > 5 && p.x() < 295 && p.y() > 5 && p.y() < 195)
+            sum[stroke.hidden ? 1 : 0] += step.norm() / 100;
+        }
+    };
+    for (const PageLine& stroke : strokes_of(two, wide, true)) measure(stroke, shift, inside);
+    for (const PageLine& stroke : strokes_of(two, close, true)) {
+      measure(stroke, Vector2::Zero(), found);
+      for (const Vector2& p : stroke.points) {
+        EXPECT_GE(p.x(), -page_margin - 1e-6);
+        EXPECT_LE(p.x(), close.width + page_margin + 1e-6);
+        EXPECT_GE(p.y(), -page_margin - 1e-6);
+        EXPECT_LE(p.y(), close.height + page_margin + 1e-6);
+      }
+    }
+    EXPECT_GT(inside[0], 100);
+    EXPECT_NEAR(found[0], inside[0], 0.01 * (inside[0] + inside[1]) + 3);
+    EXPECT_NEAR(found[1], inside[1], 0.01 * (inside[0] + inside[1]) + 3);
+  });
+}
+
+TEST(LineDrawing, WhatReachesBehindTheEyeHidesAndIsCutOff) {
+  // The eye is inside of a long beam and looks along it to a sphere beyond its far end, which is closed.
+  DrawingView view = view_along(Vector3::UnitY(), Vector3(0, 10, 0), 10, 6, false);
+  view.near_plane = 0.1;
+  DrawnSurface beam{box_of_facets()};
+  beam.transform.scale(Vector3(1, 8, 1));
+  const DrawnSurface two[] = {beam, placed(test::sphere(0.9), Vector3(0, 20, 0))};
+  double visible = 0, hidden = 0;
+  for (const PageLine& stroke : strokes_of(two, view, true)) {
+    (stroke.hidden ? hidden : visible) += length_of(stroke);
+    for (const Vector2& p : stroke.points) EXPECT_TRUE(p.allFinite());
+    // The four edges that begin behind the eye run from beside the page to the end of the beam.
+    if (stroke.hidden) continue;
+    for (const Vector2& p : stroke.points) EXPECT_GE((p - Vector2(400, 300)).norm(), view.focal / 8 - 1e-6);
+  }
+  const double sphere = 2 * std::numbers::pi * view.focal * 0.9 / std::sqrt(400 - 0.81);
+  EXPECT_NEAR(hidden, sphere, 2) << "the end of the beam hides the sphere and nothing else is hidden";
+  EXPECT_GT(visible, 8 * view.focal / 8) << "the end of the beam";
+}
+
+TEST(LineDrawing, TellsHowFarItIs) {
+  const DrawnSurface sphere = placed(test::sphere(1), Vector3::Zero());
+  const Progress progress = Progress::make();
+  const DrawingView view = view_along(Vector3::UnitY(), Vector3::Zero(), 10, 6, false);
+  ASSERT_TRUE(draw_lines(std::span(&sphere, 1), view, {}, {}, progress).ok());
+  EXPECT_EQ(progress.fraction(), 1);
 }
 
 TEST(LineDrawing, WhatLiesBehindTheEyeIsNotDrawn) {

@@ -9,11 +9,12 @@
 
 namespace hariko {
 
-class Occlusion {
+class PageOcclusion {
  public:
-  explicit Occlusion(const DrawingView& view);
+  explicit PageOcclusion(const DrawingView& view);
 
-  /// Triangles that reach behind the near plane do not hide anything; what the section cuts away neither.
+  /// What lies well before the near plane hides nothing, nor what the section cuts away or what is beside the
+  /// page.
   void add(const std::array<Vector3, 3>& triangle);
   /// Is a triangle nearer to the eye than this point, by more than `slack` (length)? To be called after all
   /// triangles were added.

@@ -1,0 +1,259 @@
+#include "app/commands/render_command_line.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "core/base/file_ending.hpp"
+#include "render/color_map.hpp"
+#include "render/picture.hpp"
+
+namespace hariko {
+
+namespace {
+
+std::optional<int> parse_int(std::string_view text) {
+  int value = 0;
+  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || stop != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+/// "1280x960"
+std::optional<PixelSize> parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parse_int(std::string_view(text).substr(0, cross));
+  const auto height = parse_int(std::string_view(text).substr(cross + 1));
+  const auto fits = [](const std::optional<int>& side) {
+    return side && *side >= 1 && *side <= max_picture_side;
+  };
+  if (!fits(width) || !fits(height)) return std::nullopt;
+  return PixelSize{*width, *height};
+}
+
+/// "180x120mm": a page, in pixels of 1/96 inch.
+std::optional<Vector2> parse_page(std::string_view text) {
+  if (!text.ends_with("mm")) return std::nullopt;
+  text.remove_suffix(2);
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const auto width = parse_number(text.substr(0, cross)), height = parse_number(text.substr(cross + 1));
+  const auto fits = [](const std::optional<double>& side) {
+    return side && *side >= least_page_side && *side <= most_page_side;
+  };
+  if (!fits(width) || !fits(height)) return std::nullopt;
+  return Vector2(pixels_per_millimetre * Vector2(*width, *height));
+}
+
+/// "symmetric", "percentile", "full", or "-1,1"
+std::optional<MapRange> parse_range(std::string_view text) {
+  if (text == "symmetric") return MapRange{RangeMode::symmetric};
+  if (text == "percentile") return MapRange{RangeMode::percentile};
+  if (text == "full") return MapRange{RangeMode::full};
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto low = parse_number(text.substr(0, comma)), high = parse_number(text.substr(comma + 1));
+  if (!low || !high || !(*low < *high)) return std::nullopt;
+  return MapRange{RangeMode::manual, *low, *high};
+}
+
+/// "#b9b4ac"
+std::optional<Colour> parse_colour(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  std::uint32_t value = 0;
+  const auto [stop, status] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
+  if (status != std::errc() || stop != text.data() + 7) return std::nullopt;
+  const auto byte = [&](int shift) { return static_cast<std::uint8_t>(value >> shift); };
+  return Colour{byte(16), byte(8), byte(0)};
+}
+
+/// "x=10", or "-x=10" for the other half
+std::optional<SectionPlane> parse_section(std::string_view text) {
+  const bool flipped = !text.empty() && text[0] == '-';
+  if (flipped) text.remove_prefix(1);
+  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || text[1] != '=') return std::nullopt;
+  const auto offset = parse_number(text.substr(2));
+  if (!offset) return std::nullopt;
+  SectionPlane plane;
+  plane.normal = (flipped ? -1.0 : 1.0) * Vector3::Unit(text[0] - 'x');
+  plane.offset = flipped ? -*offset : *offset;
+  return plane;
+}
+
+Material material_from(std::string_view word) {
+  constexpr std::array<std::string_view, material_count> words{"clay", "porcelain", "metal",
+                                                               "wax",  "rubber",    "plastic"};
+  return static_cast<Material>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+bool is_png(const std::string& path) {
+  return lower_ending(path) == ".png";
+}
+bool is_svg(const std::string& path) {
+  return lower_ending(path) == ".svg";
+}
+
+}  // namespace
+
+void RenderCommandLine::add_to(CLI::App& app) {
+  command_ = app.add_subcommand(
+      "render", "Draws the visible objects, as a PNG picture or as an SVG line drawing, without a display");
+  command_->add_option("FILE", file_, "Document or mesh")->required();
+  command_->add_option("OUT", out_, "File to write: *.png, or *.svg for lines")->required();
+  command_->add_option("--size", size_, "Width and height in pixels, as 1280x960; of *.svg also as 180x120mm")
+      ->capture_default_str();
+  command_->add_option("--view", view_, "Direction of view")
+      ->check(CLI::IsMember({"iso", "front", "back", "left", "right", "top", "bottom"}))
+      ->capture_default_str();
+  command_->add_option("--section", section_,
+                       "Cuts away what is beyond: x=10, y=-2.5, or -z=3 for the other half");
+  add_looks();
+  add_lines();
+}
+
+void RenderCommandLine::add_looks() {
+  picture_options_ = {
+      command_->add_option("--map", map_, "What colours the surface")
+          ->check(CLI::IsMember(
+              {"shaded", "patches", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "continuity"}))
+          ->capture_default_str(),
+      command_
+          ->add_option(
+              "--show", show_,
+              "Drawn as well, with commas between: polyhedron, network, tensions, marks (G0, G1, G2), combs")
+          ->delimiter(',')
+          ->check(CLI::IsMember({"polyhedron", "network", "tensions", "marks", "combs"})),
+      command_->add_option("--range", range_, "Of the map: symmetric, percentile, full, or LOW,HIGH")
+          ->capture_default_str(),
+      command_->add_option("--material", material_, "Instead of each object's own")
+          ->check(CLI::IsMember({"clay", "porcelain", "metal", "wax", "rubber", "plastic"})),
+      command_->add_option("--colour", colour_, "As #b9b4ac, instead of each object's own"),
+      command_
+          ->add_option("--wire", wire_,
+                       "Lines over the surface: none, borders of patches, or the display mesh")
+          ->check(CLI::IsMember({"none", "borders", "mesh"}))
+          ->capture_default_str(),
+      command_->add_option("--stripes", arguments_.stripes, "Of zebra and isophotes, 2 to 64")
+          ->check(CLI::Range(2, 64))
+          ->capture_default_str(),
+      command_->add_option("--background", background_, "Of the picture")
+          ->check(CLI::IsMember({"dark", "light", "transparent"}))
+          ->capture_default_str(),
+      command_->add_flag("--colour-blind-safe", arguments_.colour_blind_safe,
+                         "Colours of maps that differ for all kinds of colour vision")};
+}
+
+void RenderCommandLine::add_lines() {
+  std::vector<std::string> kinds;
+  for (const LineKind kind : line_kinds) kinds.emplace_back(to_string(kind));
+  drawing_options_ = {
+      command_
+          ->add_option("--lines", lines_,
+                       "Of *.svg, with commas between: silhouette, border, crease, section, network; all "
+                       "where nothing is said")
+          ->delimiter(',')
+          ->check(CLI::IsMember(kinds)),
+      command_->add_flag("--hidden", hidden_, "Of *.svg: hidden lines as well, dashed")};
+}
+
+void RenderCommandLine::check() const {
+  if (!section_.empty() && !parse_section(section_))
+    throw CLI::ValidationError("--section", "must be like x=10, y=-2.5 or -z=3");
+  if (is_png(out_)) return check_picture();
+  if (is_svg(out_)) return check_drawing();
+  throw CLI::ValidationError("OUT", "the name must end in .png or .svg");
+}
+
+void RenderCommandLine::check_picture() const {
+  for (const CLI::Option* option : drawing_options_)
+    if (*option) throw CLI::ValidationError(option->get_name(), "is for line drawings, *.svg");
+  if (!parse_size(size_))
+    throw CLI::ValidationError("--size", "must be like 1280x960, each side from 1 to " +
+                                             std::to_string(max_picture_side) + " pixels");
+  if (!parse_range(range_))
+    throw CLI::ValidationError("--range", "must be symmetric, percentile, full, or two numbers as -1,1");
+  if (!colour_.empty() && !parse_colour(colour_))
+    throw CLI::ValidationError("--colour", "must be like #b9b4ac");
+}
+
+void RenderCommandLine::check_drawing() const {
+  for (const CLI::Option* option : picture_options_)
+    if (*option) throw CLI::ValidationError(option->get_name(), "is for pictures, *.png");
+  if (!parse_size(size_) && !parse_page(size_))
+    throw CLI::ValidationError("--size", "must be like 1280x960, each side from 1 to " +
+                                             std::to_string(max_picture_side) +
+                                             " pixels, or like 180x120mm, from 10 to 2000 mm");
+}
+
+int RenderCommandLine::run(const Construction& construction) const {
+  if (is_svg(out_)) {
+    DrawingArguments arguments = drawing();
+    arguments.construction = construction;
+    return run_drawing(arguments);
+  }
+  RenderArguments arguments = picture();
+  arguments.construction = construction;
+  return run_render(arguments);
+}
+
+RenderArguments RenderCommandLine::picture() const {
+  RenderArguments out = arguments_;
+  out.file = file_;
+  out.out = out_;
+  const PixelSize size = *parse_size(size_);
+  out.width = size.width;
+  out.height = size.height;
+  out.view = *standard_view_from(view_);
+  out.map = *surface_map_from(map_);
+  const auto shows = [&](const char* item) {
+    return std::find(show_.begin(), show_.end(), item) != show_.end();
+  };
+  out.tensions = shows("tensions");
+  out.polyhedron = shows("polyhedron") || out.tensions;
+  out.network = shows("network");
+  out.marks = shows("marks");
+  out.combs = shows("combs");
+  out.range = *parse_range(range_);
+  out.wire = wire_ == "mesh" ? PatchWire::mesh : (wire_ == "borders" ? PatchWire::borders : PatchWire::none);
+  if (!material_.empty()) out.material = material_from(material_);
+  if (!colour_.empty()) out.colour = parse_colour(colour_);
+  if (!section_.empty()) out.section = parse_section(section_);
+  out.background = background_ == "light"         ? Background::light
+                   : background_ == "transparent" ? Background::transparent
+                                                  : Background::dark;
+  return out;
+}
+
+DrawingArguments RenderCommandLine::drawing() const {
+  DrawingArguments out;
+  out.file = file_;
+  out.out = out_;
+  if (const auto page = parse_page(size_)) {
+    out.unit = PageUnit::millimetre;
+    out.width = page->x();
+    out.height = page->y();
+  } else {
+    const PixelSize size = *parse_size(size_);
+    out.width = size.width;
+    out.height = size.height;
+  }
+  out.view = *standard_view_from(view_);
+  if (!section_.empty()) out.section = parse_section(section_);
+  if (!lines_.empty()) out.lines.kinds.clear();
+  for (const std::string& name : lines_) out.lines.kinds.insert(*line_kind_from(name));
+  out.lines.hidden = hidden_;
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,39 @@
+#pragma once
+
+// The options of `hariko render`. Internal to app/commands.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands/drawing_command.hpp"
+
+namespace hariko {
+
+class RenderCommandLine {
+ public:
+  void add_to(CLI::App& app);
+  CLI::App* command() const { return command_; }
+  /// Throws CLI::ValidationError for what the parser itself cannot refuse.
+  void check() const;
+  /// After `check`: draws a picture or lines, as the name of the file says. The exit code.
+  int run(const Construction& construction) const;
+
+ private:
+  void add_looks();
+  void add_lines();
+  void check_picture() const;
+  void check_drawing() const;
+  RenderArguments picture() const;
+  DrawingArguments drawing() const;
+
+  CLI::App* command_ = nullptr;
+  std::vector<CLI::Option*> picture_options_, drawing_options_;  ///< of only one of both
+  std::string file_, out_, size_ = "1280x960", view_ = "iso", map_ = "shaded", range_ = "symmetric",
+                           material_, colour_, wire_ = "none", section_, background_ = "dark";
+  std::vector<std::string> show_, lines_;
+  RenderArguments arguments_;
+  bool hidden_ = false;
+};
+
+}  // namespace hariko
