@@ -163,10 +163,12 @@ class Application {
     actions.export_file = [this](const auto& path, const auto& settings) {
       exchange_.export_file(path, settings);
     };
-    actions.export_cad = [this](const auto& path, const auto& choices) {
-      exchange_.export_cad(path, choices);
+    actions.export_cad = [this](const auto& path, const auto& settings) {
+      exchange_.export_cad(path, settings);
     };
     actions.count_export = [this](const ExportSettings& settings) { exchange_.count_export(settings); };
+    actions.count_cad = [this](const CadSettings& settings) { exchange_.count_cad(settings); };
+    actions.cancel_count = [this] { exchange_.cancel_count(); };
     actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };
     actions.export_control = [this](const auto& path) { skins_.export_control(path); };
     actions.convert_skin = [this](ObjectId object) { skins_.convert(object); };
@@ -210,14 +212,20 @@ class Application {
   void load_settings() {
     const auto loaded = settings_file_.load();
     editor_.settings = saved_settings_ = loaded.settings;
+    workbench_.remember(loaded.exports);
+    saved_exports_ = workbench_.exports();
     for (const Message& problem : loaded.problems) editor_.notify(problem);
   }
 
   void save_settings() {
     // Not while a slider moves: each value would be written.
-    if (player_ || editor_.settings == saved_settings_ || ImGui::IsAnyMouseDown()) return;
+    if (player_ || ImGui::IsAnyMouseDown()) return;
+    ExportMemory exports = workbench_.exports();
+    if (editor_.settings == saved_settings_ && exports == saved_exports_) return;
     saved_settings_ = editor_.settings;
-    if (auto saved = settings_file_.save(saved_settings_); !saved) editor_.notify(saved.error());
+    saved_exports_ = std::move(exports);
+    if (auto saved = settings_file_.save(saved_settings_, saved_exports_); !saved)
+      editor_.notify(saved.error());
   }
 
   /// Whether something changes with time alone.
@@ -438,6 +446,7 @@ class Application {
   const XdgFolders folders_ = xdg_folders();
   SettingsFile settings_file_{folders_.config / "settings.json"};
   Settings saved_settings_;
+  ExportMemory saved_exports_;
   Renderer renderer_;
   TestLog log_;
   InterfaceText text_{assets_folder() / "languages"};

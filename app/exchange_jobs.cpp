@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -13,7 +12,6 @@
 #include "core/document/convert_unit.hpp"
 #include "core/document/edit_objects.hpp"
 #include "ui/export_text.hpp"
-#include "ui/panels/quantity.hpp"
 #include "ui/panels/selected_items.hpp"
 
 namespace hariko {
@@ -59,23 +57,36 @@ void ExchangeJobs::add_imported(const std::filesystem::path& path, const Documen
   log_("imported", path);
 }
 
-void ExchangeJobs::count_export(const ExportSettings& settings) {
+template <class Count, class Take>
+void ExchangeJobs::count(Count count, Take take) {
   counting_.cancel();
   counting_ = CancelToken::make();
   work_.run(
-      "",
-      [settings, document = document_to_export(settings), counting = counting_](const CancelToken&) {
-        return count_triangles(document, settings, counting);
-      },
-      [this, settings](const Result<ExportCount>& count) {
-        workbench_.take_export_count(settings, count);
+      "", [count = std::move(count), counting = counting_](const CancelToken&) { return count(counting); },
+      [this, take = std::move(take), counting = counting_](const auto& counted) {
+        if (counting.cancelled()) return;
+        take(counted);
         log_("export_counted", {});
       });
 }
 
-Document ExchangeJobs::document_to_export(const ExportSettings& settings) const {
+void ExchangeJobs::count_export(const ExportSettings& settings) {
+  count([settings, document = document_to_export(settings.only_selected)](
+            const CancelToken& cancel) { return count_triangles(document, settings, cancel); },
+        [this, settings](const Result<ExportCount>& counted) {
+          workbench_.take_export_count(settings, counted);
+        });
+}
+
+void ExchangeJobs::count_cad(const CadSettings& settings) {
+  count([settings, document = document_to_export(settings.only_selected)](
+            const CancelToken& cancel) { return hariko::count_cad(document, settings.choices, cancel); },
+        [this, settings](const Result<CadTotals>& counted) { workbench_.take_cad_count(settings, counted); });
+}
+
+Document ExchangeJobs::document_to_export(bool only_selected) const {
   const Document& document = editor_.history.current();
-  if (!settings.only_selected) return document;
+  if (!only_selected) return document;
   const auto shown = showing_only(document, chosen_ids(editor_));
   HARIKO_ASSERT(shown.ok(), "every object can be hidden");
   return *shown;
@@ -85,8 +96,8 @@ void ExchangeJobs::export_file(const std::filesystem::path& path, const ExportSe
   counting_.cancel();  // or the file would wait for it
   work_.run_cancellable(
       fill(translatable("Exporting {0}"), {path.filename().string()}),
-      [path, settings, document = document_to_export(settings)](const CancelToken& cancel,
-                                                                const Progress& progress) {
+      [path, settings, document = document_to_export(settings.only_selected)](const CancelToken& cancel,
+                                                                              const Progress& progress) {
         return export_triangles(document, path, settings, cancel, progress);
       },
       [this, path, choices = settings.choices,
@@ -101,13 +112,14 @@ void ExchangeJobs::export_file(const std::filesystem::path& path, const ExportSe
       });
 }
 
-void ExchangeJobs::export_cad(const std::filesystem::path& path, const CadChoices& choices) {
+void ExchangeJobs::export_cad(const std::filesystem::path& path, const CadSettings& settings) {
+  counting_.cancel();
   const Unit unit = editor_.document().unit;
   work_.run_cancellable(
       fill(translatable("Exporting {0}"), {path.filename().string()}),
-      [path, choices, document = editor_.history.current()](const CancelToken& cancel,
-                                                            const Progress& progress) {
-        return hariko::export_cad(document, path, choices, header_time(), cancel, progress);
+      [path, settings, document = document_to_export(settings.only_selected)](const CancelToken& cancel,
+                                                                              const Progress& progress) {
+        return hariko::export_cad(document, path, settings.choices, header_time(), cancel, progress);
       },
       [this, path, unit](const Result<CadExportReport>& exported) {
         if (!exported.ok()) {
@@ -115,15 +127,8 @@ void ExchangeJobs::export_cad(const std::filesystem::path& path, const CadChoice
           return editor_.notify(exported.error());
         }
         for (const Message& warning : warnings_of(*exported)) editor_.notify(warning);
-        const CadTotals all = totals(*exported);
-        Quantity angle = angle_quantity();
-        angle.decimals = 3;
-        editor_.notify(Notice::Kind::info,
-                       fill(editor_.language("Exported {0}: {1} faces, {2} of them exact; off by {3} and "
-                                             "turned by {4} at the most."),
-                            {path.filename().string(), std::to_string(all.faces), std::to_string(all.exact),
-                             format_quantity(length_quantity(unit, all.distance), all.distance),
-                             format_quantity(angle, all.normal_jump * 180 / std::numbers::pi)}));
+        editor_.notify(Notice::Kind::info, cad_export_text(editor_.language, path, totals(exported->objects),
+                                                           exported->bytes, unit));
         ++editor_.exports;
         log_("exported", path);
       });

@@ -21,14 +21,19 @@ class ExchangeJobs {
   /// "exported" or "export_failed".
   ExchangeJobs(Editor& editor, Workbench& workbench, BackgroundWork& work, Log log)
       : editor_(editor), workbench_(workbench), work_(work), log_(std::move(log)) {}
+  ~ExchangeJobs() { counting_.cancel(); }
+  ExchangeJobs(const ExchangeJobs&) = delete;
+  ExchangeJobs& operator=(const ExchangeJobs&) = delete;
 
   /// Adds the objects of a file to the document, as one step; asks first whether a broken mesh is repaired.
   void import_file(const std::filesystem::path& path);
-  /// Counts the triangles that an export would write, for the dialog; a count that is on its way is
-  /// cancelled.
+  /// Counts the triangles or faces that an export would write, for the dialogs; a count that is on its way
+  /// is cancelled, and nothing is heard of it any more.
   void count_export(const ExportSettings& settings);
+  void count_cad(const CadSettings& settings);
+  void cancel_count() { counting_.cancel(); }
   void export_file(const std::filesystem::path& path, const ExportSettings& settings);
-  void export_cad(const std::filesystem::path& path, const CadChoices& choices);
+  void export_cad(const std::filesystem::path& path, const CadSettings& settings);
   void export_pictures(PictureOrder order);
   /// Writes the pages of the paper model as they lie.
   void export_pages(const std::filesystem::path& path);
@@ -38,13 +43,16 @@ class ExchangeJobs {
   void add_imported(const std::filesystem::path& path, const Document& document, bool says_unit,
                     const std::vector<Message>& warnings);
   void warn(const std::vector<Message>& warnings);
-  Document document_to_export(const ExportSettings& settings) const;
+  Document document_to_export(bool only_selected) const;
+  /// Runs `count(cancel)` on the worker; `take` gets its result unless it was cancelled.
+  template <class Count, class Take>
+  void count(Count count, Take take);
 
   Editor& editor_;
   Workbench& workbench_;
   BackgroundWork& work_;
   Log log_;
-  CancelToken counting_;  ///< of the last count for the export dialog
+  CancelToken counting_;  ///< of the last count for a dialog
 };
 
 }  // namespace hariko

@@ -1,10 +1,14 @@
 #pragma once
 
-// How surfaces become the triangles of an exported file, and what is known of them before it is written.
+// How surfaces become the triangles or faces of an exported file, and what is known of them before it is
+// written.
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 
+#include "core/document/cad_choices.hpp"
 #include "core/document/file_choices.hpp"
 
 namespace hariko {
@@ -25,6 +29,27 @@ struct ExportSettings {
     other.choices = choices;
     return *this == other;
   }
+};
+
+/// Likewise for CAD.
+struct CadSettings {
+  CadChoices choices;
+  bool only_selected = false;
+
+  friend bool operator==(const CadSettings&, const CadSettings&) = default;
+  /// True when both give the same faces, however their numbers are written.
+  bool same_faces(const CadSettings& other) const {
+    return choices.tolerance == other.choices.tolerance && choices.scale == other.choices.scale &&
+           only_selected == other.only_selected;
+  }
+};
+
+/// What was chosen last, for the next session.
+struct ExportMemory {
+  std::map<std::string, ExportSettings> formats;  ///< by ending, as ".stl"
+  CadChoices cad;                                 ///< tolerance 0: nothing was chosen yet
+
+  friend bool operator==(const ExportMemory&, const ExportMemory&) = default;
 };
 
 /// What was written, all objects together.

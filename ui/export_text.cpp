@@ -1,8 +1,24 @@
 #include "ui/export_text.hpp"
 
+#include <numbers>
+
 #include "ui/panels/quantity.hpp"
 
 namespace hariko {
+
+namespace {
+
+std::string angle_text(double radians) {
+  Quantity angle = angle_quantity();
+  angle.decimals = 3;
+  return format_quantity(angle, radians * 180 / std::numbers::pi);
+}
+
+std::string length_text(Unit unit, double length) {
+  return format_quantity(length_quantity(unit, length), length);
+}
+
+}  // namespace
 
 std::string file_size_text(std::uintmax_t bytes) {
   if (bytes < 10'000) return std::to_string(bytes) + " B";
@@ -21,6 +37,32 @@ std::string export_text(const Language& tr, const std::filesystem::path& path, c
   return fill(
       tr("Exported {0}: {1} triangles, {2}, {3}."),
       {path.filename().string(), std::to_string(report.triangles), sizes, file_size_text(report.bytes)});
+}
+
+std::string cad_count_text(const Language& tr, const CadTotals& count, Unit document_unit) {
+  const std::string faces = std::to_string(count.faces), gap = "   \u00b7   ";
+  std::string text = count.all_exact()
+                         ? fill(tr("faces: {0}, all of them exact"), {faces})
+                         : fill(tr("faces: {0}, {1} of them exact"), {faces, std::to_string(count.exact)});
+  if (count.unreached > 0) text += gap + std::string(tr("the tolerance is not reached everywhere"));
+  text += "\n";
+  if (!count.all_exact())
+    text +=
+        fill(tr("off by {0} at the most, by samples"), {length_text(document_unit, count.distance)}) + gap;
+  return text + fill(tr("normals jump by {0} at the most"), {angle_text(count.normal_jump)});
+}
+
+std::string cad_export_text(const Language& tr, const std::filesystem::path& path, const CadTotals& written,
+                            std::uintmax_t bytes, Unit document_unit) {
+  const std::string name = path.filename().string(), faces = std::to_string(written.faces),
+                    angle = angle_text(written.normal_jump), size = file_size_text(bytes);
+  if (written.all_exact())
+    return fill(tr("Exported {0}: {1} faces, all of them exact; turned by {2} at the most; {3}."),
+                {name, faces, angle, size});
+  return fill(
+      tr("Exported {0}: {1} faces, {2} of them exact; off by {3} and turned by {4} at the most; {5}."),
+      {name, faces, std::to_string(written.exact), length_text(document_unit, written.distance), angle,
+       size});
 }
 
 }  // namespace hariko

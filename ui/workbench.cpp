@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/file_io.hpp"
 #include "ui/commands/patch_commands.hpp"
@@ -144,6 +145,7 @@ void Workbench::frame() {
   // Shade at once: nothing is drawn again while nothing happens, so it cannot fade in.
   GImGui->DimBgRatio = 1;
   dialog_.draw(context);
+  if (!dialog_.is_open() && std::exchange(counting_, false)) actions_.cancel_count();
   prompt_.draw(context);
 }
 
@@ -335,6 +337,7 @@ void Workbench::show_export_dialog() {
                 [] { return ExportOptions::rows; }});
   export_options_.begin(editor_, proposal);
   actions_.count_export(export_options_.settings());
+  counting_ = true;
 }
 
 void Workbench::show_cad_dialog() {
@@ -345,10 +348,15 @@ void Workbench::show_cad_dialog() {
                 true,
                 {".step", ".stp", ".iges", ".igs"},
                 proposal,
-                [this](const auto& path) { actions_.export_cad(path, cad_options_.choices()); },
-                [this](const std::filesystem::path&) { cad_options_.draw(editor_, marks_, metrics_); },
+                [this](const auto& path) { actions_.export_cad(path, cad_options_.settings()); },
+                [this](const std::filesystem::path& name) {
+                  if (cad_options_.draw(editor_, marks_, metrics_, name))
+                    actions_.count_cad(cad_options_.settings());
+                },
                 [] { return CadOptions::rows; }});
   cad_options_.begin(editor_);
+  actions_.count_cad(cad_options_.settings());
+  counting_ = true;
 }
 
 void Workbench::show_control_export() {

@@ -35,7 +35,10 @@ struct FileActions {
   /// Finds out what the triangles would be like; ends in `Workbench::take_export_count`. Only the last one
   /// asked for counts.
   std::function<void(const ExportSettings&)> count_export;
-  std::function<void(const std::filesystem::path&, const CadChoices&)> export_cad;
+  /// The same of faces, and `Workbench::take_cad_count`.
+  std::function<void(const CadSettings&)> count_cad;
+  std::function<void()> cancel_count;  ///< of either
+  std::function<void(const std::filesystem::path&, const CadSettings&)> export_cad;
   std::function<void(PictureOrder)> export_pictures;
   /// Writes the control meshes of the visible skins.
   std::function<void(const std::filesystem::path&)> export_control;
@@ -112,6 +115,15 @@ class Workbench {
   void take_export_count(const ExportSettings& settings, const Result<ExportCount>& count) {
     export_options_.take(settings, count);
   }
+  void take_cad_count(const CadSettings& settings, const Result<CadTotals>& count) {
+    cad_options_.take(settings, count);
+  }
+  /// What was chosen in the dialogs that export, and what they begin with.
+  ExportMemory exports() const { return {export_options_.remembered(), cad_options_.settings().choices}; }
+  void remember(ExportMemory exports) {
+    export_options_.remember(std::move(exports.formats));
+    cad_options_.remember(exports.cad);
+  }
   /// For the control meshes of skins.
   void show_control_export();
   void convert_skin(ObjectId object) { actions_.convert_skin(object); }
@@ -164,6 +176,7 @@ class Workbench {
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
   FileDialog dialog_;
+  bool counting_ = false;  ///< something may be counted for the dialog
   OffersDialog offers_dialog_;
   Prompt prompt_;
   ExportOptions export_options_;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <ctime>
-#include <deque>
 
 #include "app/files/export_surfaces.hpp"
 #include "core/base/file_io.hpp"
+#include "core/cad/cad_measure.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/attached.hpp"
 
@@ -15,6 +15,8 @@ namespace {
 
 /// What making the surfaces and their faces takes of the whole, about.
 constexpr double modelling = 0.7;
+/// Places a side of each rectangle between knots where distances are measured.
+constexpr int samples = 4;
 
 CadUnit cad_unit(Unit unit) {
   switch (unit) {
@@ -46,12 +48,17 @@ void place(CadModel& model, const Similarity& transform, double factor) {
 struct MadeObject {
   CadModel model;
   CadObjectReport report;
+  MeshColour colour{};
 };
+
+Message cancelled() {
+  return make_error(e_cancelled, "The export was cancelled.");
+}
 
 Result<MadeObject> make_object(const Document& document, const Object& object, const CadChoices& choices,
                                const CancelToken& cancel, const Progress& progress) {
   const auto built = object_surface(document, object, cancel);
-  if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
+  if (cancel.cancelled()) return cancelled();
   if (!built.ok()) return built.error();
   progress.report(0.2);
   const double own_scale = object.transform.scale;
@@ -59,8 +66,9 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   options.tolerance = choices.tolerance / (own_scale * choices.scale);
   auto model = make_cad_model(built->surface, options, cancel, progress.part(0.2, 0.8));
   if (!model.ok()) return model.error();
-  MadeObject out{std::move(model).value(), {}};
-  const CadMeasure measure = measure_cad(built->surface, out.model);
+  MadeObject out{std::move(model).value(), {}, colour_of(object)};
+  const CadMeasure measure = measure_cad(built->surface, out.model, samples, cancel);
+  if (cancel.cancelled()) return cancelled();
   const double scale = own_scale * choices.scale;
   const double tolerance = options.tolerance > 0 ? options.tolerance : usual_cad_tolerance * out.model.size;
   CadObjectReport& report = out.report;
@@ -79,20 +87,14 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   return out;
 }
 
-}  // namespace
-
-Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
-                                   const CadChoices& choices, const std::string& time,
-                                   const CancelToken& cancel, const Progress& progress) {
-  if (const auto missing = why_no_cad_files()) return *missing;
-  const auto format = cad_format_of(path);
-  if (!format) return make_error(e_format_unknown, "The name must end in " + std::string(cad_endings) + ".");
-  std::deque<MadeObject> made;
-  std::vector<CadObject> objects;
+/// All that is visible; at least one.
+Result<std::vector<MadeObject>> make_objects(const Document& document, const CadChoices& choices,
+                                             const CancelToken& cancel, const Progress& progress) {
+  std::vector<MadeObject> made;
   const auto count = static_cast<double>(document.objects.size());
   double number = 0;
   for (const auto& object : document.objects) {
-    const Progress part = progress.part(modelling * number / count, modelling * (number + 1) / count);
+    const Progress part = progress.part(number / count, (number + 1) / count);
     ++number;
     if (!object->visible || !object->has_surface()) continue;
     auto one = make_object(document, *object, choices, cancel, part);
@@ -101,13 +103,24 @@ Result<CadExportReport> export_cad(const Document& document, const std::filesyst
       if (!(error.code == e_cancelled)) error.text = object->name + ": " + error.text;
       return error;
     }
-    if (one->model.faces.empty()) continue;
-    made.push_back(std::move(one).value());
-    objects.push_back({object->name, &made.back().model, colour_of(*object)});
+    if (!one->model.faces.empty()) made.push_back(std::move(one).value());
   }
-  if (objects.empty())
-    return make_error(e_no_surface, "There is no visible surface to export.",
-                      "Show an object or import one.");
+  if (!made.empty()) return made;
+  return make_error(e_no_surface, "There is no visible surface to export.", "Show an object or import one.");
+}
+
+}  // namespace
+
+Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
+                                   const CadChoices& choices, const std::string& time,
+                                   const CancelToken& cancel, const Progress& progress) {
+  if (const auto missing = why_no_cad_files()) return *missing;
+  const auto format = cad_format_of(path);
+  if (!format) return make_error(e_format_unknown, "The name must end in " + std::string(cad_endings) + ".");
+  const auto made = make_objects(document, choices, cancel, progress.part(0, modelling));
+  if (!made.ok()) return made.error();
+  std::vector<CadObject> objects;
+  for (const MadeObject& one : *made) objects.push_back({one.report.name, &one.model, one.colour});
   CadFileOptions options;
   options.format = *format == CadFormat::step_ap214 && choices.ap242 ? CadFormat::step_ap242 : *format;
   options.unit = cad_unit(choices.unit);
@@ -116,18 +129,27 @@ Result<CadExportReport> export_cad(const Document& document, const std::filesyst
   if (!file.ok()) return file.error();
   if (const auto done = write_file_atomic(path, file->bytes); !done.ok()) return done.error();
   CadExportReport report;
-  for (MadeObject& one : made) report.objects.push_back(std::move(one.report));
+  for (const MadeObject& one : *made) report.objects.push_back(one.report);
   report.file = file->report;
   report.bytes = file->bytes.size();
   progress.report(1);
   return report;
 }
 
-CadTotals totals(const CadExportReport& report) {
+Result<CadTotals> count_cad(const Document& document, const CadChoices& choices, const CancelToken& cancel) {
+  const auto made = make_objects(document, choices, cancel, {});
+  if (!made.ok()) return made.error();
+  std::vector<CadObjectReport> reports;
+  for (const MadeObject& one : *made) reports.push_back(one.report);
+  return totals(reports);
+}
+
+CadTotals totals(std::span<const CadObjectReport> objects) {
   CadTotals out;
-  for (const CadObjectReport& object : report.objects) {
+  for (const CadObjectReport& object : objects) {
     out.faces += object.faces;
     out.exact += object.exact;
+    out.unreached += object.unreached;
     out.distance = std::max(out.distance, object.distance);
     out.normal_jump = std::max(out.normal_jump, object.normal_jump);
   }

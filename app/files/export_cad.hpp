@@ -3,12 +3,13 @@
 // Writing the surfaces of a document as STEP or IGES.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
-#include "core/cad/cad_measure.hpp"
+#include "core/cad/cad_totals.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/cad_choices.hpp"
 
@@ -41,12 +42,13 @@ Result<CadExportReport> export_cad(const Document& document, const std::filesyst
                                    const CadChoices& settings, const std::string& time,
                                    const CancelToken& cancel = {}, const Progress& progress = {});
 
-/// Of all objects together; lengths are the document's.
-struct CadTotals {
-  std::size_t faces = 0, exact = 0;
-  double distance = 0, normal_jump = 0;
-};
-CadTotals totals(const CadExportReport& report);
+/// Of all objects together; lengths are the document's, after `scale`.
+CadTotals totals(std::span<const CadObjectReport> objects);
+
+/// What `export_cad` would write, of all objects together, without OpenCASCADE. Takes nearly as long. Errors:
+/// those of rebuilding, E_NO_SURFACE, E_CANCELLED.
+Result<CadTotals> count_cad(const Document& document, const CadChoices& choices,
+                            const CancelToken& cancel = {});
 
 /// W_CAD_TOLERANCE for objects with faces that do not keep it; W_CAD_INVALID where the kernel objects.
 std::vector<Message> warnings_of(const CadExportReport& report);

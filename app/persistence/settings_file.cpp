@@ -3,11 +3,14 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
+#include "core/exchange/mesh_file.hpp"
 
 namespace hariko {
 
@@ -17,6 +20,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t largest_file = 1 << 20;  // bytes
+constexpr const char *exports_member = "exports", *cad_member = "cad";
 
 template <class Value>
 using Names = std::initializer_list<std::pair<const char*, Value>>;
@@ -50,10 +54,69 @@ void visit(AnySettings& s, Visitor& visitor) {
   visitor.number("side_width", s.side_width, 100, 2000);
 }
 
+/// What the dialog that exports triangles keeps; lengths are the document's.
+template <class AnyExport, class Visitor>
+void visit_export(AnyExport& e, Visitor& visitor) {
+  using By = ExportSettings::By;
+  constexpr double longest = 1e300;
+  visitor.choice("by", e.by, Names<By>{{"tolerance", By::tolerance}, {"density", By::density}});
+  visitor.number("distance", e.distance, 0, longest);
+  visitor.number("angle", e.angle, 0, std::numbers::pi / 2);
+  visitor.flag("optimise", e.optimise);
+  visitor.number("density", e.density, 1, 64);
+  visitor.choice("unit", e.choices.unit,
+                 Names<std::optional<Unit>>{{"document", std::nullopt},
+                                            {"mm", Unit::millimetre},
+                                            {"cm", Unit::centimetre},
+                                            {"m", Unit::metre},
+                                            {"in", Unit::inch}});
+  visitor.number("scale", e.choices.scale, 1e-6, 1e6);
+  visitor.flag("y_up", e.choices.y_up);
+}
+
+template <class AnyChoices, class Visitor>
+void visit_cad(AnyChoices& c, Visitor& visitor) {
+  constexpr double longest = 1e300;
+  visitor.number("tolerance", c.tolerance, 0, longest);
+  visitor.choice(
+      "unit", c.unit,
+      Names<Unit>{
+          {"mm", Unit::millimetre}, {"cm", Unit::centimetre}, {"m", Unit::metre}, {"in", Unit::inch}});
+  visitor.number("scale", c.scale, 1e-6, 1e6);
+  visitor.flag("ap242", c.ap242);
+}
+
+/// ".stl" for "stl"; nothing for what is no ending of files that are written.
+std::optional<std::string> written_ending(const std::string& name) {
+  const std::string ending = "." + name;
+  const fs::path file = "a" + ending;
+  if (file.extension() != ending || !written_format(file)) return {};
+  return ending;
+}
+
+/// Discarded where it is no JSON, or nested deeper than any settings: writing it again goes as deep.
+Json parsed(std::string_view text) {
+  constexpr int deepest = 32;
+  bool too_deep = false;
+  const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
+    too_deep = too_deep || depth > deepest;
+    return !too_deep;
+  };
+  Json json = Json::parse(text, shallow, false);
+  return too_deep ? Json(Json::value_t::discarded) : json;
+}
+
+/// What it is, or what it becomes.
+Json& object_at(Json& json, const std::string& name) {
+  Json& member = json[name];
+  if (!member.is_object()) member = Json::object();
+  return member;
+}
+
 /// Takes what is right and remembers the names of what is not.
 class Reader {
  public:
-  explicit Reader(const Json& json) : json_(json) {}
+  explicit Reader(const Json& json, std::string place = {}) : json_(json), place_(std::move(place)) {}
   const std::string& wrong() const { return wrong_; }
 
   void flag(const char* name, bool& value) {
@@ -93,15 +156,38 @@ class Reader {
       else
         refuse(name + ("." + printable(key, 60)));
   }
+  /// Of the formats that this version writes.
+  void exports(ExportMemory& memory) {
+    const Json* json = find(exports_member);
+    if (!json) return;
+    if (!json->is_object()) return refuse(exports_member);
+    for (const auto& [name, item] : json->items()) {
+      const bool cad = name == cad_member;
+      const auto ending = written_ending(name);
+      if (!cad && !ending) continue;
+      const std::string place = exports_member + ("." + name);
+      if (!item.is_object()) {
+        refuse(place);
+        continue;
+      }
+      Reader inner(item, place + ".");
+      if (cad)
+        visit_cad(memory.cad, inner);
+      else
+        visit_export(memory.formats[*ending], inner);
+      if (!inner.wrong_.empty()) wrong_ += (wrong_.empty() ? "" : ", ") + inner.wrong_;
+    }
+  }
 
  private:
   const Json* find(const char* name) const {
     const auto it = json_.find(name);
     return it == json_.end() ? nullptr : &*it;
   }
-  void refuse(const std::string& name) { wrong_ += (wrong_.empty() ? "" : ", ") + name; }
+  void refuse(const std::string& name) { wrong_ += (wrong_.empty() ? "" : ", ") + place_ + name; }
 
   const Json& json_;
+  std::string place_;  ///< before the names of members
   std::string wrong_;
 };
 
@@ -119,6 +205,16 @@ class Writer {
       if (choice == value) json_[name] = text;
   }
   void texts(const char* name, const std::map<std::string, std::string>& value) { json_[name] = value; }
+  void exports(const ExportMemory& memory) {
+    Json& json = object_at(json_, exports_member);
+    for (const auto& [ending, settings] : memory.formats) {
+      Writer inner(object_at(json, ending.substr(1)));
+      visit_export(settings, inner);
+    }
+    if (memory.cad.tolerance == 0) return;
+    Writer inner(object_at(json, cad_member));
+    visit_cad(memory.cad, inner);
+  }
 
  private:
   Json& json_;
@@ -159,7 +255,7 @@ SettingsFile::Loaded SettingsFile::load() {
     if (fs::exists(file_, unknown)) loaded.problems.push_back(text.error());
     return loaded;
   }
-  const Json json = Json::parse(*text, nullptr, false);
+  const Json json = parsed(*text);
   if (!json.is_object()) {
     const fs::path kept = aside(file_);
     std::error_code error;
@@ -173,6 +269,7 @@ SettingsFile::Loaded SettingsFile::load() {
   kept_ = *text;
   Reader reader(json);
   visit(loaded.settings, reader);
+  reader.exports(loaded.exports);
   if (!reader.wrong().empty())
     loaded.problems.push_back(make_warning(
         w_settings_value,
@@ -180,14 +277,16 @@ SettingsFile::Loaded SettingsFile::load() {
   return loaded;
 }
 
-Result<Done> SettingsFile::save(const Settings& settings) const {
-  Json json = Json::parse(kept_, nullptr, false);
+Result<Done> SettingsFile::save(const Settings& settings, const ExportMemory& exports) {
+  Json json = parsed(kept_);
   if (!json.is_object()) json = Json::object();
   Writer writer(json);
   visit(settings, writer);
+  writer.exports(exports);
   std::error_code unknown;  // writing says what is wrong
   fs::create_directories(file_.parent_path(), unknown);
-  return write_file_atomic(file_, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  kept_ = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return write_file_atomic(file_, kept_);
 }
 
 }  // namespace hariko

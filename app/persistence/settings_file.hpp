@@ -1,6 +1,6 @@
 #pragma once
 
-// SettingsFile: the user's settings as JSON.
+// SettingsFile: the user's settings, and what was chosen for exports, as JSON.
 
 #include <filesystem>
 #include <string>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "ui/export_settings.hpp"
 #include "ui/settings.hpp"
 
 namespace hariko {
@@ -26,17 +27,19 @@ class SettingsFile {
 
   struct Loaded {
     Settings settings;
+    ExportMemory exports;
     /// W_SETTINGS_BROKEN: it is no JSON object; it was renamed, and the text says to what. W_SETTINGS_VALUE:
     /// names the members that were not used.
     std::vector<Message> problems;
   };
   Loaded load();
-  /// Keeps members of the file that this version does not know. Errors: E_FILE_WRITE.
-  Result<Done> save(const Settings& settings) const;
+  /// Keeps members of the file that this version does not know, and formats that `exports` does not have.
+  /// Errors: E_FILE_WRITE.
+  Result<Done> save(const Settings& settings, const ExportMemory& exports);
 
  private:
   std::filesystem::path file_;
-  std::string kept_;  ///< text of the file that was loaded
+  std::string kept_;  ///< text of the file that was loaded or saved last
 };
 
 }  // namespace hariko

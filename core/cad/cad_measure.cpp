@@ -55,16 +55,17 @@ double jump(const CadModel& model, const CadEdge& edge, int samples) {
 
 }  // namespace
 
-CadMeasure measure_cad(const Surface& surface, const CadModel& model, int samples) {
+CadMeasure measure_cad(const Surface& surface, const CadModel& model, int samples,
+                       const CancelToken& cancel) {
   CadMeasure out;
   out.distances.resize(model.faces.size());
   parallel_for(model.faces.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f)
+    for (std::size_t f = begin; f < end && !cancel.cancelled(); ++f)
       out.distances[f] = face_distance(surface, model, Index(f), samples);
   });
   std::vector<double> jumps(model.edges.size(), 0);
   parallel_for(model.edges.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e)
+    for (std::size_t e = begin; e < end && !cancel.cancelled(); ++e)
       if (model.edges[e].use_count == 2 && model.edges[e].smooth)
         jumps[e] = jump(model, model.edges[e], samples);
   });

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/base/cancellation.hpp"
 #include "core/cad/cad_model.hpp"
 
 namespace hariko {
@@ -20,7 +21,8 @@ struct CadMeasure {
 };
 
 /// Looks at `samples` x `samples` places in each rectangle between knots, its sides included, and at as many
-/// along each stretch of an edge.
-CadMeasure measure_cad(const Surface& surface, const CadModel& model, int samples = 4);
+/// along each stretch of an edge. What is given after `cancel` is cancelled is of no use.
+CadMeasure measure_cad(const Surface& surface, const CadModel& model, int samples = 4,
+                       const CancelToken& cancel = {});
 
 }  // namespace hariko

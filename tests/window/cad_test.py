@@ -1,16 +1,25 @@
-"""Export for CAD in the real window: a sample as STEP and as IGES; the files are whole and come back in by import, and half a
-file is refused with its reason."""
+"""Export for CAD in the real window: a sample as STEP and as IGES, measured before it is written, anew when the tolerance
+changes; the files are whole and come back in by import, and half a file is refused with its reason. The settings are still there
+in the next session."""
 
+import json
 import os
 import tempfile
 
 from driver import Window, check, run
 
 
-def export(window, path, number):
+def open_dialog(window):
+    """With what the file will be like."""
+    counted = window.count("export_counted")
     window.click_on("menu.File")
     window.click_on("command.file.export_cad")
-    window.rect("export.cad_tolerance")
+    window.wait_event("export_counted", counted)
+    window.rect("export.result")
+
+
+def export(window, path, number):
+    open_dialog(window)
     window.type_path(path)
     window.wait_event("exported", number)
     with open(path, "rb") as file:
@@ -23,12 +32,45 @@ def import_file(window, path):
     window.type_path(path)
 
 
+def kept(home):
+    """What the dialog keeps for the next session."""
+    with open(os.path.join(home, "config", "hariko", "settings.json"), encoding="utf-8") as file:
+        return json.load(file)["exports"]["cad"]
+
+
+def check_choices(step):
+    check(b"AP242" in step and b"SI_UNIT(.CENTI.,.METRE.)" in step.replace(b" ", b""), "not what was chosen in the dialog")
+
+
 def session(program, source, output):
+    cube = os.path.join(source, "assets/samples/cube.hariko")
     with tempfile.TemporaryDirectory() as folder:
-        window = Window(program, os.path.join(source, "assets/samples/cube.hariko"))
+        home = os.path.join(folder, "home")
+        window = Window(program, cube, home=home)
         try:
             window.wait_event("rebuild", 0)
+            open_dialog(window)
+            counted = window.count("export_counted")
+            window.click_on("export.cad_tolerance")
+            window.key("ctrl+a")
+            window.type("0.01 mm")
+            window.key("Tab")
+            window.wait_event("export_counted", counted)
+            window.rect("export.result")
+            window.click_on("export.cad_unit")
+            window.click_on("export.cad_unit.cm")
+            window.wait(lambda: "export.cad_unit.cm" not in window.last("layout")["rects"], "the list to close")
+            window.click_on("export.ap242")
+            window.wait_idle()
+            check(window.count("export_counted") == counted + 1, "the unit and the schema do not change the faces")
+            window.screenshot(os.path.join(output, "cad_dialog.png"))
+            window.click_on("dialog.cancel")
             step = export(window, os.path.join(folder, "cube.step"), 0)
+            window.wait(lambda: "Exported" in (window.last("notice") or {"text": ""})["text"], "the report")
+            told = window.last("notice")["text"]
+            check(" faces, " in told and told.endswith("B."), f"the report: {told}")
+            check_choices(step)
+            check(kept(home)["tolerance"] == 0.01, f"the tolerance that was typed: {kept(home)}")
             check(step.startswith(b"ISO-10303-21;") and step.rstrip().endswith(b"END-ISO-10303-21;"), "half a STEP file")
             check(step.count(b"MANIFOLD_SOLID_BREP") == 1, "the cube is no solid")
             window.screenshot(os.path.join(output, "cad_exported.png"))
@@ -50,6 +92,12 @@ def session(program, source, output):
             window.key("ctrl+q")
             window.click_on("prompt.discard")
             window.program.wait(timeout=20)
+        finally:
+            window.close()
+        window = Window(program, cube, home=home)
+        try:
+            check_choices(export(window, os.path.join(folder, "again.step"), 0))
+            check(window.quit() == 0, "the program did not end well")
         finally:
             window.close()
 

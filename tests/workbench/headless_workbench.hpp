@@ -123,6 +123,10 @@ class HeadlessWorkbench {
     complete(actions.revert);
     complete(actions.export_file);
     complete(actions.count_export);
+    complete(actions.count_cad);
+    complete(actions.cancel_count);
+    complete(actions.export_cad);
+    complete(actions.export_pages);
     complete(actions.export_pictures);
     complete(actions.export_control);
     complete(actions.convert_skin);

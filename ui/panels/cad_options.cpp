@@ -1,29 +1,20 @@
 #include "ui/panels/cad_options.hpp"
 
-#include <imgui_stdlib.h>
+#include <imgui.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "core/cad/kernel/cad_file.hpp"
+#include "ui/export_text.hpp"
+#include "ui/panels/option_fields.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr float label_width = 96;
 /// Of the size: what CAD programs take for smooth, and the finest and coarsest that make sense to ask for.
 constexpr double usual = 1e-5, finest = 1e-9, coarsest = 1e-2;
-
-void label(const Language& tr, const Metrics& metrics, const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(tr(text));
-  ImGui::SameLine(metrics.px(label_width));
-}
-
-/// One leading digit: 0.0347 becomes 0.03.
-double rounded(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)));
-  return std::floor(value / unit) * unit;
-}
 
 }  // namespace
 
@@ -32,60 +23,102 @@ void CadOptions::begin(const Editor& editor) {
   for (const auto& object : editor.document().objects)
     if (object->visible && object->has_surface()) box.extend(world_box(*object));
   size_ = box.isEmpty() ? 1 : std::max(box.diagonal().norm(), 1e-9);
-  const bool suits = choices_.tolerance >= finest * size_ && choices_.tolerance <= coarsest * size_;
-  if (!suits) choices_.tolerance = rounded(usual * size_);
-  tolerance_text_ = {};
+  double& tolerance = settings_.choices.tolerance;
+  const bool suits = tolerance >= finest * size() && tolerance <= coarsest * size();
+  if (!suits) tolerance = one_digit(usual * size());
+  tolerance_text_ = scale_text_ = {};
+  count_.reset();
 }
 
 void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
-  label(tr, metrics, translatable("Tolerance"));
-  Quantity length = length_quantity(editor.document().unit, choices_.tolerance);
-  length.low = finest * size_;
-  length.high = coarsest * size_;
-  if (tolerance_text_.empty()) tolerance_text_ = format_quantity(length, choices_.tolerance);
-  ImGui::SetNextItemWidth(metrics.px(110));
-  ImGui::InputText("##cad_tolerance", &tolerance_text_);
-  marks.item("export.cad_tolerance");
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip(
-        "%s", tr("The farthest that faces may be from the surface where they cannot be the surface itself"));
-  if (!ImGui::IsItemDeactivatedAfterEdit()) return;
-  if (const auto change = parse_change(tolerance_text_, length))
-    choices_.tolerance = change->apply(length, choices_.tolerance);
-  tolerance_text_ = format_quantity(length, choices_.tolerance);
+  option_label(tr, metrics, translatable("Tolerance"));
+  Quantity length = length_quantity(editor.document().unit, settings_.choices.tolerance);
+  length.low = finest * size();
+  length.high = coarsest * size();
+  option_field("cad_tolerance",
+               tr("The farthest that faces may be from the surface where they cannot be the surface itself"),
+               marks, metrics.px(110), length, tolerance_text_, settings_.choices.tolerance);
+  ImGui::SameLine(0, metrics.px(16));
+  ImGui::Checkbox((std::string(tr("selected objects only")) + "##cad_selected").c_str(),
+                  &settings_.only_selected);
+  marks.item("export.cad_selected");
 }
 
 void CadOptions::unit_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
   constexpr std::array units{Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch};
-  label(tr, metrics, translatable("Unit"));
+  CadChoices& choices = settings_.choices;
+  option_label(tr, metrics, translatable("Unit"));
   ImGui::SetNextItemWidth(metrics.px(110));
-  const bool open = ImGui::BeginCombo("##cad_unit", std::string(to_string(choices_.unit)).c_str());
+  const bool open = ImGui::BeginCombo("##cad_unit", std::string(to_string(choices.unit)).c_str());
   marks.item("export.cad_unit");
   if (open) {
     for (const Unit unit : units) {
       const std::string name(to_string(unit));
-      if (ImGui::Selectable(name.c_str(), choices_.unit == unit)) choices_.unit = unit;
+      if (ImGui::Selectable(name.c_str(), choices.unit == unit)) choices.unit = unit;
       marks.item("export.cad_unit." + name);
     }
     ImGui::EndCombo();
   }
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("%s", tr("Of the numbers in the file. Sizes stay what they are."));
+  ImGui::SameLine(0, metrics.px(16));
+  ImGui::TextUnformatted(tr("Scale"));
+  ImGui::SameLine();
+  const double before = choices.scale;
+  if (!option_field("cad_scale", tr("All lengths are multiplied by it"), marks, metrics.px(80),
+                    scale_quantity(), scale_text_, choices.scale))
+    return;
+  choices.tolerance *= choices.scale / before;  // the faces stay the same
+  tolerance_text_ = {};
 }
 
-void CadOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics) {
-  const Language& tr = editor.language;
-  tolerance_row(editor, marks, metrics);
-  unit_row(editor, marks, metrics);
+void CadOptions::schema_row(const Language& tr, Marks& marks, const Metrics& metrics,
+                            const std::filesystem::path& name) {
   constexpr std::array schemas{"AP214", "AP242"};
-  label(tr, metrics, translatable("STEP schema"));
-  if (ImGui::RadioButton(schemas[0], !choices_.ap242)) choices_.ap242 = false;
+  option_label(tr, metrics, translatable("STEP schema"));
+  ImGui::BeginDisabled(cad_format_of(name) == CadFormat::iges);
+  if (ImGui::RadioButton(schemas[0], !settings_.choices.ap242)) settings_.choices.ap242 = false;
   marks.item("export.ap214");
   ImGui::SameLine();
-  if (ImGui::RadioButton(schemas[1], choices_.ap242)) choices_.ap242 = true;
+  if (ImGui::RadioButton(schemas[1], settings_.choices.ap242)) settings_.choices.ap242 = true;
   marks.item("export.ap242");
+  ImGui::EndDisabled();
+}
+
+void CadOptions::result_rows(const Editor& editor, Marks& marks) const {
+  const Language& tr = editor.language;
+  // What comes below must not move when the result comes.
+  const float below = ImGui::GetCursorPosY() + 2 * ImGui::GetFrameHeightWithSpacing();
+  ImGui::AlignTextToFramePadding();
+  if (!count_) {
+    ImGui::TextDisabled("%s", tr("Fitting faces\u2026"));
+  } else if (count_->ok()) {
+    ImGui::TextUnformatted(cad_count_text(tr, count_->value(), editor.document().unit).c_str());
+    marks.item("export.result");
+  } else {
+    const TextColour colour(palette().error);
+    ImGui::TextWrapped("%s", tr.text_of(count_->error()).c_str());
+    marks.item("export.result");
+  }
+  ImGui::SetCursorPosY(std::max(below, ImGui::GetCursorPosY()));
+}
+
+bool CadOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics,
+                      const std::filesystem::path& name) {
+  const CadSettings before = settings_;
+  tolerance_row(editor, marks, metrics);
+  unit_row(editor, marks, metrics);
+  schema_row(editor.language, marks, metrics, name);
+  result_rows(editor, marks);
+  if (settings_.same_faces(before)) return false;
+  count_.reset();
+  return true;
+}
+
+void CadOptions::take(const CadSettings& settings, const Result<CadTotals>& count) {
+  if (settings.same_faces(settings_)) count_ = count;
 }
 
 }  // namespace hariko

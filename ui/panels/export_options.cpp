@@ -1,39 +1,26 @@
 #include "ui/panels/export_options.hpp"
 
-#include <imgui_stdlib.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
+
+#include "ui/panels/option_fields.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr float label_width = 96;
 constexpr double to_degrees = 180 / std::numbers::pi;
 /// Of the size: about what an eye tells apart on a screen, and the finest that makes sense to ask for.
 constexpr double usual_tolerance = 5e-4, finest_tolerance = 1e-6;
-
-void label(const Language& tr, const Metrics& metrics, const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(tr(text));
-  ImGui::SameLine(metrics.px(label_width));
-}
 
 Quantity degrees() {
   Quantity quantity = angle_quantity();
   quantity.low = 0;
   quantity.high = 80;
   return quantity;
-}
-
-/// One leading digit: 0.0347 becomes 0.03.
-double rounded(double value) {
-  if (!(value > 0)) return 1;
-  const double unit = std::pow(10.0, std::floor(std::log10(value)));
-  return std::floor(value / unit) * unit;
 }
 
 }  // namespace
@@ -43,7 +30,6 @@ void ExportOptions::take_up(const std::filesystem::path& name) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (extension == extension_ || !written_format(name)) return;
-  if (!extension_.empty()) remembered_[extension_] = settings_;
   extension_ = extension;
   if (const auto found = remembered_.find(extension); found != remembered_.end()) settings_ = found->second;
   suit_size();
@@ -51,7 +37,7 @@ void ExportOptions::take_up(const std::filesystem::path& name) {
 
 void ExportOptions::suit_size() {
   const bool suits = settings_.distance >= finest_tolerance * size_ && settings_.distance <= 0.1 * size_;
-  if (!suits) settings_.distance = rounded(usual_tolerance * size_);
+  if (!suits) settings_.distance = one_digit(usual_tolerance * size_);
   distance_text_ = angle_text_ = scale_text_ = {};
 }
 
@@ -65,34 +51,20 @@ void ExportOptions::begin(const Editor& editor, const std::filesystem::path& nam
   count_.reset();
 }
 
-bool ExportOptions::field(const char* id, const char* help, Marks& marks, float width,
-                          const Quantity& quantity, std::string& text, double& value) {
-  if (text.empty()) text = format_quantity(quantity, value);
-  ImGui::SetNextItemWidth(width);
-  ImGui::InputText((std::string("##") + id).c_str(), &text);
-  marks.item(std::string("export.") + id);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
-  if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
-  const double before = value;
-  if (const auto change = parse_change(text, quantity)) value = change->apply(quantity, value);
-  text = format_quantity(quantity, value);
-  return value != before;
-}
-
 void ExportOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
-  label(tr, metrics, translatable("Distance"));
+  option_label(tr, metrics, translatable("Distance"));
   Quantity length = length_quantity(editor.document().unit, settings_.distance);
   length.low = finest_tolerance * size_;
   length.high = size_;
-  field("distance", tr("The farthest that the surface may be from its triangles"), marks, metrics.px(110),
-        length, distance_text_, settings_.distance);
+  option_field("distance", tr("The farthest that the surface may be from its triangles"), marks,
+               metrics.px(110), length, distance_text_, settings_.distance);
   ImGui::SameLine();
   ImGui::TextUnformatted(tr("Angle"));
   ImGui::SameLine();
   double angle = settings_.angle * to_degrees;
-  if (field("angle", tr("The largest angle between the surface and its triangles; 0 for any"), marks,
-            metrics.px(80), degrees(), angle_text_, angle))
+  if (option_field("angle", tr("The largest angle between the surface and its triangles; 0 for any"), marks,
+                   metrics.px(80), degrees(), angle_text_, angle))
     settings_.angle = angle / to_degrees;
   ImGui::SameLine();
   ImGui::Checkbox((std::string(tr("fewest triangles")) + "##optimise").c_str(), &settings_.optimise);
@@ -101,7 +73,7 @@ void ExportOptions::tolerance_row(const Editor& editor, Marks& marks, const Metr
     ImGui::SetTooltip("%s", tr("Looks for the smallest mesh within the tolerance. Takes many times longer."));
 }
 
-void ExportOptions::result_row(const Editor& editor) const {
+void ExportOptions::result_row(const Editor& editor, Marks& marks) const {
   const Language& tr = editor.language;
   ImGui::AlignTextToFramePadding();
   if (!count_) return ImGui::TextDisabled("%s", tr("Counting triangles\u2026"));
@@ -122,12 +94,13 @@ void ExportOptions::result_row(const Editor& editor) const {
     if (!count.reached) text += "   \u00b7   " + std::string(tr("the tolerance is not reached everywhere"));
   }
   ImGui::TextUnformatted(text.c_str());
+  marks.item("export.result");
 }
 
 void ExportOptions::kind_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
   constexpr std::array names{translatable("Within a tolerance"), translatable("By density")};
-  label(tr, metrics, translatable("Triangles"));
+  option_label(tr, metrics, translatable("Triangles"));
   ImGui::SetNextItemWidth(metrics.px(220));
   const bool open = ImGui::BeginCombo("##by", tr(names[static_cast<std::size_t>(settings_.by)]));
   marks.item("export.by");
@@ -149,7 +122,7 @@ void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& 
                              const FormatChoices& format) {
   const Language& tr = editor.language;
   FileChoices& choices = settings_.choices;
-  label(tr, metrics, translatable("Unit"));
+  option_label(tr, metrics, translatable("Unit"));
   if (format.unit) {
     constexpr std::array units{Unit::millimetre, Unit::centimetre, Unit::metre, Unit::inch};
     ImGui::SetNextItemWidth(metrics.px(80));
@@ -172,12 +145,8 @@ void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& 
   ImGui::SameLine(0, metrics.px(16));
   ImGui::TextUnformatted(tr("Scale"));
   ImGui::SameLine();
-  Quantity factor = plain_quantity(6, 0.1);
-  factor.multiplies = true;
-  factor.low = 1e-6;
-  factor.high = 1e6;
-  field("scale", tr("All lengths are multiplied by it"), marks, metrics.px(80), factor, scale_text_,
-        choices.scale);
+  option_field("scale", tr("All lengths are multiplied by it"), marks, metrics.px(80), scale_quantity(),
+               scale_text_, choices.scale);
   ImGui::SameLine(0, metrics.px(16));
   if (!format.up) return ImGui::TextUnformatted(format.unit ? tr("z is up") : tr("y is up"));
   ImGui::TextUnformatted(tr("Up"));
@@ -197,13 +166,14 @@ bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metr
   if (settings_.by == ExportSettings::By::tolerance) {
     tolerance_row(editor, marks, metrics);
   } else {
-    label(tr, metrics, translatable("Density"));
+    option_label(tr, metrics, translatable("Density"));
     ImGui::SetNextItemWidth(metrics.px(220));
     ImGui::SliderInt(tr("intervals a patch side"), &settings_.density, 1, 64);
     marks.item("export.density");
   }
   file_row(editor, marks, metrics, written_format(name).value_or(FormatChoices{}));
-  result_row(editor);
+  result_row(editor, marks);
+  if (!extension_.empty()) remembered_[extension_] = settings_;
   if (settings_.same_triangles(before)) return false;
   count_.reset();
   return true;

@@ -6,12 +6,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/result.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "ui/export_settings.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/quantity.hpp"
 
 namespace hariko {
 
@@ -30,6 +30,10 @@ class ExportOptions {
 
   const ExportSettings& settings() const { return settings_; }
 
+  /// What each format had last, by its ending.
+  const std::map<std::string, ExportSettings>& remembered() const { return remembered_; }
+  void remember(std::map<std::string, ExportSettings> formats) { remembered_ = std::move(formats); }
+
  private:
   /// The settings that the format of this name had last.
   void take_up(const std::filesystem::path& name);
@@ -38,10 +42,7 @@ class ExportOptions {
   void kind_row(const Editor& editor, Marks& marks, const Metrics& metrics);
   void file_row(const Editor& editor, Marks& marks, const Metrics& metrics, const FormatChoices& format);
   void tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics);
-  void result_row(const Editor& editor) const;
-  /// A number with its unit that may be typed.
-  bool field(const char* id, const char* help, Marks& marks, float width, const Quantity& quantity,
-             std::string& text, double& value);
+  void result_row(const Editor& editor, Marks& marks) const;
 
   ExportSettings settings_;
   std::string extension_;  ///< whose settings these are

@@ -1,0 +1,19 @@
+#pragma once
+
+// What is known of several CAD models together, before or after they are written.
+
+#include <cstddef>
+
+namespace hariko {
+
+struct CadTotals {
+  std::size_t faces = 0;
+  std::size_t exact = 0;      ///< faces that are the surface, to rounding
+  std::size_t unreached = 0;  ///< faces that do not keep the tolerance
+  double distance = 0;        ///< largest measured between a surface and its faces, length
+  double normal_jump = 0;     ///< largest across smooth edges, radians
+
+  bool all_exact() const { return exact == faces; }
+};
+
+}  // namespace hariko

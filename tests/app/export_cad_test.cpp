@@ -1,0 +1,88 @@
+// What is told of STEP and IGES files before they are written is what is written.
+
+#include "app/files/export_cad.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/files/export_surfaces.hpp"
+#include "core/document/edit_objects.hpp"
+#include "core/document/edits.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "ui/export_text.hpp"
+
+namespace hariko {
+namespace {
+
+constexpr double tolerance = 1e-3;
+
+/// Faces that are no splines.
+Document torus() {
+  return document_from_mesh(test::torus(4, 3), "Torus").value();
+}
+
+/// One biquadratic patch.
+Document saddle() {
+  BezierPatch out;
+  out.degree_s = out.degree_t = 2;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) out.points.emplace_back(i, j, (i - 1) * (j - 1));
+  return add_object({}, "Saddle", BezierSource::from_patches({out}).value())->document;
+}
+
+CadTotals count(const Document& document, const CadChoices& choices) {
+  const auto counted = count_cad(document, choices);
+  EXPECT_TRUE(counted.ok()) << to_string(counted.error());
+  return counted.ok() ? *counted : CadTotals{};
+}
+
+TEST(ExportCad, WhatWasCountedIsWritten) {
+  const CadTotals before = count(torus(), {tolerance});
+  EXPECT_GT(before.faces, before.exact);
+  EXPECT_EQ(before.unreached, 0U);
+  EXPECT_GT(before.distance, 0);
+  EXPECT_LE(before.distance, tolerance);
+  if (why_no_cad_files()) return;
+  const test::TemporaryFolder folder;
+  const auto written = export_cad(torus(), folder.path() / "a.step", {tolerance}, "2026-11-22T12:00:00");
+  ASSERT_TRUE(written.ok()) << to_string(written.error());
+  const CadTotals after = totals(written->objects);
+  EXPECT_EQ(after.faces, before.faces);
+  EXPECT_EQ(after.exact, before.exact);
+  EXPECT_EQ(after.distance, before.distance);
+  EXPECT_EQ(after.normal_jump, before.normal_jump);
+}
+
+TEST(ExportCad, LengthsAreThoseOfTheFile) {
+  const CadTotals plain = count(torus(), {tolerance});
+  CadChoices scaled{8 * tolerance};
+  scaled.scale = 8;
+  const CadTotals large = count(torus(), scaled);
+  EXPECT_EQ(large.faces, plain.faces);
+  EXPECT_NEAR(large.distance, 8 * plain.distance, 1e-9 * plain.distance);
+}
+
+TEST(ExportCad, ExactFormsAreCalledExact) {
+  const Language english;
+  const CadTotals exact = count(saddle(), {tolerance});
+  EXPECT_TRUE(exact.all_exact());
+  EXPECT_EQ(cad_count_text(english, exact, Unit::millimetre),
+            "faces: 1, all of them exact\nnormals jump by 0\u00b0 at the most");
+  EXPECT_EQ(cad_export_text(english, "a.step", exact, 61'000, Unit::millimetre),
+            "Exported a.step: 1 faces, all of them exact; turned by 0\u00b0 at the most; 61 kB.");
+  const CadTotals fitted{12, 4, 1, 0.00031, 0.001};
+  const std::string told = cad_count_text(english, fitted, Unit::millimetre);
+  for (const char* part :
+       {"12, 4 of them exact", "off by 0.00031 mm", "0.057\u00b0", "not reached everywhere"})
+    EXPECT_NE(told.find(part), std::string::npos) << told;
+}
+
+TEST(ExportCad, CountsCanBeCancelledAndSayWhatIsMissing) {
+  const CancelToken cancel = CancelToken::make();
+  cancel.cancel();
+  EXPECT_EQ(count_cad(torus(), {tolerance}, cancel).error().code, e_cancelled);
+  EXPECT_EQ(count_cad({}, {tolerance}).error().code, e_no_surface);
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,44 @@
+#include "ui/panels/option_fields.hpp"
+
+#include <imgui_stdlib.h>
+
+#include <cmath>
+
+namespace hariko {
+
+void option_label(const Language& tr, const Metrics& metrics, const char* text) {
+  constexpr float width = 96;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(tr(text));
+  ImGui::SameLine(metrics.px(width));
+}
+
+bool option_field(const char* id, const char* help, Marks& marks, float width, const Quantity& quantity,
+                  std::string& text, double& value) {
+  if (text.empty()) text = format_quantity(quantity, value);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputText((std::string("##") + id).c_str(), &text);
+  marks.item(std::string("export.") + id);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+  if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
+  const double before = value;
+  if (const auto change = parse_change(text, quantity)) value = change->apply(quantity, value);
+  text = format_quantity(quantity, value);
+  return value != before;
+}
+
+Quantity scale_quantity() {
+  Quantity quantity = plain_quantity(6, 0.1);
+  quantity.multiplies = true;
+  quantity.low = 1e-6;
+  quantity.high = 1e6;
+  return quantity;
+}
+
+double one_digit(double value) {
+  if (!(value > 0)) return 1;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)));
+  return std::floor(value / unit) * unit;
+}
+
+}  // namespace hariko
