@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct OutlinerState {
   ObjectId shown_active;    ///< the active object that the list has scrolled to
 };
 
+struct MeasuredSections;
+
 /// What panels remember between frames.
 struct PanelState {
   double typed = 0;            ///< value of the number field of the legend being edited
@@ -42,6 +45,7 @@ struct PanelState {
   OutlinerState outliner;
   bool history_open = false;
   std::uint64_t history_shown = 0;  ///< serial of the state that the list of steps has scrolled to
+  std::shared_ptr<const MeasuredSections> measured_sections;  ///< of the skin that was shown last
 };
 
 /// What the panels need from the rest.

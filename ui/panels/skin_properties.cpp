@@ -13,6 +13,7 @@
 #include "core/skinning/skin_messages.hpp"
 #include "core/skinning/symmetric_edit.hpp"
 #include "ui/panels/choice.hpp"
+#include "ui/panels/section_rows.hpp"
 #include "ui/panels/value_fields.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/skin_view.hpp"
@@ -237,8 +238,8 @@ void draw_skin_properties(PanelContext& context) {
   if (skin.method == SkinMethod::pleat) {
     rows.slider("skin_density", "Density", "Rows for each span of the path", 0.25, 8, 1,
                 &PleatOptions::density);
-    rows.choice("skin_fit", "Sections inside", "Whether the surface goes through them", fit_choices,
-                int(skin.pleat.fit), "Fit of the skin",
+    rows.choice("skin_fit", "Fit sections", "Whether the surface goes through the sections between the ends",
+                fit_choices, int(skin.pleat.fit), "Fit of the skin",
                 [](Skin& s, int chosen) { s.pleat.fit = SectionFit(chosen); });
     if (skin.pleat.fit == SectionFit::fair)
       rows.slider("skin_tension", "Tension",
@@ -278,6 +279,7 @@ void draw_skin_properties(PanelContext& context) {
              "Creases of the skin", &Skin::creases);
   rows.check("skin_flip", "Inside out", "Swaps the outside and the inside", "Turn the skin inside out",
              &Skin::flip_normals);
+  draw_section_rows(context, shown);
 }
 
 void draw_skin_fix(PanelContext& context, const Object& object, const SurfaceView& view) {
