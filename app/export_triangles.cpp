@@ -55,7 +55,7 @@ Result<ExportCount> count_triangles(const Document& document, const ExportSettin
                                     const CancelToken& cancel) {
   if (settings.by == ExportSettings::By::density) return count_by_density(document, settings.density, cancel);
   MeshOptions options = options_of(settings);
-  options.measure_all = true;
+  options.report = MeshReport::all;
   const auto meshed = mesh_surfaces(document, {options}, cancel);
   if (!meshed.ok()) return meshed.error();
   ExportCount count;

@@ -97,6 +97,7 @@ bool passes(const Surface& surface, const TriangleMesh& mesh, double tolerance) 
 struct Measured {
   std::size_t triangles = 0;
   double milliseconds = 0, deflection = 0;
+  double reported = 0;  ///< milliseconds with normals and measured errors, which theirs does not find
 };
 
 Measured theirs(const Surface& surface, const TopoDS_Shape& shape, double tolerance) {
@@ -124,8 +125,11 @@ Measured ours(const Surface& surface, double tolerance, SplitRule split, bool op
   options.optimise = optimise;
   const auto made = approximate(surface, options);
   if (!made.ok() || !passes(surface, made->mesh, tolerance)) return {};
-  Measured out{made->mesh.triangles.size(), 0, 0};
-  out.milliseconds = least_milliseconds([&] { (void)approximate(surface, options); }, optimise ? 1 : repeats);
+  Measured out{made->mesh.triangles.size()};
+  const int times = optimise ? 1 : repeats;
+  out.reported = least_milliseconds([&] { (void)approximate(surface, options); }, times);
+  options.report = MeshReport::none;
+  out.milliseconds = least_milliseconds([&] { (void)approximate(surface, options); }, times);
   return out;
 }
 
@@ -137,18 +141,18 @@ int main(int argc, char** argv) {
   // One thread each: their mesher works on one face at a time here.
   const ParallelLimit limit(1);
   std::printf(
-      "| surface | OpenCASCADE: deflection | triangles | ms | midpoint: triangles | ms | Gauss: triangles | "
-      "ms | "
-      "optimised: triangles | ms |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+      "| surface | OpenCASCADE: deflection | triangles | ms | midpoint: triangles | ms | with report | "
+      "Gauss: triangles | ms | optimised: triangles | ms |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const char* name : {"dome", "saddle", "wave", "quarterpipe", "fender", "ridge", "quintic", "pair"}) {
     const Surface surface = test::golden_surface(name);
     const Measured occt = theirs(surface, shape_of(test::golden_patches(name)), tolerance);
     const Measured mid = ours(surface, tolerance, SplitRule::midpoint, false),
                    gauss = ours(surface, tolerance, SplitRule::gauss, false),
                    best = optimiser ? ours(surface, tolerance, SplitRule::midpoint, true) : Measured{};
-    std::printf("| %s | %.4g | %zu | %.2f | %zu | %.2f | %zu | %.2f | %zu | %.0f |\n", name, occt.deflection,
-                occt.triangles, occt.milliseconds, mid.triangles, mid.milliseconds, gauss.triangles,
-                gauss.milliseconds, best.triangles, best.milliseconds);
+    std::printf("| %s | %.4g | %zu | %.2f | %zu | %.2f | %.2f | %zu | %.2f | %zu | %.0f |\n", name,
+                occt.deflection, occt.triangles, occt.milliseconds, mid.triangles, mid.milliseconds,
+                mid.reported, gauss.triangles, gauss.milliseconds, best.triangles, best.milliseconds);
     std::fflush(stdout);
   }
 }

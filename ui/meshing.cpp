@@ -23,7 +23,7 @@ MeshOptions MeshingSettings::options(double scale) const {
   out.split = split;
   out.optimise = optimise;
   out.balanced = balanced;
-  out.measure_all = true;
+  out.report = MeshReport::all;
   return out;
 }
 

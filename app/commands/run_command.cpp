@@ -228,7 +228,7 @@ class CommandLine {
                                                 : SplitRule::midpoint;
     out.options.optimise = optimise_;
     out.options.balanced = balanced_;
-    out.options.measure_all = true;
+    out.options.report = MeshReport::all;
     return out;
   }
   EvaluateArguments evaluate_arguments() const {

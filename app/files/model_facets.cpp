@@ -99,6 +99,7 @@ Result<Done> append_surface(ModelFacets& out, const Document& document, const Ob
   if (options.normal_angle > 0) meshing.criteria.normal_angle = options.normal_angle;
   meshing.optimise = options.optimise;
   meshing.facet_limit = max_facets;
+  meshing.report = MeshReport::none;
   const auto made = approximate(built->surface, meshing, cancel, progress);
   if (!made.ok()) return named(made.error());
   for (const Message& warning : made->warnings) {

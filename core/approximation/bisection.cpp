@@ -271,6 +271,7 @@ class Bisection {
 
   /// What the report needs of a net that goes.
   void note_sampled(Index facet) {
+    if (options_.report == MeshReport::none) return;
     if (const FacetNet net = nets_->of(mesh_.facets[facet].patch, facet); net.shape)
       sampled_[facet] = float(errors_.net_sampled(mesh_, facet, net));
   }

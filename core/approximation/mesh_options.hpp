@@ -66,6 +66,13 @@ enum class Propagation : std::uint8_t {
   direct,        ///< the neighbour at the edge only
 };
 
+/// What is found out about a mesh that is made. The criteria hold whatever is reported.
+enum class MeshReport : std::uint8_t {
+  none,   ///< no normals and no measured errors; longest edge and smallest angle only
+  asked,  ///< normals, folds, and the errors of the criteria
+  all,    ///< also distance and normal angle where they are not asked for
+};
+
 struct MeshOptions {
   MeshCriteria criteria;
   SplitRule split = SplitRule::midpoint;
@@ -78,8 +85,7 @@ struct MeshOptions {
   /// distance; else W_MESH_BALANCED, and the vertices stay on the surface. Borders are not interpolated.
   bool balanced = false;
   std::size_t facet_limit = 5'000'000;
-  /// Measures distance and normal angle of the result even where they are not asked for.
-  bool measure_all = false;
+  MeshReport report = MeshReport::asked;
 };
 
 /// What is wrong with the criteria for a surface of this size (the diagonal of its box): E_MESH_NOTHING

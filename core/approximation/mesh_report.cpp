@@ -263,23 +263,28 @@ MeshApproximation mesh_report(const SurfaceSampler& sampler, const FacetErrors& 
   out.mesh.positions = mesh.positions;
   out.mesh.triangles.reserve(count);
   for (const ParameterFacet& facet : mesh.facets) out.mesh.triangles.push_back(facet.vertex);
+  measure_shapes(mesh, out);
+  if (options.report == MeshReport::none) {
+    out.parts = std::move(mesh.facets);
+    return out;
+  }
   add_normals(sampler, mesh, out.mesh);
   progress.report(0.3);
   if (cancel.cancelled()) return {};
-  if (criteria.distance || options.measure_all)
+  const bool all = options.report == MeshReport::all;
+  if (criteria.distance || all)
     out.distance =
         measure_distance(errors, mesh, known,
                          criteria.distance ? *criteria.distance : std::numeric_limits<double>::infinity());
   progress.report(0.6);
   if (cancel.cancelled()) return {};
-  if (criteria.normal_angle || options.measure_all)
+  if (criteria.normal_angle || all)
     out.normal_angle = measure_facets(count, [&](Index f) { return errors.normal_angle(mesh, f); });
   if (criteria.luminance)
     out.luminance = measure_facets(count, [&](Index f) { return errors.luminance(mesh, f); });
   const double crease =
       criteria.fold_angle ? std::min(crease_angle, 0.5 * *criteria.fold_angle) : crease_angle;
   out.fold_angle = measure_folds(sampler, mesh, crease);
-  measure_shapes(mesh, out);
   out.parts = std::move(mesh.facets);
   progress.report(1);
   return out;

@@ -12,6 +12,10 @@ constexpr int block_side = 5;  ///< samples
 /// By how much `PlacedSolid::inside` changes at most over a length of 1 of the unit frame: that of a cone.
 constexpr double steepest_inside = 1.1181;
 
+/// How long ago neighbours of a test point were tested: on edges the last one, on spirals with the golden
+/// angle Fibonacci numbers. What is nearest to them is near to the point.
+constexpr std::size_t neighbours[] = {1, 13, 21};
+
 struct Ball {
   Vector3 centre = Vector3::Zero();
   double radius = 0;
@@ -60,10 +64,24 @@ class Samples {
       }
       balls_.push_back(ball_round(patch_low, patch_high));
     }
+    centres_.resize(Eigen::Index(balls_.size()), 3);
+    radii_.resize(Eigen::Index(balls_.size()));
+    for (std::size_t p = 0; p < balls_.size(); ++p) {
+      centres_.row(Eigen::Index(p)) = balls_[p].centre.transpose();
+      radii_[Eigen::Index(p)] = balls_[p].radius;
+    }
   }
 
   Index patch_count() const { return Index(balls_.size()); }
   const Ball& ball(Index patch) const { return balls_[patch]; }
+  /// No sample of a patch is nearer to the point.
+  void bounds_from(const Vector3& z, Eigen::ArrayXd& out) const {
+    out = ((centres_.col(0) - z.x()).square() + (centres_.col(1) - z.y()).square() +
+           (centres_.col(2) - z.z()).square())
+              .sqrt() -
+          radii_;
+    out = out.max(0.0);
+  }
   std::span<const Block> blocks(Index patch) const {
     return std::span(blocks_).subspan(patch * pattern_.size(), pattern_.size());
   }
@@ -84,6 +102,8 @@ class Samples {
   std::vector<Vector3> positions_;
   std::vector<Block> blocks_;
   std::vector<Ball> balls_;
+  Eigen::ArrayX3d centres_;  ///< of the balls
+  Eigen::ArrayXd radii_;
 };
 
 class ViolationFinder {
@@ -166,19 +186,13 @@ class ViolationFinder {
     }
   }
 
-  /// The block with the nearest centre first: it rules out nearly all others.
   template <std::size_t N>
-  void take_near(Index patch, const Vector3& z, Nearest<N>& near) {
-    const auto blocks = samples_.blocks(patch);
-    squares_.clear();
-    for (const Samples::Block& block : blocks) squares_.push_back((z - block.ball.centre).squaredNorm());
-    const auto first = std::size_t(std::min_element(squares_.begin(), squares_.end()) - squares_.begin());
-    scan(patch, blocks[first], z, near);
+  void take_near(Index patch, const Vector3& z, Nearest<N>& near) const {
     double reach = std::sqrt(near[N - 1].square);
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      const double far = blocks[i].ball.radius + reach;
-      if (i == first || squares_[i] >= far * far) continue;
-      scan(patch, blocks[i], z, near);
+    for (const Samples::Block& block : samples_.blocks(patch)) {
+      const double far = block.ball.radius + reach;
+      if ((z - block.ball.centre).squaredNorm() >= far * far) continue;
+      scan(patch, block, z, near);
       reach = std::sqrt(near[N - 1].square);
     }
   }
@@ -187,33 +201,32 @@ class ViolationFinder {
     return (z - samples_.position(near.patch, near.sample)).dot(samples_.normal(near.patch, near.sample));
   }
 
-  /// The N nearest samples; `bounds_` are of all patches. The nearest patch first: it rules out nearly all
-  /// others.
+  /// Takes what is nearer to the point than what is known; `bounds_` are of all patches. The nearest patch
+  /// first: it rules out nearly all others.
   template <std::size_t N>
-  Nearest<N> nearest(const Vector3& z) {
-    Nearest<N> near;
-    const auto first = std::size_t(std::min_element(bounds_.begin(), bounds_.end()) - bounds_.begin());
-    take_near(bounds_[first].second, z, near);
-    open_.clear();
-    for (std::size_t p = 0; p < bounds_.size(); ++p)
-      if (p != first && bounds_[p].first * bounds_[p].first < near[N - 1].square) open_.push_back(bounds_[p]);
-    std::sort(open_.begin(), open_.end());
-    for (const auto& [bound, patch] : open_) {
-      if (bound * bound >= near[N - 1].square) break;
-      take_near(patch, z, near);
-    }
-    return near;
+  void take_nearest(const Vector3& z, Nearest<N>& near) const {
+    Eigen::Index first = 0;
+    bounds_.minCoeff(&first);
+    take_near(Index(first), z, near);
+    for (Eigen::Index p = 0; p < bounds_.size(); ++p)
+      if (p != first && bounds_[p] * bounds_[p] < near[N - 1].square) take_near(Index(p), z, near);
   }
 
   void test_point(Index solid, const Vector3& z) {
-    bounds_.clear();
-    for (Index p = 0; p < samples_.patch_count(); ++p) {
-      const Ball& ball = samples_.ball(p);
-      bounds_.emplace_back(std::max(0.0, (z - ball.centre).norm() - ball.radius), p);
+    samples_.bounds_from(z, bounds_);
+    Nearest<1> nearest;
+    for (const std::size_t back : neighbours) {
+      if (back > found_.size()) break;
+      const Near& known = found_[found_.size() - back];
+      const double square = (samples_.position(known.patch, known.sample) - z).squaredNorm();
+      if (square < nearest[0].square) nearest[0] = {square, known.patch, known.sample};
     }
+    take_nearest(z, nearest);
+    found_.push_back(nearest[0]);
     // Most points lie below the tangent plane of the nearest sample, which is enough.
-    if (height(nearest<1>(z)[0], z) <= 0) return;
-    const Nearest<4> near = nearest<4>(z);
+    if (height(nearest[0], z) <= 0) return;
+    Nearest<4> near;
+    take_nearest(z, near);
     double least = 1e300;
     for (const Near& n : near) {
       least = std::min(least, height(n, z));
@@ -238,8 +251,8 @@ class ViolationFinder {
   ListedViolations which_;
   Samples samples_;
   Violations out_;
-  std::vector<std::pair<double, Index>> bounds_, open_;
-  std::vector<double> squares_;
+  Eigen::ArrayXd bounds_;
+  std::vector<Near> found_;  ///< nearest to the points so far
 };
 
 }  // namespace

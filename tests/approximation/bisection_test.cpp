@@ -126,12 +126,31 @@ TEST(Bisection, CurvatureRuleOnTheWave) {
   EXPECT_NEAR(double(count), 366, 0.03 * 366);
 }
 
+TEST(Bisection, TheMeshDoesNotDependOnWhatIsReported) {
+  for (const char* name : {"dome", "wave", "pair"}) {
+    SCOPED_TRACE(name);
+    const Surface surface = golden_surface(name);
+    MeshOptions options = by_distance(0.01);
+    const MeshApproximation reported = mesh_of(surface, options);
+    options.report = MeshReport::none;
+    const MeshApproximation alone = mesh_of(surface, options);
+    EXPECT_EQ(alone.mesh.positions, reported.mesh.positions);
+    EXPECT_EQ(alone.mesh.triangles, reported.mesh.triangles);
+    EXPECT_EQ(alone.parts.size(), reported.parts.size());
+    EXPECT_EQ(alone.longest_edge, reported.longest_edge);
+    EXPECT_EQ(alone.smallest_angle, reported.smallest_angle);
+    EXPECT_TRUE(alone.mesh.normals.empty() && alone.mesh.normal_triangles.empty());
+    EXPECT_FALSE(alone.distance.measured || alone.fold_angle.measured);
+    EXPECT_TRUE(reported.distance.measured && reported.fold_angle.measured);
+  }
+}
+
 TEST(Bisection, FoldAngleIsNotDeceivedByAMiddleInThePlane) {
   for (const char* name : {"saddle", "quarterpipe", "wave"}) {
     SCOPED_TRACE(name);
     MeshOptions options;
     options.criteria.fold_angle = 10 * degrees;
-    options.measure_all = true;
+    options.report = MeshReport::all;
     const Surface surface = golden_surface(name);
     const MeshApproximation mesh = mesh_of(surface, options);
     EXPECT_TRUE(mesh.reached());

@@ -23,7 +23,7 @@ constexpr double degrees = std::numbers::pi / 180;
 MeshApproximation mesh_of(const Surface& surface, const MeshCriteria& criteria) {
   MeshOptions options;
   options.criteria = criteria;
-  options.measure_all = true;
+  options.report = MeshReport::all;
   return approximate(surface, options).value();
 }
 
