@@ -18,7 +18,10 @@ constexpr int strict_rounds = 10;
 constexpr double largest_strict_push = 2.5;  ///< of the cell: tips of solids that the grid has missed
 constexpr double least_move = 0.1;           ///< of the tolerance: with less of it, pushing has ended
 constexpr double strict_share = 0.9;         ///< of the tolerance: the last solve moves the surface a little
-constexpr int check_density = 8, check_points = 200;
+struct CheckEffort {
+  int density, points;
+};
+constexpr CheckEffort quick{8, 200}, thorough{16, 500};
 constexpr double chord_slack = 2e-5;  ///< of the diagonal
 
 }  // namespace
@@ -65,7 +68,7 @@ class Pusher {
     if (request_.strict) {
       if (const auto pushed = push_strictly(cancel, out); !pushed) return pushed.error();
       if (const auto made = make(Quality::final, cancel, out); !made) return made.error();
-      out.check = check(out.made.surface, cancel);
+      out.check = check(out.made.surface, thorough, cancel);
       if (cancel.cancelled()) return cancelled();
     }
     out.folds = folds();
@@ -94,8 +97,8 @@ class Pusher {
     return Done{};
   }
 
-  EnclosureReport check(const Surface& surface, const CancelToken& cancel) const {
-    return check_enclosure(surface, request_.placed, check_density, check_points,
+  EnclosureReport check(const Surface& surface, const CheckEffort& effort, const CancelToken& cancel) const {
+    return check_enclosure(surface, request_.placed, effort.density, effort.points,
                            chord_slack * request_.diagonal, cancel);
   }
 
@@ -124,7 +127,9 @@ class Pusher {
     reach_ = largest_strict_push;
     const double cell = *std::max_element(request_.cell.begin(), request_.cell.end());
     for (int round = 0; round < strict_rounds && folds() == 0; ++round) {
-      const EnclosureReport report = check(out.made.surface, cancel);
+      EnclosureReport report = check(out.made.surface, quick, cancel);
+      if (!cancel.cancelled() && report.worst <= strict_share * tolerance())
+        report = check(out.made.surface, thorough, cancel);
       if (cancel.cancelled()) return cancelled();
       if (report.worst <= strict_share * tolerance() || report.worst > reach_ * cell) break;
       pushes_.assign(moved_.size(), {});

@@ -17,6 +17,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int ring_sides = 8;      ///< corners of the rings of round solids
 constexpr int rim_points = 48;     ///< test points on the rims of cylinders and cones
+constexpr int side_points = 8;     ///< test points round the sides of cones, below the tip
 constexpr int spread_points = 64;  ///< test points spread over a surface
 constexpr double hull_tolerance = 1e-9;
 
@@ -171,6 +172,9 @@ void add_test_points(PlacedSolid& solid) {
   } else if (solid.shape_ == Shape::cone) {
     add_ring(rim, rim_points, 1, -0.5, 0);
     rim.emplace_back(0, 0, 1.5);
+    // A surface may reach over the tip and yet cut the side below it.
+    for (const double down : {0.04, 0.1, 0.2, 0.4, 0.7})
+      add_ring(rim, side_points, down, 1.5 - 2 * down, 0.5);
   }
   for (const Vector3& u : rim) add(u);
   for (const Vector3& p : solid.surface_points(spread_points)) out.push_back(p);

@@ -44,6 +44,8 @@ class Samples {
         block.end = std::uint32_t(nodes_.size());
         pattern_.push_back(block);
       }
+    places_.resize(nodes_.size());
+    for (std::uint32_t k = 0; k < nodes_.size(); ++k) places_[nodes_[k]] = k;
     positions_.resize(nodes_.size() * network.patches.size());
     std::vector<Vector3> rows(nodes_.size());
     for (std::size_t p = 0; p < network.patches.size(); ++p) {
@@ -88,17 +90,20 @@ class Samples {
   const Vector3& position(Index patch, std::uint32_t k) const {
     return positions_[patch * nodes_.size() + k];
   }
+  std::uint32_t side() const { return std::uint32_t(grid_.intervals()) + 1; }
+  std::uint32_t node(std::uint32_t k) const { return nodes_[k]; }
+  const Vector3& at_node(Index patch, std::uint32_t node) const { return position(patch, places_[node]); }
   /// Unit, computed when asked for; zero where there is none.
   Vector3 normal(Index patch, std::uint32_t k) const {
-    const std::uint32_t n = std::uint32_t(grid_.intervals()) + 1;
-    return grid_.normal(network_.patches[patch], nodes_[k] % n, nodes_[k] / n);
+    return grid_.normal(network_.patches[patch], nodes_[k] % side(), nodes_[k] / side());
   }
 
  private:
   const CurveNetwork& network_;
   const EnvelopeGrid& grid_;
-  std::vector<std::uint32_t> nodes_;  ///< numbers of the grid's nodes, block by block
-  std::vector<Block> pattern_;        ///< without balls
+  std::vector<std::uint32_t> nodes_;   ///< numbers of the grid's nodes, block by block
+  std::vector<std::uint32_t> places_;  ///< the other way round
+  std::vector<Block> pattern_;         ///< without balls
   std::vector<Vector3> positions_;
   std::vector<Block> blocks_;
   std::vector<Ball> balls_;
@@ -127,6 +132,47 @@ class ViolationFinder {
     return solid.inside(unit) * solid.least_stretch + steepest_inside * ball.radius;
   }
 
+  struct Deepest {
+    double depth = -1e300;
+    std::uint32_t sample = 0;
+  };
+  Deepest deepest_of(Index patch, const PlacedSolid& solid, const Samples::Block& block) const {
+    Deepest out;
+    for (std::uint32_t k = block.begin; k < block.end; ++k)
+      if (const double depth = solid.depth(samples_.position(patch, k)); depth > out.depth) out = {depth, k};
+    // Thin round solids reach through large patches between the samples.
+    if (solid.is_round()) out.depth += rise_beside(patch, solid, out);
+    return out;
+  }
+
+  /// How much deeper the summit of the paraboloid through a sample and its eight neighbours (of the parabola
+  /// through three on a border) is than the sample; 0 where they have no summit beside it.
+  double rise_beside(Index patch, const PlacedSolid& solid, const Deepest& sample) const {
+    const std::uint32_t n = samples_.side(), node = samples_.node(sample.sample);
+    const auto depth = [&](int right, int up) {
+      return solid.depth(samples_.at_node(patch, std::uint32_t(int(node) + right + up * int(n))));
+    };
+    const auto along = [&](int right, int up) {  // first and second difference
+      const double before = depth(-right, -up), after = depth(right, up);
+      return std::pair{(after - before) / 2, after + before - 2 * sample.depth};
+    };
+    const std::uint32_t column = node % n, row = node / n;
+    const bool across = column > 0 && column + 1 < n, upwards = row > 0 && row + 1 < n;
+    const auto parabola = [](const std::pair<double, double>& d) {
+      const bool summit = d.second < 0 && std::abs(d.first) <= -d.second;
+      return summit ? -d.first * d.first / (2 * d.second) : 0.0;
+    };
+    if (!across || !upwards) return across ? parabola(along(1, 0)) : upwards ? parabola(along(0, 1)) : 0;
+    const auto [x, xx] = along(1, 0);
+    const auto [y, yy] = along(0, 1);
+    const double xy = (depth(1, 1) - depth(1, -1) - depth(-1, 1) + depth(-1, -1)) / 4;
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > 0) || !(xx < 0)) return std::max(parabola({x, xx}), parabola({y, yy}));
+    const double right = (xy * y - yy * x) / determinant, up = (xy * x - xx * y) / determinant;
+    if (std::max(std::abs(right), std::abs(up)) > 1) return 0;
+    return (x * right + y * up) / 2;
+  }
+
   void test_patch(Index patch, Index s) {
     const PlacedSolid& solid = solids_[s];
     const Ball& ball = samples_.ball(patch);
@@ -137,9 +183,8 @@ class ViolationFinder {
     Vector3 place = Vector3::Zero();
     for (const Samples::Block& block : samples_.blocks(patch)) {
       if (deepest_in(solid, block.ball) <= deepest) continue;
-      for (std::uint32_t k = block.begin; k < block.end; ++k)
-        if (const double depth = solid.depth(samples_.position(patch, k)); depth > deepest)
-          deepest = depth, place = samples_.position(patch, k);
+      const Deepest found = deepest_of(patch, solid, block);
+      if (found.depth > deepest) deepest = found.depth, place = samples_.position(patch, found.sample);
     }
     out_.worst = std::max(out_.worst, deepest);
     if (!(deepest > tolerance_)) return;
@@ -157,12 +202,10 @@ class ViolationFinder {
     const Index face = network_.patch_places[patch].face;
     for (const Samples::Block& block : samples_.blocks(patch)) {
       if (deepest_in(solid, block.ball) <= 0) continue;
-      Violations::InSolid worst{face, s, 0, Vector3::Zero()};
-      for (std::uint32_t k = block.begin; k < block.end; ++k)
-        if (const double depth = solid.depth(samples_.position(patch, k)); depth > worst.depth)
-          worst.depth = depth, worst.point = samples_.position(patch, k);
-      out_.worst = std::max(out_.worst, worst.depth);
-      if (worst.depth > tolerance_) out_.in_solid.push_back(worst);
+      const Deepest found = deepest_of(patch, solid, block);
+      out_.worst = std::max(out_.worst, found.depth);
+      if (found.depth > tolerance_)
+        out_.in_solid.push_back({face, s, found.depth, samples_.position(patch, found.sample)});
     }
   }
 

@@ -18,6 +18,7 @@ constexpr double tolerance = 1e-4;  ///< of the diagonal
 
 struct Tally {
   int scenes = 0, enclosed = 0, folded = 0;
+  int missed = 0;  ///< enclosed as reported, but not by finer triangles and other points
   std::map<std::pair<std::string, int>, int> levels;  ///< route and level of its ladder
   double deepest_reported = 0, deepest = 0;           ///< of the diagonal
 };
@@ -78,13 +79,15 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
   const char* const routes[] = {"hull", "valleys", "field"};
   ++tally.levels[{routes[std::size_t(made->route)], made->level}];
   tally.deepest_reported = std::max(tally.deepest_reported, made->check->worst / made->diagonal);
+  tally.missed += made->enclosed && miss > tolerance * made->diagonal;
   tally.deepest = std::max(tally.deepest, miss / made->diagonal);
 }
 
 void print(const char* name, const Tally& tally) {
   std::cout << name << ": " << tally.scenes << " scenes, enclosed " << tally.enclosed << ", with folds "
             << tally.folded << ", deepest point outside " << tally.deepest_reported
-            << " of the diagonal as reported, " << tally.deepest << " by finer triangles\n";
+            << " of the diagonal as reported, " << tally.deepest << " by finer triangles, which find "
+            << tally.missed << " of those reported as enclosed above the tolerance\n";
   for (const auto& [place, count] : tally.levels)
     std::cout << "  " << place.first << ", level " << place.second << ": " << count << "\n";
 }
