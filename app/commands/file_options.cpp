@@ -20,6 +20,7 @@ void FileOptions::add_to(CLI::App* command) {
   command->add_option("--scale", scale_, "Multiplies all lengths")->capture_default_str();
   command->add_option("--up", up_, "Axis of the file that points up: z (default) or y")
       ->check(CLI::IsMember({"y", "z"}));
+  command->add_flag("--ascii", ascii_, "STL and PLY as text instead of binary");
   command
       ->add_option("--only", only_, "Name of an object to write instead of all visible ones; may be repeated")
       ->type_size(1)
@@ -30,6 +31,7 @@ void FileOptions::check(const std::filesystem::path& out) const {
   if (!(scale_ > 0) || !std::isfinite(scale_))
     throw CLI::ValidationError("--scale", "must be a number above 0");
   const auto format = written_format(out);
+  if (ascii_ && !(format && format->encoding)) throw CLI::ValidationError("--ascii", "is for STL and PLY");
   if (!format) return;
   if (!unit_.empty() && !format->unit)
     throw CLI::ValidationError("--unit", "glTF files are always in metres");
@@ -43,6 +45,7 @@ FileArguments FileOptions::arguments() const {
     if (to_string(unit) == unit_) out.choices.unit = unit;
   out.choices.scale = scale_;
   out.choices.y_up = up_ == "y";
+  out.choices.ascii = ascii_;
   out.only = only_;
   return out;
 }

@@ -13,7 +13,7 @@ namespace hariko {
 
 class FileOptions {
  public:
-  /// --unit, --scale, --up, --only
+  /// --unit, --scale, --up, --ascii, --only
   void add_to(CLI::App* command);
   /// Throws CLI::ValidationError where the format of `out` leaves no choice.
   void check(const std::filesystem::path& out) const;
@@ -22,6 +22,7 @@ class FileOptions {
  private:
   std::string unit_, up_;
   double scale_ = 1;
+  bool ascii_ = false;
   std::vector<std::string> only_;
 };
 

@@ -27,6 +27,7 @@ WriteOptions write_options(const Document& document, const FileChoices& choices,
   if (choices.unit) out.metres_per_file_unit = metres(*choices.unit);
   out.factor = choices.scale;
   out.up = choices.y_up ? UpAxis::y : UpAxis::z;
+  out.encoding = choices.ascii ? MeshEncoding::ascii : MeshEncoding::binary;
   return out;
 }
 

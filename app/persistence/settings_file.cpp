@@ -72,6 +72,7 @@ void visit_export(AnyExport& e, Visitor& visitor) {
                                             {"in", Unit::inch}});
   visitor.number("scale", e.choices.scale, 1e-6, 1e6);
   visitor.flag("y_up", e.choices.y_up);
+  visitor.flag("ascii", e.choices.ascii);
 }
 
 template <class AnyChoices, class Visitor>

@@ -8,11 +8,12 @@
 
 namespace hariko {
 
-/// Formats that fix the unit or the up axis keep to theirs.
+/// Formats that fix the unit, the up axis or the encoding keep to theirs.
 struct FileChoices {
   std::optional<Unit> unit;  ///< of the file's numbers; nothing: the document's
   double scale = 1;          ///< all lengths are multiplied by it; above 0, finite
   bool y_up = false;         ///< else z
+  bool ascii = false;        ///< text; else binary, where the format has both
 
   friend bool operator==(const FileChoices&, const FileChoices&) = default;
 };

@@ -47,11 +47,11 @@ Result<ImportedScene> as_scene(Result<ImportedMesh> result) {
 
 template <class Mesh>
 Result<std::string> bytes_of(const std::string& extension, std::span<const Mesh> meshes,
-                             double metres_per_unit) {
+                             double metres_per_unit, MeshEncoding encoding) {
   if (extension == ".obj") return write_obj(meshes);
   if (extension == ".off") return write_off(meshes);
-  if (extension == ".ply") return write_ply(meshes, PlyEncoding::binary);
-  if (extension == ".stl") return write_stl(meshes);
+  if (extension == ".ply") return write_ply(meshes, encoding);
+  if (extension == ".stl") return write_stl(meshes, encoding);
   if (extension == ".3mf") return write_3mf(meshes, metres_per_unit);
   return write_gltf(meshes, metres_per_unit, extension == ".glb" ? GltfForm::binary : GltfForm::text);
 }
@@ -74,7 +74,8 @@ Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mes
   std::deque<std::remove_const_t<std::remove_pointer_t<decltype(Mesh::mesh)>>> moved;
   if (!space.is_same())
     for (Mesh& mesh : named) mesh.mesh = &moved.emplace_back(in_space(space, *mesh.mesh));
-  const auto bytes = bytes_of(lower_ending(path), std::span<const Mesh>(named), metres_per_file_unit);
+  const auto bytes =
+      bytes_of(lower_ending(path), std::span<const Mesh>(named), metres_per_file_unit, options.encoding);
   if (!bytes) return in_file(path, bytes.error());
   if (options.cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
   return write_file_atomic(path, *bytes);
@@ -84,8 +85,9 @@ Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mes
 
 std::optional<FormatChoices> written_format(const std::filesystem::path& path) {
   const std::string extension = lower_ending(path);
-  if (extension == ".glb" || extension == ".gltf") return FormatChoices{false, false};
-  if (extension == ".3mf") return FormatChoices{true, false};
+  if (extension == ".glb" || extension == ".gltf") return FormatChoices{false, false, false};
+  if (extension == ".3mf") return FormatChoices{true, false, false};
+  if (extension == ".ply" || extension == ".stl") return FormatChoices{true, true, true};
   if (format_of_extension(path)) return FormatChoices{};
   return {};
 }

@@ -44,12 +44,14 @@ struct WriteOptions {
   std::optional<double> metres_per_file_unit = {};  ///< of the file's; nothing: as the meshes'
   double factor = 1;                                ///< all lengths are multiplied by it; above 0
   UpAxis up = UpAxis::z;
+  MeshEncoding encoding = MeshEncoding::binary;  ///< where the format has both
 };
 
 /// What a format leaves to choose.
 struct FormatChoices {
-  bool unit = true;  ///< glTF is in metres
-  bool up = true;    ///< glTF has y up, 3MF z
+  bool unit = true;       ///< glTF is in metres
+  bool up = true;         ///< glTF has y up, 3MF z
+  bool encoding = false;  ///< PLY and STL are binary or text
 };
 
 /// Of the endings that `write_mesh_file` takes, whatever their case; nothing for others.
@@ -57,10 +59,10 @@ std::optional<FormatChoices> written_format(const std::filesystem::path& path);
 /// The endings, as they stand in sentences.
 inline constexpr std::string_view written_mesh_endings = ".obj, .off, .ply, .stl, .3mf, .glb or .gltf";
 
-/// Writes meshes in the format of the extension: OBJ, OFF, PLY (binary), STL (binary), 3MF or glTF (.glb,
-/// .gltf), atomically. Formats that fix the unit or the up axis keep to theirs whatever the options say.
-/// Errors: E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of `write_stl`,
-/// `write_gltf` and `write_3mf`.
+/// Writes meshes in the format of the extension: OBJ, OFF, PLY, STL, 3MF or glTF (.glb, .gltf),
+/// atomically. Formats that fix the unit, the up axis or the encoding keep to theirs whatever the options
+/// say. Errors: E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of
+/// `write_stl`, `write_gltf` and `write_3mf`.
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
                              const WriteOptions& options = {});
 Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,

@@ -30,24 +30,27 @@ struct NamedPolygons {
   MeshColour colour = usual_mesh_colour;
 };
 
+enum class MeshEncoding { ascii, binary };  ///< of PLY and STL; binary is little-endian
+
 /// OBJ with one `o` for each mesh. Positions are absolute (origin added) and exact: the shortest text that
 /// reads back as the same double. Normals, where there are any, have the precision of a float. O(size).
 std::string write_obj(std::span<const NamedTriangles> meshes);
 std::string write_obj(std::span<const NamedPolygons> meshes);
 
-enum class PlyEncoding { ascii, binary };  ///< binary is little-endian
-
 /// PLY with all meshes as one; names are kept as comments. Positions are absolute doubles; normals are
 /// floats, present when every mesh has them, and a position with several normals becomes several vertices.
 /// O(size).
-std::string write_ply(std::span<const NamedTriangles> meshes, PlyEncoding encoding);
-std::string write_ply(std::span<const NamedPolygons> meshes, PlyEncoding encoding);
+std::string write_ply(std::span<const NamedTriangles> meshes, MeshEncoding encoding);
+std::string write_ply(std::span<const NamedPolygons> meshes, MeshEncoding encoding);
 
-/// Binary STL with all meshes as one. Equal positions stay equal when rounded to float, so closed meshes stay
-/// closed; polygons are triangulated. Fails with E_LIMIT above 2^32 - 1 triangles or beyond the range of
-/// floats. O(size).
-Result<std::string> write_stl(std::span<const NamedTriangles> meshes);
-Result<std::string> write_stl(std::span<const NamedPolygons> meshes);
+/// STL: binary with all meshes as one, text with a solid for each. Equal positions stay equal when rounded to
+/// float, so closed meshes stay closed; polygons are triangulated. Text has the floats that binary has, as
+/// the shortest text that reads back as the same. Fails with E_LIMIT beyond the range of floats, binary also
+/// above 2^32 - 1 triangles. O(size).
+Result<std::string> write_stl(std::span<const NamedTriangles> meshes,
+                              MeshEncoding encoding = MeshEncoding::binary);
+Result<std::string> write_stl(std::span<const NamedPolygons> meshes,
+                              MeshEncoding encoding = MeshEncoding::binary);
 
 /// OFF with all meshes as one, positions as in OBJ. O(size).
 std::string write_off(std::span<const NamedTriangles> meshes);

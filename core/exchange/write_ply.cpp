@@ -34,10 +34,10 @@ void append_bytes(std::string& out, Unsigned value) {
 }
 
 template <class Mesh>
-std::string header_of(const PlyContent& content, std::span<const Mesh> meshes, PlyEncoding encoding,
+std::string header_of(const PlyContent& content, std::span<const Mesh> meshes, MeshEncoding encoding,
                       bool long_lists) {
   std::string out = "ply\nformat ";
-  out += encoding == PlyEncoding::ascii ? "ascii 1.0\n" : "binary_little_endian 1.0\n";
+  out += encoding == MeshEncoding::ascii ? "ascii 1.0\n" : "binary_little_endian 1.0\n";
   for (const auto& mesh : meshes) out += "comment object " + name_for_file(mesh.name) + '\n';
   out += "element vertex " + std::to_string(content.positions.size()) + '\n';
   for (const char* axis : {"x", "y", "z"}) out += std::string("property double ") + axis + '\n';
@@ -91,12 +91,12 @@ void append_binary(std::string& out, const PlyContent& content, bool long_lists)
 }
 
 template <class Mesh>
-std::string to_bytes(const PlyContent& content, std::span<const Mesh> meshes, PlyEncoding encoding) {
+std::string to_bytes(const PlyContent& content, std::span<const Mesh> meshes, MeshEncoding encoding) {
   bool long_lists = false;  // the usual list type counts to 255 only
   for (std::size_t f = 0; f + 1 < content.face_offsets.size(); ++f)
     long_lists = long_lists || content.face_offsets[f + 1] - content.face_offsets[f] > 255;
   std::string out = header_of(content, meshes, encoding, long_lists);
-  if (encoding == PlyEncoding::ascii)
+  if (encoding == MeshEncoding::ascii)
     append_ascii(out, content);
   else
     append_binary(out, content, long_lists);
@@ -105,7 +105,7 @@ std::string to_bytes(const PlyContent& content, std::span<const Mesh> meshes, Pl
 
 }  // namespace
 
-std::string write_ply(std::span<const NamedTriangles> meshes, PlyEncoding encoding) {
+std::string write_ply(std::span<const NamedTriangles> meshes, MeshEncoding encoding) {
   const bool with_normals = std::all_of(meshes.begin(), meshes.end(), [](const NamedTriangles& named) {
     return !named.mesh->normal_triangles.empty();
   });
@@ -118,7 +118,7 @@ std::string write_ply(std::span<const NamedTriangles> meshes, PlyEncoding encodi
   return to_bytes(content, meshes, encoding);
 }
 
-std::string write_ply(std::span<const NamedPolygons> meshes, PlyEncoding encoding) {
+std::string write_ply(std::span<const NamedPolygons> meshes, MeshEncoding encoding) {
   PlyContent content;
   for (const NamedPolygons& named : meshes) {
     const std::size_t base = content.positions.size();

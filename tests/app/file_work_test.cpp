@@ -77,7 +77,7 @@ TEST(FileWork, EveryReaderCanBeCancelledAndReports) {
   const std::array<NamedPolygons, 1> meshes{{{"Torus", &mesh}}};
   for (const char* name : {"a.obj", "a.ply", "a.stl", "a.glb", "a.gltf", "a.3mf"})
     ASSERT_TRUE(write_mesh_file(folder.path() / name, meshes).ok());
-  test::spill(folder.path() / "text.ply", write_ply(meshes, PlyEncoding::ascii));
+  test::spill(folder.path() / "text.ply", write_ply(meshes, MeshEncoding::ascii));
   test::spill(folder.path() / "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   test::spill(folder.path() / "text.stl",
               "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"

@@ -65,11 +65,34 @@ TEST_F(ExportRender, UnitScaleUpAxisAndObjectsCanBeChosen) {
   const Outcome missing = run("export " + golden("cube.obj") + " " + path("b.obj") + " --only ball");
   EXPECT_EQ(missing.exit_code, 1);
   EXPECT_NE(missing.error.find("E_NO_SUCH_OBJECT"), std::string::npos) << missing.error;
-  for (const char* wrong :
-       {"c.glb --unit mm", "c.3mf --up y", "c.obj --scale 0", "c.obj --scale nan", "c.obj --unit ft"})
+  for (const char* wrong : {"c.glb --unit mm", "c.3mf --up y", "c.obj --scale 0", "c.obj --scale nan",
+                            "c.obj --unit ft", "c.obj --ascii", "c.glb --ascii", "c.step --ascii"})
     EXPECT_EQ(run("export " + golden("cube.obj") + " " + path(wrong)).exit_code, 2) << wrong;
   for (const char* name : {"d.3mf", "d.gltf", "d.glb"})
     EXPECT_EQ(run("export " + golden("cube.obj") + " " + path(name) + " --scale 2").exit_code, 0) << name;
+}
+
+TEST_F(ExportRender, StlAndPlyAreWrittenAsTextToo) {
+  const auto written = [&](const std::string& command, const std::string& name, const std::string& options) {
+    const Outcome result = run(command + " " + golden("cube.obj") + " " + path(name) + " " + options);
+    EXPECT_EQ(result.exit_code, 0) << result.error;
+    return read_text(path(name));
+  };
+  for (const std::string command : {"export", "mesh --distance 0.1"})
+    for (const std::string ending : {".stl", ".ply"}) {
+      SCOPED_TRACE(command + ending);
+      const std::string binary = written(command, "binary" + ending, ""),
+                        text = written(command, "text" + ending, "--ascii");
+      EXPECT_NE(binary.find('\0'), std::string::npos);
+      EXPECT_EQ(text.find('\0'), std::string::npos);
+      EXPECT_GT(text.size(), binary.size());
+      const auto a = read_mesh_file(path("binary" + ending)), b = read_mesh_file(path("text" + ending));
+      ASSERT_TRUE(a.ok() && b.ok());
+      ASSERT_EQ(a->mesh.positions.size(), b->mesh.positions.size());
+      for (std::size_t i = 0; i < a->mesh.positions.size(); ++i)
+        EXPECT_EQ(a->mesh.positions[i].cast<float>(), b->mesh.positions[i].cast<float>());
+      EXPECT_EQ(a->mesh.face_vertices, b->mesh.face_vertices);
+    }
 }
 
 TEST_F(ExportRender, OldFileStaysWhenTheInputFails) {

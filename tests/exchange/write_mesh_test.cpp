@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <charconv>
 #include <clocale>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <locale>
 #include <map>
+#include <sstream>
 
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/read_obj.hpp"
@@ -61,7 +65,7 @@ TEST(WriteMesh, PolygonsComeBackBitForBit) {
     test::expect_same(obj->mesh, mesh);
     EXPECT_EQ(obj->name, "Körper 1");
     EXPECT_TRUE(obj->warnings.empty());
-    for (const PlyEncoding encoding : {PlyEncoding::ascii, PlyEncoding::binary}) {
+    for (const MeshEncoding encoding : {MeshEncoding::ascii, MeshEncoding::binary}) {
       const auto ply = read_ply(write_ply(named, encoding));
       ASSERT_TRUE(ply.ok()) << to_string(ply.error());
       test::expect_same(ply->mesh, mesh);
@@ -79,7 +83,7 @@ TEST(WriteMesh, TrianglesComeBackInEveryFormat) {
     const auto obj = read_obj(write_obj(named));
     ASSERT_TRUE(obj.ok()) << to_string(obj.error());
     EXPECT_EQ(corners_of(obj->mesh), expected);
-    for (const PlyEncoding encoding : {PlyEncoding::ascii, PlyEncoding::binary}) {
+    for (const MeshEncoding encoding : {MeshEncoding::ascii, MeshEncoding::binary}) {
       const auto ply = read_ply(write_ply(named, encoding));
       ASSERT_TRUE(ply.ok()) << to_string(ply.error());
       EXPECT_EQ(corners_of(ply->mesh), expected);
@@ -161,12 +165,26 @@ TEST(WriteMesh, ExactTexts) {
             "2//2 4//2 3//1\n"
             "o object\nv 10 0 0\nv 11 0 0\nv 10 1 0\nv 11 1 0.5\nvn 0 0 1\nvn 0 1 0\nf 5//3 6//3 7//3\nf "
             "6//4 8//4 7//3\n");
-  EXPECT_EQ(write_ply(std::span(named, 1), PlyEncoding::ascii),
+  EXPECT_EQ(write_ply(std::span(named, 1), MeshEncoding::ascii),
             "ply\nformat ascii 1.0\ncomment object one?two_\nelement vertex 5\nproperty double x\nproperty "
             "double y\nproperty double z\n"
             "property float nx\nproperty float ny\nproperty float nz\nelement face 2\nproperty list uchar "
             "int vertex_indices\nend_header\n"
             "10 0 0 0 0 1\n11 0 0 0 0 1\n10 1 0 0 0 1\n11 0 0 0 1 0\n11 1 0.5 0 1 0\n3 0 1 2\n3 3 4 2\n");
+  TriangleMesh first = mesh;
+  first.triangles.resize(1);
+  EXPECT_EQ(write_stl(std::vector<NamedTriangles>{{"one\ntwo", &first}}, MeshEncoding::ascii).value(),
+            "solid one?two\nfacet normal 0 0 1\nouter loop\nvertex 10 0 0\nvertex 11 0 0\nvertex 10 1 0\n"
+            "endloop\nendfacet\nendsolid one?two\n");
+}
+
+/// What follows this in lines that begin with it.
+std::vector<std::string> texts_after(const std::string& text, std::string_view beginning) {
+  std::vector<std::string> out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(beginning)) out.push_back(line.substr(beginning.size()));
+  return out;
 }
 
 TEST(WriteMesh, SeveralMeshesKeepTheirNumbersApart) {
@@ -178,9 +196,12 @@ TEST(WriteMesh, SeveralMeshesKeepTheirNumbersApart) {
     for (const TriangleMesh* mesh : {&b, &c})
       for (const Vector3& p : corners_of(*mesh)) expected.push_back(p);
     EXPECT_EQ(corners_of(read_obj(write_obj(named))->mesh), expected);
-    EXPECT_EQ(corners_of(read_ply(write_ply(named, PlyEncoding::binary))->mesh), expected);
-    EXPECT_EQ(corners_of(read_ply(write_ply(named, PlyEncoding::ascii))->mesh), expected);
+    EXPECT_EQ(corners_of(read_ply(write_ply(named, MeshEncoding::binary))->mesh), expected);
+    EXPECT_EQ(corners_of(read_ply(write_ply(named, MeshEncoding::ascii))->mesh), expected);
     EXPECT_EQ(write_stl(named)->size(), 84 + 50 * expected.size() / 3);
+    const std::string text = write_stl(named, MeshEncoding::ascii).value();
+    EXPECT_EQ(texts_after(text, "solid "), (std::vector<std::string>{"a", "b", "c"}));
+    EXPECT_EQ(texts_after(text, "endsolid "), (std::vector<std::string>{"a", "b", "c"}));
   });
 }
 
@@ -203,9 +224,69 @@ TEST(WriteMesh, NormalsOfPlyAndStlPointWhereTheyShould) {
 }
 
 TEST(WriteMesh, StlRefusesWhatFloatsCannotHold) {
-  TriangleMesh mesh = two_triangles();
-  mesh.positions[0].x() = 1e39;
-  EXPECT_EQ(write_stl(std::vector<NamedTriangles>{{"a", &mesh}}).error().code, e_limit);
+  for (const double wrong : {1e39, -1e300, std::numeric_limits<double>::infinity(), std::nan("")})
+    for (const MeshEncoding encoding : {MeshEncoding::ascii, MeshEncoding::binary}) {
+      TriangleMesh mesh = two_triangles();
+      mesh.positions[0].x() = wrong;
+      const auto written = write_stl(std::vector<NamedTriangles>{{"a", &mesh}}, encoding);
+      ASSERT_FALSE(written.ok()) << wrong;
+      EXPECT_EQ(written.error().code, e_limit);
+    }
+}
+
+/// The numbers of every facet of binary STL, normals included.
+std::vector<float> numbers_of_binary(const std::string& stl) {
+  std::vector<float> out;
+  for (std::size_t facet = 84; facet < stl.size(); facet += 50) {
+    float numbers[12];
+    std::memcpy(numbers, stl.data() + facet, sizeof numbers);
+    out.insert(out.end(), numbers, numbers + 12);
+  }
+  return out;
+}
+
+/// The same of text, read word by word.
+std::vector<float> numbers_of_text(const std::string& stl) {
+  std::vector<float> out;
+  std::istringstream words(stl);
+  for (std::string word; words >> word;)
+    if (word == "normal" || word == "vertex")
+      for (int axis = 0; axis < 3; ++axis) {
+        words >> word;
+        float number = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+        EXPECT_TRUE(error == std::errc() && end == word.data() + word.size()) << word;
+        out.push_back(number);
+      }
+  return out;
+}
+
+std::vector<Eigen::Vector3f> floats_of(const PolygonMesh& mesh) {
+  std::vector<Eigen::Vector3f> out;
+  for (const Vector3& p : mesh.positions) out.push_back(p.cast<float>());
+  return out;
+}
+
+TEST(WriteMesh, StlAsTextHasTheNumbersOfBinary) {
+  for_random(450, 40, [](std::mt19937_64& rng) {
+    const TriangleMesh mesh = random_triangles(rng, false);
+    const NamedTriangles named[] = {{"Körper 1", &mesh}};
+    const std::string binary = write_stl(named).value(), text = write_stl(named, MeshEncoding::ascii).value();
+    EXPECT_EQ(numbers_of_text(text), numbers_of_binary(binary));
+    const auto from_binary = read_stl(binary), from_text = read_stl(text);
+    ASSERT_EQ(from_text.ok(), from_binary.ok());
+    if (!from_text.ok()) return;  // no triangle with three corners
+    EXPECT_EQ(from_text->name, "Körper 1");
+    // The reader takes text for what it says: decimal numbers, next to those floats.
+    EXPECT_EQ(floats_of(from_text->mesh), floats_of(from_binary->mesh));
+    EXPECT_EQ(from_text->mesh.face_vertices, from_binary->mesh.face_vertices);
+  });
+  for_random(460, 20, [](std::mt19937_64& rng) {
+    const PolygonMesh mesh = test::random_polygons(rng);
+    const NamedPolygons named[] = {{"facet solid", &mesh}};
+    EXPECT_EQ(numbers_of_text(write_stl(named, MeshEncoding::ascii).value()),
+              numbers_of_binary(write_stl(named).value()));
+  });
 }
 
 TEST(TriangulatePolygon, ConcavePolygonsKeepTheirArea) {
@@ -270,13 +351,15 @@ TEST(WriteMesh, NumbersDoNotDependOnTheLocale) {
   std::mt19937_64 rng(7);
   const PolygonMesh mesh = test::random_polygons(rng);
   const NamedPolygons named[] = {{"a", &mesh}};
-  const std::string obj = write_obj(named), ply = write_ply(named, PlyEncoding::ascii);
+  const std::string obj = write_obj(named), ply = write_ply(named, MeshEncoding::ascii),
+                    stl = write_stl(named, MeshEncoding::ascii).value();
   const CommaLocale comma;
   std::ostringstream proof;
   proof << 1234567.5;
   ASSERT_NE(proof.str().find(','), std::string::npos);
   EXPECT_EQ(write_obj(named), obj);
-  EXPECT_EQ(write_ply(named, PlyEncoding::ascii), ply);
+  EXPECT_EQ(write_ply(named, MeshEncoding::ascii), ply);
+  EXPECT_EQ(write_stl(named, MeshEncoding::ascii).value(), stl);
   test::expect_same(read_obj(obj)->mesh, mesh);
   test::expect_same(read_ply(ply)->mesh, mesh);
   EXPECT_EQ(read_off("OFF\n3 1 0\n0.5 0 0\n1.25 0 0\n0 1e-1 0\n3 0 1 2\n")->mesh.positions[1].x(), 1.25);

@@ -6,7 +6,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto read = [](std::string_view bytes) { return read_ply(bytes); };
   const auto result = read({reinterpret_cast<const char*>(data), size});
   fuzz::check(result, size);
-  for (const PlyEncoding encoding : {PlyEncoding::ascii, PlyEncoding::binary})
+  for (const MeshEncoding encoding : {MeshEncoding::ascii, MeshEncoding::binary})
     fuzz::check_round_trip(result, read, [&](auto meshes) { return write_ply(meshes, encoding); });
   return 0;
 }

@@ -7,8 +7,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::check(result, size);
   if (!result.ok()) return 0;
   const NamedPolygons named[] = {{result->name, &result->mesh}};
-  const auto written =
-      write_stl(std::span<const NamedPolygons>(named));  // text may exceed the range of floats
-  if (written.ok()) fuzz::check(read_stl(*written), written->size());
+  for (const MeshEncoding encoding : {MeshEncoding::ascii, MeshEncoding::binary}) {
+    // Text may exceed the range of floats.
+    const auto written = write_stl(std::span<const NamedPolygons>(named), encoding);
+    if (written.ok()) fuzz::check(read_stl(*written), written->size());
+  }
   return 0;
 }

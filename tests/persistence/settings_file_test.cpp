@@ -40,7 +40,7 @@ ExportMemory exports() {
   stl.distance = 0.02;
   stl.angle = 0.1;
   stl.optimise = true;
-  stl.choices = {Unit::inch, 2.5, true};
+  stl.choices = {Unit::inch, 2.5, true, true};
   ExportSettings& ply = memory.formats[".ply"];
   ply.by = ExportSettings::By::density;
   ply.density = 40;

@@ -108,6 +108,17 @@ SoupMeasures measures_of(const Soup& soup) {
   return out;
 }
 
+struct Form {
+  const char* name;
+  const char* ending;
+  MeshEncoding encoding = MeshEncoding::binary;
+};
+constexpr Form forms[] = {{"obj", ".obj"},  {"off", ".off"},
+                          {"ply", ".ply"},  {"ply, text", ".ply", MeshEncoding::ascii},
+                          {"stl", ".stl"},  {"stl, text", ".stl", MeshEncoding::ascii},
+                          {"3mf", ".3mf"},  {"glb", ".glb"},
+                          {"gltf", ".gltf"}};
+
 void check(const Surface& surface, const std::string& name) {
   const TriangleMesh mesh = tessellate(surface, 5);
   const SoupMeasures want = measures_of(soup_of(mesh));
@@ -118,10 +129,12 @@ void check(const Surface& surface, const std::string& name) {
   const double rounding = 1e-6 * reach, relative = 20 * rounding / size;
   const NamedTriangles named[] = {{"part", &mesh}};
   const TemporaryFolder folder;
-  for (const char* ending : {".obj", ".off", ".ply", ".stl", ".3mf", ".glb", ".gltf"}) {
-    SCOPED_TRACE(ending);
+  for (const auto& [form, ending, encoding] : forms) {
+    SCOPED_TRACE(form);
     const fs::path path = folder.path() / (std::string("a") + ending);
-    ASSERT_TRUE(write_mesh_file(path, named, {.metres_per_unit = 0.001}).ok());
+    WriteOptions options;
+    options.encoding = encoding;
+    ASSERT_TRUE(write_mesh_file(path, named, options).ok());
     const Soup soup = read_by_others(path);
     if (std::string_view(ending) != ".3mf") {  // which has no triangles without area
       EXPECT_EQ(soup.size(), mesh.triangles.size());
@@ -135,7 +148,7 @@ void check(const Surface& surface, const std::string& name) {
       EXPECT_NEAR(found.volume, want.volume, relative * want.area * size);
     }
     if (repetitions(1) < 2) continue;
-    std::printf("| %s | %s | %zu | %ju | %.1e | %.1e | %zu |\n", name.c_str(), ending + 1, soup.size(),
+    std::printf("| %s | %s | %zu | %ju | %.1e | %.1e | %zu |\n", name.c_str(), form, soup.size(),
                 std::uintmax_t(fs::file_size(path)), std::abs(found.area / want.area - 1),
                 closed ? std::abs(found.volume / want.volume - 1) : 0.0, found.open_edges);
   }

@@ -1,5 +1,5 @@
-"""The export dialog for three formats: unit, scale and up axis, remembered for each format; what was written comes back by
-import, with the names and sizes that the format keeps."""
+"""The export dialog for three formats: unit, scale and up axis, text or binary, remembered for each format; what was written
+comes back by import, with the names and sizes that the format keeps."""
 
 import json
 import os
@@ -99,6 +99,19 @@ def session(program, source, output):
         export(window, path("again.stl"))
         check(open(path("again.stl"), "rb").read() == open(path("other.stl"), "rb").read(),
               "the settings of the format were not remembered")
+
+        # The same as text.
+        def as_text():
+            window.click_on("export.ascii")
+            window.wait_idle()
+            window.screenshot(os.path.join(output, "export_text.png"))
+
+        export(window, path("text.stl"), as_text)
+        with open(path("text.stl"), encoding="ascii") as file:
+            words = file.read().split()
+        found = extent([[float(word) for word in words[i + 1:i + 4]] for i, word in enumerate(words) if word == "vertex"])
+        check(words[0] == "solid" and all(abs(a - b) < 1e-5 * max(other) for a, b in zip(found, other)),
+              f"text of {found} instead of {other}")
 
         # Back in: formats that say their unit have the size of the model and its name, STL has the numbers of the file.
         names = ("other.stl", "a.glb", "a.3mf")

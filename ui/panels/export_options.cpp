@@ -155,6 +155,13 @@ void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& 
     if (ImGui::RadioButton(y_up ? "Y" : "Z", choices.y_up == y_up)) choices.y_up = y_up;
     marks.item(y_up ? "export.up.y" : "export.up.z");
   }
+  if (!format.encoding) return;
+  ImGui::SameLine(0, metrics.px(16));
+  ImGui::Checkbox((std::string(tr("as text")) + "##ascii").c_str(), &choices.ascii);
+  marks.item("export.ascii");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip(
+        "%s", tr("ASCII instead of binary, for programs that read nothing else. The file gets larger."));
 }
 
 bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics,
