@@ -430,6 +430,10 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
   ConjugateGradientsRoom<Field> room{Field(unknown_count_), Field(unknown_count_), Field(unknown_count_),
                                      Field(unknown_count_)};
   right_side(work, base, room.residual);
+  for (const RimBend& rim : options.rims) {
+    room.residual[side_origin_[rim.half_edge]] += rim.at_origin;
+    room.residual[side_target_[rim.half_edge]] += rim.at_target;
+  }
   Iteration iteration{*this, work};
   const auto report =
       conjugate_gradients(iteration, solution.unknowns, room,

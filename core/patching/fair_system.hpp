@@ -12,6 +12,7 @@
 #include "core/network/network_system.hpp"
 #include "core/patching/fair_elements.hpp"
 #include "core/patching/patch_network.hpp"
+#include "core/patching/rim_bend.hpp"
 
 namespace hariko {
 
@@ -38,6 +39,8 @@ class FairSystem {
     /// Solve in these faces (ascending) only; unknowns of other faces and of edges on the rim are held at
     /// zero.
     const std::vector<Index>* active_faces = nullptr;
+    std::span<const RimBend> rims =
+        {};                    ///< where bending across borders is known; elsewhere it tends to zero
     double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
     int max_steps = 600;
   };

@@ -127,6 +127,7 @@ struct PolyhedronSurfacer::State {
                                                 JoinPlan::Solution& joined);
   std::optional<Message> prepare_pins(const PolyhedronSurfaceInput& input);
   bool base_has(const PolyhedronSurfaceInput& input) const;
+  bool moves_rim(const CommonMove& move) const;
   std::optional<PolyhedronSurface> drag(const PolyhedronSurfaceInput& input, const CancelToken& cancel);
   void make_fair() {
     if (!system->fair)
@@ -184,6 +185,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   system =
       SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
   system->constants = patch_constants(*mesh, system->network.frames());
+  if (input.mode == Mode::fair) system->rims = clamped_rims(input.polyhedron, input.shaping);
   if (input.mode == Mode::fair) make_fair();
   if (input.mode == Mode::g2)
     system->g2 = std::make_unique<G2System>(mesh, system->network, G2Weights{}, given_ribbons(joins));
@@ -204,6 +206,11 @@ std::optional<Message> PolyhedronSurfacer::State::prepare_pins(const PolyhedronS
     return network.error();
   }
   system->network = std::move(network).value();
+  if (input.mode == Mode::fair) {
+    std::vector<Index> rims = clamped_rims(input.polyhedron, input.shaping);
+    if (rims != system->rims) base.reset();
+    system->rims = std::move(rims);
+  }
   shaping = input.shaping;
   return std::nullopt;
 }
@@ -223,6 +230,15 @@ bool PolyhedronSurfacer::State::base_has(const PolyhedronSurfaceInput& input) co
     if (!std::equal(pin.vectors.begin(), pin.vectors.end(), base->basis.begin() + begin[v])) return false;
   }
   return true;
+}
+
+/// How a rim bends is no multiple of what the corners of its triangle move by.
+bool PolyhedronSurfacer::State::moves_rim(const CommonMove& move) const {
+  const HalfEdgeMesh& mesh = *system->mesh;
+  const auto moved = [&](Index v) { return std::binary_search(move.moved.begin(), move.moved.end(), v); };
+  return std::any_of(system->rims.begin(), system->rims.end(), [&](Index h) {
+    return moved(mesh.origin(h)) || moved(mesh.target(h)) || moved(mesh.target(mesh.next(h)));
+  });
 }
 
 /// The fast path: since the last final result vertices moved along one displacement only, each by a share of
@@ -256,6 +272,7 @@ std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const Polyhedro
     patches = std::move(moved);
   } else {
     auto move = common_move(joins.polyhedron(), base->positions, response);
+    if (move && moves_rim(*move)) return std::nullopt;
     if (!move || !prepare_response(response, *move, drag_response)) return std::nullopt;
     auto moved = std::make_shared<QuarticPatchSet>(
         displaced(base->patches, *response, move->displacement, negligible, touched), tables);
@@ -341,7 +358,8 @@ std::optional<QuarticPatchArray> PolyhedronSurfacer::State::fair_patches(
   std::iota(faces.begin(), faces.end(), Index(0));
   std::iota(vertices.begin(), vertices.end(), Index(0));
   std::vector<QuarticPatch> patches(mesh.half_edge_count());
-  auto fair = build_patches(*system, positions, network, {faces, vertices}, options, cancel, patches, joined);
+  auto fair = build_patches(*system, positions, network, {faces, vertices}, options, cancel, patches, joined,
+                            system->rims);
   if (fair.cancelled || cancel.cancelled()) return std::nullopt;
   report.fair_iterations = fair.iterations;
   report.fair_converged = fair.converged;

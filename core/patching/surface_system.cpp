@@ -12,7 +12,8 @@ constexpr std::size_t face_grain = 64;
 FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const Vector3> positions,
                                    const Network& network, const PatchRegion& region,
                                    const FairSystem::SolveOptions& options, const CancelToken& cancel,
-                                   std::span<QuarticPatch> patches, const JoinGeometry& joins) {
+                                   std::span<QuarticPatch> patches, const JoinGeometry& joins,
+                                   std::span<const Index> rims) {
   const HalfEdgeMesh& mesh = *system.mesh;
   const auto& faces = region.faces;
   PatchNetwork split;
@@ -49,7 +50,11 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
     return {};
   }
   build_base();  // with O and Y zero: the part that does not depend on the unknowns
-  FairSystem::Solution solution = system.fair->solve(patches, options, cancel);
+  std::vector<RimBend> bends;
+  for (const Index h : rims) bends.push_back(rim_bend(mesh, positions, network, patches, h));
+  FairSystem::SolveOptions with_rims = options;
+  with_rims.rims = bends;
+  FairSystem::Solution solution = system.fair->solve(patches, with_rims, cancel);
   if (solution.cancelled) return solution;
   system.fair->fill_split_points(solution.unknowns, faces, split);
   build_base();

@@ -1,0 +1,30 @@
+#pragma once
+
+// How mode FAIR bends across rims where tangent planes are known (kuriyama.md section 6).
+
+#include <span>
+#include <vector>
+
+#include "core/network/network.hpp"
+#include "core/network/shaping.hpp"
+#include "core/patching/quartic_patch.hpp"
+#include "core/polyhedron/polyhedron.hpp"
+
+namespace hariko {
+
+/// Border half-edges of triangles whose vertices all have pinned tangents, with both ends tagged smooth,
+/// ascending: rims over outlines with normals.
+std::vector<Index> clamped_rims(const Polyhedron& polyhedron, const Shaping& shaping);
+
+/// What the bending of the surface that goes on beyond a rim adds to the right-hand side of mode FAIR, for z
+/// at both ends of the half-edge. Length units.
+struct RimBend {
+  Index half_edge = no_index;
+  Vector3 at_origin = Vector3::Zero(), at_target = Vector3::Zero();
+};
+
+/// `base`: patches with all unknowns zero, whose split tangents say how fast the surface leaves the rim.
+RimBend rim_bend(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, const Network& network,
+                 std::span<const QuarticPatch> base, Index half_edge);
+
+}  // namespace hariko
