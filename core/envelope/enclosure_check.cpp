@@ -7,6 +7,10 @@
 
 namespace hariko {
 
+namespace {
+constexpr int points_to_edge = 20;  ///< spread over a solid for one on each of its edges
+}
+
 EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids, int density,
                                 int points, double slack, const CancelToken& cancel) {
   const TriangleMesh mesh = tessellate(surface, density, cancel);
@@ -15,6 +19,7 @@ EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSo
   for (Index s = 0; s < solids.size(); ++s) {
     for (const Vector3& p : solids[s].test_points) tested.emplace_back(p, s);
     for (const Vector3& p : solids[s].surface_points(points)) tested.emplace_back(p, s);
+    for (const Vector3& p : solids[s].edge_points(points / points_to_edge)) tested.emplace_back(p, s);
   }
   std::vector<WindingTree::Nearest> miss(tested.size(), {0, no_index});
   parallel_for(tested.size(), 256, [&](std::size_t begin, std::size_t end) {

@@ -25,8 +25,8 @@ struct EnclosureReport {
   std::vector<OutsidePoint> points;
 };
 
-/// `density`: intervals a patch side of the triangles. `points`: spread over each solid, beside its corners,
-/// edges and rims. Points within `slack` (a length) of the surface count as inside.
+/// `density`: intervals a patch side of the triangles. `points`: spread over each solid, beside its test
+/// points and a twentieth of `points` on every edge. Points within `slack` (a length) of the surface count as inside.
 EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids, int density,
                                 int points, double slack, const CancelToken& cancel = {});
 

@@ -18,6 +18,7 @@ constexpr double pi = std::numbers::pi;
 constexpr int ring_sides = 8;      ///< corners of the rings of round solids
 constexpr int rim_points = 48;     ///< test points on the rims of cylinders and cones
 constexpr int side_points = 8;     ///< test points round the sides of cones, below the tip
+constexpr int points_of_edge = 9;  ///< test points between the ends of an edge
 constexpr int spread_points = 64;  ///< test points spread over a surface
 constexpr double hull_tolerance = 1e-9;
 
@@ -161,9 +162,7 @@ void add_test_points(PlacedSolid& solid) {
   using Shape = PlacedSolid::Shape;
   if (solid.shape_ == Shape::half_spaces) {
     for (const Vector3& u : solid.unit_vertices) add(u);
-    for (const auto& [a, b] : edges_of(solid.unit_vertices))
-      for (int k = 1; k < 10; ++k)
-        add((1 - k / 10.0) * solid.unit_vertices[a] + k / 10.0 * solid.unit_vertices[b]);
+    for (const Vector3& p : solid.edge_points(points_of_edge)) out.push_back(p);
   }
   std::vector<Vector3> rim;
   if (solid.shape_ == Shape::cylinder) {
@@ -221,6 +220,17 @@ std::vector<Vector3> PlacedSolid::surface_points(int count) const {
     }
     out.push_back(world(low * d));
   }
+  return out;
+}
+
+std::vector<Vector3> PlacedSolid::edge_points(int per_edge) const {
+  std::vector<Vector3> out;
+  if (shape_ != Shape::half_spaces) return out;
+  for (const auto& [a, b] : edges_of(unit_vertices))
+    for (int k = 1; k <= per_edge; ++k) {
+      const double share = double(k) / (per_edge + 1);
+      out.push_back(world((1 - share) * unit_vertices[a] + share * unit_vertices[b]));
+    }
   return out;
 }
 

@@ -47,6 +47,8 @@ class PlacedSolid {
   bool is_round() const { return shape_ == Shape::ball || shape_ == Shape::torus; }
   /// `count` points spread over the surface, of which convex solids have no empty parts.
   std::vector<Vector3> surface_points(int count) const;
+  /// Points between the ends of every edge; none of solids without straight edges.
+  std::vector<Vector3> edge_points(int per_edge) const;
 
   Shape shape_ = Shape::half_spaces;
   std::vector<HalfSpace> half_spaces_;
