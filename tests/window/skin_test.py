@@ -86,7 +86,10 @@ def settings(window, output):
 
 
 def mirror(window, output):
-    """With the mirror of the skin what is done to one half happens to the other."""
+    """With the mirror of the skin what is done to one half happens to the other. That half is behind the surface, which is seen through
+    from here on."""
+    check("skin.limit.4" not in names(window, "skin.limit."), "a point behind the surface is shown")
+    window.key("alt+x")
     window.click_on("combo.skin_mirror")
     window.click_on("choice.skin_mirror.2")
     position = label(window, "Mirror of the skin")

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/skinning/skin_messages.hpp"
+#include "ui/skin_sight.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 
 namespace hariko {
@@ -32,10 +33,17 @@ SkinColours colours_of(ThemeId theme) {
           IM_COL32(0x18, 0x19, 0x1c, 0xff)};
 }
 
+constexpr float hidden_alpha = 0.3F;
+
 class Drawing {
  public:
-  Drawing(const Object& object, const Projector& projector, const ToolOverlay& overlay, ThemeId theme)
-      : colours(colours_of(theme)), object_(object), projector_(projector), overlay_(overlay) {}
+  Drawing(const Object& object, const Projector& projector, const ToolOverlay& overlay, ThemeId theme,
+          const SkinSight& sight)
+      : colours(colours_of(theme)),
+        object_(object),
+        projector_(projector),
+        overlay_(overlay),
+        sight_(sight) {}
 
   const SkinColours colours;
 
@@ -63,16 +71,32 @@ class Drawing {
     flush();
   }
 
-  void dot(const Vector3& point, float radius, ImU32 colour, bool square) const {
+  /// On the surface: what is hidden is pale.
+  void polyline_on_surface(const std::vector<Vector3>& points, ImU32 colour, float width) const {
+    std::vector<char> hidden;
+    for (const Vector3& p : points) hidden.push_back(sight_.hides(p));
+    // A span is as pale as its ends are; where they differ, as its end.
+    for (std::size_t i = 0; i + 1 < points.size();) {
+      std::size_t j = i + 1;
+      while (j + 1 < points.size() && hidden[j + 1] == hidden[i + 1]) ++j;
+      polyline({points.begin() + std::ptrdiff_t(i), points.begin() + std::ptrdiff_t(j) + 1},
+               hidden[i + 1] ? with_alpha(colour, hidden_alpha) : colour, width);
+      i = j;
+    }
+  }
+
+  void dot(const Vector3& point, float radius, ImU32 colour, bool square, bool pale) const {
     const auto p = at(point);
     if (!p) return;
+    if (pale) colour = with_alpha(colour, 0.5F);
+    const ImU32 outline = pale ? 0 : colours.outline;
     const float r = overlay_.metrics.px(radius), rim = overlay_.metrics.px(1.5F);
     if (square) {
       overlay_.list.AddRectFilled({p->x - r - rim, p->y - r - rim}, {p->x + r + rim, p->y + r + rim},
-                                  colours.outline);
+                                  outline);
       overlay_.list.AddRectFilled({p->x - r, p->y - r}, {p->x + r, p->y + r}, colour);
     } else {
-      overlay_.list.AddCircleFilled(*p, r + rim, colours.outline);
+      overlay_.list.AddCircleFilled(*p, r + rim, outline);
       overlay_.list.AddCircleFilled(*p, r, colour);
     }
   }
@@ -125,6 +149,7 @@ class Drawing {
   const Object& object_;
   const Projector& projector_;
   const ToolOverlay& overlay_;
+  const SkinSight& sight_;
 };
 
 /// What an error is about: a point, all of the section that has it, or the path.
@@ -169,11 +194,11 @@ void draw_mirror(const Drawing& drawing, const Skin& skin, Marks* marks) {
 }
 
 /// What is not as in a regular grid: triangles tinted, extraordinary points ringed.
-void draw_irregularities(const Drawing& drawing, const SkinView& view) {
+void draw_irregularities(const Drawing& drawing, const SkinView& view, const SkinSight& sight) {
   for (const auto& triangle : view.triangles)
     drawing.fill(triangle, with_alpha(drawing.colours.merge, 0.15F));
   for (const Vector3& point : view.extraordinary)
-    drawing.ring(point, 4, with_alpha(drawing.colours.section, 0.75F));
+    if (!sight.hides(point)) drawing.ring(point, 4, with_alpha(drawing.colours.section, 0.75F));
 }
 
 void draw_lines(const Drawing& drawing, const SkinView& view) {
@@ -184,12 +209,12 @@ void draw_lines(const Drawing& drawing, const SkinView& view) {
       const ImU32 colour = line.origin == LineOrigin::matched ? drawing.colours.matched
                            : line.origin == LineOrigin::link  ? drawing.colours.link
                                                               : drawing.colours.merge;
-      drawing.polyline(line.points, colour, line.locked ? 2.8F : own ? 2.0F : 1.1F);
+      drawing.polyline_on_surface(line.points, colour, line.locked ? 2.8F : own ? 2.0F : 1.1F);
     }
 }
 
 /// How a handle is to be seen.
-enum class HandleState { plain, hot, selected, wrong };
+enum class HandleState { plain, pale, hot, selected, wrong };
 
 void draw_handle(const Drawing& drawing, const SkinView::Handle& handle, HandleState state, Marks* marks) {
   using Kind = SkinView::Handle::Kind;
@@ -205,8 +230,9 @@ void draw_handle(const Drawing& drawing, const SkinView::Handle& handle, HandleS
                        : path                           ? drawing.colours.path
                        : limit                          ? drawing.colours.section
                                                         : drawing.colours.control;
-  drawing.dot(handle.position, (limit || path ? 3.5F : 2.5F) + (state == HandleState::plain ? 0 : 1.2F),
-              colour, handle.sharp);
+  const bool quiet = state == HandleState::plain || state == HandleState::pale;
+  drawing.dot(handle.position, (limit || path ? 3.5F : 2.5F) + (quiet ? 0 : 1.2F), colour, handle.sharp,
+              state == HandleState::pale);
   const bool rail = path && handle.id >= rail_point_ids;
   drawing.mark(marks,
                rail    ? "skin.rail." + std::to_string(handle.id - rail_point_ids)
@@ -223,12 +249,13 @@ void SkinOverlay::draw(const Editor& editor, const Projector& projector, const T
   const Object* object = shown_skin(editor);
   if (!object) return;
   const SkinView& view = cache_.of(editor, *object);
-  const Drawing drawing(*object, projector, overlay, editor.settings.theme);
+  const SkinSight sight(editor, projector, view, *object);
+  const Drawing drawing(*object, projector, overlay, editor.settings.theme, sight);
   const SkinColours& colours = drawing.colours;
   const Wrong wrong = wrong_of(editor, *object);
-  const SkinHit hit = pointer ? skin_hit(view, *object, projector, *pointer, editor.pixel_scale) : SkinHit{};
+  const SkinHit hit = pointer ? sight.hit(projector, *pointer, editor.pixel_scale) : SkinHit{};
   if (object->skin()->skin->mirror) draw_mirror(drawing, *object->skin()->skin, marks);
-  draw_irregularities(drawing, view);
+  draw_irregularities(drawing, view, sight);
   draw_lines(drawing, view);
   for (const auto& path : view.paths)
     drawing.polyline(path, wrong.path ? palette().error : colours.path, wrong.path ? 2.4F : 1.6F);
@@ -237,7 +264,7 @@ void SkinOverlay::draw(const Editor& editor, const Projector& projector, const T
     const int k = wrong.section ? skin.find_section(section.id) : -1;
     const bool red = k >= 0 && find_point(skin.sections[std::size_t(k)], *wrong.point) >= 0;
     drawing.polyline(section.polygon, with_alpha(colours.section, 0.35F), 1, section.closed);
-    drawing.polyline(section.curve, red ? palette().error : colours.section, 2);
+    drawing.polyline_on_surface(section.curve, red ? palette().error : colours.section, 2);
     // Where it begins and which way it runs.
     if (constexpr std::size_t half = curve_samples / 2; section.curve.size() > 2 * half)
       drawing.arrow(section.curve[half - 1], section.curve[half + 1],
@@ -248,14 +275,16 @@ void SkinOverlay::draw(const Editor& editor, const Projector& projector, const T
     const SkinView::Handle& handle = view.handles[i];
     const bool place = handle.kind == SkinView::Handle::Kind::place;
     const bool hot = hit.kind == SkinHit::Kind::handle && hit.index == i;
-    draw_handle(drawing, handle,
-                !place && wrong.point == handle.id               ? HandleState::wrong
-                : !place && chosen.contains(VertexId{handle.id}) ? HandleState::selected
-                : hot                                            ? HandleState::hot
-                                                                 : HandleState::plain,
-                marks);
+    const HandleState state = !place && wrong.point == handle.id               ? HandleState::wrong
+                              : !place && chosen.contains(VertexId{handle.id}) ? HandleState::selected
+                              : hot                                            ? HandleState::hot
+                              : sight.hides_handle(i)                          ? HandleState::pale
+                                                                               : HandleState::plain;
+    // What cannot be taken hold of is not shown.
+    if (state != HandleState::pale || sight.through()) draw_handle(drawing, handle, state, marks);
   }
   for (std::size_t i = 0; i < view.diamonds.size(); ++i) {
+    if (sight.hides(view.diamonds[i].position) && !sight.through()) continue;
     const bool hot = hit.kind == SkinHit::Kind::diamond && hit.index == i;
     drawing.diamond(view.diamonds[i].position, hot ? 8 : 6.5F, hot ? palette().secondary : colours.merge);
     drawing.mark(marks, "skin.diamond." + std::to_string(view.diamonds[i].merge), view.diamonds[i].position);

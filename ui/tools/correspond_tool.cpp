@@ -6,6 +6,7 @@
 
 #include "core/document/edit_skin.hpp"
 #include "ui/skin_edits.hpp"
+#include "ui/skin_sight.hpp"
 #include "ui/tools/correspondence_drag.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 #include "ui/tools/pointing_tool.hpp"
@@ -192,8 +193,10 @@ class CorrespondTool final : public PointingTool {
     Stroke stroke = classify_stroke(pixels);
     for (Vector2& p : stroke.points) p *= editor.pixel_scale;
     const Object& object = skin_object(context);
-    const auto edit = gesture_edit(*object.skin()->skin, cache_.of(editor, object), object,
-                                   context.projector(), stroke, editor.pixel_scale);
+    const SkinView& view = cache_.of(editor, object);
+    const Projector projector = context.projector();
+    const auto edit = gesture_edit(*object.skin()->skin, view, object, projector, stroke, editor.pixel_scale,
+                                   SkinSight(editor, projector, view, object).hidden_points());
     if (!edit) {
       error_ = editor.language.text_of(edit.error()) + "  " + editor.language.remedy_of(edit.error());
       return;
@@ -212,7 +215,7 @@ class CorrespondTool final : public PointingTool {
     const Projector projector = context.projector();
     const double scale = context.editor.pixel_scale;
     const Skin& skin = *object.skin()->skin;
-    const SkinHit hit = skin_hit(view_, object, projector, pointer_, scale);
+    const SkinHit hit = SkinSight(context.editor, projector, view_, object).hit(projector, pointer_, scale);
     if (hit.kind == SkinHit::Kind::diamond) {
       merge_.emplace(skin, view_, hit.index);
     } else if (hovered_) {

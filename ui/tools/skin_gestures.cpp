@@ -17,8 +17,13 @@ Message no_gesture(const char* text, const char* remedy) {
 class Gesture {
  public:
   Gesture(const Skin& skin, const SkinView& view, const Object& object, const Projector& projector,
-          double pixel_scale)
-      : skin_(skin), view_(view), object_(object), projector_(projector), scale_(pixel_scale) {
+          double pixel_scale, const std::set<std::uint32_t>& hidden)
+      : skin_(skin),
+        view_(view),
+        object_(object),
+        projector_(projector),
+        scale_(pixel_scale),
+        hidden_(hidden) {
     for (const SkinView::Handle& handle : view.handles) {
       if (handle.kind == SkinView::Handle::Kind::path || handle.kind == SkinView::Handle::Kind::place)
         continue;
@@ -56,7 +61,8 @@ class Gesture {
     std::vector<std::uint32_t> inside;
     std::map<int, int> sections;
     for (const auto& [id, point] : points_)
-      if (inside_polygon(polygon, point.at)) inside.push_back(id), ++sections[point.section];
+      if (!hidden_.contains(id) && inside_polygon(polygon, point.at))
+        inside.push_back(id), ++sections[point.section];
     if (sections.size() < 2)
       return no_gesture("The curve goes round points of one section or none.",
                         "Draw it round points of neighbouring sections.");
@@ -102,7 +108,7 @@ class Gesture {
     std::optional<std::uint32_t> best;
     double least = radius * scale_, depth = 0;
     for (const auto& [id, point] : points_) {
-      if (section >= 0 && point.section != section) continue;
+      if ((section >= 0 && point.section != section) || hidden_.contains(id)) continue;
       const double distance =
           std::min((point.at - place).norm(), (point.control - place).norm() + 2 * scale_);
       const bool nearer = distance < least - 2 * scale_ ||
@@ -204,15 +210,16 @@ class Gesture {
   const Object& object_;
   const Projector& projector_;
   const double scale_;
+  const std::set<std::uint32_t>& hidden_;
   std::map<std::uint32_t, Point> points_;
 };
 
 }  // namespace
 
 Result<CorrespondenceEdit> gesture_edit(const Skin& skin, const SkinView& view, const Object& object,
-                                        const Projector& projector, const Stroke& stroke,
-                                        double pixel_scale) {
-  const Gesture gesture(skin, view, object, projector, pixel_scale);
+                                        const Projector& projector, const Stroke& stroke, double pixel_scale,
+                                        const std::set<std::uint32_t>& hidden) {
+  const Gesture gesture(skin, view, object, projector, pixel_scale, hidden);
   switch (stroke.kind) {
     case StrokeKind::line:
       return gesture.line(stroke.points[0], stroke.points[1]);

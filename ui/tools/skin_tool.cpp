@@ -8,6 +8,7 @@
 #include "core/skinning/edit_section.hpp"
 #include "core/skinning/symmetric_edit.hpp"
 #include "ui/skin_edits.hpp"
+#include "ui/skin_sight.hpp"
 #include "ui/skin_view.hpp"
 #include "ui/tools/correspondence_drag.hpp"
 #include "ui/tools/overlay_drawing.hpp"
@@ -216,7 +217,9 @@ std::unique_ptr<Tool> skin_tool_at(const ToolContext& context, const PointerEven
   if (!object || press.button != PointerButton::left || press.control || press.alt) return nullptr;
   if (context.editor.mode == ElementMode::object) return nullptr;
   SkinView view = view_of(*object->skin()->skin, shown_surface(context.editor, *object));
-  const SkinHit hit = skin_hit(view, *object, context.projector(), press.pixel, context.editor.pixel_scale);
+  const Projector projector = context.projector();
+  const SkinHit hit = SkinSight(context.editor, projector, view, *object)
+                          .hit(projector, press.pixel, context.editor.pixel_scale);
   if (hit.kind == SkinHit::Kind::none) return nullptr;
   if (hit.kind == SkinHit::Kind::handle && view.handles[hit.index].kind == SkinView::Handle::Kind::place)
     return make_slide_section_tool(view.handles[hit.index].id, false);
