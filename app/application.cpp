@@ -170,6 +170,7 @@ class Application {
     actions.count_cad = [this](const CadSettings& settings) { exchange_.count_cad(settings); };
     actions.cancel_count = [this] { exchange_.cancel_count(); };
     actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };
+    actions.export_drawing = [this](DrawingOrder order) { exchange_.export_drawing(std::move(order)); };
     actions.export_control = [this](const auto& path) { skins_.export_control(path); };
     actions.convert_skin = [this](ObjectId object) { skins_.convert(object); };
     actions.add_section = [this](ObjectId object, double place) { skins_.add_section(object, place); };

@@ -156,22 +156,33 @@ void ExchangeJobs::export_pictures(PictureOrder order) {
       });
 }
 
+void ExchangeJobs::export_drawing(DrawingOrder order) {
+  const auto path = order.file;
+  work_.run_cancellable(
+      fill(translatable("Exporting {0}"), {path.filename().string()}),
+      [order = std::move(order)](const CancelToken& cancel, const Progress& progress) {
+        return write_drawing(order, cancel, progress);
+      },
+      [this, path](const Result<Done>& written) { tell(path, written); });
+}
+
+void ExchangeJobs::tell(const std::filesystem::path& path, const Result<Done>& written) {
+  if (!written.ok()) {
+    log_("export_failed", path);
+    return editor_.notify(written.error());
+  }
+  editor_.notify(Notice::Kind::info, fill(editor_.language("Exported {0}."), {path.filename().string()}));
+  ++editor_.exports;
+  log_("exported", path);
+}
+
 void ExchangeJobs::export_pages(const std::filesystem::path& path) {
   const auto layout = editor_.paper.layout;
   if (!layout) return;
   work_.run(
       fill(translatable("Exporting {0}"), {path.filename().string()}),
       [path, layout](const CancelToken&) { return write_sheet_file(path, layout->drawing); },
-      [this, path](const Result<Done>& written) {
-        if (!written.ok()) {
-          log_("export_failed", path);
-          return editor_.notify(written.error());
-        }
-        editor_.notify(Notice::Kind::info,
-                       fill(editor_.language("Exported {0}."), {path.filename().string()}));
-        ++editor_.exports;
-        log_("exported", path);
-      });
+      [this, path](const Result<Done>& written) { tell(path, written); });
 }
 
 }  // namespace hariko

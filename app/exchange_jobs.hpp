@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/background_work.hpp"
+#include "app/drawing_export.hpp"
 #include "app/files/open_file.hpp"
 #include "app/picture_export.hpp"
 #include "ui/workbench.hpp"
@@ -35,6 +36,7 @@ class ExchangeJobs {
   void export_file(const std::filesystem::path& path, const ExportSettings& settings);
   void export_cad(const std::filesystem::path& path, const CadSettings& settings);
   void export_pictures(PictureOrder order);
+  void export_drawing(DrawingOrder order);
   /// Writes the pages of the paper model as they lie.
   void export_pages(const std::filesystem::path& path);
 
@@ -43,6 +45,8 @@ class ExchangeJobs {
   void add_imported(const std::filesystem::path& path, const Document& document, bool says_unit,
                     const std::vector<Message>& warnings);
   void warn(const std::vector<Message>& warnings);
+  /// Tells of a file that was written, or not.
+  void tell(const std::filesystem::path& path, const Result<Done>& written);
   Document document_to_export(bool only_selected) const;
   /// Runs `count(cancel)` on the worker; `take` gets its result unless it was cancelled.
   template <class Count, class Take>

@@ -52,7 +52,7 @@ SHEETS = {
     "manual_lines": [
         ("Outlines and network", "skin_car", ["--hidden", "--lines", "silhouette,border,network"]),
         ("Outlines alone", "torus", ["--lines", "silhouette"]),
-        ("A section", "genus3", ["--section", "y=0.1"]),
+        ("A section", "genus3", ["--section=-y=0.1"]),
     ],
 }
 

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/file_ending.hpp"
 #include "core/base/file_io.hpp"
 #include "ui/commands/patch_commands.hpp"
 #include "ui/commands/skin_commands.hpp"
 #include "ui/icons.hpp"
 #include "ui/key_file.hpp"
 #include "ui/panels/beside.hpp"
-#include "ui/panels/picture_options.hpp"
 
 namespace hariko {
 
@@ -370,23 +370,36 @@ void Workbench::show_control_export() {
                 [this](const auto& path) { actions_.export_control(path); }});
 }
 
+void Workbench::export_picture(const std::filesystem::path& path, bool turntable) {
+  if (!turntable) picture_ending_ = lower_ending(path);
+  if (!turntable && picture_ending_ == ".svg") {
+    auto order = order_drawing(editor_, viewport_.scene(), drawing_options_.settings(), path);
+    if (!order) return editor_.notify(order.error());
+    return actions_.export_drawing(std::move(order).value());
+  }
+  auto order = turntable ? order_turntable(editor_, viewport_.scene(), picture_settings_, path)
+                         : order_picture(editor_, viewport_.scene(), picture_settings_, path);
+  if (!order) return editor_.notify(order.error());
+  actions_.export_pictures(std::move(order).value());
+}
+
 void Workbench::show_picture_dialog(bool turntable) {
   std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(".png");
+  proposal.replace_extension(turntable ? ".png" : picture_ending_);
   FileDialog::Request request;
   request.title =
       turntable ? translatable("Export a turntable as pictures") : translatable("Export a picture");
   request.action = translatable("Export");
   request.saving = true;
   request.extensions = {".png"};
+  if (!turntable) {
+    request.extensions.push_back(".svg");
+    request.formats = {translatable("PNG picture"), translatable("SVG line drawing")};
+  }
   request.proposal = proposal;
-  request.accept = [this, turntable](const std::filesystem::path& path) {
-    auto order = turntable ? order_turntable(editor_, viewport_.scene(), picture_settings_, path)
-                           : order_picture(editor_, viewport_.scene(), picture_settings_, path);
-    if (!order) return editor_.notify(order.error());
-    actions_.export_pictures(std::move(order).value());
-  };
-  request.options = [this, turntable](const std::filesystem::path&) {
+  request.accept = [this, turntable](const auto& path) { export_picture(path, turntable); };
+  request.options = [this, turntable](const std::filesystem::path& name) {
+    if (!turntable && lower_ending(name) == ".svg") return drawing_options_.draw(editor_, marks_, metrics_);
     draw_picture_options(editor_, marks_, metrics_, picture_settings_, turntable);
   };
   request.option_rows = [turntable] { return picture_option_rows(turntable); };

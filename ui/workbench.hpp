@@ -16,6 +16,7 @@
 #include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/paper_panel.hpp"
+#include "ui/panels/picture_options.hpp"
 #include "ui/panels/preferences.hpp"
 #include "ui/panels/prompt.hpp"
 #include "ui/picture_order.hpp"
@@ -40,6 +41,7 @@ struct FileActions {
   std::function<void()> cancel_count;  ///< of either
   std::function<void(const std::filesystem::path&, const CadSettings&)> export_cad;
   std::function<void(PictureOrder)> export_pictures;
+  std::function<void(DrawingOrder)> export_drawing;
   /// Writes the control meshes of the visible skins.
   std::function<void(const std::filesystem::path&)> export_control;
   /// Makes a polyhedron of a skin, which is hidden then. Only the last one asked for counts.
@@ -130,7 +132,7 @@ class Workbench {
   void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
   void show_key_export();
   void show_key_import();
-  /// Of the active view: one picture, or a series that turns round the model.
+  /// Of the active view: one picture or line drawing, or a series that turns round the model.
   void show_picture_dialog(bool turntable);
   void show_record_dialog();
   /// For the pages of the paper model.
@@ -152,6 +154,7 @@ class Workbench {
   void apply_keys();
   void layout(PanelContext& context, float menu);
   void drag_border(const PanelRect& border);
+  void export_picture(const std::filesystem::path& path, bool turntable);
   std::filesystem::path folder_proposal() const;
   std::filesystem::path name_proposal() const;
 
@@ -182,6 +185,8 @@ class Workbench {
   ExportOptions export_options_;
   CadOptions cad_options_;
   PictureSettings picture_settings_;
+  DrawingOptions drawing_options_;
+  std::string picture_ending_ = ".png";  ///< of the last picture
 };
 
 }  // namespace hariko

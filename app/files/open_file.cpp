@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/files/open_cad.hpp"
+#include "core/base/file_ending.hpp"
 #include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
 #include "core/cad/kernel/cad_file.hpp"
@@ -164,10 +165,7 @@ OpenedFile cancelled() {
 }
 
 bool has_ending(const std::filesystem::path& file, std::string_view ending) {
-  std::string own = file.extension().native();
-  for (char& c : own)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return own == ending;
+  return lower_ending(file) == ending;
 }
 
 /// A patch whose control points can be edited, where it is alone and does not close on itself; else all of

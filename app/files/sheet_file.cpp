@@ -1,5 +1,6 @@
 #include "app/files/sheet_file.hpp"
 
+#include "core/base/file_ending.hpp"
 #include "core/base/file_io.hpp"
 #include "core/unfolding/write_sheets.hpp"
 #include "render/sheet_picture.hpp"
@@ -7,9 +8,7 @@
 namespace hariko {
 
 std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string extension = lower_ending(path);
   if (extension == ".pdf") return SheetFormat::pdf;
   if (extension == ".svg") return SheetFormat::svg;
   if (extension == ".dxf") return SheetFormat::dxf;

@@ -83,7 +83,7 @@ void add_file_commands(CommandHost& host) {
     return "No object is visible. Show one or add one.";
   };
   table.add({"file.export_picture", "File", "Export picture\u2026",
-             "Write what the active view shows as a PNG picture.", "", "", false, true,
+             "Write what the active view shows as a PNG picture, or its lines as SVG.", "", "", false, true,
              [&workbench] { workbench.show_picture_dialog(false); }, something_shown});
   table.add({"file.export_turntable", "File", "Export turntable\u2026",
              "Write a series of pictures that goes once round the model.", "", "", false, false,

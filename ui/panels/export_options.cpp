@@ -2,10 +2,10 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <numbers>
 
+#include "core/base/file_ending.hpp"
 #include "ui/panels/option_fields.hpp"
 
 namespace hariko {
@@ -26,9 +26,7 @@ Quantity degrees() {
 }  // namespace
 
 void ExportOptions::take_up(const std::filesystem::path& name) {
-  std::string extension = name.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string extension = lower_ending(name);
   if (extension == extension_ || !written_format(name)) return;
   extension_ = extension;
   if (const auto found = remembered_.find(extension); found != remembered_.end()) settings_ = found->second;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/base/file_ending.hpp"
 #include "ui/export_text.hpp"
 #include "ui/icons.hpp"
 
@@ -14,6 +15,8 @@ namespace hariko {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr float label_width = 96;
 
 std::string lower(std::string text) {
   for (char& c : text)
@@ -45,7 +48,7 @@ void FileDialog::open(Request request) {
 }
 
 bool FileDialog::matches(const fs::path& file) const {
-  const std::string extension = lower(file.extension().string());
+  const std::string extension = lower_ending(file);
   return request_.extensions.empty() || std::find(request_.extensions.begin(), request_.extensions.end(),
                                                   extension) != request_.extensions.end();
 }
@@ -120,7 +123,7 @@ void FileDialog::submit(bool overwrite) {
 
 void FileDialog::list(PanelContext& context) {
   const float row = ImGui::GetFrameHeight();
-  const int options = request_.options ? request_.option_rows() : 0;
+  const int options = (request_.options ? request_.option_rows() : 0) + (request_.formats.empty() ? 0 : 1);
   const float below = row * static_cast<float>(options + 2) + context.metrics.px(26) +
                       ImGui::GetStyle().ItemSpacing.y * static_cast<float>(std::max(options - 1, 0)) +
                       (error_.empty() && !ask_overwrite_ ? 0 : row + context.metrics.px(6));
@@ -169,8 +172,41 @@ void FileDialog::list(PanelContext& context) {
   if (!enter.empty()) go_to(enter);
 }
 
+/// The format is the ending of the name.
+void FileDialog::format_row(PanelContext& context) {
+  const Metrics& m = context.metrics;
+  const fs::path name = name_;
+  const auto found = std::find(request_.extensions.begin(), request_.extensions.end(), lower_ending(name));
+  const auto now = std::size_t(found - request_.extensions.begin());
+  const auto text = [&](std::size_t i) {
+    return context.tr(request_.formats[i]) + " (" + request_.extensions[i] + ")";
+  };
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(context.tr(translatable("Format")));
+  ImGui::SameLine(m.px(label_width));
+  ImGui::SetNextItemWidth(m.px(220));
+  // A name without an ending gets the first one.
+  const std::string shown = now < request_.formats.size() ? text(now)
+                            : name.has_extension()        ? std::string()
+                                                          : text(0);
+  const bool open = ImGui::BeginCombo("##format", shown.c_str());
+  context.marks.item("dialog.format");
+  if (!open) return;
+  for (std::size_t i = 0; i < request_.formats.size(); ++i) {
+    if (ImGui::Selectable(text(i).c_str(), i == now)) {
+      const bool known = now < request_.formats.size();
+      name_ = (known ? fs::path(name).replace_extension() : name).string() + request_.extensions[i];
+      ask_overwrite_ = false;
+      error_.clear();
+    }
+    context.marks.item("dialog.format" + request_.extensions[i]);
+  }
+  ImGui::EndCombo();
+}
+
 void FileDialog::footer(PanelContext& context) {
   const Metrics& m = context.metrics;
+  if (!request_.formats.empty()) format_row(context);
   if (request_.options) request_.options(name_);
   if (appearing_) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);

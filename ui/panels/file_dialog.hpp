@@ -27,6 +27,8 @@ class FileDialog {
     std::function<int()> option_rows = [] { return 1; };  ///< how many rows these take
     /// When saving, a file that accepting this name would replace; without it the file of that name itself.
     std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)> replaces = {};
+    /// What the extensions mean, one each, to be chosen from a list: "PNG picture", ...; empty for no list.
+    std::vector<std::string> formats = {};
   };
 
   void open(Request request);
@@ -42,6 +44,7 @@ class FileDialog {
   };
   void go_to(const std::filesystem::path& folder);
   void list(PanelContext& context);
+  void format_row(PanelContext& context);
   void footer(PanelContext& context);
   void submit(bool overwrite);
   bool matches(const std::filesystem::path& file) const;

@@ -1,10 +1,15 @@
 #include "ui/panels/picture_options.hpp"
 
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
+#include "core/drawing/write_drawing_svg.hpp"
 #include "render/picture.hpp"
+#include "ui/panels/quantity.hpp"
 
 namespace hariko {
 
@@ -62,6 +67,43 @@ void size_row(const Language& tr, PixelSize view, Marks& marks, const Metrics& m
 }
 
 }  // namespace
+
+void DrawingOptions::page_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
+  const Language& tr = editor.language;
+  Quantity length = length_quantity(Unit::millimetre, most_page_side);
+  length.low = least_page_side;
+  length.high = most_page_side;
+  label(tr, metrics, translatable("Width"));
+  if (width_text_.empty()) width_text_ = format_quantity(length, settings_.width);
+  ImGui::SetNextItemWidth(metrics.px(110));
+  ImGui::InputText("##page_width", &width_text_);
+  marks.item("picture.page_width");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", tr("Of the page. Lines have the same widths on pages of all sizes."));
+  if (ImGui::IsItemDeactivatedAfterEdit()) {
+    if (const auto change = parse_change(width_text_, length))
+      settings_.width = change->apply(length, settings_.width);
+    width_text_ = format_quantity(length, settings_.width);
+  }
+  ImGui::SameLine();
+  const double height = page_of(settings_, editor.viewport).y();
+  ImGui::TextUnformatted(
+      fill(tr("\u00d7 {0}, as the view"), {format_quantity(length, std::round(10 * height) / 10)}).c_str());
+}
+
+void DrawingOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics) {
+  const Language& tr = editor.language;
+  page_row(editor, marks, metrics);
+  label(tr, metrics, translatable("Lines"));
+  check(
+      tr, marks, "network", translatable("network"),
+      translatable("The curves that the surfaces are spanned by. Outlines, borders, creases and sections are "
+                   "always drawn."),
+      settings_.network);
+  ImGui::SameLine();
+  check(tr, marks, "hidden", translatable("hidden lines"),
+        translatable("What surfaces hide, as dashes in layers of their own."), settings_.hidden);
+}
 
 int picture_option_rows(bool turntable) {
   return turntable ? 3 : 2;

@@ -2,6 +2,7 @@
 
 // What an exported picture shows and how large it is, as rows in the file dialog.
 
+#include "ui/drawing_order.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/picture_order.hpp"
 
@@ -12,5 +13,18 @@ void draw_picture_options(const Editor& editor, Marks& marks, const Metrics& met
                           PictureSettings& settings, bool turntable);
 /// How many rows these are.
 int picture_option_rows(bool turntable);
+
+/// The same for line drawings, in as many rows as one picture has.
+class DrawingOptions {
+ public:
+  void draw(const Editor& editor, Marks& marks, const Metrics& metrics);
+  const DrawingSettings& settings() const { return settings_; }
+
+ private:
+  void page_row(const Editor& editor, Marks& marks, const Metrics& metrics);
+
+  DrawingSettings settings_;
+  std::string width_text_;
+};
 
 }  // namespace hariko

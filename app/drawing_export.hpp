@@ -1,0 +1,14 @@
+#pragma once
+
+// Writing ordered line drawings. For a worker.
+
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
+#include "ui/drawing_order.hpp"
+
+namespace hariko {
+
+/// The file is the old or the whole new one. Errors: those of `draw_lines` and `write_file_atomic`.
+Result<Done> write_drawing(const DrawingOrder& order, const CancelToken& cancel, const Progress& progress);
+
+}  // namespace hariko

@@ -1,0 +1,239 @@
+// Line drawings of the view: what they show, the file they become, and what keeps them from it.
+
+#include "ui/drawing_order.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <thread>
+
+#include "app/drawing_export.hpp"
+#include "core/base/file_io.hpp"
+#include "core/document/edits.hpp"
+#include "render/picture.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/picture_order.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+Document prism() {
+  return document_from_mesh(test::prism(5), "Prism").value();
+}
+
+void wait_for_surfaces(HeadlessWorkbench& bench) {
+  for (int i = 0; i < 5; ++i) bench.settle();
+  bench.editor().stale_since.clear();
+}
+
+Result<DrawingOrder> ordered(HeadlessWorkbench& bench, const DrawingSettings& settings = {},
+                             const std::filesystem::path& file = "a.svg") {
+  return order_drawing(bench.editor(), bench.workbench().viewport().scene(), settings, file);
+}
+
+/// As the window does it, on another thread.
+Result<Done> write(const DrawingOrder& order, const CancelToken& cancel = {}, const Progress& progress = {}) {
+  Result<Done> result = Done{};
+  std::thread([&] { result = write_drawing(order, cancel, progress); }).join();
+  return result;
+}
+
+TEST(DrawingOrder, IsSeenAsTheViewIs) {
+  HeadlessWorkbench bench(prism());
+  wait_for_surfaces(bench);
+  for (const bool orthographic : {false, true}) {
+    Camera camera = bench.editor().camera().orbit(0.4, 0.2);
+    camera.orthographic = orthographic;
+    bench.editor().set_camera(camera);
+    bench.frame();
+    const auto order = ordered(bench);
+    ASSERT_TRUE(order.ok()) << to_string(order.error());
+    const PixelSize viewport = bench.editor().viewport;
+    EXPECT_NEAR(order->view.width / order->view.height, viewport.aspect(), 1e-12);
+    const Projector projector(camera, viewport);
+    const double scale = order->view.width / viewport.width;
+    ASSERT_EQ(order->surfaces.size(), 1U);
+    const DrawnSurface& drawn = order->surfaces[0];
+    for (Index patch = 0; patch < drawn.surface.patch_count(); ++patch) {
+      const PatchPoint local = drawn.surface.patches().evaluate(patch, Vector2(0.3, 0.3), Order::first);
+      const Vector3 point = drawn.transform * Vector3(drawn.surface.origin() + local.position);
+      EXPECT_LT((order->view.project(point).head<2>() - scale * projector.project(point)->head<2>()).norm(),
+                1e-6);
+    }
+  }
+}
+
+TEST(DrawingOrder, LinesLieWhereThePictureEnds) {
+  const test::TemporaryFolder folder;
+  HeadlessWorkbench bench(prism());
+  wait_for_surfaces(bench);
+  // A picture of the surface alone, of the size of the view, and the outline in pixels of it.
+  PictureSettings picture;
+  picture.transparent = true;
+  picture.grid = false;
+  const auto pixels = order_picture(bench.editor(), bench.workbench().viewport().scene(), picture, "a.png");
+  ASSERT_TRUE(pixels.ok());
+  Scene shown = pixels->scene;
+  for (SceneObject& object : shown.objects) object.show_polyhedron = object.show_network = false;
+  const auto image = render_picture(shown, pixels->cameras[0], pixels->size.width, pixels->size.height);
+  ASSERT_TRUE(image.ok());
+  DrawingSettings settings;
+  settings.network = false;
+  const auto order = ordered(bench, settings);
+  ASSERT_TRUE(order.ok());
+  const auto drawing = draw_lines(order->surfaces, order->view, order->lines);
+  ASSERT_TRUE(drawing.ok());
+  const double scale = pixels->size.width / order->view.width;
+  const auto covered = [&](int x, int y) {
+    return x >= 0 && y >= 0 && x < image->width && y < image->height && image->pixel(x, y)[3] > 127;
+  };
+  std::set<std::pair<int, int>> near_lines;
+  for (const PageLine& stroke : drawing->lines)
+    for (std::size_t i = 1; i < stroke.points.size(); ++i)
+      for (int k = 0; k <= 200; ++k) {
+        const Vector2 p =
+            scale * (stroke.points[i - 1] + k / 200.0 * (stroke.points[i] - stroke.points[i - 1]));
+        const int x = int(std::floor(p.x())), y = int(std::floor(p.y()));
+        bool any = false;
+        for (int dy = -2; dy <= 2; ++dy)
+          for (int dx = -2; dx <= 2; ++dx) {
+            any = any || covered(x + dx, y + dy);
+            near_lines.insert({x + dx, y + dy});
+          }
+        EXPECT_TRUE(any) << "a line beside the model at " << p.transpose();
+      }
+  int edge = 0;
+  for (int y = 1; y + 1 < image->height; ++y)
+    for (int x = 1; x + 1 < image->width; ++x) {
+      if (!covered(x, y) ||
+          (covered(x - 1, y) && covered(x + 1, y) && covered(x, y - 1) && covered(x, y + 1)))
+        continue;
+      ++edge;
+      EXPECT_TRUE(near_lines.contains({x, y})) << "no line at the end of the model at " << x << ", " << y;
+    }
+  EXPECT_GT(edge, 200);
+}
+
+TEST(DrawingOrder, IsWrittenWhole) {
+  const test::TemporaryFolder folder;
+  HeadlessWorkbench bench(prism());
+  wait_for_surfaces(bench);
+  DrawingSettings settings;
+  settings.width = 120;
+  const auto order = ordered(bench, settings, folder.path() / "a.svg");
+  ASSERT_TRUE(order.ok());
+  const Progress progress = Progress::make();
+  ASSERT_TRUE(write(*order, {}, progress).ok());
+  EXPECT_EQ(progress.fraction(), 1);
+  const std::string svg = test::slurp(folder.path() / "a.svg");
+  EXPECT_NE(svg.find("width=\"120mm\""), std::string::npos);
+  EXPECT_NE(svg.find("id=\"network\""), std::string::npos);
+  EXPECT_EQ(svg.find("-hidden"), std::string::npos);
+
+  settings.hidden = true;
+  ASSERT_TRUE(write(*ordered(bench, settings, folder.path() / "b.svg")).ok());
+  EXPECT_NE(test::slurp(folder.path() / "b.svg").find("id=\"network-hidden\""), std::string::npos);
+  settings.network = false;
+  ASSERT_TRUE(write(*ordered(bench, settings, folder.path() / "b.svg")).ok());
+  const std::string outline = test::slurp(folder.path() / "b.svg");
+  EXPECT_EQ(outline.find("id=\"network"), std::string::npos);
+  EXPECT_NE(outline.find("id=\"silhouette\""), std::string::npos);
+
+  const CancelToken cancel = CancelToken::make();
+  cancel.cancel();
+  const auto cancelled = write(*ordered(bench, settings, folder.path() / "c.svg"), cancel);
+  ASSERT_FALSE(cancelled.ok());
+  EXPECT_EQ(cancelled.error().code, e_cancelled);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "c.svg"));
+  const auto nowhere = write(*ordered(bench, settings, folder.path() / "missing" / "c.svg"));
+  ASSERT_FALSE(nowhere.ok());
+  EXPECT_EQ(nowhere.error().code, e_file_write);
+}
+
+TEST(DrawingOrder, TheSectionOfTheViewCuts) {
+  HeadlessWorkbench bench(prism());
+  wait_for_surfaces(bench);
+  bench.editor().view.section.shown = true;
+  bench.editor().view.section.axis = 2;
+  bench.editor().view.section.offset = bench.workbench().viewport().scene().scene().world_box().center().z();
+  bench.frame();
+  const auto order = ordered(bench);
+  ASSERT_TRUE(order.ok());
+  const auto drawing = draw_lines(order->surfaces, order->view, order->lines);
+  ASSERT_TRUE(drawing.ok());
+  const auto& strokes = drawing->lines;
+  EXPECT_TRUE(std::any_of(strokes.begin(), strokes.end(),
+                          [](const PageLine& stroke) { return stroke.kind == LineKind::section; }));
+}
+
+TEST(DrawingOrder, RefusalsSayWhy) {
+  HeadlessWorkbench bench(prism());
+  wait_for_surfaces(bench);
+  const ObjectId id = bench.editor().active_object()->id;
+  bench.editor().stale_since[id] = 0;
+  EXPECT_EQ(ordered(bench).error().code, e_surface_pending);
+  bench.editor().stale_since.clear();
+  ASSERT_TRUE(ordered(bench).ok());
+  const Document& document = bench.editor().history.current();
+  DisplaySettings display = document.objects[0]->display;
+  display.surface = false;
+  ASSERT_TRUE(bench.editor().commit(set_display(document, id, display), "Hide surface"));
+  bench.frame();
+  EXPECT_EQ(ordered(bench).error().code, e_nothing_to_show);
+}
+
+TEST(DrawingOrder, TheDialogChoosesTheFormat) {
+  std::optional<DrawingOrder> lines;
+  std::optional<PictureOrder> picture;
+  FileActions actions;
+  actions.export_drawing = [&](DrawingOrder order) { lines = std::move(order); };
+  actions.export_pictures = [&](PictureOrder order) { picture = std::move(order); };
+  HeadlessWorkbench bench(prism(), {800, 560}, actions);
+  wait_for_surfaces(bench);
+  const auto frames = [&] { bench.frame(), bench.frame(), bench.frame(); };
+  const auto shows = [&](const char* mark) { return bench.workbench().marks().all().contains(mark); };
+  ASSERT_TRUE(bench.workbench().commands().run("file.export_picture").ran);
+  frames();
+  EXPECT_TRUE(shows("picture.size"));
+  EXPECT_FALSE(shows("picture.page_width"));
+  bench.click("dialog.format");
+  frames();
+  bench.click("dialog.format.svg");
+  frames();
+  EXPECT_FALSE(shows("picture.size"));
+  ASSERT_TRUE(shows("picture.page_width"));
+  bench.click("picture.hidden");
+  bench.click("picture.network");
+  bench.click("dialog.accept");
+  frames();
+  ASSERT_TRUE(lines.has_value());
+  EXPECT_FALSE(picture.has_value());
+  EXPECT_EQ(lines->file.filename(), "Untitled.svg");
+  EXPECT_TRUE(lines->lines.hidden);
+  EXPECT_FALSE(lines->lines.kinds.contains(LineKind::network));
+  EXPECT_TRUE(lines->lines.kinds.contains(LineKind::silhouette));
+
+  // The format of the last time is offered again, and can be changed back.
+  ASSERT_TRUE(bench.workbench().commands().run("file.export_picture").ran);
+  frames();
+  EXPECT_TRUE(shows("picture.page_width"));
+  bench.click("dialog.format");
+  frames();
+  bench.click("dialog.format.png");
+  frames();
+  bench.click("dialog.accept");
+  frames();
+  ASSERT_TRUE(picture.has_value());
+  EXPECT_EQ(picture->files[0].filename(), "Untitled.png");
+  // A turntable has one format only.
+  ASSERT_TRUE(bench.workbench().commands().run("file.export_turntable").ran);
+  frames();
+  EXPECT_FALSE(shows("dialog.format"));
+}
+
+}  // namespace
+}  // namespace hariko
