@@ -29,10 +29,10 @@ struct CriterionErrors {
 struct MeshApproximation {
   TriangleMesh mesh;                  ///< with the surface's normals, split at creases, if reported
   std::vector<ParameterFacet> parts;  ///< one a triangle: what it stands for; vertices as in the mesh
-  CriterionErrors distance;      ///< surface to facets and borders; measured as `MeshReport` says
-  CriterionErrors normal_angle;  ///< likewise
-  CriterionErrors fold_angle;    ///< real folds between neighbours, creases apart; in every report
-  CriterionErrors luminance;     ///< where asked for
+  CriterionErrors distance;           ///< surface to facets and borders; measured as `MeshReport` says
+  CriterionErrors normal_angle;       ///< likewise
+  CriterionErrors fold_angle;         ///< real folds between neighbours, creases apart; in every report
+  CriterionErrors luminance;          ///< where asked for
   double longest_edge = 0, smallest_angle = 0;
   std::size_t unreached = 0;      ///< facets above a tolerance that could not be refined further
   std::vector<Message> warnings;  ///< W_MESH_UNREACHED, W_MESH_LIMIT

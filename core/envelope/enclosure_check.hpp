@@ -26,7 +26,8 @@ struct EnclosureReport {
 };
 
 /// `density`: intervals a patch side of the triangles. `points`: spread over each solid, beside its test
-/// points and a twentieth of `points` on every edge. Points within `slack` (a length) of the surface count as inside.
+/// points and a twentieth of `points` on every edge. Points within `slack` (a length) of the surface count as
+/// inside.
 EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids, int density,
                                 int points, double slack, const CancelToken& cancel = {});
 
