@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <set>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 
@@ -23,9 +23,11 @@ class LineDrawings : public ProgramTest {
 
 std::set<std::string> layers(const std::string& svg) {
   std::set<std::string> out;
-  const std::regex layer("<g id=\"([a-z-]+)\"");
-  for (std::sregex_iterator it(svg.begin(), svg.end(), layer); it != std::sregex_iterator(); ++it)
-    out.insert((*it)[1]);
+  const std::string begin = "<g id=\"";
+  for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
+    const std::size_t name = at + begin.size();
+    out.insert(svg.substr(name, svg.find('"', name) - name));
+  }
   return out;
 }
 
@@ -35,13 +37,13 @@ std::array<double, 4> extent(const std::string& svg, const std::string& layer) {
   const std::size_t begin = svg.find("<g id=\"" + layer + "\"");
   const std::string text =
       begin == std::string::npos ? "" : svg.substr(begin, svg.find("</g>", begin) - begin);
-  const std::regex pair("([-0-9.e]+) ([-0-9.e]+)(?=[L Z\"])");
   for (std::size_t at = text.find("d=\""); at != std::string::npos; at = text.find("d=\"", at + 1)) {
-    const std::string path = text.substr(at + 3, text.find('"', at + 3) - at - 2);
-    for (std::sregex_iterator it(path.begin(), path.end(), pair); it != std::sregex_iterator(); ++it) {
-      const double x = std::stod((*it)[1]), y = std::stod((*it)[2]);
+    std::string path = text.substr(at + 3, text.find('"', at + 3) - at - 3);
+    for (char& c : path)
+      if (c == 'M' || c == 'L' || c == 'Z') c = ' ';
+    std::istringstream numbers(path);
+    for (double x = 0, y = 0; numbers >> x >> y;)
       out = {std::min(out[0], x), std::max(out[1], x), std::min(out[2], y), std::max(out[3], y)};
-    }
   }
   return out;
 }
