@@ -213,15 +213,15 @@ class Application {
   void load_settings() {
     const auto loaded = settings_file_.load();
     editor_.settings = saved_settings_ = loaded.settings;
-    workbench_.remember(loaded.exports);
-    saved_exports_ = workbench_.exports();
+    workbench_.files().remember(loaded.exports);
+    saved_exports_ = workbench_.files().remembered();
     for (const Message& problem : loaded.problems) editor_.notify(problem);
   }
 
   void save_settings() {
     // Not while a slider moves: each value would be written.
     if (player_ || ImGui::IsAnyMouseDown()) return;
-    ExportMemory exports = workbench_.exports();
+    ExportMemory exports = workbench_.files().remembered();
     if (editor_.settings == saved_settings_ && exports == saved_exports_) return;
     saved_settings_ = editor_.settings;
     saved_exports_ = std::move(exports);

@@ -228,7 +228,7 @@ void DocumentSession::ask_about_change(const fs::path& path, std::function<void(
       {tr("The file was changed"),
        fill(tr("Another program changed {0} after it was opened here. Saving would overwrite those changes."),
             {name_of(path)}),
-       {{tr("Save as\u2026"), "save_as", [this, then] { workbench_.save_as(then); }},
+       {{tr("Save as\u2026"), "save_as", [this, then] { workbench_.files().save_as(then); }},
         {tr("Overwrite"), "overwrite", [this, path, then] { start_save(path, then, true); }},
         {tr("Cancel"), "cancel", {}}}});
   hooks_.log("changed", path);

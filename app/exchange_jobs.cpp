@@ -74,14 +74,16 @@ void ExchangeJobs::count_export(const ExportSettings& settings) {
   count([settings, document = document_to_export(settings.only_selected)](
             const CancelToken& cancel) { return count_triangles(document, settings, cancel); },
         [this, settings](const Result<ExportCount>& counted) {
-          workbench_.take_export_count(settings, counted);
+          workbench_.files().take_export_count(settings, counted);
         });
 }
 
 void ExchangeJobs::count_cad(const CadSettings& settings) {
   count([settings, document = document_to_export(settings.only_selected)](
             const CancelToken& cancel) { return hariko::count_cad(document, settings.choices, cancel); },
-        [this, settings](const Result<CadTotals>& counted) { workbench_.take_cad_count(settings, counted); });
+        [this, settings](const Result<CadTotals>& counted) {
+          workbench_.files().take_cad_count(settings, counted);
+        });
 }
 
 Document ExchangeJobs::document_to_export(bool only_selected) const {

@@ -18,6 +18,8 @@ struct DrawingSettings {
   double width = 180;   ///< of the page, mm; its height follows from the view's shape
   bool network = true;  ///< curves of the network; all other kinds of lines are always drawn
   bool hidden = false;  ///< hidden lines as well
+
+  friend bool operator==(const DrawingSettings&, const DrawingSettings&) = default;
 };
 
 struct DrawingOrder {

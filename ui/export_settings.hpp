@@ -5,8 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <string>
 
 #include "core/document/cad_choices.hpp"
 #include "core/document/file_choices.hpp"
@@ -42,14 +40,6 @@ struct CadSettings {
     return choices.tolerance == other.choices.tolerance && choices.scale == other.choices.scale &&
            only_selected == other.only_selected;
   }
-};
-
-/// What was chosen last, for the next session.
-struct ExportMemory {
-  std::map<std::string, ExportSettings> formats;  ///< by ending, as ".stl"
-  CadChoices cad;                                 ///< tolerance 0: nothing was chosen yet
-
-  friend bool operator==(const ExportMemory&, const ExportMemory&) = default;
 };
 
 /// What was written, all objects together.

@@ -29,6 +29,8 @@ struct PictureSettings {
   bool legend = true;      ///< where a map shows
   int turntable_pictures = 72;
   bool fit = true;  ///< the turntable's camera moves so that every picture shows the whole model
+
+  friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
 
 /// In pixels. `view`: the size of the active view.

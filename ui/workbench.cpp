@@ -7,12 +7,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/file_ending.hpp"
-#include "core/base/file_io.hpp"
 #include "ui/commands/patch_commands.hpp"
 #include "ui/commands/skin_commands.hpp"
 #include "ui/icons.hpp"
-#include "ui/key_file.hpp"
 #include "ui/panels/beside.hpp"
 
 namespace hariko {
@@ -33,7 +30,8 @@ Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, cons
       viewport_(editor, renderer, quick_samples),
       metrics_(metrics),
       actions_(std::move(actions)),
-      host_{commands_, editor_, viewport_, *this} {
+      host_{commands_, editor_, viewport_, *this},
+      files_(editor, viewport_, marks_, metrics, actions_) {
   add_commands();
 }
 
@@ -144,8 +142,7 @@ void Workbench::frame() {
   draw_cursor_note(context);
   // Shade at once: nothing is drawn again while nothing happens, so it cannot fade in.
   GImGui->DimBgRatio = 1;
-  dialog_.draw(context);
-  if (!dialog_.is_open() && std::exchange(counting_, false)) actions_.cancel_count();
+  files_.draw(context);
   prompt_.draw(context);
 }
 
@@ -223,7 +220,7 @@ void Workbench::key(const KeyPress& press) {
   }
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   // While a field takes text or a dialog is open the keys are theirs.
-  if (text_field_active() || field_opening() || dialog_.is_open() || offers_dialog_.is_open() ||
+  if (text_field_active() || field_opening() || files_.is_open() || offers_dialog_.is_open() ||
       prompt_.is_open())
     return;
   // A running tool takes its own keys first: axes, numbers, Enter.
@@ -238,7 +235,7 @@ void Workbench::key(const KeyPress& press) {
 
 void Workbench::escape() {
   if (prompt_.is_open()) return prompt_.dismiss();
-  if (dialog_.is_open()) return dialog_.close();
+  if (files_.is_open()) return files_.close();
   if (offers_dialog_.is_open()) return offers_dialog_.close();
   if (palette_.is_open()) return palette_.close();
   if (cheat_sheet_.is_open()) return cheat_sheet_.close();
@@ -279,29 +276,7 @@ void Workbench::save(std::function<void()> then) {
   if (editor_.path && !editor_.read_only)
     actions_.save(*editor_.path, std::move(then));
   else
-    save_as(std::move(then));
-}
-
-void Workbench::save_as(std::function<void()> then) {
-  dialog_.open({translatable("Save as"),
-                translatable("Save"),
-                true,
-                {".hariko"},
-                name_proposal(),
-                [this, then = std::move(then)](const auto& path) { actions_.save(path, then); }});
-}
-
-void Workbench::save_copy() {
-  const std::filesystem::path name = name_proposal();
-  std::filesystem::path copy = name.stem();
-  copy += " copy";
-  copy += name.extension();
-  dialog_.open({translatable("Save a copy"),
-                translatable("Save"),
-                true,
-                {".hariko"},
-                name.parent_path() / copy,
-                [this](const auto& path) { actions_.save_copy(path); }});
+    files_.save_as(std::move(then));
 }
 
 void Workbench::new_document() {
@@ -321,151 +296,6 @@ void Workbench::show_samples() {
   offers_dialog_.open(OffersDialog::Kind::samples);
 }
 
-void Workbench::show_export_dialog() {
-  std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
-  proposal += ".obj";
-  dialog_.open({translatable("Export the surfaces as triangles"),
-                translatable("Export"),
-                true,
-                {".obj", ".stl", ".3mf", ".ply", ".glb", ".gltf", ".off"},
-                proposal,
-                [this](const auto& path) { actions_.export_file(path, export_options_.settings()); },
-                [this](const std::filesystem::path& name) {
-                  if (export_options_.draw(editor_, marks_, metrics_, name))
-                    actions_.count_export(export_options_.settings());
-                },
-                [] { return ExportOptions::rows; }});
-  export_options_.begin(editor_, proposal);
-  actions_.count_export(export_options_.settings());
-  counting_ = true;
-}
-
-void Workbench::show_cad_dialog() {
-  std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
-  proposal += ".step";
-  dialog_.open({translatable("Export the surfaces for CAD"),
-                translatable("Export"),
-                true,
-                {".step", ".stp", ".iges", ".igs"},
-                proposal,
-                [this](const auto& path) { actions_.export_cad(path, cad_options_.settings()); },
-                [this](const std::filesystem::path& name) {
-                  if (cad_options_.draw(editor_, marks_, metrics_, name))
-                    actions_.count_cad(cad_options_.settings());
-                },
-                [] { return CadOptions::rows; }});
-  cad_options_.begin(editor_);
-  actions_.count_cad(cad_options_.settings());
-  counting_ = true;
-}
-
-void Workbench::show_control_export() {
-  std::filesystem::path proposal = folder_proposal() / (editor_.path ? editor_.path->stem() : "Untitled");
-  proposal += " control.obj";
-  dialog_.open({translatable("Export the control meshes of skins"),
-                translatable("Export"),
-                true,
-                {".obj"},
-                proposal,
-                [this](const auto& path) { actions_.export_control(path); }});
-}
-
-void Workbench::export_picture(const std::filesystem::path& path, bool turntable) {
-  if (!turntable) picture_ending_ = lower_ending(path);
-  if (!turntable && picture_ending_ == ".svg") {
-    auto order = order_drawing(editor_, viewport_.scene(), drawing_options_.settings(), path);
-    if (!order) return editor_.notify(order.error());
-    return actions_.export_drawing(std::move(order).value());
-  }
-  auto order = turntable ? order_turntable(editor_, viewport_.scene(), picture_settings_, path)
-                         : order_picture(editor_, viewport_.scene(), picture_settings_, path);
-  if (!order) return editor_.notify(order.error());
-  actions_.export_pictures(std::move(order).value());
-}
-
-void Workbench::show_picture_dialog(bool turntable) {
-  std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(turntable ? ".png" : picture_ending_);
-  FileDialog::Request request;
-  request.title =
-      turntable ? translatable("Export a turntable as pictures") : translatable("Export a picture");
-  request.action = translatable("Export");
-  request.saving = true;
-  request.extensions = {".png"};
-  if (!turntable) {
-    request.extensions.push_back(".svg");
-    request.formats = {translatable("PNG picture"), translatable("SVG line drawing")};
-  }
-  request.proposal = proposal;
-  request.accept = [this, turntable](const auto& path) { export_picture(path, turntable); };
-  request.options = [this, turntable](const std::filesystem::path& name) {
-    if (!turntable && lower_ending(name) == ".svg") return drawing_options_.draw(editor_, marks_, metrics_);
-    draw_picture_options(editor_, marks_, metrics_, picture_settings_, turntable);
-  };
-  request.option_rows = [turntable] { return picture_option_rows(turntable); };
-  if (turntable)
-    request.replaces = [this](const std::filesystem::path& path) -> std::optional<std::filesystem::path> {
-      std::error_code unknown;
-      for (const auto& file : series_files(path, picture_settings_.turntable_pictures))
-        if (std::filesystem::exists(file, unknown)) return file;
-      return {};
-    };
-  dialog_.open(std::move(request));
-}
-
-void Workbench::show_open_dialog() {
-  dialog_.open({translatable("Open"),
-                translatable("Open"),
-                false,
-                {".hariko", ".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json", ".step",
-                 ".stp", ".iges", ".igs"},
-                folder_proposal(),
-                [this](const auto& path) { open_guarded(path); }});
-}
-
-void Workbench::show_import_dialog() {
-  dialog_.open({translatable("Import"),
-                translatable("Import"),
-                false,
-                {".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json", ".step", ".stp",
-                 ".iges", ".igs"},
-                folder_proposal(),
-                [this](const auto& path) { actions_.import_file(path); }});
-}
-
-void Workbench::show_key_export() {
-  dialog_.open({translatable("Export keys"),
-                translatable("Export"),
-                true,
-                {".json"},
-                folder_proposal() / "hariko-keys.json",
-                [this](const auto& path) {
-                  const auto done = write_file_atomic(path, write_key_file(editor_.settings.keys));
-                  if (!done.ok()) return editor_.notify(done.error());
-                  editor_.notify(Notice::Kind::info,
-                                 fill(editor_.language("Exported {0}."), {path.filename().string()}));
-                }});
-}
-
-void Workbench::show_key_import() {
-  dialog_.open({translatable("Import keys"),
-                translatable("Import"),
-                false,
-                {".json"},
-                folder_proposal(),
-                [this](const auto& path) {
-                  constexpr std::size_t largest = 1 << 20;  // bytes; a file of keys has some kilobytes
-                  const auto text = read_file(path, largest);
-                  if (!text) return editor_.notify(text.error());
-                  const auto keys = read_key_file(*text);
-                  if (!keys) return editor_.notify(keys.error());
-                  editor_.settings.keys = *keys;
-                  editor_.notify(Notice::Kind::info, fill(editor_.language("The keys of {0} are in use."),
-                                                          {path.filename().string()}));
-                  apply_keys();  // says what of them cannot be
-                }});
-}
-
 void Workbench::quit() {
   guarded([this] {
     const Job* job = editor_.cancellable_job();
@@ -477,28 +307,6 @@ void Workbench::quit() {
   });
 }
 
-void Workbench::show_sheet_dialog() {
-  std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(".pdf");
-  dialog_.open({translatable("Export the pages of the paper model"),
-                translatable("Export"),
-                true,
-                {".pdf", ".svg", ".dxf", ".png"},
-                proposal,
-                [this](const auto& path) { actions_.export_pages(path); }});
-}
-
-void Workbench::show_record_dialog() {
-  std::filesystem::path proposal = name_proposal();
-  proposal.replace_extension(".jsonl");
-  dialog_.open({translatable("Record a replay"),
-                translatable("Record"),
-                true,
-                {".jsonl"},
-                proposal,
-                [this](const auto& path) { actions_.record(path); }});
-}
-
 void Workbench::forget_interface() {
   viewport_.cancel_tool();
   panel_state_ = {};
@@ -508,9 +316,7 @@ void Workbench::forget_interface() {
   gauss_ = {};
   palette_ = {};
   cheat_sheet_ = {};
-  export_options_ = {};
-  cad_options_ = {};
-  picture_settings_ = {};
+  files_.forget_choices();
   editor_.meshing = {};
   ImGui::ClearActiveID();
   for (ImGuiWindow* window : GImGui->Windows) {
@@ -524,15 +330,6 @@ void Workbench::close_document() {
     editor_.open({}, {});
     editor_.has_document = false;
   });
-}
-
-std::filesystem::path Workbench::name_proposal() const {
-  if (editor_.path) return *editor_.path;
-  return (editor_.suggested_name.empty() ? std::string("Untitled") : editor_.suggested_name) + ".hariko";
-}
-
-std::filesystem::path Workbench::folder_proposal() const {
-  return editor_.path ? editor_.path->parent_path() : std::filesystem::path();
 }
 
 }  // namespace hariko

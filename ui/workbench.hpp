@@ -6,58 +6,19 @@
 #include <memory>
 
 #include "ui/commands/command_host.hpp"
-#include "ui/panels/cad_options.hpp"
+#include "ui/file_dialogs.hpp"
 #include "ui/panels/cheat_sheet.hpp"
 #include "ui/panels/command_palette.hpp"
 #include "ui/panels/context_menu.hpp"
-#include "ui/panels/export_options.hpp"
-#include "ui/panels/file_dialog.hpp"
 #include "ui/panels/gauss_panel.hpp"
 #include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/paper_panel.hpp"
-#include "ui/panels/picture_options.hpp"
 #include "ui/panels/preferences.hpp"
 #include "ui/panels/prompt.hpp"
-#include "ui/picture_order.hpp"
 #include "ui/viewport.hpp"
 
 namespace hariko {
-
-/// Work on files and other work that takes long, done by the application. None of these blocks.
-struct FileActions {
-  std::function<void(const std::filesystem::path&)> open;         ///< replaces the document
-  std::function<void(const std::filesystem::path&)> import_file;  ///< adds to the document
-  /// Saves the committed document; `then` runs after success.
-  std::function<void(const std::filesystem::path&, std::function<void()> then)> save;
-  std::function<void(const std::filesystem::path&)> save_copy;
-  std::function<void()> revert;  ///< to what the file holds
-  std::function<void(const std::filesystem::path&, const ExportSettings&)> export_file;
-  /// Finds out what the triangles would be like; ends in `Workbench::take_export_count`. Only the last one
-  /// asked for counts.
-  std::function<void(const ExportSettings&)> count_export;
-  /// The same of faces, and `Workbench::take_cad_count`.
-  std::function<void(const CadSettings&)> count_cad;
-  std::function<void()> cancel_count;  ///< of either
-  std::function<void(const std::filesystem::path&, const CadSettings&)> export_cad;
-  std::function<void(PictureOrder)> export_pictures;
-  std::function<void(DrawingOrder)> export_drawing;
-  /// Writes the control meshes of the visible skins.
-  std::function<void(const std::filesystem::path&)> export_control;
-  /// Makes a polyhedron of a skin, which is hidden then. Only the last one asked for counts.
-  std::function<void(ObjectId)> convert_skin;
-  /// Adds a section to a skin, at a place of its path: a step when it is there.
-  std::function<void(ObjectId, double place)> add_section;
-  /// Writes the pages of the paper model that is shown.
-  std::function<void(const std::filesystem::path&)> export_pages;
-  /// Opens work that an earlier session left behind, or throws it away.
-  std::function<void(const std::string&id)> recover, discard_recovery;
-  /// Records what the user does from now on as a replay, until it is told to stop.
-  std::function<void(const std::filesystem::path&)> record;
-  std::function<void()> stop_recording;
-  std::function<void()> picture_samples;  ///< gives the samples their pictures where they have none
-  std::function<void()> quit;             ///< at once
-};
 
 /// The command that was run or refused last, and how many there were.
 struct CommandLog {
@@ -97,8 +58,6 @@ class Workbench {
   /// Opens a file, whatever kind it is, after asking about unsaved work.
   void open_guarded(const std::filesystem::path& path);
   void save(std::function<void()> then);
-  void save_as(std::function<void()> then);
-  void save_copy();
   void new_document();
   void revert() { actions_.revert(); }
   /// Shows what can be recovered, where the start page does not.
@@ -110,33 +69,9 @@ class Workbench {
   void show_cheat_sheet() { cheat_sheet_.open(); }
   void show_context_menu() { context_menu_.open(editor_); }
   void show_preferences() { preferences_.open(); }
-  void show_open_dialog();
-  void show_import_dialog();
-  void show_export_dialog();
-  void show_cad_dialog();
-  void take_export_count(const ExportSettings& settings, const Result<ExportCount>& count) {
-    export_options_.take(settings, count);
-  }
-  void take_cad_count(const CadSettings& settings, const Result<CadTotals>& count) {
-    cad_options_.take(settings, count);
-  }
-  /// What was chosen in the dialogs that export, and what they begin with.
-  ExportMemory exports() const { return {export_options_.remembered(), cad_options_.settings().choices}; }
-  void remember(ExportMemory exports) {
-    export_options_.remember(std::move(exports.formats));
-    cad_options_.remember(exports.cad);
-  }
-  /// For the control meshes of skins.
-  void show_control_export();
+  FileDialogs& files() { return files_; }
   void convert_skin(ObjectId object) { actions_.convert_skin(object); }
   void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
-  void show_key_export();
-  void show_key_import();
-  /// Of the active view: one picture or line drawing, or a series that turns round the model.
-  void show_picture_dialog(bool turntable);
-  void show_record_dialog();
-  /// For the pages of the paper model.
-  void show_sheet_dialog();
   void stop_recording() { actions_.stop_recording(); }
   /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.
   void forget_interface();
@@ -154,9 +89,6 @@ class Workbench {
   void apply_keys();
   void layout(PanelContext& context, float menu);
   void drag_border(const PanelRect& border);
-  void export_picture(const std::filesystem::path& path, bool turntable);
-  std::filesystem::path folder_proposal() const;
-  std::filesystem::path name_proposal() const;
 
   Editor& editor_;
   Viewport viewport_;
@@ -178,15 +110,9 @@ class Workbench {
   float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
-  FileDialog dialog_;
-  bool counting_ = false;  ///< something may be counted for the dialog
+  FileDialogs files_;
   OffersDialog offers_dialog_;
   Prompt prompt_;
-  ExportOptions export_options_;
-  CadOptions cad_options_;
-  PictureSettings picture_settings_;
-  DrawingOptions drawing_options_;
-  std::string picture_ending_ = ".png";  ///< of the last picture
 };
 
 }  // namespace hariko

@@ -10,7 +10,9 @@
 
 #include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
+#include "core/drawing/write_drawing_svg.hpp"
 #include "core/exchange/mesh_file.hpp"
+#include "render/picture.hpp"
 
 namespace hariko {
 
@@ -20,7 +22,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t largest_file = 1 << 20;  // bytes
-constexpr const char *exports_member = "exports", *cad_member = "cad";
+constexpr const char *exports_member = "exports", *cad_member = "cad", *picture_member = "picture",
+                     *drawing_member = "drawing";
 
 template <class Value>
 using Names = std::initializer_list<std::pair<const char*, Value>>;
@@ -85,6 +88,31 @@ void visit_cad(AnyChoices& c, Visitor& visitor) {
           {"mm", Unit::millimetre}, {"cm", Unit::centimetre}, {"m", Unit::metre}, {"in", Unit::inch}});
   visitor.number("scale", c.scale, 1e-6, 1e6);
   visitor.flag("ap242", c.ap242);
+}
+
+template <class AnyPicture, class Visitor>
+void visit_picture(AnyPicture& p, Visitor& visitor) {
+  using Size = PictureSettings::Size;
+  visitor.choice("size", p.size,
+                 Names<Size>{{"view", Size::view},
+                             {"full_hd", Size::full_hd},
+                             {"ultra_hd", Size::ultra_hd},
+                             {"custom", Size::custom}});
+  visitor.number("width", p.custom.width, 1, max_picture_side);
+  visitor.number("height", p.custom.height, 1, max_picture_side);
+  visitor.flag("transparent", p.transparent);
+  visitor.flag("grid", p.grid);
+  visitor.flag("selection", p.selection);
+  visitor.flag("legend", p.legend);
+  visitor.number("turntable_pictures", p.turntable_pictures, 1, most_turntable_pictures);
+  visitor.flag("fit", p.fit);
+}
+
+template <class AnyDrawing, class Visitor>
+void visit_drawing(AnyDrawing& d, Visitor& visitor) {
+  visitor.number("width", d.width, least_page_side, most_page_side);
+  visitor.flag("network", d.network);
+  visitor.flag("hidden", d.hidden);
 }
 
 /// ".stl" for "stl"; nothing for what is no ending of files that are written.
@@ -163,19 +191,22 @@ class Reader {
     if (!json) return;
     if (!json->is_object()) return refuse(exports_member);
     for (const auto& [name, item] : json->items()) {
-      const bool cad = name == cad_member;
       const auto ending = written_ending(name);
-      if (!cad && !ending) continue;
+      if (!ending && name != cad_member && name != picture_member && name != drawing_member) continue;
       const std::string place = exports_member + ("." + name);
       if (!item.is_object()) {
         refuse(place);
         continue;
       }
       Reader inner(item, place + ".");
-      if (cad)
-        visit_cad(memory.cad, inner);
-      else
+      if (ending)
         visit_export(memory.formats[*ending], inner);
+      else if (name == cad_member)
+        visit_cad(memory.cad, inner);
+      else if (name == picture_member)
+        visit_picture(memory.picture, inner);
+      else
+        visit_drawing(memory.drawing, inner);
       if (!inner.wrong_.empty()) wrong_ += (wrong_.empty() ? "" : ", ") + inner.wrong_;
     }
   }
@@ -212,9 +243,14 @@ class Writer {
       Writer inner(object_at(json, ending.substr(1)));
       visit_export(settings, inner);
     }
+    // One after the other: a new member moves the others.
+    Writer picture(object_at(json, picture_member));
+    visit_picture(memory.picture, picture);
+    Writer drawing(object_at(json, drawing_member));
+    visit_drawing(memory.drawing, drawing);
     if (memory.cad.tolerance == 0) return;
-    Writer inner(object_at(json, cad_member));
-    visit_cad(memory.cad, inner);
+    Writer cad(object_at(json, cad_member));
+    visit_cad(memory.cad, cad);
   }
 
  private:

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "ui/export_settings.hpp"
+#include "ui/export_memory.hpp"
 #include "ui/settings.hpp"
 
 namespace hariko {
@@ -33,7 +33,8 @@ class SettingsFile {
     std::vector<Message> problems;
   };
   Loaded load();
-  /// Keeps members of the file that this version does not know, and formats that `exports` does not have.
+  /// Keeps members of the file that this version does not know, and mesh and CAD formats that `exports` does
+  /// not have.
   /// Errors: E_FILE_WRITE.
   Result<Done> save(const Settings& settings, const ExportMemory& exports);
 

@@ -83,12 +83,12 @@ TEST_F(ExportDialog, WhatWasTypedBeforeCancelIsThereAgain) {
   EXPECT_NE(usual, 0.01);
   EXPECT_EQ(settings().choices.tolerance, 0.01);
   cancel();
-  EXPECT_EQ(bench().workbench().exports().cad.tolerance, 0.01);
+  EXPECT_EQ(bench().workbench().files().remembered().cad.tolerance, 0.01);
   open();
   EXPECT_EQ(settings().choices.tolerance, 0.01);
   EXPECT_EQ(settings().choices.scale, 1);
   cancel();
-  EXPECT_EQ(bench().workbench().exports().cad.tolerance, 0.01);
+  EXPECT_EQ(bench().workbench().files().remembered().cad.tolerance, 0.01);
 }
 
 TEST_F(ExportDialog, TheToleranceGrowsWithTheScale) {

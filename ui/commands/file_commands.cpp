@@ -17,7 +17,9 @@ void add_file_commands(CommandHost& host) {
   table.add({"file.new", "File", "New", "Begin an empty document.", "Ctrl+N", icon::file, false, false,
              [&workbench] { workbench.new_document(); }});
   table.add({"file.open", "File", "Open\u2026", "Open a Hariko document or a mesh.", "Ctrl+O", icon::open,
-             false, false, [&workbench] { workbench.show_open_dialog(); }});
+             false, false, [&workbench] {
+               workbench.files().open([&workbench](const auto& path) { workbench.open_guarded(path); });
+             }});
   table.add({"file.recent", "File", "Open recent\u2026", "Open a file that was used before.", "Ctrl+Shift+O",
              "", false, false, [&workbench] { workbench.show_recent(); },
              [&workbench]() -> Reason {
@@ -41,10 +43,10 @@ void add_file_commands(CommandHost& host) {
   table.add({"file.save", "File", "Save", "Save the document.", "Ctrl+S", icon::save, false, false,
              [&workbench] { workbench.save({}); }, document});
   table.add({"file.save_as", "File", "Save as\u2026", "Save the document under another name.", "Ctrl+Shift+S",
-             "", false, false, [&workbench] { workbench.save_as({}); }, document});
+             "", false, false, [&workbench] { workbench.files().save_as({}); }, document});
   table.add({"file.save_copy", "File", "Save a copy\u2026",
              "Save under another name and go on with this file.", "Ctrl+Alt+S", "", false, false,
-             [&workbench] { workbench.save_copy(); }, document});
+             [&workbench] { workbench.files().save_copy(); }, document});
   table.add({"file.revert", "File", "Revert to the file",
              "Bring back what the file holds. Undo takes it back.", "", "", true, false,
              [&workbench] { workbench.revert(); },
@@ -53,13 +55,14 @@ void add_file_commands(CommandHost& host) {
                return {};
              }});
   table.add({"file.import", "File", "Import\u2026", "Add the polyhedron of a mesh file to the document.",
-             "Ctrl+I", icon::import_file, true, true, [&workbench] { workbench.show_import_dialog(); }});
+             "Ctrl+I", icon::import_file, true, true, [&workbench] { workbench.files().import(); }});
   table.add({"file.export", "File", "Export\u2026", "Write the surfaces as triangles.", "Ctrl+E",
-             icon::export_file, false, false, [&workbench] { workbench.show_export_dialog(); }, document});
+             icon::export_file, false, false, [&workbench] { workbench.files().export_triangles(); },
+             document});
   table.add(
       {"file.export_cad", "File", "Export for CAD\u2026",
        "Write the surfaces as STEP or IGES: splines with common edges, and solids where they are closed.", "",
-       "", false, false, [&workbench] { workbench.show_cad_dialog(); },
+       "", false, false, [&workbench] { workbench.files().export_cad(); },
        [document]() -> Reason {
          if (auto reason = document()) return reason;
          if (const auto missing = why_no_cad_files()) return missing->text;
@@ -67,7 +70,7 @@ void add_file_commands(CommandHost& host) {
        }});
   table.add({"file.export_control", "File", "Export control meshes\u2026",
              "Write the control meshes of skins, with their creases, for programs that subdivide themselves.",
-             "", "", false, false, [&workbench] { workbench.show_control_export(); },
+             "", "", false, false, [&workbench] { workbench.files().export_control(); },
              [&editor, document]() -> Reason {
                if (auto reason = document()) return reason;
                const auto& objects = editor.document().objects;
@@ -84,10 +87,10 @@ void add_file_commands(CommandHost& host) {
   };
   table.add({"file.export_picture", "File", "Export picture\u2026",
              "Write what the active view shows as a PNG picture, or its lines as SVG.", "", "", false, true,
-             [&workbench] { workbench.show_picture_dialog(false); }, something_shown});
+             [&workbench] { workbench.files().picture(false); }, something_shown});
   table.add({"file.export_turntable", "File", "Export turntable\u2026",
              "Write a series of pictures that goes once round the model.", "", "", false, false,
-             [&workbench] { workbench.show_picture_dialog(true); }, something_shown});
+             [&workbench] { workbench.files().picture(true); }, something_shown});
   table.add({"file.cancel_job", "File", "Cancel work on files",
              "Stop the import, export or picture in progress; files stay as they were.", "", "", false, false,
              [&editor] { editor.cancellable_job()->cancel.cancel(); },

@@ -52,7 +52,7 @@ void add_help_commands(CommandHost& host) {
              false, [&workbench] { workbench.show_context_menu(); }, needs_document(editor)});
   table.add({"help.record", translatable("Help"), translatable("Record a replay\u2026"),
              translatable("Write what you do from here on to a file that plays it again."), "", "", false,
-             true, [&workbench] { workbench.show_record_dialog(); },
+             true, [&workbench] { workbench.files().record(); },
              [&editor, document = needs_document(editor)]() -> Reason {
                if (auto reason = document()) return reason;
                if (editor.recording) return translatable("A replay is being recorded already.");
@@ -78,10 +78,10 @@ void add_preferences_commands(CommandHost& host) {
              [&workbench] { workbench.show_preferences(); }});
   table.add({"edit.export_keys", "Edit", translatable("Export keys\u2026"),
              translatable("Write the keys that are not the default ones to a file."), "", "", false, false,
-             [&workbench] { workbench.show_key_export(); }});
+             [&workbench] { workbench.files().export_keys(); }});
   table.add({"edit.import_keys", "Edit", translatable("Import keys\u2026"),
              translatable("Take the keys of a file in place of those that are in use."), "", "", false, false,
-             [&workbench] { workbench.show_key_import(); }});
+             [&workbench] { workbench.files().import_keys(); }});
 }
 
 }  // namespace hariko

@@ -140,7 +140,8 @@ void add_paper_commands(CommandHost& host) {
                     return translatable("There are no pages yet. Unfold the model first.");
                   }});
   host.table.add({"paper.export", "Paper", "Export pages\u2026", "Write the pages as PDF, SVG, DXF or PNG.",
-                  "", "", false, true, [&workbench] { workbench.show_sheet_dialog(); }, needs_pages(editor)});
+                  "", "", false, true, [&workbench] { workbench.files().export_pages(); },
+                  needs_pages(editor)});
 }
 
 }  // namespace hariko

@@ -195,7 +195,10 @@ void FileDialog::format_row(PanelContext& context) {
   for (std::size_t i = 0; i < request_.formats.size(); ++i) {
     if (ImGui::Selectable(text(i).c_str(), i == now)) {
       const bool known = now < request_.formats.size();
-      name_ = (known ? fs::path(name).replace_extension() : name).string() + request_.extensions[i];
+      const fs::path base = known          ? fs::path(name).replace_extension()
+                            : name.empty() ? request_.proposal.stem()
+                                           : name;
+      name_ = base.string() + request_.extensions[i];
       ask_overwrite_ = false;
       error_.clear();
     }

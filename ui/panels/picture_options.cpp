@@ -91,6 +91,11 @@ void DrawingOptions::page_row(const Editor& editor, Marks& marks, const Metrics&
       fill(tr("\u00d7 {0}, as the view"), {format_quantity(length, std::round(10 * height) / 10)}).c_str());
 }
 
+void DrawingOptions::remember(const DrawingSettings& settings) {
+  settings_ = settings;
+  width_text_.clear();
+}
+
 void DrawingOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
   page_row(editor, marks, metrics);

@@ -19,6 +19,7 @@ class DrawingOptions {
  public:
   void draw(const Editor& editor, Marks& marks, const Metrics& metrics);
   const DrawingSettings& settings() const { return settings_; }
+  void remember(const DrawingSettings& settings);
 
  private:
   void page_row(const Editor& editor, Marks& marks, const Metrics& metrics);
