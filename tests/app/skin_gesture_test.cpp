@@ -1,12 +1,11 @@
 // Strokes over a skin, and dragging of its points, without a window.
 
 #include <algorithm>
-#include <map>
 #include <string>
 
 #include "core/skinning/add_section.hpp"
 #include "core/skinning/simple_skin.hpp"
-#include "tests/app/tool_rig.hpp"
+#include "tests/app/skin_rig.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/tools/add_section_tool.hpp"
 #include "ui/tools/correspond_tool.hpp"
@@ -18,30 +17,8 @@
 namespace hariko::test {
 namespace {
 
-Document skin_document(const Skin& skin) {
-  return add_object({}, "skin", Source(SkinSource{skin, {}}), {}).value().document;
-}
-
-struct SkinRig : Rig {
-  explicit SkinRig(const Skin& skin = arched_skin(6, 4, 1, 7)) : Rig(skin_document(skin)) {
-    editor.set_camera(Camera::standard(StandardView::top));
-    editor.frame_all(true);
-    editor.views = &views;
-    update();
-  }
-  /// As the worker does after a change.
-  void update() {
-    SurfaceView& shown = views[object().id];
-    if (auto made = SkinSurfacer().surface(skin(), Vector3::Zero())) {
-      shown.surface = made->surface;
-      shown.mesh = DisplayMesh::build(shown.surface, {});
-    }
-    shown.object = editor.document().objects[0];
-    view = view_of(skin(), &shown.surface);
-    scene.update(editor);
-  }
-  const Object& object() const { return *editor.document().objects[0]; }
-  const Skin& skin() const { return *object().skin()->skin; }
+struct GestureRig : SkinRig {
+  explicit GestureRig(const Skin& skin = arched_skin(6, 4, 1, 7)) : SkinRig(skin, StandardView::top) {}
   /// The pixel of a section point: of its place on the curve.
   Vector2 point(std::uint32_t id) const {
     Vector2 out = Vector2::Zero();
@@ -69,8 +46,6 @@ struct SkinRig : Rig {
     ADD_FAILURE() << "no line from " << a << " to " << b;
     return 0;
   }
-  std::map<ObjectId, SurfaceView> views;
-  SkinView view;
 };
 
 /// A third section in the middle.
@@ -82,7 +57,7 @@ Skin three_sections() {
 using Ids = std::vector<std::uint32_t>;
 
 TEST(SkinGesture, ALineJoinsPointsNearItsEnds) {
-  const SkinRig rig;
+  const GestureRig rig;
   const auto edit =
       rig.draw(StrokeKind::line, {rig.point(2) + Vector2(5, -4), rig.point(10) + Vector2(3, 6)});
   ASSERT_TRUE(edit.ok()) << to_string(edit.error());
@@ -99,7 +74,7 @@ TEST(SkinGesture, ALineOverThreeSectionsMakesAChain) {
   middle.id = 2, middle.v = 0.5;
   for (SectionPoint& p : middle.points) p.id += 100, p.position.x() = 0;
   skin.sections.insert(skin.sections.begin() + 1, middle);
-  const SkinRig rig(skin);
+  const GestureRig rig(skin);
   const auto edit = rig.draw(StrokeKind::line, {rig.point(2), rig.point(9)});
   ASSERT_TRUE(edit.ok()) << to_string(edit.error());
   ASSERT_EQ(edit->skin.links.size(), 2U);
@@ -108,7 +83,7 @@ TEST(SkinGesture, ALineOverThreeSectionsMakesAChain) {
 }
 
 TEST(SkinGesture, ACurveGroupsWhatIsInside) {
-  const SkinRig rig;
+  const GestureRig rig;
   const Vector2 out = (rig.point(3) - rig.point(10)).normalized() * 15;
   const auto edit = rig.draw(StrokeKind::lasso, {rig.between(1, 2) + out, rig.between(3, 4) + out,
                                                  rig.between(10, 11) - out, rig.between(9, 8) - out});
@@ -121,7 +96,7 @@ TEST(SkinGesture, ACurveGroupsWhatIsInside) {
 }
 
 TEST(SkinGesture, AWedgeMergesAtItsTipFromEitherSide) {
-  const SkinRig rig;
+  const GestureRig rig;
   const Vector2 tip = (rig.point(3) + rig.point(10)) / 2;
   const auto edit = rig.draw(StrokeKind::wedge, {rig.between(1, 2), tip, rig.between(4, 5)});
   ASSERT_TRUE(edit.ok()) << to_string(edit.error());
@@ -145,7 +120,7 @@ TEST(SkinGesture, AWedgeMergesAtItsTipFromEitherSide) {
 }
 
 TEST(SkinTool, DragsPointsInThePlaneOfTheirSection) {
-  SkinRig rig;
+  GestureRig rig;
   rig.editor.set_camera(Camera::standard(StandardView::iso));
   rig.editor.frame_all(true);
   const Skin before = rig.skin();
@@ -179,7 +154,7 @@ TEST(SkinTool, DragsPointsInThePlaneOfTheirSection) {
 
 /// The curve of the first section after point 2 was dragged upwards.
 std::vector<Vector3> dragged(const Skin& skin, bool control) {
-  SkinRig rig(skin);
+  GestureRig rig(skin);
   rig.editor.set_camera(Camera::standard(StandardView::iso));
   rig.editor.frame_all(true);
   PointerEvent press;
@@ -215,7 +190,7 @@ TEST(SkinTool, WithControlOrAMirrorBothHalvesMove) {
 TEST(SkinEdits, PointsGoWithTheirPartnersWhereThereIsAMirror) {
   Skin skin = arched_skin(6, 4, 1, 7);
   skin.mirror = MirrorPlane{1, 0};
-  SkinRig rig(skin);
+  GestureRig rig(skin);
   rig.editor.selection.select({rig.object().id, element_of(VertexId{2})}, Selection::How::replace);
   rig.editor.selection.active = rig.object().id;
   EXPECT_EQ(with_mirrored(skin, {2}), (Ids{2, 4}));
@@ -228,7 +203,7 @@ TEST(SkinEdits, PointsGoWithTheirPartnersWhereThereIsAMirror) {
 }
 
 TEST(SkinView, TheSelectedPointsAreFramed) {
-  SkinRig rig;
+  GestureRig rig;
   rig.editor.mode = ElementMode::vertex;
   rig.editor.selection.select({rig.object().id, element_of(VertexId{2})}, Selection::How::replace);
   const Box3 box = rig.editor.selected_box();
@@ -238,7 +213,7 @@ TEST(SkinView, TheSelectedPointsAreFramed) {
 }
 
 TEST(SkinGesture, LinesGoOnAcrossAllSections) {
-  const SkinRig rig(three_sections());
+  const GestureRig rig(three_sections());
   const Skin& skin = rig.skin();
   const auto point = [&](int k, int i) { return skin.sections[std::size_t(k)].points[std::size_t(i)].id; };
   for (int i = 0; i < 7; ++i) {
@@ -253,7 +228,7 @@ TEST(SkinGesture, LinesGoOnAcrossAllSections) {
 }
 
 TEST(CorrespondTool, EndsOfLinesAreDraggedToOtherPoints) {
-  SkinRig rig;
+  GestureRig rig;
   rig.start(make_correspond_tool());
   const std::size_t line = rig.line_between(3, 10);
   const Projector projector(rig.editor.camera(), rig.editor.viewport);
@@ -286,7 +261,7 @@ TEST(CorrespondTool, EndsOfLinesAreDraggedToOtherPoints) {
 TEST(CorrespondTool, DiamondsSnapToRowsUnlessTheyAreFree) {
   Skin skin = arched_skin(6, 4, 1, 7);
   skin = merge_points(skin, Ids{2, 3, 4}, 10, 0.37).value().skin;
-  const SkinRig rig(skin);
+  const GestureRig rig(skin);
   ASSERT_EQ(rig.view.diamonds.size(), 1U);
   const SkinView::Line& line = rig.view.lines[rig.line_between(3, 10)];
   MergeDrag drag(skin, rig.view, 0);
@@ -305,7 +280,7 @@ TEST(CorrespondTool, DiamondsSnapToRowsUnlessTheyAreFree) {
 }
 
 TEST(SlideSectionTool, FollowsThePointerAndTypedNumbers) {
-  SkinRig rig(three_sections());
+  GestureRig rig(three_sections());
   const std::uint32_t middle = rig.skin().sections[1].id;
   const auto place = [&](double v) { return rig.pixel(evaluate(rig.skin().path, v).position); };
   rig.start(make_slide_section_tool(middle, true), place(0.5));
@@ -333,7 +308,7 @@ TEST(SlideSectionTool, FollowsThePointerAndTypedNumbers) {
 }
 
 TEST(SlideSectionTool, BeginsAtThePlaceOnThePath) {
-  SkinRig rig(three_sections());
+  GestureRig rig(three_sections());
   const std::uint32_t middle = rig.skin().sections[1].id;
   // Beside the point of the path that lies there, too.
   PointerEvent press;
@@ -364,7 +339,7 @@ TEST(AddSectionTool, AddsWhereTheSurfaceIsClicked) {
     Skin skin = arched_skin(6, 4, 1, 7);
     skin.method = method;
     skin.smooth.parameters = ColumnParameters::uniform;
-    SkinRig rig(skin);
+    GestureRig rig(skin);
     rig.start(make_add_section_tool([&](ObjectId object, double place) {
       commit_skin(rig.editor, object, add_section(rig.skin(), place), "Add section");
     }));
@@ -459,7 +434,7 @@ TEST(DrawSkinTool, EscapeLeavesNothingAndTheViewAsItWas) {
 }
 
 TEST(DrawSectionTool, DrawsInThePlaneAcrossThePath) {
-  SkinRig rig;
+  GestureRig rig;
   rig.start(make_draw_section_tool());
   const Vector2 at = rig.pixel(evaluate(rig.skin().path, 0.4).position);
   rig.click(at + Vector2(0, 6));

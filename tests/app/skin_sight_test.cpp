@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/skinning/simple_skin.hpp"
-#include "tests/app/tool_rig.hpp"
+#include "tests/app/skin_rig.hpp"
 #include "tests/support/random.hpp"
 #include "ui/tools/skin_tool.hpp"
 
@@ -31,27 +31,11 @@ Skin tube() {
   return skin;
 }
 
-struct SightRig : Rig {
-  explicit SightRig(const Skin& skin)
-      : Rig(add_object({}, "skin", Source(SkinSource{skin, {}}), {}).value().document) {
-    editor.set_camera(Camera::standard(StandardView::front));
-    editor.frame_all(true);
-    editor.views = &views;
+struct SightRig : SkinRig {
+  explicit SightRig(const Skin& skin) : SkinRig(skin, StandardView::front) {
     editor.mode = ElementMode::vertex;
     update();
   }
-  void update() {
-    SurfaceView& shown = views[object().id];
-    if (auto made = SkinSurfacer().surface(skin(), Vector3::Zero())) {
-      shown.surface = made->surface;
-      shown.mesh = DisplayMesh::build(shown.surface, {});
-    }
-    shown.object = editor.document().objects[0];
-    view = view_of(skin(), &shown.surface);
-    scene.update(editor);
-  }
-  const Object& object() const { return *editor.document().objects[0]; }
-  const Skin& skin() const { return *object().skin()->skin; }
   Projector projector() const { return {editor.camera(), editor.viewport}; }
   SkinSight sight() const { return {editor, projector(), view, object()}; }
   /// Of the point on the curve.
@@ -68,8 +52,6 @@ struct SightRig : Rig {
     press.pixel = pixel_of_limit(id);
     return skin_tool_at(context(), press) != nullptr;
   }
-  std::map<ObjectId, SurfaceView> views;
-  SkinView view;
 };
 
 TEST(SkinSight, PointsInFrontWinAndHiddenOnesAreLeftAlone) {
