@@ -25,11 +25,6 @@ Document prism() {
   return document_from_mesh(test::prism(5), "Prism").value();
 }
 
-void wait_for_surfaces(HeadlessWorkbench& bench) {
-  for (int i = 0; i < 5; ++i) bench.settle();
-  bench.editor().stale_since.clear();
-}
-
 Result<DrawingOrder> ordered(HeadlessWorkbench& bench, const DrawingSettings& settings = {},
                              const std::filesystem::path& file = "a.svg") {
   return order_drawing(bench.editor(), bench.workbench().viewport().scene(), settings, file);
@@ -44,7 +39,7 @@ Result<Done> write(const DrawingOrder& order, const CancelToken& cancel = {}, co
 
 TEST(DrawingOrder, IsSeenAsTheViewIs) {
   HeadlessWorkbench bench(prism());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   for (const bool orthographic : {false, true}) {
     Camera camera = bench.editor().camera().orbit(0.4, 0.2);
     camera.orthographic = orthographic;
@@ -70,7 +65,7 @@ TEST(DrawingOrder, IsSeenAsTheViewIs) {
 TEST(DrawingOrder, LinesLieWhereThePictureEnds) {
   const test::TemporaryFolder folder;
   HeadlessWorkbench bench(prism());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   // A picture of the surface alone, of the size of the view, and the outline in pixels of it.
   PictureSettings picture;
   picture.transparent = true;
@@ -121,7 +116,7 @@ TEST(DrawingOrder, LinesLieWhereThePictureEnds) {
 TEST(DrawingOrder, IsWrittenWhole) {
   const test::TemporaryFolder folder;
   HeadlessWorkbench bench(prism());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   DrawingSettings settings;
   settings.width = 120;
   const auto order = ordered(bench, settings, folder.path() / "a.svg");
@@ -156,7 +151,7 @@ TEST(DrawingOrder, IsWrittenWhole) {
 
 TEST(DrawingOrder, TheSectionOfTheViewCuts) {
   HeadlessWorkbench bench(prism());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   bench.editor().view.section.shown = true;
   bench.editor().view.section.axis = 2;
   bench.editor().view.section.offset = bench.workbench().viewport().scene().scene().world_box().center().z();
@@ -172,7 +167,7 @@ TEST(DrawingOrder, TheSectionOfTheViewCuts) {
 
 TEST(DrawingOrder, RefusalsSayWhy) {
   HeadlessWorkbench bench(prism());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   const ObjectId id = bench.editor().active_object()->id;
   bench.editor().stale_since[id] = 0;
   EXPECT_EQ(ordered(bench).error().code, e_surface_pending);
@@ -193,7 +188,7 @@ TEST(DrawingOrder, TheDialogChoosesTheFormat) {
   actions.export_drawing = [&](DrawingOrder order) { lines = std::move(order); };
   actions.export_pictures = [&](PictureOrder order) { picture = std::move(order); };
   HeadlessWorkbench bench(prism(), {800, 560}, actions);
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   const auto frames = [&] { bench.frame(), bench.frame(), bench.frame(); };
   const auto shows = [&](const char* mark) { return bench.workbench().marks().all().contains(mark); };
   ASSERT_TRUE(bench.workbench().commands().run("file.export_picture").ran);

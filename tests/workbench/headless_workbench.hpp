@@ -100,6 +100,11 @@ class HeadlessWorkbench {
     engine_.wait();
     frame();
   }
+  /// Until surfaces that depend on others are ready, too, and nothing is said to be stale.
+  void wait_for_surfaces() {
+    for (int i = 0; i < 5; ++i) settle();
+    editor_.stale_since.clear();
+  }
   /// Presses what bears this mark.
   void click(const std::string& mark) {
     const auto found = workbench_->marks().all().find(mark);

@@ -24,11 +24,6 @@ Document box() {
   return document_from_mesh(test::prism(4), "Box").value();
 }
 
-void wait_for_surfaces(HeadlessWorkbench& bench) {
-  for (int i = 0; i < 5; ++i) bench.settle();
-  bench.editor().stale_since.clear();
-}
-
 PictureSettings small(int width, int height) {
   PictureSettings settings;
   settings.size = PictureSettings::Size::custom;
@@ -51,7 +46,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
 TEST(PictureOrder, APictureHasTheSizeAndTheBackgroundThatWereAskedFor) {
   const test::TemporaryFolder folder;
   HeadlessWorkbench bench(box());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   for (const bool transparent : {false, true}) {
     PictureSettings settings = small(320, 200);
     settings.transparent = transparent;
@@ -76,7 +71,7 @@ TEST(PictureOrder, APictureHasTheSizeAndTheBackgroundThatWereAskedFor) {
 
 TEST(PictureOrder, WhatIsSelectedShowsOnlyWhenAskedFor) {
   HeadlessWorkbench bench(box());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   bench.editor().selection.select_all(*bench.editor().active_object(), ElementMode::vertex);
   bench.frame();
   const auto& scene = bench.workbench().viewport().scene();
@@ -91,7 +86,7 @@ TEST(PictureOrder, WhatIsSelectedShowsOnlyWhenAskedFor) {
 
 TEST(PictureOrder, ANarrowPictureShowsAllThatTheViewShows) {
   HeadlessWorkbench bench(box());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   const Editor& editor = bench.editor();
   const Projector view(editor.camera(), editor.viewport);
   // Points at the middles of the view's left and right borders.
@@ -112,7 +107,7 @@ TEST(PictureOrder, ATurntableGoesOnceRoundAndShowsTheWholeModelEverywhere) {
   const Similarity place{Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vector3::UnitX())), 3, {40, -7, 2}};
   document = set_transform(document, document.objects[0]->id, place).value();
   HeadlessWorkbench bench(document);
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   PictureSettings settings = small(300, 200);
   settings.turntable_pictures = 8;
   const auto order =
@@ -150,7 +145,7 @@ TEST(PictureOrder, ATurntableGoesOnceRoundAndShowsTheWholeModelEverywhere) {
 TEST(PictureOrder, ASeriesIsWrittenWholeOrRemoved) {
   const test::TemporaryFolder folder;
   HeadlessWorkbench bench(box());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   PictureSettings settings = small(64, 48);
   settings.turntable_pictures = 3;
   const auto& scene = bench.workbench().viewport().scene();
@@ -182,7 +177,7 @@ TEST(PictureOrder, ASeriesIsWrittenWholeOrRemoved) {
 TEST(PictureOrder, RefusalsSayWhy) {
   const test::TemporaryFolder folder;
   HeadlessWorkbench bench(box());
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   const auto& scene = bench.workbench().viewport().scene();
   const auto code = [](const auto& result) { return result.ok() ? Code{"none"} : result.error().code; };
   const auto ordered = [&](const PictureSettings& settings) {
@@ -219,7 +214,7 @@ TEST(PictureOrder, TheDialogGivesTheOrder) {
   FileActions actions;
   actions.export_pictures = [&](PictureOrder order) { given = std::move(order); };
   HeadlessWorkbench bench(box(), {800, 560}, actions);
-  wait_for_surfaces(bench);
+  bench.wait_for_surfaces();
   ASSERT_TRUE(bench.workbench().commands().run("file.export_turntable").ran);
   bench.frame();
   bench.frame();
