@@ -34,7 +34,7 @@ struct GlWindow::State {
   ImVec2 pointer{-FLT_MAX, -FLT_MAX};
   std::array<bool, 5> buttons{};
   std::optional<double> replayed_now;
-  double frame_at = 0;
+  FrameClock clock;
 
   /// What the user does; a replay is not disturbed by it.
   void from_user(InputEvent event) {
@@ -293,8 +293,7 @@ void GlWindow::begin_frame() {
   ImGuiIO& io = ImGui::GetIO();
   io.MousePos = state_->pointer;
   for (std::size_t i = 0; i < state_->buttons.size(); ++i) io.MouseDown[i] = state_->buttons[i];
-  if (state_->replayed_now) io.DeltaTime = std::max(1e-4F, static_cast<float>(now() - state_->frame_at));
-  state_->frame_at = now();
+  io.DeltaTime = std::max(1e-4F, static_cast<float>(state_->clock.tick(input_time())));
   ImGui::NewFrame();
 }
 
@@ -344,6 +343,10 @@ void GlWindow::set_title(const std::string& title) {
 const Metrics& GlWindow::metrics() const {
   return state_->metrics;
 }
+double GlWindow::input_time() const {
+  return state_->replayed_now ? *state_->replayed_now : state_->clock.at(state_->batch, now());
+}
+
 double GlWindow::now() const {
   return state_->replayed_now ? *state_->replayed_now : glfwGetTime();
 }

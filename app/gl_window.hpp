@@ -37,6 +37,8 @@ class GlWindow {
   bool wait(double seconds, bool keys_wait = false);
   /// That batch.
   const std::vector<InputEvent>& input() const;
+  /// When it came, of the same clock as `now`; without input the present. What ImGui's times go by.
+  double input_time() const;
   /// From now on the window sees this input and time instead of the user's and the clock's.
   void replay(double now, const std::vector<InputEvent>& batch);
   /// Ends the wait. From any thread.

@@ -2,9 +2,11 @@
 
 // InputQueue: what the user does, as values, and which of it one frame may see. No window, no ImGui.
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hariko {
@@ -41,6 +43,21 @@ class InputQueue {
 
  private:
   std::deque<InputEvent> waiting_;
+};
+
+/// The time that a frame goes by: that of what the user did, which slow frames come to late. So two clicks
+/// are as far apart as they came, not as the frames that show them.
+class FrameClock {
+ public:
+  /// Seconds, of a frame that sees `batch` at the time `now`. Never less than that of the last frame.
+  double at(const std::vector<InputEvent>& batch, double now) const {
+    return std::max(last_, batch.empty() ? now : batch.back().came_at);
+  }
+  /// Makes it the last frame's; gives the seconds since the one before.
+  double tick(double time) { return time - std::exchange(last_, time); }
+
+ private:
+  double last_ = 0;
 };
 
 }  // namespace hariko

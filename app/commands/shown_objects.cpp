@@ -6,7 +6,7 @@
 #include "core/modeling/attached.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
-#include "ui/solids_display.hpp"
+#include "ui/object_lines.hpp"
 
 namespace hariko {
 
@@ -23,7 +23,7 @@ Result<ShownObject> shown_object(const Document& document, const Object& object,
                           ? object.display.density
                           : display_density(built->surface.patch_count(), built->surface.domain(), 1'000'000);
   out.mesh = DisplayMesh::build(built->surface, map_options(arguments.map, density));
-  out.polyhedron = object.solids() ? display_of(*object.solids()) : cage_of(object);
+  out.polyhedron = lines_of(document, object);
   out.transform = matrix_of(object.transform);
   out.map = arguments.map;
   const DisplaySettings display =

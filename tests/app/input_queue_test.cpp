@@ -122,5 +122,36 @@ TEST(InputQueue, KeepsTheOrderAndBatchesAreStable) {
   });
 }
 
+TEST(FrameClock, TwoClicksAreAsFarApartAsTheyCameHoweverSlowFramesAre) {
+  InputQueue queue;
+  const auto came = [&](double at, InputEvent event) {
+    event.came_at = at;
+    queue.push(event);
+  };
+  FrameClock clock;
+  std::vector<double> presses;
+  double seen = 0;
+  const auto frame = [&](double now) {
+    const auto batch = queue.take();
+    const double step = clock.tick(clock.at(batch, now));
+    EXPECT_GE(step, 0);
+    seen += step;
+    if (!batch.empty() && batch.back().kind == Kind::button && batch.back().down) presses.push_back(seen);
+  };
+  frame(1);
+  came(1.5, button(0, true));
+  frame(1.5);
+  // All that came in the quarter of a second that the last frame took.
+  came(1.75, button(0, false));
+  came(1.75, button(0, true));
+  came(1.75, button(0, false));
+  frame(1.75);
+  frame(2);
+  frame(2.25);
+  EXPECT_EQ(presses, (std::vector<double>{1.5, 1.75}));
+  frame(2.5);
+  EXPECT_EQ(seen, 2.5) << "without input it is the present";
+}
+
 }  // namespace
 }  // namespace hariko

@@ -149,5 +149,25 @@ TEST_F(ExportRender, PicturesOfEveryMapAndView) {
   EXPECT_TRUE(pictures.emplace(read_text(out), "lines").second) << "polyhedron and network do not show";
 }
 
+TEST_F(ExportRender, WhateverObjectsAreMadeFromIsDrawn) {
+  std::string patch = "1\n3 3\n";
+  for (int i = 0; i < 16; ++i) {
+    const int x = i % 4, y = i / 4;
+    const bool inside = x % 3 != 0 && y % 3 != 0;
+    patch += std::to_string(x) + " " + std::to_string(y) + (inside ? " 2\n" : " 0\n");
+  }
+  write_text(path("patch.bpt"), patch);
+  const std::string out = path("picture.png");
+  for (const std::string& file :
+       {path("patch.bpt"), std::string(HARIKO_SOURCE_DIR "/assets/samples/saddle.hariko")}) {
+    const auto picture = [&](const std::string& options) {
+      const Outcome result = run("render " + file + " " + out + " --size 160x120" + options);
+      EXPECT_EQ(result.exit_code, 0) << result.error;
+      return read_text(out);
+    };
+    EXPECT_NE(picture(""), picture(" --show polyhedron")) << file;
+  }
+}
+
 }  // namespace
 }  // namespace hariko::test
