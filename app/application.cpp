@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
-#include <deque>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "app/document_session.hpp"
 #include "app/exchange_jobs.hpp"
 #include "app/failure_dialog.hpp"
+#include "app/frame_meter.hpp"
 #include "app/gauss_engine.hpp"
 #include "app/gl_window.hpp"
 #include "app/interface_text.hpp"
@@ -118,7 +118,7 @@ class Application {
       }
       editor_.now = window_.now();
       follow_recording();
-      if (recorder_) recorder_->batch(editor_.now, window_.input());
+      if (recorder_) recorder_->batch(window_.input_time(), window_.input());
       log_.input(window_.input());
       if (engine_.publish() + paper_.publish() + long_.publish() + edits_.publish() + session_.publish() +
               meshes_.publish() + gauss_.publish() >
@@ -284,7 +284,9 @@ class Application {
       recompute.outdated = std::move(outdated);
       frames_ = std::max(frames_, 1);
     }
-    if (measured) measure_frame(start, end);
+    if (measured)
+      meter_.measure(editor_, {start, end, workbench_.viewport().picture_milliseconds()}, window_.input(),
+                     window_.now());
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
@@ -377,28 +379,6 @@ class Application {
     if (session.dirty) editor_.history.mark_unsaved();
   }
 
-  void measure_frame(std::chrono::steady_clock::time_point start, const GlWindow::FrameEnd& end) {
-    const double total =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    const double renderer = end.drawing + workbench_.viewport().picture_milliseconds();
-    editor_.frame_times.add({std::max(0.0, total - renderer - end.showing), renderer});
-    const Object* object = editor_.active_object();
-    const SurfaceView* shown = object ? editor_.view_of(object->id) : nullptr;
-    // The surface that this frame showed answers what was dragged then.
-    while (shown && !dragged_.empty()) {
-      const auto found = std::find_if(dragged_.begin(), dragged_.end(),
-                                      [&](const auto& entry) { return entry.first == shown->object; });
-      if (found == dragged_.end()) break;
-      editor_.frame_times.add_latency(1000 * (window_.now() - found->second));
-      dragged_.erase(dragged_.begin(), found + 1);
-    }
-    if (!editor_.history.in_gesture()) return dragged_.clear();
-    const auto& input = window_.input();
-    if (input.empty() || !object) return;
-    for (const auto& candidate : editor_.document().objects)
-      if (candidate.get() == object) dragged_.emplace_back(candidate, input.front().came_at);
-  }
-
   /// Gives the window what the replay says that the user does now.
   void play() {
     if (!player_) return;
@@ -467,8 +447,7 @@ class Application {
   bool quit_ = false, idle_ = false;
   std::optional<ThemeId> pictured_theme_;  ///< of the pictures of the samples; none before they are wanted
   std::atomic<int> signal_ = 0;            ///< that asked for the end
-  /// Objects as drags made them, with the time of the pointer event; until their surface shows.
-  std::deque<std::pair<std::shared_ptr<const Object>, double>> dragged_;
+  FrameMeter meter_;
   std::optional<ReplayRecorder> recorder_;
   std::optional<std::filesystem::path> record_to_;  ///< a recording that is to begin
   bool recording_ends_ = false;

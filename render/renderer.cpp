@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "core/base/assert.hpp"
+#include "render/buffer_cache.hpp"
 #include "render/frame_target.hpp"
 #include "render/painter.hpp"
+#include "render/patch_colors.hpp"
 #include "render/shader_source.hpp"
 
 namespace hariko {
@@ -26,66 +28,7 @@ double scale_of_transform(const SceneObject& object) {
   return std::cbrt(std::abs(object.transform.topLeftCorner<3, 3>().determinant()));
 }
 
-/// Colour of a patch: hues far apart for neighbouring numbers (golden angle), a lighter and a darker one in
-/// turn within the patches of one source element.
-std::array<std::uint8_t, 3> patch_color(std::uint64_t element, std::uint32_t side) {
-  const double turn = 0.6180339887498949 * static_cast<double>(element % 100'000);
-  const double hue = 6 * (turn - std::floor(turn));
-  const double value = side % 2 == 0 ? 0.80 : 0.70, saturation = 0.42;
-  std::array<std::uint8_t, 3> out{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double k = std::fmod(5.0 - 2.0 * static_cast<double>(i) + hue, 6.0);
-    const double level = value - value * saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0);
-    out[i] = static_cast<std::uint8_t>(std::lround(255 * level));
-  }
-  return out;
-}
-
-std::vector<std::uint8_t> patch_color_bytes(const SceneObject& object) {
-  const DisplayMesh& mesh = *object.mesh;
-  std::vector<std::uint8_t> out(std::size_t(mesh.patch_count()) * 4, 0);
-  if (object.map == SurfaceMap::patches)
-    for (Index p = 0; p < mesh.patch_count(); ++p) {
-      const Provenance& from = mesh.provenance(p);
-      const auto color = patch_color(from.element.id, from.side);
-      std::copy(color.begin(), color.end(), out.begin() + static_cast<std::ptrdiff_t>(4 * std::size_t(p)));
-    }
-  for (const Index p : object.hovered_patches)
-    if (p < mesh.patch_count()) out[4 * std::size_t(p) + 3] = 128;
-  for (const Index p : object.selected_patches)
-    if (p < mesh.patch_count()) out[4 * std::size_t(p) + 3] = 255;
-  return out;
-}
-
 }  // namespace
-
-/// GPU copies of values, known by the value's address. What no picture uses is dropped.
-template <class Value, class Buffers>
-class BufferCache {
- public:
-  Buffers& get(const std::shared_ptr<const Value>& value, unsigned picture_bit, std::size_t& uploaded) {
-    auto entry =
-        std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.value == value; });
-    if (entry == entries_.end())
-      entry = entries_.insert(entries_.end(), {value, std::make_unique<Buffers>(*value, uploaded)});
-    entry->used_by |= picture_bit;
-    return *entry->buffers;
-  }
-  void release(unsigned picture_bits) {
-    for (Entry& entry : entries_) entry.used_by &= ~picture_bits;
-  }
-  void drop_unused() {
-    std::erase_if(entries_, [](const Entry& entry) { return entry.used_by == 0; });
-  }
-
- private:
-  struct Entry {
-    std::shared_ptr<const Value> value;  // kept so that its address stays unique
-    std::unique_ptr<Buffers> buffers;
-    unsigned used_by = 0;  // one bit for each picture
-  };
-  std::vector<Entry> entries_;
-};
 
 struct Renderer::State {
   explicit State(gl::Painter p) : painter(std::move(p)), stamp(shader_stamp()) {}
@@ -132,11 +75,11 @@ struct Renderer::State {
   unsigned bit = 1;  ///< of the picture that is drawn
   gl::IndexCache indices;
   std::vector<MeshEntry> meshes;
-  BufferCache<DisplayPolyhedron, gl::PolyhedronBuffers> polyhedra;
-  BufferCache<DisplayPolyhedron, gl::BodyBuffers> bodies;
-  BufferCache<EdgeMarks, gl::MarkBuffers> marks;
-  BufferCache<CombLines, gl::CombBuffers> combs;
-  BufferCache<FacetLines, gl::FacetLineBuffers> facet_edges;
+  gl::BufferCache<DisplayPolyhedron, gl::PolyhedronBuffers> polyhedra;
+  gl::BufferCache<DisplayPolyhedron, gl::BodyBuffers> bodies;
+  gl::BufferCache<EdgeMarks, gl::MarkBuffers> marks;
+  gl::BufferCache<CombLines, gl::CombBuffers> combs;
+  gl::BufferCache<FacetLines, gl::FacetLineBuffers> facet_edges;
   std::vector<SectionEntry> sections;
   FrameStatistics statistics;
   std::uint64_t stamp = 0;
