@@ -6,7 +6,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # Release keeps assertions (no NDEBUG): a wrong result is worse than a slow one. Bench drops those of the libraries.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -g1")
-set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g -fno-omit-frame-pointer")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -fno-omit-frame-pointer")
 set(CMAKE_CXX_FLAGS_BENCH "-O2 -g1 -DNDEBUG")
 set(CMAKE_EXE_LINKER_FLAGS_BENCH "")
 set(CMAKE_CXX_FLAGS_FUZZ "-O1 -g -fno-omit-frame-pointer")

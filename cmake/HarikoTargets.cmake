@@ -18,18 +18,44 @@ endif()
 add_library(hariko_test_options INTERFACE)
 target_compile_options(hariko_test_options INTERFACE $<$<CONFIG:Release>:-O1 -g0>)
 
+# The same for what uses the interface.
+if(HARIKO_PRECOMPILE AND HARIKO_WINDOW)
+  add_library(hariko_precompiled_interface OBJECT "${HARIKO_PRECOMPILED_SOURCE}")
+  target_include_directories(hariko_precompiled_interface PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(hariko_precompiled_interface PRIVATE hariko_cad_kernel hariko_render imgui::imgui hariko_warnings)
+  target_precompile_headers(hariko_precompiled_interface PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled_interface.hpp")
+endif()
+
 if(HARIKO_PRECOMPILE AND HARIKO_TESTS)
   add_executable(hariko_precompiled_tests "${HARIKO_PRECOMPILED_SOURCE}")
   target_link_libraries(hariko_precompiled_tests PRIVATE Eigen3::Eigen GTest::gtest_main hariko_warnings
     hariko_test_options)
   target_precompile_headers(hariko_precompiled_tests PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp"
     <gtest/gtest.h>)
+  if(TARGET hariko_precompiled_interface)
+    add_executable(hariko_precompiled_interface_tests "${HARIKO_PRECOMPILED_SOURCE}")
+    target_include_directories(hariko_precompiled_interface_tests PRIVATE "${PROJECT_SOURCE_DIR}")
+    target_link_libraries(hariko_precompiled_interface_tests PRIVATE hariko_cad_kernel hariko_render imgui::imgui
+      GTest::gtest_main hariko_warnings hariko_test_options)
+    target_precompile_headers(hariko_precompiled_interface_tests PRIVATE
+      "${PROJECT_SOURCE_DIR}/cmake/precompiled_interface.hpp" <gtest/gtest.h>)
+  endif()
 endif()
 
+# Which of these a target begins with: that of the interface where it is asked for and there.
+function(hariko_precompile NAME USUAL INTERFACE)
+  if(INTERFACE AND TARGET hariko_precompiled_interface)
+    string(REPLACE hariko_precompiled hariko_precompiled_interface USUAL ${USUAL})
+  endif()
+  if(HARIKO_PRECOMPILE)
+    target_precompile_headers(${NAME} REUSE_FROM ${USUAL})
+  endif()
+endfunction()
+
 # hariko_library(NAME FOLDERS folder... LINKS target...): a static library of every .cpp in the current folder and in
-# the folders given, not below.
+# the folders given, not below. INTERFACE: nearly all of them include the editor.
 function(hariko_library NAME)
-  cmake_parse_arguments(ARG "" "" "FOLDERS;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "INTERFACE" "" "FOLDERS;LINKS;PRIVATE_LINKS" ${ARGN})
   set(SOURCES)
   foreach(FOLDER . ${ARG_FOLDERS})
     file(GLOB FOUND CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp"
@@ -40,14 +66,12 @@ function(hariko_library NAME)
   set_target_properties(${NAME} PROPERTIES LINKER_LANGUAGE CXX)
   target_include_directories(${NAME} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${NAME} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} hariko_warnings)
-  if(HARIKO_PRECOMPILE)
-    target_precompile_headers(${NAME} REUSE_FROM hariko_precompiled)
-  endif()
+  hariko_precompile(${NAME} hariko_precompiled "${ARG_INTERFACE}")
 endfunction()
 
 # hariko_test(NAME LABEL core|window LINKS target...): a GoogleTest program of every .cpp in the current folder.
 function(hariko_test NAME)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "INTERFACE" "LABEL;TIMEOUT" "LINKS" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL core)
   endif()
@@ -59,9 +83,7 @@ function(hariko_test NAME)
   target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}")
   target_compile_definitions(${NAME} PRIVATE HARIKO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${NAME} PRIVATE ${ARG_LINKS} GTest::gtest_main hariko_warnings hariko_test_options)
-  if(HARIKO_PRECOMPILE)
-    target_precompile_headers(${NAME} REUSE_FROM hariko_precompiled_tests)
-  endif()
+  hariko_precompile(${NAME} hariko_precompiled_tests "${ARG_INTERFACE}")
   gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
 endfunction()

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rotation.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
 namespace hariko {
@@ -83,7 +84,7 @@ class Mirroring {
     Vector3 m = (solid.to_world.transpose() * Vector3::Unit(symmetry_.axis)).stableNormalized();
     if (m.x() < 0) m = -m;
     // All vertices of balls and rings are symmetric in x.
-    const Eigen::Quaterniond q = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitX(), m);
+    const Eigen::Quaterniond q = least_rotation(Vector3::UnitX(), m);
     for (Vector3& u : solid.unit_vertices) u = q * u;
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rotation.hpp"
 #include "core/gaussmap/outline_check.hpp"
 #include "core/gaussmap/spread_normals.hpp"
 
@@ -57,8 +58,7 @@ Outline with_points(const Outline& outline, std::span<const Index> numbers, std:
     if (loop.points.size() < 3 || loop.points == outline.loops[l].points) continue;
     const auto before = loop_tangents(outline.loops[l].points), after = loop_tangents(loop.points);
     for (std::size_t i = 0; i < loop.points.size(); ++i)
-      if (before[i] != after[i])
-        loop.normals[i] = Eigen::Quaterniond::FromTwoVectors(before[i], after[i]) * loop.normals[i];
+      if (before[i] != after[i]) loop.normals[i] = least_rotation(before[i], after[i]) * loop.normals[i];
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rotation.hpp"
 #include "core/document/angles.hpp"
 #include "core/envelope/solid_distance.hpp"
 
@@ -75,9 +76,8 @@ std::optional<SolidHit> hit_solids(std::span<const Solid> solids, const Vector3&
 
 Solid standing_on(Solid solid, const Vector3& point, const Vector3& up) {
   solid.position = point + height_below(solid) * solid.scale.z() * up;
-  solid.rotation = up.z() >= 1 - 1e-12
-                       ? Vector3(Vector3::Zero())
-                       : angles_of(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), up).normalized());
+  solid.rotation =
+      up.z() >= 1 - 1e-12 ? Vector3(Vector3::Zero()) : angles_of(least_rotation(Vector3::UnitZ(), up));
   return solid;
 }
 

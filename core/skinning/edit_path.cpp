@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/rotation.hpp"
 #include "core/skinning/deleted_parameter.hpp"
 #include "core/skinning/skin_frames.hpp"
 #include "core/skinning/skin_messages.hpp"
@@ -36,8 +37,7 @@ class Carrier {
     if (!to_ || from_->mode() != FrameMode::rotation_minimising || from_path_ == to_path_) return;
     // The first frame of a path is anything; here it is the old one turned by as little as possible.
     const Matrix3 old = from_->frame(0), now = to_->frame(0);
-    const Eigen::Quaterniond least =
-        Eigen::Quaterniond::FromTwoVectors(Vector3(old.col(2)), Vector3(now.col(2)));
+    const Eigen::Quaterniond least = least_rotation(old.col(2), now.col(2));
     const Vector3 wanted = least * Vector3(old.col(0));
     turn_ = Eigen::AngleAxisd(std::atan2(wanted.dot(now.col(1)), wanted.dot(now.col(0))), Vector3::UnitZ())
                 .toRotationMatrix();

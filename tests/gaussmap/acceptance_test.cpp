@@ -7,6 +7,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "core/base/rotation.hpp"
 #include "core/gaussmap/linear_fill.hpp"
 #include "core/gaussmap/minkowski.hpp"
 #include "tests/gaussmap/truths.hpp"
@@ -406,8 +407,7 @@ TEST(GaussMapAcceptance, IsTheSameAnywhereAndAtAnySize) {
     }
     const double scale = std::exp(uniform(rng, -9, 9));
     const Vector3 shift = random_vector(rng, 10 * scale);
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(random_vector(rng), random_vector(rng));
+    const Eigen::Quaterniond turn = least_rotation(random_vector(rng), random_vector(rng));
     Outline moved = truth.outline;
     for (OutlineLoop& loop : moved.loops)
       for (std::size_t i = 0; i < loop.points.size(); ++i) {
