@@ -12,7 +12,7 @@ full_packages=(clang-14 libclang-rt-14-dev clang-tidy clang-format valgrind libr
 # STEP and IGES: the program builds without them, and says so.
 cad_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libocct-foundation-dev
   libocct-visualization-dev libocct-ocaf-dev)
-bench_packages=(libbenchmark-dev libgtest-dev "${cad_packages[@]}")
+bench_packages=(libbenchmark-dev libgtest-dev libassimp-dev "${cad_packages[@]}")
 
 wanted=()
 for group in "${@:-build}"; do

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Lines of each reader that its fuzzer reaches, as a table: the fuzzers built with clang's coverage instrumentation,
+# run over the seeds and the corpora that ./test.sh --full has left in build/fuzz/corpus, and then for a while.
+#   scripts/fuzz_coverage.sh [SECONDS]      each fuzzer's time beyond the corpora (default: 0)
+# Needs the packages of scripts/dependencies.sh build full, and llvm-14.
+set -euo pipefail
+seconds=${1:-0}
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+profiles=build/coverage/profiles
+
+cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_CXX_COMPILER=clang++-14 \
+  "-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping" \
+  -DHARIKO_CAD=OFF -DHARIKO_FUZZ=ON -DHARIKO_TESTS=OFF -DHARIKO_WINDOW=OFF >/dev/null
+cmake --build build/coverage
+
+# The files that make up each fuzzer's reader: its own and those that only readers of its kind use.
+readers() {
+  case "$1" in
+    obj | off | stl) echo "core/exchange/read_$1.cpp core/exchange/text_scanner.cpp" ;;
+    ply) echo "core/exchange/read_ply.cpp core/exchange/ply_header.cpp core/exchange/text_scanner.cpp" ;;
+    patches) echo "core/exchange/read_patches.cpp core/exchange/text_scanner.cpp" ;;
+    gltf) echo "core/exchange/read_gltf.cpp core/exchange/gltf_container.cpp core/exchange/gltf_fields.cpp" \
+      "core/exchange/gltf_accessor.cpp core/exchange/scene_collector.cpp" ;;
+    three_mf) echo "core/exchange/read_3mf.cpp core/exchange/model_3mf.cpp core/exchange/xml_reader.cpp" \
+      "core/exchange/zip_reader.cpp core/exchange/scene_collector.cpp" ;;
+    document) find core/document -name 'read_*.cpp' -o -name 'json_*.cpp' | sort ;;
+    *) echo "fuzz_coverage.sh: no reader is known for '$1'" >&2; return 1 ;;
+  esac
+}
+
+rm -rf "$profiles"
+mkdir -p "$profiles"
+for fuzzer in build/coverage/tests/fuzz/*_fuzz; do
+  name=$(basename "$fuzzer")
+  format=${name%_fuzz}
+  found=build/coverage/corpus/$name
+  mkdir -p "$found"
+  inputs=("$found" "tests/fuzz/seeds/$format" tests/golden assets/samples)
+  if [ -d "build/fuzz/corpus/$name" ]; then inputs+=("build/fuzz/corpus/$name"); fi
+  limit=(-runs=0)
+  if [ "$seconds" -gt 0 ]; then limit=("-max_total_time=$seconds"); fi
+  LLVM_PROFILE_FILE="$profiles/$name.profraw" "$fuzzer" "${limit[@]}" -rss_limit_mb=4096 "-dict=tests/fuzz/$format.dict" \
+    "${inputs[@]}" 2>"$profiles/$name.log"
+  llvm-profdata-14 merge -sparse "$profiles/$name.profraw" -o "$profiles/$name.profdata"
+  printf '== %s\n' "$format"
+  # shellcheck disable=SC2046
+  llvm-cov-14 export -summary-only "-instr-profile=$profiles/$name.profdata" "$fuzzer" $(readers "$format") |
+    python3 -c '
+import json, os, sys
+data = json.load(sys.stdin)["data"][0]
+for file in data["files"]:
+    lines = file["summary"]["lines"]
+    print("%5d of %5d lines %4.0f %%  %s" % (lines["covered"], lines["count"], lines["percent"], os.path.basename(file["filename"])))
+lines = data["totals"]["lines"]
+print("%5d of %5d lines %4.0f %%  together" % (lines["covered"], lines["count"], lines["percent"]))'
+done
