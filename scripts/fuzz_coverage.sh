@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
 # Lines of each reader that its fuzzer reaches, as a table: the fuzzers built with clang's coverage instrumentation,
 # run over the seeds and the corpora that ./test.sh --full has left in build/fuzz/corpus, and then for a while.
-#   scripts/fuzz_coverage.sh [SECONDS]      each fuzzer's time beyond the corpora (default: 0)
+#   scripts/fuzz_coverage.sh [SECONDS] [FORMAT...]   each fuzzer's time beyond the corpora (default: 0); which (default: all)
 # Needs the packages of scripts/dependencies.sh build full, and llvm-14.
 set -euo pipefail
 seconds=${1:-0}
+formats=("${@:2}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 profiles=build/coverage/profiles
 
 cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_CXX_COMPILER=clang++-14 \
   "-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping" \
   -DHARIKO_CAD=OFF -DHARIKO_FUZZ=ON -DHARIKO_TESTS=OFF -DHARIKO_WINDOW=OFF >/dev/null
-cmake --build build/coverage
+if [ ${#formats[@]} -eq 0 ]; then mapfile -t formats < <(basename -s _fuzz.cpp tests/fuzz/*_fuzz.cpp); fi
+cmake --build build/coverage --target "${formats[@]/%/_fuzz}"
 
 # The files that make up each fuzzer's reader: its own and those that only readers of its kind use.
 readers() {
@@ -30,9 +32,9 @@ readers() {
 
 rm -rf "$profiles"
 mkdir -p "$profiles"
-for fuzzer in build/coverage/tests/fuzz/*_fuzz; do
-  name=$(basename "$fuzzer")
-  format=${name%_fuzz}
+for format in "${formats[@]}"; do
+  name=${format}_fuzz
+  fuzzer=build/coverage/tests/fuzz/$name
   found=build/coverage/corpus/$name
   mkdir -p "$found"
   inputs=("$found" "tests/fuzz/seeds/$format" tests/golden assets/samples)
@@ -44,13 +46,16 @@ for fuzzer in build/coverage/tests/fuzz/*_fuzz; do
   llvm-profdata-14 merge -sparse "$profiles/$name.profraw" -o "$profiles/$name.profdata"
   printf '== %s\n' "$format"
   # shellcheck disable=SC2046
-  llvm-cov-14 export -summary-only "-instr-profile=$profiles/$name.profdata" "$fuzzer" $(readers "$format") |
+  llvm-cov-14 export -summary-only "-instr-profile=$profiles/$name.profdata" "$fuzzer" |
     python3 -c '
-import json, os, sys
-data = json.load(sys.stdin)["data"][0]
-for file in data["files"]:
-    lines = file["summary"]["lines"]
-    print("%5d of %5d lines %4.0f %%  %s" % (lines["covered"], lines["count"], lines["percent"], os.path.basename(file["filename"])))
-lines = data["totals"]["lines"]
-print("%5d of %5d lines %4.0f %%  together" % (lines["covered"], lines["count"], lines["percent"]))'
+import json, sys
+def say(covered, count, name):
+    print("%5d of %5d lines %4.0f %%  %s" % (covered, count, 100 * covered / max(count, 1), name))
+found = []
+for file in json.load(sys.stdin)["data"][0]["files"]:
+    name = next((wanted for wanted in sys.argv[1:] if file["filename"].endswith(wanted)), None)
+    if name:
+        found.append((file["summary"]["lines"]["covered"], file["summary"]["lines"]["count"]))
+        say(*found[-1], name)
+say(sum(covered for covered, _ in found), sum(count for _, count in found), "together")' $(readers "$format")
 done
