@@ -25,6 +25,7 @@ readers() {
       "core/exchange/gltf_accessor.cpp core/exchange/scene_collector.cpp" ;;
     three_mf) echo "core/exchange/read_3mf.cpp core/exchange/model_3mf.cpp core/exchange/xml_reader.cpp" \
       "core/exchange/zip_reader.cpp core/exchange/scene_collector.cpp" ;;
+    cad_text) echo "core/cad/kernel/cad_text.cpp" ;;
     document) find core/document -name 'read_*.cpp' -o -name 'json_*.cpp' | sort ;;
     *) echo "fuzz_coverage.sh: no reader is known for '$1'" >&2; return 1 ;;
   esac
