@@ -83,12 +83,18 @@ Vector3 normal_above(const PatchPoint& point, double threshold) {
   return cross / length;
 }
 
-/// True where rounding of the control points alone (a few units in the last place of the position) may turn
-/// the normal by more than 1e-11 radians: at vertices of very high tension, whose tangents are tiny.
+/// Radians by which rounding of the control points alone (a few units in the last place of the position) may
+/// turn the normal; infinite where there is none.
+double turn_by_rounding(const PatchPoint& point) {
+  constexpr double rounding = 1e-15;
+  return rounding * point.position.norm() * (point.ds.norm() + point.dt.norm()) /
+         point.ds.cross(point.dt).norm();
+}
+
+/// True at vertices of very high tension, whose tangents are tiny.
 bool beyond_resolution(const PatchPoint& point) {
-  constexpr double rounding = 1e-15, resolution = 1e-11;
-  const double turn = rounding * point.position.norm() * (point.ds.norm() + point.dt.norm());
-  return turn > resolution * point.ds.cross(point.dt).norm();
+  constexpr double resolution = 1e-11;
+  return turn_by_rounding(point) > resolution;
 }
 
 void compare_normals(const SeamSides& sides, double first_threshold, double second_threshold,
@@ -111,6 +117,11 @@ void compare_normals(const SeamSides& sides, double first_threshold, double seco
       continue;
     } else {
       jump = jump_between(n, m);
+      // Where a surface is nearly singular along a seam, both normals are rounding.
+      if (!jump.folded && beyond_resolution(p) && jump.angle <= turn_by_rounding(p) + turn_by_rounding(q)) {
+        ++out.degenerate;
+        continue;
+      }
     }
     if (jump.folded) ++out.folded;
     out.normal_jump = std::max(out.normal_jump, jump.angle);

@@ -35,7 +35,8 @@ struct ContinuityReport {
   std::optional<double> rms_curvature_jump;
   /// Points of smooth seams that are left out of the normal jumps: |ds x dt| of a side is below 1e-9 of that
   /// patch's mean, or, at an end, rounding of the control points alone turns the normal by more than 1e-11
-  /// radians; and the node gives no normal either.
+  /// radians; and the node gives no normal either. Between the ends also points where it does so and the
+  /// jump is not larger than that.
   std::size_t degenerate_samples = 0;
   /// Points of smooth seams where the normals of the sides are opposite while the tangent planes agree to
   /// 1e-6 radians: the surface folds back. The jump is then the angle between the planes.

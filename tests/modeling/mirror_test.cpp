@@ -199,22 +199,35 @@ TEST(Mirror, RandomHalves) {
   EXPECT_GT(welded_count, test::repetitions(80));
 }
 
+/// Checks the surface of a random half; false where it has none.
+bool random_surface_is_symmetric_and_smooth(std::mt19937_64& rng) {
+  PolyhedronSource half = random_half(rng);
+  half.mode = static_cast<Mode>(test::uniform_int(rng, 0, 2));
+  half.shaping = test::random_shaping(half.polyhedron, rng, 5, 0.3, 3);
+  const auto input = surface_input(half);
+  if (!input.ok()) return false;
+  const auto made = PolyhedronSurfacer().rebuild(*input);
+  EXPECT_TRUE(made.ok()) << to_string(made.error());
+  if (!made.ok()) return false;
+  const double size = size_of(input->polyhedron);
+  EXPECT_LE(asymmetry(made->surface, half.polyhedron.topology(), half.mirror->axis), 1e-12 * size);
+  EXPECT_LE(continuity(made->surface).largest_normal_jump.value_or(0), 1e-10);
+  return true;
+}
+
 TEST(Mirror, RandomSurfacesAreSymmetricAndSmooth) {
   int done_count = 0;
   test::for_random(112, 40, [&](std::mt19937_64& rng) {
-    PolyhedronSource half = random_half(rng);
-    half.mode = static_cast<Mode>(test::uniform_int(rng, 0, 2));
-    half.shaping = test::random_shaping(half.polyhedron, rng, 5, 0.3, 3);
-    const auto input = surface_input(half);
-    if (!input.ok()) return;
-    const auto made = PolyhedronSurfacer().rebuild(*input);
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
-    ++done_count;
-    const double size = size_of(input->polyhedron);
-    EXPECT_LE(asymmetry(made->surface, half.polyhedron.topology(), half.mirror->axis), 1e-12 * size);
-    EXPECT_LE(continuity(made->surface).largest_normal_jump.value_or(0), 1e-10);
+    if (random_surface_is_symmetric_and_smooth(rng)) ++done_count;
   });
   EXPECT_GT(done_count, test::repetitions(20));
+}
+
+/// Along one of its seams the derivatives are parallel to 3e-5 at a point, where normals are known to 1e-9
+/// only.
+TEST(Mirror, ANearlySingularPointOfASeamIsNoJump) {
+  std::mt19937_64 rng(1952930211);
+  EXPECT_TRUE(random_surface_is_symmetric_and_smooth(rng));
 }
 
 TEST(Mirror, MovingKeepsTheConnectivity) {
