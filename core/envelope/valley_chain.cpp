@@ -107,13 +107,9 @@ class Chains {
         return;
       }
     }
-    Step step;
-    step.relative = path.length / edge;
-    step.solid_a = std::min(solid_a, solid_b);
-    step.solid_b = std::max(solid_a, solid_b);
-    step.name = mixed(name, 3);
-    step.path = std::move(path);
-    out.push_back(std::move(step));
+    const double relative = path.length / edge;
+    out.push_back({std::move(path), Vector3::Zero(), std::min(solid_a, solid_b), std::max(solid_a, solid_b),
+                   relative, mixed(name, 3)});
   }
 
   void select() {
