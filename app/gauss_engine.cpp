@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-constexpr WorkLane::Key only = 0;
+constexpr WorkLane::Key only_gauss_map = 0;
 
 std::shared_ptr<const Object> active_outline_of(const Editor& editor) {
   if (!editor.has_document) return nullptr;
@@ -23,7 +23,7 @@ GaussEngine::GaussEngine(const Editor& editor, GaussView& view, std::function<vo
     : editor_(editor), view_(view), lane_(std::move(wake)) {}
 
 void GaussEngine::forget() {
-  lane_.cancel(only);
+  lane_.cancel(only_gauss_map);
   object_.reset();
   step_.reset();
   view_.step.reset();
@@ -41,7 +41,7 @@ void GaussEngine::sync() {
   object_ = object;
   step_ = view_.step;
   lane_.submit(
-      only,
+      only_gauss_map,
       [this, object, step = step_](const CancelToken& cancel) -> WorkLane::Publication {
         const OutlineSource& source = *object->outline();
         auto sphere =

@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-constexpr WorkLane::Key only = 0;
+constexpr WorkLane::Key only_mesh = 0;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ MeshPreviewer::MeshPreviewer(Editor& editor, std::function<void()> wake, std::fu
     : editor_(editor), published_(std::move(published)), lane_(std::move(wake)) {}
 
 void MeshPreviewer::forget() {
-  lane_.cancel(only);
+  lane_.cancel(only_mesh);
   object_.reset();
   editor_.meshing.job.reset();
   editor_.meshing.result.reset();
@@ -28,7 +28,7 @@ void MeshPreviewer::sync() {
     return;
   }
   if (meshing.stopped && meshing.job) {
-    lane_.cancel(only);
+    lane_.cancel(only_mesh);
     meshing.job.reset();
   }
   // Lengths are chosen when the panel is drawn for the first time.
@@ -41,7 +41,7 @@ void MeshPreviewer::sync() {
   const auto job = std::make_shared<const Job>(Job{"", true, CancelToken::make(), Progress::make()});
   meshing.job = job;
   lane_.submit(
-      only,
+      only_mesh,
       [this, job, object, settings = settings_,
        document = editor_.document()](const CancelToken& cancel) -> WorkLane::Publication {
         auto result = std::make_shared<const MeshingResult>(

@@ -17,6 +17,10 @@ add_compile_options(-ffp-contract=off)
 
 add_library(hariko_warnings INTERFACE)
 target_compile_options(hariko_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+if(HARIKO_UNITY)
+  # Files that are compiled together look like headers to this one.
+  target_compile_options(hariko_warnings INTERFACE -Wno-subobject-linkage)
+endif()
 
 # The checks left out are a sixth of the compile time, and what a null pointer does the address sanitizer tells as well.
 set(HARIKO_UNDEFINED_BEHAVIOUR -fno-sanitize=null,alignment,object-size,vptr -fno-sanitize-recover=undefined)

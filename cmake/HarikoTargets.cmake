@@ -1,8 +1,9 @@
 # What nearly every file includes, compiled once for libraries and once for test programs, whose flags differ.
-# The fuzzer build goes without: it shows where a file of core/ relies on what only this includes.
-set(HARIKO_PRECOMPILE OFF)
-if(NOT HARIKO_FUZZ)
-  set(HARIKO_PRECOMPILE ON)
+# The benchmarks' build goes without, and compiles every file alone: it shows where a file relies on what only others
+# include. (The fuzzers' compiler is another one.)
+set(HARIKO_PRECOMPILE ON)
+if(HARIKO_FUZZ OR HARIKO_BENCH)
+  set(HARIKO_PRECOMPILE OFF)
 endif()
 set(HARIKO_PRECOMPILED_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp")
 file(CONFIGURE OUTPUT "${HARIKO_PRECOMPILED_SOURCE}" CONTENT "")
@@ -55,6 +56,14 @@ function(hariko_precompile NAME USUAL INTERFACE)
   endif()
 endfunction()
 
+# Files that are compiled together share what they include and instantiate, and also their unnamed namespaces: names in
+# them have to differ within a folder.
+function(hariko_unity NAME)
+  if(HARIKO_UNITY)
+    set_target_properties(${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 # hariko_library(NAME FOLDERS folder... LINKS target...): a static library of every .cpp in the current folder and in
 # the folders given, not below. INTERFACE: nearly all of them include the editor.
 function(hariko_library NAME)
@@ -70,6 +79,7 @@ function(hariko_library NAME)
   target_include_directories(${NAME} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${NAME} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} hariko_warnings)
   hariko_precompile(${NAME} hariko_precompiled "${ARG_INTERFACE}")
+  hariko_unity(${NAME})
 endfunction()
 
 # hariko_test(NAME LABEL core|window LINKS target...): a GoogleTest program of every .cpp in the current folder.
@@ -87,6 +97,7 @@ function(hariko_test NAME)
   target_compile_definitions(${NAME} PRIVATE HARIKO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${NAME} PRIVATE ${ARG_LINKS} GTest::gtest_main hariko_warnings hariko_test_options)
   hariko_precompile(${NAME} hariko_precompiled_tests "${ARG_INTERFACE}")
+  hariko_unity(${NAME})
   gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
 endfunction()

@@ -30,7 +30,7 @@ float to_linear(std::uint8_t value) {
   return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
 }
 
-std::uint8_t from_linear(float x) {
+std::uint8_t byte_from_linear(float x) {
   const float encoded = x <= 0.0031308F ? 12.92F * x : 1.055F * std::pow(x, 1 / 2.4F) - 0.055F;
   return static_cast<std::uint8_t>(std::lround(std::clamp(encoded, 0.0F, 1.0F) * 255.0F));
 }
@@ -109,7 +109,7 @@ Image downsample(const Image& image, int factor) {
           alpha += weight;
         }
       std::uint8_t* to = out.pixel(x, y);
-      for (std::size_t c = 0; c < 3; ++c) to[c] = alpha > 0 ? from_linear(sum[c] / alpha) : 0;
+      for (std::size_t c = 0; c < 3; ++c) to[c] = alpha > 0 ? byte_from_linear(sum[c] / alpha) : 0;
       to[3] = static_cast<std::uint8_t>(std::lround(alpha * share * 255.0F));
     }
   return out;

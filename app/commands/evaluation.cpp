@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/ring_residual.hpp"
+#include "app/commands/vector_json.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/modeling/surface_input.hpp"
@@ -20,10 +21,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::array<double, 3>, 5> samples{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.6, 0.3, 0.1}, {0.1, 0.2, 0.7}}};
 
-Json to_json(const Vector3& v) {
-  return Json::array({v.x(), v.y(), v.z()});
-}
-
 const char* mode_name(Mode mode) {
   return mode == Mode::paper ? "paper" : mode == Mode::target ? "target" : mode == Mode::g2 ? "g2" : "fair";
 }
@@ -37,8 +34,8 @@ Json tangents_json(const Polyhedron& polyhedron, const Network& network) {
   };
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index a = mesh.origin(h), b = mesh.target(h);
-    out[name(a, b)] = to_json(network.start[h]);
-    if (mesh.twin(h) == no_index) out[name(b, a)] = to_json(network.end[h]);
+    out[name(a, b)] = vector_json(network.start[h]);
+    if (mesh.twin(h) == no_index) out[name(b, a)] = vector_json(network.end[h]);
   }
   return out;
 }
@@ -58,13 +55,13 @@ Json faces_json(const Polyhedron& polyhedron, const Surface& surface, const Quar
       vertices.push_back(polyhedron.vertex_id(mesh.origin(h)).value);
       if (!quartics) continue;
       const auto& d = quartics->patch(h).control;
-      at_centre.push_back(to_json(tangent_from(d[quartic::d400], d[quartic::d310])));
-      at_vertex.push_back(to_json(tangent_from(d[quartic::d040], d[quartic::d130])));
+      at_centre.push_back(vector_json(tangent_from(d[quartic::d400], d[quartic::d310])));
+      at_vertex.push_back(vector_json(tangent_from(d[quartic::d040], d[quartic::d130])));
     }
     const Vector3 centre =
         surface.origin() +
         surface.patches().evaluate(mesh.face_begin(f), Vector2(0, 0), Order::first).position;
-    Json face = {{"vertices", vertices}, {"O", to_json(centre)}};
+    Json face = {{"vertices", vertices}, {"O", vector_json(centre)}};
     if (quartics) {
       face["Y"] = at_centre;
       face["split_tangents"] = at_vertex;
@@ -80,11 +77,11 @@ Json patches_json(const HalfEdgeMesh& mesh, const Surface& surface, const Quarti
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     Json control = Json::array(), points = Json::array(), normals = Json::array();
     if (quartics)
-      for (const Vector3& d : quartics->patch(h).control) control.push_back(to_json(origin + d));
+      for (const Vector3& d : quartics->patch(h).control) control.push_back(vector_json(origin + d));
     for (const auto& uvw : samples) {
       const Vector2 parameter(uvw[1], uvw[2]);
-      points.push_back(to_json(origin + surface.patches().evaluate(h, parameter, Order::first).position));
-      normals.push_back(to_json(surface.normal(h, parameter)));
+      points.push_back(vector_json(origin + surface.patches().evaluate(h, parameter, Order::first).position));
+      normals.push_back(vector_json(surface.normal(h, parameter)));
     }
     Json patch = {{"face", mesh.face(h)}, {"side", h - mesh.face_begin(mesh.face(h))}};
     if (quartics) patch["D"] = control;

@@ -1,4 +1,5 @@
 #include "app/commands/patch_evaluation.hpp"
+#include "app/commands/vector_json.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,10 +21,6 @@ using Json = nlohmann::ordered_json;
 /// Corners, the middle, a point on a side, and two beside the diagonals.
 constexpr std::array<std::array<double, 2>, 8> samples{
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.5, 0}, {0.25, 0.5}, {0.7, 0.2}}};
-
-Json to_json(const Vector3& v) {
-  return Json::array({v.x(), v.y(), v.z()});
-}
 
 /// How a patch of the source is written down, and whether the surface has its parameters swapped.
 struct WrittenPatch {
@@ -49,9 +46,9 @@ Json patch_json(const Surface& surface, Index patch, const WrittenPatch& written
   for (const auto& [s, t] : samples) {
     const Vector2 parameter = written.flipped ? Vector2(t, s) : Vector2(s, t);
     const PatchPoint at = surface.patches().evaluate(patch, parameter, Order::second);
-    points.push_back(to_json(surface.origin() + at.position));
+    points.push_back(vector_json(surface.origin() + at.position));
     const Vector3 normal = surface.normal(patch, parameter);
-    normals.push_back(normal.isZero(0) ? Json(nullptr) : to_json(normal));
+    normals.push_back(normal.isZero(0) ? Json(nullptr) : vector_json(normal));
     const auto bent = curvature(at);
     gauss.push_back(bent ? Json(bent->gauss) : Json(nullptr));
     mean.push_back(bent ? Json(bent->mean) : Json(nullptr));

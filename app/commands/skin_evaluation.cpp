@@ -1,4 +1,5 @@
 #include "app/commands/skin_evaluation.hpp"
+#include "app/commands/vector_json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,10 +12,6 @@ namespace hariko {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const Vector3& v) {
-  return Json::array({v.x(), v.y(), v.z()});
-}
 
 Json figures_json(const SkinMesh& mesh) {
   const ControlMeshFigures got = figures(mesh.control.mesh);
@@ -37,7 +34,7 @@ Json figures_json(const SkinMesh& mesh) {
 
 void add_control_mesh(const ControlMesh& control, Json& out) {
   Json points = Json::array(), faces = Json::array(), creases = Json::array(), corners = Json::array();
-  for (const Vector3& p : control.mesh.positions) points.push_back(to_json(p));
+  for (const Vector3& p : control.mesh.positions) points.push_back(vector_json(p));
   for (std::size_t f = 0; f < control.mesh.face_count(); ++f) {
     Json face = Json::array();
     for (const Index v : control.mesh.face(f)) face.push_back(v);
@@ -74,9 +71,9 @@ Json samples_json(const Surface& surface) {
     if (node == no_index) continue;
     const Vector3& normal = surface.node_normal(node);
     out.push_back({{"vertex", v},
-                   {"control", to_json(patches.control_points()[v])},
-                   {"limit", to_json(patches.limit_position(v))},
-                   {"normal", normal.isZero(0) ? Json(nullptr) : to_json(normal)}});
+                   {"control", vector_json(patches.control_points()[v])},
+                   {"limit", vector_json(patches.limit_position(v))},
+                   {"normal", normal.isZero(0) ? Json(nullptr) : vector_json(normal)}});
   }
   return out;
 }

@@ -1,4 +1,5 @@
 #include "app/commands/solids_evaluation.hpp"
+#include "app/commands/vector_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,10 +11,6 @@ namespace hariko {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const Vector3& v) {
-  return Json::array({v.x(), v.y(), v.z()});
-}
 
 /// (w x, w y, w z, w) of a control point, about the document's origin.
 Json to_json(const Homogeneous& h, const Vector3& origin) {
@@ -30,8 +27,8 @@ void add_network(const CurveNetwork& network, const EnvelopeSurface& made, const
                  Json& out) {
   Json vertices = Json::array(), edges = Json::array(), faces = Json::array();
   for (const CageVertex& v : network.cage.vertices)
-    vertices.push_back({{"position", to_json(Vector3(v.position + made.origin))},
-                        {"normal", to_json(v.normal)},
+    vertices.push_back({{"position", vector_json(Vector3(v.position + made.origin))},
+                        {"normal", vector_json(v.normal)},
                         {"owner", owner(v.solid, scene)}});
   for (const NetworkCurve& curve : network.curves) {
     Json control = Json::array();

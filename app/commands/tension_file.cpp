@@ -10,13 +10,11 @@ namespace hariko {
 
 namespace {
 
-using Json = nlohmann::json;
-
 class Reader {
  public:
   Reader(const Polyhedron& polyhedron, Shaping& shaping) : polyhedron_(polyhedron), shaping_(shaping) {}
 
-  std::optional<Message> read(const Json& file) {
+  std::optional<Message> read(const nlohmann::json& file) {
     if (!file.is_object()) return error("The tension file is not a JSON object.");
     for (const auto& [key, value] : file.items()) {
       std::optional<Message> failed;
@@ -44,7 +42,7 @@ class Reader {
     const auto [stop, status] = std::from_chars(text.data(), end, id.value);
     return status == std::errc() && stop == end ? std::optional(id) : std::nullopt;
   }
-  std::optional<VertexId> vertex(const Json& value) const {
+  std::optional<VertexId> vertex(const nlohmann::json& value) const {
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= no_index) return std::nullopt;
     const VertexId id{value.get<std::uint32_t>()};
     return known(id) ? std::optional(id) : std::nullopt;
@@ -52,7 +50,7 @@ class Reader {
   bool known(VertexId id) const { return polyhedron_.find(id) != no_index; }
   bool known(EdgeId id) const { return polyhedron_.find(id) != no_index; }
 
-  std::optional<Message> read_numbers(const std::string& member, const Json& values) {
+  std::optional<Message> read_numbers(const std::string& member, const nlohmann::json& values) {
     if (!values.is_object()) return error("\"" + member + "\" of the tension file is not an object.");
     for (const auto& [key, value] : values.items()) {
       const std::string name = "\"" + member + "\": {\"" + printable(key, 60) + "\"} of the tension file";
@@ -74,10 +72,10 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Message> read_creases(const Json& values) {
+  std::optional<Message> read_creases(const nlohmann::json& values) {
     if (!values.is_array()) return error("\"crease\" of the tension file is not an array.");
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const Json& pair = values[i];
+      const nlohmann::json& pair = values[i];
       const auto a = pair.is_array() && pair.size() == 2 ? vertex(pair[0]) : std::nullopt;
       const auto b = a ? vertex(pair[1]) : std::nullopt;
       if (!b || *a == *b || !known(EdgeId::of(*a, *b)))
@@ -88,7 +86,7 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Message> read_tags(const std::string& member, const Json& values) {
+  std::optional<Message> read_tags(const std::string& member, const nlohmann::json& values) {
     if (!values.is_array()) return error("\"" + member + "\" of the tension file is not an array.");
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto id = vertex(values[i]);
@@ -107,7 +105,7 @@ class Reader {
 }  // namespace
 
 Result<Shaping> read_tensions(std::string_view text, const Polyhedron& polyhedron, Shaping shaping) {
-  const Json file = Json::parse(text, nullptr, false);
+  const nlohmann::json file = nlohmann::json::parse(text, nullptr, false);
   if (file.is_discarded())
     return make_error(e_tension_file, "The tension file is not JSON.",
                       "Check that it is complete and saved as text.");

@@ -158,9 +158,9 @@ void open_layout(const std::filesystem::path& file, JsonKind kind, OpenedFile& o
 }
 
 /// What was read of a file that the user does not want any more.
-OpenedFile cancelled() {
+OpenedFile cancelled_file() {
   OpenedFile opened;
-  opened.messages.push_back(make_error(e_cancelled, "The import was cancelled."));
+  opened.messages.push_back(make_error(e_cancelled, "The import was cancelled_file."));
   return opened;
 }
 
@@ -239,11 +239,11 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
   if (!check_name(opened.name).ok()) opened.name = "mesh";
   if (format_of_extension(file)) {
     open_mesh(file, cancel, progress, opened);
-    return cancel.cancelled() ? cancelled() : std::move(opened);
+    return cancel.cancelled() ? cancelled_file() : std::move(opened);
   }
   if (cad_format_of(file)) {
     take(open_cad(file, opened.name, cancel, progress), opened);
-    return cancel.cancelled() ? cancelled() : std::move(opened);
+    return cancel.cancelled() ? cancelled_file() : std::move(opened);
   }
   const auto holds = content_of(file);
   if (!holds.ok()) {
@@ -260,7 +260,7 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
   }
   opened.native = true;
   auto document = load_document(file);
-  if (cancel.cancelled()) return cancelled();
+  if (cancel.cancelled()) return cancelled_file();
   if (document.ok())
     opened.document = std::move(document).value();
   else

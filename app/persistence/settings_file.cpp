@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t largest_file = 1 << 20;  // bytes
+constexpr std::uint64_t largest_settings = 1 << 20;  // bytes
 constexpr const char *exports_member = "exports", *cad_member = "cad", *picture_member = "picture",
                      *drawing_member = "drawing";
 
@@ -286,7 +286,7 @@ Settings settings_of(std::string_view text) {
 
 SettingsFile::Loaded SettingsFile::load() {
   Loaded loaded;
-  const auto text = read_file(file_, largest_file);
+  const auto text = read_file(file_, largest_settings);
   if (!text) {
     std::error_code unknown;
     if (fs::exists(file_, unknown)) loaded.problems.push_back(text.error());

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double most_turn = 0.61;   ///< 35 degrees: of a facet's normal in one collapse
 constexpr double long_edges = 1e-6;  ///< what a squared length counts beside a squared distance
-constexpr std::size_t points_per_task = 256;
+constexpr std::size_t elements_per_task = 256;
 /// The collapses look at points only; where the certain check finds more, they are done again within less.
 constexpr std::array<double, 6> narrowings{1, 0.97, 0.9, 0.8, 0.6, 0.3};
 
@@ -307,11 +307,11 @@ void measure(const DenseMesh& dense, const Brightness& brightness, bool luminanc
   const TriangleTree tree(p, triangles);
   const std::size_t count = dense.sample_count();
   std::vector<TriangleTree::Nearest> nearest(count);
-  parallel_for(count, points_per_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, elements_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) nearest[s] = tree.nearest(dense.sample(Index(s)));
   });
   std::vector<double> back(triangles.size());
-  parallel_for(triangles.size(), points_per_task, [&](std::size_t begin, std::size_t end) {
+  parallel_for(triangles.size(), elements_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
       const Vector3 &a = p[triangles[f][0]], &b = p[triangles[f][1]], &c = p[triangles[f][2]];
       for (const Vector3& q :

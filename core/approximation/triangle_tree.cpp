@@ -9,7 +9,7 @@ namespace {
 
 constexpr Index leaf_size = 4;
 /// Halves of halves: more levels than indices have bits do not occur.
-constexpr std::size_t deepest = 64;
+constexpr std::size_t deepest_tree = 64;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3& point, double limit) 
   Nearest best;
   if (nodes_.empty()) return best;
   double square = limit * limit;
-  std::array<std::pair<Index, double>, deepest> stack;
+  std::array<std::pair<Index, double>, deepest_tree> stack;
   std::size_t size = 0;
   stack[size++] = {0, nodes_[0].box.squaredExteriorDistance(point)};
   while (size > 0) {

@@ -16,4 +16,9 @@ using Matrix3 = Eigen::Matrix3d;
 using Index = std::uint32_t;
 inline constexpr Index no_index = 0xffffffffU;
 
+/// What turns `a` to `b`, counted counter-clockwise: |a| |b| sin of the angle.
+inline double cross(const Vector2& a, const Vector2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 }  // namespace hariko

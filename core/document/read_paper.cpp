@@ -10,7 +10,6 @@ namespace hariko::detail {
 
 namespace {
 
-constexpr std::uint32_t max_id = no_index - 1;
 constexpr std::uint32_t max_pages = 100'000;
 
 class PaperReader {

@@ -13,7 +13,6 @@ namespace hariko::detail {
 
 namespace {
 
-constexpr std::uint32_t max_id = 0xfffffffeU;
 constexpr std::uint32_t max_count = 100'000;
 
 std::vector<Vector3> read_points(JsonReader& reader, const JsonCursor& list) {

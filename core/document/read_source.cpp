@@ -13,8 +13,6 @@
 namespace hariko::detail {
 namespace {
 
-constexpr std::uint32_t max_id = no_index - 1;
-
 bool is_known(std::string_view name, Names known) {
   return std::find(known.begin(), known.end(), name) != known.end();
 }

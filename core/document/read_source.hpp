@@ -10,6 +10,9 @@
 
 namespace hariko::detail {
 
+/// Of ids in files.
+inline constexpr std::uint32_t max_id = no_index - 1;
+
 /// `text` is the whole file, of which unknown parts are kept.
 std::optional<Source> read_source(JsonReader& reader, const JsonCursor& at, std::string_view text);
 

@@ -14,10 +14,6 @@ int bin_count(double length) {
   return std::clamp(int(std::ceil(length / bin_size)), 1, most_bins);
 }
 
-double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 }  // namespace
 
 PageOcclusion::PageOcclusion(const DrawingView& view)

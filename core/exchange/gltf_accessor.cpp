@@ -4,11 +4,10 @@
 #include <bit>
 
 #include "core/exchange/imported_mesh.hpp"
+#include "core/exchange/remedies.hpp"
 
 namespace hariko {
 namespace {
-
-constexpr const char* remedy_correct = "Correct the file, or export it again.";
 
 std::uint32_t unsigned_at(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint32_t value = 0;

@@ -6,6 +6,7 @@
 
 #include "core/base/file_uri.hpp"
 #include "core/exchange/imported_mesh.hpp"
+#include "core/exchange/remedies.hpp"
 #include "core/exchange/text_scanner.hpp"
 
 namespace hariko {
@@ -14,9 +15,7 @@ namespace {
 // Numbers of the glTF 2.0 specification, section 4 (GLB).
 constexpr std::string_view magic = "glTF";
 constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
-constexpr std::size_t header_size = 12, chunk_header_size = 8;
 constexpr const char* remedy_cut = "The file was cut off: copy or export it again.";
-constexpr const char* remedy_correct = "Correct the file, or export it again.";
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -74,7 +73,7 @@ bool looks_like_glb(std::string_view bytes) {
 Result<GltfChunks> gltf_chunks(std::string_view bytes) {
   if (bytes.empty()) return make_error(e_empty, "The file is empty.", "Export the file again.");
   if (!looks_like_glb(bytes)) return GltfChunks{bytes, {}};
-  if (bytes.size() < header_size + chunk_header_size) return truncated(bytes.size(), "its header");
+  if (bytes.size() < glb_header_size + glb_chunk_header_size) return truncated(bytes.size(), "its header");
   if (const std::uint32_t version = word_at(bytes, 4); version != 2)
     return make_error(e_format_unknown,
                       "This is version " + std::to_string(version) + " of glTF, and only version 2 is read.",
@@ -86,17 +85,17 @@ Result<GltfChunks> gltf_chunks(std::string_view bytes) {
                           std::to_string(length) + " bytes.",
                       remedy_cut);
   std::string_view rest = bytes.substr(0, length);
-  if (rest.size() < header_size + chunk_header_size)
+  if (rest.size() < glb_header_size + glb_chunk_header_size)
     return make_error(e_parse, "Byte 8: The length of the file is too small.", remedy_correct);
-  rest.remove_prefix(header_size);
+  rest.remove_prefix(glb_header_size);
   GltfChunks chunks;
   bool first = true;
-  while (rest.size() >= chunk_header_size) {
+  while (rest.size() >= glb_chunk_header_size) {
     const std::uint32_t size = word_at(rest, 0), kind = word_at(rest, 4);
     if (first != (kind == json_chunk))
       return make_error(e_parse, "The first part of the file, and no other, must be its description in JSON.",
                         remedy_correct);
-    rest.remove_prefix(chunk_header_size);
+    rest.remove_prefix(glb_chunk_header_size);
     if (size > rest.size()) return truncated(bytes.size(), first ? "its description" : "its binary data");
     if (first) chunks.json = rest.substr(0, size);
     if (kind == binary_chunk && !chunks.binary) chunks.binary = rest.substr(0, size);

@@ -10,6 +10,9 @@
 
 namespace hariko {
 
+/// Bytes before the first chunk of the binary form, and before the content of each.
+inline constexpr std::size_t glb_header_size = 12, glb_chunk_header_size = 8;
+
 struct GltfChunks {
   std::string_view json;
   std::optional<std::string_view> binary;  ///< of the binary form only, and not always there

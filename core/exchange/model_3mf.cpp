@@ -5,13 +5,13 @@
 
 #include "core/base/printable.hpp"
 #include "core/exchange/number_text.hpp"
+#include "core/exchange/remedies.hpp"
 #include "core/exchange/text_scanner.hpp"
 #include "core/exchange/xml_reader.hpp"
 
 namespace hariko {
 namespace {
 
-constexpr const char* remedy_reduce = "Reduce the model before importing it.";
 constexpr std::size_t max_objects = 1'000'000;
 
 constexpr std::string_view core_namespace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/exchange/model_3mf.hpp"
+#include "core/exchange/remedies.hpp"
 #include "core/exchange/scene_collector.hpp"
 #include "core/exchange/text_scanner.hpp"
 #include "core/exchange/xml_reader.hpp"
@@ -18,7 +19,6 @@
 namespace hariko {
 namespace {
 
-constexpr const char* remedy_correct = "Correct the file, or export it again.";
 constexpr const char* usual_part = "3D/3dmodel.model";
 constexpr const char* relationships_part = "_rels/.rels";
 constexpr std::string_view model_relationship =

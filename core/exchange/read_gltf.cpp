@@ -12,6 +12,7 @@
 #include "core/exchange/gltf_container.hpp"
 #include "core/exchange/gltf_fields.hpp"
 #include "core/exchange/point_welder.hpp"
+#include "core/exchange/remedies.hpp"
 #include "core/exchange/scene_collector.hpp"
 #include "core/exchange/text_scanner.hpp"
 
@@ -20,7 +21,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* remedy_correct = "Correct the file, or export it again.";
 constexpr double millimetres_per_metre = 1000;
 
 // A value takes at least two characters and about fifty times its text in memory.

@@ -4,13 +4,13 @@
 #include <optional>
 
 #include "core/exchange/number_text.hpp"
+#include "core/exchange/remedies.hpp"
 #include "core/exchange/text_scanner.hpp"
 
 namespace hariko {
 namespace {
 
-constexpr const char* remedy_correct = "Correct the line, or export the file again.";
-constexpr const char* remedy_reduce = "Reduce the model before importing it.";
+constexpr const char* remedy_line = "Correct the line, or export the file again.";
 
 bool is_keyword(std::string_view word) {
   if (!word.ends_with("OFF")) return false;
@@ -85,16 +85,14 @@ std::optional<Message> OffReader::read_header() {
 
 std::optional<Message> OffReader::read_counts(std::string_view first) {
   if (parse_integer(first, vertex_count_) != NumberStatus::ok)
-    return scanner_.error_here(e_parse,
-                               "The number of vertices should stand here, but here is " + quote(first) + ".",
-                               remedy_correct);
+    return scanner_.error_here(
+        e_parse, "The number of vertices should stand here, but here is " + quote(first) + ".", remedy_line);
   if (vertex_count_ < 0)
-    return scanner_.error_here(e_parse, "The number of vertices is negative.", remedy_correct);
+    return scanner_.error_here(e_parse, "The number of vertices is negative.", remedy_line);
   if (vertex_count_ > static_cast<std::int64_t>(limits_.vertices))
     return promises_too_much("vertices", vertex_count_);
   if (auto error = scanner_.read_integer("number of faces", face_count_)) return error;
-  if (face_count_ < 0)
-    return scanner_.error_here(e_parse, "The number of faces is negative.", remedy_correct);
+  if (face_count_ < 0) return scanner_.error_here(e_parse, "The number of faces is negative.", remedy_line);
   if (face_count_ > static_cast<std::int64_t>(limits_.corners))
     return promises_too_much("faces", face_count_);
   // The number of edges may follow; nobody needs it and many writers put 0.
@@ -102,9 +100,9 @@ std::optional<Message> OffReader::read_counts(std::string_view first) {
   std::int64_t ignored = 0;
   if (!edges.empty() && parse_integer(edges, ignored) != NumberStatus::ok)
     return scanner_.error_here(
-        e_parse, "The number of edges should stand here, but here is " + quote(edges) + ".", remedy_correct);
+        e_parse, "The number of edges should stand here, but here is " + quote(edges) + ".", remedy_line);
   if (!scanner_.token().empty())
-    return scanner_.error_here(e_parse, "After the three counts stands something else.", remedy_correct);
+    return scanner_.error_here(e_parse, "After the three counts stands something else.", remedy_line);
   scanner_.next_line();
   return {};
 }
@@ -122,7 +120,7 @@ std::optional<Message> OffReader::read_vertices() {
       double ignored = 0;
       if (parse_real(extra, ignored) == NumberStatus::malformed)
         return scanner_.error_here(
-            e_parse, "After a vertex come only numbers, but here is " + quote(extra) + ".", remedy_correct);
+            e_parse, "After a vertex come only numbers, but here is " + quote(extra) + ".", remedy_line);
     }
     out_.mesh.positions.push_back(point);
     scanner_.next_line();
@@ -133,7 +131,7 @@ std::optional<Message> OffReader::read_vertices() {
 std::optional<Message> OffReader::read_face() {
   std::int64_t corners = 0;
   if (auto error = scanner_.read_integer("number of corners", corners)) return error;
-  if (corners < 0) return scanner_.error_here(e_parse, "The number of corners is negative.", remedy_correct);
+  if (corners < 0) return scanner_.error_here(e_parse, "The number of corners is negative.", remedy_line);
   for (std::int64_t c = 0; c < corners; ++c) {
     std::int64_t index = 0;
     if (auto error = scanner_.read_integer("vertex of a corner", index)) return error;
@@ -141,7 +139,7 @@ std::optional<Message> OffReader::read_face() {
       return scanner_.error_here(e_index_range,
                                  "The face names vertex " + std::to_string(index) + ", but the file has " +
                                      std::to_string(vertex_count_) + " vertices, counted from 0.",
-                                 remedy_correct);
+                                 remedy_line);
     if (out_.mesh.face_vertices.size() == limits_.corners)
       return scanner_.error_here(
           e_limit, "The faces have more than " + std::to_string(limits_.corners) + " corners together.",

@@ -9,13 +9,12 @@
 
 #include "core/exchange/number_text.hpp"
 #include "core/exchange/ply_header.hpp"
+#include "core/exchange/remedies.hpp"
 #include "core/exchange/text_scanner.hpp"
 
 namespace hariko {
 namespace {
 
-constexpr const char* remedy_correct = "Correct the file, or export it again.";
-constexpr const char* remedy_reduce = "Reduce the model before importing it.";
 constexpr const char* remedy_cut = "The file was cut off: copy or export it again.";
 
 /// Numbers of a binary file, one after the other.

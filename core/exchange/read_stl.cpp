@@ -8,6 +8,7 @@
 
 #include "core/base/printable.hpp"
 #include "core/exchange/point_welder.hpp"
+#include "core/exchange/remedies.hpp"
 #include "core/exchange/text_scanner.hpp"
 
 namespace hariko {
@@ -16,8 +17,6 @@ namespace {
 constexpr std::size_t header_size = 80;
 constexpr std::size_t facet_size = 50;  // 12 floats and 2 bytes of attributes
 constexpr int corner_size = 12;         // 3 floats
-constexpr const char* remedy_correct = "Correct the file, or export it again.";
-constexpr const char* remedy_reduce = "Reduce the model before importing it.";
 constexpr const char* remedy_cut = "The file was cut off: copy or export it again.";
 
 std::uint32_t little_endian_32(const char* bytes) {

@@ -1,4 +1,5 @@
 #include "core/exchange/scene_collector.hpp"
+#include "core/exchange/remedies.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace hariko {
 namespace {
 
 constexpr std::uint64_t always_accepted = 20'000'000;
-constexpr const char* remedy_reduce = "Reduce the model before importing it.";
 
 void place(PolygonMesh& mesh, const Placement& placement) {
   if (placement.is_same()) return;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/exchange/file_space.hpp"
+#include "core/exchange/gltf_container.hpp"
 #include "core/exchange/single_normals.hpp"
 #include "core/exchange/triangulate.hpp"
 #include "core/exchange/write_mesh.hpp"
@@ -20,7 +21,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr int float_component = 5126, index_component = 5125;
 constexpr int vertex_buffer = 34962, index_buffer = 34963;
-constexpr std::size_t header_size = 12, chunk_header_size = 8;
 
 void append_word(std::string& out, std::uint32_t word) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>((word >> (8 * i)) & 0xffU);
@@ -85,8 +85,8 @@ class GltfWriter {
     }
     std::string text = root_object().dump(-1, ' ', false, Json::error_handler_t::replace);
     while (text.size() % 4 != 0) text += ' ';
-    const std::size_t binary = nodes_.empty() ? 0 : chunk_header_size + binary_.size();
-    const std::size_t total = header_size + chunk_header_size + text.size() + binary;
+    const std::size_t binary = nodes_.empty() ? 0 : glb_chunk_header_size + binary_.size();
+    const std::size_t total = glb_header_size + glb_chunk_header_size + text.size() + binary;
     if (total > 0xffffffffU)
       return make_error(e_limit, "A glTF file has at most 4 GB.", "Choose a larger tolerance.");
     std::string out;

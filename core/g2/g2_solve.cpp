@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t face_grain = 32;
+constexpr std::size_t product_grain = 32;  ///< faces a task
 constexpr std::size_t unknown_grain = 2048;
 
 template <class Value>
@@ -147,7 +147,7 @@ class G2System::Restricted {
   /// body(face, first slot, slots, room for one face's vector)
   template <class Body>
   void for_faces(const Body& body) const {
-    parallel_for(region_.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(region_.faces.size(), product_grain, [&](std::size_t begin, std::size_t end) {
       Field room;
       for (std::size_t k = begin; k < end; ++k) {
         const std::size_t first = region_.first_slot[k], count = region_.first_slot[k + 1] - first;

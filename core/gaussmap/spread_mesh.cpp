@@ -90,7 +90,6 @@ class FlatStar {
   struct Side {
     Vector2 from, to;
   };
-  static double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
   Vector3 u_, w_;
   std::vector<Side> sides_;
 };

@@ -135,9 +135,7 @@ std::optional<Message> check_ends(std::vector<VertexId> a, std::vector<VertexId>
 Result<Modeled> finished(MeshDraft draft, const Ends& ends) {
   // A cross edge that exists already would get more than two faces.
   ElementSet selection = add_strip(draft, ends);
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 std::vector<VertexId> reversed(std::span<const VertexId> loop) {

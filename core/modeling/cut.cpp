@@ -40,12 +40,6 @@ bool split_between(MeshDraft& draft, FaceId face, VertexId a, VertexId b) {
   return true;
 }
 
-Result<Modeled> finished(MeshDraft draft, ElementSet selection) {
-  Result<PolyhedronSource> result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
-}
-
 /// Puts the points of a path into the draft; points of one edge in the order in which they lie on it.
 Result<std::vector<VertexId>> place_path(MeshDraft& draft, const PolyhedronSource& source,
                                          std::span<const CutPoint> path) {
@@ -123,7 +117,7 @@ Result<Modeled> connect_points(const PolyhedronSource& source, std::span<const V
   if (selection.edges.empty())
     return make_error(e_wrong_selection, "No two of the points can be joined by a line inside a face.",
                       "Select points that lie on a common face and are not joined yet.");
-  return finished(std::move(draft), std::move(selection));
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path) {
@@ -146,7 +140,7 @@ Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoin
   }
   if (selection.edges.empty())
     return make_error(e_nothing_selected, "All points of the cut are the same.", "Click two points or more.");
-  return finished(std::move(draft), std::move(selection));
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId a, VertexId b) {
@@ -160,7 +154,7 @@ Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId
     return make_error(e_wrong_selection, "The face cannot be split between these two vertices.",
                       "Select two corners of the face that are not joined, with a clear line between them.",
                       element_of(face));
-  return finished(std::move(draft), {{}, {EdgeId::of(a, b)}, {}});
+  return std::move(draft).finish({{}, {EdgeId::of(a, b)}, {}});
 }
 
 }  // namespace hariko

@@ -58,9 +58,7 @@ Result<Modeled> cut_faces(const PolyhedronSource& source, std::span<const FaceId
     if (pieces->size() > 1) replace_face(draft, face, *pieces, selection);
   }
   if (selection.empty()) return make_error(e_wrong_selection, nothing, "Select other faces.");
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 }  // namespace

@@ -12,9 +12,7 @@ namespace {
 Result<Modeled> without_faces(const PolyhedronSource& source, const std::set<Index>& faces) {
   MeshDraft draft(source);
   for (const Index f : faces) draft.remove_face(source.polyhedron.face_id(f));
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), {}};
+  return std::move(draft).finish({});
 }
 
 }  // namespace

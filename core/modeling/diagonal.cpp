@@ -10,10 +10,6 @@
 namespace hariko {
 namespace {
 
-double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
   const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
   const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);

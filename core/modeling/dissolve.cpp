@@ -119,13 +119,6 @@ std::optional<Message> join_groups(const Polyhedron& polyhedron, DisjointSets& g
   return std::nullopt;
 }
 
-/// Errors of the draft; a selection of faces that are still there.
-Result<Modeled> finished(MeshDraft draft, ElementSet selection) {
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
-}
-
 }  // namespace
 
 Result<Modeled> dissolve_vertices(const PolyhedronSource& source, std::span<const VertexId> vertices) {
@@ -149,7 +142,7 @@ Result<Modeled> dissolve_vertices(const PolyhedronSource& source, std::span<cons
     if (auto failed = cannot_drop(draft, id)) return *std::move(failed);
     drop_vertex(draft, id);
   }
-  return finished(std::move(draft), std::move(selection));
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Modeled> dissolve_edges(const PolyhedronSource& source, std::span<const EdgeId> edges) {
@@ -175,7 +168,7 @@ Result<Modeled> dissolve_edges(const PolyhedronSource& source, std::span<const E
     const VertexId id = source.polyhedron.vertex_id(v);
     if (mesh.valence(v) > 2 && has_two_edges(draft, id) && !cannot_drop(draft, id)) drop_vertex(draft, id);
   }
-  return finished(std::move(draft), std::move(selection));
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Modeled> dissolve_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
@@ -198,7 +191,7 @@ Result<Modeled> dissolve_faces(const PolyhedronSource& source, std::span<const F
   MeshDraft draft(source);
   ElementSet selection;
   if (auto failed = join_groups(source.polyhedron, groups, draft, selection)) return *std::move(failed);
-  return finished(std::move(draft), std::move(selection));
+  return std::move(draft).finish(std::move(selection));
 }
 
 }  // namespace hariko

@@ -19,4 +19,10 @@ struct ElementSet {
   friend bool operator==(const ElementSet&, const ElementSet&) = default;
 };
 
+/// Ascending, as most operations take them.
+template <class Id>
+std::vector<Id> list_of(const std::set<Id>& ids) {
+  return {ids.begin(), ids.end()};
+}
+
 }  // namespace hariko

@@ -30,9 +30,7 @@ Result<Modeled> fill_holes(const PolyhedronSource& source, std::span<const EdgeI
     }
     selection.faces.insert(draft.add_face(std::move(corners)));
   }
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 }  // namespace hariko

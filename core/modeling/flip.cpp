@@ -41,9 +41,7 @@ Result<Modeled> flip_faces(const PolyhedronSource& source, std::span<const FaceI
     if (inside[mesh.face(mesh.outgoing(v))])
       shaping.pin.set(id, {Pin::Kind::normal, {Vector3(-pin->vectors[0])}});
   }
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 }  // namespace hariko

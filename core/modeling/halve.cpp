@@ -72,9 +72,7 @@ Result<Modeled> halved(const PolyhedronSource& source, const Mirror& mirror) {
     else
       draft.set_face(id, *std::move(part));
   }
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), {}};
+  return std::move(draft).finish({});
 }
 
 }  // namespace hariko

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/modeling/modeled.hpp"
 #include "core/modeling/shaping_cleanup.hpp"
 #include "core/polyhedron/validation.hpp"
 
@@ -254,6 +253,12 @@ Result<PolyhedronSource> MeshDraft::finish() && {
   drop_attachments(out);
   if (!(shaping == *out.shaping)) out.shaping = std::move(shaping);
   return out;
+}
+
+Result<Modeled> MeshDraft::finish(ElementSet selection) && {
+  Result<PolyhedronSource> source = std::move(*this).finish();
+  if (!source) return source.error();
+  return Modeled{std::move(source).value(), std::move(selection)};
 }
 
 }  // namespace hariko

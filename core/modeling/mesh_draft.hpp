@@ -10,6 +10,7 @@
 #include "core/base/ids.hpp"
 #include "core/base/result.hpp"
 #include "core/document/source.hpp"
+#include "core/modeling/modeled.hpp"
 
 namespace hariko {
 
@@ -65,6 +66,8 @@ class MeshDraft {
   /// and become a pinned tangent plane. Errors: E_WOULD_BE_NONMANIFOLD, E_NO_FACES, E_NONFINITE,
   /// E_TOO_MANY_ELEMENTS.
   Result<PolyhedronSource> finish() &&;
+  /// The same with the elements that the designer goes on with.
+  Result<Modeled> finish(ElementSet selection) &&;
 
  private:
   struct Vertex {

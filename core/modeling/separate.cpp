@@ -53,9 +53,7 @@ Result<Modeled> duplicate_faces(const PolyhedronSource& source, std::span<const 
     selection.faces.insert(draft.add_face(corners));
     inherit_sides(draft, old, corners);
   }
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Modeled> separate_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
@@ -85,9 +83,7 @@ Result<Modeled> separate_faces(const PolyhedronSource& source, std::span<const F
   if (copies.empty())
     return make_error(e_wrong_selection, "The faces are a part of their own already.",
                       "Select some faces of a part.");
-  auto result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Detached> detach_faces(const Document& document, ObjectId object, std::span<const FaceId> faces) {

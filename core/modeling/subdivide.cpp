@@ -29,9 +29,7 @@ Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const 
     const auto points = add_edge_points(draft, edge.low, edge.high, shares);
     selection.vertices.insert(points.begin(), points.end());
   }
-  Result<PolyhedronSource> result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
@@ -63,9 +61,7 @@ Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const 
       selection.faces.insert(id);
     }
   }
-  Result<PolyhedronSource> result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
@@ -87,9 +83,7 @@ Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceI
     }
     selection.vertices.insert(centre);
   }
-  Result<PolyhedronSource> result = std::move(draft).finish();
-  if (!result) return result.error();
-  return Modeled{std::move(result).value(), std::move(selection)};
+  return std::move(draft).finish(std::move(selection));
 }
 
 }  // namespace hariko

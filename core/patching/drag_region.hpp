@@ -9,6 +9,9 @@
 
 namespace hariko {
 
+/// Patches and faces that feel less of a displacement than this share are not kept in a response.
+inline constexpr double negligible_share = 1e-11;
+
 struct Neighbourhood {
   std::vector<Index> faces, vertices;  ///< ascending
 };

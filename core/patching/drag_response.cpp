@@ -9,8 +9,6 @@ namespace {
 
 /// Rings of faces to solve in: 0.27^16 is 8e-10, of a displacement that is a part of the object's size.
 constexpr int ring_count = 16;
-/// Patches that feel less of a displacement than this share are not kept in a response.
-constexpr double negligible_share = 1e-11;
 constexpr double response_tolerance = 1e-10;
 constexpr int steps_a_frame = 10;
 

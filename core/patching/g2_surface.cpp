@@ -10,13 +10,11 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t face_grain = 64;
+constexpr std::size_t g2_face_grain = 64;
 /// Rings of faces to solve in: 0.27^18 is 6e-11.
-constexpr int ring_count = 18;
-constexpr double response_tolerance = 1e-12;
-constexpr int steps_a_frame = 14;
-/// Faces that feel less of a displacement than this share are not kept in a response.
-constexpr double negligible_share = 1e-11;
+constexpr int g2_ring_count = 18;
+constexpr double g2_response_tolerance = 1e-12;
+constexpr int g2_steps_a_frame = 14;
 
 }  // namespace
 
@@ -31,7 +29,7 @@ ReferencePoints reference_points(const QuarticPatchArray& patches) {
 std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2System::Given& given,
                                              const G2System::Field& unknowns) {
   std::vector<std::shared_ptr<const G2Face>> faces(system.mesh().face_count());
-  parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(faces.size(), g2_face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
       faces[f] = std::make_shared<const G2Face>(system.controls(static_cast<Index>(f), given, unknowns));
   });
@@ -44,7 +42,7 @@ G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> 
   G2DragResponse response;
   response.moved = std::move(moved);
   response.weight = std::move(weight);
-  response.local = local_drag(system, response.moved, response.weight, ring_count, response_tolerance);
+  response.local = local_drag(system, response.moved, response.weight, g2_ring_count, g2_response_tolerance);
   refine(system, response, cancel);
   return response;
 }
@@ -54,8 +52,8 @@ void refine(const SurfaceSystem& system, G2DragResponse& response, const CancelT
   G2System::SolveOptions options;
   options.active_faces = &local.near.faces;
   options.only_x = true;
-  options.tolerance = response_tolerance;
-  options.max_steps = steps_a_frame;
+  options.tolerance = g2_response_tolerance;
+  options.max_steps = g2_steps_a_frame;
   options.paused = response.paused;
   const G2System::Given given{local.field, &local.network};
   const auto solution = system.g2->solve(given, options, cancel);

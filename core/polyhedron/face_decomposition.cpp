@@ -11,10 +11,6 @@
 namespace hariko {
 namespace {
 
-double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Along the mean normal, scaled to an extent of about 1; where there is no mean normal, along the axis that
 /// the polygon extends least along.
 std::vector<Vector2> flattened(std::span<const Vector3> corners) {

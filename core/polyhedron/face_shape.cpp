@@ -10,10 +10,6 @@ namespace hariko {
 
 namespace {
 
-double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// A normal for polygons whose Newell normal vanishes (symmetric bow ties): of the longest diagonal from
 /// corner 0 and the corner farthest from it. Zero for polygons within a line.
 Vector3 widest_normal(std::span<const Vector3> corners) {

@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Element named_edge(const Unfolding& unfolding, Index e) {
   const FacetEdge& edge = unfolding.graph->edge(e);

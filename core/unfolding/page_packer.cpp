@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t looked_back = 12;  ///< pages
 
 /// Rows of bits, lowest first.

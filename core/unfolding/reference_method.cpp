@@ -13,7 +13,7 @@ namespace hariko {
 namespace {
 
 constexpr int repair_rounds = 60;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double corner_angle(const FacetGraph& graph, Index facet, Index corner) {
   const auto& vertices = graph.triangle(facet);

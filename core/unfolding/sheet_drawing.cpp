@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Text that is never upside down.
 double upright(double angle) {

@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double points_per_mm = 72 / 25.4, capital_height = 0.718;
+constexpr double points_per_mm = 72 / 25.4;
 
 /// Advance of a character of Helvetica for a font size of 1; those that drawings use, and a mean for others.
 double advance(char c) {
@@ -75,7 +75,8 @@ std::string page_content(const SheetDrawing& drawing, Index page) {
   out += "0.13 g BT\n";
   for (const DrawnText& text : drawing.texts) {
     if (text.page != page) continue;
-    const double size = text.height / capital_height, c = std::cos(text.angle), s = std::sin(text.angle);
+    const double size = text.height / helvetica_capital_height, c = std::cos(text.angle),
+                 s = std::sin(text.angle);
     double width = 0;
     for (const char each : text.text) width += size * advance(each);
     const Vector2 start = text.centre - 0.5 * width * Vector2(c, s) - 0.5 * text.height * Vector2(-s, c);

@@ -7,8 +7,6 @@ namespace hariko {
 
 namespace {
 
-constexpr double capital_height = 0.718;  ///< of Helvetica and its like, for a font size of 1
-
 class SvgWriter {
  public:
   explicit SvgWriter(const SheetDrawing& drawing) : drawing_(drawing) {}
@@ -143,7 +141,7 @@ class SvgWriter {
 
   void texts() {
     for (const DrawnText& text : drawing_.texts) {
-      const double size = text.height / capital_height;
+      const double size = text.height / helvetica_capital_height;
       out_ += "<text";
       attribute("font-size", size);
       out_ += " transform=\"translate(";

@@ -10,6 +10,8 @@ namespace hariko {
 
 /// Room between pages where a file has them side by side, mm.
 inline constexpr double page_spacing = 20;
+/// Of Helvetica and its like, for a font size of 1.
+inline constexpr double helvetica_capital_height = 0.718;
 
 /// The layout for programs (approximation.md 9): every facet once with its corners in the mesh's order, and
 /// all folds, also those without a line. Coordinates are exact: they read back as the same doubles.

@@ -23,13 +23,13 @@ Document cube_document() {
 }
 
 /// An editor with a cube and a viewport, driven by pointer events as the window drives it.
-struct Rig {
+struct EditorRig {
   Editor editor;
   SceneBuilder scene;
   std::unique_ptr<Tool> tool;
   PointerEvent press_event;
 
-  Rig() {
+  EditorRig() {
     editor.viewport = {800, 600};
     editor.open(cube_document(), {});
     editor.frame_all(true);
@@ -76,7 +76,7 @@ constexpr VertexId near_vertex{5};  // (1, -1, 1), in front in the three-quarter
 constexpr VertexId top_vertex{6};
 
 TEST(SelectTool, ClicksChooseAddAndRemove) {
-  Rig rig;
+  EditorRig rig;
   rig.click(rig.pixel_of(near_vertex));
   EXPECT_EQ(rig.selected().vertices, std::set<VertexId>{near_vertex});
   rig.click(rig.pixel_of(top_vertex) + Vector2(2, 1), true);
@@ -92,7 +92,7 @@ TEST(SelectTool, ClicksChooseAddAndRemove) {
 }
 
 TEST(SelectTool, ModeDecidesWhatAClickTakes) {
-  Rig rig;
+  EditorRig rig;
   const Vector2 middle = (rig.pixel_of(near_vertex) + rig.pixel_of(top_vertex)) / 2;
   rig.editor.mode = ElementMode::edge;
   rig.click(middle);
@@ -104,7 +104,7 @@ TEST(SelectTool, ModeDecidesWhatAClickTakes) {
 }
 
 TEST(MoveTool, DragsTheGrabbedVertexUnderThePointerInOneStep) {
-  Rig rig;
+  EditorRig rig;
   const Vector2 from = rig.pixel_of(near_vertex), to = from + Vector2(60, -35);
   rig.press(from);
   EXPECT_EQ(rig.send(PointerEvent::Kind::move, from + Vector2(2, 1)), ToolState::stay);
@@ -127,7 +127,7 @@ TEST(MoveTool, DragsTheGrabbedVertexUnderThePointerInOneStep) {
 }
 
 TEST(MoveTool, MovesAllThatIsSelectedByTheSameAmount) {
-  Rig rig;
+  EditorRig rig;
   rig.click(rig.pixel_of(near_vertex));
   rig.click(rig.pixel_of(top_vertex), true);
   const Vector2 from = rig.pixel_of(near_vertex);
@@ -145,7 +145,7 @@ TEST(MoveTool, MovesAllThatIsSelectedByTheSameAmount) {
 }
 
 TEST(MoveTool, CancelRestoresExactly) {
-  Rig rig;
+  EditorRig rig;
   const Document before = rig.editor.document();
   const Vector2 from = rig.pixel_of(near_vertex);
   rig.press(from);
@@ -159,7 +159,7 @@ TEST(MoveTool, CancelRestoresExactly) {
 }
 
 TEST(MoveTool, DragThatEndsWhereItBeganIsNoStep) {
-  Rig rig;
+  EditorRig rig;
   const Vector2 from = rig.pixel_of(near_vertex);
   rig.press(from);
   rig.send(PointerEvent::Kind::move, from + Vector2(50, 50));
@@ -169,7 +169,7 @@ TEST(MoveTool, DragThatEndsWhereItBeganIsNoStep) {
 }
 
 TEST(MoveTool, LockedObjectSaysSoAndStays) {
-  Rig rig;
+  EditorRig rig;
   rig.editor.commit(set_locked(rig.editor.history.current(), rig.editor.document().objects[0]->id, true),
                     "Lock");
   rig.scene.update(rig.editor);
@@ -182,7 +182,7 @@ TEST(MoveTool, LockedObjectSaysSoAndStays) {
 }
 
 TEST(ViewTools, TurnTheCameraAndGoBackOnCancel) {
-  Rig rig;
+  EditorRig rig;
   const Camera before = rig.editor.camera();
   rig.press({400, 300}, PointerButton::middle);
   rig.send(PointerEvent::Kind::move, {460, 330});
@@ -198,7 +198,7 @@ TEST(ViewTools, TurnTheCameraAndGoBackOnCancel) {
 }
 
 TEST(ViewTools, WheelKeepsThePointUnderThePointer) {
-  Rig rig;
+  EditorRig rig;
   const Vector2 pixel(250, 180);
   const auto under = [&] {
     return Projector(rig.editor.camera(), rig.editor.viewport)
@@ -214,7 +214,7 @@ TEST(ViewTools, WheelKeepsThePointUnderThePointer) {
 }
 
 TEST(Selection, SurvivesUndoAndDropsWhatIsGone) {
-  Rig rig;
+  EditorRig rig;
   rig.click(rig.pixel_of(near_vertex));
   const ObjectId id = rig.editor.selection.active;
   rig.editor.commit(delete_objects(rig.editor.history.current(), {&id, 1}), "Delete object");
@@ -236,7 +236,7 @@ TEST(Selection, TouchedVerticesOfEdgesAndFaces) {
 }
 
 TEST(SceneBuilder, VersionRisesOnlyWhenThePictureChanges) {
-  Rig rig;
+  EditorRig rig;
   const auto version = rig.scene.version();
   rig.scene.update(rig.editor);
   EXPECT_EQ(rig.scene.version(), version);

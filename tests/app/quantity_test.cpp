@@ -9,7 +9,7 @@
 namespace hariko {
 namespace {
 
-using Kind = ValueChange::Kind;
+using ChangeKind = ValueChange::Kind;
 
 TEST(Quantity, lengths_have_three_decimals_after_the_size_of_the_model) {
   EXPECT_EQ(format_quantity(length_quantity(Unit::millimetre, 2), 1.23456), "1.235 mm");
@@ -31,16 +31,16 @@ TEST(Quantity, writes_no_zeros_at_the_end_and_no_negative_zero) {
 TEST(Quantity, reads_absolute_and_relative_changes) {
   const Quantity length = length_quantity(Unit::millimetre, 2);
   const auto read = [&](const char* text) { return parse_change(text, length).value(); };
-  EXPECT_EQ(read("12"), (ValueChange{Kind::set, 12}));
-  EXPECT_EQ(read("-3"), (ValueChange{Kind::set, -3}));
-  EXPECT_EQ(read("2cm"), (ValueChange{Kind::set, 20}));
-  EXPECT_EQ(read("+3"), (ValueChange{Kind::add, 3}));
-  EXPECT_EQ(read("+=3"), (ValueChange{Kind::add, 3}));
-  EXPECT_EQ(read("-=3"), (ValueChange{Kind::add, -3}));
-  EXPECT_EQ(read("*2"), (ValueChange{Kind::multiply, 2}));
-  EXPECT_EQ(read("\u00d72"), (ValueChange{Kind::multiply, 2}));
-  EXPECT_EQ(read("/4"), (ValueChange{Kind::multiply, 0.25}));
-  EXPECT_EQ(read("/=4"), (ValueChange{Kind::multiply, 0.25}));
+  EXPECT_EQ(read("12"), (ValueChange{ChangeKind::set, 12}));
+  EXPECT_EQ(read("-3"), (ValueChange{ChangeKind::set, -3}));
+  EXPECT_EQ(read("2cm"), (ValueChange{ChangeKind::set, 20}));
+  EXPECT_EQ(read("+3"), (ValueChange{ChangeKind::add, 3}));
+  EXPECT_EQ(read("+=3"), (ValueChange{ChangeKind::add, 3}));
+  EXPECT_EQ(read("-=3"), (ValueChange{ChangeKind::add, -3}));
+  EXPECT_EQ(read("*2"), (ValueChange{ChangeKind::multiply, 2}));
+  EXPECT_EQ(read("\u00d72"), (ValueChange{ChangeKind::multiply, 2}));
+  EXPECT_EQ(read("/4"), (ValueChange{ChangeKind::multiply, 0.25}));
+  EXPECT_EQ(read("/=4"), (ValueChange{ChangeKind::multiply, 0.25}));
   EXPECT_NEAR(read("1/4in").amount, 6.35, 1e-12);
 }
 
@@ -54,11 +54,11 @@ TEST(Quantity, changes_keep_within_the_bounds) {
   Quantity quantity = plain_quantity(2, 0.1);
   quantity.low = 1;
   quantity.high = 10;
-  EXPECT_EQ((ValueChange{Kind::set, 50}).apply(quantity, 3), 10);
-  EXPECT_EQ((ValueChange{Kind::add, -50}).apply(quantity, 3), 1);
-  EXPECT_EQ((ValueChange{Kind::multiply, 2}).apply(quantity, 3), 6);
+  EXPECT_EQ((ValueChange{ChangeKind::set, 50}).apply(quantity, 3), 10);
+  EXPECT_EQ((ValueChange{ChangeKind::add, -50}).apply(quantity, 3), 1);
+  EXPECT_EQ((ValueChange{ChangeKind::multiply, 2}).apply(quantity, 3), 6);
   quantity.whole = true;
-  EXPECT_EQ((ValueChange{Kind::multiply, 1.5}).apply(quantity, 3), 5);
+  EXPECT_EQ((ValueChange{ChangeKind::multiply, 1.5}).apply(quantity, 3), 5);
 }
 
 TEST(Quantity, shift_is_ten_times_finer_and_control_ten_times_coarser) {
@@ -72,7 +72,7 @@ TEST(Quantity, shift_is_ten_times_finer_and_control_ten_times_coarser) {
   EXPECT_EQ(stepped(whole, 1, true, false).amount, 1) << "a whole number has no tenth";
   Quantity factor = plain_quantity(2, 0.1);
   factor.multiplies = true;
-  EXPECT_EQ(stepped(factor, 1, false, false).kind, Kind::multiply);
+  EXPECT_EQ(stepped(factor, 1, false, false).kind, ChangeKind::multiply);
   EXPECT_NEAR(stepped(factor, 3, false, false).amount * stepped(factor, -3, false, false).amount, 1, 1e-12);
 }
 
@@ -83,7 +83,7 @@ TEST(Quantity, copied_values_come_back_bit_for_bit) {
                                      plain_quantity(2, 1), angle_quantity()}) {
       const auto back = parse_change(exact_text(quantity, value), quantity);
       ASSERT_TRUE(back.ok()) << exact_text(quantity, value);
-      EXPECT_EQ(*back, (ValueChange{Kind::set, value})) << exact_text(quantity, value);
+      EXPECT_EQ(*back, (ValueChange{ChangeKind::set, value})) << exact_text(quantity, value);
     }
   });
 }

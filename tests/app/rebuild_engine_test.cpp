@@ -65,7 +65,7 @@ Document moved(const Document& document, double x) {
   return result.value();
 }
 
-struct Rig {
+struct EngineRig {
   std::shared_ptr<Script> script = std::make_shared<Script>();
   std::vector<std::pair<double, Quality>> published;
   RebuildEngine engine{
@@ -81,7 +81,7 @@ struct Rig {
 };
 
 TEST(RebuildEngine, BuildsOnceAndOnlyWhatChanged) {
-  Rig rig;
+  EngineRig rig;
   Document document = triangle_document();
   rig.engine.sync(document, false, 0);
   EXPECT_TRUE(rig.engine.any_pending());
@@ -101,7 +101,7 @@ TEST(RebuildEngine, BuildsOnceAndOnlyWhatChanged) {
 }
 
 TEST(RebuildEngine, DragsAtDragQualityAndFinishesAtFinal) {
-  Rig rig;
+  EngineRig rig;
   const Document document = triangle_document();
   rig.engine.sync(document, false, 0);
   rig.settle();
@@ -125,7 +125,7 @@ TEST(RebuildEngine, DragsAtDragQualityAndFinishesAtFinal) {
 }
 
 TEST(RebuildEngine, RestingGestureIsRefinedAndCancelsForTheNextMove) {
-  Rig rig;
+  EngineRig rig;
   const Document document = triangle_document();
   rig.engine.sync(document, false, 0);
   rig.settle();
@@ -150,7 +150,7 @@ TEST(RebuildEngine, RestingGestureIsRefinedAndCancelsForTheNextMove) {
 }
 
 TEST(RebuildEngine, FailureKeepsTheLastGoodSurfaceAndSaysWhy) {
-  Rig rig;
+  EngineRig rig;
   const Document document = triangle_document();
   rig.engine.sync(document, false, 0);
   rig.settle();
@@ -168,7 +168,7 @@ TEST(RebuildEngine, FailureKeepsTheLastGoodSurfaceAndSaysWhy) {
 }
 
 TEST(RebuildEngine, ResetDropsWhatRunsAndWhatIsShown) {
-  Rig rig;
+  EngineRig rig;
   const Document document = triangle_document();
   rig.engine.sync(document, false, 0);
   rig.settle();
@@ -187,7 +187,7 @@ TEST(RebuildEngine, ResetDropsWhatRunsAndWhatIsShown) {
 }
 
 TEST(RebuildEngine, DeletedAndHiddenObjectsArePublishedNoMore) {
-  Rig rig;
+  EngineRig rig;
   const Document document = triangle_document();
   rig.script->hold = true;
   rig.engine.sync(document, false, 0);
@@ -198,14 +198,14 @@ TEST(RebuildEngine, DeletedAndHiddenObjectsArePublishedNoMore) {
   EXPECT_TRUE(rig.published.empty());
   EXPECT_TRUE(rig.engine.views().empty());
   rig.script->hold = false;
-  Rig other;
+  EngineRig other;
   other.engine.sync(set_visible(document, id, false).value(), false, 0);
   other.settle();
   EXPECT_EQ(other.script->builds, 0);
 }
 
 TEST(RebuildEngine, PolicyLetsChangesWait) {
-  Rig rig;
+  EngineRig rig;
   Document document = triangle_document();
   rig.engine.sync(document, false, 0, RecomputePolicy::manual);
   rig.settle();
@@ -233,7 +233,7 @@ TEST(RebuildEngine, PolicyLetsChangesWait) {
 }
 
 TEST(RebuildEngine, CancelKeepsTheLastSurfaceUntilAskedAgain) {
-  Rig rig;
+  EngineRig rig;
   const Document document = triangle_document();
   rig.engine.sync(document, false, 0);
   rig.settle();

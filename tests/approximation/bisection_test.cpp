@@ -9,27 +9,13 @@
 #include "core/approximation/initial_mesh.hpp"
 #include "core/base/parallel.hpp"
 #include "tests/approximation/checker.hpp"
+#include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"
 
 namespace hariko {
 namespace {
 
 using namespace test;
-
-constexpr double degrees = std::numbers::pi / 180;
-
-MeshApproximation mesh_of(const Surface& surface, const MeshOptions& options) {
-  auto made = approximate(surface, options);
-  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : to_string(made.error()));
-  return made.ok() ? std::move(made).value() : MeshApproximation();
-}
-
-MeshOptions by_distance(double tolerance, SplitRule split = SplitRule::midpoint) {
-  MeshOptions options;
-  options.criteria.distance = tolerance;
-  options.split = split;
-  return options;
-}
 
 struct Count {
   const char* surface;

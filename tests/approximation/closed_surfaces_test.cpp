@@ -8,6 +8,7 @@
 #include "core/document/file.hpp"
 #include "core/modeling/attached.hpp"
 #include "tests/approximation/checker.hpp"
+#include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"
 #include "tests/support/analytic_patches.hpp"
 
@@ -15,19 +16,6 @@ namespace hariko {
 namespace {
 
 using namespace test;
-
-MeshApproximation mesh_of(const Surface& surface, const MeshOptions& options) {
-  auto made = approximate(surface, options);
-  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : to_string(made.error()));
-  return made.ok() ? std::move(made).value() : MeshApproximation();
-}
-
-MeshOptions by_distance(double tolerance, SplitRule split = SplitRule::midpoint) {
-  MeshOptions options;
-  options.criteria.distance = tolerance;
-  options.split = split;
-  return options;
-}
 
 std::ptrdiff_t euler(const TriangleMesh& mesh) {
   std::set<std::pair<Index, Index>> edges;

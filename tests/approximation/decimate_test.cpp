@@ -10,20 +10,13 @@
 #include "core/base/parallel.hpp"
 #include "core/surface/weld_patches.hpp"
 #include "tests/approximation/checker.hpp"
+#include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"
 
 namespace hariko {
 namespace {
 
 using namespace test;
-
-constexpr double degrees = std::numbers::pi / 180;
-
-MeshOptions by_distance(double tolerance) {
-  MeshOptions options;
-  options.criteria.distance = tolerance;
-  return options;
-}
 
 /// The largest distance of points on the triangles of `from` to those of `to`.
 double farthest(const TriangleMesh& from, const TriangleMesh& to, int density) {

@@ -11,6 +11,7 @@
 #include "core/approximation/surface_foot.hpp"
 #include "core/base/parallel.hpp"
 #include "tests/approximation/checker.hpp"
+#include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"
 
 namespace hariko {
@@ -18,9 +19,7 @@ namespace {
 
 using namespace test;
 
-constexpr double degrees = std::numbers::pi / 180;
-
-MeshApproximation mesh_of(const Surface& surface, const MeshCriteria& criteria) {
+MeshApproximation mesh_with_errors(const Surface& surface, const MeshCriteria& criteria) {
   MeshOptions options;
   options.criteria = criteria;
   options.report = MeshReport::all;
@@ -89,7 +88,7 @@ TEST(ErrorMap, AgreesWithBruteForce) {
     const Surface surface = golden_surface(name);
     MeshCriteria criteria;
     criteria.distance = 0.05;
-    const MeshApproximation made = mesh_of(surface, criteria);
+    const MeshApproximation made = mesh_with_errors(surface, criteria);
     for (const bool with_parts : {true, false}) {
       SCOPED_TRACE(std::string(name) + (with_parts ? " with parts" : " without parts"));
       const auto parts =
@@ -127,7 +126,7 @@ TEST(ErrorMap, FoldsAreThoseOfTheFacets) {
   const Surface surface = golden_surface("wave");
   MeshCriteria criteria;
   criteria.normal_angle = 12 * degrees;
-  const MeshApproximation made = mesh_of(surface, criteria);
+  const MeshApproximation made = mesh_with_errors(surface, criteria);
   const auto map = mesh_error_map(surface, made.mesh, made.parts);
   ASSERT_TRUE(map.ok());
   EXPECT_NEAR(map->fold_angle.largest, made.fold_angle.largest, 1e-6);
@@ -155,7 +154,7 @@ TEST(ErrorMap, CreasesAreNoFolds) {
   const Surface surface = weld_patches(Vector3::Zero(), {floor, wall}).value();
   MeshCriteria criteria;
   criteria.max_edge = 0.4;
-  const MeshApproximation made = mesh_of(surface, criteria);
+  const MeshApproximation made = mesh_with_errors(surface, criteria);
   for (const bool with_parts : {true, false}) {
     const auto parts =
         with_parts ? std::span<const ParameterFacet>(made.parts) : std::span<const ParameterFacet>();
@@ -194,7 +193,7 @@ TEST(ErrorMap, SameOnAnyNumberOfThreads) {
   const Surface surface = golden_surface("fender");
   MeshCriteria criteria;
   criteria.distance = 0.01;
-  const MeshApproximation made = mesh_of(surface, criteria);
+  const MeshApproximation made = mesh_with_errors(surface, criteria);
   std::vector<MeshErrorMap> maps;
   for (const int threads : {1, 2}) {
     const ParallelLimit limit(threads);
@@ -210,7 +209,7 @@ TEST(ErrorMap, TextHasALineForEveryFacetVertexAndSample) {
   const Surface surface = golden_surface("quarterpipe");
   MeshCriteria criteria;
   criteria.distance = 0.05;
-  const MeshApproximation made = mesh_of(surface, criteria);
+  const MeshApproximation made = mesh_with_errors(surface, criteria);
   const auto map = mesh_error_map(surface, made.mesh, made.parts);
   const std::string text = error_csv(*map, made.mesh, surface.origin(), "a \"pipe\"", true);
   std::istringstream lines(text);
@@ -239,7 +238,7 @@ TEST(ErrorMap, RefusalsAndCancel) {
   EXPECT_EQ(mesh_error_map(surface, {}).error().code, e_mesh_nothing);
   MeshCriteria criteria;
   criteria.distance = 0.05;
-  const MeshApproximation made = mesh_of(surface, criteria);
+  const MeshApproximation made = mesh_with_errors(surface, criteria);
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();
   EXPECT_EQ(mesh_error_map(surface, made.mesh, made.parts, {}, cancel).error().code, e_cancelled);

@@ -134,7 +134,7 @@ std::size_t open_edges(const TopoDS_Shape& shape) {
 }
 
 /// Largest distance between the faces as they were read and the surface, at equal parameters. Faces come in
-/// the order in which they were written.
+/// the order in which they were written_object.
 double distance_of(const TopoDS_Shape& shape, const CadModel& model, const Surface& surface, int density) {
   double largest = 0;
   std::size_t number = 0;
@@ -182,7 +182,8 @@ void check_measures(const TopoDS_Shape& shape, const CadModel& model, const Surf
               usual_cad_tolerance * model.size * measures.area + 1e-5 * *measures.volume);
 }
 
-CadFile written(const CadObject& object, const std::filesystem::path& path, const CadFileOptions& options) {
+CadFile written_object(const CadObject& object, const std::filesystem::path& path,
+                       const CadFileOptions& options) {
   auto file = make_cad_file(std::span(&object, 1), options);
   if (!file.ok()) {
     ADD_FAILURE() << file.error().text;
@@ -197,7 +198,7 @@ void round_trip(const std::string& name, const Surface& surface, CadFormat forma
   ASSERT_TRUE(model.ok());
   const TemporaryFolder folder;
   const auto path = folder.path() / (format == CadFormat::iges ? "a.iges" : "a.step");
-  const CadFile file = written({"part", &*model}, path, {.format = format});
+  const CadFile file = written_object({"part", &*model}, path, {.format = format});
   EXPECT_TRUE(file.report.valid);
   EXPECT_EQ(file.report.faces, model->faces.size());
   EXPECT_LE(file.report.edge_tolerance, 1e-6);
@@ -264,7 +265,7 @@ TEST(CadFile, UnitsNamesAndColoursAreKept) {
     for (const CadUnit unit : {CadUnit::millimetre, CadUnit::metre, CadUnit::inch}) {
       const auto path = folder.path() / (format == CadFormat::iges ? "a.igs" : "a.stp");
       const std::string name = format == CadFormat::iges ? "arch" : "\u30db\u30a4\u30fc\u30eb arch";
-      written({name, &*model, {200, 30, 90}}, path, {.format = format, .unit = unit});
+      written_object({name, &*model, {200, 30, 90}}, path, {.format = format, .unit = unit});
       const auto parts = read_parts(path);
       ASSERT_EQ(parts.size(), 1U);
       GProp_GProps found;

@@ -14,7 +14,7 @@ namespace {
 using test::cube_document;
 using test::cube_id;
 
-Document named(const Document& document, const std::string& name) {
+Document renamed(const Document& document, const std::string& name) {
   return rename_object(document, cube_id, name).value();
 }
 
@@ -25,30 +25,30 @@ TEST(History, UndoAndRedoGiveEqualDocuments) {
   EXPECT_FALSE(history.undo());
   EXPECT_FALSE(history.redo());
   EXPECT_EQ(history.undo_label(), "");
-  ASSERT_TRUE(history.push(named(start, "A"), "Rename to A"));
-  ASSERT_TRUE(history.push(named(start, "B"), "Rename to B"));
+  ASSERT_TRUE(history.push(renamed(start, "A"), "Rename to A"));
+  ASSERT_TRUE(history.push(renamed(start, "B"), "Rename to B"));
   EXPECT_EQ(history.labels(), (std::vector<std::string>{"Rename to A", "Rename to B"}));
   EXPECT_EQ(history.undo_label(), "Rename to B");
   ASSERT_TRUE(history.undo());
-  EXPECT_TRUE(history.current() == named(start, "A"));
+  EXPECT_TRUE(history.current() == renamed(start, "A"));
   EXPECT_EQ(history.redo_label(), "Rename to B");
   ASSERT_TRUE(history.undo());
   EXPECT_TRUE(history.current() == start);
   ASSERT_TRUE(history.redo());
-  ASSERT_TRUE(history.push(named(start, "C"), "Rename to C"));
+  ASSERT_TRUE(history.push(renamed(start, "C"), "Rename to C"));
   EXPECT_FALSE(history.can_redo()) << "a new step forgets what could be redone";
   ASSERT_TRUE(history.go_to(0));
   EXPECT_TRUE(history.current() == start);
   EXPECT_FALSE(history.go_to(3));
   ASSERT_TRUE(history.go_to(2));
-  EXPECT_TRUE(history.current() == named(start, "C"));
+  EXPECT_TRUE(history.current() == renamed(start, "C"));
 }
 
 TEST(History, EqualDocumentsMakeNoStep) {
   History history(cube_document());
   EXPECT_FALSE(history.push(cube_document(), "Nothing"));
   EXPECT_FALSE(history.can_undo());
-  history.push(named(history.current(), "A"), "A");
+  history.push(renamed(history.current(), "A"), "A");
   history.undo();
   EXPECT_FALSE(history.push(cube_document(), "Nothing"));
   EXPECT_TRUE(history.can_redo()) << "nothing happened, so nothing is forgotten";
@@ -58,27 +58,27 @@ TEST(History, GesturesMakeOneStepOrNone) {
   const Document start = cube_document();
   History history(start);
   EXPECT_FALSE(history.commit_preview("Nothing"));
-  for (const char* name : {"A", "B", "C"}) history.preview(named(start, name));
+  for (const char* name : {"A", "B", "C"}) history.preview(renamed(start, name));
   EXPECT_TRUE(history.in_gesture());
-  EXPECT_TRUE(history.shown() == named(start, "C"));
+  EXPECT_TRUE(history.shown() == renamed(start, "C"));
   EXPECT_TRUE(history.current() == start);
   EXPECT_FALSE(history.dirty());
   ASSERT_TRUE(history.commit_preview("Drag"));
   EXPECT_FALSE(history.in_gesture());
   EXPECT_EQ(history.position(), 1U);
-  EXPECT_TRUE(history.current() == named(start, "C"));
+  EXPECT_TRUE(history.current() == renamed(start, "C"));
 
-  history.preview(named(start, "D"));
+  history.preview(renamed(start, "D"));
   history.cancel_preview();
-  EXPECT_TRUE(history.shown() == named(start, "C"));
+  EXPECT_TRUE(history.shown() == renamed(start, "C"));
   EXPECT_EQ(history.position(), 1U);
 
-  history.preview(named(start, "D"));
-  history.preview(named(start, "C"));
+  history.preview(renamed(start, "D"));
+  history.preview(renamed(start, "C"));
   EXPECT_FALSE(history.commit_preview("Back where it was"));
   EXPECT_EQ(history.position(), 1U);
 
-  history.preview(named(start, "D"));
+  history.preview(renamed(start, "D"));
   EXPECT_TRUE(history.undo()) << "undo cancels the gesture";
   EXPECT_TRUE(history.shown() == start);
 }
@@ -87,22 +87,22 @@ TEST(History, KnowsWhatIsSaved) {
   const Document start = cube_document();
   History history(start);
   EXPECT_FALSE(history.dirty());
-  history.push(named(start, "A"), "A");
+  history.push(renamed(start, "A"), "A");
   EXPECT_TRUE(history.dirty());
   history.undo();
   EXPECT_FALSE(history.dirty());
   history.redo();
   history.mark_saved();
-  history.push(named(start, "B"), "B");
+  history.push(renamed(start, "B"), "B");
   EXPECT_TRUE(history.dirty());
   history.undo();
   EXPECT_FALSE(history.dirty());
   history.undo();
   EXPECT_TRUE(history.dirty());
-  history.push(named(start, "C"), "C");
+  history.push(renamed(start, "C"), "C");
   EXPECT_TRUE(history.dirty()) << "another branch at the same depth is not what was saved";
   const std::uint64_t serial = history.serial();
-  history.push(named(start, "D"), "D");
+  history.push(renamed(start, "D"), "D");
   history.mark_saved(serial);
   EXPECT_TRUE(history.dirty());
   history.undo();
@@ -195,8 +195,8 @@ TEST(History, ForgetsTheOldestAboveItsLimit) {
   while (history.undo()) EXPECT_TRUE(history.dirty()) << "the saved state was forgotten";
   // One document above the limit is still kept.
   History tiny(start, 1);
-  tiny.push(named(start, "A"), "A");
-  EXPECT_TRUE(tiny.current() == named(start, "A"));
+  tiny.push(renamed(start, "A"), "A");
+  EXPECT_TRUE(tiny.current() == renamed(start, "A"));
   EXPECT_FALSE(tiny.can_undo());
 }
 
@@ -237,19 +237,19 @@ TEST(History, AThousandMovesOf20000FacesFitIn64Megabytes) {
 }
 
 /// A document that differs by its name alone.
-Document named(int number) {
+Document renamed(int number) {
   return document_from_mesh(test::cube(), "Object " + std::to_string(number)).value();
 }
 
 TEST(HistoryFork, BeginsAnewAndGoesBackInPlace) {
   test::for_random(9917, 200, [](std::mt19937_64& rng) {
-    History whole(named(0)), forked(named(0));
+    History whole(renamed(0)), forked(renamed(0));
     int number = 0;
     const auto act = [&](History& history, int what) {
       if (what == 0) return void(history.undo());
       if (what == 1) return void(history.redo());
       if (what == 2) return history.mark_saved();
-      history.push(named(number), "Step " + std::to_string(number));
+      history.push(renamed(number), "Step " + std::to_string(number));
     };
     for (int i = test::uniform_int(rng, 0, 12); i > 0; --i) {
       const int what = test::uniform_int(rng, 0, 5);
@@ -268,8 +268,8 @@ TEST(HistoryFork, BeginsAnewAndGoesBackInPlace) {
     const int steps = test::uniform_int(rng, 0, 4);
     for (int i = 0; i < steps; ++i) {
       ++number;
-      whole.push(named(number), "Step " + std::to_string(number));
-      fork.push(named(number), "Step " + std::to_string(number));
+      whole.push(renamed(number), "Step " + std::to_string(number));
+      fork.push(renamed(number), "Step " + std::to_string(number));
     }
     const bool saved = test::chance(rng, 0.5);
     if (saved) {

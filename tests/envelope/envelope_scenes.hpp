@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -51,5 +52,8 @@ inline EnvelopeInput random_scene(std::mt19937_64& rng) {
   }
   return out;
 }
+
+/// In a radian.
+inline constexpr double degrees = 180 / std::numbers::pi;
 
 }  // namespace hariko::test

@@ -14,7 +14,7 @@ namespace hariko::test {
 
 namespace {
 
-struct Expected {
+struct ExpectedField {
   const char* name;
   int level;
   Index vertices, faces;
@@ -39,12 +39,12 @@ void check_cage(const EnvelopeSurface& made) {
 }  // namespace
 
 TEST(FieldCage, ConcaveArrangementsAndHolesHaveTheMeasuredCages) {
-  for (const Expected& expected : {Expected{"ell_tight", 0, 24, 22, 0},
-                                   {"tee", 0, 38, 36, 0},
-                                   {"car", 0, 54, 52, 0},
-                                   {"dryer", 0, 92, 90, 0},
-                                   {"camera", 0, 126, 124, 0},
-                                   {"ring6", 0, 100, 100, 1}}) {
+  for (const ExpectedField& expected : {ExpectedField{"ell_tight", 0, 24, 22, 0},
+                                        {"tee", 0, 38, 36, 0},
+                                        {"car", 0, 54, 52, 0},
+                                        {"dryer", 0, 92, 90, 0},
+                                        {"camera", 0, 126, 124, 0},
+                                        {"ring6", 0, 100, 100, 1}}) {
     SCOPED_TRACE(expected.name);
     EnvelopeInput input = golden_scene(expected.name);
     input.settings.method = EnvelopeMethod::field;

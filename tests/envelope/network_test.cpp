@@ -11,8 +11,6 @@ namespace hariko::test {
 
 namespace {
 
-constexpr double degrees = 57.29577951308232;
-
 void check_invariants(const EnvelopeSurface& made, const EnvelopeInput& input) {
   ASSERT_TRUE(made.network);
   const CurveNetwork& network = *made.network;

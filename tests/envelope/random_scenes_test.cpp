@@ -13,7 +13,6 @@ namespace hariko::test {
 
 namespace {
 
-constexpr double degrees = 57.29577951308232;
 constexpr double tolerance = 1e-4;  ///< of the diagonal
 
 struct Tally {

@@ -14,9 +14,7 @@ namespace hariko::test {
 
 namespace {
 
-constexpr double degrees = 57.29577951308232;
-
-struct Expected {
+struct ExpectedValley {
   const char* name;
   std::size_t vertices, edges, faces, primitive, patches;
   std::map<std::size_t, int> sides;
@@ -59,12 +57,13 @@ void check_network(const EnvelopeSurface& made) {
 }  // namespace
 
 TEST(ValleyNetwork, ConcaveArrangementsHaveTheMeasuredNetworks) {
-  for (const Expected& expected : {Expected{"ell_tight", 12, 20, 10, 3, 10, {{4, 10}}, 1.170},
-                                   {"tee", 16, 30, 16, 4, 24, {{3, 4}, {4, 12}}, 0.969},
-                                   {"you", 16, 28, 14, 3, 14, {{4, 14}}, 1.073},
-                                   {"car", 16, 28, 14, 6, 14, {{4, 14}}, 1.310},
-                                   {"dryer", 24, 43, 21, 7, 59, {{3, 8}, {4, 9}, {5, 2}, {8, 2}}, 1.021},
-                                   {"bottle", 39, 75, 38, 16, 57, {{3, 6}, {4, 31}, {8, 1}}, 1.077}}) {
+  for (const ExpectedValley& expected :
+       {ExpectedValley{"ell_tight", 12, 20, 10, 3, 10, {{4, 10}}, 1.170},
+        {"tee", 16, 30, 16, 4, 24, {{3, 4}, {4, 12}}, 0.969},
+        {"you", 16, 28, 14, 3, 14, {{4, 14}}, 1.073},
+        {"car", 16, 28, 14, 6, 14, {{4, 14}}, 1.310},
+        {"dryer", 24, 43, 21, 7, 59, {{3, 8}, {4, 9}, {5, 2}, {8, 2}}, 1.021},
+        {"bottle", 39, 75, 38, 16, 57, {{3, 6}, {4, 31}, {8, 1}}, 1.077}}) {
     SCOPED_TRACE(expected.name);
     EnvelopeInput input = golden_scene(expected.name);
     input.settings.method = EnvelopeMethod::network;

@@ -57,4 +57,11 @@ inline void expect_same(const PolygonMesh& a, const PolygonMesh& b) {
   EXPECT_EQ(a.face_vertices, b.face_vertices);
 }
 
+/// The text with one part of it exchanged for another.
+inline std::string with(std::string text, const std::string& old, const std::string& now) {
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  return text.replace(at, old.size(), now);
+}
+
 }  // namespace hariko::test

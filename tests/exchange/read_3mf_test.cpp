@@ -10,12 +10,14 @@
 #include "core/exchange/placement.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "tests/exchange/gltf_text.hpp"
+#include "tests/exchange/mesh_text.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
 namespace hariko {
 namespace {
 
 using test::for_random;
+using test::with;
 
 constexpr const char* core_space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 
@@ -220,12 +222,6 @@ TEST(Read3mf, PartsOfThePackageAreFound) {
   EXPECT_EQ(code_of(read_3mf(archive({{"a.txt", "no model"}}))), "E_FORMAT_UNKNOWN");
   const auto size = relations.find("Root.model");
   EXPECT_EQ(code_of(read_3mf(archive({{"_rels/.rels", relations.substr(0, size)}}))), "E_TRUNCATED 1");
-}
-
-std::string with(std::string text, const std::string& old, const std::string& now) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), now);
 }
 
 TEST(Read3mf, EachRefusalHasItsReasonAndItsLine) {

@@ -5,6 +5,7 @@
 #include "core/exchange/mesh_file.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 #include "tests/exchange/gltf_text.hpp"
+#include "tests/exchange/mesh_text.hpp"
 #include "tests/support/random_polyhedra.hpp"
 
 namespace hariko {
@@ -13,13 +14,14 @@ namespace {
 using test::for_random;
 using test::gltf_tetrahedron;
 using test::GltfLayout;
+using test::with;
 
 /// The document's vector in millimetres for one of the file.
 Vector3 from_file(const Vector3& v) {
   return 1000 * Vector3(v.x(), -v.z(), v.y());
 }
 
-std::string code_of(const Result<ImportedScene>& result) {
+std::string gltf_code_of(const Result<ImportedScene>& result) {
   if (result.ok()) return "ok";
   EXPECT_FALSE(result.error().text.empty());
   EXPECT_FALSE(result.error().remedy.empty());
@@ -177,7 +179,7 @@ TEST(ReadGltf, WhatHasNoTrianglesIsLeftOutWithAWarning) {
   EXPECT_EQ(read->warnings[1].code, w_flat_part);
   layout = gltf_tetrahedron();
   layout.mode = 1;
-  EXPECT_EQ(code_of(read_gltf(layout.text())), "E_EMPTY");
+  EXPECT_EQ(gltf_code_of(read_gltf(layout.text())), "E_EMPTY");
   layout.mode = 4;
   layout.corners = {0, 0, 1, 0, 1, 2};
   read = read_gltf(layout.text());
@@ -198,15 +200,10 @@ TEST(ReadGltf, ScenesAreNotNeededAndNamesFallBack) {
 }
 
 /// Replaces a part of the text, which must be there.
-std::string with(std::string text, const std::string& old, const std::string& now) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), now);
-}
 
 TEST(ReadGltf, EachRefusalHasItsReason) {
   const std::string good = gltf_tetrahedron().text();
-  ASSERT_EQ(code_of(read_gltf(good)), "ok");
+  ASSERT_EQ(gltf_code_of(read_gltf(good)), "ok");
   struct Case {
     const char *old, *now, *code;
   };
@@ -261,20 +258,20 @@ TEST(ReadGltf, EachRefusalHasItsReason) {
            Case{"data:application/octet-stream;base64,", "https://a.example/", "E_FILE_OPEN"},
        }) {
     const auto read = read_gltf(with(good, c.old, c.now));
-    EXPECT_EQ(code_of(read), c.code) << c.old << " -> " << c.now;
+    EXPECT_EQ(gltf_code_of(read), c.code) << c.old << " -> " << c.now;
   }
-  EXPECT_EQ(code_of(read_gltf("")), "E_EMPTY");
-  EXPECT_EQ(code_of(read_gltf("[]")), "E_PARSE");
-  EXPECT_EQ(code_of(read_gltf("no")), "E_PARSE");
-  EXPECT_EQ(code_of(read_gltf(std::string(1'000'000, '['))), "E_PARSE");
-  EXPECT_EQ(code_of(read_gltf("{\"a\": " + std::string(1000, '[') + std::string(1000, ']') + "}")),
+  EXPECT_EQ(gltf_code_of(read_gltf("")), "E_EMPTY");
+  EXPECT_EQ(gltf_code_of(read_gltf("[]")), "E_PARSE");
+  EXPECT_EQ(gltf_code_of(read_gltf("no")), "E_PARSE");
+  EXPECT_EQ(gltf_code_of(read_gltf(std::string(1'000'000, '['))), "E_PARSE");
+  EXPECT_EQ(gltf_code_of(read_gltf("{\"a\": " + std::string(1000, '[') + std::string(1000, ']') + "}")),
             "E_LIMIT");
 }
 
 TEST(ReadGltf, FilesThatAreCutOffOrChangedAreRefusedOrSound) {
   const std::string whole = gltf_tetrahedron().binary_file();
   for (std::size_t size = 0; size < whole.size(); ++size)
-    EXPECT_NE(code_of(read_gltf(whole.substr(0, size))), "ok") << size;
+    EXPECT_NE(gltf_code_of(read_gltf(whole.substr(0, size))), "ok") << size;
   for_random(73, 400, [&](std::mt19937_64& rng) {
     std::string changed = whole;
     for (int k = test::uniform_int(rng, 1, 4); k > 0; --k)
@@ -297,24 +294,24 @@ GltfLayout many_times(GltfLayout layout, std::size_t count) {
 
 TEST(ReadGltf, ManyCopiesAndDeepNodesStayInBounds) {
   EXPECT_EQ(read_gltf(many_times(gltf_tetrahedron(), 500).text())->parts.size(), 500U);
-  EXPECT_EQ(code_of(read_gltf(many_times(gltf_tetrahedron(), ImportedScene::max_parts + 1).text())),
+  EXPECT_EQ(gltf_code_of(read_gltf(many_times(gltf_tetrahedron(), ImportedScene::max_parts + 1).text())),
             "E_LIMIT");
   ReadLimits limits;
   limits.vertices = 1000;
-  EXPECT_EQ(code_of(read_gltf(many_times(gltf_tetrahedron(), 251).text(), limits)), "E_LIMIT");
+  EXPECT_EQ(gltf_code_of(read_gltf(many_times(gltf_tetrahedron(), 251).text(), limits)), "E_LIMIT");
   // Copies are 20 million vertices and corners at most, beside what is in proportion to the file.
   GltfLayout large;
   for (int v = 0; v < 20'000; ++v) large.positions.emplace_back(v, v % 2, v % 3 == 0);
   for (Index v = 0; v + 2 < 20'000; ++v) large.corners.insert(large.corners.end(), {v, v + 1, v + 2});
-  EXPECT_EQ(code_of(read_gltf(many_times(large, 400).binary_file())), "E_LIMIT");
+  EXPECT_EQ(gltf_code_of(read_gltf(many_times(large, 400).binary_file())), "E_LIMIT");
 
   GltfLayout chain = gltf_tetrahedron();
   chain.nodes = "[";
   for (int n = 0; n < 20'000; ++n) chain.nodes += "{\"children\":[" + std::to_string(n + 1) + "]},";
   chain.nodes += "{\"mesh\":0}]";
-  EXPECT_EQ(code_of(read_gltf(chain.text())), "ok");
+  EXPECT_EQ(gltf_code_of(read_gltf(chain.text())), "ok");
   chain.nodes.replace(chain.nodes.size() - 11, 11, "{\"children\":[19999]}]");
-  EXPECT_EQ(code_of(read_gltf(chain.text())), "E_PARSE");
+  EXPECT_EQ(gltf_code_of(read_gltf(chain.text())), "E_PARSE");
 }
 
 TEST(ReadGltf, BuffersBesideAreReadFromTheFolder) {
@@ -335,15 +332,15 @@ TEST(ReadGltf, BuffersBesideAreReadFromTheFolder) {
   }
   for (const char* uri : {"none.bin", "in", ".", "%2e%2e/a%20b.bin", "file:a%20b.bin", "a%2", "%00"}) {
     const auto scene = read(uri);
-    EXPECT_EQ(code_of(scene), "E_FILE_OPEN") << uri;
+    EXPECT_EQ(gltf_code_of(scene), "E_FILE_OPEN") << uri;
     EXPECT_NE(scene.error().text.find("a.gltf"), std::string::npos);
   }
-  EXPECT_EQ(code_of(read("../a%20b.bin")), "E_FILE_OPEN");
-  EXPECT_EQ(code_of(read_scene_file(folder.path() / "in" / "a.gltf")), "E_FILE_OPEN");
+  EXPECT_EQ(gltf_code_of(read("../a%20b.bin")), "E_FILE_OPEN");
+  EXPECT_EQ(gltf_code_of(read_scene_file(folder.path() / "in" / "a.gltf")), "E_FILE_OPEN");
   const auto size = std::filesystem::file_size(folder.path() / "a.gltf");
-  EXPECT_EQ(code_of(read("a%20b.bin")), "ok");
-  EXPECT_EQ(code_of(read_scene_file(folder.path() / "a.gltf", {}, size + 50)), "E_LIMIT");
-  EXPECT_EQ(code_of(read_gltf(layout.json("a%20b.bin"))), "E_FILE_OPEN");
+  EXPECT_EQ(gltf_code_of(read("a%20b.bin")), "ok");
+  EXPECT_EQ(gltf_code_of(read_scene_file(folder.path() / "a.gltf", {}, size + 50)), "E_LIMIT");
+  EXPECT_EQ(gltf_code_of(read_gltf(layout.json("a%20b.bin"))), "E_FILE_OPEN");
 }
 
 }  // namespace

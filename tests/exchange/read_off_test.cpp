@@ -9,13 +9,13 @@ namespace {
 
 using test::outcome;
 
-const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string three_points = "0 0 0\n1 0 0\n0 1 0\n";
 
 TEST(ReadOff, HeadersOfAllKindsGiveTheSameMesh) {
   for (const std::string header :
        {"OFF\n3 2 0\n", "OFF 3 2 0\n", "# made by hand\nOFF # keyword\n\n3 2\n", "3 2 0\n", "COFF\n3 2 0\n",
         "NOFF 3 2 5\n", "STCNOFF\n3 2 0\n", "\xEF\xBB\xBFOFF\r3 2 0\r"}) {
-    const auto result = read_off(header + points + "3 0 1 2\n4 2 1 0 1 255 0 0\n");
+    const auto result = read_off(header + three_points + "3 0 1 2\n4 2 1 0 1 255 0 0\n");
     ASSERT_TRUE(result.ok()) << header << to_string(result.error());
     test::expect_sound(result->mesh);
     EXPECT_EQ(result->mesh.positions[1], Vector3(1, 0, 0));
@@ -33,7 +33,7 @@ TEST(ReadOff, ColoursAndNormalsOfVerticesAreIgnored) {
 }
 
 TEST(ReadOff, DataAfterTheLastFaceGivesAWarning) {
-  const auto result = read_off("OFF\n3 1 0\n" + points + "3 0 1 2\n3 0 1 2\n");
+  const auto result = read_off("OFF\n3 1 0\n" + three_points + "3 0 1 2\n3 0 1 2\n");
   ASSERT_TRUE(result.ok());
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_EQ(result->warnings[0].code, w_trailing_data);
@@ -41,7 +41,7 @@ TEST(ReadOff, DataAfterTheLastFaceGivesAWarning) {
 }
 
 TEST(ReadOff, EveryMalformationHasItsCodeAndLine) {
-  const std::string good = "OFF\n3 1 0\n" + points;
+  const std::string good = "OFF\n3 1 0\n" + three_points;
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "E_EMPTY 1"},
       {"# nothing\n", "E_EMPTY 2"},
@@ -75,13 +75,13 @@ TEST(ReadOff, EveryMalformationHasItsCodeAndLine) {
       {good + "3 0 1 3\n", "E_INDEX_RANGE 6"},
       {good + "3 0 -1 2\n", "E_INDEX_RANGE 6"},
       {good + "9223372036854775807 0 1 2\n", "E_PARSE 6"},
-      {"OFF\n3 0 0\n" + points, "E_EMPTY 6"},
+      {"OFF\n3 0 0\n" + three_points, "E_EMPTY 6"},
   };
   for (const auto& [text, expected] : cases) EXPECT_EQ(outcome(read_off(text)), expected) << text;
 }
 
 TEST(ReadOff, LimitsAreErrors) {
-  const std::string text = "OFF\n3 2 0\n" + points + "3 0 1 2\n3 0 1 2\n";
+  const std::string text = "OFF\n3 2 0\n" + three_points + "3 0 1 2\n3 0 1 2\n";
   EXPECT_EQ(outcome(read_off(text, {.vertices = 2, .corners = 100})), "E_LIMIT 2");
   EXPECT_EQ(outcome(read_off(text, {.vertices = 3, .corners = 5})), "E_LIMIT 7");
 }

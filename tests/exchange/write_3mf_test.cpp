@@ -16,7 +16,7 @@ using test::for_random;
 
 using namespace test::lib3mf;
 
-FoundFile read_back(const std::string& bytes) {
+FoundFile read_by_lib3mf(const std::string& bytes) {
   const test::TemporaryFolder folder;
   test::spill(folder.path() / "a.3mf", bytes);
   return test::lib3mf::read_file(folder.path() / "a.3mf");
@@ -47,7 +47,7 @@ TEST(Write3mf, AnotherReaderFindsTheSame) {
     const auto bytes = write_3mf(named, 0.0254);
     ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
     EXPECT_EQ(*write_3mf(named, 0.0254), *bytes);
-    const FoundFile found = read_back(*bytes);
+    const FoundFile found = read_by_lib3mf(*bytes);
     EXPECT_EQ(found.unit, DWORD(NMR::MODELUNIT_INCH));
     ASSERT_EQ(found.objects.size(), 2u);
     EXPECT_EQ(found.objects[0].name, named[0].name);
@@ -69,7 +69,7 @@ TEST(Write3mf, UnitsOfTheFormatAreKeptAndOthersAreMillimetres) {
   const NamedTriangles named[] = {{"a", &mesh}};
   const double size = mesh.positions.front().norm();
   const auto found = [&](double metres) {
-    const FoundFile file = read_back(*write_3mf(named, metres));
+    const FoundFile file = read_by_lib3mf(*write_3mf(named, metres));
     return std::pair(file.unit, file.objects.front().positions.front().norm() / size);
   };
   EXPECT_EQ(found(1e-3).first, DWORD(NMR::MODELUNIT_MILLIMETER));
@@ -86,7 +86,7 @@ TEST(Write3mf, TrianglesWithoutAreaAndEmptyMeshesAreLeftOut) {
   mesh.triangles.push_back({1, 1, 2});
   const TriangleMesh empty;
   const NamedTriangles named[] = {{"a", &mesh}, {"b", &empty}};
-  const FoundFile found = read_back(*write_3mf(named, 1e-3));
+  const FoundFile found = read_by_lib3mf(*write_3mf(named, 1e-3));
   ASSERT_EQ(found.objects.size(), 1u);
   EXPECT_EQ(found.objects[0].triangles.size(), count);
   EXPECT_TRUE(found.objects[0].closed);

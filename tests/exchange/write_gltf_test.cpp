@@ -29,7 +29,7 @@ struct Found {
   Vector3 colour;
 };
 
-std::vector<Found> read_back(const std::string& bytes, const char* form = "glb") {
+std::vector<Found> read_by_assimp(const std::string& bytes, const char* form = "glb") {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, form);
   std::vector<Found> out;
@@ -94,8 +94,8 @@ TEST(WriteGltf, TextHoldsTheSameAsTheBinaryForm) {
     const std::vector<NamedTriangles> named{{"a", &first}, {"b", &second}};
     for (const std::size_t count : {1U, 2U}) {
       const std::span<const NamedTriangles> some(named.data(), count);
-      expect_same(read_back(*write_gltf(some, 0.001, GltfForm::text), "gltf"),
-                  read_back(*write_gltf(some, 0.001)));
+      expect_same(read_by_assimp(*write_gltf(some, 0.001, GltfForm::text), "gltf"),
+                  read_by_assimp(*write_gltf(some, 0.001)));
     }
   });
 }
@@ -106,7 +106,7 @@ TEST(WriteGltf, AnotherReaderFindsTheSameInMetresAndYUp) {
     const std::vector<NamedTriangles> named{{"張り子 \"a\"", &first, {255, 0, 128}}, {"b", &second}};
     const auto bytes = write_gltf(named, 0.0254);
     ASSERT_TRUE(bytes.ok()) << to_string(bytes.error());
-    const auto found = read_back(*bytes);
+    const auto found = read_by_assimp(*bytes);
     ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].name, named[0].name);
     EXPECT_NEAR(found[0].colour.x(), 1, 1e-6);
@@ -134,7 +134,7 @@ TEST(WriteGltf, PolygonsAreTriangulated) {
   const std::vector<NamedPolygons> named{{"cube", &cube}};
   const auto bytes = write_gltf(named, 1);
   ASSERT_TRUE(bytes.ok());
-  const auto found = read_back(*bytes);
+  const auto found = read_by_assimp(*bytes);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].triangles.size(), 12u);
   const double edge = (cube.positions[cube.face(0)[1]] - cube.positions[cube.face(0)[0]]).norm();

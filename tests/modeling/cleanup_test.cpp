@@ -18,10 +18,7 @@ namespace hariko {
 namespace {
 
 using test::euler_number;
-
-PolyhedronSource source_of(PolygonMesh mesh) {
-  return PolyhedronSource::from_mesh(std::move(mesh)).value();
-}
+using test::source_of;
 
 std::set<std::set<std::uint32_t>> face_sets(const Polyhedron& polyhedron) {
   std::set<std::set<std::uint32_t>> out;

@@ -20,10 +20,7 @@ namespace hariko {
 namespace {
 
 using test::euler_number;
-
-PolyhedronSource source_of(PolygonMesh mesh) {
-  return PolyhedronSource::from_mesh(std::move(mesh)).value();
-}
+using test::source_of;
 
 double volume_of(const Polyhedron& polyhedron) {
   double sum = 0;

@@ -25,7 +25,7 @@ Surface surface_of(const PolyhedronSource& source) {
 }
 
 /// An outline that never crosses itself and is concave nearly always, extruded along z.
-PolygonMesh concave_prism(std::mt19937_64& rng) {
+PolygonMesh random_concave_prism(std::mt19937_64& rng) {
   const int n = uniform_int(rng, 5, 14);
   PolygonMesh mesh;
   for (const double z : {-0.6, 0.6})
@@ -86,7 +86,7 @@ TEST(ConvexFaces, RandomPrismsAreCutWithoutNewVertices) {
   int cut = 0, total = 0;
   for_random(4101, 100, [&](std::mt19937_64& rng) {
     ++total;
-    PolyhedronSource source = splitting(with_gaps(source_of(concave_prism(rng)), rng));
+    PolyhedronSource source = splitting(with_gaps(source_of(random_concave_prism(rng)), rng));
     const auto convex = with_convex_faces(source);
     ASSERT_TRUE(convex) << to_string(convex.error());
     cut += convex->cuts.empty() ? 0 : 1;
@@ -101,7 +101,7 @@ TEST(ConvexFaces, RandomPrismsAreCutWithoutNewVertices) {
 
 TEST(ConvexFaces, WhatIsKeptChangesNothing) {
   for_random(4102, 20, [&](std::mt19937_64& rng) {
-    PolyhedronSource source = splitting(source_of(concave_prism(rng)));
+    PolyhedronSource source = splitting(source_of(random_concave_prism(rng)));
     if (chance(rng, 0.5)) source.mirror = Mirror{Axis::x, 0};
     SurfaceInputCache kept;
     for (int step = 0; step < 12; ++step) {

@@ -27,12 +27,6 @@ double difference(const QuarticPatch& a, const QuarticPatch& b) {
   return largest;
 }
 
-double size_of(const PolyhedronSource& source) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3& p : source.polyhedron.positions()) box.extend(p);
-  return box.sizes().norm();
-}
-
 PolyhedronSource with_vertex_at(PolyhedronSource source, VertexId id, const Vector3& position) {
   const Index v = source.polyhedron.find(id);
   source.polyhedron = source.polyhedron.with_positions(std::span(&v, 1), std::span(&position, 1)).value();

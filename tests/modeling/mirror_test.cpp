@@ -19,10 +19,8 @@ namespace hariko {
 namespace {
 
 using test::euler_number;
-
-PolyhedronSource source_of(PolygonMesh mesh) {
-  return PolyhedronSource::from_mesh(std::move(mesh)).value();
-}
+using test::size_of;
+using test::source_of;
 
 /// The right half of a box: x = 0 .. 1, open at x = 0, where the vertices are off by up to 1e-4.
 PolyhedronSource half_box() {
@@ -64,15 +62,6 @@ PolyhedronSource random_half(std::mt19937_64& rng) {
   }
   source.polyhedron = polyhedron.with_positions(vertices, positions).value();
   return source;
-}
-
-double size_of(const Polyhedron& polyhedron) {
-  Vector3 low = polyhedron.position(0), high = low;
-  for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
-    low = low.cwiseMin(polyhedron.position(v));
-    high = high.cwiseMax(polyhedron.position(v));
-  }
-  return (high - low).norm();
 }
 
 Vector3 reflected(Vector3 p, Axis axis) {

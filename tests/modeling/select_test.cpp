@@ -7,15 +7,14 @@
 #include "core/modeling/select_convert.hpp"
 #include "core/modeling/select_region.hpp"
 #include "core/modeling/select_similar.hpp"
+#include "tests/modeling/support.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/random_shaping.hpp"
 
 namespace hariko {
 namespace {
 
-PolyhedronSource source_of(PolygonMesh mesh) {
-  return PolyhedronSource::from_mesh(std::move(mesh)).value();
-}
+using test::source_of;
 
 ElementSet random_set(const Polyhedron& polyhedron, std::mt19937_64& rng, double share) {
   ElementSet set;

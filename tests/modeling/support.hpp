@@ -104,12 +104,7 @@ inline std::vector<EdgeId> all_edges(const PolyhedronSource& source) {
 
 /// The size of the box round the polyhedron.
 inline double size_of(const PolyhedronSource& source) {
-  Vector3 low = source.polyhedron.position(0), high = low;
-  for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) {
-    low = low.cwiseMin(source.polyhedron.position(v));
-    high = high.cwiseMax(source.polyhedron.position(v));
-  }
-  return (high - low).norm();
+  return size_of(source.polyhedron);
 }
 
 /// Mostly a part of the size, now and then something that nobody means.

@@ -12,7 +12,7 @@ namespace hariko::test {
 
 namespace {
 
-Solid random_solid(std::mt19937_64& rng) {
+Solid random_placed_solid(std::mt19937_64& rng) {
   Solid solid;
   solid.position = random_vector(rng, 3);
   solid.rotation = random_vector(rng, 180);
@@ -28,7 +28,7 @@ Vector3 place(const Solid& solid, const Vector3& local) {
 
 TEST(TransformSolid, MovesAndTurnsAreExact) {
   for_random(31, 50, [](std::mt19937_64& rng) {
-    const Solid solid = random_solid(rng);
+    const Solid solid = random_placed_solid(rng);
     Transformation t;
     t.translation = random_vector(rng, 2);
     t.axis = random_vector(rng).normalized();
@@ -46,7 +46,7 @@ TEST(TransformSolid, MovesAndTurnsAreExact) {
 
 TEST(TransformSolid, StretchingAlongTheOwnAxesIsExact) {
   for_random(32, 50, [](std::mt19937_64& rng) {
-    const Solid solid = random_solid(rng);
+    const Solid solid = random_placed_solid(rng);
     Transformation t;
     t.frame = solid_rotation(solid.rotation);
     t.factors = {uniform(rng, 0.3, 3), uniform(rng, 0.3, 3), uniform(rng, 0.3, 3)};
@@ -58,7 +58,7 @@ TEST(TransformSolid, StretchingAlongTheOwnAxesIsExact) {
 
 TEST(TransformSolid, ShearLeavesARotationAndPositiveLengths) {
   for_random(33, 50, [](std::mt19937_64& rng) {
-    const Solid solid = random_solid(rng);
+    const Solid solid = random_placed_solid(rng);
     Transformation t;
     t.factors = {uniform(rng, -3, -0.3), uniform(rng, 0.3, 3), 1};
     const Solid stretched = transformed(solid, t, Vector3::Zero());
@@ -72,7 +72,7 @@ TEST(TransformSolid, ShearLeavesARotationAndPositiveLengths) {
 
 TEST(TransformSolid, MovingOnlyKeepsTheNumbersOfTheRest) {
   for_random(34, 10, [](std::mt19937_64& rng) {
-    const Solid solid = random_solid(rng);
+    const Solid solid = random_placed_solid(rng);
     Transformation t;
     t.translation = random_vector(rng);
     const Solid moved = transformed(solid, t, random_vector(rng));

@@ -17,18 +17,12 @@
 namespace hariko::test {
 namespace {
 
-constexpr Mode modes[] = {Mode::paper, Mode::target, Mode::fair};
-
-double size_of(const Polyhedron& polyhedron) {
-  Eigen::AlignedBox3d box;
-  for (Index v = 0; v < polyhedron.vertex_count(); ++v) box.extend(polyhedron.position(v));
-  return box.diagonal().norm();
-}
+constexpr Mode quartic_modes[] = {Mode::paper, Mode::target, Mode::fair};
 
 TEST(Continuity, ReferenceModelsAreG1WithoutFolds) {
   for (const char* name :
        {"cube", "octahedron", "torus", "grid3", "fig2", "fig2_open", "genus3", "car", "prism6"})
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       SCOPED_TRACE(name);
       const auto input = golden_input(std::string(name) + ".obj", mode);
       PolyhedronSurfacer surfacer;
@@ -46,7 +40,7 @@ TEST(Continuity, ReferenceModelsAreG1WithoutFolds) {
 }
 
 TEST(Continuity, ConcaveFacesFoldAndAreNamed) {
-  for (const Mode mode : modes) {
+  for (const Mode mode : quartic_modes) {
     PolyhedronSurfacer surfacer;
     const auto result = surfacer.rebuild(golden_input("concave.obj", mode));
     ASSERT_TRUE(result.ok());
@@ -61,7 +55,7 @@ TEST(Continuity, RandomPolyhedraWithRandomTensions) {
   for_random(11, 60, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     const Shaping shaping = random_shaping(polyhedron, rng, 1000, 0.001, 1000);
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       PolyhedronSurfacer surfacer;
       const auto result = surfacer.rebuild({polyhedron, shaping, mode, Vector3::Zero()});
       ASSERT_TRUE(result.ok()) << to_string(result.error());
@@ -76,7 +70,7 @@ TEST(Continuity, RandomPolyhedraWithRandomTensions) {
 TEST(Continuity, FacesWithManySidesWorkUpToTheLimit) {
   for (const int sides : {64, 128, 129}) {
     const Polyhedron polyhedron = Polyhedron::build(prism(sides)).value();
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       PolyhedronSurfacer surfacer;
       const auto result = surfacer.rebuild({polyhedron, {}, mode, Vector3::Zero()});
       if (mode == Mode::fair && sides > 128) {
@@ -93,7 +87,7 @@ TEST(Continuity, FacesWithManySidesWorkUpToTheLimit) {
 TEST(Continuity, SidesAgreeBitForBit) {
   for_random(12, 20, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       PolyhedronSurfacer surfacer;
       const auto result = surfacer.rebuild({polyhedron, {}, mode, Vector3::Zero()});
       ASSERT_TRUE(result.ok());
@@ -124,7 +118,7 @@ TEST(Continuity, TwoSidedDerivativeIdentityHoldsOnEveryEdge) {
     ASSERT_TRUE(network.ok());
     const HalfEdgeMesh& mesh = polyhedron.topology();
     const PatchConstants constants = patch_constants(mesh, network->frames());
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       PolyhedronSurfacer surfacer;
       const auto result = surfacer.rebuild({polyhedron, shaping, mode, Vector3::Zero()});
       ASSERT_TRUE(result.ok());

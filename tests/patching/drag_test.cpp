@@ -25,12 +25,6 @@ double largest_difference(const QuarticPatchSet& a, const QuarticPatchSet& b) {
   return largest;
 }
 
-double size_of(const Polyhedron& polyhedron) {
-  Eigen::AlignedBox3d box;
-  for (Index v = 0; v < polyhedron.vertex_count(); ++v) box.extend(polyhedron.position(v));
-  return box.diagonal().norm();
-}
-
 void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Mode mode, std::vector<Index> vertices,
                       std::mt19937_64& rng, std::size_t* changed_count = nullptr, bool soft = false) {
   PolyhedronSurfaceInput input{start, shaping, mode, Vector3::Zero()};

@@ -19,7 +19,7 @@ struct Built {
   PatchPoint at(double x, double y) const { return patches().evaluate_chart(0, {x, y}, Order::second); }
 };
 
-Built build(const std::string& name, const std::string& tension = {}, bool round = false) {
+Built build_golden(const std::string& name, const std::string& tension = {}, bool round = false) {
   auto input = golden_input(name + ".obj", Mode::g2, tension);
   input.round = round;
   PolyhedronSurfacer surfacer;
@@ -47,7 +47,7 @@ void expect_near(const Vector3& value, const Vector3& expected) {
 }
 
 TEST(G2Acceptance, Cube) {
-  const Built cube = build("cube");
+  const Built cube = build_golden("cube");
   const Measures measures = measured_alike(cube.surface.surface);
   EXPECT_NEAR(measures.bending, 29.08767, 1e-5);
   EXPECT_NEAR(measures.area, 35.418661, 1e-6);
@@ -59,7 +59,7 @@ TEST(G2Acceptance, Cube) {
 }
 
 TEST(G2Acceptance, Octahedron) {
-  const Built octahedron = build("octahedron");
+  const Built octahedron = build_golden("octahedron");
   const Measures measures = measured_alike(octahedron.surface.surface);
   EXPECT_NEAR(measures.bending, 26.148699, 1e-6);
   EXPECT_NEAR(measures.area, 11.926571, 1e-6);
@@ -76,7 +76,7 @@ TEST(G2Acceptance, Octahedron) {
 }
 
 TEST(G2Acceptance, Figure2) {
-  const Built figure = build("fig2");
+  const Built figure = build_golden("fig2");
   const Measures measures = measured_alike(figure.surface.surface);
   EXPECT_NEAR(measures.bending, 33.633389, 1e-5);
   EXPECT_NEAR(measures.area, 29.127292, 1e-6);
@@ -85,7 +85,7 @@ TEST(G2Acceptance, Figure2) {
 }
 
 TEST(G2Acceptance, Grid) {
-  const Built grid = build("grid3");
+  const Built grid = build_golden("grid3");
   EXPECT_NEAR(measured_alike(grid.surface.surface).bending, 1.6256, 5e-5);
 }
 
@@ -135,7 +135,7 @@ const Row rows[] = {
 TEST(G2Acceptance, Table) {
   for (const Row& row : rows) {
     SCOPED_TRACE(std::string(row.name) + row.tension + (row.round ? " round" : ""));
-    const Built built = build(row.name, row.tension, row.round);
+    const Built built = build_golden(row.name, row.tension, row.round);
     const auto input = golden_input(std::string(row.name) + ".obj", Mode::g2, row.tension);
     const auto frames = build_vertex_frames(input.polyhedron, input.shaping).value();
     EXPECT_EQ(built.surface.report.round, row.round);

@@ -24,12 +24,6 @@ PolyhedronSurfaceInput input_of(const Polyhedron& polyhedron, const Shaping& sha
   return {polyhedron, shaping, Mode::g2, Vector3::Zero()};
 }
 
-double size_of(const Polyhedron& polyhedron) {
-  Eigen::AlignedBox3d box;
-  for (Index v = 0; v < polyhedron.vertex_count(); ++v) box.extend(polyhedron.position(v));
-  return box.diagonal().norm();
-}
-
 /// `size`: of the object. Where it is flat, curvature is rounding and there is nothing to be relative to. Few
 /// points may jump by more, all where the surface almost folds, and by no more than rounding explains.
 void expect_continuous(const PolyhedronSurface& surface, double size) {

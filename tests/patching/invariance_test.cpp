@@ -17,7 +17,7 @@
 namespace hariko::test {
 namespace {
 
-constexpr Mode modes[] = {Mode::paper, Mode::target, Mode::fair};
+constexpr Mode quartic_modes[] = {Mode::paper, Mode::target, Mode::fair};
 
 std::vector<QuarticPatch> patches_of(const PolyhedronSurfaceInput& input) {
   PolyhedronSurfacer surfacer;
@@ -45,7 +45,7 @@ TEST(Invariance, AffineMapsCommuteWithTheConstruction) {
     for (Vector3& p : mapped.positions) p = map * p + shift;
     const Polyhedron a = Polyhedron::build(mesh).value(), b = Polyhedron::build(mapped).value();
     const Shaping shaping = random_shaping(a, rng, 10, 0.1, 10);
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       const auto before = patches_of({a, shaping, mode, Vector3::Zero()});
       const auto after = patches_of({b, shaping, mode, Vector3::Zero()});
       const double size = largest(after);
@@ -78,7 +78,7 @@ TEST(Invariance, NumberingAndFaceRotationDoNotMatter) {
       shuffled.add_face(face);
     }
     const Polyhedron a = Polyhedron::build(mesh).value(), b = Polyhedron::build(shuffled).value();
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       const auto before = patches_of({a, {}, mode, Vector3::Zero()});
       const auto after = patches_of({b, {}, mode, Vector3::Zero()});
       const double size = largest(before);
@@ -97,7 +97,7 @@ TEST(Invariance, NumberingAndFaceRotationDoNotMatter) {
 
 TEST(Invariance, MirrorSymmetryIsKept) {
   // prism6 is symmetric in y: the reflected mesh is the same mesh with other numbers.
-  for (const Mode mode : modes) {
+  for (const Mode mode : quartic_modes) {
     const PolygonMesh mesh = golden_obj("prism6.obj");
     PolygonMesh mirrored;
     for (const Vector3& p : mesh.positions) mirrored.positions.push_back({p.x(), -p.y(), p.z()});
@@ -137,7 +137,7 @@ TEST(Invariance, MovedAMillionAwayItHasTheSameControlPoints) {
     const Vector3 here = origin_for(mesh.positions), there = origin_for(moved.positions);
     for (Vector3& p : mesh.positions) p -= here;
     for (Vector3& p : moved.positions) p -= there;
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       const auto a = patches_of({Polyhedron::build(mesh).value(), {}, mode, here});
       const auto b = patches_of({Polyhedron::build(moved).value(), {}, mode, there});
       for (std::size_t h = 0; h < a.size(); ++h)
@@ -153,7 +153,7 @@ TEST(Invariance, ScaleFromAThousandthToAMillion) {
   for (const double scale : {1e-3, 1e3, 1e6}) {
     PolygonMesh scaled = mesh;
     for (Vector3& p : scaled.positions) p *= scale;
-    for (const Mode mode : modes) {
+    for (const Mode mode : quartic_modes) {
       const auto a = patches_of({Polyhedron::build(mesh).value(), {}, mode, Vector3::Zero()});
       const auto b = patches_of({Polyhedron::build(scaled).value(), {}, mode, Vector3::Zero()});
       const double size = largest(a);

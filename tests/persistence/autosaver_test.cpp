@@ -7,6 +7,7 @@
 
 #include <thread>
 
+#include "tests/persistence/numbers.hpp"
 #include "tests/support/failing_layer.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -26,10 +27,6 @@ Document numbered(std::uint64_t number) {
   return document;
 }
 
-std::uint64_t number_of(const Document& document) {
-  return std::stoull(document.objects.at(0)->name);
-}
-
 Autosaver::Work work(std::uint64_t serial, std::uint64_t epoch = 1) {
   return {numbered(serial), {epoch, serial}, {"/model.hariko", {}, 0}};
 }
@@ -39,7 +36,7 @@ std::vector<std::uint64_t> recovered(const fs::path& folder) {
   std::vector<std::uint64_t> numbers;
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.is_directory())
-      if (const auto copy = read_recovery(entry.path())) numbers.push_back(number_of(copy->document));
+      if (const auto copy = read_recovery(entry.path())) numbers.push_back(test::number_of(copy->document));
   return numbers;
 }
 

@@ -14,6 +14,7 @@
 
 #include "app/persistence/autosaver.hpp"
 #include "core/document/file.hpp"
+#include "tests/persistence/numbers.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -24,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Documents of very different length, so that a mixture would show.
-Document numbered(std::uint64_t number) {
+Document numbered_model(std::uint64_t number) {
   static const Document small = document_from_mesh(test::cube(), "0").value();
   static const Document large = document_from_mesh(test::torus(30, 20), "0").value();
   Document document = number % 2 == 0 ? small : large;
@@ -32,10 +33,6 @@ Document numbered(std::uint64_t number) {
   object.name = std::to_string(number);
   document.objects[0] = std::make_shared<const Object>(std::move(object));
   return document;
-}
-
-std::uint64_t number_of(const Document& document) {
-  return std::stoull(document.objects.at(0)->name);
 }
 
 /// What the session says to its parent; survives the kill.
@@ -51,12 +48,12 @@ void session(const fs::path& state, const fs::path& original, std::uint64_t firs
   Autosaver saver{RecoveryStore(state)};
   auto stamp = stamp_of(original);
   for (std::uint64_t i = first;; ++i) {
-    saver.set_work({numbered(i), {1, i}, {original, stamp, 0}});
+    saver.set_work({numbered_model(i), {1, i}, {original, stamp, 0}});
     if (!saver.write(0).ok()) ::_exit(1);
     said.kept = i;
     ++said.autosaves;
     if (!test::chance(rng, 0.3)) continue;
-    if (!save_document(numbered(i), original).ok()) ::_exit(1);
+    if (!save_document(numbered_model(i), original).ok()) ::_exit(1);
     stamp = stamp_of(original);
     ++said.saves;
     saver.set_nothing();
@@ -70,7 +67,7 @@ TEST(Kill, InTheMiddleOfASessionLosesNothingThatWasWritten) {
   void* memory = ::mmap(nullptr, sizeof(Promises), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(memory, MAP_FAILED);
   Promises& said = *new (memory) Promises;
-  ASSERT_TRUE(save_document(numbered(0), original));
+  ASSERT_TRUE(save_document(numbered_model(0), original));
 
   const std::uint64_t seed = test::random_seed(71);
   SCOPED_TRACE("HARIKO_SEED=" + std::to_string(seed));
@@ -93,8 +90,8 @@ TEST(Kill, InTheMiddleOfASessionLosesNothingThatWasWritten) {
 
     const auto saved = load_document(original);
     ASSERT_TRUE(saved.ok()) << to_string(saved.error());
-    ASSERT_TRUE(*saved == numbered(number_of(*saved)));
-    std::uint64_t best = number_of(*saved);
+    ASSERT_TRUE(*saved == numbered_model(test::number_of(*saved)));
+    std::uint64_t best = test::number_of(*saved);
     const auto leftovers = store.leftovers(0);
     ASSERT_LE(leftovers.size(), 1U);
     for (const Leftover& leftover : leftovers) {
@@ -102,15 +99,15 @@ TEST(Kill, InTheMiddleOfASessionLosesNothingThatWasWritten) {
       ASSERT_FALSE(leftover.damaged);
       auto slot = store.adopt(leftover.id, 0).value();
       const Document found = read_recovery(slot.folder())->document;
-      ASSERT_TRUE(found == numbered(number_of(found)));
+      ASSERT_TRUE(found == numbered_model(test::number_of(found)));
       ASSERT_EQ(leftover.note.original, original);
       // An older copy than the file is never offered without saying so.
-      if (number_of(found) < number_of(*saved)) {
+      if (test::number_of(found) < test::number_of(*saved)) {
         ASSERT_TRUE(leftover.file_changed);
       }
-      best = std::max(best, number_of(found));
+      best = std::max(best, test::number_of(found));
       // The designer recovers what is newer, saves it, and works on from there.
-      if (number_of(found) > number_of(*saved)) {
+      if (test::number_of(found) > test::number_of(*saved)) {
         ASSERT_TRUE(save_document(found, original));
       }
       ASSERT_TRUE(slot.clear(layer));

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-HalfEdgeMesh built(const PolygonMesh& mesh) {
+HalfEdgeMesh built_mesh(const PolygonMesh& mesh) {
   Result<HalfEdgeMesh> result = HalfEdgeMesh::build(mesh);
   EXPECT_TRUE(result.ok()) << (result.ok() ? "" : to_string(result.error()));
   return std::move(result).value();
@@ -107,7 +107,7 @@ void expect_fans(const HalfEdgeMesh& mesh) {
 TEST(HalfEdgeMesh, InvariantsOfRandomPolyhedra) {
   for_random(101, 300, [](std::mt19937_64& rng) {
     const PolygonMesh polygons = random_polyhedron(rng);
-    const HalfEdgeMesh mesh = built(polygons);
+    const HalfEdgeMesh mesh = built_mesh(polygons);
     expect_links(polygons, mesh);
     expect_fans(mesh);
     // V - E + F = 2 (components - genus) - loops: even once the loops are filled, and at most that of
@@ -121,7 +121,7 @@ TEST(HalfEdgeMesh, InvariantsOfRandomPolyhedra) {
 TEST(HalfEdgeMesh, FanRunsCounterClockwise) {
   // Vertex 4 in the middle of a 2 x 2 grid seen from above: directions turn left by a right angle each.
   const PolygonMesh polygons = grid(2, 2);
-  const HalfEdgeMesh mesh = built(polygons);
+  const HalfEdgeMesh mesh = built_mesh(polygons);
   Index h = mesh.outgoing(4);
   for (int k = 0; k < 4; ++k) {
     const Index next = mesh.rotate(h);
@@ -163,7 +163,7 @@ TEST(HalfEdgeMesh, EulerNumbersLoopsAndComponents) {
   };
   for (const Counts& c : cases) {
     SCOPED_TRACE(c.name);
-    const HalfEdgeMesh mesh = built(c.mesh);
+    const HalfEdgeMesh mesh = built_mesh(c.mesh);
     EXPECT_EQ(euler_number(mesh), c.euler);
     EXPECT_EQ(mesh.border_loop_count(), c.loops);
     EXPECT_EQ(component_count(mesh), c.components);
@@ -171,7 +171,7 @@ TEST(HalfEdgeMesh, EulerNumbersLoopsAndComponents) {
 }
 
 TEST(HalfEdgeMesh, ComponentsAreNumberedByTheirFirstFace) {
-  const HalfEdgeMesh mesh = built(together(cube(), octahedron(), {5, 0, 0}));
+  const HalfEdgeMesh mesh = built_mesh(together(cube(), octahedron(), {5, 0, 0}));
   const std::vector<Index> component = mesh.face_components();
   for (Index f = 0; f < 14; ++f) EXPECT_EQ(component[f], f < 6 ? 0U : 1U);
 }
@@ -186,7 +186,7 @@ TEST(HalfEdgeMesh, HubOfManyEdges) {
     const long i = k * 7919 % n;
     fan.add_face({0, static_cast<Index>(1 + i), static_cast<Index>(1 + (i + 1) % n)});
   }
-  const HalfEdgeMesh mesh = built(fan);
+  const HalfEdgeMesh mesh = built_mesh(fan);
   EXPECT_EQ(mesh.valence(0), static_cast<Index>(n));
   EXPECT_EQ(mesh.border_loop_count(), 1U);
 }
@@ -194,7 +194,7 @@ TEST(HalfEdgeMesh, HubOfManyEdges) {
 TEST(HalfEdgeMesh, IsolatedVerticesHaveNoFan) {
   PolygonMesh polygons = cube();
   polygons.positions.emplace_back(9, 9, 9);
-  const HalfEdgeMesh mesh = built(polygons);
+  const HalfEdgeMesh mesh = built_mesh(polygons);
   EXPECT_EQ(mesh.outgoing(8), no_index);
   EXPECT_EQ(mesh.valence(8), 0U);
   EXPECT_FALSE(mesh.is_border_vertex(8));

@@ -11,7 +11,7 @@ namespace {
 
 using namespace hariko::test;
 
-constexpr PixelSize size{800, 600};
+constexpr PixelSize picture_size{800, 600};
 constexpr double pi = std::numbers::pi;
 
 Camera random_camera(std::mt19937_64& rng) {
@@ -51,14 +51,14 @@ TEST(Camera, ViewNamesGoBothWays) {
 TEST(Camera, MatricesAgreeWithProjection) {
   for_random(1, 100, [](std::mt19937_64& rng) {
     const Camera camera = random_camera(rng);
-    const Projector projector(camera, size);
+    const Projector projector(camera, picture_size);
     const Vector3 point = camera.target + random_vector(rng, 0.3 * camera.distance);
     const auto pixel = projector.project(point);
     ASSERT_TRUE(pixel);
     const Eigen::Vector4d clip =
-        camera.projection_matrix(size, {0.01, 1000}) * camera.view_matrix() * point.homogeneous();
-    EXPECT_NEAR(pixel->x(), (clip.x() / clip.w() + 1) / 2 * size.width, 1e-7);
-    EXPECT_NEAR(pixel->y(), (1 - clip.y() / clip.w()) / 2 * size.height, 1e-7);
+        camera.projection_matrix(picture_size, {0.01, 1000}) * camera.view_matrix() * point.homogeneous();
+    EXPECT_NEAR(pixel->x(), (clip.x() / clip.w() + 1) / 2 * picture_size.width, 1e-7);
+    EXPECT_NEAR(pixel->y(), (1 - clip.y() / clip.w()) / 2 * picture_size.height, 1e-7);
     EXPECT_NEAR(pixel->z(), (point - camera.eye()).dot(camera.forward()), 1e-9 * camera.distance);
   });
 }
@@ -66,7 +66,7 @@ TEST(Camera, MatricesAgreeWithProjection) {
 TEST(Camera, RaysPassThroughWhatTheyShow) {
   for_random(2, 100, [](std::mt19937_64& rng) {
     const Camera camera = random_camera(rng);
-    const Projector projector(camera, size);
+    const Projector projector(camera, picture_size);
     const Vector3 point = camera.target + random_vector(rng, 0.3 * camera.distance);
     const Vector3 pixel = *projector.project(point);
     const Ray ray = projector.ray(pixel.head<2>());
@@ -80,8 +80,8 @@ TEST(Camera, RaysPassThroughWhatTheyShow) {
 
 TEST(Camera, PointsBehindTheEyeHaveNoPixel) {
   const Camera camera = Camera::standard(StandardView::front);
-  EXPECT_FALSE(Projector(camera, size).project(camera.eye() - camera.forward()));
-  EXPECT_FALSE(Projector(camera, size).project(camera.eye()));
+  EXPECT_FALSE(Projector(camera, picture_size).project(camera.eye() - camera.forward()));
+  EXPECT_FALSE(Projector(camera, picture_size).project(camera.eye()));
 }
 
 TEST(Camera, OrbitKeepsThePivotThereAndTheHorizonLevel) {
@@ -90,8 +90,8 @@ TEST(Camera, OrbitKeepsThePivotThereAndTheHorizonLevel) {
     camera.orthographic = chance(rng, 0.5);
     const Vector3 pivot = random_vector(rng, 3);
     const Camera turned = camera.orbit(uniform(rng, -2, 2), uniform(rng, -0.5, 0.5), pivot);
-    const auto before = Projector(camera, size).project(pivot),
-               after = Projector(turned, size).project(pivot);
+    const auto before = Projector(camera, picture_size).project(pivot),
+               after = Projector(turned, picture_size).project(pivot);
     EXPECT_LT((*before - *after).norm(), 1e-8);
     EXPECT_NEAR(turned.right().z(), 0, 1e-12);
     EXPECT_GE(turned.up().z(), -1e-12);
@@ -108,30 +108,30 @@ TEST(Camera, OrbitStopsAtThePoles) {
 TEST(Camera, DraggingRightTurnsTheModelRight) {
   const Camera camera = Camera::standard(StandardView::front);
   const Vector3 nearest = camera.target - Vector3::UnitY();
-  const auto moved = Projector(camera.orbit(0.1, 0), size).project(nearest);
-  EXPECT_GT(moved->x(), size.width / 2.0 + 1);
-  const auto down = Projector(camera.orbit(0, 0.1), size).project(nearest);
-  EXPECT_GT(down->y(), size.height / 2.0 + 1);
+  const auto moved = Projector(camera.orbit(0.1, 0), picture_size).project(nearest);
+  EXPECT_GT(moved->x(), picture_size.width / 2.0 + 1);
+  const auto down = Projector(camera.orbit(0, 0.1), picture_size).project(nearest);
+  EXPECT_GT(down->y(), picture_size.height / 2.0 + 1);
 }
 
 TEST(Camera, PanFollowsTheCursor) {
   for_random(4, 50, [](std::mt19937_64& rng) {
     const Camera camera = random_camera(rng);
-    const Camera panned = camera.pan(30, -12, size);
-    const auto pixel = Projector(panned, size).project(camera.target);
-    EXPECT_NEAR(pixel->x(), size.width / 2.0 + 30, 1e-6);
-    EXPECT_NEAR(pixel->y(), size.height / 2.0 - 12, 1e-6);
+    const Camera panned = camera.pan(30, -12, picture_size);
+    const auto pixel = Projector(panned, picture_size).project(camera.target);
+    EXPECT_NEAR(pixel->x(), picture_size.width / 2.0 + 30, 1e-6);
+    EXPECT_NEAR(pixel->y(), picture_size.height / 2.0 - 12, 1e-6);
   });
 }
 
 TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
   for_random(5, 50, [](std::mt19937_64& rng) {
     const Camera camera = random_camera(rng);
-    const Vector2 cursor(uniform(rng, 0, size.width), uniform(rng, 0, size.height));
-    const Vector3 under = Projector(camera, size).on_facing_plane(cursor, camera.target);
-    const Camera zoomed = camera.zoom(0.8, cursor, size);
+    const Vector2 cursor(uniform(rng, 0, picture_size.width), uniform(rng, 0, picture_size.height));
+    const Vector3 under = Projector(camera, picture_size).on_facing_plane(cursor, camera.target);
+    const Camera zoomed = camera.zoom(0.8, cursor, picture_size);
     EXPECT_NEAR(zoomed.distance, 0.8 * camera.distance, 1e-12 * camera.distance);
-    EXPECT_LT((Projector(zoomed, size).project(under)->head<2>() - cursor).norm(), 1e-6);
+    EXPECT_LT((Projector(zoomed, picture_size).project(under)->head<2>() - cursor).norm(), 1e-6);
   });
 }
 
@@ -139,14 +139,14 @@ TEST(Camera, FrameShowsEverythingAndTouchesTheMargin) {
   for_random(6, 100, [](std::mt19937_64& rng) {
     std::vector<Vector3> points;
     for (int i = 0; i < 20; ++i) points.push_back(Vector3(5, 6, 7) + random_vector(rng, 2));
-    const Camera camera = random_camera(rng).frame(points, size);
-    const Projector projector(camera, size);
+    const Camera camera = random_camera(rng).frame(points, picture_size);
+    const Projector projector(camera, picture_size);
     double most = 0;
     for (const Vector3& point : points) {
       const auto pixel = projector.project(point);
       ASSERT_TRUE(pixel);
-      most = std::max(
-          {most, std::abs(pixel->x() / size.width * 2 - 1), std::abs(pixel->y() / size.height * 2 - 1)});
+      most = std::max({most, std::abs(pixel->x() / picture_size.width * 2 - 1),
+                       std::abs(pixel->y() / picture_size.height * 2 - 1)});
     }
     EXPECT_NEAR(most, 1 / 1.08, 0.02);
   });
@@ -154,10 +154,10 @@ TEST(Camera, FrameShowsEverythingAndTouchesTheMargin) {
 
 TEST(Camera, FrameOfNothingOrOnePointIsSane) {
   const Camera camera = Camera::standard(StandardView::iso);
-  EXPECT_EQ(camera.frame(Box3(), size).distance, camera.distance);
+  EXPECT_EQ(camera.frame(Box3(), picture_size).distance, camera.distance);
   const std::vector<Vector3> bad{Vector3::Constant(NAN)};
-  EXPECT_EQ(camera.frame(bad, size).distance, camera.distance);
-  const Camera at = camera.frame(Box3(Vector3(1, 2, 3), Vector3(1, 2, 3)), size);
+  EXPECT_EQ(camera.frame(bad, picture_size).distance, camera.distance);
+  const Camera at = camera.frame(Box3(Vector3(1, 2, 3), Vector3(1, 2, 3)), picture_size);
   EXPECT_GT(at.distance, 0);
   EXPECT_LT((at.target - Vector3(1, 2, 3)).norm(), 1e-9);
 }
@@ -166,7 +166,7 @@ TEST(Camera, ClipRangeEnclosesTheBox) {
   for_random(7, 100, [](std::mt19937_64& rng) {
     const Vector3 low = random_vector(rng, 5), extent = random_vector(rng, 2).cwiseAbs();
     const Box3 box(low, low + extent);
-    const Camera camera = random_camera(rng).frame(box, size);
+    const Camera camera = random_camera(rng).frame(box, picture_size);
     const ClipRange clip = camera.clip_range(box);
     EXPECT_LT(clip.near_plane, clip.far_plane);
     if (!camera.orthographic) {
@@ -183,7 +183,7 @@ TEST(Camera, ClipRangeEnclosesTheBox) {
 
 TEST(Camera, MixEndsAtItsEndsAndStaysRigid) {
   const Camera a = Camera::standard(StandardView::front),
-               b = Camera::standard(StandardView::top).pan(10, 5, size);
+               b = Camera::standard(StandardView::top).pan(10, 5, picture_size);
   EXPECT_EQ(Camera::mix(a, b, 0).target, a.target);
   EXPECT_EQ(Camera::mix(a, b, 1).target, b.target);
   EXPECT_NEAR(Camera::mix(a, b, 0.3).orientation.norm(), 1, 1e-12);
@@ -193,8 +193,8 @@ TEST(Camera, FarFromZeroProjectsAsPreciselyAsNear) {
   Camera near_camera = Camera::standard(StandardView::iso), far_camera = near_camera;
   const Vector3 far_away(1e6, -2e6, 3e6), point(0.5, 0.25, -0.75);
   far_camera.target += far_away;
-  const auto p = Projector(near_camera, size).project(point),
-             q = Projector(far_camera, size).project(far_away + point);
+  const auto p = Projector(near_camera, picture_size).project(point),
+             q = Projector(far_camera, picture_size).project(far_away + point);
   EXPECT_LT((*p - *q).norm(), 1e-6);
 }
 

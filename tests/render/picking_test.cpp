@@ -14,7 +14,7 @@ namespace {
 
 using namespace hariko::test;
 
-constexpr PixelSize size{800, 600};
+constexpr PixelSize picking_size{800, 600};
 
 /// columns x rows unit squares in the plane z = 0, from (0, 0).
 Polyhedron grid(Index columns, Index rows) {
@@ -53,7 +53,7 @@ Scene scene_with(const Polyhedron& polyhedron) {
 Projector view_of(const Scene& scene, StandardView view, bool orthographic = false) {
   Camera camera = Camera::standard(view);
   camera.orthographic = orthographic;
-  return {framed(camera, scene, size), size};
+  return {framed(camera, scene, picking_size), picking_size};
 }
 
 TEST(Picking, VerticesBeforeEdgesBeforeFaces) {
@@ -178,7 +178,7 @@ TEST(Picking, EdgesThatPassTheEyeStillCount) {
   camera.target = {1.5, 1.5, 0.2};
   camera.distance = 0.4;  // inside the model: some ends lie behind
   camera = camera.orbit(0, 0.3);
-  const Projector projector(camera, size);
+  const Projector projector(camera, picking_size);
   const auto on_edge = projector.project({1, 2.5, 0});
   ASSERT_TRUE(on_edge);
   PickOptions options;
@@ -241,9 +241,9 @@ TEST(Occlusion, TheSectionOpensTheView) {
   const Box3 box = scene.world_box();
   camera.target = box.center();
   const Vector3 bottom(box.center().x() + 0.1, box.center().y() + 0.07, box.min().z());
-  EXPECT_FALSE(Occlusion(scene, Projector(camera, size)).visible(bottom));
+  EXPECT_FALSE(Occlusion(scene, Projector(camera, picking_size)).visible(bottom));
   scene.section = SectionPlane{Vector3::UnitZ(), box.center().z()};
-  const Occlusion open(scene, Projector(camera, size));
+  const Occlusion open(scene, Projector(camera, picking_size));
   EXPECT_TRUE(open.visible(bottom));
   EXPECT_FALSE(open.visible(Vector3(bottom.x(), bottom.y(), box.max().z()))) << "cut away itself";
 }

@@ -16,8 +16,6 @@ namespace {
 
 using namespace hariko::test;
 
-constexpr PixelSize size{320, 240};
-
 /// Two cubes beside each other in x, each of half a unit.
 std::shared_ptr<const DisplayPolyhedron> cubes() {
   auto out = std::make_shared<DisplayPolyhedron>();
@@ -68,7 +66,7 @@ class BodiesTest : public GlTest {
     int left_x, right_x, y;  ///< pixels in the middle of the cubes
   };
   static At middles(const Camera& camera) {
-    const Projector projector(camera, size);
+    const Projector projector(camera, picture_size);
     const auto left = projector.project({-0.35, -0.25, 0}), right = projector.project({0.35, -0.25, 0});
     return {int(left->x()), int(right->x()), int(left->y())};
   }
@@ -76,27 +74,27 @@ class BodiesTest : public GlTest {
 
 TEST_F(BodiesTest, ShowThroughTheSurfaceInTheirStates) {
   Scene scene = with_bodies(SurfaceMap::shaded);
-  const Camera camera = framed(Camera::standard(StandardView::front), scene, size);
+  const Camera camera = framed(Camera::standard(StandardView::front), scene, picture_size);
   const At at = middles(camera);
-  const Image shown = draw(scene, camera, size);
+  const Image shown = draw(scene, camera, picture_size);
   scene.objects[0].show_bodies = false;
-  const Image hidden = draw(scene, camera, size);
+  const Image hidden = draw(scene, camera, picture_size);
   EXPECT_GT(difference(shown, hidden, at.left_x, at.y), 8);
   EXPECT_GT(difference(shown, hidden, at.right_x, at.y), 8);
   EXPECT_EQ(difference(shown, hidden, (at.left_x + at.right_x) / 2, at.y), 0) << "nothing between them";
   scene.objects[0].show_bodies = true;
   scene.objects[0].selected.faces = {6, 7, 8, 9, 10, 11};
-  const Image selected = draw(scene, camera, size);
+  const Image selected = draw(scene, camera, picture_size);
   EXPECT_EQ(difference(selected, shown, at.left_x, at.y), 0);
   EXPECT_GT(difference(selected, shown, at.right_x, at.y), 12);
   scene.objects[0].selected.faces.clear();
   scene.objects[0].hovered.faces = {0, 1, 2, 3, 4, 5};
-  const Image hovered = draw(scene, camera, size);
+  const Image hovered = draw(scene, camera, picture_size);
   EXPECT_GT(difference(hovered, shown, at.left_x, at.y), 8);
   EXPECT_EQ(difference(hovered, shown, at.right_x, at.y), 0);
   scene.objects[0].hovered.faces.clear();
   scene.objects[0].faint_bodies = true;
-  const Image faint = draw(scene, camera, size);
+  const Image faint = draw(scene, camera, picture_size);
   EXPECT_GT(difference(shown, faint, at.left_x, at.y), 2);
   EXPECT_LT(difference(faint, hidden, at.left_x, at.y), difference(shown, hidden, at.left_x, at.y));
 }
@@ -105,33 +103,33 @@ TEST_F(BodiesTest, LeaveTheColoursOfMapsWhereTheyLookAtTheEye) {
   for (const SurfaceMap map :
        {SurfaceMap::zebra, SurfaceMap::mean, SurfaceMap::isophotes, SurfaceMap::patches}) {
     Scene scene = with_bodies(map);
-    const Camera camera = framed(Camera::standard(StandardView::front), scene, size);
+    const Camera camera = framed(Camera::standard(StandardView::front), scene, picture_size);
     const At at = middles(camera);
-    const Image shown = draw(scene, camera, size);
+    const Image shown = draw(scene, camera, picture_size);
     scene.objects[0].show_bodies = false;
-    const Image hidden = draw(scene, camera, size);
+    const Image hidden = draw(scene, camera, picture_size);
     EXPECT_LE(difference(shown, hidden, at.left_x, at.y), 3) << int(map);
     // Seen from above at a slant the tops are darker, so that the form is there.
-    const Camera slant = framed(Camera::standard(StandardView::iso), scene, size);
-    const Image plain = draw(scene, slant, size);
+    const Camera slant = framed(Camera::standard(StandardView::iso), scene, picture_size);
+    const Image plain = draw(scene, slant, picture_size);
     scene.objects[0].show_bodies = true;
-    const Image with = draw(scene, slant, size);
+    const Image with = draw(scene, slant, picture_size);
     int touched = 0;
-    for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) touched += difference(with, plain, x, y) > 2;
+    for (int y = 0; y < picture_size.height; ++y)
+      for (int x = 0; x < picture_size.width; ++x) touched += difference(with, plain, x, y) > 2;
     EXPECT_GT(touched, 50) << int(map);
   }
 }
 
 TEST_F(BodiesTest, AreCutBySectionsAndShowWithoutASurface) {
   Scene scene = with_bodies(SurfaceMap::shaded);
-  const Camera camera = framed(Camera::standard(StandardView::front), scene, size);
+  const Camera camera = framed(Camera::standard(StandardView::front), scene, picture_size);
   const At at = middles(camera);
   scene.objects[0].show_surface = false;
   scene.section = SectionPlane{Vector3::UnitX(), 0};
-  const Image cut = draw(scene, camera, size);
+  const Image cut = draw(scene, camera, picture_size);
   scene.objects[0].show_bodies = false;
-  const Image nothing = draw(scene, camera, size);
+  const Image nothing = draw(scene, camera, picture_size);
   EXPECT_GT(difference(cut, nothing, at.left_x, at.y), 8);
   EXPECT_EQ(difference(cut, nothing, at.right_x, at.y), 0);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace hariko::test;
 
-constexpr int width = 640, height = 480;
+constexpr int picture_width = 640, picture_height = 480;
 
 void keep(const std::string& name, const Image& image) {
   const char* folder = std::getenv("HARIKO_PICTURES");
@@ -30,9 +30,9 @@ TEST_P(Maps, ModelDrawsInAMap) {
   for (const std::string model : {"fig2", "genus3", "car"}) {
     Scene scene = scene_of(golden_object(model + ".obj", map));
     scene.objects[0].show_network = true;
-    const Camera camera = framed(Camera::standard(StandardView::iso), scene, {width, height},
+    const Camera camera = framed(Camera::standard(StandardView::iso), scene, {picture_width, picture_height},
                                  has_values(map) ? legend_width : 0);
-    Result<Image> picture = render_picture(scene, camera, width, height);
+    Result<Image> picture = render_picture(scene, camera, picture_width, picture_height);
     ASSERT_TRUE(picture.ok()) << to_string(picture.error());
     Image image = std::move(picture).value();
     if (has_values(map)) {
@@ -59,15 +59,16 @@ TEST(Gallery, OverlaysInBothThemes) {
     object.selected_patches = {4, 5, 6, 7};
     scene.background = background;
     const Camera camera =
-        framed(Camera::standard(StandardView::iso).orbit(0.25, -0.1), scene, {width, height});
-    const Result<Image> picture = render_picture(scene, camera, width, height);
+        framed(Camera::standard(StandardView::iso).orbit(0.25, -0.1), scene, {picture_width, picture_height});
+    const Result<Image> picture = render_picture(scene, camera, picture_width, picture_height);
     ASSERT_TRUE(picture.ok());
     keep(background == Background::dark ? "overlays-dark" : "overlays-light", *picture);
   }
   Scene scene = scene_of(golden_object("fig2_open.obj", SurfaceMap::shaded));
   scene.objects[0].show_network = scene.objects[0].show_polyhedron = scene.objects[0].x_ray = true;
   const Result<Image> picture = render_picture(
-      scene, framed(Camera::standard(StandardView::iso), scene, {width, height}), width, height);
+      scene, framed(Camera::standard(StandardView::iso), scene, {picture_width, picture_height}),
+      picture_width, picture_height);
   ASSERT_TRUE(picture.ok());
   keep("open", *picture);
 }
@@ -76,11 +77,12 @@ TEST(Gallery, ZebraSixteenTimesCloser) {
   Scene scene = scene_of(golden_object("genus3.obj", SurfaceMap::zebra));
   scene.objects[0].show_network = true;
   scene.zebra.stripes = 24;
-  Camera camera = framed(Camera::standard(StandardView::iso), scene, {width, height});
-  const Vector3 aim = pick_surface(scene, Projector(camera, {width, height}).ray({330, 200}))->point;
+  Camera camera = framed(Camera::standard(StandardView::iso), scene, {picture_width, picture_height});
+  const Vector3 aim =
+      pick_surface(scene, Projector(camera, {picture_width, picture_height}).ray({330, 200}))->point;
   camera.target = aim;
   camera.distance /= 16;
-  const Result<Image> picture = render_picture(scene, camera, width, height);
+  const Result<Image> picture = render_picture(scene, camera, picture_width, picture_height);
   ASSERT_TRUE(picture.ok());
   keep("zebra-close", *picture);
 }

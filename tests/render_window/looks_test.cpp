@@ -14,16 +14,6 @@ namespace {
 
 using namespace hariko::test;
 
-constexpr PixelSize size{320, 240};
-
-Scene plain(SceneObject object) {
-  Scene scene = scene_of(std::move(object));
-  scene.grid.visible = false;
-  return scene;
-}
-Camera looking(const Scene& scene, StandardView view) {
-  return framed(Camera::standard(view), scene, size);
-}
 Color pixel(const Image& image, int x, int y) {
   const std::uint8_t* p = image.pixel(x, y);
   return {float(p[0]) / 255, float(p[1]) / 255, float(p[2]) / 255, float(p[3]) / 255};
@@ -53,7 +43,7 @@ TEST_F(LooksTest, EveryMaterialCompilesWithEveryLookAndHasItsOwn) {
         object.wire = wire;
         if (highlight) object.selected_patches = {0, 3};
         const Scene scene = plain(std::move(object));
-        EXPECT_TRUE(pictures.insert(draw(scene, looking(scene, StandardView::iso), size).rgba).second)
+        EXPECT_TRUE(pictures.insert(draw(scene, looking(scene, StandardView::iso), picture_size).rgba).second)
             << m << " " << int(wire) << " " << highlight;
       }
 }
@@ -65,9 +55,11 @@ TEST_F(LooksTest, TheInsideIsCoolerInEveryMaterial) {
     object.color = color_of(natural_colour(object.material));
     Scene scene = plain(std::move(object));
     const Camera camera = looking(scene, StandardView::front);
-    const Color outside = pixel(draw(scene, camera, size), size.width / 2, size.height / 2);
+    const Color outside =
+        pixel(draw(scene, camera, picture_size), picture_size.width / 2, picture_size.height / 2);
     scene.section = SectionPlane{-Vector3::UnitY(), 0.0};  // the front half goes: y < 0
-    const Color inside = pixel(draw(scene, camera, size), size.width / 2, size.height / 2);
+    const Color inside =
+        pixel(draw(scene, camera, picture_size), picture_size.width / 2, picture_size.height / 2);
     EXPECT_GT(inside.b - inside.r, outside.b - outside.r + 0.08F) << m;
   }
 }
@@ -82,17 +74,17 @@ TEST_F(LooksTest, ASectionCutsAwayOneHalfAndDrawsItsCurve) {
     return count;
   };
   const Color accent = color_from_hex("#f29e38");
-  const Image whole = draw(scene, camera, size);
+  const Image whole = draw(scene, camera, picture_size);
   EXPECT_EQ(count_near(whole, accent, 0.08F), 0);
   scene.section = SectionPlane{Vector3::UnitZ(), 0.3};
-  const Image cut = draw(scene, camera, size);
+  const Image cut = draw(scene, camera, picture_size);
   EXPECT_LT(covered(cut), 0.97 * covered(whole));
   EXPECT_GT(covered(cut), 0.5 * covered(whole));
   EXPECT_GT(count_near(cut, accent, 0.15F), 60) << "the curve of the cut";
   scene.section = SectionPlane{-Vector3::UnitZ(), -0.8};  // only a cap is left
-  EXPECT_LT(covered(draw(scene, camera, size)), covered(whole) / 2);
+  EXPECT_LT(covered(draw(scene, camera, picture_size)), covered(whole) / 2);
   scene.section = SectionPlane{Vector3::UnitX(), -5.0};
-  EXPECT_EQ(covered(draw(scene, camera, size)), 0);
+  EXPECT_EQ(covered(draw(scene, camera, picture_size)), 0);
 }
 
 /// Long edges seen in perspective are cut where the plane is, as are points and the tint of selected faces.
@@ -109,11 +101,11 @@ TEST_F(LooksTest, ASectionCutsTheCageToo) {
   const Box3 box = scene.world_box();
   const double height = box.center().z() + 0.2 * box.sizes().z();
   const auto painted = [&] {
-    const Image image = draw(scene, camera, size);
-    const Projector projector(camera, size);
+    const Image image = draw(scene, camera, picture_size);
+    const Projector projector(camera, picture_size);
     std::pair<int, int> above_below;
-    for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) {
+    for (int y = 0; y < picture_size.height; ++y)
+      for (int x = 0; x < picture_size.width; ++x) {
         if (pixel(image, x, y).a < 0.05F) continue;
         // Whatever is kept lies on the box below the plane (points are discs of some pixels).
         const Ray ray = projector.ray({x + 0.5, y + 0.5});
@@ -146,8 +138,8 @@ TEST_F(LooksTest, TheCurveOfTheCutHasNoGaps) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 32));
   const Camera camera = looking(scene, StandardView::top);
   scene.section = SectionPlane{Vector3::UnitZ(), 0.0};
-  const Image image = draw(scene, camera, size);
-  const Projector projector(camera, size);
+  const Image image = draw(scene, camera, picture_size);
+  const Projector projector(camera, picture_size);
   int found = 0;
   constexpr int steps = 360;
   for (int i = 0; i < steps; ++i) {
@@ -166,12 +158,12 @@ TEST_F(LooksTest, IsophotesStayOnTheObjectWhereZebraMoves) {
     scene.zebra = {8, {0, 0, 1}, StripeLock::world};
     Camera camera = looking(scene, StandardView::front);
     camera.orthographic = true;
-    const Image before = draw(scene, camera, size);
+    const Image before = draw(scene, camera, picture_size);
     // Raised by some degrees: on a sphere, isophotes about z follow the same circles of latitude.
     const Camera raised = camera.orbit(0, 0.2);
-    const Image after = draw(scene, raised, size);
+    const Image after = draw(scene, raised, picture_size);
     int same = 0, total = 0;
-    const Projector first(camera, size), second(raised, size);
+    const Projector first(camera, picture_size), second(raised, picture_size);
     for (int i = -40; i <= 40; ++i) {
       const double latitude = i * 0.015;
       const Vector3 p(0, -std::cos(latitude), std::sin(latitude));
@@ -195,7 +187,7 @@ TEST_F(LooksTest, MarksHaveTheirColours) {
     SceneObject object = object_of(sphere(1, options), SurfaceMap::shaded, 16);
     object.marks = edge_marks(*object.mesh, std::vector<Continuity>(12, static_cast<Continuity>(k)));
     const Scene scene = plain(std::move(object));
-    const Image image = draw(scene, looking(scene, StandardView::iso), size);
+    const Image image = draw(scene, looking(scene, StandardView::iso), picture_size);
     for (int other = 0; other < 3; ++other) {
       const int found = count_near(image, mark_color(static_cast<Continuity>(other)), 0.09F);
       if (other == k)
@@ -218,12 +210,12 @@ TEST_F(LooksTest, CombsHaveTheSameLengthAtAnyZoom) {
     Camera camera = looking(scene, StandardView::front);
     camera.orthographic = true;
     camera.distance *= factor;
-    const Image image = draw(scene, camera, size);
-    const Projector projector(camera, size);
+    const Image image = draw(scene, camera, picture_size);
+    const Projector projector(camera, picture_size);
     const int edge = int(projector.project({1, 0, 0})->x());
     int last = 0;
-    for (int x = 0; x < size.width; ++x)
-      for (int y = size.height / 2 - 2; y <= size.height / 2 + 2; ++y)
+    for (int x = 0; x < picture_size.width; ++x)
+      for (int y = picture_size.height / 2 - 2; y <= picture_size.height / 2 + 2; ++y)
         if (image.pixel(x, y)[3] > 60) last = std::max(last, x);
     reaches.push_back(last - edge);
   }
@@ -244,9 +236,9 @@ TEST_F(LooksTest, TensionsColourEdgesAndPoints) {
   Scene scene = plain(std::move(object));
   const Camera camera = looking(scene, StandardView::iso);
   const Color tight = tension_color(1), loose = tension_color(-1);
-  const Image without = draw(scene, camera, size);
+  const Image without = draw(scene, camera, picture_size);
   scene.objects[0].show_tensions = true;
-  const Image with = draw(scene, camera, size);
+  const Image with = draw(scene, camera, picture_size);
   EXPECT_EQ(count_near(without, tight, 0.06F), 0);
   EXPECT_EQ(count_near(without, loose, 0.06F), 0);
   EXPECT_GT(count_near(with, tight, 0.06F), 60);
@@ -261,7 +253,7 @@ TEST_F(LooksTest, TagsAndPinsHaveMarksAndFailuresAreRed) {
     object.polyhedron = DisplayPolyhedron::build(input.polyhedron, shaping, input.origin);
     object.show_polyhedron = true;
     const Scene scene = plain(std::move(object));
-    return draw(scene, looking(scene, StandardView::iso), size).rgba;
+    return draw(scene, looking(scene, StandardView::iso), picture_size).rgba;
   };
   std::set<std::vector<std::uint8_t>> pictures{picture()};
   const VertexId id = input.polyhedron.vertex_id(6);
@@ -278,20 +270,21 @@ TEST_F(LooksTest, TagsAndPinsHaveMarksAndFailuresAreRed) {
   Scene scene = plain(std::move(object));
   const Camera camera = looking(scene, StandardView::iso);
   const Color red = color_from_hex("#ff3b30");
-  EXPECT_EQ(count_near(draw(scene, camera, size), red, 0.06F), 0);
+  EXPECT_EQ(count_near(draw(scene, camera, picture_size), red, 0.06F), 0);
   scene.objects[0].failed.edges = {0, 1};
-  EXPECT_GT(count_near(draw(scene, camera, size), red, 0.06F), 60) << "even when the polyhedron is hidden";
+  EXPECT_GT(count_near(draw(scene, camera, picture_size), red, 0.06F), 60)
+      << "even when the polyhedron is hidden";
 }
 
 TEST_F(LooksTest, ColourBlindSafeMapsHaveNoRed) {
   Scene scene = plain(
       object_of(height_field(1, 1, [](Index, Index) { return saddle(); }), SurfaceMap::principal_max, 12));
   const Camera camera = looking(scene, StandardView::top);
-  const Image usual = draw(scene, camera, size);
+  const Image usual = draw(scene, camera, picture_size);
   scene.colour_blind_safe = true;
-  const Image safe = draw(scene, camera, size);
-  const Color a = pixel(usual, size.width / 2, size.height / 2),
-              b = pixel(safe, size.width / 2, size.height / 2);
+  const Image safe = draw(scene, camera, picture_size);
+  const Color a = pixel(usual, picture_size.width / 2, picture_size.height / 2),
+              b = pixel(safe, picture_size.width / 2, picture_size.height / 2);
   EXPECT_GT(a.r - a.g, 0.2F);
   EXPECT_LT(b.r - b.g, a.r - a.g - 0.1F);
 }

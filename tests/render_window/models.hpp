@@ -40,4 +40,17 @@ inline Scene scene_of(SceneObject object) {
   return scene;
 }
 
+/// Small, as software draws it.
+inline constexpr PixelSize picture_size{320, 240};
+
+inline Scene plain(SceneObject object) {
+  Scene scene = scene_of(std::move(object));
+  scene.grid.visible = false;
+  return scene;
+}
+
+inline Camera looking(const Scene& scene, StandardView view) {
+  return framed(Camera::standard(view), scene, picture_size);
+}
+
 }  // namespace hariko::test

@@ -16,8 +16,6 @@ namespace {
 
 using namespace hariko::test;
 
-constexpr PixelSize size{320, 240};
-
 struct Rgb {
   int r, g, b;
 };
@@ -32,15 +30,6 @@ int spread(Rgb c) {
   return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b});
 }
 
-Scene plain(SceneObject object) {
-  Scene scene = scene_of(std::move(object));
-  scene.grid.visible = false;
-  return scene;
-}
-Camera looking(const Scene& scene, StandardView view) {
-  return framed(Camera::standard(view), scene, size);
-}
-
 class RendererTest : public GlTest {};
 
 TEST_F(RendererTest, BackgroundIsAGradientFromTopToBottom) {
@@ -49,16 +38,16 @@ TEST_F(RendererTest, BackgroundIsAGradientFromTopToBottom) {
     Scene scene;
     scene.background = background;
     scene.grid.visible = false;
-    const Image image = draw(scene, Camera{}, size);
+    const Image image = draw(scene, Camera{}, picture_size);
     const auto expect = [&](int y, const char* hex) {
       const Color wanted = color_from_hex(hex);
       EXPECT_NEAR(at(image, 10, y).r, wanted.r * 255, 1.6);
       EXPECT_NEAR(at(image, 10, y).b, wanted.b * 255, 1.6);
     };
     expect(0, top);
-    expect(size.height - 1, bottom);
+    expect(picture_size.height - 1, bottom);
     int last = 255;
-    for (int y = 0; y < size.height; y += 24) {
+    for (int y = 0; y < picture_size.height; y += 24) {
       EXPECT_LE(at(image, 100, y).g, last + 1);
       last = at(image, 100, y).g;
     }
@@ -68,7 +57,7 @@ TEST_F(RendererTest, BackgroundIsAGradientFromTopToBottom) {
 TEST_F(RendererTest, TransparentBackgroundHasNoAlpha) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 16));
   scene.background = Background::transparent;
-  const Image image = draw(scene, looking(scene, StandardView::front), size);
+  const Image image = draw(scene, looking(scene, StandardView::front), picture_size);
   EXPECT_EQ(image.pixel(1, 1)[3], 0);
   EXPECT_EQ(image.pixel(160, 120)[3], 255);
 }
@@ -76,12 +65,12 @@ TEST_F(RendererTest, TransparentBackgroundHasNoAlpha) {
 TEST_F(RendererTest, ASphereIsWarmOutsideCoolInsideAndRound) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 24));
   const Camera camera = looking(scene, StandardView::front);
-  const Image outside = draw(scene, camera, size);
+  const Image outside = draw(scene, camera, picture_size);
   const Rgb warm = centre(outside);
   EXPECT_GT(warm.r, warm.b);
   EXPECT_GT(warm.r, 100);
   // The silhouette is a circle: 1 / 1.08 of the height.
-  const double radius = size.height / 2.0 / 1.08;
+  const double radius = picture_size.height / 2.0 / 1.08;
   for (double angle = 0.1; angle < 6.2; angle += 0.37) {
     const auto near_rim = [&](double r) {
       return at(outside, static_cast<int>(160 + r * std::cos(angle)),
@@ -93,25 +82,25 @@ TEST_F(RendererTest, ASphereIsWarmOutsideCoolInsideAndRound) {
   Camera within = camera;
   within.distance = 0.01;
   within.target = Vector3::Zero();
-  const Rgb cool = centre(draw(scene, within, size));
+  const Rgb cool = centre(draw(scene, within, picture_size));
   EXPECT_GT(cool.b, cool.r);
 }
 
 TEST_F(RendererTest, MirroredObjectsKeepTheirOutside) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 16));
   scene.objects[0].transform(0, 0) = -1;
-  const Rgb warm = centre(draw(scene, looking(scene, StandardView::front), size));
+  const Rgb warm = centre(draw(scene, looking(scene, StandardView::front), picture_size));
   EXPECT_GT(warm.r, warm.b);
 }
 
 TEST_F(RendererTest, ZebraIsBlackAndWhiteAndHasBoth) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::zebra, 32));
   scene.zebra.stripes = 6;
-  const Image image = draw(scene, looking(scene, StandardView::front), size, 1);
+  const Image image = draw(scene, looking(scene, StandardView::front), picture_size, 1);
   int black = 0, white = 0, between = 0;
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x) {
-      if (std::hypot(x - 160, y - 120) > 0.8 * size.height / 2 / 1.08) continue;
+  for (int y = 0; y < picture_size.height; ++y)
+    for (int x = 0; x < picture_size.width; ++x) {
+      if (std::hypot(x - 160, y - 120) > 0.8 * picture_size.height / 2 / 1.08) continue;
       const Rgb c = at(image, x, y);
       ASSERT_LE(spread(c), 1);
       if (c.r < 20)
@@ -132,7 +121,7 @@ TEST_F(RendererTest, MoreStripesMakeMoreEdges) {
   scene.zebra.direction = {1, 0, 0};
   const auto edges = [&](int stripes) {
     scene.zebra.stripes = stripes;
-    const Image image = draw(scene, looking(scene, StandardView::front), size, 1);
+    const Image image = draw(scene, looking(scene, StandardView::front), picture_size, 1);
     int count = 0;
     for (int x = 100; x < 220; ++x) count += (at(image, x, 120).r < 128) != (at(image, x + 1, 120).r < 128);
     return count;
@@ -165,9 +154,9 @@ TEST_F(RendererTest, MapColoursAreThoseOfTheTable) {
     Scene scene = value_row(values, map, {-1, 1});
     Camera camera = Camera::standard(StandardView::top);
     camera.orthographic = true;
-    camera = framed(camera, scene, size);
-    const Image image = draw(scene, camera, size);
-    const Projector projector(camera, size);
+    camera = framed(camera, scene, picture_size);
+    const Image image = draw(scene, camera, picture_size);
+    const Projector projector(camera, picture_size);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Vector3 pixel = *projector.project({double(i) + 0.5, 0.5, 0});
       const Rgb seen = at(image, static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
@@ -181,10 +170,10 @@ TEST_F(RendererTest, MapColoursAreThoseOfTheTable) {
 
 TEST_F(RendererTest, UndefinedIsGrey) {
   Scene scene = value_row({std::numeric_limits<float>::quiet_NaN(), 1}, SurfaceMap::mean, {-1, 1});
-  Camera camera = framed(Camera::standard(StandardView::top), scene, size);
-  const Image image = draw(scene, camera, size);
-  const Vector3 grey = *Projector(camera, size).project({0.5, 0.5, 0}),
-                red = *Projector(camera, size).project({1.5, 0.5, 0});
+  Camera camera = framed(Camera::standard(StandardView::top), scene, picture_size);
+  const Image image = draw(scene, camera, picture_size);
+  const Vector3 grey = *Projector(camera, picture_size).project({0.5, 0.5, 0}),
+                red = *Projector(camera, picture_size).project({1.5, 0.5, 0});
   EXPECT_LE(spread(at(image, int(grey.x()), int(grey.y()))), 2);
   EXPECT_NEAR(at(image, int(grey.x()), int(grey.y())).r, 127, 8);
   EXPECT_GT(spread(at(image, int(red.x()), int(red.y()))), 80);
@@ -193,9 +182,9 @@ TEST_F(RendererTest, UndefinedIsGrey) {
 TEST_F(RendererTest, DimmedIsDarker) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 12));
   const Camera camera = looking(scene, StandardView::front);
-  const int bright = centre(draw(scene, camera, size)).r;
+  const int bright = centre(draw(scene, camera, picture_size)).r;
   scene.objects[0].dimmed = true;
-  EXPECT_NEAR(centre(draw(scene, camera, size)).r, 0.8 * bright, 3);
+  EXPECT_NEAR(centre(draw(scene, camera, picture_size)).r, 0.8 * bright, 3);
 }
 
 TEST_F(RendererTest, LinesHaveTheirWidth) {
@@ -204,7 +193,7 @@ TEST_F(RendererTest, LinesHaveTheirWidth) {
   Camera camera = Camera::standard(StandardView::front);
   for (const float width : {1.0F, 2.0F, 5.0F}) {
     scene.lines = {{{-10, 0, 0.001}, {10, 0, 0.001}, {1, 1, 1, 1}, width, true}};
-    const Image image = draw(scene, camera, size);
+    const Image image = draw(scene, camera, picture_size);
     double covered = 0;
     for (int y = 100; y < 140; ++y) {
       const double ground = at(image, 5, y).r;  // also on the line: it spans the picture
@@ -219,10 +208,10 @@ TEST_F(RendererTest, LinesThatPassBehindTheEyeStayFinite) {
   scene.grid.visible = false;
   const Camera camera = Camera::standard(StandardView::front);
   scene.lines = {{camera.eye() - 5 * camera.forward() + camera.up(), {0, 50, -8}, {1, 1, 1, 1}, 3, true}};
-  const Image image = draw(scene, camera, size);
+  const Image image = draw(scene, camera, picture_size);
   int lit = 0;
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x) lit += at(image, x, y).r > 150;
+  for (int y = 0; y < picture_size.height; ++y)
+    for (int x = 0; x < picture_size.width; ++x) lit += at(image, x, y).r > 150;
   EXPECT_GT(lit, 300);
   EXPECT_LT(lit, 3000);
 }
@@ -234,11 +223,11 @@ TEST_F(RendererTest, CurvesOnTheSurfaceAreUnbroken) {
   scene.objects[0].show_network = true;
   Camera camera = looking(scene, StandardView::iso);
   scene.pixel_scale = 2;
-  const Image with = draw(scene, camera, size);
+  const Image with = draw(scene, camera, picture_size);
   scene.objects[0].wire = PatchWire::none;
   scene.objects[0].show_network = false;
-  const Image without = draw(scene, camera, size);
-  const Projector projector(camera, size);
+  const Image without = draw(scene, camera, picture_size);
+  const Projector projector(camera, picture_size);
   for (double angle = 0.03; angle < 1.55; angle += 0.02) {
     const Vector3 on_seam(std::cos(angle), -std::sin(angle), 0);
     const Vector3 pixel = *projector.project(on_seam);
@@ -250,7 +239,7 @@ TEST_F(RendererTest, CurvesOnTheSurfaceAreUnbroken) {
 TEST_F(RendererTest, EdgesOfFacetsLieOverTheSurfaceThatTheyStandFor) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 32));
   const Camera camera = looking(scene, StandardView::front);
-  const Image without = draw(scene, camera, size);
+  const Image without = draw(scene, camera, picture_size);
   const double half = 0.35, behind = 1 - std::cos(half);  // of the chord's middle, behind the sphere
   const auto darker = [&](double side, double depth) {
     const std::vector<Vector3> corners{Vector3(-std::sin(half), side * std::cos(half), 0),
@@ -258,8 +247,8 @@ TEST_F(RendererTest, EdgesOfFacetsLieOverTheSurfaceThatTheyStandFor) {
                                        Vector3(0, side * std::cos(0.7), std::sin(0.7))};
     const std::vector<std::array<Index, 3>> triangles{{0, 1, 2}};
     scene.objects[0].facet_edges = facet_lines(Vector3::Zero(), corners, triangles, depth);
-    const Vector3 pixel = *Projector(camera, size).project((corners[0] + corners[1]) / 2);
-    const Image with = draw(scene, camera, size);
+    const Vector3 pixel = *Projector(camera, picture_size).project((corners[0] + corners[1]) / 2);
+    const Image with = draw(scene, camera, picture_size);
     int least = 255;  // the line is one pixel wide
     for (int y = -1; y <= 1; ++y) least = std::min(least, at(with, int(pixel.x()), int(pixel.y()) + y).r);
     return at(without, int(pixel.x()), int(pixel.y())).r - least;
@@ -275,13 +264,13 @@ TEST_F(RendererTest, PolyhedronPointsAndSelectionShow) {
   object.show_surface = false;
   object.show_polyhedron = true;
   // Turned a little, so that no two corners lie behind each other.
-  const Camera camera = framed(Camera::standard(StandardView::iso).orbit(0.3, -0.2), scene, size);
-  const Projector projector(camera, size);
+  const Camera camera = framed(Camera::standard(StandardView::iso).orbit(0.3, -0.2), scene, picture_size);
+  const Projector projector(camera, picture_size);
   const auto pixel_of = [&](Index v) {
     const Vector3 p = *projector.project(object.polyhedron->origin + object.polyhedron->position(v));
     return std::pair{static_cast<int>(p.x()), static_cast<int>(p.y())};
   };
-  Image image = draw(scene, camera, size);
+  Image image = draw(scene, camera, picture_size);
   for (Index v = 0; v < 8; ++v) {
     const auto [x, y] = pixel_of(v);
     EXPECT_GT(at(image, x, y).r, 150) << v;  // pale in the middle; no line is as bright
@@ -289,7 +278,7 @@ TEST_F(RendererTest, PolyhedronPointsAndSelectionShow) {
   object.selected.vertices = {3};
   object.selected.edges = {0};
   object.selected.faces = {1};
-  image = draw(scene, camera, size);
+  image = draw(scene, camera, picture_size);
   const auto [x, y] = pixel_of(3);
   EXPECT_GT(at(image, x, y).r - at(image, x, y).b, 100);  // the accent is orange
 }
@@ -297,9 +286,9 @@ TEST_F(RendererTest, PolyhedronPointsAndSelectionShow) {
 TEST_F(RendererTest, SelectedPatchesAreTinted) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 12));
   const Camera camera = looking(scene, StandardView::iso);
-  const Rgb before = centre(draw(scene, camera, size));
+  const Rgb before = centre(draw(scene, camera, picture_size));
   for (Index p = 0; p < 8; ++p) scene.objects[0].selected_patches.push_back(p);
-  const Rgb after = centre(draw(scene, camera, size));
+  const Rgb after = centre(draw(scene, camera, picture_size));
   EXPECT_GT(after.r - after.b, before.r - before.b + 30);
 }
 
@@ -308,9 +297,9 @@ TEST_F(RendererTest, HiddenLinesShowFaintlyWithXRay) {
   SceneObject& object = scene.objects[0];
   object.show_polyhedron = true;
   const Camera camera = looking(scene, StandardView::iso);
-  const Image opaque = draw(scene, camera, size);
+  const Image opaque = draw(scene, camera, picture_size);
   object.x_ray = true;
-  const Image through = draw(scene, camera, size);
+  const Image through = draw(scene, camera, picture_size);
   int changed = 0, largest = 0;
   for (std::size_t i = 0; i < opaque.rgba.size(); ++i) {
     const int d = std::abs(int(opaque.rgba[i]) - int(through.rgba[i]));
@@ -328,20 +317,20 @@ TEST_F(RendererTest, ASubRangeUpdateEqualsAFullUpload) {
   const DisplayOptions options = map_options(SurfaceMap::mean, 3);
   Scene scene = plain(object_of(field(0), SurfaceMap::mean, 3));
   const Camera camera = looking(scene, StandardView::iso);
-  const Image before = draw(scene, camera, size);
+  const Image before = draw(scene, camera, picture_size);
   const std::size_t first_upload = renderer_->statistics().uploaded_bytes;
-  draw(scene, camera, size);
+  draw(scene, camera, picture_size);
   EXPECT_EQ(renderer_->statistics().uploaded_bytes, 0U);  // nothing changed
 
   const std::vector<Index> changed{4 * 20 + 7};
   const Surface after = field(0.8);
   scene.objects[0].mesh = scene.objects[0].mesh->refreshed(after, changed);
-  const Image updated = draw(scene, camera, size);
+  const Image updated = draw(scene, camera, picture_size);
   const std::size_t update = renderer_->statistics().uploaded_bytes;
   EXPECT_GT(update, 0U);
   EXPECT_LT(update, first_upload / 4);
   scene.objects[0].mesh = DisplayMesh::build(after, options);
-  const Image fresh = draw(scene, camera, size);
+  const Image fresh = draw(scene, camera, picture_size);
   EXPECT_EQ(updated.rgba, fresh.rgba);
   EXPECT_NE(updated.rgba, before.rgba);
 }
@@ -353,7 +342,7 @@ TEST_F(RendererTest, FarFromZeroLooksLikeNear) {
   const Vector3 far_away(1e6, -1e6, 1e6);
   far_scene.objects[0].transform.topRightCorner<3, 1>() = far_away;
   far_camera.target += far_away;
-  const Image a = draw(near_scene, camera, size), b = draw(far_scene, far_camera, size);
+  const Image a = draw(near_scene, camera, picture_size), b = draw(far_scene, far_camera, picture_size);
   int differing = 0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i) differing += std::abs(int(a.rgba[i]) - int(b.rgba[i])) > 8;
   EXPECT_LT(differing, 40);
@@ -362,7 +351,7 @@ TEST_F(RendererTest, FarFromZeroLooksLikeNear) {
 TEST_F(RendererTest, GridFadesAndHasColouredAxes) {
   Scene scene;
   Camera camera = Camera::standard(StandardView::top);
-  const Image image = draw(scene, camera, size);
+  const Image image = draw(scene, camera, picture_size);
   const Rgb on_x = at(image, 200, 120), on_y = at(image, 160, 80);
   EXPECT_GT(on_x.r, on_x.g + 40);
   EXPECT_GT(on_y.g, on_y.r + 30);
@@ -372,7 +361,7 @@ TEST_F(RendererTest, ResizingAndEverySampleCountWork) {
   Scene scene = plain(object_of(sphere(1), SurfaceMap::shaded, 8));
   const Camera camera = looking(scene, StandardView::front);
   for (const int samples : {1, 2, 4, 64})
-    for (const PixelSize s : {PixelSize{1, 1}, PixelSize{33, 200}, size}) {
+    for (const PixelSize s : {PixelSize{1, 1}, PixelSize{33, 200}, picture_size}) {
       const Image image = draw(scene, camera, s, samples);
       EXPECT_EQ(image.width, s.width);
       EXPECT_GT(centre(image).r, 80);
@@ -383,7 +372,7 @@ TEST_F(RendererTest, ImpossibleSizesAreErrors) {
   const Result<Done> done = renderer_->draw({}, {}, {{1'000'000, 10}, 4});
   ASSERT_FALSE(done.ok());
   EXPECT_EQ(done.error().code, e_gl_framebuffer);
-  draw({}, {}, size);  // and the renderer still works
+  draw({}, {}, picture_size);  // and the renderer still works
 }
 
 TEST_F(RendererTest, EmptyObjectsDrawNothing) {
@@ -393,7 +382,7 @@ TEST_F(RendererTest, EmptyObjectsDrawNothing) {
   empty.mesh = DisplayMesh::build(Surface(), {});
   empty.show_polyhedron = true;
   scene.objects.push_back(empty);
-  draw(scene, framed(Camera{}, scene, size), size);
+  draw(scene, framed(Camera{}, scene, picture_size), picture_size);
 }
 
 TEST(Picture, SizesOutsideTheLimitsAreErrors) {

@@ -2,6 +2,7 @@
 
 // Polyhedra for tests: well-known ones by name, and random ones that are manifold by construction.
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -13,6 +14,7 @@
 
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
+#include "core/polyhedron/polyhedron.hpp"
 #include "core/polyhedron/repair.hpp"
 #include "tests/support/random.hpp"
 
@@ -252,6 +254,13 @@ inline PolygonMesh random_polyhedron(std::mt19937_64& rng) {
   if (chance(rng, 0.15)) mesh = together(mesh, random_closed_shape(rng), {0, 0, 10});
   perturb(mesh, rng, uniform(rng, 0, 0.15));
   return mesh;
+}
+
+/// The diagonal of the box.
+inline double size_of(const Polyhedron& polyhedron) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3& p : polyhedron.positions()) box.extend(p);
+  return box.diagonal().norm();
 }
 
 }  // namespace hariko::test

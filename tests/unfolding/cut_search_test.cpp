@@ -15,7 +15,7 @@
 namespace hariko::test {
 namespace {
 
-CheckedLayout checked_layout(const FacetGraph& graph, const Folds& folds, double scale) {
+CheckedLayout checked_folds(const FacetGraph& graph, const Folds& folds, double scale) {
   const FlatLayout layout = lay_out(graph, facet_shapes(graph, scale), folds);
   CheckedLayout out{scale, layout.corners, layout.piece_of, layout.piece_of, {}};
   for (Index e = 0; e < graph.edge_count(); ++e)
@@ -54,7 +54,7 @@ TEST(CutSearch, NoOverlapsAndNoMorePiecesThanTheTable) {
     const auto found = search_cuts(*graph, shapes, {}, {.steps = 100'000});
     ASSERT_TRUE(found.ok());
     EXPECT_LE(piece_count(*graph, found->back()), row.most_pieces);
-    check_layout(row.mesh, checked_layout(*graph, found->back(), 1));
+    check_layout(row.mesh, checked_folds(*graph, found->back(), 1));
   }
 }
 
@@ -72,7 +72,7 @@ TEST(CutSearch, EveryCandidateOfRandomMeshesIsFreeOfOverlaps) {
     const auto found = search_cuts(*graph, shapes, {}, search);
     ASSERT_TRUE(found.ok());
     for (const Folds& folds : *found) {
-      check_layout(mesh, checked_layout(*graph, folds, scale));
+      check_layout(mesh, checked_folds(*graph, folds, scale));
       EXPECT_GE(piece_count(*graph, folds), graph->component_count());
       EXPECT_GE(piece_count(*graph, folds), piece_count(*graph, found->back()));
     }
@@ -137,7 +137,7 @@ TEST(CutSearch, RulesAreKept) {
         EXPECT_TRUE(rules[e] != EdgeRule::folded || folds[e]) << e;
         EXPECT_TRUE(wishes[e] != EdgeRule::cut || !folds[e]) << e;
       }
-      check_layout(mesh, checked_layout(*graph, folds, 1));
+      check_layout(mesh, checked_folds(*graph, folds, 1));
     }
   });
 }
@@ -181,7 +181,7 @@ TEST(ReferenceMethod, LeavesWhatTheSpecificationFound) {
     ASSERT_TRUE(found.ok());
     EXPECT_NEAR(double(piece_count(*graph, found->folds)), double(pieces), 0.06 * double(pieces));
     EXPECT_NEAR(double(found->overlapping_pairs), double(overlaps), 2);
-    const CheckedLayout layout = checked_layout(*graph, found->folds, 1);
+    const CheckedLayout layout = checked_folds(*graph, found->folds, 1);
     check_shape(mesh, layout);
     EXPECT_EQ(count_overlaps(layout, 1e-9 * graph->longest_edge()), found->overlapping_pairs);
   };

@@ -78,11 +78,6 @@ class Session {
   DocumentSession session_;
 };
 
-std::size_t files_in(const std::filesystem::path& folder) {
-  std::filesystem::directory_iterator it(folder), end;
-  return static_cast<std::size_t>(std::distance(it, end));
-}
-
 TEST(DocumentSession, ASampleOpensAsACopyWithoutAFile) {
   const test::TemporaryFolder folder;
   const auto samples = folder.path() / "samples";
@@ -97,7 +92,7 @@ TEST(DocumentSession, ASampleOpensAsACopyWithoutAFile) {
   EXPECT_FALSE(session.editor().path.has_value());
   EXPECT_FALSE(session.editor().history.dirty());
   EXPECT_EQ(session.editor().title(), "vase copy");
-  EXPECT_EQ(files_in(samples), 1U) << "a lock beside the sample";
+  EXPECT_EQ(test::files_in(samples), 1U) << "a lock beside the sample";
   // It is no file of the user's.
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "state" / "recent.json"));
 

@@ -18,9 +18,10 @@
 namespace hariko {
 namespace {
 
+using test::files_in;
 using test::HeadlessWorkbench;
 
-Document box() {
+Document box_document() {
   return document_from_mesh(test::prism(4), "Box").value();
 }
 
@@ -38,14 +39,9 @@ Result<Done> write(const PictureOrder& order, const CancelToken& cancel = {}, co
   return result;
 }
 
-std::size_t files_in(const std::filesystem::path& folder) {
-  return static_cast<std::size_t>(
-      std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
-}
-
 TEST(PictureOrder, APictureHasTheSizeAndTheBackgroundThatWereAskedFor) {
   const test::TemporaryFolder folder;
-  HeadlessWorkbench bench(box());
+  HeadlessWorkbench bench(box_document());
   bench.wait_for_surfaces();
   for (const bool transparent : {false, true}) {
     PictureSettings settings = small(320, 200);
@@ -70,7 +66,7 @@ TEST(PictureOrder, APictureHasTheSizeAndTheBackgroundThatWereAskedFor) {
 }
 
 TEST(PictureOrder, WhatIsSelectedShowsOnlyWhenAskedFor) {
-  HeadlessWorkbench bench(box());
+  HeadlessWorkbench bench(box_document());
   bench.wait_for_surfaces();
   bench.editor().selection.select_all(*bench.editor().active_object(), ElementMode::vertex);
   bench.frame();
@@ -85,7 +81,7 @@ TEST(PictureOrder, WhatIsSelectedShowsOnlyWhenAskedFor) {
 }
 
 TEST(PictureOrder, ANarrowPictureShowsAllThatTheViewShows) {
-  HeadlessWorkbench bench(box());
+  HeadlessWorkbench bench(box_document());
   bench.wait_for_surfaces();
   const Editor& editor = bench.editor();
   const Projector view(editor.camera(), editor.viewport);
@@ -103,7 +99,7 @@ TEST(PictureOrder, ANarrowPictureShowsAllThatTheViewShows) {
 
 TEST(PictureOrder, ATurntableGoesOnceRoundAndShowsTheWholeModelEverywhere) {
   // Far from the middle of the world, longer than wide.
-  Document document = box();
+  Document document = box_document();
   const Similarity place{Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vector3::UnitX())), 3, {40, -7, 2}};
   document = set_transform(document, document.objects[0]->id, place).value();
   HeadlessWorkbench bench(document);
@@ -144,7 +140,7 @@ TEST(PictureOrder, ATurntableGoesOnceRoundAndShowsTheWholeModelEverywhere) {
 
 TEST(PictureOrder, ASeriesIsWrittenWholeOrRemoved) {
   const test::TemporaryFolder folder;
-  HeadlessWorkbench bench(box());
+  HeadlessWorkbench bench(box_document());
   bench.wait_for_surfaces();
   PictureSettings settings = small(64, 48);
   settings.turntable_pictures = 3;
@@ -176,7 +172,7 @@ TEST(PictureOrder, ASeriesIsWrittenWholeOrRemoved) {
 
 TEST(PictureOrder, RefusalsSayWhy) {
   const test::TemporaryFolder folder;
-  HeadlessWorkbench bench(box());
+  HeadlessWorkbench bench(box_document());
   bench.wait_for_surfaces();
   const auto& scene = bench.workbench().viewport().scene();
   const auto code = [](const auto& result) { return result.ok() ? Code{"none"} : result.error().code; };
@@ -213,7 +209,7 @@ TEST(PictureOrder, TheDialogGivesTheOrder) {
   std::optional<PictureOrder> given;
   FileActions actions;
   actions.export_pictures = [&](PictureOrder order) { given = std::move(order); };
-  HeadlessWorkbench bench(box(), {800, 560}, actions);
+  HeadlessWorkbench bench(box_document(), {800, 560}, actions);
   bench.wait_for_surfaces();
   ASSERT_TRUE(bench.workbench().commands().run("file.export_turntable").ran);
   bench.frame();
@@ -234,7 +230,7 @@ TEST(PictureOrder, LeavingAsksAboutWorkThatIsNotFinished) {
   bool left = false;
   FileActions actions;
   actions.quit = [&] { left = true; };
-  HeadlessWorkbench bench(box(), {800, 560}, actions);
+  HeadlessWorkbench bench(box_document(), {800, 560}, actions);
   bench.editor().jobs.push_back(
       std::make_shared<const Job>(Job{"Exporting turn.png", true, CancelToken::make(), Progress::make()}));
   bench.editor().jobs.back()->progress.report(0.42);

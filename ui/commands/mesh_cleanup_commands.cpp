@@ -35,11 +35,6 @@ const std::string mirror_menu = std::string("Mesh") + "/" + translatable("Mirror
 /// Of the live mirror's seam, and for merging by distance: this share of the object's size.
 constexpr double weld_share = 1e-3;
 
-template <class Id>
-std::vector<Id> list_of(const std::set<Id>& ids) {
-  return {ids.begin(), ids.end()};
-}
-
 /// The kind of elements that a command works on: the one that clicks take, if some of it are selected.
 ElementKind kind_at_hand(const Editor& editor) {
   const ElementSet& set = editor.selection.of_active();

@@ -22,11 +22,6 @@ namespace hariko {
 
 namespace {
 
-template <class Id>
-std::vector<Id> list_of(const std::set<Id>& ids) {
-  return {ids.begin(), ids.end()};
-}
-
 /// The middle of what is selected, in the document's space.
 Vector3 middle_of_selection(const Editor& editor) {
   const Object& object = *editor.active_object();

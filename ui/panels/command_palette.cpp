@@ -17,7 +17,7 @@ namespace hariko {
 namespace {
 
 constexpr int rows_shown = 9, page = 8;
-constexpr float row_height = 44, width = 620;
+constexpr float row_height = 44, palette_width = 620;
 constexpr std::size_t recent_kept = 12;
 
 }  // namespace
@@ -68,7 +68,7 @@ std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& contex
 void CommandPalette::draw(PanelContext& context, float top) {
   const Metrics& m = context.metrics;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float wide = std::min(m.px(width), screen.x - m.px(32));
+  const float wide = std::min(m.px(palette_width), screen.x - m.px(32));
   const float field = m.px(52), footer = m.px(8);
   const auto fitting = static_cast<int>((screen.y - top - m.px(32) - field - footer) / m.px(row_height));
   const int shown = std::clamp(row_count_, 1, std::min(rows_shown, std::max(1, fitting)));

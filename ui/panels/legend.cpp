@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-constexpr float bar_height = 150, bar_width = 14, histogram_width = 36;
+constexpr float color_bar_height = 150, bar_width = 14, histogram_width = 36;
 
 ImU32 to_imgui(const Color& c) {
   return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
@@ -78,7 +78,7 @@ void range_end(PanelContext& context, const Object& object, const ValueRange& sh
 void draw_bar(PanelContext& context, SurfaceMap map, const SurfaceView& view) {
   const Metrics& m = context.metrics;
   const ColorScale scale = scale_for(map, view.range, context.editor.settings.colour_blind_maps);
-  const float height = m.px(bar_height), width = m.px(bar_width);
+  const float height = m.px(color_bar_height), width = m.px(bar_width);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::Dummy({m.px(150), height});
   ImDrawList& draw = *ImGui::GetWindowDrawList();

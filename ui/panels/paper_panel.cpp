@@ -20,10 +20,6 @@ Vector2 mouse() {
   return {double(ImGui::GetIO().MousePos.x), double(ImGui::GetIO().MousePos.y)};
 }
 
-double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Either way round.
 template <class Corners>
 bool holds(const Corners& corners, const Vector2& p) {

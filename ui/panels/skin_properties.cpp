@@ -22,7 +22,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array method_choices{
+constexpr std::array skin_method_choices{
     Choice{"Smooth", "A regular grid over a blend of the sections: smooth everywhere, features may blur"},
     Choice{"Anchored", "A regular grid whose columns run through the points that you join"},
     Choice{"Pleat", "Points of the sections are joined by lines that the surface follows"},
@@ -229,8 +229,9 @@ void draw_skin_properties(PanelContext& context) {
   path_section(context, shown);
   heading(context, "Skin");
   Rows rows(context, shown);
-  rows.choice("skin_method", "Method", "How the surface spans the sections", method_choices, int(skin.method),
-              "Method of the skin", [](Skin& s, int chosen) { s.method = SkinMethod(chosen); });
+  rows.choice("skin_method", "Method", "How the surface spans the sections", skin_method_choices,
+              int(skin.method), "Method of the skin",
+              [](Skin& s, int chosen) { s.method = SkinMethod(chosen); });
   if (const auto chosen = choose(context, "skin_frame", "Frames", "How sections turn along the path",
                                  frame_choices, int(skin.frame)))
     set_frame(context.editor, shown, FrameMode(*chosen));

@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array method_choices{
+constexpr std::array cage_method_choices{
     Choice{"Automatic",
            "Curves where they can follow the solids; the field for holes, parts and many solids"},
     Choice{"Curves", "A network of curves round the hull of the solids, sunk into their notches"},
@@ -80,7 +80,7 @@ void choice_rows(PanelContext& context, const Object& object) {
                           step);
   };
   if (const auto chosen = choose(context, "envelope_method", "Method", "How the cage of the surface is found",
-                                 method_choices, static_cast<int>(now.method)))
+                                 cage_method_choices, static_cast<int>(now.method)))
     set("Method of the surface",
         [&](EnvelopeSettings& settings) { settings.method = static_cast<EnvelopeMethod>(*chosen); });
   if (const auto chosen = choose(context, "envelope_patches", "Patches", "What spans the curves",

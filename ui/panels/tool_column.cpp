@@ -32,22 +32,22 @@ std::vector<std::vector<const char*>> tool_groups(ElementMode mode) {
       {"view.frame_all", "view.x_ray"},
   };
 }
-constexpr float button = 36, spacing = 2, gap = 8;
+constexpr float button_side = 36, spacing = 2, gap = 8;
 
 }  // namespace
 
 float tool_column_width(const Metrics& m, float height) {
   float needed = m.px(2 * gap);
   for (const auto& group : tool_groups(ElementMode::vertex))
-    needed += m.px(button + spacing) * static_cast<float>(group.size()) + m.px(gap);
-  return needed <= height ? m.px(button + 8) : m.px(2 * button + spacing + 8);
+    needed += m.px(button_side + spacing) * static_cast<float>(group.size()) + m.px(gap);
+  return needed <= height ? m.px(button_side + 8) : m.px(2 * button_side + spacing + 8);
 }
 
 void draw_tool_column(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Tools", rect, palette().window, {m.px(4), m.px(gap)}, ImGuiWindowFlags_NoScrollbar)) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(spacing), m.px(spacing)));
-    const bool pairs = rect.width() > m.px(2 * button);
+    const bool pairs = rect.width() > m.px(2 * button_side);
     for (const auto& group : tool_groups(context.editor.mode)) {
       for (std::size_t i = 0; i < group.size(); ++i) {
         if (pairs && i % 2 == 1) ImGui::SameLine();

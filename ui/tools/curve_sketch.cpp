@@ -12,10 +12,10 @@ namespace hariko {
 
 namespace {
 
-constexpr double close_radius = 12;       ///< design pixels round the first point
-constexpr double stroke_length = 16;      ///< design pixels from which on a press is a stroke
-constexpr double stroke_tolerance = 2.5;  ///< design pixels
-constexpr double least_slope = 0.05;      ///< of a ray against the plane
+constexpr double close_radius = 12;         ///< design pixels round the first point
+constexpr double stroke_length = 16;        ///< design pixels from which on a press is a stroke
+constexpr double stroke_tolerance = 2.5;    ///< design pixels
+constexpr double least_plane_slope = 0.05;  ///< of a ray against the plane
 constexpr int per_span = 12;
 
 constexpr Code e_off_plane{"E_OFF_PLANE"};
@@ -125,7 +125,7 @@ SubdivisionCurve CurveSketch::curve_of(const std::vector<Vector3>& points, std::
 std::optional<Vector3> CurveSketch::on_plane(const Projector& projector, const Vector2& pixel) const {
   const Ray ray = projector.ray(pixel);
   const double slope = plane_.normal.dot(ray.direction);
-  if (std::abs(slope) < least_slope) return {};
+  if (std::abs(slope) < least_plane_slope) return {};
   const double t = plane_.normal.dot(plane_.point - ray.origin) / slope;
   if (!(t > 0)) return {};
   return ray.at(t);

@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_slope = 0.02;  ///< of rays against the plane on which the solid stands
+constexpr double least_ground_slope = 0.02;  ///< of rays against the plane on which the solid stands
 constexpr int circle_sides = 48;
 
 /// Where a solid is to stand, in the document's space.
@@ -100,7 +100,7 @@ class PlaceSolidTool final : public Tool {
     const double slope = ray.direction.dot(stand_->up);
     double way = context.projector().pixel_length_at(stand_->point) * (event.pixel - *pressed_).norm();
     if (const double t = (stand_->point - ray.origin).dot(stand_->up) / slope;
-        std::abs(slope) > least_slope && t > 0)
+        std::abs(slope) > least_ground_slope && t > 0)
       way = (ray.at(t) - stand_->point).norm();
     if (event.control) way = grid_step(context, stand_->point).nearest(way);
     if (way > 0) dragged_ = way;

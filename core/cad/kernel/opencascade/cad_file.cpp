@@ -63,7 +63,7 @@ double largest_edge_tolerance(const TopoDS_Shape& shape) {
   return largest;
 }
 
-Message failed(const std::string& what) {
+Message not_written(const std::string& what) {
   return make_error(e_cad_kernel, "OpenCASCADE could not make the file: " + what + ".");
 }
 
@@ -78,7 +78,7 @@ Result<std::string> step_text(const KernelDocument& document, const CadFileOptio
   STEPCAFControl_Writer writer;
   writer.SetColorMode(true);
   writer.SetNameMode(true);
-  if (!writer.Transfer(document.handle(), STEPControl_AsIs)) return failed("nothing was transferred");
+  if (!writer.Transfer(document.handle(), STEPControl_AsIs)) return not_written("nothing was transferred");
   const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
   APIHeaderSection_MakeHeader header(model);
   header.SetName(text("hariko"));
@@ -90,7 +90,7 @@ Result<std::string> step_text(const KernelDocument& document, const CadFileOptio
   StepData_StepWriter lines(model);
   lines.SendModel(protocol);
   std::ostringstream stream;
-  if (!lines.Print(stream)) return failed("the text of the STEP file could not be made");
+  if (!lines.Print(stream)) return not_written("the text of the STEP file could not be made");
   return std::move(stream).str();
 }
 
@@ -100,7 +100,7 @@ Result<std::string> iges_text(const KernelDocument& document, const CadFileOptio
   IGESCAFControl_Writer writer;
   writer.SetColorMode(true);
   writer.SetNameMode(true);
-  if (!writer.Transfer(document.handle())) return failed("nothing was transferred");
+  if (!writer.Transfer(document.handle())) return not_written("nothing was transferred");
   writer.ComputeModel();
   IGESData_GlobalSection global = writer.Model()->GlobalSection();
   std::string time;  // 20261122.120000
@@ -114,7 +114,7 @@ Result<std::string> iges_text(const KernelDocument& document, const CadFileOptio
   global.SetFileName(text("hariko"));
   writer.Model()->SetGlobalSection(global);
   std::ostringstream stream;
-  if (!writer.Write(stream)) return failed("the text of the IGES file could not be made");
+  if (!writer.Write(stream)) return not_written("the text of the IGES file could not be made");
   return std::move(stream).str();
 }
 
@@ -152,7 +152,7 @@ Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileO
     const KernelSession session;
     return make(objects, options, cancel, progress);
   } catch (const Standard_Failure& failure) {
-    return failed(failure.GetMessageString());
+    return not_written(failure.GetMessageString());
   }
 }
 

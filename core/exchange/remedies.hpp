@@ -1,0 +1,10 @@
+#pragma once
+
+// What to do about files that cannot be read. Internal to core/exchange.
+
+namespace hariko {
+
+inline constexpr const char* remedy_correct = "Correct the file, or export it again.";
+inline constexpr const char* remedy_reduce = "Reduce the model before importing it.";
+
+}  // namespace hariko
