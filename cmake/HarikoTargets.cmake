@@ -57,11 +57,23 @@ function(hariko_precompile NAME USUAL INTERFACE)
 endfunction()
 
 # Files that are compiled together share what they include and instantiate, and also their unnamed namespaces: names in
-# them have to differ within a folder.
+# them have to differ within a batch.
 function(hariko_unity NAME)
   if(HARIKO_UNITY)
     set_target_properties(${NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endif()
+endfunction()
+
+# hariko_unity_folder(FOLDER sources...): batches of this folder alone, for targets of several.
+function(hariko_unity_folder FOLDER)
+  list(FILTER ARGN INCLUDE REGEX "\\.cpp$")
+  set(NUMBER 0)
+  foreach(SOURCE ${ARGN})
+    math(EXPR BATCH "${NUMBER} / 8")
+    string(MAKE_C_IDENTIFIER "folder_${FOLDER}_${BATCH}" GROUP)
+    set_source_files_properties("${SOURCE}" PROPERTIES UNITY_GROUP "${GROUP}")
+    math(EXPR NUMBER "${NUMBER} + 1")
+  endforeach()
 endfunction()
 
 # hariko_library(NAME FOLDERS folder... LINKS target...): a static library of every .cpp in the current folder and in
@@ -73,6 +85,9 @@ function(hariko_library NAME)
     file(GLOB FOUND CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.cpp"
       "${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/*.hpp")
     list(APPEND SOURCES ${FOUND})
+    if(ARG_FOLDERS)
+      hariko_unity_folder("${FOLDER}" ${FOUND})
+    endif()
   endforeach()
   add_library(${NAME} STATIC ${SOURCES})
   set_target_properties(${NAME} PROPERTIES LINKER_LANGUAGE CXX)
@@ -80,6 +95,9 @@ function(hariko_library NAME)
   target_link_libraries(${NAME} PUBLIC ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS} hariko_warnings)
   hariko_precompile(${NAME} hariko_precompiled "${ARG_INTERFACE}")
   hariko_unity(${NAME})
+  if(ARG_FOLDERS)
+    set_target_properties(${NAME} PROPERTIES UNITY_BUILD_MODE GROUP)
+  endif()
 endfunction()
 
 # hariko_test(NAME LABEL core|window LINKS target...): a GoogleTest program of every .cpp in the current folder.

@@ -4,28 +4,13 @@
 #include <utility>
 
 #include "ui/scene_builder.hpp"
+#include "ui/shown_surfaces.hpp"
 
 namespace hariko {
 
 namespace {
 
 using Kind = SkinView::Handle::Kind;
-
-/// The surfaces that are shown.
-std::vector<SceneObject> surfaces_of(const Editor& editor) {
-  std::vector<SceneObject> out;
-  for (const auto& object : editor.document().objects) {
-    const SurfaceView* shown = editor.view_of(object->id);
-    // A surface that is not that of the present sections must not keep them from being mended.
-    if (!object->visible || !object->display.surface || !object->has_surface() || !shown || !shown->mesh ||
-        shown->error)
-      continue;
-    SceneObject& surface = out.emplace_back();
-    surface.mesh = shown->mesh;
-    surface.transform = matrix_of(object->transform);
-  }
-  return out;
-}
 
 /// Where the surface is next to points of sections that it may miss.
 std::map<std::uint32_t, Vector3> places_on_surface(const Editor& editor, const Object& object) {
@@ -49,7 +34,7 @@ SkinSight::SkinSight(const Editor& editor, const Projector& projector, const Ski
     : view_(view),
       object_(object),
       through_(editor.view.x_ray || editor.selecting.through),
-      occlusion_(surfaces_of(editor), section_plane(editor.view), projector, 4 * editor.pixel_scale),
+      occlusion_(shown_surfaces(editor), section_plane(editor.view), projector, 4 * editor.pixel_scale),
       hidden_(view.handles.size(), 0) {
   // Points may lie below the surface that they shape: they can be seen where the curve or the surface that
   // belongs to them can.

@@ -80,6 +80,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     gizmo_.update(editor_, tool_ != nullptr);
     arrows_.update(editor_);
     waists_.update(editor_);
+    network_.update(editor_);
     handle_pointer(hovered);
     // A title or a tool may have arranged the views anew.
     place_views(rect);
@@ -88,6 +89,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     for (const Place& place : places_) shown.push_back({place.view, size_of(place)});
     gizmo_.update(editor_, tool_ != nullptr);
     waists_.update(editor_);
+    network_.update(editor_);
     jumps_.update(editor_);
     pictures_.update(editor_, scene_, shown, tool_ != nullptr, jumps_.count());
     for (const Place& place : places_) show(context, place);
@@ -242,6 +244,8 @@ void Viewport::show(PanelContext& context, const Place& place) {
     if (!tool_) {
       waists_.draw(overlay, hot_waist_);
       waists_.mark(context.marks, overlay);
+      network_.draw(overlay, hot_network_);
+      network_.mark(context.marks, overlay);
     }
     gizmo_.draw(overlay, hot_handle_);
     gizmo_.mark(context.marks, overlay);
@@ -309,10 +313,12 @@ void Viewport::look_for_press(PointerEvent event) {
     const auto handle = plain ? gizmo_.hit(event.pixel) : std::nullopt;
     const auto arrow = plain && !handle ? arrows_.hit(event.pixel) : std::nullopt;
     const auto waist = plain && !handle && !arrow ? waists_.hit(event.pixel) : std::nullopt;
-    auto tool = handle  ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
-                : arrow ? make_normal_tool(editor_.selection.active, *arrow)
-                : waist ? make_waist_tool(editor_.selection.active, waists_.bridge(*waist))
-                        : skin_tool_at({editor_, scene_}, event);
+    const auto network = plain && !handle ? network_.hit(event.pixel) : std::nullopt;
+    auto tool = handle    ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
+                : arrow   ? make_normal_tool(editor_.selection.active, *arrow)
+                : waist   ? make_waist_tool(editor_.selection.active, waists_.bridge(*waist))
+                : network ? make_network_tool(editor_.selection.active, network_.handle(*network))
+                          : skin_tool_at({editor_, scene_}, event);
     if (!tool) tool = tool_for(editor_, event);
     if (tool) start(std::move(tool), event);
   }
@@ -384,6 +390,7 @@ void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   hot_handle_.reset();
   hot_arrow_.reset();
   hot_waist_.reset();
+  hot_network_.reset();
   editor_.hovered.reset();
   ToolContext context{editor_, scene_};
   tool_->begin(context, press);
@@ -435,6 +442,7 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
   hot_handle_.reset();
   hot_arrow_.reset();
   hot_waist_.reset();
+  hot_network_.reset();
   if (std::exchange(on_paper_, false)) editor_.paper.hovered = {};
   if (!inside) {
     editor_.hovered.reset();
@@ -445,7 +453,8 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
   if (!hot_handle_) hot_arrow_ = arrows_.hit(pixel);
   if (!hot_handle_ && !hot_arrow_) hot_waist_ = waists_.hit(pixel);
-  if (hot_handle_ || hot_arrow_ || hot_waist_) return editor_.hovered.reset();
+  if (!hot_handle_) hot_network_ = network_.hit(pixel);
+  if (hot_handle_ || hot_arrow_ || hot_waist_ || hot_network_) return editor_.hovered.reset();
   if (const PaperSolid* paper = scene_.paper()) {
     const Projector projector = context.projector();
     const double reach = 5 * editor_.pixel_scale * editor_.camera().pixel_length(editor_.viewport);

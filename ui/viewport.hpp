@@ -12,6 +12,7 @@
 #include "ui/patch_jumps.hpp"
 #include "ui/scene_builder.hpp"
 #include "ui/tools/gizmo.hpp"
+#include "ui/tools/network_handles.hpp"
 #include "ui/tools/outline_handles.hpp"
 #include "ui/tools/tool.hpp"
 #include "ui/tools/waist_handles.hpp"
@@ -93,7 +94,9 @@ class Viewport {
   std::optional<Index> hot_arrow_;  ///< under the pointer
   WaistHandles waists_;
   std::optional<std::size_t> hot_waist_;  ///< under the pointer
-  bool shift_ = false, control_ = false;  ///< as the tool knows them
+  NetworkHandles network_;
+  std::optional<std::size_t> hot_network_;  ///< under the pointer
+  bool shift_ = false, control_ = false;    ///< as the tool knows them
   PointerEvent press_;
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;

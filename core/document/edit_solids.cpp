@@ -99,6 +99,33 @@ Result<Document> change_waist(const Document& document, ObjectId object, const S
   });
 }
 
+Result<Document> change_network_vertex(const Document& document, ObjectId object,
+                                       const NetworkVertexKey& vertex, const Vector3& offset) {
+  return change_envelope(document, object, [&](EnvelopeInput& input) {
+    if (offset.isZero(0))
+      input.settings.offsets.erase(vertex);
+    else
+      input.settings.offsets.set(vertex, offset);
+  });
+}
+
+Result<Document> change_network_curve(const Document& document, ObjectId object, const NetworkEdgeKey& curve,
+                                      double factor) {
+  return change_envelope(document, object, [&](EnvelopeInput& input) {
+    if (factor == 1)
+      input.settings.fullness.erase(curve);
+    else
+      input.settings.fullness.set(curve, factor);
+  });
+}
+
+Result<Document> reset_network(const Document& document, ObjectId object) {
+  return change_envelope(document, object, [](EnvelopeInput& input) {
+    input.settings.offsets = {};
+    input.settings.fullness = {};
+  });
+}
+
 const Solid* find_solid(const Object& object, std::uint32_t id) {
   if (!object.solids()) return nullptr;
   const auto& solids = object.solids()->input->solids;

@@ -42,6 +42,18 @@ Result<Document> remove_solids(const Document& document, ObjectId object, std::s
 Result<Document> change_waist(const Document& document, ObjectId object, const SolidPair& solids,
                               double factor);
 
+/// Moves a vertex of the network from where its solid has it, in the solid's own axes; zero forgets it.
+/// Errors as above.
+Result<Document> change_network_vertex(const Document& document, ObjectId object,
+                                       const NetworkVertexKey& vertex, const Vector3& offset);
+
+/// Sets the factor on the tangents of a curve of the network; 1 forgets it. Errors as above.
+Result<Document> change_network_curve(const Document& document, ObjectId object, const NetworkEdgeKey& curve,
+                                      double factor);
+
+/// Forgets all vertices and curves that were changed. Errors as above.
+Result<Document> reset_network(const Document& document, ObjectId object);
+
 /// The solid with this id, or null.
 const Solid* find_solid(const Object& object, std::uint32_t id);
 

@@ -4,7 +4,7 @@
 
 #include "core/envelope/convex_hull.hpp"
 #include "core/envelope/field_envelope.hpp"
-#include "core/envelope/network_bridges.hpp"
+#include "core/envelope/network_handles.hpp"
 #include "core/envelope/valley_tips.hpp"
 
 namespace hariko {
@@ -277,7 +277,7 @@ Result<Done> EnvelopeSurfacer::take_network(Job& job, EnclosedNetwork found) {
   }
   out.network = std::make_shared<const CurveNetwork>(std::move(found.network));
   out.symmetric = out.network->cage.mirror.has_value();
-  out.bridges = bridges_of(*out.network, job.solids, job.input.settings.waists);
+  out.handles = handles_of(*out.network, job.solids, job.input.settings);
   if (job.input.settings.patches == EnvelopePatches::fair)
     return make_fair(job.input, job.solids, job.quality, job.cancel, out);
   out.surface = network_surface(*out.network, out.origin);

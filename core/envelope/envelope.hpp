@@ -8,7 +8,7 @@
 #include "core/base/result.hpp"
 #include "core/envelope/enclosure.hpp"
 #include "core/envelope/enclosure_check.hpp"
-#include "core/envelope/envelope_bridge.hpp"
+#include "core/envelope/envelope_handles.hpp"
 #include "core/envelope/envelope_route.hpp"
 #include "core/envelope/hull_envelope.hpp"
 #include "core/envelope/valley_envelope.hpp"
@@ -39,8 +39,8 @@ struct EnvelopeSurface {
   int level = 0;          ///< of the route's ladder, 0: the tightness asked for; 9: the hull instead
   std::size_t folds = 0;  ///< patches with a fold
   int builds = 0;
-  bool symmetric = false;               ///< in the plane of the settings
-  std::vector<EnvelopeBridge> bridges;  ///< between solids of the network, relative to `origin`
+  bool symmetric = false;   ///< in the plane of the settings
+  EnvelopeHandles handles;  ///< of the network, relative to `origin`
   std::vector<Message> warnings;
 };
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/envelope/convex_hull.hpp"
+#include "core/envelope/mirror_triangles.hpp"
 #include "core/envelope/network_cage.hpp"
 
 namespace hariko {
@@ -210,7 +211,9 @@ class HullCageBuilder {
     if (input_.symmetry)
       for (const Index k : kept)
         corner_image_.push_back(Index(std::lower_bound(kept.begin(), kept.end(), image(k)) - kept.begin()));
-    for (const auto& t : hull.triangles) cage_.faces.push_back({{t[0], t[1], t[2]}, no_index});
+    auto triangles = hull.triangles;
+    if (input_.symmetry) mirror_triangles(triangles, corner_image_);
+    for (const auto& t : triangles) cage_.faces.push_back({{t[0], t[1], t[2]}, no_index});
     return !cage_.faces.empty();
   }
 

@@ -305,8 +305,8 @@ Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Qua
                                                  const CancelToken& cancel) {
   auto made = enveloper_.rebuild(*source.input, quality, cancel);
   if (!made) return made.error();
-  bridges_ = std::move(made->bridges);
-  for (EnvelopeBridge& bridge : bridges_) bridge.middle += made->origin;
+  handles_ = std::move(made->handles);
+  handles_.move(made->origin);
   return whole(std::move(made->surface), std::move(made->warnings));
 }
 

@@ -42,7 +42,7 @@ class ObjectSurfacer {
   /// Of the part of the work that takes long: placing the columns of skins. For any thread.
   const Progress& progress() const { return progress_; }
   /// Of the last surface round solids, in the object's space.
-  const std::vector<EnvelopeBridge>& bridges() const { return bridges_; }
+  const EnvelopeHandles& handles() const { return handles_; }
 
  private:
   struct Adapted;
@@ -57,7 +57,7 @@ class ObjectSurfacer {
   Result<PolyhedronSurface> inside(const OutlineSource& source, Quality quality, const CancelToken& cancel);
 
   EnvelopeSurfacer enveloper_;
-  std::vector<EnvelopeBridge> bridges_;
+  EnvelopeHandles handles_;
   SkinSurfacer skinner_;
   const Progress progress_ = Progress::make();
   std::uint64_t patch_revision_ = 0;

@@ -38,8 +38,9 @@ TEST(Result, MovesItsValueOut) {
 }
 
 TEST(Result, OfDoneSaysWhetherWorkWasDone) {
-  EXPECT_TRUE(Result<Done>(Done{}).ok());
-  EXPECT_FALSE(Result<Done>(make_error(e_test, "No.")).ok());
+  const Result<Done> good = Done{}, bad = make_error(e_test, "No.");
+  EXPECT_TRUE(good.ok());
+  EXPECT_FALSE(bad.ok());
 }
 
 TEST(ResultDeathTest, MisuseIsAnAssertion) {

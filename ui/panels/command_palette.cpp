@@ -17,7 +17,7 @@ namespace hariko {
 namespace {
 
 constexpr int rows_shown = 9, page = 8;
-constexpr float row_height = 44, palette_width = 620;
+constexpr float palette_row = 44, palette_width = 620;
 constexpr std::size_t recent_kept = 12;
 
 }  // namespace
@@ -70,10 +70,10 @@ void CommandPalette::draw(PanelContext& context, float top) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float wide = std::min(m.px(palette_width), screen.x - m.px(32));
   const float field = m.px(52), footer = m.px(8);
-  const auto fitting = static_cast<int>((screen.y - top - m.px(32) - field - footer) / m.px(row_height));
+  const auto fitting = static_cast<int>((screen.y - top - m.px(32) - field - footer) / m.px(palette_row));
   const int shown = std::clamp(row_count_, 1, std::min(rows_shown, std::max(1, fitting)));
   const float left = (screen.x - wide) / 2,
-              height = field + footer + m.px(row_height) * static_cast<float>(shown);
+              height = field + footer + m.px(palette_row) * static_cast<float>(shown);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(m.px(8), m.px(10)));
   const bool drawn =
       begin_overlay("###palette", open_, {{left, top + m.px(12)}, {left + wide, top + m.px(12) + height}}, m);
@@ -116,15 +116,15 @@ void CommandPalette::draw_rows(PanelContext& context, const std::vector<Row>& ro
       ImGui::TextDisabled("%s", context.tr("Nothing is called like that."));
     }
     if (scroll_) {
-      const float at = m.px(row_height) * static_cast<float>(selected_);
+      const float at = m.px(palette_row) * static_cast<float>(selected_);
       const float visible = ImGui::GetWindowHeight();
       if (at < ImGui::GetScrollY()) ImGui::SetScrollY(at);
-      if (at + m.px(row_height) > ImGui::GetScrollY() + visible)
-        ImGui::SetScrollY(at + m.px(row_height) - visible);
+      if (at + m.px(palette_row) > ImGui::GetScrollY() + visible)
+        ImGui::SetScrollY(at + m.px(palette_row) - visible);
     }
     scroll_ = false;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(rows.size()), m.px(row_height));
+    clipper.Begin(static_cast<int>(rows.size()), m.px(palette_row));
     while (clipper.Step())
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
         if (draw_row(context, rows[static_cast<std::size_t>(i)], i == selected_)) {
@@ -146,7 +146,7 @@ bool CommandPalette::draw_row(PanelContext& context, const Row& row, bool select
   const Metrics& m = context.metrics;
   const std::string id = row.command ? row.command->id : "object:" + std::to_string(row.object.value);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, m.px(row_height));
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, m.px(palette_row));
   ImGui::PushID(id.c_str());
   const bool clicked = ImGui::InvisibleButton("row", size);
   ImGui::PopID();

@@ -15,10 +15,6 @@ namespace {
 
 constexpr float color_bar_height = 150, bar_width = 14, histogram_width = 36;
 
-ImU32 to_imgui(const Color& c) {
-  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
-}
-
 constexpr std::array mode_names{translatable("Symmetric"), translatable("Percentile"), translatable("Full"),
                                 translatable("Typed")};
 
@@ -270,6 +266,10 @@ Occlusion hiding_of(const Scene& scene, const Projector& projector) {
 }
 
 }  // namespace
+
+ImU32 to_imgui(const Color& c) {
+  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
+}
 
 void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBuilder& scene) {
   const Object* found = context.editor.active_object();

@@ -17,4 +17,7 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
 void draw_tension_numbers(PanelContext& context, const PanelRect& view, const Camera& camera,
                           const Scene& scene);
 
+/// A colour of maps as ImGui has colours.
+ImU32 to_imgui(const Color& color);
+
 }  // namespace hariko

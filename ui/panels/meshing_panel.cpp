@@ -9,6 +9,7 @@
 
 #include "ui/icons.hpp"
 #include "ui/panels/choice.hpp"
+#include "ui/panels/legend.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/quantity.hpp"
 #include "ui/panels/value_fields.hpp"
@@ -51,10 +52,6 @@ constexpr std::array shown_names{translatable("Triangles"), translatable("Distan
                                  translatable("Folds")};
 
 constexpr std::array place_names{translatable("Over the surface"), translatable("Alone")};
-
-ImU32 to_imgui(const Color& c) {
-  return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, c.a});
-}
 
 /// Lengths start in proportion to the object.
 void adapt(Meshing& meshing, const Object& object) {

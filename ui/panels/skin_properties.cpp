@@ -59,7 +59,7 @@ constexpr std::array column_choices{
     Choice{"Shared", "Where they follow all sections best, at the same places of each"},
     Choice{"Each section", "Where they follow each section best"},
 };
-constexpr std::array mirror_choices{
+constexpr std::array skin_mirror_choices{
     Choice{"None", "Sections are edited point by point"},
     Choice{"Across X", "What is done to a point of a section is done to its image, too"},
     Choice{"Across Y", "What is done to a point of a section is done to its image, too"},
@@ -132,7 +132,7 @@ class Rows {
 
   /// The plane of symmetric edits, and what makes the sections symmetric about it.
   void mirror(const Object& object) {
-    choice("skin_mirror", "Mirror", "Edits of sections change both halves", mirror_choices,
+    choice("skin_mirror", "Mirror", "Edits of sections change both halves", skin_mirror_choices,
            skin_.mirror ? skin_.mirror->axis + 1 : 0, "Mirror of the skin", [](Skin& skin, int chosen) {
              skin.mirror.reset();
              if (chosen > 0) skin.mirror = mirror_plane(skin, chosen - 1);

@@ -162,6 +162,28 @@ void surface_rows(PanelContext& context, const Object& object) {
   choice_rows(context, object);
 }
 
+/// What was pulled by hand, and the handles for it.
+void network_rows(PanelContext& context, const Object& object) {
+  Editor& editor = context.editor;
+  const bool on = editor.view.network_handles && editor.mode != ElementMode::object;
+  if (check_row(context, "network_handles", "Handles",
+                "Squares on vertices and diamonds on curves can be dragged; a double click puts them back",
+                on))
+    context.run("solid.pull_network");
+  const EnvelopeSettings& settings = object.solids()->input->settings;
+  const std::size_t pulled = settings.offsets.size() + settings.fullness.size();
+  if (pulled > 0) {
+    row_label(context, "By hand", "Vertices and curves that were pulled");
+    if (ImGui::Button((fill(context.tr("Reset {0}"), {std::to_string(pulled)}) + "###reset_network").c_str(),
+                      {-1, 0}))
+      context.run("solid.reset_network");
+    context.marks.item("button.reset_network");
+  }
+  const SurfaceView* view = editor.view_of(object.id);
+  if (on && view && view->mesh && !view->error && view->handles.vertices.empty())
+    hint_text(context, "A surface on a field has no curves to pull. Choose Curves as the method.");
+}
+
 // Solids.
 
 using Ids = std::vector<std::uint32_t>;
@@ -357,6 +379,8 @@ void draw_solids(PanelContext& context, const Object& object) {
   list_rows(context, object, ids);
   if (ids.empty()) hint_text(context, "Click a solid to change it, drag it to move it.");
   surface_rows(context, object);
+  heading(context, "Curves by hand");
+  network_rows(context, object);
 }
 
 }  // namespace hariko

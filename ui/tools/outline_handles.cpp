@@ -13,7 +13,7 @@ namespace {
 /// Beyond this many points arrows would cover the model and cost more than a frame.
 constexpr std::size_t most_arrows = 600;
 /// A head nearer to its point than this, in design pixels, cannot be taken.
-constexpr double least_length = 12;
+constexpr double least_arrow = 12;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ std::optional<Index> OutlineHandles::hit(const Vector2& pixel) const {
   double least = hit_radius * scale;
   for (Index i = 0; i < arrows_.size(); ++i) {
     const Arrow& arrow = arrows_[i];
-    if (!arrow.seen || (arrow.to - arrow.from).norm() < least_length * scale) continue;
+    if (!arrow.seen || (arrow.to - arrow.from).norm() < least_arrow * scale) continue;
     const double distance = (arrow.to - pixel).norm();
     if (distance > least) continue;
     least = distance;

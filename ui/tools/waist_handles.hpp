@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/envelope/envelope_bridge.hpp"
+#include "core/envelope/envelope_handles.hpp"
 #include "ui/marks.hpp"
 #include "ui/tools/tool.hpp"
 
@@ -17,7 +17,8 @@ namespace hariko {
 /// whose curves stay where they are whatever the waist have none.
 class WaistHandles {
  public:
-  /// Looks at the present surface. Hidden when no solids are active, and while the paper is shown.
+  /// Looks at the present surface. Hidden when no solids are active, while the paper is shown, and where the
+  /// network's own handles are.
   void update(const Editor& editor);
   /// The ring that is there.
   std::optional<std::size_t> hit(const Vector2& pixel) const;

@@ -1,0 +1,134 @@
+#include "ui/tools/network_handles.hpp"
+
+#include <algorithm>
+
+#include "ui/shown_surfaces.hpp"
+#include "ui/tools/overlay_drawing.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// More handles than this would cover the model.
+constexpr std::size_t most_network_handles = 400;
+/// Curves that move less, in design pixels for a whole factor, are no handles.
+constexpr double least_movement = 6;
+
+bool belongs_to(const std::set<VertexId>& solids, const EnvelopeVertex& vertex) {
+  return solids.contains(VertexId{vertex.vertex.solid});
+}
+bool belongs_to(const std::set<VertexId>& solids, const EnvelopeCurve& curve) {
+  return solids.contains(VertexId{curve.curve.low.solid}) ||
+         solids.contains(VertexId{curve.curve.high.solid});
+}
+
+std::string text_of(const NetworkVertexKey& key) {
+  return std::to_string(key.solid) + "-" + std::to_string(key.vertex);
+}
+
+}  // namespace
+
+void NetworkHandles::look(const Editor& editor) {
+  if (editor.view.x_ray || editor.selecting.through) return sight_.reset();
+  std::vector<SceneObject> surfaces = shown_surfaces(editor);
+  const auto section = section_plane(editor.view);
+  const auto same = [](const SceneObject& a, const SceneObject& b) {
+    return a.mesh == b.mesh && a.transform == b.transform;
+  };
+  if (sight_ && sight_->camera == editor.camera() && sight_->viewport == editor.viewport &&
+      sight_->section == section && std::ranges::equal(sight_->surfaces, surfaces, same))
+    return;
+  SurfaceOcclusion occlusion(surfaces, section, Projector(editor.camera(), editor.viewport),
+                             4 * editor.pixel_scale);
+  sight_.emplace(Sight{editor.camera(), editor.viewport, section, std::move(surfaces), std::move(occlusion)});
+}
+
+void NetworkHandles::update(const Editor& editor) {
+  handles_.clear();
+  const Object* object = editor.has_document ? editor.active_object() : nullptr;
+  if (!editor.view.network_handles || !object || !object->solids() || !object->visible || object->locked ||
+      editor.mode == ElementMode::object || editor.paper.covers_model())
+    return;
+  const SurfaceView* view = editor.view_of(object->id);
+  if (!view || !view->mesh || view->error) return;
+  const EnvelopeSettings& settings = object->solids()->input->settings;
+  const std::set<VertexId>& selected = editor.selection.of(object->id).vertices;
+  const Projector projector(editor.camera(), editor.viewport);
+  look(editor);
+  const auto place = [&](const Vector3& point, const Vector3& outward) -> std::optional<Vector2> {
+    const Vector3 world = object->transform.apply(point);
+    const auto at = projector.project(world);
+    if (!at || (object->transform.rotation * outward).dot(projector.ray(at->head<2>()).direction) > 0 ||
+        (sight_ && sight_->occlusion.hides(world)))
+      return {};
+    return at->head<2>();
+  };
+  for (const EnvelopeCurve& curve : view->handles.curves) {
+    if (!selected.empty() && !belongs_to(selected, curve)) continue;
+    const auto at = place(curve.middle, curve.outward);
+    const auto to = projector.project(object->transform.apply(Vector3(curve.middle + curve.way)));
+    if (!at || !to || (to->head<2>() - *at).norm() < least_movement * editor.pixel_scale) continue;
+    handles_.push_back({curve, *at, settings.fullness.find(curve.curve) != nullptr});
+  }
+  for (const EnvelopeVertex& vertex : view->handles.vertices) {
+    if (!selected.empty() && !belongs_to(selected, vertex)) continue;
+    if (const auto at = place(vertex.position, vertex.outward))
+      handles_.push_back({vertex, *at, settings.offsets.find(vertex.vertex) != nullptr});
+  }
+  if (handles_.size() > most_network_handles) handles_.clear();
+}
+
+std::optional<std::size_t> NetworkHandles::hit(const Vector2& pixel) const {
+  std::optional<std::size_t> best;
+  double least = hit_radius * double(ImGui::GetIO().DisplayFramebufferScale.x);
+  for (std::size_t i = 0; i < handles_.size(); ++i)
+    if (const double distance = (handles_[i].at - pixel).norm(); distance <= least) {
+      least = distance;
+      best = i;
+    }
+  return best;
+}
+
+void NetworkHandles::draw(const ToolOverlay& overlay, std::optional<std::size_t> hot) const {
+  for (std::size_t i = 0; i < handles_.size(); ++i) {
+    const bool vertex = std::holds_alternative<EnvelopeVertex>(handles_[i].handle);
+    draw_network_handle(overlay, handles_[i].at, vertex, handles_[i].changed, hot == i);
+  }
+}
+
+void NetworkHandles::mark(Marks& marks, const ToolOverlay& overlay) const {
+  for (const Shown& shown : handles_) {
+    const ImVec2 at = on_screen(overlay, shown.at);
+    const auto* vertex = std::get_if<EnvelopeVertex>(&shown.handle);
+    const auto* curve = std::get_if<EnvelopeCurve>(&shown.handle);
+    const std::string name =
+        vertex ? "network.vertex." + text_of(vertex->vertex)
+               : "network.curve." + text_of(curve->curve.low) + "." + text_of(curve->curve.high);
+    marks.rect(name, {at.x - 2, at.y - 2}, {at.x + 2, at.y + 2});
+  }
+}
+
+void draw_network_handle(const ToolOverlay& overlay, const Vector2& at, bool vertex, bool changed, bool hot) {
+  const Metrics& m = overlay.metrics;
+  const ImVec2 c = on_screen(overlay, at);
+  const ImU32 colour = hot ? palette().hot : palette().secondary;
+  const ImU32 inside = changed ? colour : with_alpha(palette().window, 0.85F);
+  const float r = m.px(hot ? 5.5F : 4.5F), halo = m.px(1.4F);
+  if (vertex) {
+    overlay.list.AddRectFilled({c.x - r - halo, c.y - r - halo}, {c.x + r + halo, c.y + r + halo},
+                               with_alpha(palette().window, 0.6F));
+    overlay.list.AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, inside);
+    overlay.list.AddRect({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, 0, 0, m.px(1.6F));
+    return;
+  }
+  const auto diamond = [&](float size) {
+    return std::array{ImVec2(c.x, c.y - size), ImVec2(c.x + size, c.y), ImVec2(c.x, c.y + size),
+                      ImVec2(c.x - size, c.y)};
+  };
+  const auto outer = diamond(r + halo), inner = diamond(r);
+  overlay.list.AddConvexPolyFilled(outer.data(), 4, with_alpha(palette().window, 0.6F));
+  overlay.list.AddConvexPolyFilled(inner.data(), 4, inside);
+  overlay.list.AddPolyline(inner.data(), 4, colour, ImDrawFlags_Closed, m.px(1.6F));
+}
+
+}  // namespace hariko
