@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/shown_surfaces.hpp"
+#include "ui/tools/nearest_handle.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 
 namespace hariko {
@@ -79,14 +80,7 @@ void NetworkHandles::update(const Editor& editor) {
 }
 
 std::optional<std::size_t> NetworkHandles::hit(const Vector2& pixel) const {
-  std::optional<std::size_t> best;
-  double least = hit_radius * double(ImGui::GetIO().DisplayFramebufferScale.x);
-  for (std::size_t i = 0; i < handles_.size(); ++i)
-    if (const double distance = (handles_[i].at - pixel).norm(); distance <= least) {
-      least = distance;
-      best = i;
-    }
-  return best;
+  return nearest_handle(handles_, pixel, hit_radius);
 }
 
 void NetworkHandles::draw(const ToolOverlay& overlay, std::optional<std::size_t> hot) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ui/tools/nearest_handle.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 
 namespace hariko {
@@ -48,14 +49,7 @@ void WaistHandles::update(const Editor& editor) {
 }
 
 std::optional<std::size_t> WaistHandles::hit(const Vector2& pixel) const {
-  std::optional<std::size_t> best;
-  double least = hit_radius * double(ImGui::GetIO().DisplayFramebufferScale.x);
-  for (std::size_t i = 0; i < handles_.size(); ++i)
-    if (const double distance = (handles_[i].at - pixel).norm(); distance <= least) {
-      least = distance;
-      best = i;
-    }
-  return best;
+  return nearest_handle(handles_, pixel, hit_radius);
 }
 
 void WaistHandles::draw(const ToolOverlay& overlay, std::optional<std::size_t> hot) const {
