@@ -19,7 +19,7 @@ add_library(hariko_warnings INTERFACE)
 target_compile_options(hariko_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
 if(HARIKO_UNITY)
   # Files that are compiled together look like headers to this one.
-  target_compile_options(hariko_warnings INTERFACE -Wno-subobject-linkage)
+  target_compile_options(hariko_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 
 # The checks left out are a sixth of the compile time, and what a null pointer does the address sanitizer tells as well.
