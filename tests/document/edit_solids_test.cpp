@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 #include "core/document/edits.hpp"
 
@@ -119,6 +120,36 @@ TEST(EditSolids, ARowHasCopiesAtEqualDistances) {
                 .error()
                 .code,
             e_too_many_solids);
+}
+
+TEST(EditSolids, VerticesAndCurvesArePulledAndPutBack) {
+  const auto [document, id] = two_solids();
+  const NetworkVertexKey vertex{8, 2};
+  const NetworkEdgeKey curve = NetworkEdgeKey::of({8, 2}, {8, 1});
+  const auto moved = change_network_vertex(document, id, vertex, {0, 0.5, -1});
+  ASSERT_TRUE(moved.ok());
+  const auto fuller = change_network_curve(*moved, id, curve, 1.5);
+  ASSERT_TRUE(fuller.ok());
+  const EnvelopeSettings& settings = input_of(*fuller, id).settings;
+  EXPECT_EQ(settings.offsets.size(), 2U);
+  EXPECT_EQ(settings.offsets.get_or(vertex, Vector3::Zero()), Vector3(0, 0.5, -1));
+  EXPECT_EQ(settings.fullness.size(), 2U);
+  EXPECT_EQ(settings.fullness.get_or(curve, 1.0), 1.5);
+  // What is as the solids have it is not kept.
+  const auto back = change_network_vertex(*fuller, id, vertex, Vector3::Zero());
+  ASSERT_TRUE(back.ok());
+  EXPECT_EQ(input_of(*back, id).settings.offsets.size(), 1U);
+  const auto usual = change_network_curve(*back, id, curve, 1);
+  ASSERT_TRUE(usual.ok());
+  EXPECT_EQ(input_of(*usual, id).settings, input_of(document, id).settings);
+  const auto reset = reset_network(*fuller, id);
+  ASSERT_TRUE(reset.ok());
+  EXPECT_TRUE(input_of(*reset, id).settings.offsets.empty());
+  EXPECT_TRUE(input_of(*reset, id).settings.fullness.empty());
+  EXPECT_EQ(input_of(*reset, id).settings.waists.size(), 1U);
+  EXPECT_FALSE(change_network_curve(document, id, curve, 4).ok()) << "fuller than a curve may be";
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(change_network_vertex(document, id, vertex, {infinite, 0, 0}).ok());
 }
 
 }  // namespace hariko::test
