@@ -1,10 +1,10 @@
 #include "app/commands/patch_evaluation.hpp"
-#include "app/commands/vector_json.hpp"
 
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/vector_json.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/curvature.hpp"
 #include "core/analysis/measures.hpp"

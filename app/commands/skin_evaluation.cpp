@@ -1,9 +1,9 @@
 #include "app/commands/skin_evaluation.hpp"
-#include "app/commands/vector_json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/vector_json.hpp"
 #include "core/skinning/mesh_report.hpp"
 #include "core/skinning/regular_faces.hpp"
 

@@ -1,8 +1,8 @@
 #include "app/commands/solids_evaluation.hpp"
-#include "app/commands/vector_json.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include "app/commands/vector_json.hpp"
 #include "core/envelope/envelope.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 

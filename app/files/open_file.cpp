@@ -160,7 +160,7 @@ void open_layout(const std::filesystem::path& file, JsonKind kind, OpenedFile& o
 /// What was read of a file that the user does not want any more.
 OpenedFile cancelled_file() {
   OpenedFile opened;
-  opened.messages.push_back(make_error(e_cancelled, "The import was cancelled_file."));
+  opened.messages.push_back(make_error(e_cancelled, "The import was cancelled."));
   return opened;
 }
 

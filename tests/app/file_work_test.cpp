@@ -21,11 +21,6 @@ CancelToken cancelled_token() {
   return token;
 }
 
-std::size_t files_in(const std::filesystem::path& folder) {
-  return static_cast<std::size_t>(
-      std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
-}
-
 TEST(FileWork, ACancelledExportLeavesTheOldFileOrNone) {
   const test::TemporaryFolder folder;
   const Document document = document_from_mesh(test::torus(12, 9), "Torus").value();
@@ -55,7 +50,7 @@ TEST(FileWork, ACancelledExportLeavesTheOldFileOrNone) {
         if (old) {
           EXPECT_EQ(test::slurp(file), "old");
         }
-        EXPECT_EQ(files_in(folder.path()), old ? 1U : 0U) << "something is left over";
+        EXPECT_EQ(test::files_in(folder.path()), old ? 1U : 0U) << "something is left over";
       }
     }
     std::filesystem::remove(file);
@@ -98,6 +93,9 @@ TEST(FileWork, EveryReaderCanBeCancelledAndReports) {
     EXPECT_FALSE(opened.document.has_value());
     ASSERT_EQ(opened.messages.size(), 1U);
     EXPECT_EQ(opened.messages[0].code, e_cancelled);
+    EXPECT_EQ(opened.messages[0].text, read.error().text)
+        << "one sentence, whichever part of the program says it";
+    EXPECT_EQ(opened.messages[0].text, "The import was cancelled.");
   }
 }
 

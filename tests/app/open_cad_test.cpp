@@ -87,6 +87,7 @@ TEST(OpenCad, CanBeCancelled) {
   EXPECT_FALSE(opened.document);
   ASSERT_EQ(opened.messages.size(), 1U);
   EXPECT_EQ(opened.messages[0].code, e_cancelled);
+  EXPECT_EQ(opened.messages[0].text, "The import was cancelled.");
 }
 
 }  // namespace

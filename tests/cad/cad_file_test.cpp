@@ -134,7 +134,7 @@ std::size_t open_edges(const TopoDS_Shape& shape) {
 }
 
 /// Largest distance between the faces as they were read and the surface, at equal parameters. Faces come in
-/// the order in which they were written_object.
+/// the order in which they were written.
 double distance_of(const TopoDS_Shape& shape, const CadModel& model, const Surface& surface, int density) {
   double largest = 0;
   std::size_t number = 0;
