@@ -20,6 +20,7 @@ MeshOptions MeshingSettings::options(double scale) const {
   if (of(MeshCriterion::luminance).on) out.criteria.luminance = of(MeshCriterion::luminance).value;
   out.criteria.max_edge = length(MeshCriterion::edge);
   out.criteria.min_angle = radians(MeshCriterion::angle);
+  out.start = start;
   out.split = split;
   out.optimise = optimise;
   out.balanced = balanced;

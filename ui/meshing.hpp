@@ -30,6 +30,7 @@ struct MeshingSettings {
   };
   std::array<Tolerance, mesh_criterion_count> tolerances{
       {{true, 0}, {false, 10}, {false, 15}, {false, 0.1}, {false, 0}, {false, 10}}};
+  MeshStart start = MeshStart::patches;
   SplitRule split = SplitRule::midpoint;
   bool optimise = false, balanced = false;
   bool compare = false;  ///< also the meshes of distance alone and of normal angle alone

@@ -134,6 +134,9 @@ class CommandLine {
     mesh_->add_option("--luminance", luminance_, "Difference of brightness, 0 to 1");
     mesh_->add_option("--max-edge", max_edge_, "Length of edges");
     mesh_->add_option("--min-angle", min_angle_, "Smallest angle of a facet, degrees");
+    mesh_->add_option("--start", start_, "Whole patches, or cells as long as their curvature lets them be")
+        ->check(CLI::IsMember({"patches", "cells"}))
+        ->capture_default_str();
     mesh_->add_option("--split", split_, "Which edge is split, and where")
         ->check(CLI::IsMember({"mid", "halving", "gauss", "curvature"}))
         ->capture_default_str();
@@ -222,6 +225,7 @@ class CommandLine {
     criteria.luminance = luminance_;
     criteria.max_edge = max_edge_;
     criteria.min_angle = radians(min_angle_);
+    out.options.start = start_ == "cells" ? MeshStart::cells : MeshStart::patches;
     out.options.split = split_ == "halving"     ? SplitRule::halving
                         : split_ == "gauss"     ? SplitRule::gauss
                         : split_ == "curvature" ? SplitRule::curvature
@@ -251,7 +255,7 @@ class CommandLine {
   UnfoldCommandLine unfold_;
   OutlineCommandLine outlines_;
   std::string input_, output_, mode_, tension_;
-  std::string split_ = "mid", errors_;
+  std::string start_ = "patches", split_ = "mid", errors_;
   std::optional<double> distance_, normal_, fold_, luminance_, max_edge_, min_angle_;
   bool round_ = false, mesh_json_ = false, optimise_ = false, balanced_ = false;
 };

@@ -5,9 +5,9 @@
 
 #include "core/approximation/balance.hpp"
 #include "core/approximation/bisection.hpp"
-#include "core/approximation/initial_mesh.hpp"
 #include "core/approximation/mesh_report.hpp"
 #include "core/approximation/optimise.hpp"
+#include "core/approximation/start_mesh.hpp"
 
 namespace hariko {
 
@@ -80,7 +80,7 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
   }
   ParameterMesh mesh = options.optimise || options.balanced
                            ? optimised_mesh(sampler, options, cancel, progress.part(0, 0.8))
-                           : initial_mesh(surface);
+                           : start_mesh(sampler, options);
   const BisectionResult refined =
       bisect(sampler, errors, options, mesh, cancel, progress.part(options.optimise ? 0.8 : 0, 0.85));
   if (refined.cancelled) return cancelled();

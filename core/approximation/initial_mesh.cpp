@@ -24,11 +24,10 @@ struct SidePiece {
 
 class InitialMesh {
  public:
-  InitialMesh(const Surface& surface, int columns, int rows)
+  InitialMesh(const Surface& surface, std::span<const PatchCells> cells)
       : surface_(surface),
         corners_(corner_count(surface.domain())),
-        columns_(columns),
-        rows_(rows),
+        cells_(cells),
         sides_(std::size_t(surface.patch_count()) * std::size_t(corners_)) {}
 
   ParameterMesh make() {
@@ -73,54 +72,56 @@ class InitialMesh {
     mesh_.positions.push_back(at(patch, parameter));
     return same_.add();
   }
-  /// Cells of a square; `corner` holds vertices and parameters of the grid.
+  PatchCells cells_of(Index patch) const { return cells_[cells_.size() == 1 ? 0 : patch]; }
+
   void add_square(Index patch) {
-    const auto width = std::size_t(columns_ + 1);
+    const int columns = cells_of(patch).columns, rows = cells_of(patch).rows;
+    const auto width = std::size_t(columns + 1);
     std::vector<Index> vertex;
     std::vector<Vector2> parameter;
-    for (int j = 0; j <= rows_; ++j)
-      for (int i = 0; i <= columns_; ++i) {
-        parameter.emplace_back(grid_fraction(i, columns_), grid_fraction(j, rows_));
+    for (int j = 0; j <= rows; ++j)
+      for (int i = 0; i <= columns; ++i) {
+        parameter.emplace_back(grid_fraction(i, columns), grid_fraction(j, rows));
         vertex.push_back(add_vertex(patch, parameter.back()));
       }
     const auto is_collapsed = [&](std::uint8_t side) { return collapsed_[slot({patch, side})] != 0; };
     const auto index = [&](int i, int j) { return std::size_t(j) * width + std::size_t(i); };
     if (is_collapsed(0))
-      for (int i = 0; i < columns_; ++i) same_.join(vertex[index(i, 0)], vertex[index(i + 1, 0)]);
+      for (int i = 0; i < columns; ++i) same_.join(vertex[index(i, 0)], vertex[index(i + 1, 0)]);
     if (is_collapsed(2))
-      for (int i = 0; i < columns_; ++i) same_.join(vertex[index(i, rows_)], vertex[index(i + 1, rows_)]);
+      for (int i = 0; i < columns; ++i) same_.join(vertex[index(i, rows)], vertex[index(i + 1, rows)]);
     if (is_collapsed(1))
-      for (int j = 0; j < rows_; ++j) same_.join(vertex[index(columns_, j)], vertex[index(columns_, j + 1)]);
+      for (int j = 0; j < rows; ++j) same_.join(vertex[index(columns, j)], vertex[index(columns, j + 1)]);
     if (is_collapsed(3))
-      for (int j = 0; j < rows_; ++j) same_.join(vertex[index(0, j)], vertex[index(0, j + 1)]);
+      for (int j = 0; j < rows; ++j) same_.join(vertex[index(0, j)], vertex[index(0, j + 1)]);
     // Half-edge of each cell's side, no_index where it is shrunk.
     std::vector<std::array<Index, 4>> cells;
-    for (int j = 0; j < rows_; ++j)
-      for (int i = 0; i < columns_; ++i) {
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i) {
         const std::array<std::size_t, 4> c{index(i, j), index(i + 1, j), index(i + 1, j + 1),
                                            index(i, j + 1)};
-        const std::array<bool, 4> shrunk{j == 0 && is_collapsed(0), i + 1 == columns_ && is_collapsed(1),
-                                         j + 1 == rows_ && is_collapsed(2), i == 0 && is_collapsed(3)};
+        const std::array<bool, 4> shrunk{j == 0 && is_collapsed(0), i + 1 == columns && is_collapsed(1),
+                                         j + 1 == rows && is_collapsed(2), i == 0 && is_collapsed(3)};
         std::array<Index, 4> v;
         std::array<Vector2, 4> w;
         for (std::size_t k = 0; k < 4; ++k) v[k] = vertex[c[k]], w[k] = parameter[c[k]];
         cells.push_back(add_cell(patch, v, w, shrunk));
       }
     const auto cell = [&](int i, int j) -> const std::array<Index, 4>& {
-      return cells[std::size_t(j * columns_ + i)];
+      return cells[std::size_t(j * columns + i)];
     };
-    for (int j = 0; j < rows_; ++j)
-      for (int i = 0; i < columns_; ++i) {
-        if (i + 1 < columns_) link(cell(i, j)[1], cell(i + 1, j)[3]);
-        if (j + 1 < rows_) link(cell(i, j)[2], cell(i, j + 1)[0]);
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < columns; ++i) {
+        if (i + 1 < columns) link(cell(i, j)[1], cell(i + 1, j)[3]);
+        if (j + 1 < rows) link(cell(i, j)[2], cell(i, j + 1)[0]);
       }
-    for (int i = 0; i < columns_; ++i) {
-      add_piece({patch, 0}, i, columns_, cell(i, 0)[0]);
-      add_piece({patch, 2}, i, columns_, cell(columns_ - 1 - i, rows_ - 1)[2]);
+    for (int i = 0; i < columns; ++i) {
+      add_piece({patch, 0}, i, columns, cell(i, 0)[0]);
+      add_piece({patch, 2}, i, columns, cell(columns - 1 - i, rows - 1)[2]);
     }
-    for (int j = 0; j < rows_; ++j) {
-      add_piece({patch, 1}, j, rows_, cell(columns_ - 1, j)[1]);
-      add_piece({patch, 3}, j, rows_, cell(0, rows_ - 1 - j)[3]);
+    for (int j = 0; j < rows; ++j) {
+      add_piece({patch, 1}, j, rows, cell(columns - 1, j)[1]);
+      add_piece({patch, 3}, j, rows, cell(0, rows - 1 - j)[3]);
     }
   }
   void link(Index a, Index b) {
@@ -175,7 +176,7 @@ class InitialMesh {
   }
 
   void add_triangle(Index patch) {
-    const int n = columns_;
+    const int n = cells_of(patch).columns;
     const GridPattern grid{Domain::triangle, n};
     const std::vector<Vector2> parameters = grid.parameters();
     std::vector<Index> vertex;
@@ -213,9 +214,9 @@ class InitialMesh {
   /// Both parts of every seam get the ends of the seam and each other's cuts.
   void cut_at_joints() {
     std::vector<const Seam*> partial;
-    const bool even = columns_ == rows_;
     for (const Seam& seam : surface_.seams())
-      if (!is_full(seam) || !even) partial.push_back(&seam);
+      if (!is_full(seam) || sides_[slot(seam.first)].size() != sides_[slot(seam.second)].size())
+        partial.push_back(&seam);
     // A cut may travel along a chain of joints; each round takes it one seam further.
     for (int round = 0; round < 16; ++round) {
       bool changed = false;
@@ -332,7 +333,8 @@ class InitialMesh {
   }
 
   const Surface& surface_;
-  int corners_, columns_, rows_;
+  int corners_;
+  std::span<const PatchCells> cells_;  ///< one a patch, or one for all
   std::vector<std::vector<SidePiece>> sides_;
   std::vector<char> collapsed_;
   DisjointSets same_;  ///< vertices that are one
@@ -352,17 +354,20 @@ bool needs_cuts(const ParameterMesh& mesh) {
 
 }  // namespace
 
-ParameterMesh initial_mesh(const Surface& surface) {
+ParameterMesh grid_mesh(const Surface& surface, std::span<const PatchCells> cells) {
   if (surface.patch_count() == 0) return {};
-  for (int cuts = 1;; ++cuts) {
-    ParameterMesh mesh = InitialMesh(surface, cuts, cuts).make();
-    if (cuts == max_cuts || !needs_cuts(mesh)) return mesh;
-  }
+  HARIKO_ASSERT(cells.size() == 1 || cells.size() == surface.patch_count(), "cells of every patch");
+  return InitialMesh(surface, cells).make();
 }
 
-ParameterMesh grid_mesh(const Surface& surface, int columns, int rows) {
-  HARIKO_ASSERT(surface.domain() == Domain::square && columns > 0 && rows > 0, "a grid needs squares");
-  return InitialMesh(surface, columns, rows).make();
+ParameterMesh initial_mesh(const Surface& surface, std::span<const PatchCells> cells) {
+  std::vector<PatchCells> tried(cells.begin(), cells.end());
+  if (tried.empty()) tried.emplace_back();
+  for (int cuts = 1;; ++cuts) {
+    for (PatchCells& one : tried) one = {std::max(one.columns, cuts), std::max(one.rows, cuts)};
+    ParameterMesh mesh = grid_mesh(surface, tried);
+    if (cuts == max_cuts || !needs_cuts(mesh)) return mesh;
+  }
 }
 
 }  // namespace hariko

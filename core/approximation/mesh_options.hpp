@@ -60,6 +60,13 @@ enum class SplitRule : std::uint8_t {
               ///< distances
 };
 
+/// Where refinement starts.
+enum class MeshStart : std::uint8_t {
+  patches,  ///< two facets a square patch, one a triangle
+  cells,    ///< square patches cut into cells that are as long as their curvature lets them; for distances,
+            ///< normal and fold angles
+};
+
 /// Which facets are split along with one.
 enum class Propagation : std::uint8_t {
   longest_path,  ///< neighbours with a longer edge first: better shapes
@@ -75,10 +82,11 @@ enum class MeshReport : std::uint8_t {
 
 struct MeshOptions {
   MeshCriteria criteria;
+  MeshStart start = MeshStart::patches;
   SplitRule split = SplitRule::midpoint;
   Propagation propagation = Propagation::longest_path;
-  /// Fewer facets by flips, collapses and moves along the surface; many times slower. `split` and
-  /// `propagation` then have no effect.
+  /// Fewer facets by flips, collapses and moves along the surface; many times slower. `start`, `split`
+  /// and `propagation` then have no effect.
   bool optimise = false;
   /// Vertices off the surface, so that it runs through the middle of its tolerance: about half of the
   /// optimised facets. For surfaces that bend one way everywhere (positive Gaussian curvature), under a

@@ -318,6 +318,10 @@ std::optional<ParameterMesh> best_grid(const SurfaceSampler& sampler, const Mesh
                                        std::size_t most, const CancelToken& cancel) {
   const FacetErrors errors(sampler, options.criteria);
   std::optional<ParameterMesh> best;
+  const auto grid = [&](int columns, int rows) {
+    const PatchCells cells{columns, rows};
+    return grid_mesh(sampler.surface(), {&cells, 1});
+  };
   const auto good = [&](const ParameterMesh& mesh) {
     for (Index f = 0; f < mesh.facets.size(); ++f)
       if (errors.relative_error(mesh, f) > 1) return false;
@@ -326,12 +330,12 @@ std::optional<ParameterMesh> best_grid(const SurfaceSampler& sampler, const Mesh
   for (int columns = 1; 2 * std::size_t(columns) < most && !cancel.cancelled(); ++columns) {
     // Finer rows never hurt much: halve the interval of their number.
     int low = 0, high = int((most - 1) / (2 * std::size_t(columns)));
-    if (high < 1 || !good(grid_mesh(sampler.surface(), columns, high))) continue;
+    if (high < 1 || !good(grid(columns, high))) continue;
     while (high - low > 1) {
       const int middle = (low + high) / 2;
-      (good(grid_mesh(sampler.surface(), columns, middle)) ? high : low) = middle;
+      (good(grid(columns, middle)) ? high : low) = middle;
     }
-    best = grid_mesh(sampler.surface(), columns, high);
+    best = grid(columns, high);
     most = best->facets.size();
   }
   return best;

@@ -123,16 +123,20 @@ TEST(TouchingSurfaces, SidesThatMeetAtAT) {
     if (turned) patches[1] = flipped(patches[1]);
     const Surface surface = weld_patches(Vector3::Zero(), patches).value();
     ASSERT_EQ(surface.seams().size(), 3U);
-    const MeshApproximation mesh = mesh_of(surface, by_distance(0.002));
-    EXPECT_TRUE(mesh.reached());
-    const MeshCheck check = check_mesh(surface, mesh.mesh, 150, 0.002);
-    expect_sound(check, false);
-    expect_close(check, 0.002);
-    EXPECT_EQ(euler(mesh.mesh), 1);
-    // One outside: all facets look up, or all down.
-    for (const auto& t : mesh.mesh.triangles) {
-      const auto& p = mesh.mesh.positions;
-      EXPECT_GT((p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).z(), 0);
+    for (const MeshStart start : {MeshStart::patches, MeshStart::cells}) {
+      MeshOptions options = by_distance(0.002);
+      options.start = start;
+      const MeshApproximation mesh = mesh_of(surface, options);
+      EXPECT_TRUE(mesh.reached());
+      const MeshCheck check = check_mesh(surface, mesh.mesh, 150, 0.002);
+      expect_sound(check, false);
+      expect_close(check, 0.002);
+      EXPECT_EQ(euler(mesh.mesh), 1);
+      // One outside: all facets look up, or all down.
+      for (const auto& t : mesh.mesh.triangles) {
+        const auto& p = mesh.mesh.positions;
+        EXPECT_GT((p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).z(), 0);
+      }
     }
   }
 }
@@ -176,7 +180,9 @@ TEST(RandomSurfaces, RandomTolerancesOnRandomPatches) {
     const Surface surface = weld_patches(Vector3::Zero(), {smooth_patch(rng)}).value();
     const double tolerance = log_uniform(rng, 0.003, 0.3);
     const SplitRule rule = SplitRule(uniform_int(rng, 0, 2));
-    const MeshApproximation mesh = mesh_of(surface, by_distance(tolerance, rule));
+    MeshOptions options = by_distance(tolerance, rule);
+    options.start = MeshStart(uniform_int(rng, 0, 1));
+    const MeshApproximation mesh = mesh_of(surface, options);
     EXPECT_TRUE(mesh.reached());
     EXPECT_TRUE(mesh.distance.certified);
     EXPECT_LE(mesh.distance.bound, tolerance);

@@ -42,6 +42,12 @@ constexpr std::array<Row, mesh_criterion_count> rows{{
      translatable("Triangles that are too sharp are cut where that helps"), 1, 35},
 }};
 
+constexpr std::array<Choice, 2> start_choices{{
+    {translatable("Whole patches"), translatable("Two facets a patch, which are cut where they have to be")},
+    {translatable("Cells"),
+     translatable("As long as their curvature lets them be: fewer facets where a surface bends evenly, "
+                  "or one way only")},
+}};
 constexpr std::array<Choice, 4> split_choices{{
     {translatable("Longest edge"), translatable("The longest edge in its middle")},
     {translatable("Halved normals"), translatable("Where the normal halves the angle, as in the paper")},
@@ -94,6 +100,10 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
 
 void way_rows(PanelContext& context, MeshingSettings& settings) {
   ImGui::BeginDisabled(settings.optimise || settings.balanced);
+  if (const auto chosen =
+          choose(context, "meshing.start", "Start", "What is cut: for patches with four sides", start_choices,
+                 static_cast<int>(settings.start)))
+    settings.start = static_cast<MeshStart>(*chosen);
   if (const auto chosen = choose(context, "meshing.split", "Cut", "Which edge is cut, and where",
                                  split_choices, static_cast<int>(settings.split)))
     settings.split = static_cast<SplitRule>(*chosen);
