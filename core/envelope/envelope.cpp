@@ -153,11 +153,18 @@ Result<bool> EnvelopeSurfacer::make_field(Job& job) {
                      "The surface keeps away from the solids by " + percent(made->distance) +
                          " % of their size and fills narrow notches: a closer one folds or misses a solid.",
                      "Move the solids apart or into each other, or choose smaller cells."));
+  if (!made->waists_followed)
+    job.out.warnings.push_back(
+        make_warning(w_waist_limited,
+                     "A bridge is not as thin or as thick as its waist asks for: the surface would fold "
+                     "or miss a solid.",
+                     "Choose a waist nearer to the usual one, or move the solids apart."));
   job.out.network = nullptr;
   job.out.symmetric = job.symmetry != nullptr;  // a field's cage is its own image, or there is none
   job.out.level = made->level;
   job.out.components = made->components;
   job.out.tunnels = made->tunnels;
+  job.out.handles.bridges = std::move(made->bridges);
   take_cage(std::move(made->surface), job.out);
   return true;
 }

@@ -40,7 +40,7 @@ struct EnvelopeSurface {
   std::size_t folds = 0;  ///< patches with a fold
   int builds = 0;
   bool symmetric = false;   ///< in the plane of the settings
-  EnvelopeHandles handles;  ///< of the network, relative to `origin`
+  EnvelopeHandles handles;  ///< relative to `origin`; a field's cage has bridges only
   std::vector<Message> warnings;
 };
 

@@ -8,10 +8,10 @@
 
 namespace hariko {
 
-/// A curve of the network from one solid to another.
+/// A curve of the network from one solid to another, or a place on the bar between them.
 struct EnvelopeBridge {
   SolidPair solids;                    ///< ids; equal ones between a solid and its image
-  Vector3 middle = Vector3::Zero();    ///< of the curve
+  Vector3 middle = Vector3::Zero();    ///< of the curve, or the place
   Vector3 outward = Vector3::UnitZ();  ///< unit, normal of the surface about there
   Vector3 way = Vector3::Zero();       ///< of the middle while the factor on the waist grows by one
 };

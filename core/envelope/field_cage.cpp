@@ -95,7 +95,7 @@ class CageBuilder {
     origin_ = axes_ * (0.5 * (low + high));
     half_ = 0.5 * (high - low);
     for (const Index s : cluster_.solids) local_.push_back(scene_.distances[s].in_frame(axes_, origin_));
-    for (const SolidDistance& bar : cluster_.bridges) local_.push_back(bar.in_frame(axes_, origin_));
+    for (const FieldBar& bar : cluster_.bars) local_.push_back(bar.distance.in_frame(axes_, origin_));
   }
 
   /// The request's functions hold only during the call.

@@ -14,10 +14,19 @@
 
 namespace hariko {
 
+/// A round bar through the gap between two solids.
+struct FieldBar {
+  SolidPair solids;                  ///< ids
+  Vector3 middle = Vector3::Zero();  ///< of what can be seen of it
+  Vector3 axis = Vector3::UnitZ();   ///< unit
+  double radius = 0;
+  SolidDistance distance;
+};
+
 /// Solids that make one part of the surface, with the bars that bridge their gaps.
 struct FieldCluster {
   std::vector<Index> solids;
-  std::vector<SolidDistance> bridges;
+  std::vector<FieldBar> bars;
 };
 
 struct FieldScene {

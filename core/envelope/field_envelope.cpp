@@ -1,7 +1,9 @@
 #include "core/envelope/field_envelope.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/envelope/bar_rings.hpp"
 #include "core/envelope/envelope.hpp"
 
 namespace hariko {
@@ -23,15 +25,25 @@ constexpr double slack_fillet = 2;  ///< of the cell: what a lower tightness add
 /// Vertices of a symmetric field are images of each other but for rounding and the ties that it breaks.
 constexpr double mirror_tolerance = 5e-3;  ///< of the diagonal
 
-std::vector<std::vector<Index>> cage_loops(const FieldCage& cage) {
+/// Of the way to the wanted thickness of bars, by factors; the first that folds nowhere is taken.
+constexpr double waist_shares[] = {1, 0.6, 0.3};
+
+std::vector<std::vector<Index>> cage_loops(const PolygonMesh& cage) {
   std::vector<std::vector<Index>> out;
-  for (const auto& quad : cage.quads) out.emplace_back(quad.begin(), quad.end());
+  for (std::size_t f = 0; f < cage.face_count(); ++f)
+    out.emplace_back(cage.face(f).begin(), cage.face(f).end());
   return out;
 }
 
 double miss_of(const CageSurface& surface) {
   return surface.check ? surface.check->worst : surface.worst;
 }
+
+/// With the cell of each vertex of its cage.
+struct FieldAttempt {
+  FieldEnvelope envelope;
+  std::vector<double> cell;
+};
 
 struct FieldJob {
   const EnvelopeInput& input;
@@ -58,21 +70,17 @@ struct FieldJob {
     return cage(away, grid_references(away), rung);
   }
 
-  /// Nothing where there is no cage, or none that is its own image.
-  Result<std::optional<FieldEnvelope>> attempt(int level) const {
-    const FieldCage made_cage = cage(ladder[level]);
-    if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
-    if (made_cage.quads.empty()) return std::optional<FieldEnvelope>();
+  /// Nothing where the cage has to be its own image and is not.
+  Result<std::optional<CageSurface>> surface_over(PolygonMesh cage, std::vector<double> cell) const {
     CageSurfaceRequest request;
-    request.cage.positions = made_cage.positions;
-    for (const auto& quad : made_cage.quads) request.cage.add_face(quad);
+    request.cage = std::move(cage);
     if (scene.symmetry) {
-      request.mirror = find_mirror(made_cage.positions, cage_loops(made_cage), *scene.symmetry,
+      request.mirror = find_mirror(request.cage.positions, cage_loops(request.cage), *scene.symmetry,
                                    mirror_tolerance * scene.diagonal);
-      if (!request.mirror) return std::optional<FieldEnvelope>();
+      if (!request.mirror) return std::optional<CageSurface>();
       even(*request.mirror, request.cage.positions);
     }
-    request.cell = made_cage.cell;
+    request.cell = std::move(cell);
     request.origin = origin;
     request.diagonal = scene.diagonal;
     request.distances = scene.distances;
@@ -83,12 +91,65 @@ struct FieldJob {
     }
     auto made = cage_surface(request, cancel);
     if (!made) return made.error();
-    FieldEnvelope out{std::move(made).value(), level,
+    return std::optional<CageSurface>(std::move(made).value());
+  }
+
+  bool encloses(const CageSurface& surface) const {
+    return miss_of(surface) <= CageSurfaceRequest{}.tolerance * scene.diagonal;
+  }
+
+  /// Nothing where there is no cage, or none that is its own image.
+  Result<std::optional<FieldAttempt>> attempt(int level) const {
+    const FieldCage made_cage = cage(ladder[level]);
+    if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
+    if (made_cage.quads.empty()) return std::optional<FieldAttempt>();
+    PolygonMesh mesh;
+    mesh.positions = made_cage.positions;
+    for (const auto& quad : made_cage.quads) mesh.add_face(quad);
+    auto made = surface_over(std::move(mesh), made_cage.cell);
+    if (!made) return made.error();
+    if (!*made) return std::optional<FieldAttempt>();
+    FieldEnvelope out{*std::move(*made),       level,
                       ladder[level].distance,  false,
                       made_cage.components,    made_cage.tunnels,
                       made_cage.wanted_tunnels};
-    out.enclosed = miss_of(out.surface) <= request.tolerance * scene.diagonal;
-    return std::optional<FieldEnvelope>(std::move(out));
+    out.enclosed = encloses(out.surface);
+    return std::optional<FieldAttempt>({std::move(out), made_cage.cell});
+  }
+
+  /// Draws the bars' rings in, or widens them, as far as the surface stays sound. Of one that is not sound
+  /// anyway bars stay as they are.
+  Result<Done> follow_waists(FieldAttempt& attempt) const {
+    FieldEnvelope& envelope = attempt.envelope;
+    std::vector<FieldBar> bars;
+    for (const FieldCluster& cluster : scene.clusters)
+      bars.insert(bars.end(), cluster.bars.begin(), cluster.bars.end());
+    const auto rings_now = [&] {
+      return bar_rings(bars, envelope.surface.cage, envelope.surface.made.surface);
+    };
+    std::vector<BarRing> rings = rings_now();
+    std::vector<double> wanted;
+    for (const BarRing& ring : rings) wanted.push_back(wanted_thickness(input.settings, ring.solids));
+    if (std::ranges::any_of(wanted, [](double w) { return w != 1; })) {
+      envelope.waists_followed = false;
+      for (const double share : waist_shares) {
+        if (!envelope.sound() && quality == Quality::final) break;
+        std::vector<double> factors;
+        for (const double w : wanted) factors.push_back(std::pow(w, share));
+        RingedCage ringed = ringed_cage(envelope.surface.cage, attempt.cell, rings, factors);
+        auto made = surface_over(std::move(ringed.mesh), std::move(ringed.cell));
+        if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
+        if (!made || !*made || (*made)->folds > 0 || (quality == Quality::final && !encloses(**made)))
+          continue;
+        envelope.surface = *std::move(*made);
+        envelope.enclosed = encloses(envelope.surface);
+        envelope.waists_followed = share == 1;
+        rings = rings_now();
+        break;
+      }
+    }
+    envelope.bridges = bridges_of(rings, input.settings);
+    return Done{};
   }
 
   /// 0 for what is wanted; what is not sound comes last.
@@ -107,23 +168,26 @@ Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const
                                      const CancelToken& cancel) {
   FieldJob job{input, placed, origin, quality, cancel, field_scene(input, placed, origin), {}};
   job.references = grid_references(job.scene);
-  std::optional<FieldEnvelope> best;
+  std::optional<FieldAttempt> best;
   double least = 1e300;
   std::optional<Message> failure;
   for (; level < int(std::size(ladder)); ++level) {
-    if (ladder[level].distance > 0 && best && best->sound()) break;
+    if (ladder[level].distance > 0 && best && best->envelope.sound()) break;
     auto made = job.attempt(level);
     if (!made) {
       failure = made.error();
       if (cancel.cancelled()) return *failure;
       continue;
     }
-    std::optional<FieldEnvelope> one = std::move(made).value();
+    std::optional<FieldAttempt> one = std::move(made).value();
     if (!one) continue;
-    if (const double bad = job.badness(*one); bad < least) least = bad, best = std::move(one);
+    if (const double bad = job.badness(one->envelope); bad < least) least = bad, best = std::move(one);
     if (least == 0 || quality == Quality::drag) break;
   }
-  if (best) return *std::move(best);
+  if (best) {
+    if (const auto followed = job.follow_waists(*best); !followed) return followed.error();
+    return std::move(best->envelope);
+  }
   if (failure) return *failure;
   return make_error(e_envelope_flat, "No cage was found round the solids.",
                     "Make the thinnest solid thicker, or choose the network.");

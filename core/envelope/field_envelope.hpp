@@ -4,12 +4,15 @@
 // and has the wanted topology.
 
 #include "core/envelope/cage_surface.hpp"
+#include "core/envelope/envelope_handles.hpp"
 #include "core/envelope/field_cage.hpp"
 
 namespace hariko {
 
 /// The cage keeps away from the solids and fills narrow notches.
 inline constexpr Code w_tightness_loose{"W_TIGHTNESS_LOOSE"};
+/// A bridge is nearer to its usual thickness than its waist asks for.
+inline constexpr Code w_waist_limited{"W_WAIST_LIMITED"};
 
 struct FieldEnvelope {
   CageSurface surface;
@@ -17,6 +20,8 @@ struct FieldEnvelope {
   double distance = 0;  ///< that the cage keeps from the solids, over the diagonal; narrow notches are filled
   bool enclosed = false;  ///< within the tolerance, by the independent check where there was one
   int components = 0, tunnels = 0, wanted_tunnels = 0;
+  std::vector<EnvelopeBridge> bridges = {};  ///< on the bars through gaps
+  bool waists_followed = true;               ///< else the surface would fold or miss a solid
   bool sound() const { return enclosed && surface.folds == 0; }
 };
 

@@ -21,7 +21,8 @@ struct Gap {
 
 class Clustering {
  public:
-  explicit Clustering(FieldScene& scene) : scene_(scene), parent_(scene.distances.size()) {
+  Clustering(FieldScene& scene, std::span<const Solid> solids)
+      : scene_(scene), solids_(solids), parent_(scene.distances.size()) {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
@@ -49,7 +50,7 @@ class Clustering {
       if (n == no_index) n = Index(scene_.clusters.size()), scene_.clusters.emplace_back();
       scene_.clusters[n].solids.push_back(s);
     }
-    for (const auto& [gap, needed] : bars) scene_.clusters[number[find(gap.a)]].bridges.push_back(bar(gap));
+    for (const auto& [gap, needed] : bars) scene_.clusters[number[find(gap.a)]].bars.push_back(bar(gap));
   }
 
  private:
@@ -100,7 +101,7 @@ class Clustering {
     return true;
   }
 
-  SolidDistance bar(const Gap& gap) const {
+  FieldBar bar(const Gap& gap) const {
     const double radius = bar_radius * thinner(gap);
     const auto end = [&](Index a, Index b) {
       Vector3 p = face_of(a, b, gap);
@@ -108,10 +109,15 @@ class Clustering {
       for (int step = 0; step < 40 && d(p) > -sunk * radius; ++step) p -= 0.1 * radius * d.gradient(p);
       return p;
     };
-    return SolidDistance::capsule(end(gap.a, gap.b), end(gap.b, gap.a), radius);
+    const Vector3 from = end(gap.a, gap.b), to = end(gap.b, gap.a);
+    // Its ends are sunk into solids of different sizes, so the middle of what can be seen is another.
+    const Vector3 middle = 0.5 * (face_of(gap.a, gap.b, gap) + face_of(gap.b, gap.a, gap));
+    return {SolidPair::of(solids_[gap.a].id, solids_[gap.b].id), middle, (to - from).stableNormalized(),
+            radius, SolidDistance::capsule(from, to, radius)};
   }
 
   FieldScene& scene_;
+  std::span<const Solid> solids_;
   std::vector<Index> parent_;
   std::vector<Gap> gaps_;
 };
@@ -129,7 +135,7 @@ FieldScene field_scene(const EnvelopeInput& input, std::span<const PlacedSolid> 
   scene.diagonal = scene_diagonal(placed);
   if (input.settings.symmetry != SymmetryPlane::none)
     scene.symmetry = static_cast<Eigen::Index>(input.settings.symmetry) - 1;
-  Clustering(scene).run();
+  Clustering(scene, input.solids).run();
   return scene;
 }
 

@@ -20,7 +20,7 @@ constexpr int rim_points = 48;     ///< test points on the rims of cylinders and
 constexpr int side_points = 8;     ///< test points round the sides of cones, below the tip
 constexpr int points_of_edge = 9;  ///< test points between the ends of an edge
 constexpr int spread_points = 64;  ///< test points spread over a surface
-constexpr double hull_tolerance = 1e-9;
+constexpr double solid_hull_tolerance = 1e-9;
 
 void add_ring(std::vector<Vector3>& out, int count, double radius, double z, double phase) {
   for (int k = 0; k < count; ++k) {
@@ -41,7 +41,7 @@ std::vector<Vector3> ball_vertices(bool mirrored) {
 
 std::vector<HalfSpace> half_spaces_of(std::span<const Vector3> points) {
   std::vector<HalfSpace> out;
-  for (const auto& t : convex_hull(points, hull_tolerance).triangles) {
+  for (const auto& t : convex_hull(points, solid_hull_tolerance).triangles) {
     const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).stableNormalized();
     const double offset = n.dot(points[t[0]]);
     const bool known = std::any_of(out.begin(), out.end(), [&](const HalfSpace& h) {
@@ -56,7 +56,7 @@ std::vector<HalfSpace> half_spaces_of(std::span<const Vector3> points) {
 std::vector<std::array<Index, 2>> edges_of(std::span<const Vector3> points) {
   std::map<std::pair<Index, Index>, Vector3> normals;
   std::vector<std::array<Index, 2>> out;
-  for (const auto& t : convex_hull(points, hull_tolerance).triangles) {
+  for (const auto& t : convex_hull(points, solid_hull_tolerance).triangles) {
     const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).stableNormalized();
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3];
@@ -81,7 +81,7 @@ void set_polyhedron(PlacedSolid& solid, const Solid& authored, const Matrix3& ro
   Vector3 low = points[0], high = points[0];
   for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double size = (high - low).norm();
-  const ConvexHull hull = convex_hull(points, hull_tolerance * size);
+  const ConvexHull hull = convex_hull(points, solid_hull_tolerance * size);
   Vector3 centroid = Vector3::Zero(), mean = Vector3::Zero();
   double volume = 0;
   const Vector3 middle = 0.5 * (low + high);

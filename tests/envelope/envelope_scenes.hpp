@@ -53,6 +53,11 @@ inline EnvelopeInput random_scene(std::mt19937_64& rng) {
   return out;
 }
 
+inline bool warned(const EnvelopeSurface& made, Code code) {
+  return std::any_of(made.warnings.begin(), made.warnings.end(),
+                     [&](const Message& message) { return message.code == code; });
+}
+
 /// In a radian.
 inline constexpr double degrees = 180 / std::numbers::pi;
 

@@ -13,7 +13,7 @@ namespace hariko::test {
 
 namespace {
 
-constexpr double tolerance = 1e-4;  ///< of the diagonal
+constexpr double enclosure_tolerance = 1e-4;  ///< of the diagonal
 
 struct Tally {
   int scenes = 0, enclosed = 0, folded = 0;
@@ -21,11 +21,6 @@ struct Tally {
   std::map<std::pair<std::string, int>, int> levels;  ///< route and level of its ladder
   double deepest_reported = 0, deepest = 0;           ///< of the diagonal
 };
-
-bool warned(const EnvelopeSurface& made, Code code) {
-  return std::any_of(made.warnings.begin(), made.warnings.end(),
-                     [&](const Message& m) { return m.code == code; });
-}
 
 /// Relative to the surface's origin.
 std::vector<PlacedSolid> placed_for(const EnvelopeSurface& made, const EnvelopeInput& input) {
@@ -50,11 +45,11 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
   const std::vector<PlacedSolid> solids = placed_for(*made, input);
   // Finer triangles and other points than those of the surfacer's own check.
   const double miss = check_enclosure(made->surface, solids, 20, 333, 0).worst;
-  EXPECT_EQ(made->enclosed, made->check->worst <= tolerance * made->diagonal);
-  // Between the points of the surfacer's check more than its tolerance is possible; not much more (the most
-  // seen in random scenes is 5.2 times).
+  EXPECT_EQ(made->enclosed, made->check->worst <= enclosure_tolerance * made->diagonal);
+  // Between the points of the surfacer's check more than its tolerance is possible; not much more
+  // (the most seen in random scenes is 5.2 times).
   if (made->enclosed) {
-    EXPECT_LE(miss, 10 * tolerance * made->diagonal);
+    EXPECT_LE(miss, 10 * enclosure_tolerance * made->diagonal);
   }
   EXPECT_EQ(warned(*made, w_not_enclosed), !made->enclosed);
   EXPECT_EQ(warned(*made, w_envelope_fold), made->folds > 0);
@@ -78,7 +73,7 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
   const char* const routes[] = {"hull", "valleys", "field"};
   ++tally.levels[{routes[std::size_t(made->route)], made->level}];
   tally.deepest_reported = std::max(tally.deepest_reported, made->check->worst / made->diagonal);
-  tally.missed += made->enclosed && miss > tolerance * made->diagonal;
+  tally.missed += made->enclosed && miss > enclosure_tolerance * made->diagonal;
   tally.deepest = std::max(tally.deepest, miss / made->diagonal);
 }
 

@@ -48,11 +48,6 @@ double asymmetry(const EnvelopeSurface& made, SymmetryPlane plane) {
   return largest / made.diagonal;
 }
 
-bool warned(const EnvelopeSurface& made, Code code) {
-  return std::any_of(made.warnings.begin(), made.warnings.end(),
-                     [&](const Message& message) { return message.code == code; });
-}
-
 Solid at(SolidKind kind, const Vector3& position, const Vector3& rotation = Vector3::Zero()) {
   Solid out;
   out.kind = kind;
