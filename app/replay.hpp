@@ -88,7 +88,8 @@ class ReplayPlayer {
   bool finished() const { return finished_; }
   /// Why waiting is in vain: the program has not become idle for this long.
   bool stuck() const { return waited_ > longest_wait; }
-  static constexpr double longest_wait = 60;
+  /// Seconds. Programs with sanitizers of which several share a processor need more than a minute.
+  static constexpr double longest_wait = 240;
 
   /// Nothing but marks is left.
   bool all_played() const;

@@ -108,8 +108,18 @@ class Window:
                 self.errors.seek(0)
                 raise Failure(f"the program ended with {status} while waiting for {what}: {self.errors.read()[-2000:]}")
             time.sleep(0.02)
+        picture = self._picture_of_failure()
         recent = [{k: v for k, v in e.items() if k not in ("rects", "objects")} for e in self.events[-12:]]
-        raise Failure(f"timeout waiting for {what}; last events: {recent}")
+        raise Failure(f"timeout waiting for {what}; {picture}last events: {recent}")
+
+    def _picture_of_failure(self):
+        """What the window showed when nothing more came; where it is, for the message."""
+        path = os.path.join(sys.argv[3], "timeout_" + os.path.basename(sys.argv[0]).replace("_test.py", ".png"))
+        try:
+            self.screenshot(path)
+        except (OSError, AttributeError, subprocess.SubprocessError):
+            return ""
+        return f"the window is in {path}; "
 
     def wait_event(self, event, since, **values):
         self.wait(lambda: self.count(event, **values) > since, f"{event} {values}")
