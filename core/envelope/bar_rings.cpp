@@ -58,6 +58,7 @@ class PlaneCrossing {
 
   void find_arcs() {
     next_.resize(mesh_.vertex_count() + mesh_.edge_count());
+    twice_.assign(next_.size(), false);
     std::vector<Index> nodes;
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       nodes.clear();
@@ -70,8 +71,7 @@ class PlaneCrossing {
         next_[nodes[0]].insert(nodes[1]);
         next_[nodes[1]].insert(nodes[0]);
       } else if (nodes.size() > 2) {
-        // More than two neighbours: no ring goes through here.
-        for (const Index n : nodes) next_[n].insert({no_index, no_index - 1, no_index - 2});
+        for (const Index n : nodes) twice_[n] = true;
       }
     }
   }
@@ -83,10 +83,10 @@ class PlaneCrossing {
     while (!open.empty()) {
       const Index node = open.back();
       open.pop_back();
-      if (node >= next_.size() || seen[node]) continue;
+      if (seen[node]) continue;
       seen[node] = true;
       part.push_back(node);
-      simple = simple && next_[node].size() == 2;
+      simple = simple && next_[node].size() == 2 && !twice_[node];
       open.insert(open.end(), next_[node].begin(), next_[node].end());
     }
     if (!simple || part.size() < 3) return {};
@@ -158,6 +158,7 @@ class PlaneCrossing {
   const HalfEdgeMesh& mesh_;
   std::vector<double> height_;  ///< of vertices above the plane, 0 near it
   std::vector<std::set<Index>> next_;
+  std::vector<bool> twice_;  ///< in a face that the plane crosses more than once
 };
 
 /// Faces that have a point of the ring.

@@ -150,7 +150,8 @@ TEST(ReplayPlayer, GivesUpOnAProgramThatNeverRests) {
   Replay replay;
   replay.steps = {{0, {}, true}};
   ReplayPlayer player(replay);
-  for (double waited = 0; waited <= ReplayPlayer::longest_wait + 1 && !player.stuck(); ++waited) player.advance(1, false);
+  for (double waited = 0; waited <= ReplayPlayer::longest_wait + 1 && !player.stuck(); ++waited)
+    player.advance(1, false);
   EXPECT_TRUE(player.stuck());
   EXPECT_FALSE(player.finished());
 }

@@ -8,6 +8,7 @@
 #include "core/envelope/field_envelope.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/value_fields.hpp"
+#include "ui/tools/network_handles.hpp"
 
 namespace hariko {
 
@@ -180,7 +181,11 @@ void network_rows(PanelContext& context, const Object& object) {
     context.marks.item("button.reset_network");
   }
   const SurfaceView* view = editor.view_of(object.id);
-  if (on && view && view->mesh && !view->error && view->handles.vertices.empty())
+  if (!on || !view || !view->mesh || view->error) return;
+  const bool selected = !editor.selection.of(object.id).vertices.empty();
+  if (!selected && view->handles.vertices.size() + view->handles.curves.size() > NetworkHandles::most_handles)
+    hint_text(context, "There are many handles: select some of the solids, or zoom in, to see theirs.");
+  if (view->handles.vertices.empty())
     hint_text(context, "A surface on a field has no curves to pull. Choose Curves as the method.");
 }
 

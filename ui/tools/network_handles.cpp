@@ -10,8 +10,6 @@ namespace hariko {
 
 namespace {
 
-/// More handles than this would cover the model.
-constexpr std::size_t most_network_handles = 400;
 /// Curves that move less, in design pixels for a whole factor, are no handles.
 constexpr double least_movement = 6;
 
@@ -56,11 +54,15 @@ void NetworkHandles::update(const Editor& editor) {
   const std::set<VertexId>& selected = editor.selection.of(object->id).vertices;
   const Projector projector(editor.camera(), editor.viewport);
   look(editor);
+  const auto shows = [&](const Vector2& pixel) {
+    return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= editor.viewport.width &&
+           pixel.y() <= editor.viewport.height;
+  };
   const auto place = [&](const Vector3& point, const Vector3& outward) -> std::optional<Vector2> {
     const Vector3 world = object->transform.apply(point);
     const auto at = projector.project(world);
     if (!at || (object->transform.rotation * outward).dot(projector.ray(at->head<2>()).direction) > 0 ||
-        (sight_ && sight_->occlusion.hides(world)))
+        (sight_ && sight_->occlusion.hides(world)) || !shows(at->head<2>()))
       return {};
     return at->head<2>();
   };
@@ -76,7 +78,7 @@ void NetworkHandles::update(const Editor& editor) {
     if (const auto at = place(vertex.position, vertex.outward))
       handles_.push_back({vertex, *at, settings.offsets.find(vertex.vertex) != nullptr});
   }
-  if (handles_.size() > most_network_handles) handles_.clear();
+  if (handles_.size() > most_handles) handles_.clear();
 }
 
 std::optional<std::size_t> NetworkHandles::hit(const Vector2& pixel) const {

@@ -20,8 +20,8 @@ using NetworkHandle = std::variant<EnvelopeVertex, EnvelopeCurve>;
 /// selection only selected solids have handles.
 class NetworkHandles {
  public:
-  /// Looks at the present surface. None unless the designer asked for them, when no solids are active, and
-  /// while the paper is shown.
+  /// Looks at the present surface. None unless the designer asked for them, when no solids are active, while
+  /// the paper is shown, and where there would be too many.
   void update(const Editor& editor);
   /// The handle that is there.
   std::optional<std::size_t> hit(const Vector2& pixel) const;
@@ -31,6 +31,8 @@ class NetworkHandles {
   /// the curve from there to vertex 0 of solid 2.
   void mark(Marks& marks, const ToolOverlay& overlay) const;
 
+  /// In the picture; more would cover the model.
+  static constexpr std::size_t most_handles = 400;
   /// Design pixels round a handle's middle, that hit it.
   static constexpr double hit_radius = 8;
 

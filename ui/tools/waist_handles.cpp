@@ -21,10 +21,12 @@ void WaistHandles::update(const Editor& editor) {
   handles_.clear();
   const Object* object = editor.has_document ? editor.active_object() : nullptr;
   if (!object || !object->solids() || !object->visible || object->locked || !object->display.polyhedron ||
-      editor.mode == ElementMode::object || editor.view.network_handles || editor.paper.covers_model())
+      editor.mode == ElementMode::object || editor.paper.covers_model())
     return;
   const SurfaceView* view = editor.view_of(object->id);
   if (!view || !view->mesh || view->error) return;
+  // Where the handles of curves show, rings would lie on top of them.
+  if (editor.view.network_handles && !view->handles.curves.empty()) return;
   const std::set<VertexId>& selected = editor.selection.of(object->id).vertices;
   const Projector projector(editor.camera(), editor.viewport);
   std::map<SolidPair, Handle> best;
