@@ -55,6 +55,11 @@ TEST_F(Mesh, FilesOfPatches) {
   const Outcome second =
       run("mesh " + path("indexed.bpt") + " " + path("b.ply") + " --distance 0.01 --split gauss --json");
   EXPECT_EQ(second.json()["facets"].get<int>(), facets) << second.error;
+  // A patch that bends one way only begins with cells across.
+  const Outcome cells =
+      run("mesh " + path("pipe.bpt") + " " + path("d.ply") + " --distance 0.01 --start cells --json");
+  EXPECT_LT(cells.json()["facets"].get<int>(), facets / 2) << cells.error;
+  EXPECT_LE(cells.json()["objects"].at(0)["distance"]["bound"].get<double>(), 0.01);
   // Rational and of another degree.
   write_text(path("arc.json"),
              R"({"arc": [{"ctrl": [[[1,0,0],[1,0,2]],[[1,1,0],[1,1,2]],[[0,1,0],[0,1,2]]],
@@ -158,6 +163,7 @@ TEST_F(Mesh, Refusals) {
   EXPECT_FALSE(std::filesystem::exists(path("o.obj")));
   EXPECT_EQ(run(cube + path("o.txt") + " --distance 1").exit_code, 2);
   EXPECT_EQ(run(cube + path("o.obj") + " --split nothing").exit_code, 2);
+  EXPECT_EQ(run(cube + path("o.obj") + " --start nothing").exit_code, 2);
 }
 
 }  // namespace
