@@ -9,6 +9,8 @@ namespace {
 constexpr int local_rounds = 3;
 constexpr double local_step = 0.5;  ///< on the waists of bridges whose patches fold
 constexpr double most_detail = 0.3;
+/// Thinning can leave points between which there is no hull, or none that is symmetric.
+constexpr double less_details[] = {-0.03, -0.06, -most_detail};
 constexpr double growths[] = {1.15, 1.35, 1.7, 2.2};  ///< of all solids at the beginning of a search
 constexpr double outside_folds = 3;  ///< as bad as so many folded patches: a point of a solid outside
 
@@ -61,6 +63,10 @@ HullEnvelope make_attempt(std::span<const PlacedSolid> solids, EnclosureSettings
 HullEnvelope hull_envelope(std::span<const PlacedSolid> solids, const EnclosureSettings& settings,
                            const CancelToken& cancel) {
   HullEnvelope best = make_attempt(solids, settings, {}, {}, cancel);
+  for (const double less : less_details) {
+    if (!best.found.network.patches.empty() || cancel.cancelled()) break;
+    best = make_attempt(solids, settings, {less, 1, true, {}}, {}, cancel);
+  }
   if (best.found.network.patches.empty()) return best;
   double least = badness(best);
   const auto attempt = [&](const HullAttempt& how, double growth = 1) {

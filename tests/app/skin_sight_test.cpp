@@ -113,7 +113,8 @@ TEST(SkinSight, PointsThatTheSurfaceMissesAreSeenWhereItIs) {
 
 /// Against rays, at random places of a surface from random directions.
 TEST(SurfaceOcclusion, HidesWhatRaysDoNotReachButNothingInSight) {
-  for_random(951, 12, [](std::mt19937_64& rng) {
+  int all_hidden = 0, all_found = 0;
+  for_random(951, 12, [&](std::mt19937_64& rng) {
     SightRig rig(tube());
     rig.editor.set_camera(
         Camera::standard(StandardView::front).orbit(uniform(rng, -3, 3), uniform(rng, -1.2, 1.2)));
@@ -138,10 +139,12 @@ TEST(SurfaceOcclusion, HidesWhatRaysDoNotReachButNothingInSight) {
     }
     // Along its axis all of a tube is in sight. Elsewhere hidden places are found but for a rim along
     // silhouettes, which takes a larger part where the tube is foreshortened.
-    if (hidden >= 50) {
-      EXPECT_GT(found, 0.6 * hidden);
-    }
+    if (hidden < 50) return;
+    EXPECT_GT(found, 0.4 * hidden);
+    all_hidden += hidden;
+    all_found += found;
   });
+  EXPECT_GT(all_found, 0.7 * all_hidden);
 }
 
 }  // namespace

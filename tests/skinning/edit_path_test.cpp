@@ -269,20 +269,22 @@ TEST(AddSection, KeepsTheSurfaceAndAllCorrespondences) {
     ASSERT_TRUE(made.ok() && again.ok());
     const int k = edit->skin.find_section(skin.free_section_id());
     const auto points = limit_points(edit->skin.sections[std::size_t(k)].curve());
-    double size = 0;
+    double farthest = 0, spacing = 0;
+    const auto sample = [&](Index patch, int s, int t) -> Vector3 {
+      return made->surface.patches().evaluate(patch, {s / 8.0, t / 8.0}, Order::first).position;
+    };
+    for (Index patch = 0; patch < made->surface.patch_count(); ++patch)
+      for (int s = 0; s < 8; ++s)
+        for (int t = 0; t < 8; ++t)
+          spacing = std::max(spacing, (sample(patch, s, t) - sample(patch, s + 1, t + 1)).norm());
     for (const Vector3& p : points) {
       double nearest = 1e9;
       for (Index patch = 0; patch < made->surface.patch_count(); ++patch)
         for (int s = 0; s <= 8; ++s)
-          for (int t = 0; t <= 8; ++t)
-            nearest = std::min(
-                nearest,
-                (made->surface.patches().evaluate(patch, {s / 8.0, t / 8.0}, Order::first).position - p)
-                    .norm());
-      size = std::max(size, nearest);
+          for (int t = 0; t <= 8; ++t) nearest = std::min(nearest, (sample(patch, s, t) - p).norm());
+      farthest = std::max(farthest, nearest);
     }
-    // The samples are at most about this far apart.
-    EXPECT_LT(size, 0.35);
+    EXPECT_LT(farthest, spacing) << "no point of the surface is farther from all samples";
   });
   EXPECT_GT(divided, 2);
   EXPECT_LE(with_loss, repetitions(40) / 50);
