@@ -3,12 +3,14 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <cmath>
 #include <new>
 #include <string_view>
 
@@ -50,9 +52,13 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 /// Never returns: what this process would do at its end is its parent's to do.
 [[noreturn]] void work_and_end(const std::function<std::string(const std::function<void(double)>&)>& work,
-                               std::atomic<double>& fraction, int out) {
+                               double most_seconds, std::atomic<double>& fraction, int out) {
+  const auto seconds = static_cast<rlim_t>(std::ceil(most_seconds));
+  const rlimit limit{seconds, seconds + 1};
+  ::setrlimit(RLIMIT_CPU, &limit);
   // A crash is an answer here, no reason for a report.
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE}) ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE, SIGXCPU})
+    ::signal(signal, SIG_DFL);
   bool whole = false;
   try {
     whole = write_all(out, work([&](double value) { fraction.store(value, std::memory_order_relaxed); }));
@@ -80,7 +86,7 @@ bool read_all(int descriptor, std::string& bytes, const SharedFraction& fraction
 }  // namespace
 
 std::optional<std::string> isolated(
-    const std::function<std::string(const std::function<void(double)>& report)>& work,
+    const std::function<std::string(const std::function<void(double)>& report)>& work, double most_seconds,
     const CancelToken& cancel, const Progress& progress) {
   const SharedFraction fraction;
   std::array<int, 2> ends{};
@@ -88,7 +94,7 @@ std::optional<std::string> isolated(
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(ends[0]);
-    work_and_end(work, *fraction.get(), ends[1]);
+    work_and_end(work, most_seconds, *fraction.get(), ends[1]);
   }
   ::close(ends[1]);
   std::string bytes;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Work in a process of its own, for a kernel that damaged files can crash. Only for this folder.
+// Work in a process of its own, for a kernel that damaged files can crash or send round in circles. Only for
+// this folder.
 
 #include <functional>
 #include <optional>
@@ -12,10 +13,10 @@
 namespace hariko {
 
 /// Runs `work` in a copy of this process and gives its bytes; nothing where it crashed, was cancelled (then
-/// it is killed) or could not begin. `work` may lock nothing that another thread can hold, and tells its
-/// progress by the function that it is given.
+/// it is killed), took more than `most_seconds` of a processor's time, or could not begin. `work` may lock
+/// nothing that another thread can hold, and tells its progress by the function that it is given.
 std::optional<std::string> isolated(
-    const std::function<std::string(const std::function<void(double)>& report)>& work,
+    const std::function<std::string(const std::function<void(double)>& report)>& work, double most_seconds,
     const CancelToken& cancel, const Progress& progress);
 
 }  // namespace hariko

@@ -39,6 +39,9 @@ namespace hariko {
 
 namespace {
 
+/// Seconds of a processor; some damaged files are read for ever.
+constexpr double least_patience = 20, patience_a_megabyte = 60;
+
 Message failed(std::string what) {
   return make_error(e_cad_read, std::move(what), "Export the model again, or as STL or OBJ.");
 }
@@ -291,13 +294,16 @@ Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadO
   const auto format = cad_format_of(path);
   HARIKO_ASSERT(format, "the ending tells the format");
   const KernelSession session;
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  const double megabytes = unknown ? 0 : double(size) / 1e6;
   const auto bytes = isolated(
       [&](const std::function<void(double)>& report) {
         return bytes_of(read(path, *format, options, report));
       },
-      cancel, progress);
+      least_patience + patience_a_megabyte * megabytes, cancel, progress);
   if (cancel.cancelled()) return cancelled();
-  if (!bytes) return failed("OpenCASCADE cannot read this file: it broke off.");
+  if (!bytes) return failed("OpenCASCADE cannot read this file: it broke off, or came to no end.");
   return scene_of(*bytes);
 }
 
