@@ -62,10 +62,8 @@ struct WantedCells {
 
 /// What is bent along one direction only gets all cuts across it at once: bisection would cut it along the
 /// other one, too.
-WantedCells along_one(const ParameterBend& columns, const ParameterBend& rows, double columns_count,
-                      double rows_count) {
-  return columns.most > rows.most ? WantedCells{std::ceil(columns_count), 1}
-                                  : WantedCells{1, std::ceil(rows_count)};
+WantedCells along_one(double columns, double rows) {
+  return columns > rows ? WantedCells{std::ceil(columns), 1} : WantedCells{1, std::ceil(rows)};
 }
 
 /// A cell of 1 / c x 1 / r keeps within (l / c^2 + n / r^2) / 8 of its surface, where l and n are the bends;
@@ -76,7 +74,7 @@ WantedCells by_distance(const PatchBends& bends, double tolerance) {
   const double less = std::min(columns.most, rows.most);
   if (less < straight * unit) {
     const auto count = [&](const ParameterBend& b) { return std::sqrt(margin * b.most / (unit - less)); };
-    return along_one(columns, rows, count(columns), count(rows));
+    return along_one(count(columns), count(rows));
   }
   if (columns.uneven() || rows.uneven()) return {};
   const auto count = [&](const ParameterBend& b) { return std::sqrt(2 * b.mean / unit) / coarse; };
@@ -87,7 +85,7 @@ WantedCells by_distance(const PatchBends& bends, double tolerance) {
 WantedCells by_turn(const PatchBends& bends, double turn) {
   const auto& [columns, rows] = bends;
   if (std::min(columns.turn, rows.turn) < straight * turn)
-    return along_one(columns, rows, margin * columns.turn / turn, margin * rows.turn / turn);
+    return along_one(margin * columns.turn / turn, margin * rows.turn / turn);
   if (columns.uneven() || rows.uneven()) return {};
   return {columns.turn / turn / coarse, rows.turn / turn / coarse};
 }

@@ -10,8 +10,8 @@ namespace hariko {
 
 namespace {
 
-constexpr double near_plane =
-    0.15;  ///< of a vertex's longest edge, across the plane: it is a point of the ring
+/// Vertices nearer to the plane, of their longest way across it, are points of the ring.
+constexpr double near_plane = 0.15;
 constexpr double widest_ring = 12;  ///< radii of the bar: what lies farther out belongs to something else
 constexpr int crossing_bisections = 40;
 constexpr double usual_waist = 0.5;  ///< of the settings, where bars are as thick as the solids suggest

@@ -157,7 +157,7 @@ Result<bool> EnvelopeSurfacer::make_field(Job& job) {
     job.out.warnings.push_back(
         make_warning(w_waist_limited,
                      "A bridge is not as thin or as thick as its waist asks for: the surface would fold "
-                     "or miss a solid.",
+                     "or miss a solid, or it runs into others there.",
                      "Choose a waist nearer to the usual one, or move the solids apart."));
   job.out.network = nullptr;
   job.out.symmetric = job.symmetry != nullptr;  // a field's cage is its own image, or there is none

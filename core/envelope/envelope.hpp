@@ -49,7 +49,8 @@ struct EnvelopeSurface {
 class EnvelopeSurfacer {
  public:
   /// Errors: those of `check_envelope`; E_ENVELOPE_FLAT. Warnings: W_NOT_ENCLOSED, W_ENVELOPE_FOLD,
-  /// W_TIGHTNESS_REDUCED, W_SOLID_HULL (a polyhedron with points inside of its hull), W_NOT_SYMMETRIC.
+  /// W_TIGHTNESS_REDUCED, W_TIGHTNESS_LOOSE, W_WAIST_LIMITED, W_SOLID_HULL (a polyhedron with points inside
+  /// of its hull), W_NOT_SYMMETRIC.
   Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
                                   const CancelToken& cancel = {});
 

@@ -128,14 +128,17 @@ struct FieldJob {
       return bar_rings(bars, envelope.surface.cage, envelope.surface.made.surface);
     };
     std::vector<BarRing> rings = rings_now();
-    std::vector<double> wanted;
-    for (const BarRing& ring : rings) wanted.push_back(wanted_thickness(input.settings, ring.solids));
-    if (std::ranges::any_of(wanted, [](double w) { return w != 1; })) {
+    const auto wants = [&](const auto& of) { return wanted_thickness(input.settings, of.solids) != 1; };
+    // Where a bar has no ring, nothing follows its waist.
+    const bool all_ringed = std::ranges::count_if(bars, wants) == std::ranges::count_if(rings, wants);
+    envelope.waists_followed = all_ringed;
+    if (std::ranges::any_of(rings, wants)) {
       envelope.waists_followed = false;
       for (const double share : waist_shares) {
         if (!envelope.sound() && quality == Quality::final) break;
         std::vector<double> factors;
-        for (const double w : wanted) factors.push_back(std::pow(w, share));
+        for (const BarRing& ring : rings)
+          factors.push_back(std::pow(wanted_thickness(input.settings, ring.solids), share));
         RingedCage ringed = ringed_cage(envelope.surface.cage, attempt.cell, rings, factors);
         auto made = surface_over(std::move(ringed.mesh), std::move(ringed.cell));
         if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
@@ -143,7 +146,7 @@ struct FieldJob {
           continue;
         envelope.surface = *std::move(*made);
         envelope.enclosed = encloses(envelope.surface);
-        envelope.waists_followed = share == 1;
+        envelope.waists_followed = all_ringed && share == 1;
         rings = rings_now();
         break;
       }

@@ -21,7 +21,7 @@ struct FieldEnvelope {
   bool enclosed = false;  ///< within the tolerance, by the independent check where there was one
   int components = 0, tunnels = 0, wanted_tunnels = 0;
   std::vector<EnvelopeBridge> bridges = {};  ///< on the bars through gaps
-  bool waists_followed = true;               ///< else the surface would fold or miss a solid
+  bool waists_followed = true;  ///< else the surface would fold or miss a solid, or a bar has no ring
   bool sound() const { return enclosed && surface.folds == 0; }
 };
 

@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/envelope/box_distance.hpp"
+
 namespace hariko {
-
-namespace {
-
-double box_square_distance(const Vector3& p, const Vector3& low, const Vector3& high) {
-  return (low - p).cwiseMax(p - high).cwiseMax(Vector3::Zero()).squaredNorm();
-}
-
-}  // namespace
 
 SampleTree::SampleTree(std::span<const Vector3> positions, std::size_t per_patch)
     : positions_(positions), per_patch_(per_patch), order_(positions.size() / per_patch) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/envelope/box_distance.hpp"
+
 namespace hariko {
 
 namespace {
@@ -33,10 +35,6 @@ double square_distance(const Vector3& p, const Vector3& a, const Vector3& b, con
     return height * height / area;
   }
   return std::min({to_segment(a, b), to_segment(b, c), to_segment(c, a)});
-}
-
-double box_square_distance(const Vector3& p, const Vector3& low, const Vector3& high) {
-  return (low - p).cwiseMax(p - high).cwiseMax(Vector3::Zero()).squaredNorm();
 }
 
 }  // namespace

@@ -107,6 +107,37 @@ TEST(BarRings, ARingAsThickAsItIsHardlyChangesTheSurface) {
   }
 }
 
+TEST(BarRings, ABarWithoutARingSaysSo) {
+  // Bars run into each other where gaps meet; which of them have rings shows by their handles.
+  EnvelopeInput input = golden_scene("ten");
+  input.settings.method = EnvelopeMethod::field;
+  input.settings.tightness = 1;
+  input.settings.waist = 0.3;
+  const auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(made.ok());
+  std::vector<PlacedSolid> placed = place_solids(input);
+  for (PlacedSolid& solid : placed) solid.centre -= made->origin;
+  std::size_t bars = 0;
+  for (const FieldCluster& cluster : field_scene(input, placed, made->origin).clusters)
+    bars += cluster.bars.size();
+  std::set<SolidPair> ringed;
+  for (const EnvelopeBridge& bridge : made->handles.bridges) ringed.insert(bridge.solids);
+  ASSERT_LT(ringed.size(), bars);
+  EXPECT_TRUE(warned(*made, w_waist_limited));
+}
+
+TEST(BarRings, NoTwoRingsShareAFace) {
+  const EnvelopeInput input = solids_with_gap(0.3);
+  const auto made = EnvelopeSurfacer().rebuild(input);
+  ASSERT_TRUE(made.ok());
+  std::vector<PlacedSolid> placed = place_solids(input);
+  for (PlacedSolid& solid : placed) solid.centre -= made->origin;
+  std::vector<FieldBar> bars = field_scene(input, placed, made->origin).clusters.at(0).bars;
+  ASSERT_EQ(bars.size(), 1U);
+  bars.push_back(bars[0]);
+  EXPECT_EQ(bar_rings(bars, *made->cage, made->surface).size(), 1U);
+}
+
 TEST(BarRings, TheCommonWaistDoesTheSame) {
   EnvelopeInput one = solids_with_gap(0.6), other = one;
   one.settings.waists.set({0, 1}, 0.5);
