@@ -1,6 +1,7 @@
-// The menu bar: the command table by menus, and the name of the document.
+// The menu bar: the command table by menus, and the name of the document. Where the window is narrow the
+// field becomes a button, and menus that still have no room go into one at the end.
 
-#include <algorithm>
+#include <numeric>
 
 #include "ui/icons.hpp"
 #include "ui/panels/command_menu.hpp"
@@ -9,14 +10,55 @@ namespace hariko {
 
 namespace {
 
+constexpr float whole_field = 170, field_button = 32, field_margin = 10;  ///< points
+constexpr const char* more_menu = "\u00bb";
+
+std::string menu_label(const PanelContext& context, const std::string& menu) {
+  return context.tr(menu) + "###" + menu;
+}
+
+float menu_width(const std::string& name) {
+  return ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().ItemSpacing.x;
+}
+
+struct MenuBarFit {
+  std::size_t menus = 0;  ///< how many stand in the bar; the others go into the last one
+  bool whole_field = false;
+};
+
+MenuBarFit fit_menu_bar(const PanelContext& context, const std::vector<std::string>& menus) {
+  const Metrics& m = context.metrics;
+  const auto room = [&](float field) {
+    return ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - m.px(field + 2 * field_margin);
+  };
+  const auto taken = [&](std::size_t count) {
+    return std::accumulate(
+        menus.begin(), menus.begin() + std::ptrdiff_t(count), 0.0F,
+        [&](float sum, const std::string& menu) { return sum + menu_width(context.tr(menu)); });
+  };
+  if (taken(menus.size()) <= room(whole_field)) return {menus.size(), true};
+  if (taken(menus.size()) <= room(field_button)) return {menus.size(), false};
+  std::size_t count = menus.size();
+  while (count > 0 && taken(count) + menu_width(more_menu) > room(field_button)) count--;
+  return {count, false};
+}
+
+void draw_menu(PanelContext& context, const std::string& menu) {
+  const bool shown = ImGui::BeginMenu(menu_label(context, menu).c_str());
+  context.marks.item("menu." + menu);
+  if (!shown) return;
+  draw_menu_nodes(context, menu_tree(context.commands, menu), "command.");
+  ImGui::EndMenu();
+}
+
 /// The way to the palette for those who do not know its key; looks like a field. Gives its left end.
-float search_field(PanelContext& context) {
+float search_field(PanelContext& context, bool whole) {
   const Metrics& m = context.metrics;
   const Command& search = *context.commands.find("help.palette");
-  const std::string text = std::string(icon::search) + "  " + context.tr("Search");
-  const std::string key = first_key(search);
-  const ImVec2 size(m.px(170), ImGui::GetTextLineHeight() + m.px(6));
-  const float left = ImGui::GetWindowWidth() - size.x - m.px(10);
+  const std::string text = whole ? std::string(icon::search) + "  " + context.tr("Search") : icon::search;
+  const std::string key = whole ? first_key(search) : "";
+  const ImVec2 size(m.px(whole ? whole_field : field_button), ImGui::GetTextLineHeight() + m.px(6));
+  const float left = ImGui::GetWindowWidth() - size.x - m.px(field_margin);
   ImGui::SetCursorPosX(left);
   const ImVec2 at(ImGui::GetCursorScreenPos().x, (ImGui::GetWindowHeight() - size.y) / 2);
   ImGui::SetCursorScreenPos(at);
@@ -41,15 +83,19 @@ float draw_menu_bar(PanelContext& context) {
   const bool open = ImGui::BeginMainMenuBar();
   ImGui::PopStyleVar();
   if (!open) return 0;
-  for (const std::string& menu : context.commands.menus()) {
-    const bool shown = ImGui::BeginMenu((context.tr(menu) + "###" + menu).c_str());
-    context.marks.item("menu." + menu);
-    if (!shown) continue;
-    draw_menu_nodes(context, menu_tree(context.commands, menu), "command.");
-    ImGui::EndMenu();
+  const std::vector<std::string> menus = context.commands.menus();
+  const MenuBarFit fit = fit_menu_bar(context, menus);
+  for (std::size_t i = 0; i < fit.menus; i++) draw_menu(context, menus[i]);
+  if (fit.menus < menus.size()) {
+    const bool shown = ImGui::BeginMenu(more_menu);
+    context.marks.item("menu.more");
+    if (shown) {
+      for (std::size_t i = fit.menus; i < menus.size(); i++) draw_menu(context, menus[i]);
+      ImGui::EndMenu();
+    }
   }
   const float used = ImGui::GetCursorPosX();
-  const float field = search_field(context);
+  const float field = search_field(context, fit.whole_field);
   const Editor& editor = context.editor;
   if (editor.has_document) {
     std::string title = context.tr(editor.title());

@@ -148,14 +148,16 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
                                                {format_number(*view->largest_normal_jump * 57.29577951, 3)});
       }
     }
-    const float width = ImGui::CalcTextSize(right.c_str()).x;
+    constexpr float least_hint = 120;  // points
+    const std::string state = elided(right, rect.width() - m.px(least_hint + 48));
+    const float width = ImGui::CalcTextSize(state.c_str()).x;
     const bool busy =
         !editor.stale_since.empty() || !editor.recompute.outdated.empty() || !editor.jobs.empty();
-    // The state is short and always whole; the hint gives way to it.
+    // The hint gives way to the state.
     const std::string hint = context.tr.phrase(context.tool_hint);
     const float room = rect.width() - width - m.px(48) - (busy ? m.px(editor.jobs.empty() ? 240 : 420) : 0) -
                        (editor.recording ? m.px(170) : 0);
-    const std::string shown = elided(hint, std::max(room, m.px(120)));
+    const std::string shown = elided(hint, std::max(room, m.px(least_hint)));
     ImGui::TextUnformatted(shown.c_str());
     context.marks.item("status.left");
     if (shown != hint && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
@@ -163,8 +165,9 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
         std::max(ImGui::GetItemRectMax().x - rect.min.x + m.px(16), rect.width() - width - m.px(12)));
     const TextColour text(colour);
     float left = ImGui::GetCursorPosX() - m.px(12);
-    ImGui::TextUnformatted(right.c_str());
+    ImGui::TextUnformatted(state.c_str());
     context.marks.item("status.right");
+    if (state != right && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", right.c_str());
     draw_recompute(context, left);
     draw_job(context, left);
     draw_recording(context, left);
