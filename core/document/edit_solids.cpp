@@ -83,9 +83,11 @@ Result<Document> remove_solids(const Document& document, ObjectId object,
     std::erase_if(input.solids, [&](const Solid& solid) { return gone(solid.id); });
     EnvelopeSettings& settings = input.settings;
     forget(settings.waists, [&](const SolidPair& pair) { return gone(pair.low) || gone(pair.high); });
-    forget(settings.fullness,
-           [&](const NetworkEdgeKey& edge) { return gone(edge.low.solid) || gone(edge.high.solid); });
-    forget(settings.offsets, [&](const NetworkVertexKey& vertex) { return gone(vertex.solid); });
+    const auto lost = [&](const NetworkVertexKey& vertex) {
+      return std::ranges::any_of(ids, [&](std::uint32_t id) { return vertex.is_of(id); });
+    };
+    forget(settings.fullness, [&](const NetworkEdgeKey& edge) { return lost(edge.low) || lost(edge.high); });
+    forget(settings.offsets, lost);
   });
 }
 

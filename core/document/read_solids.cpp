@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "core/base/printable.hpp"
 #include "core/document/format_names.hpp"
@@ -108,6 +109,19 @@ class SolidsReader {
     return reader_.integer(JsonCursor(row, i), 0, max_number);
   }
 
+  /// From entries i and i + 1: an id, or in a valley both ids, and a number.
+  NetworkVertexKey network_vertex(const JsonCursor& row, std::size_t i) {
+    const JsonCursor solid(row, i);
+    NetworkVertexKey out;
+    out.vertex = reader_.integer(JsonCursor(row, i + 1), 0, no_index);
+    if (!solid.value().array()) {
+      out.solid = integer(row, i);
+    } else if (reader_.array_size(solid, 2, 2) == 2) {
+      std::tie(out.solid, out.other) = std::minmax({integer(solid, 0), integer(solid, 1)});
+    }
+    return out;
+  }
+
   void overrides(const JsonCursor& at, EnvelopeSettings& s) {
     reader_.if_member(at, "waists", [&](const JsonCursor& list) {
       reader_.for_each(list, [&](const JsonCursor& row) {
@@ -118,9 +132,8 @@ class SolidsReader {
     reader_.if_member(at, "fullness", [&](const JsonCursor& list) {
       reader_.for_each(list, [&](const JsonCursor& row) {
         if (reader_.array_size(row, 5, 5) != 5) return;
-        s.fullness.set(
-            NetworkEdgeKey::of({integer(row, 0), integer(row, 1)}, {integer(row, 2), integer(row, 3)}),
-            reader_.number(JsonCursor(row, 4)));
+        s.fullness.set(NetworkEdgeKey::of(network_vertex(row, 0), network_vertex(row, 2)),
+                       reader_.number(JsonCursor(row, 4)));
       });
     });
     reader_.if_member(at, "offsets", [&](const JsonCursor& list) {
@@ -128,7 +141,7 @@ class SolidsReader {
         if (reader_.array_size(row, 5, 5) != 5) return;
         Vector3 offset;
         for (std::size_t i = 0; i < 3; ++i) offset[Eigen::Index(i)] = reader_.number(JsonCursor(row, i + 2));
-        s.offsets.set({integer(row, 0), integer(row, 1)}, offset);
+        s.offsets.set(network_vertex(row, 0), offset);
       });
     });
   }

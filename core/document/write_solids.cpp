@@ -85,15 +85,21 @@ void write_source(JsonWriter& out, const SolidsSource& source) {
       out.number(i == 0 ? entry.first.low : entry.first.high);
     });
   });
+  const auto network_vertex = [&](const NetworkVertexKey& key, bool its_number) {
+    if (its_number) return out.number(key.vertex);
+    if (!key.in_valley()) return out.number(key.solid);
+    out.row(2, [&](std::size_t i) { out.number(i == 0 ? key.solid : key.other); });
+  };
   out.list("fullness", settings.fullness, [&](const auto& entry) {
-    const auto& [low, high] = entry.first;
-    const std::array<std::uint32_t, 4> key{low.solid, low.vertex, high.solid, high.vertex};
-    out.row(5, [&](std::size_t i) { i < 4 ? out.number(key[i]) : out.number(entry.second); });
+    out.row(5, [&](std::size_t i) {
+      if (i == 4) return out.number(entry.second);
+      network_vertex(i < 2 ? entry.first.low : entry.first.high, i % 2 == 1);
+    });
   });
   out.list("offsets", settings.offsets, [&](const auto& entry) {
     out.row(5, [&](std::size_t i) {
       if (i >= 2) return out.number(entry.second[static_cast<Eigen::Index>(i) - 2]);
-      out.number(i == 0 ? entry.first.solid : entry.first.vertex);
+      network_vertex(entry.first, i == 1);
     });
   });
   out.kept(*source.kept);

@@ -52,6 +52,13 @@ Vector3 maximin_normal(std::span<const Vector3> normals) {
   return best;
 }
 
+void put_on_solid(CageVertex& vertex, const PlacedSolid& solid) {
+  vertex.unit = solid.to_unit * (vertex.position - solid.centre);
+  vertex.radial = (vertex.position - solid.centre).stableNormalized();
+  vertex.normal = (solid.to_unit.transpose() * vertex.unit).stableNormalized();
+  vertex.guarded = false;
+}
+
 void set_valley_frames(NetworkCage& cage) {
   std::vector<std::vector<Vector3>> corners(cage.vertices.size());
   for (const CageFace& face : cage.faces) {

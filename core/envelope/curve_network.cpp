@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/envelope/pulled_vertices.hpp"
 #include "core/envelope/split_face.hpp"
 
 namespace hariko {
@@ -90,8 +91,8 @@ class NetworkBuilder {
   double fullness(const NetworkCurve& curve) const {
     if (!settings_.fullness || settings_.fullness->empty()) return 1;
     return settings_.fullness->get_or(
-        NetworkEdgeKey::of(settings_key(key_of(vertex(curve.low), settings_.solids)),
-                           settings_key(key_of(vertex(curve.high), settings_.solids))),
+        NetworkEdgeKey::of(settings_name(out_.cage, curve.low, settings_.solids),
+                           settings_name(out_.cage, curve.high, settings_.solids)),
         1.0);
   }
 
@@ -168,6 +169,8 @@ class NetworkBuilder {
                           homogeneous(owner.world(edge.a.unit + edge.a.alpha * edge.a.t), w1),
                           homogeneous(owner.world(edge.b.unit - edge.b.alpha * edge.b.t), w2),
                           homogeneous(vertex(curve.high).position)};
+    curve.pull = w1 * (cartesian(curve.ribbon.curve[1]) - vertex(curve.low).position) +
+                 w2 * (cartesian(curve.ribbon.curve[2]) - vertex(curve.high).position);
   }
 
   double inserted_factor(const NetworkCurve& curve) const {
@@ -189,8 +192,9 @@ class NetworkBuilder {
     const double ca = std::max(ta.dot(e) / length, least_cosine),
                  cb = std::max(tb.dot(e) / length, least_cosine);
     const double w = std::max((1 + ca + cb) / 3, weight_low);
-    const double from = handle(a, ta, f * length / (1 + 2 * ca), length),
-                 to = handle(b, -tb, f * length / (1 + 2 * cb), length);
+    const double wanted_from = f * length / (1 + 2 * ca), wanted_to = f * length / (1 + 2 * cb);
+    const double from = handle(a, ta, wanted_from, length), to = handle(b, -tb, wanted_to, length);
+    curve.pull = w * (wanted_from * ta - wanted_to * tb);
     curve.ribbon.curve = {homogeneous(a.position), homogeneous(a.position + from * ta, w),
                           homogeneous(b.position - to * tb, w), homogeneous(b.position)};
   }
@@ -265,11 +269,6 @@ double CurveNetwork::least_weight() const {
 
 CurveNetwork curve_network(NetworkCage cage, const CurveSettings& settings) {
   return NetworkBuilder(std::move(cage), settings).build();
-}
-
-NetworkVertexKey key_of(const CageVertex& vertex, std::span<const PlacedSolid> solids) {
-  if (vertex.solid == no_index) return {no_index, vertex.vertex};
-  return key_of(SolidVertex{vertex.solid, vertex.vertex}, solids);
 }
 
 }  // namespace hariko

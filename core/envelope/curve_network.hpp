@@ -16,6 +16,9 @@ struct NetworkCurve {
   bool primitive = false;   ///< both ends belong to one solid
   bool matched = false;     ///< its weights give the vertices' common curvatures
   RibbonCurve ribbon;       ///< seen from the face to the left
+  /// Sum of the tangents times their weights, at the lengths that the settings want; in valleys the curve's
+  /// own may be shorter.
+  Vector3 pull = Vector3::Zero();
 };
 
 /// The star of an n-gon: a centre, and a curve from the middle of each side to it.
@@ -52,9 +55,6 @@ struct CurveSettings {
 };
 
 CurveNetwork curve_network(NetworkCage cage, const CurveSettings& settings);
-
-/// The same of a vertex of the cage.
-NetworkVertexKey key_of(const CageVertex& vertex, std::span<const PlacedSolid> solids);
 
 /// All patches and their seams as a surface relative to `origin`. Where some face is split, quads are cut
 /// into four parts, so that every seam is a whole side of both patches. Provenance: the cage's faces; seams

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/envelope/pulled_vertices.hpp"
 #include "core/envelope/valley_push.hpp"
 #include "core/envelope/violations.hpp"
 
@@ -138,10 +139,16 @@ class Search {
     input.settings = settings_.valleys->settings;
     input.pushes = &state_.pushes;
     input.stars = &state_.stars;
+    const auto of_hull = Index(hull.vertices.size());
     NetworkCage cage = valley_cage(std::move(hull), input);
-    if (!settings_.symmetry || cage.faces.empty()) return cage;
-    make_symmetric(cage, *settings_.symmetry, solids_, diagonal_);
-    return cage.mirror ? cage : NetworkCage{};
+    if (cage.faces.empty()) return cage;
+    const auto even = [&] {
+      if (settings_.symmetry) make_symmetric(cage, *settings_.symmetry, solids_, diagonal_);
+    };
+    even();
+    if (settings_.symmetry && !cage.mirror) return {};
+    if (settings_.offsets && pull_vertices(cage, of_hull, solids_, *settings_.offsets)) even();
+    return !settings_.symmetry || cage.mirror ? cage : NetworkCage{};
   }
 
   /// What was changed for a solid is changed for its image.

@@ -188,16 +188,29 @@ Result<bool> EnvelopeSurfacer::make_valleys(Job& job) {
     const auto taken = take_network(job, std::move(made.found));
     return taken ? Result<bool>(true) : Result<bool>(taken.error());
   }
-  const bool insists = job.input.settings.method == EnvelopeMethod::network;
-  if (!insists && !suits_valleys(job.input, job.solids, job.out.origin, job.search())) return false;
-  auto made = valley_envelope(job.input, job.solids, job.out.origin, job.search(),
-                              insists ? valley_levels : automatic_levels, job.cancel);
+  const EnvelopeSettings& wanted = job.input.settings;
+  const bool insists = wanted.method == EnvelopeMethod::network;
+  const bool pulled = !wanted.offsets.empty() || !wanted.fullness.empty();
+  EnclosureSettings unpulled = job.search();
+  unpulled.offsets = nullptr;
+  unpulled.fullness = nullptr;
+  if (!insists && !suits_valleys(job.input, job.solids, job.out.origin, unpulled)) return false;
+  const auto climb = [&](const EnclosureSettings& settings) {
+    return valley_envelope(job.input, job.solids, job.out.origin, settings,
+                           insists ? valley_levels : automatic_levels, job.cancel);
+  };
+  std::optional<ValleyEnvelope> made = climb(job.search());
+  // What is pulled by hand may fold the surface; it does not make another one of it.
+  if (!made && pulled)
+    if (const auto plain = climb(unpulled))
+      made =
+          make_attempt(job.input, job.solids, job.out.origin, job.search(), plain->attempt, {}, job.cancel);
   if (job.cancel.cancelled()) return job.cancelled();
-  if (!made) return false;
+  if (!made || made->found.network.patches.empty()) return false;
   job.out.level = made->attempt.level;
   last_attempt_ = made->attempt;
   if (const auto taken = take_network(job, std::move(made->found)); !taken) return taken.error();
-  return job.out.folds == 0 || insists;
+  return job.out.folds == 0 || insists || pulled;
 }
 
 Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Quality quality,

@@ -16,7 +16,7 @@ struct EnvelopeBridge {
   Vector3 way = Vector3::Zero();       ///< of the middle while the factor on the waist grows by one
 };
 
-/// A vertex of the network that belongs to a solid.
+/// A vertex of the network.
 struct EnvelopeVertex {
   NetworkVertexKey vertex;  ///< whose offset moves it: its own, or that of its image
   Vector3 position = Vector3::Zero();
@@ -25,7 +25,7 @@ struct EnvelopeVertex {
       Matrix3::Identity();  ///< orthonormal; the vertex moves by `axes` times what its offset changes by
 };
 
-/// A curve of the network between vertices of solids.
+/// A curve of the network.
 struct EnvelopeCurve {
   NetworkEdgeKey curve;
   Vector3 middle = Vector3::Zero();

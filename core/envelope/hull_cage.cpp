@@ -469,7 +469,13 @@ NetworkVertexKey key_of(const SolidVertex& vertex, std::span<const PlacedSolid> 
   return {solid.id, vertex.second + (solid.part << 16)};
 }
 
+NetworkVertexKey key_of(const CageVertex& vertex, std::span<const PlacedSolid> solids) {
+  if (vertex.solid == no_index || vertex.vertex == no_index) return vertex.name;
+  return key_of(SolidVertex{vertex.solid, vertex.vertex}, solids);
+}
+
 NetworkVertexKey settings_key(NetworkVertexKey key) {
+  if (key.in_valley()) return key;
   return {key.solid, key.vertex & ~(image_part << 16)};
 }
 

@@ -14,7 +14,9 @@ namespace hariko {
 
 struct CageVertex {
   Index solid = no_index;  ///< placed solid; none: in a valley between solids
-  Index vertex = 0;        ///< of its unit vertices; in a valley a name that stays while the solids move
+  Index vertex = 0;  ///< of its unit vertices, none of a point on it that is none of them; in a valley a
+                     ///< number that stays while the solids move
+  NetworkVertexKey name = {};  ///< of what is none of a solid's unit vertices
   Vector3 position = Vector3::Zero();
   Vector3 unit = Vector3::Zero();     ///< place in the solid's unit frame, growth included
   Vector3 normal = Vector3::UnitZ();  ///< unit, of the tangent plane
@@ -60,6 +62,7 @@ NetworkCage hull_cage(const HullCageInput& input);
 
 /// Name of a vertex that stays while solids move.
 NetworkVertexKey key_of(const SolidVertex& vertex, std::span<const PlacedSolid> solids);
+NetworkVertexKey key_of(const CageVertex& vertex, std::span<const PlacedSolid> solids);
 /// The name that settings have for it: those of images go by the names of what they are images of.
 NetworkVertexKey settings_key(NetworkVertexKey key);
 

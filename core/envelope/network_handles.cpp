@@ -1,5 +1,7 @@
 #include "core/envelope/network_handles.hpp"
 
+#include "core/envelope/pulled_vertices.hpp"
+
 namespace hariko {
 
 namespace {
@@ -12,14 +14,12 @@ class HandleMaker {
 
   EnvelopeHandles make() const {
     EnvelopeHandles out;
-    for (Index v = 0; v < network_.cage.vertices.size(); ++v)
-      if (vertex(v).solid != no_index) out.vertices.push_back(handle(v));
+    for (Index v = 0; v < network_.cage.vertices.size(); ++v) out.vertices.push_back(handle(v));
     for (const NetworkCurve& curve : network_.curves) {
       const CageVertex &a = vertex(curve.low), &b = vertex(curve.high);
-      if (a.solid == no_index || b.solid == no_index) continue;
       const EnvelopeCurve made = handle(curve);
       out.curves.push_back(made);
-      if (a.solid == b.solid) continue;
+      if (a.solid == no_index || b.solid == no_index || a.solid == b.solid) continue;
       const SolidPair pair = SolidPair::of(solids_[a.solid].id, solids_[b.solid].id);
       // A whole factor on the waist does the same as one on the curve's own tangents.
       const double share = settings_.fullness.get_or(made.curve, 1.0) / settings_.waists.get_or(pair, 1.0);
@@ -30,36 +30,28 @@ class HandleMaker {
 
  private:
   const CageVertex& vertex(Index v) const { return network_.cage.vertices[v]; }
-  NetworkVertexKey name(Index v) const { return settings_key(key_of(vertex(v), solids_)); }
+  NetworkVertexKey name(Index v) const { return settings_name(network_.cage, v, solids_); }
 
   EnvelopeVertex handle(Index v) const {
-    EnvelopeVertex out{name(v), vertex(v).position, vertex(v).normal, solids_[vertex(v).solid].rotation};
-    const auto& mirror = network_.cage.mirror;
-    const Index image = mirror ? mirror->image[v] : v;
-    if (image == v || vertex(image).solid == no_index) return out;
-    // Of a pair one offset moves both: the first one's, unless only the second has one.
-    const auto place = [&](Index of) { return std::pair(vertex(of).solid, vertex(of).vertex); };
-    const Index first = place(v) < place(image) ? v : image, second = first == v ? image : v;
-    const bool by_second = !settings_.offsets.find(name(first)) && settings_.offsets.find(name(second));
-    const Index moved = by_second ? second : first;
-    out.vertex = name(moved);
-    out.axes = solids_[vertex(moved).solid].rotation;
-    if (moved != v) out.axes.row(mirror->axis) *= -1;
+    const Index owner = offset_owner(network_.cage, v, solids_, settings_.offsets);
+    EnvelopeVertex out;
+    out.vertex = name(owner);
+    out.position = vertex(v).position;
+    out.outward = vertex(v).normal;
+    out.axes = offset_axes(vertex(owner), solids_);
+    if (owner != v) out.axes.row(network_.cage.mirror->axis) *= -1;
     return out;
   }
 
   EnvelopeCurve handle(const NetworkCurve& curve) const {
-    const CageVertex &a = vertex(curve.low), &b = vertex(curve.high);
     EnvelopeCurve out;
     out.curve = NetworkEdgeKey::of(name(curve.low), name(curve.high));
     const HomogeneousCubic& c = curve.ribbon.curve;
     const Homogeneous middle = (c[0] + 3 * c[1] + 3 * c[2] + c[3]) / 8;
     out.middle = cartesian(middle);
-    out.outward = (a.normal + b.normal).stableNormalized();
+    out.outward = (vertex(curve.low).normal + vertex(curve.high).normal).stableNormalized();
     // The inner points lie along the tangents by lengths that the factor multiplies.
-    const Vector3 tangents =
-        c[1].w() * (cartesian(c[1]) - a.position) + c[2].w() * (cartesian(c[2]) - b.position);
-    out.way = 3 * tangents / (8 * middle.w()) / settings_.fullness.get_or(out.curve, 1.0);
+    out.way = 3 * curve.pull / (8 * middle.w()) / settings_.fullness.get_or(out.curve, 1.0);
     return out;
   }
 

@@ -9,8 +9,8 @@
 
 namespace hariko {
 
-/// Bridges are the curves that join two solids without a valley between them; what ends in a valley has no
-/// handle, as names there are no solid's. `settings`: those that the network was made with. O(network).
+/// Bridges are the curves that join two solids without a valley between them. `settings`: those that the
+/// network was made with. O(network).
 EnvelopeHandles handles_of(const CurveNetwork& network, std::span<const PlacedSolid> solids,
                            const EnvelopeSettings& settings);
 

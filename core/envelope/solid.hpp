@@ -58,12 +58,19 @@ struct Solid {
   friend bool operator==(const Solid&, const Solid&) = default;
 };
 
-/// An edge of the curve network between vertices of two solids, or a vertex: named by the solids' ids and the
-/// numbers of their vertices, so that settings survive while the solids move.
+/// A vertex of the curve network, named by its solid's id and its number there; in a valley by the ids of the
+/// two solids, and a number that follows from the edge of the hull that was sunk. So settings survive while
+/// the solids move.
 struct NetworkVertexKey {
   std::uint32_t solid = 0, vertex = 0;
+  std::uint32_t other =
+      no_index;  ///< in a valley the larger id, or the same one between a solid and its image
+
+  bool in_valley() const { return other != no_index; }
+  bool is_of(std::uint32_t id) const { return id == solid || (in_valley() && id == other); }
   friend auto operator<=>(const NetworkVertexKey&, const NetworkVertexKey&) = default;
 };
+/// An edge of the curve network.
 struct NetworkEdgeKey {
   NetworkVertexKey low, high;  ///< low < high
   static NetworkEdgeKey of(NetworkVertexKey a, NetworkVertexKey b) {
@@ -94,9 +101,10 @@ struct EnvelopeSettings {
   EnvelopeMethod method = EnvelopeMethod::automatic;
   EnvelopePatches patches = EnvelopePatches::rational;
   SymmetryPlane symmetry = SymmetryPlane::none;
-  FlatMap<SolidPair, double> waists = {};           ///< factors on `waist` per bridge, (0, 2]
-  FlatMap<NetworkEdgeKey, double> fullness = {};    ///< factors on the tangents of a curve, [0.1, 3]
-  FlatMap<NetworkVertexKey, Vector3> offsets = {};  ///< added to a vertex's place, in the solid's own axes
+  FlatMap<SolidPair, double> waists = {};         ///< factors on `waist` per bridge, (0, 2]
+  FlatMap<NetworkEdgeKey, double> fullness = {};  ///< factors on the tangents of a curve, [0.1, 3]
+  FlatMap<NetworkVertexKey, Vector3> offsets =
+      {};  ///< added to a vertex's place: in the solid's own axes, in valleys the object's
 
   friend bool operator==(const EnvelopeSettings&, const EnvelopeSettings&) = default;
 };

@@ -172,6 +172,8 @@ class ValleyCutter {
       centre.outward += v.outward;
       centre.vertex = (centre.vertex ^ v.vertex) * 16777619U;
     }
+    centre.name = vertices_[loop.corners[sunk[0]]].name;
+    centre.name.vertex = centre.vertex;
     centre.outward = centre.outward.stableNormalized();
     lift(centre);
     const Index c = add(centre, {});
@@ -393,13 +395,7 @@ class ValleyCutter {
       }
       number[v] = Index(out.vertices.size());
       CageVertex vertex = vertices_[v];
-      if (vertex.solid != no_index) {
-        const PlacedSolid& solid = input_.solids[vertex.solid];
-        vertex.unit = solid.to_unit * (vertex.position - solid.centre);
-        vertex.radial = (vertex.position - solid.centre).stableNormalized();
-        vertex.normal = (solid.to_unit.transpose() * vertex.unit).stableNormalized();
-        vertex.guarded = false;
-      }
+      if (vertex.solid != no_index) put_on_solid(vertex, input_.solids[vertex.solid]);
       out.vertices.push_back(vertex);
     }
     for (const CageLoop& loop : loops_) {

@@ -23,7 +23,7 @@ struct Step {
   Vector3 point = Vector3::Zero();
   Index solid_a = no_index, solid_b = no_index;  ///< authored; b none for a point on solid a
   double relative = 0;                           ///< length of the path in edge lengths
-  Index name = 0;
+  NetworkVertexKey name = {};
 };
 
 Index mixed(Index seed, Index value) {
@@ -49,10 +49,10 @@ class Chains {
       if (solid_a == solid_b) continue;
       const NetworkVertexKey from = key_of(SolidVertex{a.solid, a.vertex}, input_.solids),
                              to = key_of(SolidVertex{b.solid, b.vertex}, input_.solids);
-      const Index name =
+      const Index seed =
           mixed(mixed(mixed(mixed(2166136261U, from.solid), from.vertex), to.solid), to.vertex);
       std::vector<Step>& steps = steps_[edge];
-      sink(a.position, solid_a, b.position, solid_b, normals, name, 0, steps);
+      sink(a.position, solid_a, b.position, solid_b, normals, seed, 0, steps);
     }
     select();
     ValleyChains out;
@@ -64,6 +64,14 @@ class Chains {
 
  private:
   Index owner(const CageVertex& v) const { return input_.solids[v.solid].owner; }
+  /// Of a point between two authored solids.
+  NetworkVertexKey name_of(Index number, Index solid_a, Index solid_b) const {
+    const auto id = [&](Index solid) {
+      return std::ranges::find(input_.solids, solid, &PlacedSolid::owner)->id;
+    };
+    const auto [low, high] = std::minmax({id(solid_a), id(solid_b)});
+    return {low, number, high};
+  }
   const GrownSolids& grown() const { return *input_.grown; }
 
   /// A third solid that closes the notch from below.
@@ -90,7 +98,7 @@ class Chains {
   }
 
   void sink(const Vector3& a, Index solid_a, const Vector3& b, Index solid_b,
-            const std::vector<Vector3>& normals, Index name, int depth, std::vector<Step>& out) const {
+            const std::vector<Vector3>& normals, Index seed, int depth, std::vector<Step>& out) const {
     const double edge = (b - a).norm();
     if (solid_a == solid_b || !(edge > 0)) return;
     ValleyPath path = valley_path(grown(), solid_a, solid_b, a, b, input_.diagonal);
@@ -98,18 +106,19 @@ class Chains {
       const RayHit hit = third(path, solid_a, solid_b, edge, normals);
       if (hit.solid != no_index && (hit.point - a).norm() > end_distance * edge &&
           (hit.point - b).norm() > end_distance * edge) {
-        sink(a, solid_a, hit.point, hit.solid, normals, mixed(name, 1), depth + 1, out);
+        sink(a, solid_a, hit.point, hit.solid, normals, mixed(seed, 1), depth + 1, out);
         Step middle;
         middle.point = hit.point;
         middle.solid_a = hit.solid;
+        middle.name = name_of(mixed(seed, 4), hit.solid, hit.solid);
         out.push_back(middle);
-        sink(hit.point, hit.solid, b, solid_b, normals, mixed(name, 2), depth + 1, out);
+        sink(hit.point, hit.solid, b, solid_b, normals, mixed(seed, 2), depth + 1, out);
         return;
       }
     }
     const double relative = path.length / edge;
     out.push_back({std::move(path), Vector3::Zero(), std::min(solid_a, solid_b), std::max(solid_a, solid_b),
-                   relative, mixed(name, 3)});
+                   relative, name_of(mixed(seed, 3), solid_a, solid_b)});
   }
 
   void select() {
@@ -136,7 +145,8 @@ class Chains {
       if (step.path) {
         ChainVertex at;
         std::tie(at.vertex.position, at.vertex.outward) = along(*step.path, share);
-        at.vertex.vertex = step.name;
+        at.vertex.vertex = step.name.vertex;
+        at.vertex.name = step.name;
         at.label = {step.solid_a, step.solid_b, false};
         out.push_back(at);
         continue;
@@ -158,6 +168,7 @@ class Chains {
                                                (input_.solids[out.vertex.solid].centre - step.point).norm()))
         out.vertex.solid = s;
     out.vertex.vertex = no_index;
+    out.vertex.name = step.name;
     out.vertex.position = step.point;
     return out;
   }

@@ -66,8 +66,10 @@ TEST(EditSolids, OnlyTheNamedSolidsChange) {
 
 TEST(EditSolids, SettingsThatNameARemovedSolidGoWithIt) {
   const auto [document, id] = two_solids();
+  const auto pulled = change_network_vertex(document, id, {3, 12345, 8}, Vector3::UnitX());
+  ASSERT_TRUE(pulled.ok());
   const std::array<std::uint32_t, 1> ids{3};
-  const auto removed = remove_solids(document, id, ids);
+  const auto removed = remove_solids(*pulled, id, ids);
   ASSERT_TRUE(removed.ok());
   const EnvelopeInput& input = input_of(*removed, id);
   ASSERT_EQ(input.solids.size(), 1U);

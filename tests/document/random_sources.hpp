@@ -46,6 +46,9 @@ inline EnvelopeInput any_solids(std::mt19937_64& rng) {
   if (chance(rng, 0.5)) settings.waists.set(SolidPair::of(3, 6), uniform(rng, 0.1, 2));
   if (chance(rng, 0.5)) settings.fullness.set(NetworkEdgeKey::of({3, 1}, {6, 2}), uniform(rng, 0.1, 3));
   if (chance(rng, 0.5)) settings.offsets.set({3, 4}, random_vector(rng));
+  const NetworkVertexKey in_valley{3, std::uint32_t(rng()), chance(rng, 0.5) ? 3U : 6U};
+  if (chance(rng, 0.5)) settings.offsets.set(in_valley, random_vector(rng));
+  if (chance(rng, 0.5)) settings.fullness.set(NetworkEdgeKey::of(in_valley, {6, 1}), uniform(rng, 0.1, 3));
   return input;
 }
 

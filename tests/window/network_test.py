@@ -1,5 +1,5 @@
 """Curves round solids pulled by hand: vertices and curves dragged, put back by a double click and by the panel, kept
-while a solid moves."""
+while a solid moves; the same in a valley."""
 
 import os
 
@@ -114,6 +114,27 @@ def survives_a_moved_solid(window, output):
     check("button.reset_network" not in window.last("layout")["rects"], "something is still pulled after the reset")
 
 
+def drag_in_valley(window, output):
+    """Where the surface goes into a notch its vertices have handles as well."""
+    window.key("alt+n")
+    window.wait(lambda: handles(window, "vertex"), "handles on the network")
+    window.wait_idle()
+    window.screenshot(os.path.join(output, "network_valley_before.png"))
+    name = in_the_middle(window, [n for n in handles(window, "vertex") if "+" in n])
+    start = window.center(name)
+    window.drag(start, (start[0] - 12, start[1] - 28))
+    window.wait(lambda: position(window) == 1, "a dragged vertex of a valley")
+    window.wait_idle()
+    now = window.center(name)
+    check(now[1] < start[1] - 12, f"the vertex in the valley did not follow the pointer: {start} {now}")
+    window.screenshot(os.path.join(output, "network_valley.png"))
+    window.click_on("button.reset_network")
+    window.wait(lambda: label(window) == "Reset curves of solids", "the reset of all")
+    window.wait_idle()
+    back = window.center(name)
+    check(abs(back[0] - start[0]) + abs(back[1] - start[1]) < 2, f"the reset left the vertex elsewhere: {start} {back}")
+
+
 def session(program, source, output):
     window = Window(program, os.path.join(source, "assets", "samples", "solids_four.hariko"), size=(1280, 800))
     try:
@@ -124,6 +145,11 @@ def session(program, source, output):
         put_back(window, pulled)
         drag_curve(window, output)
         survives_a_moved_solid(window, output)
+    finally:
+        window.close()
+    window = Window(program, os.path.join(source, "assets", "samples", "solids_l.hariko"), size=(1280, 800))
+    try:
+        drag_in_valley(window, output)
     finally:
         window.close()
 

@@ -13,16 +13,19 @@ namespace {
 /// Curves that move less, in design pixels for a whole factor, are no handles.
 constexpr double least_movement = 6;
 
+bool belongs_to(const std::set<VertexId>& solids, const NetworkVertexKey& vertex) {
+  return std::ranges::any_of(solids, [&](VertexId id) { return vertex.is_of(id.value); });
+}
 bool belongs_to(const std::set<VertexId>& solids, const EnvelopeVertex& vertex) {
-  return solids.contains(VertexId{vertex.vertex.solid});
+  return belongs_to(solids, vertex.vertex);
 }
 bool belongs_to(const std::set<VertexId>& solids, const EnvelopeCurve& curve) {
-  return solids.contains(VertexId{curve.curve.low.solid}) ||
-         solids.contains(VertexId{curve.curve.high.solid});
+  return belongs_to(solids, curve.curve.low) || belongs_to(solids, curve.curve.high);
 }
 
 std::string text_of(const NetworkVertexKey& key) {
-  return std::to_string(key.solid) + "-" + std::to_string(key.vertex);
+  return std::to_string(key.solid) + (key.in_valley() ? "+" + std::to_string(key.other) : "") + "-" +
+         std::to_string(key.vertex);
 }
 
 }  // namespace

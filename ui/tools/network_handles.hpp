@@ -28,7 +28,7 @@ class NetworkHandles {
   const NetworkHandle& handle(std::size_t number) const { return handles_[number].handle; }
   void draw(const ToolOverlay& overlay, std::optional<std::size_t> hot) const;
   /// Names the handles for tests: "network.vertex.1-3" for vertex 3 of solid 1, "network.curve.1-3.2-0" for
-  /// the curve from there to vertex 0 of solid 2.
+  /// the curve from there to vertex 0 of solid 2; "1+2-77" stands in the valley between solids 1 and 2.
   void mark(Marks& marks, const ToolOverlay& overlay) const;
 
   /// In the picture; more would cover the model.
