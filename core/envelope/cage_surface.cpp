@@ -47,11 +47,25 @@ Shaping length_tensions(const Polyhedron& cage) {
 
 namespace {
 
+/// A tension divided by the square of a factor lets the middle of its curve go about that many times as far
+/// from its chord.
+Shaping tensions_of(const CageSurfaceRequest& request, const Polyhedron& cage) {
+  Shaping out = length_tensions(cage);
+  const HalfEdgeMesh& mesh = cage.topology();
+  for (const CageFullness& one : request.fullness) {
+    const Index h = mesh.find_half_edge(one.from, one.to);
+    if (h == no_index) continue;
+    const EdgeId edge = cage.edge_id(mesh.edge(h));
+    out.beta.set(edge, out.beta.get_or(edge, 1.0) / (one.factor * one.factor));
+  }
+  return out;
+}
+
 class Pusher {
  public:
   Pusher(const CageSurfaceRequest& request, Polyhedron cage)
       : request_(request),
-        input_{cage, length_tensions(cage), Mode::fair, request.origin},
+        input_{cage, tensions_of(request, cage), Mode::fair, request.origin},
         pattern_{Domain::triangle, sample_density},
         parameters_(pattern_.parameters()) {
     const HalfEdgeMesh& mesh = cage.topology();

@@ -13,6 +13,12 @@
 
 namespace hariko {
 
+/// Of the edge between two vertices: above 1 its curve bends more, below it is straighter.
+struct CageFullness {
+  Index from = 0, to = 0;
+  double factor = 1;
+};
+
 struct CageSurfaceRequest {
   PolygonMesh cage;          ///< positions relative to `origin`
   std::vector<double> cell;  ///< one a vertex: it moves by at most so much, two and a half times as far for
@@ -21,6 +27,7 @@ struct CageSurfaceRequest {
   double diagonal = 1;
   std::span<const SolidDistance> distances;  ///< of the solids, relative to `origin`
   std::span<const PlacedSolid> placed;       ///< their test points
+  std::vector<CageFullness> fullness = {};   ///< what has none of them is left as it is
   std::optional<CageMirror> mirror = {};     ///< the cage is its own image in it, and stays so
   double tolerance = 1e-4;                   ///< of the diagonal
   int rounds = 14;                           ///< of pushing by the loop's own test

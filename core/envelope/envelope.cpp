@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/envelope/convex_hull.hpp"
-#include "core/envelope/field_envelope.hpp"
 #include "core/envelope/network_handles.hpp"
 #include "core/envelope/valley_tips.hpp"
 
@@ -71,6 +70,14 @@ void add_warnings(EnvelopeSurface& out) {
                                         "Lower the waist or the roundness, or move the solids apart."));
 }
 
+/// Pulls on a field's cage rest while there is a network, and the other way round.
+bool has_network_pulls(const EnvelopeSettings& settings) {
+  const auto of_network = [](const NetworkVertexKey& name) { return !is_field_name(name); };
+  return std::ranges::any_of(settings.offsets, [&](const auto& entry) { return of_network(entry.first); }) ||
+         std::ranges::any_of(settings.fullness,
+                             [&](const auto& entry) { return of_network(entry.first.low); });
+}
+
 /// Of solids whose points are not all on their hull.
 void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warnings) {
   for (std::size_t i = 0; i < input.solids.size(); ++i)
@@ -78,6 +85,25 @@ void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warning
       warnings.push_back(make_warning(w_solid_hull,
                                       "Solid " + std::to_string(i) + " is not convex; its hull is used.",
                                       "Make it of several convex solids."));
+}
+
+void add_field_warnings(const FieldEnvelope& made, std::vector<Message>& warnings) {
+  if (made.distance > 0)
+    warnings.push_back(
+        make_warning(w_tightness_loose,
+                     "The surface keeps away from the solids by " + percent(made.distance) +
+                         " % of their size and fills narrow notches: a closer one folds or misses a solid.",
+                     "Move the solids apart or into each other, or choose smaller cells."));
+  if (!made.waists_followed)
+    warnings.push_back(
+        make_warning(w_waist_limited,
+                     "A bridge is not as thin or as thick as its waist asks for: the surface would fold "
+                     "or miss a solid, or it runs into others there.",
+                     "Choose a waist nearer to the usual one, or move the solids apart."));
+  if (!made.pulls_followed)
+    warnings.push_back(make_warning(w_pull_limited,
+                                    "Vertices cannot be pulled so far: there is no surface with them there.",
+                                    "Pull it less far, or reset what was pulled by hand."));
 }
 
 void take_cage(CageSurface cage, EnvelopeSurface& out) {
@@ -136,35 +162,44 @@ struct EnvelopeSurfacer::Job {
   Message cancelled() const { return make_error(e_cancelled, "The surface was cancelled."); }
 };
 
+Result<std::shared_ptr<const FieldBase>> EnvelopeSurfacer::base_of(const Job& job) {
+  EnvelopeInput input = job.input;
+  input.settings.waist = EnvelopeSettings{}.waist;
+  input.settings.waists = {};
+  input.settings.fullness = {};
+  input.settings.offsets = {};
+  if (last_base_ && input == last_base_input_) return last_base_;
+  auto made = field_base(job.input, job.solids, job.out.origin, job.quality, job.dragged_level.value_or(0),
+                         job.cancel);
+  if (!made) return made.error();
+  auto base = std::make_shared<const FieldBase>(std::move(made).value());
+  if (job.quality == Quality::final && !job.cancel.cancelled())
+    last_base_ = base, last_base_input_ = std::move(input);
+  return base;
+}
+
 Result<bool> EnvelopeSurfacer::make_field(Job& job) {
-  auto made = field_envelope(job.input, job.solids, job.out.origin, job.quality,
-                             job.dragged_level.value_or(0), job.cancel);
+  const auto base = base_of(job);
   if (job.cancel.cancelled()) return job.cancelled();
   // A folded surface, or one that has lost a solid, is no answer, unless the designer insists on the field.
+  // What is pulled by hand may fold it.
   const bool insists = job.input.settings.method == EnvelopeMethod::field;
-  if (!made && insists) return made.error();
-  if (!made) return false;
+  if (!base && insists) return base.error();
+  if (!base) return false;
+  const FieldEnvelope& unpulled = (*base)->envelope;
   const bool answers =
-      job.quality == Quality::final ? made->sound() : job.dragged_level || made->surface.folds == 0;
+      job.quality == Quality::final ? unpulled.sound() : job.dragged_level || unpulled.surface.folds == 0;
   if (!answers && !insists) return false;
-  if (made->distance > 0)
-    job.out.warnings.push_back(
-        make_warning(w_tightness_loose,
-                     "The surface keeps away from the solids by " + percent(made->distance) +
-                         " % of their size and fills narrow notches: a closer one folds or misses a solid.",
-                     "Move the solids apart or into each other, or choose smaller cells."));
-  if (!made->waists_followed)
-    job.out.warnings.push_back(
-        make_warning(w_waist_limited,
-                     "A bridge is not as thin or as thick as its waist asks for: the surface would fold "
-                     "or miss a solid, or it runs into others there.",
-                     "Choose a waist nearer to the usual one, or move the solids apart."));
+  auto made = field_envelope(**base, job.input, job.solids, job.out.origin, job.quality, job.cancel);
+  if (job.cancel.cancelled()) return job.cancelled();
+  if (!made) return made.error();
+  add_field_warnings(*made, job.out.warnings);
   job.out.network = nullptr;
   job.out.symmetric = job.symmetry != nullptr;  // a field's cage is its own image, or there is none
   job.out.level = made->level;
   job.out.components = made->components;
   job.out.tunnels = made->tunnels;
-  job.out.handles.bridges = std::move(made->bridges);
+  job.out.handles = std::move(made->handles);
   take_cage(std::move(made->surface), job.out);
   return true;
 }
@@ -190,7 +225,7 @@ Result<bool> EnvelopeSurfacer::make_valleys(Job& job) {
   }
   const EnvelopeSettings& wanted = job.input.settings;
   const bool insists = wanted.method == EnvelopeMethod::network;
-  const bool pulled = !wanted.offsets.empty() || !wanted.fullness.empty();
+  const bool pulled = has_network_pulls(wanted);
   EnclosureSettings unpulled = job.search();
   unpulled.offsets = nullptr;
   unpulled.fullness = nullptr;

@@ -10,6 +10,7 @@
 #include "core/envelope/enclosure_check.hpp"
 #include "core/envelope/envelope_handles.hpp"
 #include "core/envelope/envelope_route.hpp"
+#include "core/envelope/field_envelope.hpp"
 #include "core/envelope/hull_envelope.hpp"
 #include "core/envelope/valley_envelope.hpp"
 #include "core/patching/polyhedron_surface.hpp"
@@ -40,7 +41,7 @@ struct EnvelopeSurface {
   std::size_t folds = 0;  ///< patches with a fold
   int builds = 0;
   bool symmetric = false;   ///< in the plane of the settings
-  EnvelopeHandles handles;  ///< relative to `origin`; a field's cage has bridges only
+  EnvelopeHandles handles;  ///< relative to `origin`
   std::vector<Message> warnings;
 };
 
@@ -49,8 +50,8 @@ struct EnvelopeSurface {
 class EnvelopeSurfacer {
  public:
   /// Errors: those of `check_envelope`; E_ENVELOPE_FLAT. Warnings: W_NOT_ENCLOSED, W_ENVELOPE_FOLD,
-  /// W_TIGHTNESS_REDUCED, W_TIGHTNESS_LOOSE, W_WAIST_LIMITED, W_SOLID_HULL (a polyhedron with points inside
-  /// of its hull), W_NOT_SYMMETRIC.
+  /// W_TIGHTNESS_REDUCED, W_TIGHTNESS_LOOSE, W_WAIST_LIMITED, W_PULL_LIMITED, W_SOLID_HULL (a polyhedron
+  /// with points inside of its hull), W_NOT_SYMMETRIC.
   Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
                                   const CancelToken& cancel = {});
 
@@ -59,7 +60,9 @@ class EnvelopeSurfacer {
   /// False where the valleys cannot be followed.
   Result<bool> make_valleys(Job& job);
   /// False where every cage folds.
-  static Result<bool> make_field(Job& job);
+  Result<bool> make_field(Job& job);
+  /// That of the last final result, where it was made of the same.
+  Result<std::shared_ptr<const FieldBase>> base_of(const Job& job);
   Result<Done> make_hull(Job& job);
   Result<Done> take_network(Job& job, EnclosedNetwork found);
   /// Of the last result, where it was made of the same solids.
@@ -70,6 +73,8 @@ class EnvelopeSurfacer {
   int last_level_ = 0;
   ValleyAttempt last_attempt_;
   HullAttempt last_hull_;
+  EnvelopeInput last_base_input_;  ///< without waists and what was pulled
+  std::shared_ptr<const FieldBase> last_base_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> last_solids_;  ///< id and part
 };
 

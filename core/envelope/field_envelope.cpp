@@ -25,8 +25,9 @@ constexpr double slack_fillet = 2;  ///< of the cell: what a lower tightness add
 /// Vertices of a symmetric field are images of each other but for rounding and the ties that it breaks.
 constexpr double mirror_tolerance = 5e-3;  ///< of the diagonal
 
-/// Of the way to the wanted thickness of bars, by factors; the first that folds nowhere is taken.
-constexpr double waist_shares[] = {1, 0.6, 0.3};
+/// Of the way to the wanted thickness of bars, by factors, and of that to the wanted places of vertices; the
+/// first that can be gone is.
+constexpr double shares[] = {1, 0.6, 0.3};
 
 std::vector<std::vector<Index>> cage_loops(const PolygonMesh& cage) {
   std::vector<std::vector<Index>> out;
@@ -45,14 +46,21 @@ struct FieldAttempt {
   std::vector<double> cell;
 };
 
+PolygonMesh mesh_of(const Polyhedron& cage) {
+  PolygonMesh out;
+  out.positions = cage.positions();
+  const HalfEdgeMesh& mesh = cage.topology();
+  for (Index f = 0; f < mesh.face_count(); ++f) out.add_face(mesh.face_vertices(f));
+  return out;
+}
+
 struct FieldJob {
   const EnvelopeInput& input;
   std::span<const PlacedSolid> placed;
   const Vector3& origin;
   Quality quality;
   const CancelToken& cancel;
-  FieldScene scene;
-  std::vector<GridReference> references;
+  const FieldScene& scene;
 
   FieldCage cage(const FieldScene& of, std::span<const GridReference> by, const Rung& rung) const {
     return field_cage(of, by,
@@ -62,7 +70,7 @@ struct FieldJob {
   }
 
   /// Round the solids, or at a distance from them.
-  FieldCage cage(const Rung& rung) const {
+  FieldCage cage(const Rung& rung, std::span<const GridReference> references) const {
     if (rung.distance == 0) return cage(scene, references, rung);
     EnvelopeInput wide = input;
     wide.settings.clearance += rung.distance * scene.diagonal;
@@ -70,17 +78,21 @@ struct FieldJob {
     return cage(away, grid_references(away), rung);
   }
 
+  std::optional<CageMirror> mirror_of(const PolygonMesh& cage) const {
+    if (!scene.symmetry) return {};
+    return find_mirror(cage.positions, cage_loops(cage), *scene.symmetry, mirror_tolerance * scene.diagonal);
+  }
+
   /// Nothing where the cage has to be its own image and is not.
-  Result<std::optional<CageSurface>> surface_over(PolygonMesh cage, std::vector<double> cell) const {
+  Result<std::optional<CageSurface>> surface_over(PolygonMesh cage, std::vector<double> cell,
+                                                  std::vector<CageFullness> fullness = {}) const {
     CageSurfaceRequest request;
     request.cage = std::move(cage);
-    if (scene.symmetry) {
-      request.mirror = find_mirror(request.cage.positions, cage_loops(request.cage), *scene.symmetry,
-                                   mirror_tolerance * scene.diagonal);
-      if (!request.mirror) return std::optional<CageSurface>();
-      even(*request.mirror, request.cage.positions);
-    }
+    request.mirror = mirror_of(request.cage);
+    if (scene.symmetry && !request.mirror) return std::optional<CageSurface>();
+    if (request.mirror) even(*request.mirror, request.cage.positions);
     request.cell = std::move(cell);
+    request.fullness = std::move(fullness);
     request.origin = origin;
     request.diagonal = scene.diagonal;
     request.distances = scene.distances;
@@ -99,8 +111,8 @@ struct FieldJob {
   }
 
   /// Nothing where there is no cage, or none that is its own image.
-  Result<std::optional<FieldAttempt>> attempt(int level) const {
-    const FieldCage made_cage = cage(ladder[level]);
+  Result<std::optional<FieldAttempt>> attempt(int level, std::span<const GridReference> references) const {
+    const FieldCage made_cage = cage(ladder[level], references);
     if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
     if (made_cage.quads.empty()) return std::optional<FieldAttempt>();
     PolygonMesh mesh;
@@ -134,24 +146,58 @@ struct FieldJob {
     envelope.waists_followed = all_ringed;
     if (std::ranges::any_of(rings, wants)) {
       envelope.waists_followed = false;
-      for (const double share : waist_shares) {
+      for (const double share : shares) {
         if (!envelope.sound() && quality == Quality::final) break;
         std::vector<double> factors;
         for (const BarRing& ring : rings)
           factors.push_back(std::pow(wanted_thickness(input.settings, ring.solids), share));
         RingedCage ringed = ringed_cage(envelope.surface.cage, attempt.cell, rings, factors);
+        std::vector<double> cell = ringed.cell;
         auto made = surface_over(std::move(ringed.mesh), std::move(ringed.cell));
         if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
         if (!made || !*made || (*made)->folds > 0 || (quality == Quality::final && !encloses(**made)))
           continue;
         envelope.surface = *std::move(*made);
         envelope.enclosed = encloses(envelope.surface);
+        attempt.cell = std::move(cell);
         envelope.waists_followed = all_ringed && share == 1;
         rings = rings_now();
         break;
       }
     }
-    envelope.bridges = bridges_of(rings, input.settings);
+    envelope.handles.bridges = bridges_of(rings, input.settings);
+    return Done{};
+  }
+
+  /// What was pulled by hand. Rings may have added vertices; those go with the waist.
+  Result<Done> follow_pulls(FieldAttempt& attempt, const FieldBase& base) const {
+    FieldEnvelope& envelope = attempt.envelope;
+    const EnvelopeSettings& settings = input.settings;
+    const PolygonMesh first = mesh_of(base.envelope.surface.cage);
+    const std::optional<CageMirror> found = mirror_of(first);
+    const CageMirror* mirror = found ? &*found : nullptr;
+    const FieldNames names =
+        field_names({input.solids, scene.distances, first.positions, base.cell, mirror}, settings);
+    const FieldPulls pulls = field_pulls(names, envelope.surface.cage.topology(), settings, mirror);
+    envelope.pulls_followed = pulls.empty();
+    for (const double share : shares) {
+      if (envelope.pulls_followed) break;
+      PolygonMesh mesh = mesh_of(envelope.surface.cage);
+      std::vector<double> cell = attempt.cell;
+      for (Index v = 0; v < pulls.moves.size(); ++v) {
+        mesh.positions[v] += share * pulls.moves[v];
+        // As far as it was pulled into a solid it may be pushed out again.
+        cell[v] = std::max(cell[v], pulls.moves[v].norm());
+      }
+      auto made = surface_over(std::move(mesh), std::move(cell), pulls.fullness);
+      if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
+      if (!made || !*made) continue;
+      envelope.surface = *std::move(*made);
+      envelope.enclosed = encloses(envelope.surface);
+      envelope.pulls_followed = share == 1;
+      break;
+    }
+    add_field_handles(names, envelope.surface, settings, mirror, envelope.handles);
     return Done{};
   }
 
@@ -166,17 +212,17 @@ struct FieldJob {
 
 }  // namespace
 
-Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
-                                     const Vector3& origin, Quality quality, int level,
-                                     const CancelToken& cancel) {
-  FieldJob job{input, placed, origin, quality, cancel, field_scene(input, placed, origin), {}};
-  job.references = grid_references(job.scene);
+Result<FieldBase> field_base(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
+                             const Vector3& origin, Quality quality, int level, const CancelToken& cancel) {
+  FieldScene scene = field_scene(input, placed, origin);
+  const FieldJob job{input, placed, origin, quality, cancel, scene};
+  const std::vector<GridReference> references = grid_references(scene);
   std::optional<FieldAttempt> best;
   double least = 1e300;
   std::optional<Message> failure;
   for (; level < int(std::size(ladder)); ++level) {
     if (ladder[level].distance > 0 && best && best->envelope.sound()) break;
-    auto made = job.attempt(level);
+    auto made = job.attempt(level, references);
     if (!made) {
       failure = made.error();
       if (cancel.cancelled()) return *failure;
@@ -187,13 +233,20 @@ Result<FieldEnvelope> field_envelope(const EnvelopeInput& input, std::span<const
     if (const double bad = job.badness(one->envelope); bad < least) least = bad, best = std::move(one);
     if (least == 0 || quality == Quality::drag) break;
   }
-  if (best) {
-    if (const auto followed = job.follow_waists(*best); !followed) return followed.error();
-    return std::move(best->envelope);
-  }
+  if (best) return FieldBase{std::move(scene), std::move(best->envelope), std::move(best->cell)};
   if (failure) return *failure;
   return make_error(e_envelope_flat, "No cage was found round the solids.",
                     "Make the thinnest solid thicker, or choose the network.");
+}
+
+Result<FieldEnvelope> field_envelope(const FieldBase& base, const EnvelopeInput& input,
+                                     std::span<const PlacedSolid> placed, const Vector3& origin,
+                                     Quality quality, const CancelToken& cancel) {
+  const FieldJob job{input, placed, origin, quality, cancel, base.scene};
+  FieldAttempt out{base.envelope, base.cell};
+  if (const auto followed = job.follow_waists(out); !followed) return followed.error();
+  if (const auto followed = job.follow_pulls(out, base); !followed) return followed.error();
+  return std::move(out.envelope);
 }
 
 }  // namespace hariko

@@ -9,7 +9,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double pi = std::numbers::pi, degree = pi / 180;
+constexpr double degree = std::numbers::pi / 180;
 constexpr double widest_sector = 150 * degree, narrowest_sector = 20 * degree;
 constexpr double parabola_angle = 18 * degree;
 
@@ -116,8 +116,8 @@ class FaceSplitter {
     for (const double s : sector) total += s;
     // Sectors that go round once; else the loop winds differently round the centre and even sectors are
     // wanted.
-    const bool once = std::abs(total - 2 * pi) < 1e-6;
-    const double even = 2 * pi / double(n);
+    const bool once = std::abs(total - 2 * std::numbers::pi) < 1e-6;
+    const double even = 2 * std::numbers::pi / double(n);
     const double narrow = std::min(narrowest_sector, 0.6 * even);
     const auto good = [&](double blend) {
       return std::all_of(sector.begin(), sector.end(), [&](double s) {

@@ -9,7 +9,7 @@ namespace {
 
 /// Valleys are found from either side: their vertices are images of each other only so far, over the
 /// diagonal (spec 13b: up to 8e-4).
-constexpr double tolerance = 5e-3;
+constexpr double symmetry_tolerance = 5e-3;
 
 void even_frames(NetworkCage& cage, const SceneSymmetry& symmetry, std::span<const PlacedSolid> solids) {
   const CageMirror& mirror = *cage.mirror;
@@ -58,7 +58,7 @@ void make_symmetric(NetworkCage& cage, const SceneSymmetry& symmetry, std::span<
   std::vector<std::vector<Index>> loops;
   for (const CageVertex& vertex : cage.vertices) positions.push_back(vertex.position);
   for (const CageFace& face : cage.faces) loops.push_back(face.loop);
-  cage.mirror = find_mirror(positions, loops, symmetry.axis, tolerance * diagonal);
+  cage.mirror = find_mirror(positions, loops, symmetry.axis, symmetry_tolerance * diagonal);
   if (!cage.mirror) return;
   even_frames(cage, symmetry, solids);
   even_owners(cage);

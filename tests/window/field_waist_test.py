@@ -59,12 +59,12 @@ def type_waist(window, output):
         window.screenshot(os.path.join(output, f"field_waist_{text}.png"))
 
 
-def rings_stay_beside_handles(window):
-    """A field has no curves to pull, so asking for them does not take the rings away."""
+def rings_make_room_for_handles(window):
     window.key("alt+n")
+    window.wait(lambda: "waist.0-1" not in window.last("layout")["rects"], "handles in place of rings")
     window.wait_idle()
-    check("waist.0-1" in window.last("layout")["rects"], "asking for curves took the ring away")
     window.key("alt+n")
+    window.wait(lambda: "waist.0-1" in window.last("layout")["rects"], "rings again")
     window.wait_idle()
 
 
@@ -77,7 +77,7 @@ def session(program, _source, output):
         try:
             drag_ring(window, output)
             type_waist(window, output)
-            rings_stay_beside_handles(window)
+            rings_make_room_for_handles(window)
         finally:
             window.close()
 

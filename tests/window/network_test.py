@@ -1,5 +1,5 @@
 """Curves round solids pulled by hand: vertices and curves dragged, put back by a double click and by the panel, kept
-while a solid moves; the same in a valley."""
+while a solid moves; the same in a valley, and on a field's cage."""
 
 import os
 
@@ -135,6 +135,35 @@ def drag_in_valley(window, output):
     check(abs(back[0] - start[0]) + abs(back[1] - start[1]) < 2, f"the reset left the vertex elsewhere: {start} {back}")
 
 
+def drag_on_field(window, output):
+    """Crowds have handles as well: those of the selected solids, where all of them would be too many."""
+    window.key("alt+n")
+    window.wait(lambda: handles(window, "vertex") and handles(window, "curve"), "handles on the field's cage")
+    window.wait_idle()
+    window.screenshot(os.path.join(output, "network_field_before.png"))
+    name = in_the_middle(window, handles(window, "vertex"))
+    start = window.center(name)
+    window.drag(start, (start[0] + 20, start[1] - 40), before_release=lambda: window.screenshot(
+        os.path.join(output, "network_field_dragged.png")))
+    window.wait(lambda: position(window) == 1, "a dragged vertex of a field's cage")
+    window.wait_idle()
+    now = window.center(name)
+    check(abs(now[0] - start[0] - 20) + abs(now[1] - start[1] + 40) < 8,
+          f"the vertex did not follow the pointer: {start} {now}")
+    window.screenshot(os.path.join(output, "network_field.png"))
+    curve = in_the_middle(window, handles(window, "curve"))
+    x, y = window.center(curve)
+    window.drag((x, y), (x + 16, y - 16))
+    window.wait(lambda: position(window) == 2, "a dragged curve of a field's cage")
+    window.wait_idle()
+    check(label(window) == "Fullness of curve", "the drag made the step " + label(window))
+    window.click_on("button.reset_network")
+    window.wait(lambda: label(window) == "Reset curves of solids", "the reset of all")
+    window.wait_idle()
+    back = window.center(name)
+    check(abs(back[0] - start[0]) + abs(back[1] - start[1]) < 2, f"the reset left the vertex elsewhere: {start} {back}")
+
+
 def session(program, source, output):
     window = Window(program, os.path.join(source, "assets", "samples", "solids_four.hariko"), size=(1280, 800))
     try:
@@ -150,6 +179,11 @@ def session(program, source, output):
     window = Window(program, os.path.join(source, "assets", "samples", "solids_l.hariko"), size=(1280, 800))
     try:
         drag_in_valley(window, output)
+    finally:
+        window.close()
+    window = Window(program, os.path.join(source, "assets", "samples", "solids_camera.hariko"), size=(1280, 800))
+    try:
+        drag_on_field(window, output)
     finally:
         window.close()
 

@@ -185,8 +185,6 @@ void network_rows(PanelContext& context, const Object& object) {
   const bool selected = !editor.selection.of(object.id).vertices.empty();
   if (!selected && view->handles.vertices.size() + view->handles.curves.size() > NetworkHandles::most_handles)
     hint_text(context, "There are many handles: select some of the solids, or zoom in, to see theirs.");
-  if (view->handles.vertices.empty())
-    hint_text(context, "A surface on a field has no curves to pull. Choose Curves as the method.");
 }
 
 // Solids.
