@@ -235,13 +235,17 @@ RingedCage ringed_cage(const Polyhedron& cage, std::span<const double> cell, std
 }
 
 double wanted_thickness(const EnvelopeSettings& settings, const SolidPair& solids) {
-  return std::clamp(settings.waist / usual_waist * settings.waists.get_or(solids, 1.0), slimmest, thickest);
+  return std::clamp(thickness_growth(settings) * settings.waists.get_or(solids, 1.0), slimmest, thickest);
+}
+
+double thickness_growth(const EnvelopeSettings& settings) {
+  return settings.waist / usual_waist;
 }
 
 std::vector<EnvelopeBridge> bridges_of(std::span<const BarRing> rings, const EnvelopeSettings& settings) {
   std::vector<EnvelopeBridge> out;
   for (const BarRing& ring : rings) {
-    const double growth = settings.waist / usual_waist / wanted_thickness(settings, ring.solids);
+    const double growth = thickness_growth(settings) / wanted_thickness(settings, ring.solids);
     for (const RingPoint& p : ring.points)
       out.push_back({ring.solids, p.position, p.outward, growth * (p.position - ring.centre)});
   }

@@ -45,9 +45,12 @@ struct RingedCage {
 RingedCage ringed_cage(const Polyhedron& cage, std::span<const double> cell, std::span<const BarRing> rings,
                        std::span<const double> factors);
 
-/// How thick a bar is to be, where 1 is what the solids suggest: the waist over the usual one, and the factor
-/// of the pair. [0.25, 2].
+/// How thick a bar, or wide a fillet, is to be, where 1 is what the solids suggest: the waist over the usual
+/// one, and the factor of the pair. [0.25, 2].
 double wanted_thickness(const EnvelopeSettings& settings, const SolidPair& solids);
+
+/// What `wanted_thickness` grows by while the pair's factor grows by one.
+double thickness_growth(const EnvelopeSettings& settings);
 
 /// A handle at each point.
 std::vector<EnvelopeBridge> bridges_of(std::span<const BarRing> rings, const EnvelopeSettings& settings);

@@ -168,7 +168,7 @@ Result<std::shared_ptr<const FieldBase>> EnvelopeSurfacer::base_of(const Job& jo
   input.settings.waists = {};
   input.settings.fullness = {};
   input.settings.offsets = {};
-  if (last_base_ && input == last_base_input_) return last_base_;
+  if (last_base_ && input == last_base_input_ && suits(*last_base_, job.input)) return last_base_;
   auto made = field_base(job.input, job.solids, job.out.origin, job.quality, job.dragged_level.value_or(0),
                          job.cancel);
   if (!made) return made.error();

@@ -55,7 +55,7 @@ class CageBuilder {
     with_request([&](const GridRequest& request) { chosen = choose_grid(request, reference, cancel); });
     if (!chosen) return false;
     cell_ = chosen->cell;
-    UnionField field(local_, settings_.fillet * cell_);
+    UnionField field(local_, settings_.fillet * cell_, fillets());
     field_ = &field;
     const std::function<bool(const Vector3&)> inside = [&](const Vector3& p) {
       return field(p) < chosen->offset;
@@ -96,6 +96,19 @@ class CageBuilder {
     half_ = 0.5 * (high - low);
     for (const Index s : cluster_.solids) local_.push_back(scene_.distances[s].in_frame(axes_, origin_));
     for (const FieldBar& bar : cluster_.bars) local_.push_back(bar.distance.in_frame(axes_, origin_));
+  }
+
+  /// Numbered as in the cluster. Bars come after the solids and have none.
+  UnionField::Factors fillets() const {
+    UnionField::Factors out;
+    for (Index i = 0; i < cluster_.solids.size(); ++i)
+      for (Index j = i + 1; j < cluster_.solids.size(); ++j) {
+        const auto found = scene_.fillets.find(std::minmax(cluster_.solids[i], cluster_.solids[j]));
+        if (found == scene_.fillets.end() || found->second == 1) continue;
+        const double more = slack_fillet / std::max(settings_.fillet, 1e-3);
+        out[{i, j}] = found->second < 1 ? found->second : 1 + (found->second - 1) * more;
+      }
+    return out;
   }
 
   /// The request's functions hold only during the call.

@@ -34,6 +34,9 @@ struct FieldScene {
   std::vector<std::vector<Vector3>> points;  ///< test points of each
   double diagonal = 1;
   std::vector<FieldCluster> clusters;
+  /// Of solids that touch, by their numbers: how wide the fillet in their notch is to be. Below 1 it is so
+  /// much of what the settings of the cage say, 2 adds `slack_fillet`.
+  UnionField::Factors fillets;
   std::optional<Eigen::Index> symmetry = {};  ///< axis across the plane through zero that halves the scene
 };
 
@@ -41,6 +44,9 @@ struct FieldScene {
 /// are bridged.
 FieldScene field_scene(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
                        const Vector3& origin);
+
+/// Of the cell: what the lowest tightness adds to fillets, and the largest waist.
+inline constexpr double slack_fillet = 2;
 
 struct FieldCageSettings {
   double fillet = 0.5;     ///< over the cell

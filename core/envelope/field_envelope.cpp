@@ -5,6 +5,7 @@
 
 #include "core/envelope/bar_rings.hpp"
 #include "core/envelope/envelope.hpp"
+#include "core/envelope/fillet_bridges.hpp"
 
 namespace hariko {
 
@@ -19,8 +20,6 @@ struct Rung {
 constexpr Rung ladder[] = {{0.5, 0.7, 1, 400},       {1, 0.7, 1, 400},     {1, 0.2, 1, 400},
                            {0.7, 0.7, 0.8, 400},     {1, 0.7, 1, 220},     {1.5, 0.2, 1.2, 280},
                            {1.5, 0.2, 1, 280, 0.01}, {3, 0, 1, 280, 0.02}, {4, 0, 1.2, 200, 0.05}};
-
-constexpr double slack_fillet = 2;  ///< of the cell: what a lower tightness adds to the fillets
 
 /// Vertices of a symmetric field are images of each other but for rounding and the ties that it breaks.
 constexpr double mirror_tolerance = 5e-3;  ///< of the diagonal
@@ -44,6 +43,7 @@ double miss_of(const CageSurface& surface) {
 struct FieldAttempt {
   FieldEnvelope envelope;
   std::vector<double> cell;
+  std::vector<BarRing> rings = {};
 };
 
 PolygonMesh mesh_of(const Polyhedron& cage) {
@@ -62,11 +62,14 @@ struct FieldJob {
   const CancelToken& cancel;
   const FieldScene& scene;
 
+  double fillet_of(const Rung& rung) const {
+    return rung.fillet + slack_fillet * (1 - input.settings.tightness);
+  }
+
   FieldCage cage(const FieldScene& of, std::span<const GridReference> by, const Rung& rung) const {
-    return field_cage(of, by,
-                      {rung.fillet + slack_fillet * (1 - input.settings.tightness), rung.crispness,
-                       rung.detail * input.settings.cage_detail, rung.budget},
-                      cancel);
+    return field_cage(
+        of, by, {fillet_of(rung), rung.crispness, rung.detail * input.settings.cage_detail, rung.budget},
+        cancel);
   }
 
   /// Round the solids, or at a distance from them.
@@ -126,16 +129,22 @@ struct FieldJob {
                       made_cage.components,    made_cage.tunnels,
                       made_cage.wanted_tunnels};
     out.enclosed = encloses(out.surface);
+    out.fillet = fillet_of(ladder[level]);
     return std::optional<FieldAttempt>({std::move(out), made_cage.cell});
+  }
+
+  std::vector<FieldBar> all_bars() const {
+    std::vector<FieldBar> out;
+    for (const FieldCluster& cluster : scene.clusters)
+      out.insert(out.end(), cluster.bars.begin(), cluster.bars.end());
+    return out;
   }
 
   /// Draws the bars' rings in, or widens them, as far as the surface stays sound. Of one that is not sound
   /// anyway bars stay as they are.
   Result<Done> follow_waists(FieldAttempt& attempt) const {
     FieldEnvelope& envelope = attempt.envelope;
-    std::vector<FieldBar> bars;
-    for (const FieldCluster& cluster : scene.clusters)
-      bars.insert(bars.end(), cluster.bars.begin(), cluster.bars.end());
+    const std::vector<FieldBar> bars = all_bars();
     const auto rings_now = [&] {
       return bar_rings(bars, envelope.surface.cage, envelope.surface.made.surface);
     };
@@ -165,7 +174,7 @@ struct FieldJob {
         break;
       }
     }
-    envelope.handles.bridges = bridges_of(rings, input.settings);
+    attempt.rings = std::move(rings);
     return Done{};
   }
 
@@ -195,10 +204,19 @@ struct FieldJob {
       envelope.surface = *std::move(*made);
       envelope.enclosed = encloses(envelope.surface);
       envelope.pulls_followed = share == 1;
+      attempt.rings = bar_rings(all_bars(), envelope.surface.cage, envelope.surface.made.surface);
       break;
     }
     add_field_handles(names, envelope.surface, settings, mirror, envelope.handles);
     return Done{};
+  }
+
+  void add_bridges(FieldAttempt& attempt) const {
+    FieldEnvelope& envelope = attempt.envelope;
+    envelope.handles.bridges = bridges_of(attempt.rings, input.settings);
+    const auto more = fillet_bridges(scene, input, envelope.surface, attempt.cell, envelope.fillet,
+                                     envelope.distance * scene.diagonal);
+    envelope.handles.bridges.insert(envelope.handles.bridges.end(), more.begin(), more.end());
   }
 
   /// 0 for what is wanted; what is not sound comes last.
@@ -211,6 +229,14 @@ struct FieldJob {
 };
 
 }  // namespace
+
+bool suits(const FieldBase& base, const EnvelopeInput& input) {
+  return std::ranges::all_of(base.scene.fillets, [&](const auto& fillet) {
+    const auto& [a, b] = fillet.first;
+    return fillet.second ==
+           wanted_thickness(input.settings, SolidPair::of(input.solids[a].id, input.solids[b].id));
+  });
+}
 
 Result<FieldBase> field_base(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
                              const Vector3& origin, Quality quality, int level, const CancelToken& cancel) {
@@ -246,6 +272,7 @@ Result<FieldEnvelope> field_envelope(const FieldBase& base, const EnvelopeInput&
   FieldAttempt out{base.envelope, base.cell};
   if (const auto followed = job.follow_waists(out); !followed) return followed.error();
   if (const auto followed = job.follow_pulls(out, base); !followed) return followed.error();
+  job.add_bridges(out);
   return std::move(out.envelope);
 }
 

@@ -25,12 +25,13 @@ struct FieldEnvelope {
   bool enclosed = false;  ///< within the tolerance, by the independent check where there was one
   int components = 0, tunnels = 0, wanted_tunnels = 0;
   EnvelopeHandles handles = {};  ///< bridges on the bars through gaps; the cage's
+  double fillet = 0;             ///< in notches, over the cell, where no waist asks for another
   bool waists_followed = true;   ///< else the surface would fold or miss a solid, or a bar has no ring
   bool pulls_followed = true;    ///< else there is no surface with vertices that far
   bool sound() const { return enclosed && surface.folds == 0; }
 };
 
-/// What does not depend on waists and on what was pulled by hand.
+/// What does not depend on the waists of bars and on what was pulled by hand.
 struct FieldBase {
   FieldScene scene;
   FieldEnvelope envelope;    ///< without handles
@@ -43,6 +44,9 @@ struct FieldBase {
 Result<FieldBase> field_base(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
                              const Vector3& origin, Quality quality, int level = 0,
                              const CancelToken& cancel = {});
+
+/// Whether the base of solids that were placed alike has fillets as wide as `input` asks for.
+bool suits(const FieldBase& base, const EnvelopeInput& input);
 
 /// With waists and pulls as `input` has them; all else is that of the base. What is pulled may fold the
 /// surface.

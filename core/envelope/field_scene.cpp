@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/envelope/bar_rings.hpp"
 #include "core/envelope/field_cage.hpp"
 #include "core/envelope/network_cage.hpp"
 
@@ -21,8 +22,8 @@ struct Gap {
 
 class Clustering {
  public:
-  Clustering(FieldScene& scene, std::span<const Solid> solids)
-      : scene_(scene), solids_(solids), parent_(scene.distances.size()) {
+  Clustering(FieldScene& scene, const EnvelopeInput& input)
+      : scene_(scene), solids_(input.solids), settings_(input.settings), parent_(scene.distances.size()) {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
@@ -36,6 +37,7 @@ class Clustering {
       const bool apart = find(gap.a) != find(gap.b);
       if (gap.distance < touching * least) {
         join(gap);
+        scene_.fillets[std::minmax(gap.a, gap.b)] = wanted_fillet(gap);
       } else if (apart && gap.distance <= bridged * thin) {
         join(gap);
         bars.push_back({gap, true});
@@ -101,6 +103,10 @@ class Clustering {
     return true;
   }
 
+  double wanted_fillet(const Gap& gap) const {
+    return wanted_thickness(settings_, SolidPair::of(solids_[gap.a].id, solids_[gap.b].id));
+  }
+
   FieldBar bar(const Gap& gap) const {
     const double radius = bar_radius * thinner(gap);
     const auto end = [&](Index a, Index b) {
@@ -118,6 +124,7 @@ class Clustering {
 
   FieldScene& scene_;
   std::span<const Solid> solids_;
+  const EnvelopeSettings& settings_;
   std::vector<Index> parent_;
   std::vector<Gap> gaps_;
 };
@@ -135,7 +142,7 @@ FieldScene field_scene(const EnvelopeInput& input, std::span<const PlacedSolid> 
   scene.diagonal = scene_diagonal(placed);
   if (input.settings.symmetry != SymmetryPlane::none)
     scene.symmetry = static_cast<Eigen::Index>(input.settings.symmetry) - 1;
-  Clustering(scene, input.solids).run();
+  Clustering(scene, input).run();
   return scene;
 }
 

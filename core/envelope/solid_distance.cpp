@@ -349,35 +349,48 @@ double SolidDistance::support(const Vector3& direction) const {
   return direction.dot(centre_) + out;
 }
 
+UnionField::UnionField(std::vector<SolidDistance> solids, double fillet, Factors factors)
+    : solids_(std::move(solids)), fillet_(fillet), largest_fillet_(fillet), factors_(std::move(factors)) {
+  for (const auto& [pair, factor] : factors_) largest_fillet_ = std::max(largest_fillet_, factor * fillet);
+}
+
+double UnionField::fillet_of(Index a, Index b) const {
+  if (factors_.empty()) return fillet_;
+  const auto found = factors_.find(std::minmax(a, b));
+  return found == factors_.end() ? fillet_ : found->second * fillet_;
+}
+
 double UnionField::operator()(const Vector3& point) const {
   struct Near {
     double distance;
-    const SolidDistance* solid;
+    Index solid;
   };
   std::array<Near, 4> near;
-  near.fill({1e300, nullptr});
-  for (const SolidDistance& solid : solids_) {
+  near.fill({1e300, no_index});
+  for (Index s = 0; s < solids_.size(); ++s) {
+    const SolidDistance& solid = solids_[s];
     // Beyond the fillet's reach a solid means nothing.
     const double bound = (point - solid.centre()).norm() - solid.reach();
-    if (bound > near[3].distance || (bound > fillet_ && bound > near[0].distance)) continue;
+    if (bound > near[3].distance || (bound > largest_fillet_ && bound > near[0].distance)) continue;
     const double d = solid(point);
     if (d >= near[3].distance) continue;
     std::size_t at = 3;
     while (at > 0 && near[at - 1].distance > d) near[at] = near[at - 1], --at;
-    near[at] = {d, &solid};
+    near[at] = {d, s};
   }
   double out = near[0].distance;
-  if (!(near[1].distance < fillet_) || !(near[0].distance > -fillet_)) return out;
+  if (!(near[1].distance < largest_fillet_) || !(near[0].distance > -largest_fillet_)) return out;
   std::array<Vector3, 4> gradient;
   std::array<bool, 4> known{};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {
       const double a = near[i].distance, b = near[j].distance;
-      if (!(a < fillet_) || !(b < fillet_)) continue;
+      const double fillet = b < largest_fillet_ ? fillet_of(near[i].solid, near[j].solid) : 0;
+      if (!(a < fillet) || !(b < fillet)) continue;
       for (const std::size_t m : {i, j})
-        if (!known[m]) gradient[m] = near[m].solid->gradient(point), known[m] = true;
+        if (!known[m]) gradient[m] = solids_[near[m].solid].gradient(point), known[m] = true;
       const double x = std::clamp((1 - gradient[i].dot(gradient[j])) / 0.7, 0.0, 1.0);
-      const double k = fillet_ * (3 * x * x - 2 * x * x * x);
+      const double k = fillet * (3 * x * x - 2 * x * x * x);
       out =
           std::min(out, std::max(k, std::min(a, b)) - std::hypot(std::max(k - a, 0.0), std::max(k - b, 0.0)));
     }

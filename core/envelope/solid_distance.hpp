@@ -2,6 +2,7 @@
 
 // Signed distances to solids, and the rounded union of them (docs/envelope.md, spec 16.2).
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -55,8 +56,11 @@ class SolidDistance {
 /// Zero on a surface round the solids that fills their notches with fillets of radius `fillet`.
 class UnionField {
  public:
-  UnionField(std::vector<SolidDistance> solids, double fillet)
-      : solids_(std::move(solids)), fillet_(fillet) {}
+  /// Of two solids, by their numbers, with the lower one first: their fillet's radius over that of the
+  /// others.
+  using Factors = std::map<std::pair<Index, Index>, double>;
+
+  UnionField(std::vector<SolidDistance> solids, double fillet, Factors factors = {});
 
   /// Never above the least of the distances.
   double operator()(const Vector3& point) const;
@@ -65,8 +69,11 @@ class UnionField {
   Vector3 projected(Vector3 point, int steps, double step) const;
 
  private:
+  double fillet_of(Index a, Index b) const;
+
   std::vector<SolidDistance> solids_;
-  double fillet_;
+  double fillet_, largest_fillet_;
+  Factors factors_;
 };
 
 }  // namespace hariko

@@ -1,4 +1,5 @@
-"""The waist of a bar through a gap, on a surface over a field's cage: its ring is dragged, typed and undone."""
+"""The waist of a bar through a gap, on a surface over a field's cage: its ring is dragged, typed and undone; and that
+of a notch between solids that touch."""
 
 import json
 import os
@@ -68,7 +69,24 @@ def rings_make_room_for_handles(window):
     window.wait_idle()
 
 
-def session(program, _source, output):
+def drag_notch(window, output):
+    """Where solids touch the ring lies in their notch, which fills as it is drawn out."""
+    window.wait(lambda: "waist.0-1" in window.last("layout")["rects"], "a ring in the notch")
+    window.wait_idle()
+    window.screenshot(os.path.join(output, "field_notch_before.png"))
+    x, y = window.center("waist.0-1")
+    window.drag((x, y), (x + 30, y - 30), before_release=lambda: window.screenshot(
+        os.path.join(output, "field_notch_dragged.png")))
+    window.wait(lambda: position(window) == 1, "a dragged notch")
+    window.wait_idle()
+    check(label(window) == "Waist of bridge", "the drag made the step " + label(window))
+    window.screenshot(os.path.join(output, "field_notch_after.png"))
+    window.key("ctrl+z")
+    window.wait(lambda: position(window) == 0, "undo of the waist")
+    window.wait_idle()
+
+
+def session(program, source, output):
     with tempfile.TemporaryDirectory() as folder:
         scene = os.path.join(folder, "gap.json")
         with open(scene, "w", encoding="utf-8") as file:
@@ -80,6 +98,11 @@ def session(program, _source, output):
             rings_make_room_for_handles(window)
         finally:
             window.close()
+    window = Window(program, os.path.join(source, "assets", "samples", "solids_camera.hariko"), size=(1280, 800))
+    try:
+        drag_notch(window, output)
+    finally:
+        window.close()
 
 
 run(session)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "ui/shown_surfaces.hpp"
 #include "ui/tools/nearest_handle.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 
@@ -30,21 +29,6 @@ std::string text_of(const NetworkVertexKey& key) {
 
 }  // namespace
 
-void NetworkHandles::look(const Editor& editor) {
-  if (editor.view.x_ray || editor.selecting.through) return sight_.reset();
-  std::vector<SceneObject> surfaces = shown_surfaces(editor);
-  const auto section = section_plane(editor.view);
-  const auto same = [](const SceneObject& a, const SceneObject& b) {
-    return a.mesh == b.mesh && a.transform == b.transform;
-  };
-  if (sight_ && sight_->camera == editor.camera() && sight_->viewport == editor.viewport &&
-      sight_->section == section && std::ranges::equal(sight_->surfaces, surfaces, same))
-    return;
-  SurfaceOcclusion occlusion(surfaces, section, Projector(editor.camera(), editor.viewport),
-                             4 * editor.pixel_scale);
-  sight_.emplace(Sight{editor.camera(), editor.viewport, section, std::move(surfaces), std::move(occlusion)});
-}
-
 void NetworkHandles::update(const Editor& editor) {
   handles_.clear();
   const Object* object = editor.has_document ? editor.active_object() : nullptr;
@@ -56,7 +40,7 @@ void NetworkHandles::update(const Editor& editor) {
   const EnvelopeSettings& settings = object->solids()->input->settings;
   const std::set<VertexId>& selected = editor.selection.of(object->id).vertices;
   const Projector projector(editor.camera(), editor.viewport);
-  look(editor);
+  sight_.look(editor);
   const auto shows = [&](const Vector2& pixel) {
     return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= editor.viewport.width &&
            pixel.y() <= editor.viewport.height;
@@ -65,7 +49,7 @@ void NetworkHandles::update(const Editor& editor) {
     const Vector3 world = object->transform.apply(point);
     const auto at = projector.project(world);
     if (!at || (object->transform.rotation * outward).dot(projector.ray(at->head<2>()).direction) > 0 ||
-        (sight_ && sight_->occlusion.hides(world)) || !shows(at->head<2>()))
+        sight_.hides(world) || !shows(at->head<2>()))
       return {};
     return at->head<2>();
   };

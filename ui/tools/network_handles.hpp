@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/envelope/envelope_handles.hpp"
-#include "render/surface_occlusion.hpp"
 #include "ui/marks.hpp"
+#include "ui/tools/handle_sight.hpp"
 #include "ui/tools/tool.hpp"
 
 namespace hariko {
@@ -42,18 +42,8 @@ class NetworkHandles {
     Vector2 at;    ///< pixels
     bool changed;  ///< by hand
   };
-  /// What surfaces hide, as long as neither they nor the view change.
-  struct Sight {
-    Camera camera;
-    PixelSize viewport;
-    std::optional<SectionPlane> section;
-    std::vector<SceneObject> surfaces;
-    SurfaceOcclusion occlusion;
-  };
-  void look(const Editor& editor);
-
   std::vector<Shown> handles_;
-  std::optional<Sight> sight_;
+  HandleSight sight_;
 };
 
 /// Draws a handle; `changed` ones are filled.

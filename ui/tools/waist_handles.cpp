@@ -29,6 +29,7 @@ void WaistHandles::update(const Editor& editor) {
   if (editor.view.network_handles && !view->handles.curves.empty()) return;
   const std::set<VertexId>& selected = editor.selection.of(object->id).vertices;
   const Projector projector(editor.camera(), editor.viewport);
+  if (!view->handles.bridges.empty()) sight_.look(editor);
   std::map<SolidPair, Handle> best;
   for (const EnvelopeBridge& bridge : view->handles.bridges) {
     const SolidPair& pair = bridge.solids;
@@ -42,7 +43,7 @@ void WaistHandles::update(const Editor& editor) {
     if ((object->transform.rotation * bridge.outward).dot(projector.ray(at->head<2>()).direction) > 0)
       continue;
     const Handle handle{bridge, at->head<2>(), to->head<2>() - at->head<2>()};
-    if (handle.way.norm() < least_way * editor.pixel_scale) continue;
+    if (handle.way.norm() < least_way * editor.pixel_scale || sight_.hides(middle)) continue;
     const auto [known, fresh] = best.try_emplace(pair, handle);
     if (!fresh && handle.way.norm() > known->second.way.norm()) known->second = handle;
   }

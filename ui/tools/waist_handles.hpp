@@ -8,12 +8,13 @@
 
 #include "core/envelope/envelope_handles.hpp"
 #include "ui/marks.hpp"
+#include "ui/tools/handle_sight.hpp"
 #include "ui/tools/tool.hpp"
 
 namespace hariko {
 
-/// Keeps where the rings are between frames: one for each pair of solids, on the curve between them that
-/// looks at the eye and moves most. With a selection only bridges of selected solids have rings. Bridges
+/// Keeps where the rings are between frames: one for each pair of solids, where it can be seen and
+/// moves most. With a selection only bridges of selected solids have rings. Bridges
 /// whose curves stay where they are whatever the waist have none.
 class WaistHandles {
  public:
@@ -36,6 +37,7 @@ class WaistHandles {
     Vector2 at, way;  ///< pixels; the way for a factor that grows by one
   };
   std::vector<Handle> handles_;
+  HandleSight sight_;
 };
 
 /// Draws the ring of a bridge, with arrows along the pixels in which it moves.
