@@ -169,8 +169,10 @@ Result<std::shared_ptr<const FieldBase>> EnvelopeSurfacer::base_of(const Job& jo
   input.settings.fullness = {};
   input.settings.offsets = {};
   if (last_base_ && input == last_base_input_ && suits(*last_base_, job.input)) return last_base_;
-  auto made = field_base(job.input, job.solids, job.out.origin, job.quality, job.dragged_level.value_or(0),
-                         job.cancel);
+  FieldStart start;
+  if (job.dragged_level) start.level = *job.dragged_level;
+  if (job.dragged_level && last_base_) start.grids = last_base_->grids;
+  auto made = field_base(job.input, job.solids, job.out.origin, job.quality, start, job.cancel);
   if (!made) return made.error();
   auto base = std::make_shared<const FieldBase>(std::move(made).value());
   if (job.quality == Quality::final && !job.cancel.cancelled())

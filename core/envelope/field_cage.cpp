@@ -50,15 +50,20 @@ class CageBuilder {
   }
 
   /// Appends to the cage; false where there is none.
-  bool build(const GridReference& reference, FieldCage& out, const CancelToken& cancel) {
+  bool build(const GridReference& reference, const GridChoice* known, FieldCage& out,
+             const CancelToken& cancel) {
     std::optional<ChosenGrid> chosen;
-    with_request([&](const GridRequest& request) { chosen = choose_grid(request, reference, cancel); });
+    with_request([&](const GridRequest& request) {
+      if (known) chosen = same_grid(request, reference, *known);
+      if (!chosen) chosen = choose_grid(request, reference, cancel);
+    });
     if (!chosen) return false;
-    cell_ = chosen->cell;
+    out.grids.push_back(chosen->choice);
+    cell_ = chosen->choice.cell;
     UnionField field(local_, settings_.fillet * cell_, fillets());
     field_ = &field;
     const std::function<bool(const Vector3&)> inside = [&](const Vector3& p) {
-      return field(p) < chosen->offset;
+      return field(p) < chosen->choice.offset;
     };
     contour_ = contour(chosen->grid, inside);
     if (contour_.quads.empty()) return false;
@@ -294,10 +299,14 @@ int tunnels_of(const FieldScene& scene) {
 }
 
 FieldCage field_cage(const FieldScene& scene, std::span<const GridReference> references,
-                     const FieldCageSettings& settings, const CancelToken& cancel) {
+                     const FieldCageSettings& settings, const CancelToken& cancel,
+                     std::span<const GridChoice> known) {
   FieldCage out;
+  const bool same = known.size() == scene.clusters.size();
   for (std::size_t c = 0; c < scene.clusters.size(); ++c)
-    if (!CageBuilder(scene, scene.clusters[c], settings).build(references[c], out, cancel)) return {};
+    if (!CageBuilder(scene, scene.clusters[c], settings)
+             .build(references[c], same ? &known[c] : nullptr, out, cancel))
+      return {};
   return out;
 }
 

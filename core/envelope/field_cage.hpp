@@ -60,6 +60,7 @@ struct FieldCage {
   std::vector<std::array<Index, 4>> quads;
   std::vector<double> cell;  ///< one a vertex
   int components = 0, tunnels = 0, wanted_tunnels = 0;
+  std::vector<GridChoice> grids;  ///< one a cluster
 };
 
 /// What the grids of each cluster are measured by. The same for all settings.
@@ -68,8 +69,10 @@ std::vector<GridReference> grid_references(const FieldScene& scene);
 /// Holes through the solids with their bridges.
 int tunnels_of(const FieldScene& scene);
 
-/// `references`: those of the scene. Empty where a cluster is met by no grid.
+/// `references`: those of the scene. Empty where a cluster is met by no grid. `known`: the grids of the same
+/// clusters a moment ago, which serve again where they can; or none.
 FieldCage field_cage(const FieldScene& scene, std::span<const GridReference> references,
-                     const FieldCageSettings& settings, const CancelToken& cancel = {});
+                     const FieldCageSettings& settings, const CancelToken& cancel = {},
+                     std::span<const GridChoice> known = {});
 
 }  // namespace hariko

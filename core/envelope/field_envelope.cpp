@@ -43,6 +43,7 @@ double miss_of(const CageSurface& surface) {
 struct FieldAttempt {
   FieldEnvelope envelope;
   std::vector<double> cell;
+  std::vector<GridChoice> grids = {};
   std::vector<BarRing> rings = {};
 };
 
@@ -61,6 +62,7 @@ struct FieldJob {
   Quality quality;
   const CancelToken& cancel;
   const FieldScene& scene;
+  std::span<const GridChoice> grids;  ///< known ones
 
   double fillet_of(const Rung& rung) const {
     return rung.fillet + slack_fillet * (1 - input.settings.tightness);
@@ -69,7 +71,7 @@ struct FieldJob {
   FieldCage cage(const FieldScene& of, std::span<const GridReference> by, const Rung& rung) const {
     return field_cage(
         of, by, {fillet_of(rung), rung.crispness, rung.detail * input.settings.cage_detail, rung.budget},
-        cancel);
+        cancel, grids);
   }
 
   /// Round the solids, or at a distance from them.
@@ -130,7 +132,7 @@ struct FieldJob {
                       made_cage.wanted_tunnels};
     out.enclosed = encloses(out.surface);
     out.fillet = fillet_of(ladder[level]);
-    return std::optional<FieldAttempt>({std::move(out), made_cage.cell});
+    return std::optional<FieldAttempt>({std::move(out), made_cage.cell, made_cage.grids});
   }
 
   std::vector<FieldBar> all_bars() const {
@@ -239,14 +241,15 @@ bool suits(const FieldBase& base, const EnvelopeInput& input) {
 }
 
 Result<FieldBase> field_base(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
-                             const Vector3& origin, Quality quality, int level, const CancelToken& cancel) {
+                             const Vector3& origin, Quality quality, const FieldStart& start,
+                             const CancelToken& cancel) {
   FieldScene scene = field_scene(input, placed, origin);
-  const FieldJob job{input, placed, origin, quality, cancel, scene};
+  const FieldJob job{input, placed, origin, quality, cancel, scene, start.grids};
   const std::vector<GridReference> references = grid_references(scene);
   std::optional<FieldAttempt> best;
   double least = 1e300;
   std::optional<Message> failure;
-  for (; level < int(std::size(ladder)); ++level) {
+  for (int level = start.level; level < int(std::size(ladder)); ++level) {
     if (ladder[level].distance > 0 && best && best->envelope.sound()) break;
     auto made = job.attempt(level, references);
     if (!made) {
@@ -259,7 +262,9 @@ Result<FieldBase> field_base(const EnvelopeInput& input, std::span<const PlacedS
     if (const double bad = job.badness(one->envelope); bad < least) least = bad, best = std::move(one);
     if (least == 0 || quality == Quality::drag) break;
   }
-  if (best) return FieldBase{std::move(scene), std::move(best->envelope), std::move(best->cell)};
+  if (best)
+    return FieldBase{std::move(scene), std::move(best->envelope), std::move(best->cell),
+                     std::move(best->grids)};
   if (failure) return *failure;
   return make_error(e_envelope_flat, "No cage was found round the solids.",
                     "Make the thinnest solid thicker, or choose the network.");
@@ -268,7 +273,7 @@ Result<FieldBase> field_base(const EnvelopeInput& input, std::span<const PlacedS
 Result<FieldEnvelope> field_envelope(const FieldBase& base, const EnvelopeInput& input,
                                      std::span<const PlacedSolid> placed, const Vector3& origin,
                                      Quality quality, const CancelToken& cancel) {
-  const FieldJob job{input, placed, origin, quality, cancel, base.scene};
+  const FieldJob job{input, placed, origin, quality, cancel, base.scene, {}};
   FieldAttempt out{base.envelope, base.cell};
   if (const auto followed = job.follow_waists(out); !followed) return followed.error();
   if (const auto followed = job.follow_pulls(out, base); !followed) return followed.error();

@@ -36,13 +36,20 @@ struct FieldBase {
   FieldScene scene;
   FieldEnvelope envelope;    ///< without handles
   std::vector<double> cell;  ///< one a vertex of its cage
+  std::vector<GridChoice> grids;
+};
+
+/// What a drag goes on from.
+struct FieldStart {
+  int level = 0;
+  std::span<const GridChoice> grids = {};
 };
 
 /// The first level that is sound and has the wanted topology; else the first sound one that keeps a distance;
-/// else the best there is. While dragging the one at `level`. `placed`: relative to `origin`. Errors:
-/// E_ENVELOPE_FLAT where no cage was found, those of `cage_surface`.
+/// else the best there is. While dragging the level of `start`, with its grids where they still serve.
+/// `placed`: relative to `origin`. Errors: E_ENVELOPE_FLAT where no cage was found, those of `cage_surface`.
 Result<FieldBase> field_base(const EnvelopeInput& input, std::span<const PlacedSolid> placed,
-                             const Vector3& origin, Quality quality, int level = 0,
+                             const Vector3& origin, Quality quality, const FieldStart& start = {},
                              const CancelToken& cancel = {});
 
 /// Whether the base of solids that were placed alike has fillets as wide as `input` asks for.

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double largest_share = 0.93;  ///< of a component that counts alone
 constexpr double reference_nodes = 120'000;
+constexpr double kept_cover = 0.9;  ///< of what was covered when the grid was chosen
 
 /// Components of the nodes with a flag, over faces (6 neighbours) or also edges and corners (26).
 class Components {
@@ -312,8 +313,7 @@ std::optional<ChosenGrid> choose_grid(const GridRequest& request, const GridRefe
         ChosenGrid one;
         one.grid = sublattice(fine, values, {parity & 1, parity >> 1 & 1, parity >> 2 & 1}, limit);
         one.topology = tidy(one.grid);
-        one.cell = h;
-        one.offset = limit;
+        one.choice = {h, parity, limit, covered_share(one.grid, request.covered)};
         const double faces = double(sign_changes(one.grid));
         over = over && faces > 2 * request.budget;
         const bool right = one.topology.components == wanted && one.topology.tunnels == tunnels;
@@ -323,9 +323,9 @@ std::optional<ChosenGrid> choose_grid(const GridRequest& request, const GridRefe
         const double lost = std::max(0, tunnels - one.topology.tunnels),
                      extra = std::max(0, one.topology.tunnels - tunnels);
         const double score = 3 * std::abs(one.topology.components - wanted) + 2 * extra +
-                             (tunnels >= 6 ? 0.2 : 1.0) * lost +
-                             2.5 * (1 - covered_share(one.grid, request.covered)) + error + 0.5 * offset +
-                             0.3 * faces / request.budget + 0.5 * std::max(0.0, faces / request.budget - 1);
+                             (tunnels >= 6 ? 0.2 : 1.0) * lost + 2.5 * (1 - one.choice.covered) + error +
+                             0.5 * offset + 0.3 * faces / request.budget +
+                             0.5 * std::max(0.0, faces / request.budget - 1);
         if (score < best_score - 1e-12) {
           best_score = score;
           best = std::move(one);
@@ -335,8 +335,35 @@ std::optional<ChosenGrid> choose_grid(const GridRequest& request, const GridRefe
     }
     if (stop || over) break;
   }
-  if (best) PlaneRemoval(best->grid, request.aspect * best->cell, best->topology).run();
+  if (best) PlaneRemoval(best->grid, request.aspect * best->choice.cell, best->topology).run();
   return best;
+}
+
+std::optional<ChosenGrid> same_grid(const GridRequest& request, const GridReference& reference,
+                                    const GridChoice& choice) {
+  ChosenGrid out;
+  out.choice = choice;
+  const Vector3 middle = 0.5 * (request.low + request.high);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double beside = 0.5 * (choice.parity >> axis & 1);
+    const int reach = int(std::ceil((request.high[axis] - middle[axis]) / choice.cell)) + 1;
+    for (int i = -reach; i + beside <= reach; ++i)
+      out.grid.planes[std::size_t(axis)].push_back(middle[axis] + (i + beside) * choice.cell);
+  }
+  const auto [nx, ny, nz] = out.grid.size();
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const bool border = i == 0 || j == 0 || k == 0 || i + 1 == nx || j + 1 == ny || k + 1 == nz;
+        out.grid.inside.push_back(!border && request.field(out.grid.point(i, j, k)) < choice.offset);
+      }
+  out.topology = tidy(out.grid);
+  out.choice.covered = covered_share(out.grid, request.covered);
+  if (out.topology.components != 1 || out.topology.tunnels != reference.topology.tunnels ||
+      out.choice.covered < kept_cover * choice.covered)
+    return {};
+  PlaneRemoval(out.grid, request.aspect * choice.cell, out.topology).run();
+  return out;
 }
 
 }  // namespace hariko

@@ -55,10 +55,17 @@ struct GridRequest {
   std::vector<Vector3> covered;  ///< points that should be inside
 };
 
+/// Which grid about the middle of the box, and what counts as inside.
+struct GridChoice {
+  double cell = 0;     ///< between planes
+  int parity = 0;      ///< bits 0 to 2: whether the planes of x, y, z lie half a cell beside the middle
+  double offset = 0;   ///< inside is field < offset
+  double covered = 1;  ///< share of the points that should be inside and are
+};
+
 struct ChosenGrid {
-  FlagGrid grid;
-  double cell = 0;    ///< size before planes were left out
-  double offset = 0;  ///< inside is field < offset
+  FlagGrid grid;  ///< planes between equal slices left out
+  GridChoice choice;
   GridTopology topology;
 };
 
@@ -67,5 +74,10 @@ GridReference grid_reference(const GridRequest& request);
 /// The coarsest grid with the topology of the reference, or the best there is. Deterministic.
 std::optional<ChosenGrid> choose_grid(const GridRequest& request, const GridReference& reference,
                                       const CancelToken& cancel = {});
+
+/// The grid that was chosen for solids which have moved since; nothing where it has not the topology of the
+/// reference any more, or misses points. A small part of the cost of choosing.
+std::optional<ChosenGrid> same_grid(const GridRequest& request, const GridReference& reference,
+                                    const GridChoice& choice);
 
 }  // namespace hariko

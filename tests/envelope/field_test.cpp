@@ -131,7 +131,7 @@ TEST(FieldLadder, TheLastLevelsKeepAwayFromTheSolids) {
     for (int level = 6; level <= 8; ++level) {
       SCOPED_TRACE(std::string(name) + ", level " + std::to_string(level));
       // While dragging the surface stays on its level.
-      const auto base = field_base(scene.input, scene.placed, scene.origin, Quality::drag, level);
+      const auto base = field_base(scene.input, scene.placed, scene.origin, Quality::drag, {level});
       ASSERT_TRUE(base.ok()) << to_string(base.error());
       const FieldEnvelope* made = &base->envelope;
       EXPECT_EQ(made->level, level);
