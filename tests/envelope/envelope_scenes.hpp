@@ -24,6 +24,21 @@ inline EnvelopeInput golden_scene(const std::string& name) {
   return scene ? *scene : EnvelopeInput{};
 }
 
+/// A golden scene as tight as can be, on a field's cage.
+inline EnvelopeInput golden_field_scene(const std::string& name) {
+  EnvelopeInput out = golden_scene(name);
+  out.settings.method = EnvelopeMethod::field;
+  out.settings.tightness = 1;
+  return out;
+}
+
+/// From a cold start.
+inline EnvelopeSurface envelope_of(const EnvelopeInput& input) {
+  auto made = EnvelopeSurfacer().rebuild(input);
+  if (!made) ADD_FAILURE() << to_string(made.error());
+  return made ? std::move(made).value() : EnvelopeSurface{};
+}
+
 /// 1 .. 20 solids of all kinds, half sizes log-uniform from 0.2 to 1, of which about 70 % touch another one.
 inline EnvelopeInput random_scene(std::mt19937_64& rng) {
   EnvelopeInput out;

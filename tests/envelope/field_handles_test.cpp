@@ -11,21 +11,6 @@ namespace hariko::test {
 
 namespace {
 
-EnvelopeInput field_scene_named(const char* name) {
-  EnvelopeInput out = golden_scene(name);
-  out.settings.method = EnvelopeMethod::field;
-  out.settings.tightness = 1;
-  return out;
-}
-
-EnvelopeSurface made_of(const EnvelopeInput& input) {
-  auto made = EnvelopeSurfacer().rebuild(input);
-  EXPECT_TRUE(made.ok());
-  if (!made) return {};
-  EXPECT_EQ(made->route, EnvelopeRoute::field);
-  return std::move(made).value();
-}
-
 void pull(EnvelopeInput& input, const EnvelopeVertex& vertex, const Vector3& way) {
   input.settings.offsets.set(vertex.vertex, vertex.axes.transpose() * way);
 }
@@ -53,9 +38,9 @@ void expect_there(const EnvelopeSurface& made, const EnvelopeVertex& vertex, con
 TEST(FieldHandles, EveryVertexHasANameOfItsOwn) {
   for (const char* name : {"camera", "ring6", "dryer", "torus", "capsule", "ten"}) {
     SCOPED_TRACE(name);
-    const EnvelopeInput input = field_scene_named(name);
-    const EnvelopeSurface made = made_of(input);
-    ASSERT_TRUE(made.cage);
+    const EnvelopeInput input = golden_field_scene(name);
+    const EnvelopeSurface made = envelope_of(input);
+    ASSERT_EQ(made.route, EnvelopeRoute::field);
     EXPECT_EQ(made.handles.vertices.size(), made.cage->vertex_count());
     EXPECT_EQ(made.handles.curves.size(), made.cage->topology().edge_count());
     std::set<NetworkVertexKey> names;
@@ -70,15 +55,15 @@ TEST(FieldHandles, EveryVertexHasANameOfItsOwn) {
 TEST(FieldHandles, VerticesGoWhereTheyArePulledAndOthersStay) {
   for (const char* name : {"camera", "ring6", "dryer"}) {
     SCOPED_TRACE(name);
-    const EnvelopeInput input = field_scene_named(name);
-    const EnvelopeSurface before = made_of(input);
+    const EnvelopeInput input = golden_field_scene(name);
+    const EnvelopeSurface before = envelope_of(input);
     const std::size_t step = before.handles.vertices.size() / 5;
     for (std::size_t i = 0; i < before.handles.vertices.size(); i += step) {
       const EnvelopeVertex& vertex = before.handles.vertices[i];
       const Vector3 way = 0.04 * before.diagonal * vertex.outward;
       EnvelopeInput pulled = input;
       pull(pulled, vertex, way);
-      const EnvelopeSurface after = made_of(pulled);
+      const EnvelopeSurface after = envelope_of(pulled);
       EXPECT_TRUE(after.enclosed);
       EXPECT_EQ(after.level, before.level);
       EXPECT_EQ(after.folds == 0, !warned(after, w_envelope_fold));
@@ -95,14 +80,14 @@ TEST(FieldHandles, VerticesGoWhereTheyArePulledAndOthersStay) {
 }
 
 TEST(FieldHandles, WhatIsPulledIntoASolidIsPushedOutAgain) {
-  const EnvelopeInput input = field_scene_named("camera");
-  const EnvelopeSurface before = made_of(input);
+  const EnvelopeInput input = golden_field_scene("camera");
+  const EnvelopeSurface before = envelope_of(input);
   const std::size_t step = before.handles.vertices.size() / 4;
   for (std::size_t i = 0; i < before.handles.vertices.size(); i += step) {
     const EnvelopeVertex& vertex = before.handles.vertices[i];
     EnvelopeInput pulled = input;
     pull(pulled, vertex, -0.06 * before.diagonal * vertex.outward);
-    const EnvelopeSurface after = made_of(pulled);
+    const EnvelopeSurface after = envelope_of(pulled);
     EXPECT_TRUE(after.enclosed || warned(after, w_not_enclosed));
     ASSERT_TRUE(after.check);
     EXPECT_LE(after.check->worst, 2e-3 * after.diagonal);
@@ -113,8 +98,8 @@ TEST(FieldHandles, PullsStayWhileSolidsMove) {
   // Whatever moves, what was pulled stays with its solid, on the vertex that is nearest to the place.
   for (const char* name : {"camera", "dryer"}) {
     SCOPED_TRACE(name);
-    EnvelopeInput input = field_scene_named(name);
-    const EnvelopeSurface plain = made_of(input);
+    EnvelopeInput input = golden_field_scene(name);
+    const EnvelopeSurface plain = envelope_of(input);
     const EnvelopeVertex* vertex = nullptr;
     for (const EnvelopeVertex& one : plain.handles.vertices)
       if (one.vertex.solid == 0 && (!vertex || one.position.x() < vertex->position.x())) vertex = &one;
@@ -127,7 +112,7 @@ TEST(FieldHandles, PullsStayWhileSolidsMove) {
       moved.solids.back().position += Vector3(step, 0, step / 2);
       EnvelopeInput unpulled = moved;
       unpulled.settings.offsets = {};
-      const EnvelopeSurface with = made_of(moved), without = made_of(unpulled);
+      const EnvelopeSurface with = envelope_of(moved), without = envelope_of(unpulled);
       const EnvelopeVertex* found = vertex_named(with, vertex->vertex, vertex->position);
       ASSERT_TRUE(found);
       double nearest = 1e300;
@@ -138,8 +123,8 @@ TEST(FieldHandles, PullsStayWhileSolidsMove) {
     // Of a whole that moves it goes along.
     EnvelopeInput away = input;
     for (Solid& solid : away.solids) solid.position += Vector3(40, -7, 3);
-    const EnvelopeSurface there = made_of(away);
-    const EnvelopeSurface here = made_of(input);
+    const EnvelopeSurface there = envelope_of(away);
+    const EnvelopeSurface here = envelope_of(input);
     const EnvelopeVertex *a = vertex_named(here, vertex->vertex, vertex->position),
                          *b = vertex_named(there, vertex->vertex, vertex->position);
     ASSERT_TRUE(a && b);
@@ -151,8 +136,8 @@ TEST(FieldHandles, PullsStayWhileSolidsMove) {
 TEST(FieldHandles, CurvesGetFullerAndTauterTheWayThatIsTold) {
   for (const char* name : {"camera", "ring6", "dryer"}) {
     SCOPED_TRACE(name);
-    const EnvelopeInput input = field_scene_named(name);
-    const EnvelopeSurface before = made_of(input);
+    const EnvelopeInput input = golden_field_scene(name);
+    const EnvelopeSurface before = envelope_of(input);
     const std::size_t step = before.handles.curves.size() / 4;
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < before.handles.curves.size(); i += step) {
@@ -161,7 +146,7 @@ TEST(FieldHandles, CurvesGetFullerAndTauterTheWayThatIsTold) {
         SCOPED_TRACE(factor);
         EnvelopeInput changed = input;
         changed.settings.fullness.set(curve.curve, factor);
-        const EnvelopeSurface after = made_of(changed);
+        const EnvelopeSurface after = envelope_of(changed);
         ASSERT_EQ(after.handles.curves.size(), before.handles.curves.size());
         EXPECT_EQ(after.handles.curves[i].curve, curve.curve);
         EXPECT_TRUE(after.enclosed);
@@ -181,7 +166,7 @@ TEST(FieldHandles, CurvesGetFullerAndTauterTheWayThatIsTold) {
 TEST(FieldHandles, SettingsOfAnotherConstructionRest) {
   // On a network what was pulled on a field does nothing, and the other way round.
   const EnvelopeInput tight = golden_scene("ell_tight");
-  const EnvelopeSurface field = made_of(field_scene_named("ell_tight"));
+  const EnvelopeSurface field = envelope_of(golden_field_scene("ell_tight"));
   EnvelopeInput pulled = tight;
   for (const EnvelopeVertex& vertex : field.handles.vertices)
     pull(pulled, vertex, 0.1 * field.diagonal * vertex.outward);
@@ -193,25 +178,25 @@ TEST(FieldHandles, SettingsOfAnotherConstructionRest) {
   for (std::size_t i = 0; i < before->handles.vertices.size(); ++i)
     EXPECT_EQ(after->handles.vertices[i].position, before->handles.vertices[i].position);
 
-  EnvelopeInput networked = field_scene_named("ell_tight");
+  EnvelopeInput networked = golden_field_scene("ell_tight");
   for (const EnvelopeVertex& vertex : before->handles.vertices)
     pull(networked, vertex, 0.1 * before->diagonal * vertex.outward);
   for (const EnvelopeCurve& curve : before->handles.curves) networked.settings.fullness.set(curve.curve, 0.5);
-  const EnvelopeSurface same = made_of(networked);
+  const EnvelopeSurface same = envelope_of(networked);
   ASSERT_EQ(same.handles.vertices.size(), field.handles.vertices.size());
   for (std::size_t i = 0; i < field.handles.vertices.size(); ++i)
     EXPECT_EQ(same.handles.vertices[i].position, field.handles.vertices[i].position);
 }
 
 TEST(FieldHandles, OfSymmetricSolidsBothSidesFollow) {
-  EnvelopeInput input = field_scene_named("car");
+  EnvelopeInput input = golden_field_scene("car");
   for (Solid& solid : input.solids) solid.position.y() = 0;
   input.settings.symmetry = SymmetryPlane::y;
-  EnvelopeInput pair = field_scene_named("two_apart");
+  EnvelopeInput pair = golden_field_scene("two_apart");
   for (Solid& solid : pair.solids) solid.position.z() += 3;
   pair.settings.symmetry = SymmetryPlane::z;
   for (const EnvelopeInput& scene : {input, pair}) {
-    const EnvelopeSurface before = made_of(scene);
+    const EnvelopeSurface before = envelope_of(scene);
     ASSERT_TRUE(before.symmetric);
     const Eigen::Index axis = &scene == &input || scene.settings.symmetry == SymmetryPlane::y ? 1 : 2;
     std::map<NetworkVertexKey, int> shared;
@@ -223,7 +208,7 @@ TEST(FieldHandles, OfSymmetricSolidsBothSidesFollow) {
       const Vector3 way = 0.03 * before.diagonal * vertex.outward;
       EnvelopeInput pulled = scene;
       pull(pulled, vertex, way);
-      const EnvelopeSurface after = made_of(pulled);
+      const EnvelopeSurface after = envelope_of(pulled);
       EXPECT_TRUE(after.symmetric);
       expect_there(after, vertex, vertex.position + way);
       EnvelopeVertex image = vertex;
@@ -236,8 +221,8 @@ TEST(FieldHandles, OfSymmetricSolidsBothSidesFollow) {
 }
 
 TEST(FieldHandles, FarPullsEndInASurfaceOrAWarning) {
-  const EnvelopeInput input = field_scene_named("dryer");
-  const EnvelopeSurface before = made_of(input);
+  const EnvelopeInput input = golden_field_scene("dryer");
+  const EnvelopeSurface before = envelope_of(input);
   std::mt19937_64 rng(random_seed(20261123));
   for (int round = 0; round < repetitions(4); ++round) {
     EnvelopeInput pulled = input;
@@ -255,7 +240,7 @@ TEST(FieldHandles, FarPullsEndInASurfaceOrAWarning) {
 
 TEST(FieldHandles, TheDragOfAVertexEndsWhereItIsLetGo) {
   // The cage is that of the last final result, so nothing jumps when the vertex is let go.
-  EnvelopeInput input = field_scene_named("camera");
+  EnvelopeInput input = golden_field_scene("camera");
   EnvelopeSurfacer surfacer;
   const auto before = surfacer.rebuild(input);
   ASSERT_TRUE(before.ok());
@@ -265,7 +250,7 @@ TEST(FieldHandles, TheDragOfAVertexEndsWhereItIsLetGo) {
   const auto dragged = surfacer.rebuild(input, Quality::drag);
   const auto last = surfacer.rebuild(input);
   ASSERT_TRUE(dragged.ok() && last.ok());
-  const EnvelopeSurface cold = made_of(input);
+  const EnvelopeSurface cold = envelope_of(input);
   ASSERT_EQ(dragged->handles.vertices.size(), last->handles.vertices.size());
   for (std::size_t i = 0; i < last->handles.vertices.size(); ++i) {
     EXPECT_EQ(last->handles.vertices[i].position, cold.handles.vertices[i].position);

@@ -12,19 +12,6 @@ namespace hariko::test {
 
 namespace {
 
-EnvelopeInput on_field(const char* name) {
-  EnvelopeInput out = golden_scene(name);
-  out.settings.method = EnvelopeMethod::field;
-  out.settings.tightness = 1;
-  return out;
-}
-
-EnvelopeSurface surface_of(const EnvelopeInput& input) {
-  auto made = EnvelopeSurfacer().rebuild(input);
-  EXPECT_TRUE(made.ok());
-  return made ? std::move(made).value() : EnvelopeSurface{};
-}
-
 double volume_of(const EnvelopeSurface& made) {
   return *measure(made.surface).volume;
 }
@@ -37,7 +24,7 @@ TEST(FilletBridges, EveryNotchHasHandles) {
         std::pair("dryer", std::set<SolidPair>{{0, 1}}), std::pair("tee", std::set<SolidPair>{{0, 1}}),
         std::pair("ell_tight", std::set<SolidPair>{{0, 1}})}) {
     SCOPED_TRACE(name);
-    const EnvelopeSurface made = surface_of(on_field(name));
+    const EnvelopeSurface made = envelope_of(golden_field_scene(name));
     std::set<SolidPair> found;
     for (const EnvelopeBridge& bridge : made.handles.bridges) {
       found.insert(bridge.solids);
@@ -52,12 +39,12 @@ TEST(FilletBridges, EveryNotchHasHandles) {
 TEST(FilletBridges, NotchesFillWithTheWaist) {
   for (const char* name : {"camera", "dryer", "tee"}) {
     SCOPED_TRACE(name);
-    EnvelopeInput input = on_field(name);
+    EnvelopeInput input = golden_field_scene(name);
     double before = 0;
     for (const double waist : {0.2, 0.5, 0.75, 1.0}) {
       SCOPED_TRACE(waist);
       input.settings.waist = waist;
-      const EnvelopeSurface made = surface_of(input);
+      const EnvelopeSurface made = envelope_of(input);
       EXPECT_TRUE(made.enclosed);
       EXPECT_EQ(made.folds, 0U);
       const double volume = volume_of(made);
@@ -69,14 +56,14 @@ TEST(FilletBridges, NotchesFillWithTheWaist) {
 }
 
 TEST(FilletBridges, AFactorActsInItsOwnNotchTheWayThatIsTold) {
-  const EnvelopeInput input = on_field("camera");
-  const EnvelopeSurface plain = surface_of(input);
+  const EnvelopeInput input = golden_field_scene("camera");
+  const EnvelopeSurface plain = envelope_of(input);
   for (const SolidPair pair : {SolidPair{0, 1}, SolidPair{0, 2}}) {
     SCOPED_TRACE(pair.high);
     const SolidPair other{0, pair.high == 1 ? 2U : 1U};
     EnvelopeInput wider = input;
     wider.settings.waists.set(pair, 1.5);
-    const EnvelopeSurface made = surface_of(wider);
+    const EnvelopeSurface made = envelope_of(wider);
     EXPECT_GT(volume_of(made), volume_of(plain));
     // How far the notch's handles went, along the way of the nearest one before.
     double own = 0, count = 0;
@@ -102,7 +89,7 @@ TEST(FilletBridges, AFactorActsInItsOwnNotchTheWayThatIsTold) {
 
 TEST(FilletBridges, TheBaseServesAsLongAsNoFilletChanges) {
   // A bar's waist is followed on the finished cage, a fillet's is part of it.
-  EnvelopeInput input = on_field("two_apart");
+  EnvelopeInput input = golden_field_scene("two_apart");
   const EnvelopedScene scene = enveloped_scene(input);
   const auto bars = field_base(scene.input, scene.placed, scene.origin, Quality::drag);
   ASSERT_TRUE(bars.ok());
@@ -111,7 +98,7 @@ TEST(FilletBridges, TheBaseServesAsLongAsNoFilletChanges) {
   thinner.settings.waist = 0.2;
   EXPECT_TRUE(suits(*bars, thinner));
 
-  input = on_field("camera");
+  input = golden_field_scene("camera");
   const EnvelopedScene touching = enveloped_scene(input);
   const auto fillets = field_base(touching.input, touching.placed, touching.origin, Quality::drag);
   ASSERT_TRUE(fillets.ok());
@@ -123,7 +110,7 @@ TEST(FilletBridges, TheBaseServesAsLongAsNoFilletChanges) {
   // So a drag of either ends where a cold start does.
   for (const char* name : {"two_apart", "camera"}) {
     SCOPED_TRACE(name);
-    input = on_field(name);
+    input = golden_field_scene(name);
     EnvelopeSurfacer surfacer;
     ASSERT_TRUE(surfacer.rebuild(input).ok());
     for (const double waist : {0.6, 0.8}) {
@@ -132,7 +119,7 @@ TEST(FilletBridges, TheBaseServesAsLongAsNoFilletChanges) {
     }
     const auto warm = surfacer.rebuild(input);
     ASSERT_TRUE(warm.ok());
-    EXPECT_EQ(volume_of(*warm), volume_of(surface_of(input)));
+    EXPECT_EQ(volume_of(*warm), volume_of(envelope_of(input)));
   }
 }
 
