@@ -3,6 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 #include "core/document/read_solids.hpp"
 #include "core/envelope/envelope.hpp"
@@ -64,6 +67,47 @@ void envelope_drag(benchmark::State& state) {
   }
 }
 BENCHMARK(envelope_drag)->Arg(4)->Arg(10)->Unit(benchmark::kMillisecond);
+
+/// On a field's cage, as tight as can be.
+EnvelopeInput field_scene_of(const std::string& name) {
+  std::ifstream file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/envelope/" + name + ".json");
+  std::ostringstream text;
+  text << file.rdbuf();
+  EnvelopeInput out = read_scene(text.str()).value();
+  out.settings.method = EnvelopeMethod::field;
+  out.settings.tightness = 1;
+  return out;
+}
+
+/// The last solid.
+void field_drag(benchmark::State& state, const char* name) {
+  EnvelopeInput input = field_scene_of(name);
+  EnvelopeSurfacer surfacer;
+  benchmark::DoNotOptimize(surfacer.rebuild(input).ok());
+  const double from = input.solids.back().position.x();
+  int step = 0;
+  for (auto _ : state) {
+    input.solids.back().position.x() = from + 0.004 * (step++ % 100);
+    benchmark::DoNotOptimize(surfacer.rebuild(input, Quality::drag).ok());
+  }
+}
+
+/// A vertex of the cage.
+void field_pull(benchmark::State& state, const char* name) {
+  EnvelopeInput input = field_scene_of(name);
+  EnvelopeSurfacer surfacer;
+  const EnvelopeSurface first = surfacer.rebuild(input).value();
+  const NetworkVertexKey vertex = first.handles.vertices.front().vertex;
+  int step = 0;
+  for (auto _ : state) {
+    input.settings.offsets.set(vertex, {0.002 * (step++ % 100), 0, 0});
+    benchmark::DoNotOptimize(surfacer.rebuild(input, Quality::drag).ok());
+  }
+}
+BENCHMARK_CAPTURE(field_drag, camera, "camera")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(field_pull, camera, "camera")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(field_drag, ten, "ten")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(field_pull, ten, "ten")->Unit(benchmark::kMillisecond);
 
 void envelope_final(benchmark::State& state) {
   const EnvelopeInput input = state.range(0) == 4 ? four_solids() : ten_solids();

@@ -103,7 +103,7 @@ void add_field_warnings(const FieldEnvelope& made, std::vector<Message>& warning
   if (!made.pulls_followed)
     warnings.push_back(make_warning(w_pull_limited,
                                     "Vertices cannot be pulled so far: there is no surface with them there.",
-                                    "Pull it less far, or reset what was pulled by hand."));
+                                    "Pull them less far, or reset what was pulled by hand."));
 }
 
 void take_cage(CageSurface cage, EnvelopeSurface& out) {

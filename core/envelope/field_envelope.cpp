@@ -47,14 +47,6 @@ struct FieldAttempt {
   std::vector<BarRing> rings = {};
 };
 
-PolygonMesh mesh_of(const Polyhedron& cage) {
-  PolygonMesh out;
-  out.positions = cage.positions();
-  const HalfEdgeMesh& mesh = cage.topology();
-  for (Index f = 0; f < mesh.face_count(); ++f) out.add_face(mesh.face_vertices(f));
-  return out;
-}
-
 struct FieldJob {
   const EnvelopeInput& input;
   std::span<const PlacedSolid> placed;
@@ -163,14 +155,13 @@ struct FieldJob {
         for (const BarRing& ring : rings)
           factors.push_back(std::pow(wanted_thickness(input.settings, ring.solids), share));
         RingedCage ringed = ringed_cage(envelope.surface.cage, attempt.cell, rings, factors);
-        std::vector<double> cell = ringed.cell;
-        auto made = surface_over(std::move(ringed.mesh), std::move(ringed.cell));
+        auto made = surface_over(std::move(ringed.mesh), ringed.cell);
         if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
         if (!made || !*made || (*made)->folds > 0 || (quality == Quality::final && !encloses(**made)))
           continue;
         envelope.surface = *std::move(*made);
         envelope.enclosed = encloses(envelope.surface);
-        attempt.cell = std::move(cell);
+        attempt.cell = std::move(ringed.cell);
         envelope.waists_followed = all_ringed && share == 1;
         rings = rings_now();
         break;
@@ -184,7 +175,7 @@ struct FieldJob {
   Result<Done> follow_pulls(FieldAttempt& attempt, const FieldBase& base) const {
     FieldEnvelope& envelope = attempt.envelope;
     const EnvelopeSettings& settings = input.settings;
-    const PolygonMesh first = mesh_of(base.envelope.surface.cage);
+    const PolygonMesh first = base.envelope.surface.cage.to_mesh();
     const std::optional<CageMirror> found = mirror_of(first);
     const CageMirror* mirror = found ? &*found : nullptr;
     const FieldNames names =
@@ -193,7 +184,7 @@ struct FieldJob {
     envelope.pulls_followed = pulls.empty();
     for (const double share : shares) {
       if (envelope.pulls_followed) break;
-      PolygonMesh mesh = mesh_of(envelope.surface.cage);
+      PolygonMesh mesh = envelope.surface.cage.to_mesh();
       std::vector<double> cell = attempt.cell;
       for (Index v = 0; v < pulls.moves.size(); ++v) {
         mesh.positions[v] += share * pulls.moves[v];

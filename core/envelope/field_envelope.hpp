@@ -24,7 +24,7 @@ struct FieldEnvelope {
   double distance = 0;  ///< that the cage keeps from the solids, over the diagonal; narrow notches are filled
   bool enclosed = false;  ///< within the tolerance, by the independent check where there was one
   int components = 0, tunnels = 0, wanted_tunnels = 0;
-  EnvelopeHandles handles = {};  ///< bridges on the bars through gaps; the cage's
+  EnvelopeHandles handles = {};  ///< bridges on bars and in notches; the cage's vertices and curves
   double fillet = 0;             ///< in notches, over the cell, where no waist asks for another
   bool waists_followed = true;   ///< else the surface would fold or miss a solid, or a bar has no ring
   bool pulls_followed = true;    ///< else there is no surface with vertices that far
@@ -34,9 +34,9 @@ struct FieldEnvelope {
 /// What does not depend on the waists of bars and on what was pulled by hand.
 struct FieldBase {
   FieldScene scene;
-  FieldEnvelope envelope;    ///< without handles
-  std::vector<double> cell;  ///< one a vertex of its cage
-  std::vector<GridChoice> grids;
+  FieldEnvelope envelope;         ///< without handles
+  std::vector<double> cell;       ///< one a vertex of its cage
+  std::vector<GridChoice> grids;  ///< one a cluster
 };
 
 /// What a drag goes on from.

@@ -107,23 +107,12 @@ class Namer {
     }
   }
 
-  /// The first of the nearest solids, and how far it is.
-  std::pair<double, Index> nearest(const Vector3& place) const {
-    std::pair<double, Index> best{1e300, 0};
-    for (Index s = 0; s < input_.distances.size(); ++s) {
-      const SolidDistance& solid = input_.distances[s];
-      if ((place - solid.centre()).norm() - solid.reach() > best.first) continue;
-      if (const double d = solid(place); d < best.first) best = {d, s};
-    }
-    return best;
-  }
-
   void give_new_name(Index v) {
     Index owner = v;
-    Index solid = nearest(input_.positions[v]).second;
+    Index solid = nearest_solid(input_.distances, input_.positions[v]).first;
     if (!authored_[solid] && image(v) != v) {
       owner = image(v);
-      solid = nearest(input_.positions[owner]).second;
+      solid = nearest_solid(input_.distances, input_.positions[owner]).first;
     }
     // In the plane of symmetry a solid and its image are equally near.
     const auto own = std::ranges::find(input_.solids, input_.solids[solid].id, &Solid::id);

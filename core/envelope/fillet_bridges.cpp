@@ -17,7 +17,8 @@ class Finder {
  public:
   Finder(const FieldScene& scene, const EnvelopeInput& input, const CageSurface& surface)
       : scene_(scene), input_(input), surface_(surface), mesh_(surface.cage.topology()) {
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) nearest_.push_back(nearest(surface.cage.position(v)));
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      nearest_.push_back(nearest_solid(scene.distances, surface.cage.position(v)).first);
   }
 
   /// `cell`: about the edge; `farthest`: from the solids.
@@ -44,16 +45,6 @@ class Finder {
   }
 
  private:
-  Index nearest(const Vector3& place) const {
-    std::pair<double, Index> best{1e300, 0};
-    for (Index s = 0; s < scene_.distances.size(); ++s) {
-      const SolidDistance& solid = scene_.distances[s];
-      if ((place - solid.centre()).norm() - solid.reach() > best.first) continue;
-      best = std::min(best, std::pair(solid(place), s));
-    }
-    return best.second;
-  }
-
   Vector3 at(Index half_edge, double along) const {
     return surface_.made.surface.patches().evaluate(half_edge, {1 - along, along}, Order::first).position;
   }

@@ -349,6 +349,16 @@ double SolidDistance::support(const Vector3& direction) const {
   return direction.dot(centre_) + out;
 }
 
+std::pair<Index, double> nearest_solid(std::span<const SolidDistance> solids, const Vector3& point) {
+  std::pair<Index, double> best{0, 1e300};
+  for (Index s = 0; s < solids.size(); ++s) {
+    const SolidDistance& solid = solids[s];
+    if ((point - solid.centre()).norm() - solid.reach() > best.second) continue;
+    if (const double d = solid(point); d < best.second) best = {s, d};
+  }
+  return best;
+}
+
 UnionField::UnionField(std::vector<SolidDistance> solids, double fillet, Factors factors)
     : solids_(std::move(solids)), fillet_(fillet), largest_fillet_(fillet), factors_(std::move(factors)) {
   for (const auto& [pair, factor] : factors_) largest_fillet_ = std::max(largest_fillet_, factor * fillet);

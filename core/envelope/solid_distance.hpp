@@ -4,6 +4,8 @@
 
 #include <map>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/envelope/convex_hull.hpp"
@@ -52,6 +54,9 @@ class SolidDistance {
   };
   std::shared_ptr<const Hull> hull_;
 };
+
+/// The number of the first of the nearest solids, and how far it is; {0, 1e300} of none.
+std::pair<Index, double> nearest_solid(std::span<const SolidDistance> solids, const Vector3& point);
 
 /// Zero on a surface round the solids that fills their notches with fillets of radius `fillet`.
 class UnionField {

@@ -60,6 +60,23 @@ TEST(SolidDistance, WhereFacesAreEquallyNearTheGradientLiesBetweenThem) {
   EXPECT_LT((cylinder.gradient({0, 0.8, 0.8}) - Vector3(0, 1, 1).normalized()).norm(), 1e-12);
 }
 
+TEST(SolidDistance, TheNearestOfManyIsTheFirstWithTheLeastDistance) {
+  for_random(43, 12, [](std::mt19937_64& rng) {
+    std::vector<SolidDistance> solids;
+    for (const Solid& solid : random_scene(rng).solids)
+      for (int twice = 0; twice < 2; ++twice)
+        solids.emplace_back(solid, uniform(rng, 0, 0.1), Vector3::Zero());
+    for (int k = 0; k < 40; ++k) {
+      const Vector3 p = random_vector(rng, 5);
+      std::vector<double> distances;
+      for (const SolidDistance& solid : solids) distances.push_back(solid(p));
+      const auto least = std::ranges::min_element(distances);
+      EXPECT_EQ(nearest_solid(solids, p), std::pair(Index(least - distances.begin()), *least));
+    }
+  });
+  EXPECT_EQ(nearest_solid({}, Vector3::Zero()), std::pair(Index(0), 1e300));
+}
+
 TEST(SampleTree, FindsWhatComparingEverythingFinds) {
   for_random(42, 30, [](std::mt19937_64& rng) {
     const std::size_t per_patch = std::size_t(uniform_int(rng, 1, 28));
