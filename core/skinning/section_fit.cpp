@@ -61,12 +61,15 @@ class FairSystem {
   }
 
   void solve(std::vector<Vector3>& positions) const {
-    if (unknowns_ == 0) return;
-    Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
-    matrix.setFromTriplets(triplets_.begin(), triplets_.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(matrix);
-    HARIKO_ASSERT(factor.info() == Eigen::Success, "tension makes the system definite");
-    const Eigen::MatrixXd x = factor.solve(right_);
+    Eigen::MatrixXd x(unknowns_, 3);
+    // Between rails, of sections with no points but their ends, nothing is unknown.
+    if (unknowns_ > 0) {
+      Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
+      matrix.setFromTriplets(triplets_.begin(), triplets_.end());
+      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(matrix);
+      HARIKO_ASSERT(factor.info() == Eigen::Success, "tension makes the system definite");
+      x = factor.solve(right_);
+    }
     for (std::size_t v = 0; v < positions.size(); ++v) {
       Vector3 p = vertices_[v].constant;
       for (const auto& [k, weight] : vertices_[v].terms) p += weight * x.row(k).transpose();

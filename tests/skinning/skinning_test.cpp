@@ -166,42 +166,63 @@ TEST(Pleat, TwoRailSidesLieOnTheRails) {
   EXPECT_LT(miss_of_rails(skin, *made), 5e-7);
 }
 
+/// The ends of its sections lie `beside` the rails in each coordinate; sections have 2 to `most` points.
+Skin random_skin_between_rails(std::mt19937_64& rng, double beside, int most) {
+  Skin skin;
+  skin.frame = FrameMode::two_rail;
+  skin.second_rail.emplace();
+  const int count = uniform_int(rng, 3, 5);
+  // Three spans a strip: rows lie on the rails' control points.
+  for (int i = 0; i <= 3 * (count - 1); ++i) {
+    skin.path.points.push_back(Vector3(i, -2, 0) + random_vector(rng, 0.3));
+    skin.second_rail->points.push_back(Vector3(i, 2, 0) + random_vector(rng, 0.3));
+  }
+  std::uint32_t id = 0;
+  for (int k = 0; k < count; ++k) {
+    SkinSection section;
+    section.id = std::uint32_t(k);
+    section.v = double(k) / (count - 1);
+    const Vector3 from = evaluate(skin.path, section.v).position + random_vector(rng, beside),
+                  to = evaluate(*skin.second_rail, section.v).position + random_vector(rng, beside);
+    const int n = uniform_int(rng, 2, most);
+    for (int i = 0; i < n; ++i) {
+      const double t = double(i) / (n - 1);
+      const bool end = i == 0 || i + 1 == n;
+      section.points.push_back(
+          {id++, Vector3((1 - t) * from + t * to + (end ? Vector3(0, 0, 0) : random_vector(rng, 0.3))),
+           false});
+    }
+    skin.sections.push_back(section);
+  }
+  return skin;
+}
+
+void check_between_rails(const Skin& skin, double beside) {
+  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  ASSERT_TRUE(made.ok()) << to_string(made.error());
+  EXPECT_TRUE(made->result.mesh.inexact.empty());
+  for (const SectionMiss& miss : section_misses(skin, made->result.mesh, made->surface))
+    EXPECT_LT(miss.same_parameter, 1e-10);
+  EXPECT_LT(miss_of_rails(skin, *made), 1e-9 + 2 * beside);
+}
+
 TEST(Pleat, BetweenRailsSectionsAreExactAndSidesAsNearAsTheirEnds) {
   for_random(713, 20, [](std::mt19937_64& rng) {
-    Skin skin;
-    skin.frame = FrameMode::two_rail;
-    skin.second_rail.emplace();
-    const int count = uniform_int(rng, 3, 5);
-    // Three spans a strip: rows lie on the rails' control points.
-    for (int i = 0; i <= 3 * (count - 1); ++i) {
-      skin.path.points.push_back(Vector3(i, -2, 0) + random_vector(rng, 0.3));
-      skin.second_rail->points.push_back(Vector3(i, 2, 0) + random_vector(rng, 0.3));
-    }
     const double beside = chance(rng, 0.5) ? 1e-6 : 0;
-    std::uint32_t id = 0;
-    for (int k = 0; k < count; ++k) {
-      SkinSection section;
-      section.id = std::uint32_t(k);
-      section.v = double(k) / (count - 1);
-      const Vector3 from = evaluate(skin.path, section.v).position + random_vector(rng, beside),
-                    to = evaluate(*skin.second_rail, section.v).position + random_vector(rng, beside);
-      const int n = uniform_int(rng, 2, 7);
-      for (int i = 0; i < n; ++i) {
-        const double t = double(i) / (n - 1);
-        const bool end = i == 0 || i + 1 == n;
-        section.points.push_back(
-            {id++, Vector3((1 - t) * from + t * to + (end ? Vector3(0, 0, 0) : random_vector(rng, 0.3))),
-             false});
-      }
-      skin.sections.push_back(section);
-    }
+    Skin skin = random_skin_between_rails(rng, beside, 7);
     skin.pleat.fit = chance(rng, 0.5) ? SectionFit::fair : SectionFit::local;
-    auto made = SkinSurfacer().surface(skin, Vector3::Zero());
-    ASSERT_TRUE(made.ok()) << to_string(made.error());
-    EXPECT_TRUE(made->result.mesh.inexact.empty());
-    for (const SectionMiss& miss : section_misses(skin, made->result.mesh, made->surface))
-      EXPECT_LT(miss.same_parameter, 1e-10);
-    EXPECT_LT(miss_of_rails(skin, *made), 1e-9 + 2 * beside);
+    check_between_rails(skin, beside);
+  });
+}
+
+/// All vertices beside the sections are held by the rails then.
+TEST(Pleat, BetweenRailsSectionsOfTwoPointsAreExact) {
+  for_random(714, 4, [](std::mt19937_64& rng) {
+    Skin skin = random_skin_between_rails(rng, 1e-6, 2);
+    for (const SectionFit fit : {SectionFit::fair, SectionFit::local}) {
+      skin.pleat.fit = fit;
+      check_between_rails(skin, 1e-6);
+    }
   });
 }
 
