@@ -168,15 +168,20 @@ Result<std::shared_ptr<const FieldBase>> EnvelopeSurfacer::base_of(const Job& jo
   input.settings.waists = {};
   input.settings.fullness = {};
   input.settings.offsets = {};
-  if (last_base_ && input == last_base_input_ && suits(*last_base_, job.input)) return last_base_;
+  if (last_base_ && input == last_base_input_ && suits(*last_base_, job.input)) {
+    last_grids_ = last_base_->grids;
+    return last_base_;
+  }
   FieldStart start;
   if (job.dragged_level) start.level = *job.dragged_level;
-  if (job.dragged_level && last_base_) start.grids = last_base_->grids;
+  // A grid that had to give way does not come back while dragging: the surface would jump twice.
+  if (job.dragged_level) start.grids = last_grids_;
   auto made = field_base(job.input, job.solids, job.out.origin, job.quality, start, job.cancel);
   if (!made) return made.error();
   auto base = std::make_shared<const FieldBase>(std::move(made).value());
-  if (job.quality == Quality::final && !job.cancel.cancelled())
-    last_base_ = base, last_base_input_ = std::move(input);
+  if (job.cancel.cancelled()) return base;
+  last_grids_ = base->grids;
+  if (job.quality == Quality::final) last_base_ = base, last_base_input_ = std::move(input);
   return base;
 }
 

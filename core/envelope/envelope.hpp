@@ -75,6 +75,7 @@ class EnvelopeSurfacer {
   HullAttempt last_hull_;
   EnvelopeInput last_base_input_;  ///< without waists and what was pulled
   std::shared_ptr<const FieldBase> last_base_;
+  std::vector<GridChoice> last_grids_;                                ///< of the last frame
   std::vector<std::pair<std::uint32_t, std::uint32_t>> last_solids_;  ///< id and part
 };
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "core/envelope/contour.hpp"
 
@@ -40,6 +41,12 @@ Matrix3 frame_of(const FieldScene& scene, const FieldCluster& cluster) {
     if (const Matrix3& axes = scene.distances[s].rotation(); suits(axes))
       if (const double x = score(axes); x > 1.02 * most) most = x, best = axes;
   return best;
+}
+
+/// Holds as long as the field.
+GridField grid_field(const UnionField& field) {
+  return {[&field](const Vector3& p) { return field(p); },
+          [&field](const Vector3& p, double radius, double above) { return field.side(p, radius, above); }};
 }
 
 class CageBuilder {
@@ -125,8 +132,8 @@ class CageBuilder {
     const UnionField sharp(local_, 0.25 * thickness);
     // The fillet goes with the cell, which is about the thickness until the grid is chosen.
     const UnionField rounded(local_, settings_.fillet * 0.8 * thickness);
-    request.sharp = [&](const Vector3& p) { return sharp(p); };
-    request.field = [&](const Vector3& p) { return rounded(p); };
+    request.sharp = grid_field(sharp);
+    request.field = grid_field(rounded);
     request.low = -half_;
     request.high = half_;
     request.thickness = thickness;
@@ -162,6 +169,21 @@ class CageBuilder {
     return 0.5 * (a + b);
   }
 
+  struct Crossing {
+    Vector3 point, normal;
+  };
+
+  /// Four vertices share it.
+  const Crossing& crossing_on(const FlagGrid& grid, const std::array<int, 4>& edge) {
+    const std::size_t key = 3 * grid.index(edge[0], edge[1], edge[2]) + std::size_t(edge[3]);
+    const auto [at, is_new] = crossings_.try_emplace(key);
+    if (is_new) {
+      at->second.point = crossing(grid, edge);
+      at->second.normal = field_->gradient(at->second.point).stableNormalized();
+    }
+    return at->second;
+  }
+
   void place(const FlagGrid& grid) {
     const std::size_t count = contour_.vertices.size();
     position_.resize(count);
@@ -172,8 +194,9 @@ class CageBuilder {
       std::vector<Vector3> points, normals;
       Vector3 mean = Vector3::Zero();
       for (const auto& edge : vertex.crossings) {
-        points.push_back(crossing(grid, edge));
-        normals.push_back(field_->gradient(points.back()).stableNormalized());
+        const Crossing& at = crossing_on(grid, edge);
+        points.push_back(at.point);
+        normals.push_back(at.normal);
         mean += points.back() / double(vertex.crossings.size());
       }
       const Vector3 low = grid.point(vertex.cell[0], vertex.cell[1], vertex.cell[2]);
@@ -277,6 +300,7 @@ class CageBuilder {
   const UnionField* field_ = nullptr;
   double cell_ = 1;
   Contour contour_;
+  std::unordered_map<std::size_t, Crossing> crossings_;
   std::vector<std::vector<Index>> neighbours_;
   std::vector<Vector3> position_;
   std::vector<int> rank_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hariko {
 
@@ -9,53 +10,107 @@ namespace {
 
 constexpr double largest_share = 0.93;  ///< of a component that counts alone
 constexpr double reference_nodes = 120'000;
-constexpr double kept_cover = 0.9;  ///< of what was covered when the grid was chosen
+constexpr double largest_offset = 0.4;  ///< of the cell
+constexpr double kept_cover = 0.9;      ///< of what was covered when the grid was chosen
 
-/// Components of the nodes with a flag, over faces (6 neighbours) or also edges and corners (26).
+/// Components of the nodes with a flag, over faces (6 neighbours) or also edges and corners (26), from runs
+/// of such nodes along x. Numbered by their first nodes. O(nodes).
 class Components {
  public:
-  Components(const FlagGrid& grid, char flag, bool wide) : grid_(grid), label_(grid.inside.size(), -1) {
+  Components(const FlagGrid& grid, char flag, bool wide) : grid_(grid) {
+    find_runs(flag);
     const auto [nx, ny, nz] = grid.size();
     for (int k = 0; k < nz; ++k)
-      for (int j = 0; j < ny; ++j)
-        for (int i = 0; i < nx; ++i)
-          if (grid.inside[grid.index(i, j, k)] == flag && label_[grid.index(i, j, k)] < 0)
-            flood(i, j, k, flag, wide);
+      for (int j = 0; j < ny; ++j) {
+        if (j > 0) join_rows(j - 1, k, j, k, wide);
+        if (k == 0) continue;
+        join_rows(j, k - 1, j, k, wide);
+        if (wide && j > 0) join_rows(j - 1, k - 1, j, k, wide);
+        if (wide && j + 1 < ny) join_rows(j + 1, k - 1, j, k, wide);
+      }
+    number();
   }
   int count() const { return int(sizes_.size()); }
-  int label(std::size_t node) const { return label_[node]; }
   const std::vector<std::size_t>& sizes() const { return sizes_; }
+  int largest() const { return int(std::max_element(sizes_.begin(), sizes_.end()) - sizes_.begin()); }
   bool touches_border(int label) const { return border_[std::size_t(label)]; }
 
+  /// Sets the flags of the nodes of those components for which `chosen(label)` is true.
+  template <class Chosen>
+  void mark(std::vector<char>& inside, const Chosen& chosen) const {
+    for (const Run& run : runs_)
+      if (chosen(run.label))
+        std::fill_n(inside.begin() + std::ptrdiff_t(run.first), run.high - run.low + 1, 1);
+  }
+
  private:
-  void flood(int i, int j, int k, char flag, bool wide) {
+  struct Run {
+    std::size_t first;  ///< node
+    int low, high;      ///< in its row
+    int parent, label;
+  };
+
+  void find_runs(char flag) {
     const auto [nx, ny, nz] = grid_.size();
-    const int own = count();
-    sizes_.push_back(0);
-    border_.push_back(false);
-    std::vector<std::array<int, 3>> open{{i, j, k}};
-    label_[grid_.index(i, j, k)] = own;
-    while (!open.empty()) {
-      const auto [x, y, z] = open.back();
-      open.pop_back();
-      ++sizes_.back();
-      if (x == 0 || y == 0 || z == 0 || x == nx - 1 || y == ny - 1 || z == nz - 1) border_.back() = true;
-      for (int dz = -1; dz <= 1; ++dz)
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dx = -1; dx <= 1; ++dx) {
-            const int steps = std::abs(dx) + std::abs(dy) + std::abs(dz);
-            if (steps == 0 || (!wide && steps > 1)) continue;
-            const int a = x + dx, b = y + dy, c = z + dz;
-            if (a < 0 || b < 0 || c < 0 || a >= nx || b >= ny || c >= nz) continue;
-            const std::size_t node = grid_.index(a, b, c);
-            if (grid_.inside[node] != flag || label_[node] >= 0) continue;
-            label_[node] = own;
-            open.push_back({a, b, c});
-          }
+    rows_.push_back(0);
+    for (int k = 0; k < nz; ++k)
+      for (int j = 0; j < ny; ++j) {
+        const std::size_t row = grid_.index(0, j, k);
+        for (int i = 0; i < nx; ++i) {
+          if (grid_.inside[row + std::size_t(i)] != flag) continue;
+          const int low = i;
+          while (i + 1 < nx && grid_.inside[row + std::size_t(i) + 1] == flag) ++i;
+          runs_.push_back({row + std::size_t(low), low, i, int(runs_.size()), 0});
+        }
+        rows_.push_back(int(runs_.size()));
+      }
+  }
+
+  int root(int run) {
+    while (runs_[std::size_t(run)].parent != run) {
+      int& parent = runs_[std::size_t(run)].parent;
+      run = parent = runs_[std::size_t(parent)].parent;
+    }
+    return run;
+  }
+
+  void join_rows(int ja, int ka, int jb, int kb, bool wide) {
+    const int ny = grid_.size()[1], slack = wide ? 1 : 0;
+    const std::size_t row_a = std::size_t(ka * ny + ja), row_b = std::size_t(kb * ny + jb);
+    int a = rows_[row_a], b = rows_[row_b];
+    while (a < rows_[row_a + 1] && b < rows_[row_b + 1]) {
+      const Run &one = runs_[std::size_t(a)], &other = runs_[std::size_t(b)];
+      if (one.low <= other.high + slack && other.low <= one.high + slack) {
+        const int ra = root(a), rb = root(b);
+        runs_[std::size_t(std::max(ra, rb))].parent = std::min(ra, rb);
+      }
+      one.high < other.high ? ++a : ++b;
     }
   }
+
+  /// The root of a component is its first run.
+  void number() {
+    const auto [nx, ny, nz] = grid_.size();
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+      Run& run = runs_[r];
+      const auto top = std::size_t(root(int(r)));
+      if (top == r) {
+        run.label = count();
+        sizes_.push_back(0);
+        border_.push_back(false);
+      } else {
+        run.label = runs_[top].label;
+      }
+      sizes_[std::size_t(run.label)] += std::size_t(run.high - run.low) + 1;
+      const int row = int(run.first) / nx, j = row % ny, k = row / ny;
+      if (run.low == 0 || run.high == nx - 1 || j == 0 || j == ny - 1 || k == 0 || k == nz - 1)
+        border_[std::size_t(run.label)] = true;
+    }
+  }
+
   const FlagGrid& grid_;
-  std::vector<int> label_;
+  std::vector<Run> runs_;
+  std::vector<int> rows_;  ///< first run of each row, and one more
   std::vector<std::size_t> sizes_;
   std::vector<bool> border_;
 };
@@ -81,20 +136,71 @@ long euler_number(const FlagGrid& grid) {
   return chi;
 }
 
-FlagGrid sampled(const std::function<double(const Vector3&)>& field, const Vector3& low, const Vector3& high,
-                 double step, std::vector<double>& values) {
+/// Without flags.
+FlagGrid planes_over(const Vector3& low, const Vector3& high, double step) {
   FlagGrid grid;
   const Vector3 middle = 0.5 * (low + high);
   for (int axis = 0; axis < 3; ++axis) {
     const int reach = int(std::ceil((high[axis] - middle[axis]) / step)) + 2;
     for (int i = -reach; i <= reach; ++i) grid.planes[std::size_t(axis)].push_back(middle[axis] + i * step);
   }
-  const auto [nx, ny, nz] = grid.size();
-  values.resize(std::size_t(nx) * std::size_t(ny) * std::size_t(nz));
-  for (int k = 0; k < nz; ++k)
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i) values[grid.index(i, j, k)] = field(grid.point(i, j, k));
   return grid;
+}
+
+/// Values of a field at the nodes. In boxes of nodes where they are surely negative, or not below `above`,
+/// they are only that, which leaves those near the surface.
+class SampledField {
+ public:
+  SampledField(const FlagGrid& grid, const GridField& field, double above)
+      : grid_(grid), field_(field), above_(above) {
+    const Node size = grid.size();
+    values_.resize(std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]));
+    fill({0, 0, 0}, size);
+  }
+  std::vector<double> take() && { return std::move(values_); }
+
+ private:
+  using Node = std::array<int, 3>;
+  static constexpr int few_nodes = 8;  ///< a look at all of them costs no more than the search for boxes
+
+  void fill(const Node& from, const Node& to) {
+    const Node count = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+    if (count[0] * count[1] * count[2] <= few_nodes) {
+      for_rows(from, to, [&](int j, int k) {
+        for (int i = from[0]; i < to[0]; ++i)
+          values_[grid_.index(i, j, k)] = field_.value(grid_.point(i, j, k));
+      });
+      return;
+    }
+    const Vector3 low = grid_.point(from[0], from[1], from[2]);
+    const Vector3 high = grid_.point(to[0] - 1, to[1] - 1, to[2] - 1);
+    if (const int side = field_.side(0.5 * (low + high), 0.5 * (high - low).norm(), above_); side != 0) {
+      for_rows(from, to, [&](int j, int k) {
+        std::fill_n(values_.begin() + std::ptrdiff_t(grid_.index(from[0], j, k)), count[0], side * 1e300);
+      });
+      return;
+    }
+    const auto longest = std::size_t(std::max_element(count.begin(), count.end()) - count.begin());
+    Node end = to, begin = from;
+    end[longest] = begin[longest] = (from[longest] + to[longest]) / 2;
+    fill(from, end);
+    fill(begin, to);
+  }
+
+  template <class Row>
+  static void for_rows(const Node& from, const Node& to, const Row& row) {
+    for (int k = from[2]; k < to[2]; ++k)
+      for (int j = from[1]; j < to[1]; ++j) row(j, k);
+  }
+
+  const FlagGrid& grid_;
+  const GridField& field_;
+  double above_;
+  std::vector<double> values_;
+};
+
+std::vector<double> sampled(const FlagGrid& grid, const GridField& field, double above) {
+  return SampledField(grid, field, above).take();
 }
 
 /// Every second plane of a grid, with flags of what lies below a limit; padded so that the border is outside.
@@ -227,8 +333,18 @@ class PlaneRemoval {
   GridTopology topology_;
 };
 
+/// What is inside has a field below it. `offset`: of the cell.
+double limit_of(double offset, double cell) {
+  return (offset + 0.02) * cell;
+}
+
 double grid_volume(const FlagGrid& grid, double cell) {
   return double(std::count(grid.inside.begin(), grid.inside.end(), 1)) * cell * cell * cell;
+}
+
+void keep(FlagGrid& grid, const Components& parts, int label) {
+  std::fill(grid.inside.begin(), grid.inside.end(), 0);
+  parts.mark(grid.inside, [&](int one) { return one == label; });
 }
 
 }  // namespace
@@ -238,18 +354,15 @@ GridTopology tidy(FlagGrid& grid) {
   GridTopology out;
   out.components = parts.count();
   if (out.components > 1) {
-    std::size_t total = 0;
-    for (const std::size_t s : parts.sizes()) total += s;
-    const auto largest = std::max_element(parts.sizes().begin(), parts.sizes().end());
-    if (double(*largest) > largest_share * double(total)) {
-      const int label = int(largest - parts.sizes().begin());
-      for (std::size_t i = 0; i < grid.inside.size(); ++i) grid.inside[i] = parts.label(i) == label;
+    const std::size_t total = std::accumulate(parts.sizes().begin(), parts.sizes().end(), std::size_t{0});
+    const int largest = parts.largest();
+    if (double(parts.sizes()[std::size_t(largest)]) > largest_share * double(total)) {
+      keep(grid, parts, largest);
       out.components = 1;
     }
   }
   const Components outside(grid, 0, true);
-  for (std::size_t i = 0; i < grid.inside.size(); ++i)
-    if (!grid.inside[i] && !outside.touches_border(outside.label(i))) grid.inside[i] = 1;
+  outside.mark(grid.inside, [&](int label) { return !outside.touches_border(label); });
   out.tunnels = out.components - int(euler_number(grid));
   return out;
 }
@@ -271,16 +384,13 @@ std::size_t sign_changes(const FlagGrid& grid) {
 GridReference grid_reference(const GridRequest& request) {
   const Vector3 size = request.high - request.low;
   const double step = std::max(request.thickness / 3.3, std::cbrt(size.prod() / reference_nodes));
-  std::vector<double> values;
-  FlagGrid grid = sampled(request.sharp, request.low, request.high, step, values);
-  for (const double f : values) grid.inside.push_back(f < 0);
+  FlagGrid grid = planes_over(request.low, request.high, step);
+  for (const double f : sampled(grid, request.sharp, 0)) grid.inside.push_back(f < 0);
   const Components parts(grid, 1, false);
   GridReference out;
   if (parts.count() == 0) return out;
   // The solids are connected: what else there is comes of thin tips.
-  const int largest =
-      int(std::max_element(parts.sizes().begin(), parts.sizes().end()) - parts.sizes().begin());
-  for (std::size_t i = 0; i < grid.inside.size(); ++i) grid.inside[i] = parts.label(i) == largest;
+  keep(grid, parts, parts.largest());
   out.topology = tidy(grid);
   out.volume = double(std::count(grid.inside.begin(), grid.inside.end(), 1)) * step * step * step;
   out.area = double(sign_changes(grid)) * step * step;
@@ -302,14 +412,14 @@ std::optional<ChosenGrid> choose_grid(const GridRequest& request, const GridRefe
   double best_score = 1e300;
   for (const double h : ladder) {
     if (cancel.cancelled()) return std::nullopt;
-    std::vector<double> values;
-    const FlagGrid fine = sampled(request.field, request.low, request.high, h / 2, values);
+    const FlagGrid fine = planes_over(request.low, request.high, h / 2);
+    const std::vector<double> values = sampled(fine, request.field, limit_of(largest_offset, h));
     bool stop = false, over = true;
     for (int parity = 0; parity < 8; ++parity) {
       bool fits_plain = false;
-      for (const double offset : {0.0, 0.12, 0.25, 0.4}) {
+      for (const double offset : {0.0, 0.12, 0.25, largest_offset}) {
         if (offset > 0 && request.few && fits_plain) break;
-        const double limit = (offset + 0.02) * h;
+        const double limit = limit_of(offset, h);
         ChosenGrid one;
         one.grid = sublattice(fine, values, {parity & 1, parity >> 1 & 1, parity >> 2 & 1}, limit);
         one.topology = tidy(one.grid);
@@ -355,12 +465,11 @@ std::optional<ChosenGrid> same_grid(const GridRequest& request, const GridRefere
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
         const bool border = i == 0 || j == 0 || k == 0 || i + 1 == nx || j + 1 == ny || k + 1 == nz;
-        out.grid.inside.push_back(!border && request.field(out.grid.point(i, j, k)) < choice.offset);
+        out.grid.inside.push_back(!border && request.field.value(out.grid.point(i, j, k)) < choice.offset);
       }
   out.topology = tidy(out.grid);
-  out.choice.covered = covered_share(out.grid, request.covered);
   if (out.topology.components != 1 || out.topology.tunnels != reference.topology.tunnels ||
-      out.choice.covered < kept_cover * choice.covered)
+      covered_share(out.grid, request.covered) < kept_cover * choice.covered)
     return {};
   PlaneRemoval(out.grid, request.aspect * choice.cell, out.topology).run();
   return out;

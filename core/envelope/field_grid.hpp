@@ -45,11 +45,19 @@ struct GridReference {
   double volume = 0, area = 0;
 };
 
+/// In the grid's frame.
+struct GridField {
+  std::function<double(const Vector3&)> value;
+  /// -1 where it is negative in all of a ball, 1 where it is nowhere below `above`, 0 where that would take a
+  /// closer look.
+  std::function<int(const Vector3& centre, double radius, double above)> side;
+};
+
 struct GridRequest {
-  std::function<double(const Vector3&)> field;  ///< with the wanted fillet, in the grid's frame
-  std::function<double(const Vector3&)> sharp;  ///< with a small fillet, for the reference
-  Vector3 low, high;                            ///< box of the solids
-  double thickness = 1;                         ///< smallest of the solids
+  GridField field;       ///< with the wanted fillet
+  GridField sharp;       ///< with a small one, for the reference
+  Vector3 low, high;     ///< box of the solids
+  double thickness = 1;  ///< smallest of the solids
   double detail = 1, budget = 400, aspect = 2.5;
   bool few = false;              ///< fewer than four solids: offsets only where they are needed
   std::vector<Vector3> covered;  ///< points that should be inside
@@ -60,7 +68,7 @@ struct GridChoice {
   double cell = 0;     ///< between planes
   int parity = 0;      ///< bits 0 to 2: whether the planes of x, y, z lie half a cell beside the middle
   double offset = 0;   ///< inside is field < offset
-  double covered = 1;  ///< share of the points that should be inside and are
+  double covered = 1;  ///< share of the points that should be inside and were when it was chosen
 };
 
 struct ChosenGrid {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace hariko {
 
@@ -405,6 +406,25 @@ double UnionField::operator()(const Vector3& point) const {
           std::min(out, std::max(k, std::min(a, b)) - std::hypot(std::max(k - a, 0.0), std::max(k - b, 0.0)));
     }
   return out;
+}
+
+int UnionField::side(const Vector3& centre, double radius, double above) const {
+  double nearest = 1e300, second = 1e300;
+  for (const SolidDistance& solid : solids_) {
+    if ((centre - solid.centre()).norm() - solid.reach() > second) continue;
+    const double d = solid(centre);
+    if (d < nearest)
+      second = std::exchange(nearest, d);
+    else if (d < second)
+      second = d;
+  }
+  // Distances change by no more than the way. What lies within rounding of the surface is looked at.
+  const double way = (1 + 1e-9) * radius, least = nearest - way, k = largest_fillet_;
+  if (nearest < -way) return -1;
+  // The fillet of two solids as near as the nearest is the lowest.
+  const bool alone = second - way > k || least > k;
+  const double bound = alone ? least : k - std::numbers::sqrt2 * (k - least);
+  return bound >= above ? 1 : 0;
 }
 
 Vector3 UnionField::gradient(const Vector3& point) const {

@@ -70,6 +70,9 @@ class UnionField {
   /// Never above the least of the distances.
   double operator()(const Vector3& point) const;
   Vector3 gradient(const Vector3& point) const;
+  /// -1 where it is negative in all of a ball, 1 where it is nowhere below `above`, 0 where that would take a
+  /// closer look.
+  int side(const Vector3& centre, double radius, double above = 0) const;
   /// Newton steps towards the zero, none longer than `step`.
   Vector3 projected(Vector3 point, int steps, double step) const;
 

@@ -77,6 +77,34 @@ TEST(SolidDistance, TheNearestOfManyIsTheFirstWithTheLeastDistance) {
   EXPECT_EQ(nearest_solid({}, Vector3::Zero()), std::pair(Index(0), 1e300));
 }
 
+TEST(UnionField, OnOneSideOfABallAllValuesAreOnThatSide) {
+  std::map<int, int> counts;
+  for_random(44, 12, [&](std::mt19937_64& rng) {
+    const std::vector<Solid> scene = random_scene(rng).solids;
+    std::vector<SolidDistance> solids;
+    for (const Solid& solid : scene) solids.emplace_back(solid, 0, Vector3::Zero());
+    UnionField::Factors factors;
+    if (solids.size() > 1) factors[{0, 1}] = 2;
+    const UnionField field(solids, log_uniform(rng, 0.02, 0.5), factors);
+    for (int k = 0; k < 200; ++k) {
+      const SolidDistance& near = solids[std::size_t(k) % solids.size()];
+      const Vector3 centre = near.centre() + random_vector(rng, near.reach());
+      const double radius = log_uniform(rng, 0.02, 1) * near.reach();
+      const double above = chance(rng, 0.5) ? 0 : log_uniform(rng, 0.01, 0.5);
+      const int side = field.side(centre, radius, above);
+      ++counts[side];
+      for (int j = 0; side != 0 && j < 20; ++j) {
+        // As many near the rim as inside.
+        Vector3 way = random_vector(rng, radius);
+        if (j % 2 == 0 || way.norm() > radius) way = radius * way.stableNormalized();
+        EXPECT_TRUE(side < 0 ? field(centre + way) < 0 : field(centre + way) >= above);
+      }
+    }
+  });
+  EXPECT_GT(counts[-1], 10);
+  EXPECT_GT(counts[1], 10);
+}
+
 TEST(SampleTree, FindsWhatComparingEverythingFinds) {
   for_random(42, 30, [](std::mt19937_64& rng) {
     const std::size_t per_patch = std::size_t(uniform_int(rng, 1, 28));
