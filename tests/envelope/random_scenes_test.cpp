@@ -47,7 +47,8 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
   const double miss = check_enclosure(made->surface, solids, 20, 333, 0).worst;
   EXPECT_EQ(made->enclosed, made->check->worst <= enclosure_tolerance * made->diagonal);
   // Between the points of the surfacer's check more than its tolerance is possible; not much more
-  // (the most seen in random scenes is 5.2 times).
+  // (but 10.4 times with
+  // HARIKO_SEED=20264172 and 23.3 times with 20267155, at tightness 1: a fault that is still open).
   if (made->enclosed) {
     EXPECT_LE(miss, 10 * enclosure_tolerance * made->diagonal);
   }
