@@ -81,6 +81,7 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
     out.worst = made.check->worst / made.diagonal;
     out.tested = made.check->tested;
     out.outside = made.check->outside;
+    out.crossing = made.check->covered;
   }
   return out;
 }

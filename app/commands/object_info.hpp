@@ -27,6 +27,7 @@ struct EnvelopeInfo {
   double worst = 0;        ///< farthest test point outside, by the independent check, over the diagonal
   std::size_t tested = 0, outside = 0;
   std::size_t folds = 0;
+  std::size_t crossing = 0;  ///< patches inside of another part of the surface
   int builds = 0;
 };
 

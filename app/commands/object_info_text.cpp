@@ -48,10 +48,11 @@ Json to_json(const OutlineInfo& outline) {
 }
 
 Json to_json(const EnvelopeInfo& envelope) {
-  Json out = {{"solids", envelope.solids},     {"method", envelope.method}, {"level", envelope.level},
-              {"enclosed", envelope.enclosed}, {"worst", envelope.worst},   {"tested", envelope.tested},
-              {"outside", envelope.outside},   {"folds", envelope.folds},   {"builds", envelope.builds},
-              {"symmetry", envelope.symmetry}};
+  Json out = {
+      {"solids", envelope.solids},     {"method", envelope.method},    {"level", envelope.level},
+      {"enclosed", envelope.enclosed}, {"worst", envelope.worst},      {"tested", envelope.tested},
+      {"outside", envelope.outside},   {"folds", envelope.folds},      {"crossing", envelope.crossing},
+      {"builds", envelope.builds},     {"symmetry", envelope.symmetry}};
   if (envelope.symmetry != "none") {
     out["images"] = envelope.images;
     out["symmetric"] = envelope.symmetric;

@@ -60,6 +60,7 @@ Result<std::string> solids_json(const SolidsSource& source) {
   out["enclosed"] = made->enclosed;
   out["worst_violation"] = made->check ? made->check->worst / made->diagonal : made->worst / made->diagonal;
   out["folds"] = made->folds;
+  if (made->check) out["crossing"] = made->check->covered;
   out["builds"] = made->builds;
   return out.dump(1) + "\n";
 }

@@ -18,10 +18,9 @@ constexpr int strict_rounds = 10;
 constexpr double largest_strict_push = 2.5;  ///< of the cell: tips of solids that the grid has missed
 constexpr double least_move = 0.1;           ///< of the tolerance: with less of it, pushing has ended
 constexpr double strict_share = 0.9;         ///< of the tolerance: the last solve moves the surface a little
-struct CheckEffort {
-  int density, points;
-};
-constexpr CheckEffort quick{8, 200}, thorough{16, 500};
+/// Spacing: of the diagonal.
+constexpr EnclosureEffort quick{8, 200, 0.02, false}, thorough{16, 500, 0.001, false},
+    last{16, 500, 0.001, true};
 constexpr double chord_slack = 2e-5;  ///< of the diagonal
 
 }  // namespace
@@ -82,7 +81,7 @@ class Pusher {
     if (request_.strict) {
       if (const auto pushed = push_strictly(cancel, out); !pushed) return pushed.error();
       if (const auto made = make(Quality::final, cancel, out); !made) return made.error();
-      out.check = check(out.made.surface, thorough, cancel);
+      out.check = check(out.made.surface, last, cancel);
       if (cancel.cancelled()) return cancelled();
     }
     out.folds = folds();
@@ -111,9 +110,9 @@ class Pusher {
     return Done{};
   }
 
-  EnclosureReport check(const Surface& surface, const CheckEffort& effort, const CancelToken& cancel) const {
-    return check_enclosure(surface, request_.placed, effort.density, effort.points,
-                           chord_slack * request_.diagonal, cancel);
+  EnclosureReport check(const Surface& surface, EnclosureEffort effort, const CancelToken& cancel) const {
+    effort.spacing *= request_.diagonal;
+    return check_enclosure(surface, request_.placed, effort, chord_slack * request_.diagonal, cancel);
   }
 
   double tolerance() const { return request_.tolerance * request_.diagonal; }

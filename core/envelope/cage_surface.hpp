@@ -42,6 +42,8 @@ struct CageSurface {
   std::optional<EnclosureReport> check;  ///< the independent one
   std::size_t folds = 0;                 ///< patches that look away from their face somewhere
   int rounds = 0;
+  /// Or runs into itself, as far as the independent check has looked.
+  bool is_folded() const { return folds > 0 || (check && check->covered > 0); }
 };
 
 /// Tensions of edges by their lengths: short edges are tense, so that uneven cages do not fold.

@@ -294,9 +294,8 @@ EnclosedNetwork search_enclosure(std::span<const PlacedSolid> solids, const Encl
 
 EnclosureReport check_network(const CurveNetwork& network, std::span<const PlacedSolid> solids,
                               double diagonal, const CancelToken& cancel) {
-  constexpr int density = 16, points = 400;
   constexpr double chord_slack = 1e-5;  // of the diagonal: the triangles lie inside of a convex surface
-  return check_enclosure(network_surface(network, Vector3::Zero()), solids, density, points,
+  return check_enclosure(network_surface(network, Vector3::Zero()), solids, {16, 400, 0.001 * diagonal, true},
                          chord_slack * diagonal, cancel);
 }
 

@@ -1,42 +1,205 @@
 #include "core/envelope/enclosure_check.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
+#include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
 #include "core/envelope/winding.hpp"
 
 namespace hariko {
 
 namespace {
-constexpr int points_to_edge = 20;  ///< spread over a solid for one on each of its edges
-}
 
-EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids, int density,
-                                int points, double slack, const CancelToken& cancel) {
-  const TriangleMesh mesh = tessellate(surface, density, cancel);
-  const WindingTree tree(mesh);
-  std::vector<std::pair<Vector3, Index>> tested;
-  for (Index s = 0; s < solids.size(); ++s) {
-    for (const Vector3& p : solids[s].test_points) tested.emplace_back(p, s);
-    for (const Vector3& p : solids[s].surface_points(points)) tested.emplace_back(p, s);
-    for (const Vector3& p : solids[s].edge_points(points / points_to_edge)) tested.emplace_back(p, s);
+constexpr double coincident = 1e-9;  ///< of a solid's reach: so deep is what lies on both surfaces
+constexpr int arcs = 8;              ///< of an ellipse, before these are halved
+constexpr std::size_t covered_stride = 37, covered_first = 18;  ///< triangles of a patch that are looked at
+constexpr std::size_t covered_samples = 7;
+constexpr double lift = 0.01;  ///< of a triangle's size: winding numbers are taken there
+constexpr int halvings = 30;   ///< towards the surface of a solid
+
+struct TestedPoint {
+  Vector3 point;
+  Index solid;
+};
+
+/// The surface's triangles and the solids.
+class Scene {
+ public:
+  Scene(const Surface& surface, std::span<const PlacedSolid> solids, const EnclosureEffort& effort,
+        double slack, const CancelToken& cancel)
+      : solids_(solids),
+        effort_(effort),
+        slack_(slack),
+        cancel_(cancel),
+        mesh_(tessellate(surface, effort.density, cancel)),
+        tree_(mesh_),
+        per_patch_(mesh_.triangles.size() / std::max<std::size_t>(1, surface.patch_count())) {}
+
+  std::vector<TestedPoint> spread_points() const {
+    std::vector<TestedPoint> out;
+    for (Index s = 0; s < solids_.size(); ++s) {
+      const auto add = [&](const Vector3& p) {
+        if (!hidden(p, s, 0)) out.push_back({p, s});
+      };
+      std::ranges::for_each(solids_[s].test_points, add);
+      std::ranges::for_each(solids_[s].surface_points(effort_.points), add);
+    }
+    return out;
   }
-  std::vector<WindingTree::Nearest> miss(tested.size(), {0, no_index});
-  parallel_for(tested.size(), 256, [&](std::size_t begin, std::size_t end) {
-    if (cancel.cancelled()) return;
-    for (std::size_t i = begin; i < end; ++i)
-      if (tree.winding(tested[i].first) < 0.5) miss[i] = tree.nearest(tested[i].first);
-  });
-  EnclosureReport out;
-  out.tested = tested.size();
-  const std::size_t per_patch = mesh.triangles.size() / std::max<std::size_t>(1, surface.patch_count());
-  for (std::size_t i = 0; i < tested.size(); ++i) {
-    if (!(miss[i].distance > slack)) continue;
-    ++out.outside;
-    out.worst = std::max(out.worst, miss[i].distance);
-    out.points.push_back(
-        {tested[i].first, tested[i].second, Index(miss[i].triangle / per_patch), miss[i].distance});
+
+  std::vector<TestedPoint> curve_points() const {
+    struct Piece {
+      SharpCurve curve;
+      Index solid;
+      double begin, end;
+    };
+    std::vector<Piece> pieces;
+    for (Index s = 0; s < solids_.size(); ++s)
+      for (const SharpCurve& curve : solids_[s].sharp_curves()) {
+        const int count = curve.across ? arcs : 1;
+        for (int k = 0; k < count; ++k)
+          pieces.push_back({curve, s, double(k) / count, double(k + 1) / count});
+      }
+    std::vector<std::vector<TestedPoint>> found(pieces.size());
+    parallel_for(pieces.size(), 4, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !cancel_.cancelled(); ++i)
+        add_piece(pieces[i].curve, pieces[i].solid, pieces[i].begin, pieces[i].end, found[i]);
+    });
+    std::vector<TestedPoint> out;
+    for (const auto& some : found) out.insert(out.end(), some.begin(), some.end());
+    return out;
   }
+
+  /// Where a vertex of a patch's triangles lies in a solid, what is above it. Of each patch the deepest.
+  std::vector<TestedPoint> points_above_surface() const {
+    const std::size_t patches = per_patch_ > 0 ? mesh_.triangles.size() / per_patch_ : 0;
+    std::vector<std::optional<TestedPoint>> found(patches);
+    parallel_for(patches, 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end && !cancel_.cancelled(); ++p) found[p] = deepest_of_patch(p);
+    });
+    std::vector<TestedPoint> out;
+    for (const auto& one : found)
+      if (one) out.push_back(*one);
+    return out;
+  }
+
+  EnclosureReport report(std::span<const TestedPoint> tested) const {
+    std::vector<WindingTree::Nearest> miss(tested.size(), {0, no_index});
+    parallel_for(tested.size(), 256, [&](std::size_t begin, std::size_t end) {
+      if (cancel_.cancelled()) return;
+      for (std::size_t i = begin; i < end; ++i)
+        if (tree_.winding(tested[i].point) < 0.5) miss[i] = tree_.nearest(tested[i].point);
+    });
+    EnclosureReport out;
+    out.tested = tested.size();
+    for (std::size_t i = 0; i < tested.size(); ++i) {
+      if (!(miss[i].distance > slack_)) continue;
+      ++out.outside;
+      out.worst = std::max(out.worst, miss[i].distance);
+      out.points.push_back(
+          {tested[i].point, tested[i].solid, Index(miss[i].triangle / per_patch_), miss[i].distance});
+    }
+    return out;
+  }
+
+  std::size_t covered_patches() const {
+    const std::size_t patches = per_patch_ > 0 ? mesh_.triangles.size() / per_patch_ : 0;
+    std::vector<std::uint8_t> covered(patches, 0);
+    parallel_for(patches, 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end && !cancel_.cancelled(); ++p) covered[p] = is_covered(p);
+    });
+    return std::size_t(std::ranges::count(covered, 1));
+  }
+
+ private:
+  /// All within `radius` of the point lies inside of another solid.
+  bool hidden(const Vector3& point, Index solid, double radius) const {
+    for (Index s = 0; s < solids_.size(); ++s)
+      if (s != solid && solids_[s].depth_with_body(point) > radius + coincident * solids_[s].reach)
+        return true;
+    return false;
+  }
+
+  /// The middle of a piece stands for the piece where that is short, inside of another solid as a whole, or
+  /// farther from the surface than its ends are from its middle. Others are halved.
+  void add_piece(const SharpCurve& curve, Index solid, double begin, double end,
+                 std::vector<TestedPoint>& out) const {
+    const double length = (end - begin) * curve.length(), middle = 0.5 * (begin + end);
+    const Vector3 point = curve.at(middle);
+    if (hidden(point, solid, 0.5 * length)) return;
+    if (length > effort_.spacing && !tree_.is_clear(point, 0.5 * length)) {
+      add_piece(curve, solid, begin, middle, out);
+      add_piece(curve, solid, middle, end, out);
+    } else if (!hidden(point, solid, 0)) {
+      out.push_back({point, solid});
+    }
+  }
+
+  std::optional<TestedPoint> deepest_of_patch(std::size_t patch) const {
+    std::optional<TestedPoint> out;
+    double longest = slack_;
+    for (std::size_t t = patch * per_patch_; t < (patch + 1) * per_patch_; ++t)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3& from = mesh_.positions[mesh_.triangles[t][k]];
+        const Vector3& normal = mesh_.normals[mesh_.normal_triangles[t][k]];
+        for (Index s = 0; s < solids_.size(); ++s) {
+          if (!(solids_[s].depth_with_body(from) > 0)) continue;
+          const double way = way_out(solids_[s], from, normal);
+          const Vector3 end = from + way * normal;
+          if (way > longest && !hidden(end, s, 0)) longest = way, out = {end, s};
+        }
+      }
+    return out;
+  }
+
+  /// How far it is from a point inside to the solid's surface.
+  static double way_out(const PlacedSolid& solid, const Vector3& from, const Vector3& direction) {
+    const auto is_inside = [&](double way) { return solid.depth_with_body(from + way * direction) > 0; };
+    double low = 0, high = 1e-6 * solid.reach;
+    while (is_inside(high)) low = high, high *= 2;
+    for (int round = 0; round < halvings; ++round) {
+      const double middle = 0.5 * (low + high);
+      (is_inside(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  bool is_covered(std::size_t patch) const {
+    for (std::size_t k = 0; k < covered_samples; ++k) {
+      const std::size_t at = covered_first + k * covered_stride;
+      if (at >= per_patch_) break;
+      const auto& t = mesh_.triangles[patch * per_patch_ + at];
+      const Vector3 &a = mesh_.positions[t[0]], &b = mesh_.positions[t[1]], &c = mesh_.positions[t[2]];
+      const Vector3 normal = (b - a).cross(c - a);
+      const double size = std::sqrt(normal.norm());
+      if (!(size > 0)) continue;
+      if (tree_.winding((a + b + c) / 3 + lift / size * normal) > 0.5) return true;
+    }
+    return false;
+  }
+
+  std::span<const PlacedSolid> solids_;
+  const EnclosureEffort& effort_;
+  double slack_;
+  const CancelToken& cancel_;
+  TriangleMesh mesh_;
+  WindingTree tree_;
+  std::size_t per_patch_;
+};
+
+}  // namespace
+
+EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids,
+                                const EnclosureEffort& effort, double slack, const CancelToken& cancel) {
+  HARIKO_ASSERT(effort.spacing > 0, "points of sharp curves need a distance from each other");
+  const Scene scene(surface, solids, effort, slack, cancel);
+  std::vector<TestedPoint> tested = scene.spread_points();
+  for (const auto& more : {scene.curve_points(), scene.points_above_surface()})
+    tested.insert(tested.end(), more.begin(), more.end());
+  EnclosureReport out = scene.report(tested);
+  if (effort.covered) out.covered = scene.covered_patches();
   return out;
 }
 

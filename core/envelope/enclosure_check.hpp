@@ -12,6 +12,14 @@
 
 namespace hariko {
 
+/// How closely to look.
+struct EnclosureEffort {
+  int density = 16;     ///< intervals a patch side of the triangles
+  int points = 500;     ///< spread over each solid, beside its test points
+  double spacing = 0;   ///< > 0, length; of points on sharp curves, where these come near the surface
+  bool covered = true;  ///< look for patches inside of other parts of the surface
+};
+
 struct OutsidePoint {
   Vector3 point;
   Index solid;      ///< placed solid
@@ -23,12 +31,13 @@ struct EnclosureReport {
   std::size_t tested = 0, outside = 0;
   double worst = 0;  ///< distance of the farthest point outside from the surface, length
   std::vector<OutsidePoint> points;
+  std::size_t covered = 0;  ///< patches of which some lies inside of another part of the surface
 };
 
-/// `density`: intervals a patch side of the triangles. `points`: spread over each solid, beside its test
-/// points and a twentieth of `points` on every edge. Points within `slack` (a length) of the surface count as
-/// inside.
-EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids, int density,
-                                int points, double slack, const CancelToken& cancel = {});
+/// Tests points that are spread over the solids, points of their sharp curves, and those that the surface
+/// runs deepest below, one a patch; what lies inside of another solid is left out. Points within `slack` (a
+/// length) of the surface count as inside. O((points + patches * density^2) log(patches * density^2)).
+EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids,
+                                const EnclosureEffort& effort, double slack, const CancelToken& cancel = {});
 
 }  // namespace hariko

@@ -68,6 +68,11 @@ void add_warnings(EnvelopeSurface& out) {
     out.warnings.push_back(make_warning(w_envelope_fold,
                                         std::to_string(out.folds) + " patches of the surface fold over.",
                                         "Lower the waist or the roundness, or move the solids apart."));
+  if (out.check && out.check->covered > 0)
+    out.warnings.push_back(make_warning(
+        w_envelope_crossing,
+        "The surface runs into itself: " + std::to_string(out.check->covered) + " patches lie inside of it.",
+        "Move the solids apart or into each other, or pull vertices less far."));
 }
 
 /// Pulls on a field's cage rest while there is a network, and the other way round.

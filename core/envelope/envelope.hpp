@@ -21,6 +21,8 @@ namespace hariko {
 inline constexpr Code e_envelope_flat{"E_ENVELOPE_FLAT"};
 inline constexpr Code w_not_enclosed{"W_NOT_ENCLOSED"};
 inline constexpr Code w_envelope_fold{"W_ENVELOPE_FOLD"};
+/// Some of the surface lies inside of another part of it.
+inline constexpr Code w_envelope_crossing{"W_ENVELOPE_CROSSING"};
 inline constexpr Code w_tightness_reduced{"W_TIGHTNESS_REDUCED"};
 inline constexpr Code w_solid_hull{"W_SOLID_HULL"};
 inline constexpr Code w_not_symmetric{"W_NOT_SYMMETRIC"};
@@ -50,8 +52,8 @@ struct EnvelopeSurface {
 class EnvelopeSurfacer {
  public:
   /// Errors: those of `check_envelope`; E_ENVELOPE_FLAT. Warnings: W_NOT_ENCLOSED, W_ENVELOPE_FOLD,
-  /// W_TIGHTNESS_REDUCED, W_TIGHTNESS_LOOSE, W_WAIST_LIMITED, W_PULL_LIMITED, W_SOLID_HULL (a polyhedron
-  /// with points inside of its hull), W_NOT_SYMMETRIC.
+  /// W_ENVELOPE_CROSSING, W_TIGHTNESS_REDUCED, W_TIGHTNESS_LOOSE, W_WAIST_LIMITED, W_PULL_LIMITED,
+  /// W_SOLID_HULL (a polyhedron with points inside of its hull), W_NOT_SYMMETRIC.
   Result<EnvelopeSurface> rebuild(const EnvelopeInput& input, Quality quality = Quality::final,
                                   const CancelToken& cancel = {});
 

@@ -157,7 +157,7 @@ struct FieldJob {
         RingedCage ringed = ringed_cage(envelope.surface.cage, attempt.cell, rings, factors);
         auto made = surface_over(std::move(ringed.mesh), ringed.cell);
         if (cancel.cancelled()) return make_error(e_cancelled, "The surface was cancelled.");
-        if (!made || !*made || (*made)->folds > 0 || (quality == Quality::final && !encloses(**made)))
+        if (!made || !*made || (*made)->is_folded() || (quality == Quality::final && !encloses(**made)))
           continue;
         envelope.surface = *std::move(*made);
         envelope.enclosed = encloses(envelope.surface);
@@ -217,7 +217,9 @@ struct FieldJob {
     const int other =
         std::abs(one.tunnels - one.wanted_tunnels) + std::abs(one.components - int(scene.clusters.size()));
     if (one.sound()) return 2 * other;
-    return 1000 + double(one.surface.folds) + 200 * miss_of(one.surface) / scene.diagonal + 2 * other;
+    const std::size_t covered = one.surface.check ? one.surface.check->covered : 0;
+    return 1000 + double(one.surface.folds + covered) + 200 * miss_of(one.surface) / scene.diagonal +
+           2 * other;
   }
 };
 

@@ -28,7 +28,7 @@ struct FieldEnvelope {
   double fillet = 0;             ///< in notches, over the cell, where no waist asks for another
   bool waists_followed = true;   ///< else the surface would fold or miss a solid, or a bar has no ring
   bool pulls_followed = true;    ///< else there is no surface with vertices that far
-  bool sound() const { return enclosed && surface.folds == 0; }
+  bool sound() const { return enclosed && !surface.is_folded(); }
 };
 
 /// What does not depend on the waists of bars and on what was pulled by hand.

@@ -15,11 +15,12 @@ namespace hariko {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int ring_sides = 8;      ///< corners of the rings of round solids
-constexpr int rim_points = 48;     ///< test points on the rims of cylinders and cones
-constexpr int side_points = 8;     ///< test points round the sides of cones, below the tip
-constexpr int points_of_edge = 9;  ///< test points between the ends of an edge
-constexpr int spread_points = 64;  ///< test points spread over a surface
+constexpr int ring_sides = 8;       ///< corners of the rings of round solids
+constexpr int rim_points = 48;      ///< test points on the rims of cylinders and cones
+constexpr int side_points = 8;      ///< test points round the sides of cones, below the tip
+constexpr int points_of_edge = 9;   ///< test points between the ends of an edge
+constexpr int spread_points = 64;   ///< test points spread over a surface
+constexpr int straight_lines = 16;  ///< of a cone from the tip to the rim, of a capsule between its balls
 constexpr double solid_hull_tolerance = 1e-9;
 
 void add_ring(std::vector<Vector3>& out, int count, double radius, double z, double phase) {
@@ -162,7 +163,8 @@ void add_test_points(PlacedSolid& solid) {
   using Shape = PlacedSolid::Shape;
   if (solid.shape_ == Shape::half_spaces) {
     for (const Vector3& u : solid.unit_vertices) add(u);
-    for (const Vector3& p : solid.edge_points(points_of_edge)) out.push_back(p);
+    for (const SharpCurve& edge : solid.sharp_curves())
+      for (int k = 1; k <= points_of_edge; ++k) out.push_back(edge.at(double(k) / (points_of_edge + 1)));
   }
   std::vector<Vector3> rim;
   if (solid.shape_ == Shape::cylinder) {
@@ -201,6 +203,14 @@ double PlacedSolid::inside(const Vector3& x) const {
   }
 }
 
+double PlacedSolid::depth_with_body(const Vector3& point) const {
+  const double own = depth(point);
+  if (own > 0 || body.isZero()) return own;
+  const Vector3 unit = to_unit * (point - centre);
+  if (unit.z() < 0 || unit.z() > (to_unit * body).z()) return own;
+  return (1 - std::hypot(unit.x(), unit.y())) * least_stretch;
+}
+
 std::vector<Vector3> PlacedSolid::surface_points(int count) const {
   std::vector<Vector3> out;
   for (const Vector3& d : spread_directions(count)) {
@@ -223,14 +233,48 @@ std::vector<Vector3> PlacedSolid::surface_points(int count) const {
   return out;
 }
 
-std::vector<Vector3> PlacedSolid::edge_points(int per_edge) const {
-  std::vector<Vector3> out;
-  if (shape_ != Shape::half_spaces) return out;
-  for (const auto& [a, b] : edges_of(unit_vertices))
-    for (int k = 1; k <= per_edge; ++k) {
-      const double share = double(k) / (per_edge + 1);
-      out.push_back(world((1 - share) * unit_vertices[a] + share * unit_vertices[b]));
+Vector3 SharpCurve::at(double share) const {
+  if (!across) return base + share * along;
+  const double turn = 2 * pi * share;
+  return base + std::cos(turn) * along + std::sin(turn) * *across;
+}
+
+double SharpCurve::length() const {
+  return across ? 2 * pi * std::max(along.norm(), across->norm()) : along.norm();
+}
+
+std::vector<SharpCurve> PlacedSolid::sharp_curves() const {
+  std::vector<SharpCurve> out;
+  std::vector<Vector3> ring;
+  const auto rim = [&](double z) {
+    out.push_back({world({0, 0, z}), to_world.col(0), Vector3(to_world.col(1))});
+  };
+  switch (shape_) {
+    case Shape::half_spaces:
+      for (const auto& [a, b] : edges_of(unit_vertices)) {
+        const Vector3 begin = world(unit_vertices[a]);
+        out.push_back({begin, world(unit_vertices[b]) - begin, {}});
+      }
+      break;
+    case Shape::cylinder:
+      rim(-1);
+      rim(1);
+      break;
+    case Shape::cone: {
+      rim(-0.5);
+      const Vector3 tip = world({0, 0, 1.5});
+      add_ring(ring, straight_lines, 1, -0.5, 0.5);
+      for (const Vector3& foot : ring) out.push_back({tip, world(foot) - tip, {}});
+      break;
     }
+    case Shape::ball:
+      if (body.isZero()) break;
+      add_ring(ring, straight_lines, 1, 0, 0);
+      for (const Vector3& u : ring) out.push_back({world(u), body, {}});
+      break;
+    case Shape::torus:
+      break;
+  }
   return out;
 }
 
@@ -262,6 +306,7 @@ std::vector<PlacedSolid> place_solids(const EnvelopeInput& input) {
       if (parts == 2) {
         const double along = (part == 0 ? -0.5 : 0.5) * authored.length * authored.scale.z();
         solid.centre += rotation * Vector3(0, 0, along);
+        if (part == 0) solid.body = rotation * Vector3(0, 0, -2 * along);
       }
       set_shape(solid, authored, rotation, input.settings.clearance);
       if (solid.shape_ == PlacedSolid::Shape::half_spaces && solid.kind != SolidKind::box)

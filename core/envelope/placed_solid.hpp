@@ -3,6 +3,7 @@
 // A solid in its place, ready for computing: unit frame, inside function, points to test (spec sections 1,
 // 6).
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,18 @@ namespace hariko {
 struct HalfSpace {
   Vector3 normal;
   double offset;
+};
+
+/// A line or a closed ellipse on the surface of a solid where it is sharp, or straight: what spread points
+/// miss first. World.
+struct SharpCurve {
+  Vector3 base;                   ///< where a line begins; the centre of an ellipse
+  Vector3 along;                  ///< to the line's end; to the ellipse's point of share 0
+  std::optional<Vector3> across;  ///< of ellipses: to the point of share 1/4
+  /// share: 0 .. 1 from end to end, or once round.
+  Vector3 at(double share) const;
+  /// Of ellipses a bound: no part is longer than its share of this.
+  double length() const;
 };
 
 /// One centre of curvature: a capsule makes two of them. World points are centre + sigma A u for points u of
@@ -32,6 +45,7 @@ class PlacedSolid {
   Matrix3 rotation = Matrix3::Identity();  ///< of the solid's own axes
   double least_stretch = 1;                ///< smallest singular value of to_world
   double reach = 0;                        ///< no point is farther from the centre
+  Vector3 body = Vector3::Zero();  ///< of one of a capsule's balls: from its centre to that of the other
   std::vector<Vector3> unit_vertices;
   std::vector<Vector3> test_points;  ///< world; on the solid's surface
 
@@ -43,12 +57,14 @@ class PlacedSolid {
     if (offset.squaredNorm() > reach * reach) return -least_stretch;
     return inside(to_unit * offset) * least_stretch;
   }
+  /// As `depth`, but between the balls of a capsule it is positive too.
+  double depth_with_body(const Vector3& world) const;
   Vector3 world(const Vector3& unit, double sigma = 1) const { return centre + to_world * (sigma * unit); }
   bool is_round() const { return shape_ == Shape::ball || shape_ == Shape::torus; }
   /// `count` points spread over the surface, of which convex solids have no empty parts.
   std::vector<Vector3> surface_points(int count) const;
-  /// Points between the ends of every edge; none of solids without straight edges.
-  std::vector<Vector3> edge_points(int per_edge) const;
+  /// Edges, rims, and lines down the sides of cones and along the bodies of capsules.
+  std::vector<SharpCurve> sharp_curves() const;
 
   Shape shape_ = Shape::half_spaces;
   std::vector<HalfSpace> half_spaces_;

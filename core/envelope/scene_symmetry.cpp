@@ -138,6 +138,7 @@ class Mirroring {
     next.to_world.row(symmetry_.axis) *= -1;
     next.to_unit.col(symmetry_.axis) *= -1;
     next.rotation.row(symmetry_.axis) *= -1;
+    next.body[symmetry_.axis] *= -1;
     for (Vector3& p : next.test_points) p = symmetry_.reflected(p);
     image = std::move(next);
   }

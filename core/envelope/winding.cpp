@@ -39,27 +39,23 @@ double square_distance(const Vector3& p, const Vector3& a, const Vector3& b, con
 
 }  // namespace
 
-WindingTree::WindingTree(const TriangleMesh& mesh) : mesh_(&mesh), order_(mesh.triangles.size()) {
-  for (Index i = 0; i < order_.size(); ++i) {
+WindingTree::WindingTree(const TriangleMesh& mesh) : mesh_(&mesh) {
+  items_.reserve(mesh.triangles.size());
+  for (Index i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
-    order_[i] = i;
-    middle_.push_back((mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3);
+    items_.push_back({(mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3, i});
   }
-  if (!order_.empty()) build(0, Index(order_.size()));
+  nodes_.reserve(4 * items_.size() / leaf_size + 1);
+  if (!items_.empty()) build(0, Index(items_.size()));
 }
 
-Index WindingTree::build(Index begin, Index end) {
-  const Index at = Index(nodes_.size());
-  nodes_.emplace_back();
+WindingTree::Node WindingTree::leaf(Index begin, Index end) const {
   Node node;
-  node.begin = begin;
-  node.end = end;
   node.low = Vector3::Constant(1e300);
   node.high = -node.low;
   node.centre = node.area = Vector3::Zero();
-  double total = 0;
   for (Index i = begin; i < end; ++i) {
-    const auto& t = mesh_->triangles[order_[i]];
+    const auto& t = mesh_->triangles[items_[i].triangle];
     for (const Index v : t) {
       node.low = node.low.cwiseMin(mesh_->positions[v]);
       node.high = node.high.cwiseMax(mesh_->positions[v]);
@@ -67,23 +63,53 @@ Index WindingTree::build(Index begin, Index end) {
     const Vector3& a = mesh_->positions[t[0]];
     const Vector3 area = 0.5 * (mesh_->positions[t[1]] - a).cross(mesh_->positions[t[2]] - a);
     node.area += area;
-    node.centre += area.norm() * middle_[order_[i]];
-    total += area.norm();
+    node.centre += area.norm() * items_[i].middle;
+    node.total += area.norm();
   }
-  node.centre = total > 0 ? Vector3(node.centre / total) : Vector3(0.5 * (node.low + node.high));
-  node.radius = (node.high - node.centre).cwiseMax(node.centre - node.low).norm();
-  if (end - begin > leaf_size) {
+  node.centre = node.total > 0 ? Vector3(node.centre / node.total) : Vector3(0.5 * (node.low + node.high));
+  return node;
+}
+
+Index WindingTree::build(Index begin, Index end) {
+  const Index at = Index(nodes_.size());
+  nodes_.emplace_back();
+  Node node;
+  if (end - begin <= leaf_size) {
+    node = leaf(begin, end);
+  } else {
+    Vector3 low = items_[begin].middle, high = low;
+    for (Index i = begin; i < end; ++i) {
+      low = low.cwiseMin(items_[i].middle);
+      high = high.cwiseMax(items_[i].middle);
+    }
     Eigen::Index axis;
-    (node.high - node.low).maxCoeff(&axis);
+    (high - low).maxCoeff(&axis);
     const Index middle = begin + (end - begin) / 2;
-    std::nth_element(
-        order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-        [&](Index a, Index b) { return std::pair(middle_[a][axis], a) < std::pair(middle_[b][axis], b); });
+    std::nth_element(items_.begin() + begin, items_.begin() + middle, items_.begin() + end,
+                     [&](const Item& a, const Item& b) {
+                       return std::pair(a.middle[axis], a.triangle) < std::pair(b.middle[axis], b.triangle);
+                     });
     build(begin, middle);
     node.right = build(middle, end);
+    const Node &one = nodes_[at + 1], &other = nodes_[node.right];
+    node.low = one.low.cwiseMin(other.low);
+    node.high = one.high.cwiseMax(other.high);
+    node.area = one.area + other.area;
+    node.total = one.total + other.total;
+    node.centre = node.total > 0 ? Vector3((one.total * one.centre + other.total * other.centre) / node.total)
+                                 : Vector3(0.5 * (node.low + node.high));
   }
+  node.begin = begin;
+  node.end = end;
+  node.radius = (node.high - node.centre).cwiseMax(node.centre - node.low).norm();
   nodes_[at] = node;
   return at;
+}
+
+double WindingTree::square_distance(const Item& item, const Vector3& point) const {
+  const auto& t = mesh_->triangles[item.triangle];
+  return hariko::square_distance(point, mesh_->positions[t[0]], mesh_->positions[t[1]],
+                                 mesh_->positions[t[2]]);
 }
 
 double WindingTree::winding(const Vector3& point) const {
@@ -98,7 +124,7 @@ double WindingTree::winding(Index at, const Vector3& point) const {
   if (node.right != no_index) return winding(at + 1, point) + winding(node.right, point);
   double sum = 0;
   for (Index i = node.begin; i < node.end; ++i) {
-    const auto& t = mesh_->triangles[order_[i]];
+    const auto& t = mesh_->triangles[items_[i].triangle];
     sum += solid_angle(mesh_->positions[t[0]] - point, mesh_->positions[t[1]] - point,
                        mesh_->positions[t[2]] - point);
   }
@@ -116,12 +142,9 @@ void WindingTree::nearest(Index at, const Vector3& point, Nearest& best) const {
   const Node& node = nodes_[at];
   if (box_square_distance(point, node.low, node.high) >= best.distance) return;
   if (node.right == no_index) {
-    for (Index i = node.begin; i < node.end; ++i) {
-      const auto& t = mesh_->triangles[order_[i]];
-      const double square =
-          square_distance(point, mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]]);
-      if (square < best.distance) best = {square, order_[i]};
-    }
+    for (Index i = node.begin; i < node.end; ++i)
+      if (const double square = square_distance(items_[i], point); square < best.distance)
+        best = {square, items_[i].triangle};
     return;
   }
   const Node &left = nodes_[at + 1], &right = nodes_[node.right];
@@ -129,6 +152,20 @@ void WindingTree::nearest(Index at, const Vector3& point, Nearest& best) const {
       box_square_distance(point, left.low, left.high) <= box_square_distance(point, right.low, right.high);
   nearest(left_first ? at + 1 : node.right, point, best);
   nearest(left_first ? node.right : at + 1, point, best);
+}
+
+bool WindingTree::is_clear(const Vector3& point, double radius) const {
+  return nodes_.empty() || is_clear_by_square(0, point, radius * radius);
+}
+
+bool WindingTree::is_clear_by_square(Index at, const Vector3& point, double square) const {
+  const Node& node = nodes_[at];
+  if (box_square_distance(point, node.low, node.high) >= square) return true;
+  if (node.right != no_index)
+    return is_clear_by_square(at + 1, point, square) && is_clear_by_square(node.right, point, square);
+  for (Index i = node.begin; i < node.end; ++i)
+    if (square_distance(items_[i], point) < square) return false;
+  return true;
 }
 
 }  // namespace hariko

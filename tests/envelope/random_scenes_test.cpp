@@ -16,7 +16,7 @@ namespace {
 constexpr double enclosure_tolerance = 1e-4;  ///< of the diagonal
 
 struct Tally {
-  int scenes = 0, enclosed = 0, folded = 0;
+  int scenes = 0, enclosed = 0, folded = 0, crossing = 0;
   int missed = 0;  ///< enclosed as reported, but not by finer triangles and other points
   std::map<std::pair<std::string, int>, int> levels;  ///< route and level of its ladder
   double deepest_reported = 0, deepest = 0;           ///< of the diagonal
@@ -44,16 +44,16 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
   ASSERT_TRUE(made->check);
   const std::vector<PlacedSolid> solids = placed_for(*made, input);
   // Finer triangles and other points than those of the surfacer's own check.
-  const double miss = check_enclosure(made->surface, solids, 20, 333, 0).worst;
+  const double miss =
+      check_enclosure(made->surface, solids, {20, 1333, 0.0007 * made->diagonal, false}, 0).worst;
   EXPECT_EQ(made->enclosed, made->check->worst <= enclosure_tolerance * made->diagonal);
-  // Between the points of the surfacer's check more than its tolerance is possible; not much more
-  // (but 10.4 times with
-  // HARIKO_SEED=20264172 and 23.3 times with 20267155, at tightness 1: a fault that is still open).
+  // Between the points of the surfacer's check more than its tolerance is possible; not much more.
   if (made->enclosed) {
-    EXPECT_LE(miss, 10 * enclosure_tolerance * made->diagonal);
+    EXPECT_LE(miss, 2 * enclosure_tolerance * made->diagonal);
   }
   EXPECT_EQ(warned(*made, w_not_enclosed), !made->enclosed);
   EXPECT_EQ(warned(*made, w_envelope_fold), made->folds > 0);
+  EXPECT_EQ(warned(*made, w_envelope_crossing), made->check->covered > 0);
   EXPECT_EQ(warned(*made, w_tightness_reduced), made->level == 9);
   EXPECT_EQ(warned(*made, w_tightness_loose), made->route == EnvelopeRoute::field && made->level >= 6);
   if (made->network) {
@@ -71,6 +71,7 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
   ++tally.scenes;
   tally.enclosed += made->enclosed;
   tally.folded += made->folds > 0;
+  tally.crossing += made->check->covered > 0;
   const char* const routes[] = {"hull", "valleys", "field"};
   ++tally.levels[{routes[std::size_t(made->route)], made->level}];
   tally.deepest_reported = std::max(tally.deepest_reported, made->check->worst / made->diagonal);
@@ -80,7 +81,7 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
 
 void print(const char* name, const Tally& tally) {
   std::cout << name << ": " << tally.scenes << " scenes, enclosed " << tally.enclosed << ", with folds "
-            << tally.folded << ", deepest point outside " << tally.deepest_reported
+            << tally.folded << ", into themselves " << tally.crossing << ", deepest point outside " << tally.deepest_reported
             << " of the diagonal as reported, " << tally.deepest << " by finer triangles, which find "
             << tally.missed << " of those reported as enclosed above the tolerance\n";
   for (const auto& [place, count] : tally.levels)

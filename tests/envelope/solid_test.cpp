@@ -166,7 +166,10 @@ TEST(WindingNumbers, SayInsideOfASphereAndHowFar) {
     const Vector3 p = random_vector(rng, 3);
     if (std::abs(p.norm() - 2) < 0.02) return;
     EXPECT_NEAR(tree.winding(p), p.norm() < 2 ? 1 : 0, 0.02);
-    EXPECT_NEAR(tree.nearest(p).distance, std::abs(p.norm() - 2), 0.01);
+    const double distance = tree.nearest(p).distance;
+    EXPECT_NEAR(distance, std::abs(p.norm() - 2), 0.01);
+    EXPECT_TRUE(tree.is_clear(p, 0.999 * distance));
+    EXPECT_FALSE(tree.is_clear(p, 1.001 * distance));
   });
 }
 

@@ -1,0 +1,233 @@
+// The independent check of enclosure, on surfaces of which is known where solids reach out.
+
+#include <Eigen/Geometry>
+
+#include "core/envelope/enclosure_check.hpp"
+#include "core/envelope/solid_distance.hpp"
+#include "core/surface/tessellation.hpp"
+#include "tests/envelope/envelope_scenes.hpp"
+#include "tests/support/analytic_patches.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+constexpr double slack = 2e-4;
+constexpr EnclosureEffort effort{16, 100, 0.01, true};
+
+/// The nearest point of this surface to its axis is at x = 2.
+Surface wide_torus() {
+  return torus(3, 1, 24, 12);
+}
+
+std::vector<PlacedSolid> placed(std::vector<Solid> solids) {
+  EnvelopeInput input;
+  for (std::size_t k = 0; k < solids.size(); ++k) solids[k].id = std::uint32_t(k);
+  input.solids = std::move(solids);
+  return place_solids(input);
+}
+
+/// A sphere of radius 2 with a dent in one direction.
+Surface dented_sphere(const Vector3& direction, double depth) {
+  const Surface round = sphere(2);
+  std::vector<PatchFormula> formulas;
+  std::vector<Index> nodes;
+  for (Index p = 0; p < round.patch_count(); ++p) {
+    for (int c = 0; c < 3; ++c) nodes.push_back(round.node(p, c));
+    const auto position = [=](double s, double t) {
+      const Vector3 at = round.patches().evaluate(p, {s, t}, Order::first).position.normalized();
+      const double angle = std::acos(std::clamp(at.dot(direction), -1.0, 1.0)) / 0.3;
+      return Vector3((2 - depth * std::exp(-angle * angle)) * at);
+    };
+    formulas.push_back([=](double s, double t) {
+      constexpr double h = 1e-6;
+      PatchPoint point = round.patches().evaluate(p, {s, t}, Order::second);
+      point.position = position(s, t);
+      point.ds = (position(s + h, t) - position(s - h, t)) / (2 * h);
+      point.dt = (position(s, t + h) - position(s, t - h)) / (2 * h);
+      return point;
+    });
+  }
+  return make_surface(Domain::triangle, std::move(formulas), nodes);
+}
+
+/// Spheres of radius 2, some way from each other.
+Surface two_spheres(double shift) {
+  const Vector3 at[6] = {Vector3::UnitX(),  -Vector3::UnitX(), Vector3::UnitY(),
+                         -Vector3::UnitY(), Vector3::UnitZ(),  -Vector3::UnitZ()};
+  const Index corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  std::vector<Index> nodes;
+  std::vector<PatchFormula> formulas;
+  for (Index one = 0; one < 2; ++one)
+    for (std::size_t k = 0; k < std::size(corners); k += 3) {
+      for (std::size_t c = 0; c < 3; ++c) nodes.push_back(corners[k + c] + 6 * one);
+      const PatchFormula round = sphere_patch(at[corners[k]], at[corners[k + 1]], at[corners[k + 2]], 2);
+      formulas.push_back([=](double s, double t) {
+        PatchPoint point = round(s, t);
+        point.position.x() += shift * one;
+        return point;
+      });
+    }
+  return make_surface(Domain::triangle, std::move(formulas), nodes);
+}
+
+}  // namespace
+
+TEST(EnclosureCheck, EdgesThatReachOutBetweenTheirTestPointsAreFound) {
+  constexpr double out = 0.002;
+  // An edge along y goes through the wall between y = -0.09 and 0.09, between two test points of the edge.
+  const double half_width = 0.4, to_edge = half_width * std::sqrt(2.0);
+  Solid box;
+  box.size = {2 * half_width, 2, 2 * half_width};
+  box.rotation = {0, 45, 0};
+  // Nor does a vertex of the triangles lie there.
+  box.position = {2 - out + to_edge, 0.1, 0.016};
+  const auto solids = placed({box});
+  const EnclosureReport found = check_enclosure(wide_torus(), solids, effort, slack);
+  EXPECT_NEAR(found.worst, out, 4e-4);
+  ASSERT_FALSE(found.points.empty());
+  for (const OutsidePoint& point : found.points) {
+    EXPECT_EQ(point.solid, 0U);
+    EXPECT_LE(std::abs(point.point.y()), 0.1);
+    EXPECT_NEAR(point.point.x(), 2 - out, 1e-3);
+  }
+  // That is what the points of the curves are for.
+  EXPECT_EQ(check_enclosure(wide_torus(), solids, {16, 100, 3, true}, slack).outside, 0U);
+}
+
+TEST(EnclosureCheck, RimsThatReachOutBetweenTheirTestPointsAreFound) {
+  constexpr double out = 0.0004;
+  // Within the tube's wall at the far side, where the tube is as round as the rim but for a little.
+  Solid drum;
+  drum.kind = SolidKind::cylinder;
+  drum.radius = 3.6;
+  drum.height = 0.2;
+  // Of the outer wall z = 0.1 is at 3 + sqrt(1 - 0.01); the rim is moved towards it.
+  const double wall = 3 + std::sqrt(1 - 0.01);
+  const double turn = (0.5 / 48) * 2 * std::numbers::pi;
+  drum.position = (wall + out - 3.6) * Vector3(std::cos(turn), std::sin(turn), 0);
+  const EnclosureReport found = check_enclosure(torus(3, 1, 24, 12), placed({drum}), effort, 1e-4);
+  double farthest = 0;
+  for (const OutsidePoint& point : found.points)
+    if (std::hypot(point.point.x(), point.point.y()) > 3) farthest = std::max(farthest, point.distance);
+  EXPECT_NEAR(farthest, out, 3e-4);
+}
+
+TEST(EnclosureCheck, FacesThatTheSurfaceRunsBelowAreFound) {
+  constexpr double out = 0.01;
+  const Vector3 middle(1, 0.2, 0.13);  // of a spot of 0.06 across
+  Solid box;
+  box.size = {2, 2, 2};
+  const auto solids = placed({box});
+  for (const Vector3& p : solids[0].surface_points(effort.points)) ASSERT_GT((p - middle).norm(), 0.07);
+  const Surface dented = dented_sphere(middle.normalized(), 2 - middle.norm() + out);
+  EnclosureEffort fine = effort;
+  fine.density = 64;
+  const EnclosureReport found = check_enclosure(dented, solids, fine, slack);
+  EXPECT_NEAR(found.worst, out, 0.003);
+  ASSERT_FALSE(found.points.empty());
+  for (const OutsidePoint& point : found.points) {
+    EXPECT_NEAR(point.point.x(), 1, 1e-5);
+    EXPECT_LT((point.point - middle).norm(), 0.1);
+  }
+}
+
+TEST(EnclosureCheck, BodiesOfCapsulesAreSolid) {
+  Solid capsule;
+  capsule.kind = SolidKind::capsule;
+  capsule.radius = 0.5;
+  capsule.length = 3;
+  // Bridges between the balls of one of these were thinner than its body.
+  std::mt19937_64 rng(20262155);
+  const EnvelopeInput input = random_scene(rng);
+  const EnvelopeSurface made = envelope_of(input);
+  EXPECT_TRUE(made.enclosed);
+  for (const Solid& solid : input.solids) {
+    const SolidDistance distance(solid, 0, made.origin);
+    for (const Vector3& p : tessellate(made.surface, 24).positions)
+      EXPECT_GE(distance(p), -1e-4 * made.diagonal);
+  }
+  // Where the surface runs into the body between two of its lines, that is found.
+  const auto solids = placed({capsule});
+  const Vector3 middle = 0.5 * Vector3(std::cos(0.19), std::sin(0.19), 0.3);
+  const Surface dented = dented_sphere(middle.normalized(), 2 - middle.norm() + 0.01);
+  EnclosureEffort fine = effort;
+  fine.density = 64;
+  EXPECT_NEAR(check_enclosure(dented, solids, fine, slack).worst, 0.0075, 0.003);
+}
+
+TEST(EnclosureCheck, WhatLiesInsideOfAnotherSolidIsLeftOut) {
+  Solid ball, inner;
+  ball.kind = inner.kind = SolidKind::sphere;
+  ball.radius = 1;
+  inner.radius = 0.5;
+  const Surface surface = sphere(2);
+  const std::size_t alone = check_enclosure(surface, placed({ball}), effort, slack).tested;
+  EXPECT_GE(alone, 100U);
+  EXPECT_EQ(check_enclosure(surface, placed({ball, inner}), effort, slack).tested, alone);
+  // But not what lies on both surfaces.
+  EXPECT_EQ(check_enclosure(surface, placed({ball, ball}), effort, slack).tested, 2 * alone);
+  inner.position.x() = 3;
+  const EnclosureReport outside = check_enclosure(surface, placed({ball, inner}), effort, slack);
+  EXPECT_GT(outside.tested, alone);
+  EXPECT_NEAR(outside.worst, 1.5, 0.02);
+}
+
+TEST(EnclosureCheck, PartsOfTheSurfaceInsideOfOthersAreCounted) {
+  const auto covered = [](double shift, bool look) {
+    return check_enclosure(two_spheres(shift), {}, {16, 100, 0.01, look}, slack).covered;
+  };
+  EXPECT_EQ(covered(5, true), 0U);
+  // Half of each lies in the other, and a little more of the patches.
+  EXPECT_GE(covered(0.5, true), 8U);
+  EXPECT_EQ(covered(0.5, false), 0U);
+  EXPECT_EQ(check_enclosure(wide_torus(), {}, effort, slack).covered, 0U);
+}
+
+TEST(SharpCurves, LieOnTheirSolids) {
+  struct Expected {
+    SolidKind kind;
+    std::size_t count;
+  };
+  for_random(31, 5, [](std::mt19937_64& rng) {
+    for (const Expected& expected : {Expected{SolidKind::box, 12},
+                                     {SolidKind::sphere, 0},
+                                     {SolidKind::cylinder, 2},
+                                     {SolidKind::cone, 17},
+                                     {SolidKind::prism, 15},
+                                     {SolidKind::pyramid, 10},
+                                     {SolidKind::capsule, 16},
+                                     {SolidKind::torus, 0}}) {
+      Solid solid;
+      solid.kind = expected.kind;
+      solid.sides = 5;
+      solid.tube = 0.3 * solid.radius;
+      solid.rotation = random_vector(rng, 180);
+      solid.position = random_vector(rng, 10);
+      // Distances of stretched capsules are those of their hulls.
+      if (solid.kind != SolidKind::capsule)
+        solid.scale = {uniform(rng, 0.3, 3), uniform(rng, 0.3, 3), uniform(rng, 0.3, 3)};
+      const PlacedSolid on = placed({solid})[0];
+      const auto curves = on.sharp_curves();
+      const SolidDistance distance(solid, 0, Vector3::Zero());
+      EXPECT_EQ(curves.size(), expected.count) << int(expected.kind);
+      for (const SharpCurve& curve : curves) {
+        double length = 0;
+        constexpr int steps = 64;
+        for (int k = 0; k < steps; ++k) {
+          const Vector3 point = curve.at((k + 0.5) / steps);
+          if (on.body.isZero()) {
+            EXPECT_NEAR(on.inside(on.to_unit * (point - on.centre)), 0, 1e-12);
+          } else {
+            EXPECT_NEAR(distance(point), 0, 1e-9);
+          }
+          length += (curve.at(double(k + 1) / steps) - curve.at(double(k) / steps)).norm();
+        }
+        EXPECT_LE(length, curve.length() * (1 + 1e-12));
+        EXPECT_EQ(curve.across.has_value(), (curve.at(1) - curve.at(0)).norm() < 1e-9);
+      }
+    }
+  });
+}
+
+}  // namespace hariko::test
