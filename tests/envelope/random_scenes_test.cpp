@@ -81,9 +81,10 @@ void check_scene(const EnvelopeInput& input, Tally& tally) {
 
 void print(const char* name, const Tally& tally) {
   std::cout << name << ": " << tally.scenes << " scenes, enclosed " << tally.enclosed << ", with folds "
-            << tally.folded << ", into themselves " << tally.crossing << ", deepest point outside " << tally.deepest_reported
-            << " of the diagonal as reported, " << tally.deepest << " by finer triangles, which find "
-            << tally.missed << " of those reported as enclosed above the tolerance\n";
+            << tally.folded << ", into themselves " << tally.crossing << ", deepest point outside "
+            << tally.deepest_reported << " of the diagonal as reported, " << tally.deepest
+            << " by finer triangles, which find " << tally.missed
+            << " of those reported as enclosed above the tolerance\n";
   for (const auto& [place, count] : tally.levels)
     std::cout << "  " << place.first << ", level " << place.second << ": " << count << "\n";
 }
