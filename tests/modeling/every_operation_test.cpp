@@ -154,7 +154,7 @@ std::vector<Operation> tidying() {
        [](const auto& s, Rng& rng) {
          return merge_by_distance(s, random_vertices(s, rng), size_of(s) * log_uniform(rng, 1e-3, 0.3));
        },
-       false, 10},
+       false, 5},
       {"collapse",
        [](const auto& s, Rng& rng) { return collapse_edges(s, std::vector<EdgeId>{some_edge(s, rng)}); },
        false},
