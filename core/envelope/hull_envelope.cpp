@@ -11,7 +11,9 @@ constexpr double local_step = 0.5;  ///< on the waists of bridges whose patches 
 constexpr double most_detail = 0.3;
 /// Thinning can leave points between which there is no hull, or none that is symmetric.
 constexpr double less_details[] = {-0.03, -0.06, -most_detail};
-constexpr double growths[] = {1.15, 1.35, 1.7, 2.2};  ///< of all solids at the beginning of a search
+constexpr double growths[] = {
+    1.03, 1.07, 1.15,
+    1.35, 1.7,  2.2};  ///< of all solids at the beginning of a search: other corners are thinned out then
 constexpr double outside_folds = 3;  ///< as bad as so many folded patches: a point of a solid outside
 
 struct Rung {
@@ -88,8 +90,9 @@ HullEnvelope hull_envelope(std::span<const PlacedSolid> solids, const EnclosureS
     attempt({rung.more_detail, rung.waist, rung.paired, {}});
   }
   for (const double growth : growths) {
-    if (best.found.enclosed || cancel.cancelled()) break;
+    if (!(least > 0) || cancel.cancelled()) break;
     attempt({}, growth);
+    if (least > 0) attempt({0, 0.5, true, {}}, growth);
   }
   return best;
 }
