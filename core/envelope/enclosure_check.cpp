@@ -6,6 +6,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
+#include "core/envelope/surface_dips.hpp"
 #include "core/envelope/winding.hpp"
 
 namespace hariko {
@@ -17,7 +18,6 @@ constexpr int arcs = 8;              ///< of an ellipse, before these are halved
 constexpr std::size_t covered_stride = 37, covered_first = 18;  ///< triangles of a patch that are looked at
 constexpr std::size_t covered_samples = 7;
 constexpr double lift = 0.01;  ///< of a triangle's size: winding numbers are taken there
-constexpr int halvings = 30;   ///< towards the surface of a solid
 
 struct TestedPoint {
   Vector3 point;
@@ -29,7 +29,8 @@ class Scene {
  public:
   Scene(const Surface& surface, std::span<const PlacedSolid> solids, const EnclosureEffort& effort,
         double slack, const CancelToken& cancel)
-      : solids_(solids),
+      : surface_(surface),
+        solids_(solids),
         effort_(effort),
         slack_(slack),
         cancel_(cancel),
@@ -72,19 +73,6 @@ class Scene {
     return out;
   }
 
-  /// Where a vertex of a patch's triangles lies in a solid, what is above it. Of each patch the deepest.
-  std::vector<TestedPoint> points_above_surface() const {
-    const std::size_t patches = per_patch_ > 0 ? mesh_.triangles.size() / per_patch_ : 0;
-    std::vector<std::optional<TestedPoint>> found(patches);
-    parallel_for(patches, 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = begin; p < end && !cancel_.cancelled(); ++p) found[p] = deepest_of_patch(p);
-    });
-    std::vector<TestedPoint> out;
-    for (const auto& one : found)
-      if (one) out.push_back(*one);
-    return out;
-  }
-
   EnclosureReport report(std::span<const TestedPoint> tested) const {
     std::vector<WindingTree::Nearest> miss(tested.size(), {0, no_index});
     parallel_for(tested.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -94,14 +82,24 @@ class Scene {
     });
     EnclosureReport out;
     out.tested = tested.size();
-    for (std::size_t i = 0; i < tested.size(); ++i) {
-      if (!(miss[i].distance > slack_)) continue;
-      ++out.outside;
-      out.worst = std::max(out.worst, miss[i].distance);
-      out.points.push_back(
-          {tested[i].point, tested[i].solid, Index(miss[i].triangle / per_patch_), miss[i].distance});
-    }
+    for (std::size_t i = 0; i < tested.size(); ++i)
+      if (miss[i].distance > slack_)
+        add({tested[i].point, tested[i].solid, Index(miss[i].triangle / per_patch_), miss[i].distance}, out);
     return out;
+  }
+
+  /// Points of solids above the patches that run below them. How far the patch itself is away from them is
+  /// known better than from its triangles.
+  void add_dips(EnclosureReport& report) const {
+    for (const SurfaceDip& dip : surface_dips(surface_, mesh_, effort_.density, solids_, slack_, cancel_)) {
+      const Vector3 point = dip.point + dip.depth * dip.normal;
+      if (hidden(point, dip.solid, 0)) continue;
+      ++report.tested;
+      // Beyond the triangles, wherever these run: another part of the surface may lie there.
+      const double above = dip.depth + lift * surface_.patch_scale(dip.patch) / effort_.density;
+      if (tree_.winding(dip.point + above * dip.normal) < 0.5)
+        add({point, dip.solid, dip.patch, dip.depth}, report);
+    }
   }
 
   std::size_t covered_patches() const {
@@ -114,6 +112,12 @@ class Scene {
   }
 
  private:
+  static void add(const OutsidePoint& point, EnclosureReport& report) {
+    ++report.outside;
+    report.worst = std::max(report.worst, point.distance);
+    report.points.push_back(point);
+  }
+
   /// All within `radius` of the point lies inside of another solid.
   bool hidden(const Vector3& point, Index solid, double radius) const {
     for (Index s = 0; s < solids_.size(); ++s)
@@ -137,35 +141,6 @@ class Scene {
     }
   }
 
-  std::optional<TestedPoint> deepest_of_patch(std::size_t patch) const {
-    std::optional<TestedPoint> out;
-    double longest = slack_;
-    for (std::size_t t = patch * per_patch_; t < (patch + 1) * per_patch_; ++t)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vector3& from = mesh_.positions[mesh_.triangles[t][k]];
-        const Vector3& normal = mesh_.normals[mesh_.normal_triangles[t][k]];
-        for (Index s = 0; s < solids_.size(); ++s) {
-          if (!(solids_[s].depth_with_body(from) > 0)) continue;
-          const double way = way_out(solids_[s], from, normal);
-          const Vector3 end = from + way * normal;
-          if (way > longest && !hidden(end, s, 0)) longest = way, out = {end, s};
-        }
-      }
-    return out;
-  }
-
-  /// How far it is from a point inside to the solid's surface.
-  static double way_out(const PlacedSolid& solid, const Vector3& from, const Vector3& direction) {
-    const auto is_inside = [&](double way) { return solid.depth_with_body(from + way * direction) > 0; };
-    double low = 0, high = 1e-6 * solid.reach;
-    while (is_inside(high)) low = high, high *= 2;
-    for (int round = 0; round < halvings; ++round) {
-      const double middle = 0.5 * (low + high);
-      (is_inside(middle) ? low : high) = middle;
-    }
-    return low;
-  }
-
   bool is_covered(std::size_t patch) const {
     for (std::size_t k = 0; k < covered_samples; ++k) {
       const std::size_t at = covered_first + k * covered_stride;
@@ -180,6 +155,7 @@ class Scene {
     return false;
   }
 
+  const Surface& surface_;
   std::span<const PlacedSolid> solids_;
   const EnclosureEffort& effort_;
   double slack_;
@@ -196,9 +172,10 @@ EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSo
   HARIKO_ASSERT(effort.spacing > 0, "points of sharp curves need a distance from each other");
   const Scene scene(surface, solids, effort, slack, cancel);
   std::vector<TestedPoint> tested = scene.spread_points();
-  for (const auto& more : {scene.curve_points(), scene.points_above_surface()})
-    tested.insert(tested.end(), more.begin(), more.end());
+  const std::vector<TestedPoint> of_curves = scene.curve_points();
+  tested.insert(tested.end(), of_curves.begin(), of_curves.end());
   EnclosureReport out = scene.report(tested);
+  scene.add_dips(out);
   if (effort.covered) out.covered = scene.covered_patches();
   return out;
 }

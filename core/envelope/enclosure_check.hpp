@@ -34,9 +34,10 @@ struct EnclosureReport {
   std::size_t covered = 0;  ///< patches of which some lies inside of another part of the surface
 };
 
-/// Tests points that are spread over the solids, points of their sharp curves, and those that the surface
-/// runs deepest below, one a patch; what lies inside of another solid is left out. Points within `slack` (a
-/// length) of the surface count as inside. O((points + patches * density^2) log(patches * density^2)).
+/// Tests points that are spread over the solids, points of their sharp curves, and those above places where
+/// the surface runs below a solid (`surface_dips`); what lies inside of another solid is left out. Points
+/// within `slack` (a length) of the surface count as inside. O((points + patches * density^2) log(patches *
+/// density^2)).
 EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids,
                                 const EnclosureEffort& effort, double slack, const CancelToken& cancel = {});
 

@@ -23,7 +23,7 @@ struct HullEnvelope {
 
 /// The first attempt that contains the solids and has no fold; where none has, that with the fewest folds and
 /// the least miss. Tauter bridges where patches fold come first, since they leave the rest as it was.
-/// No patches where the solids are too flat. At most 15 searches.
+/// No patches where the solids are too flat. At most 30 searches.
 HullEnvelope hull_envelope(std::span<const PlacedSolid> solids, const EnclosureSettings& settings,
                            const CancelToken& cancel = {});
 

@@ -211,6 +211,14 @@ double PlacedSolid::depth_with_body(const Vector3& point) const {
   return (1 - std::hypot(unit.x(), unit.y())) * least_stretch;
 }
 
+double PlacedSolid::level(const Vector3& point) const {
+  const Vector3 unit = to_unit * (point - centre);
+  double out = inside(unit);
+  if (!body.isZero() && unit.z() >= 0 && unit.z() <= (to_unit * body).z())
+    out = std::max(out, 1 - std::hypot(unit.x(), unit.y()));
+  return out * least_stretch;
+}
+
 std::vector<Vector3> PlacedSolid::surface_points(int count) const {
   std::vector<Vector3> out;
   for (const Vector3& d : spread_directions(count)) {

@@ -59,6 +59,9 @@ class PlacedSolid {
   }
   /// As `depth`, but between the balls of a capsule it is positive too.
   double depth_with_body(const Vector3& world) const;
+  /// As `depth_with_body`, and outside it falls with the distance, without a step: for searches of what is
+  /// between points.
+  double level(const Vector3& world) const;
   Vector3 world(const Vector3& unit, double sigma = 1) const { return centre + to_world * (sigma * unit); }
   bool is_round() const { return shape_ == Shape::ball || shape_ == Shape::torus; }
   /// `count` points spread over the surface, of which convex solids have no empty parts.

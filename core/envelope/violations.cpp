@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "core/envelope/grid_summit.hpp"
 
 namespace hariko {
 
@@ -138,39 +141,30 @@ class ViolationFinder {
   };
   Deepest deepest_of(Index patch, const PlacedSolid& solid, const Samples::Block& block) const {
     Deepest out;
-    for (std::uint32_t k = block.begin; k < block.end; ++k)
-      if (const double depth = solid.depth(samples_.position(patch, k)); depth > out.depth) out = {depth, k};
     // Thin round solids reach through large patches between the samples.
-    if (solid.is_round()) out.depth += rise_beside(patch, solid, out);
+    const bool is_round = solid.is_round();
+    for (std::uint32_t k = block.begin; k < block.end; ++k) {
+      const Vector3& at = samples_.position(patch, k);
+      if (const double depth = is_round ? solid.level(at) : solid.depth(at); depth > out.depth)
+        out = {depth, k};
+    }
+    if (is_round) out.depth += rise_beside(patch, solid, out);
     return out;
   }
 
-  /// How much deeper the summit of the paraboloid through a sample and its eight neighbours (of the parabola
-  /// through three on a border) is than the sample; 0 where they have no summit beside it.
+  /// How much deeper the solid is between a sample and its neighbours than at the sample.
   double rise_beside(Index patch, const PlacedSolid& solid, const Deepest& sample) const {
-    const std::uint32_t n = samples_.side(), node = samples_.node(sample.sample);
-    const auto depth = [&](int right, int up) {
-      return solid.depth(samples_.at_node(patch, std::uint32_t(int(node) + right + up * int(n))));
-    };
-    const auto along = [&](int right, int up) {  // first and second difference
-      const double before = depth(-right, -up), after = depth(right, up);
-      return std::pair{(after - before) / 2, after + before - 2 * sample.depth};
-    };
-    const std::uint32_t column = node % n, row = node / n;
-    const bool across = column > 0 && column + 1 < n, upwards = row > 0 && row + 1 < n;
-    const auto parabola = [](const std::pair<double, double>& d) {
-      const bool summit = d.second < 0 && std::abs(d.first) <= -d.second;
-      return summit ? -d.first * d.first / (2 * d.second) : 0.0;
-    };
-    if (!across || !upwards) return across ? parabola(along(1, 0)) : upwards ? parabola(along(0, 1)) : 0;
-    const auto [x, xx] = along(1, 0);
-    const auto [y, yy] = along(0, 1);
-    const double xy = (depth(1, 1) - depth(1, -1) - depth(-1, 1) + depth(-1, -1)) / 4;
-    const double determinant = xx * yy - xy * xy;
-    if (!(determinant > 0) || !(xx < 0)) return std::max(parabola({x, xx}), parabola({y, yy}));
-    const double right = (xy * y - yy * x) / determinant, up = (xy * x - xx * y) / determinant;
-    if (std::max(std::abs(right), std::abs(up)) > 1) return 0;
-    return (x * right + y * up) / 2;
+    const int n = int(samples_.side()), node = int(samples_.node(sample.sample));
+    const int column = node % n, row = node / n;
+    NeighbourValues values;
+    for (int k = 0; k < 9; ++k) {
+      const int right = column + k % 3 - 1, up = row + k / 3 - 1;
+      const bool there = right >= 0 && right < n && up >= 0 && up < n;
+      values[std::size_t(k)] = !there   ? std::numeric_limits<double>::quiet_NaN()
+                               : k == 4 ? sample.depth
+                                        : solid.level(samples_.at_node(patch, std::uint32_t(up * n + right)));
+    }
+    return summit_beside(values).rise;
   }
 
   void test_patch(Index patch, Index s) {
