@@ -334,10 +334,16 @@ CornerSecondOrder EnvelopePatchSet::second_order_at_corner(Index at, int corner)
 
 namespace {
 
+/// out += weight * point, in coordinates: the compiler does not look through a product of a vector here, and
+/// half of a grid's time would go into its temporaries.
+inline void add(Homogeneous& out, double weight, const Homogeneous& point) {
+  for (Eigen::Index c = 0; c < 4; ++c) out.coeffRef(c) += weight * point.coeff(c);
+}
+
 template <std::size_t N>
 Homogeneous combine(const std::array<Homogeneous, N>& control, const double* weight) {
-  Homogeneous out = weight[0] * control[0];
-  for (std::size_t i = 1; i < N; ++i) out += weight[i] * control[i];
+  Homogeneous out = Homogeneous::Zero();
+  for (std::size_t i = 0; i < N; ++i) add(out, weight[i], control[i]);
   return out;
 }
 
@@ -353,7 +359,7 @@ Lines lines_across(const EnvelopePatch& p, const Corners& m, const double* cubic
   Lines out{combine(p.e0, cubic), combine(p.cross_e0, sextic), combine(p.cross_e1, sextic),
             combine(p.e1, cubic)};
   for (std::size_t k = 0; k < 4; ++k)
-    for (std::size_t l = 0; l < 4; ++l) out[k] -= hermite[l] * m.constant[k][l];
+    for (std::size_t l = 0; l < 4; ++l) add(out[k], -hermite[l], m.constant[k][l]);
   return out;
 }
 
@@ -371,15 +377,17 @@ NodeTangents tangents_at(const Corners& m, const GridBasis& u, const GridBasis& 
                          const NodeLines& across, double p, double q) {
   NodeTangents out{Homogeneous::Zero(), Homogeneous::Zero()};
   for (std::size_t k = 0; k < 4; ++k) {
-    out.u += u.hermite_rate[k] * across.value[k] + v.hermite[k] * along.rate[k];
-    out.v += u.hermite[k] * across.rate[k] + v.hermite_rate[k] * along.value[k];
+    add(out.u, u.hermite_rate[k], across.value[k]);
+    add(out.u, v.hermite[k], along.rate[k]);
+    add(out.v, u.hermite[k], across.rate[k]);
+    add(out.v, v.hermite_rate[k], along.value[k]);
   }
   for (std::size_t a = 0; a < 2; ++a)
     for (std::size_t b = 0; b < 2; ++b) {
       const Ratio x = ratio(a == 0 ? p : 1 - p, b == 0 ? q : 1 - q);
       const double fu = u.hermite[1 + a], fv = v.hermite[1 + b];
-      out.u -= fv * (u.hermite_rate[1 + a] * x.value + (a == 0 ? fu : -fu) * x.p) * m.share[a][b];
-      out.v -= fu * (v.hermite_rate[1 + b] * x.value + (b == 0 ? fv : -fv) * x.q) * m.share[a][b];
+      add(out.u, -fv * (u.hermite_rate[1 + a] * x.value + (a == 0 ? fu : -fu) * x.p), m.share[a][b]);
+      add(out.v, -fu * (v.hermite_rate[1 + b] * x.value + (b == 0 ? fv : -fv) * x.q), m.share[a][b]);
     }
   return out;
 }
@@ -429,11 +437,13 @@ void EnvelopeGrid::evaluate(const EnvelopePatch& patch, std::span<Vector3> posit
     const Lines across = lines_across(patch, m, v.cubic, v.sextic, v.hermite);
     for (std::size_t i = 0; i < basis_.size(); ++i, ++at) {
       const GridBasis& u = basis_[i];
-      Homogeneous value = u.hermite[0] * across[0] + v.hermite[0] * along[i][0];
-      for (std::size_t k = 1; k < 4; ++k) value += u.hermite[k] * across[k] + v.hermite[k] * along[i][k];
-      const auto& twist = twists_[at];
-      value -= twist[0] * m.share[0][0] + twist[1] * m.share[0][1] + twist[2] * m.share[1][0] +
-               twist[3] * m.share[1][1];
+      Homogeneous value = Homogeneous::Zero();
+      for (std::size_t k = 0; k < 4; ++k) {
+        add(value, u.hermite[k], across[k]);
+        add(value, v.hermite[k], along[i][k]);
+      }
+      for (std::size_t corner = 0; corner < 4; ++corner)
+        add(value, -twists_[at][corner], m.share[corner / 2][corner % 2]);
       positions[at] = value.head<3>() * (1 / value.w());
     }
   }
@@ -466,9 +476,13 @@ Vector3 EnvelopeGrid::normal(const EnvelopePatch& patch, std::size_t i, std::siz
   const NodeLines across{lines_across(patch, m, v.cubic, v.sextic, v.hermite),
                          lines_across(patch, m, v.cubic_rate, v.sextic_rate, v.hermite_rate)};
   Homogeneous value = Homogeneous::Zero();
-  for (std::size_t k = 0; k < 4; ++k) value += u.hermite[k] * across.value[k] + v.hermite[k] * along.value[k];
+  for (std::size_t k = 0; k < 4; ++k) {
+    add(value, u.hermite[k], across.value[k]);
+    add(value, v.hermite[k], along.value[k]);
+  }
   const auto& twist = twists_[j * basis_.size() + i];
-  for (std::size_t corner = 0; corner < 4; ++corner) value -= twist[corner] * m.share[corner / 2][corner % 2];
+  for (std::size_t corner = 0; corner < 4; ++corner)
+    add(value, -twist[corner], m.share[corner / 2][corner % 2]);
   return unit_normal_of(cartesian(value),
                         tangents_at(m, u, v, along, across, double(i) / intervals_, double(j) / intervals_));
 }
