@@ -264,23 +264,39 @@ class Pusher {
     }
   }
 
+  /// Patches in which the surface turns over: at the cage's vertex it looks away from the faces round that,
+  /// in the middle of a face from the face, or somewhere from the blend of its patch's corners. (On faces
+  /// that are strongly bent it rightly looks away from the face here and there.)
   std::size_t folds() const {
-    std::size_t out = 0;
     const Polyhedron& cage = input_.polyhedron;
+    std::vector<Vector3> of_face(mesh().face_count(), Vector3::Zero());
+    std::vector<Vector3> of_vertex(mesh().vertex_count(), Vector3::Zero());
     for (Index f = 0; f < mesh().face_count(); ++f) {
-      Vector3 area = Vector3::Zero();
       const Vector3& o = cage.position(mesh().origin(mesh().face_begin(f)));
       for (Index h = mesh().face_begin(f); h < mesh().face_end(f); ++h)
-        area += (cage.position(mesh().origin(h)) - o).cross(cage.position(mesh().target(h)) - o);
-      area = area.stableNormalized();
-      for (Index h = mesh().face_begin(f); h < mesh().face_end(f); ++h) {
-        bool folded = false;
-        for (std::size_t i = h * per_patch_; i < (h + 1) * per_patch_; ++i)
-          folded = folded || normals_[i].dot(area) < -0.1;
-        out += folded;
-      }
+        of_face[f] += (cage.position(mesh().origin(h)) - o).cross(cage.position(mesh().target(h)) - o);
+      of_face[f] = of_face[f].stableNormalized();
+      for (Index h = mesh().face_begin(f); h < mesh().face_end(f); ++h)
+        of_vertex[mesh().origin(h)] += of_face[f];
     }
+    std::size_t out = 0;
+    for (Index f = 0; f < mesh().face_count(); ++f)
+      for (Index h = mesh().face_begin(f); h < mesh().face_end(f); ++h)
+        out += turns_over(h, of_face[f], of_vertex[mesh().origin(h)], of_vertex[mesh().target(h)]);
     return out;
+  }
+
+  /// Of the patch over a half-edge and the middle of its face; what its corners should look at.
+  bool turns_over(Index patch, const Vector3& middle, const Vector3& origin, const Vector3& target) const {
+    const auto at = [&](int i, int j) -> const Vector3& {
+      return normals_[patch * per_patch_ + std::size_t(pattern_.index(i, j))];
+    };
+    const Vector3 &a = at(0, 0), &b = at(sample_density, 0), &c = at(0, sample_density);
+    if (!(a.dot(middle) > 0 && b.dot(origin) > 0 && c.dot(target) > 0)) return true;
+    for (int j = 0; j <= sample_density; ++j)
+      for (int i = 0; i + j <= sample_density; ++i)
+        if (!(at(i, j).dot((sample_density - i - j) * a + i * b + j * c) > 0)) return true;
+    return false;
   }
 
   const CageSurfaceRequest& request_;

@@ -40,7 +40,7 @@ struct CageSurface {
   Shaping shaping;                       ///< tensions of the cage's edges
   double worst = 0;                      ///< of the loop's own test, length
   std::optional<EnclosureReport> check;  ///< the independent one
-  std::size_t folds = 0;                 ///< patches that look away from their face somewhere
+  std::size_t folds = 0;                 ///< patches that turn over
   int rounds = 0;
   /// Or runs into itself, as far as the independent check has looked.
   bool is_folded() const { return folds > 0 || (check && check->covered > 0); }

@@ -15,6 +15,7 @@ constexpr int drag_builds = 2;
 constexpr int hull_level = 9;
 constexpr int automatic_levels = 2;  ///< of the valleys' ladder; below that a field's cage is closer
 constexpr double decay = 0.98;       ///< of what growth is above 1, a frame
+constexpr double fair_details[] = {0.03, 0.06, 0.12, 0.2};  ///< added to the thinning distance, in turn
 
 EnclosureSettings search_settings(const EnvelopeInput& input,
                                   const std::map<std::pair<Index, Index>, double>& waists, Quality quality) {
@@ -327,8 +328,40 @@ Result<Done> EnvelopeSurfacer::make_hull(Job& job) {
   if (made.found.network.patches.empty())
     return make_error(e_envelope_flat, "The solids are too flat for a surface round them.",
                       "Make one of them thicker.");
-  if (!drag) last_hull_ = std::move(made.attempt);
+  if (drag) return take_network(job, std::move(made.found));
+  last_hull_ = made.attempt;
+  if (job.input.settings.patches == EnvelopePatches::fair) return make_fair_hull(job, std::move(made));
   return take_network(job, std::move(made.found));
+}
+
+/// The fair surface folds over polygons that are very uneven, where rational patches do not: those of a hull
+/// that is thinned more are larger.
+Result<Done> EnvelopeSurfacer::make_fair_hull(Job& job, HullEnvelope first) {
+  const EnvelopeSurface blank = job.out;
+  const HullAttempt start = first.attempt;
+  const auto badness = [](const EnvelopeSurface& made) {
+    return double(made.folds) + (made.enclosed ? 0 : outside_folds);
+  };
+  if (const auto taken = take_network(job, std::move(first.found)); !taken) return taken.error();
+  EnvelopeSurface best = std::move(job.out);
+  GrowthState state = last_;
+  for (const double more : fair_details) {
+    if (!(badness(best) > 0)) break;
+    HullAttempt attempt = start;
+    attempt.more_detail += more;
+    HullEnvelope other = make_attempt(job.solids, job.search(), attempt, {}, job.cancel);
+    if (job.cancel.cancelled()) return job.cancelled();
+    if (other.found.network.patches.empty()) continue;
+    job.out = blank;
+    if (const auto taken = take_network(job, std::move(other.found)); !taken) return taken.error();
+    if (badness(job.out) >= badness(best)) continue;
+    best = std::move(job.out);
+    state = last_;
+    last_hull_ = std::move(attempt);
+  }
+  job.out = std::move(best);
+  last_ = std::move(state);
+  return Done{};
 }
 
 Result<Done> EnvelopeSurfacer::take_network(Job& job, EnclosedNetwork found) {

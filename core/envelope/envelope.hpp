@@ -66,6 +66,7 @@ class EnvelopeSurfacer {
   /// That of the last final result, where it was made of the same.
   Result<std::shared_ptr<const FieldBase>> base_of(const Job& job);
   Result<Done> make_hull(Job& job);
+  Result<Done> make_fair_hull(Job& job, HullEnvelope first);
   Result<Done> take_network(Job& job, EnclosedNetwork found);
   /// Of the last result, where it was made of the same solids.
   GrowthState last_state(const Job& job) const;

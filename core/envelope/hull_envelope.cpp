@@ -14,7 +14,6 @@ constexpr double less_details[] = {-0.03, -0.06, -most_detail};
 constexpr double growths[] = {
     1.03, 1.07, 1.15,
     1.35, 1.7,  2.2};  ///< of all solids at the beginning of a search: other corners are thinned out then
-constexpr double outside_folds = 3;  ///< as bad as so many folded patches: a point of a solid outside
 
 struct Rung {
   double more_detail, waist;

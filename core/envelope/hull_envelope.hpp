@@ -15,6 +15,9 @@ struct HullAttempt {
   std::map<std::pair<Index, Index>, double> waists;
 };
 
+/// As bad as so many folded patches is a point of a solid outside.
+inline constexpr double outside_folds = 3;
+
 struct HullEnvelope {
   EnclosedNetwork found;
   HullAttempt attempt;

@@ -158,4 +158,28 @@ TEST(FieldCage, TheFairSurfaceOverTheHullsPolygonsContainsTheSolids) {
   check_cage(*made);
 }
 
+TEST(FieldCage, TheFairSurfaceOverUnevenPolygonsDoesNotFold) {
+  // Over the base of the cone it bends by more than a right angle, which is no fold; over the usual hulls of
+  // the others it does fold.
+  for (const char* name : {"cone", "camera", "dryer", "four_boxes"}) {
+    SCOPED_TRACE(name);
+    EnvelopeInput input = golden_scene(name);
+    input.settings.tightness = 0;
+    input.settings.patches = EnvelopePatches::fair;
+    const EnvelopeSurface made = envelope_of(input);
+    EXPECT_EQ(made.folds, 0U);
+    EXPECT_TRUE(made.enclosed);
+    EXPECT_FALSE(warned(made, w_envelope_fold));
+    check_cage(made);
+    // Facets of the surface's own mesh look where the surface does.
+    const TriangleMesh mesh = tessellate(made.surface, 12);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const Vector3 facet =
+          (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+      for (const Index n : mesh.normal_triangles[t]) EXPECT_GT(facet.dot(mesh.normals[n]), 0);
+    }
+  }
+}
+
 }  // namespace hariko::test
