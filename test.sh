@@ -59,17 +59,22 @@ fuzz() {
     return 1
   fi
   mkdir -p build/fuzz/artifacts
-  for fuzzer in "${fuzzers[@]}"; do
-    local name format corpus
-    name=$(basename "$fuzzer")
-    format=${name%_fuzz}
-    corpus=build/fuzz/corpus/$name
-    mkdir -p "$corpus"
-    step "Fuzzer $name, one minute"
-    "$fuzzer" -max_total_time=60 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
-      "-artifact_prefix=build/fuzz/artifacts/$name-" "-dict=tests/fuzz/$format.dict" \
-      "$corpus" "tests/fuzz/seeds/$format" tests/golden assets/samples 2>&1 | tail -n 25
-  done
+  export -f run_fuzzer
+  printf '%s\n' "${fuzzers[@]}" | xargs -P2 -I{} bash -euo pipefail -c 'run_fuzzer {}'
+}
+
+run_fuzzer() {
+  local name format corpus
+  name=$(basename "$1")
+  format=${name%_fuzz}
+  corpus=build/fuzz/corpus/$name
+  mkdir -p "$corpus"
+  local report
+  report=$("$1" -max_total_time=60 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
+    "-artifact_prefix=build/fuzz/artifacts/$name-" "-dict=tests/fuzz/$format.dict" \
+    "$corpus" "tests/fuzz/seeds/$format" tests/golden assets/samples 2>&1 | tail -n 25) ||
+    { printf '%s\n== Fuzzer %s failed\n' "$report" "$name"; return 1; }
+  printf '\n== Fuzzer %s, one minute\n%s\n' "$name" "$report"
 }
 
 long_random_tests() {
