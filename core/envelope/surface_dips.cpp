@@ -146,6 +146,7 @@ class DipFinder {
     if (!(deepest > 0)) return;
     const Vector3 from = surface_.patches().evaluate(patch, place, Order::first).position;
     const Vector3 normal = surface_.normal(patch, place);
+    if (normal.isZero(0)) return;
     if (const double way = way_out(solid, from, normal); way > least_)
       out.push_back({patch, s, from, normal, way});
   }
