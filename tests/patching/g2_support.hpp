@@ -20,8 +20,9 @@ inline const G2PatchSet& g2_set(const PolyhedronSurface& surface) {
   return dynamic_cast<const G2PatchSet&>(surface.surface.patches());
 }
 
-/// What rounding of a point's derivatives may do: they are sums of terms as large as the second ones. It
-/// matters where the surface all but folds.
+/// What rounding of a point's derivatives may do: they are sums of some hundred terms as large as the second
+/// ones. It matters where the surface all but folds. (With a factor of 64 one of 17,061 points of the random
+/// polyhedron of HARIKO_SEED=257282032 had 1.9 times that.)
 struct Rounding {
   double normal = 0, curvature = 0;  ///< radians; 1 / length
 
@@ -29,7 +30,7 @@ struct Rounding {
     const double first = std::max(point.ds.norm(), point.dt.norm()),
                  terms = first + point.dss.norm() + point.dst.norm() + point.dtt.norm(),
                  width = point.ds.cross(point.dt).norm() / first;
-    normal = 64 * std::numeric_limits<double>::epsilon() * terms / width;
+    normal = 256 * std::numeric_limits<double>::epsilon() * terms / width;
     curvature = normal * terms / (width * width);
   }
 };
