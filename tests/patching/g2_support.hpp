@@ -20,9 +20,9 @@ inline const G2PatchSet& g2_set(const PolyhedronSurface& surface) {
   return dynamic_cast<const G2PatchSet&>(surface.surface.patches());
 }
 
-/// What rounding of a point's derivatives may do: they are sums of some hundred terms as large as the second
-/// ones. It matters where the surface all but folds. (With a factor of 64 one of 17,061 points of the random
-/// polyhedron of HARIKO_SEED=257282032 had 1.9 times that.)
+/// What rounding of a point's derivatives may do: they are sums of terms as large as the second ones. It
+/// matters where the surface all but folds. The factor is chosen, not derived: 64 was too little for one of
+/// 17,061 points of the random polyhedron of HARIKO_SEED=257282032, by 1.9.
 struct Rounding {
   double normal = 0, curvature = 0;  ///< radians; 1 / length
 
