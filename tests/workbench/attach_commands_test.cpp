@@ -91,5 +91,19 @@ TEST_F(AttachCommands, PatchesCanBeAddedAndTheirPointsSelected) {
   EXPECT_EQ(bench_.editor().selection.of(added.id).vertices.size(), 16U);
 }
 
+TEST_F(AttachCommands, PointsOfPatchesMoveInLocalEditing) {
+  // There are no tangents to fix; looking for them crashed.
+  Editor& editor = bench_.editor();
+  editor.mode = ElementMode::vertex;
+  editor.selection.active = wing().id;
+  run("select.all");
+  run("transform.local_edit");
+  ASSERT_TRUE(editor.transform.local_edit);
+  const Vector3 before = wing().patches()->origin + wing().patches()->net.position(5);
+  for (const char* key : {"G", "X", "2", "Enter"}) bench_.key(key);
+  const Vector3 moved = wing().patches()->origin + wing().patches()->net.position(5) - before;
+  EXPECT_NEAR((moved - Vector3(2, 0, 0)).norm(), 0, 1e-9) << moved.transpose();
+}
+
 }  // namespace
 }  // namespace hariko

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/document/edits.hpp"
+#include "core/document/file.hpp"
 #include "core/document/format.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -31,11 +32,36 @@ PolygonMesh some_mesh(std::mt19937_64& rng) {
   }
 }
 
+Document some_patches(std::mt19937_64& rng) {
+  BicubicNet net{chance(rng, 0.5) ? 1U : 2U, chance(rng, 0.5) ? 1U : 2U, {}};
+  for (Index j = 0; j < net.height(); ++j)
+    for (Index i = 0; i < net.width(); ++i)
+      net.points.emplace_back(i / 3.0, j / 3.0, test::uniform(rng, 0, 0.3));
+  return add_object({}, "Patches", PatchSource::from_net(net).value())->document;
+}
+
+Document some_sample(std::mt19937_64& rng) {
+  static constexpr std::array names{"solids_one", "solids_t",  "solids_touching", "skin_smooth",
+                                    "skin_car",   "sphere_cap", "saddle"};
+  return load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/" + names[rng() % names.size()] +
+                       ".hariko")
+      .value();
+}
+
+/// A polyhedron, and in half of all cases an object of any kind.
 Document some_document(std::mt19937_64& rng) {
-  Document document = document_from_mesh(some_mesh(rng), "First").value();
-  if (chance(rng, 0.5))
-    document = add_object(document, "Second", PolyhedronSource::from_mesh(some_mesh(rng)).value())->document;
-  return document;
+  const Document document = document_from_mesh(some_mesh(rng), "First").value();
+  switch (uniform_int(rng, 0, 7)) {
+    case 0:
+    case 1:
+      return add_object(document, "Second", PolyhedronSource::from_mesh(some_mesh(rng)).value())->document;
+    case 2:
+      return append_document(document, some_patches(rng)).value();
+    case 3:
+      return append_document(document, some_sample(rng)).value();
+    default:
+      return document;
+  }
 }
 
 class RandomUser {
@@ -89,11 +115,11 @@ class RandomUser {
   void select() {
     Editor& editor = bench_.editor();
     const Object* object = editor.active_object();
-    const PolyhedronSource* source = object ? object->polyhedron() : nullptr;
-    if (!source || editor.history.in_gesture() || bench_.workbench().viewport().tool_active()) return;
+    const Polyhedron* cage = object ? object->cage() : nullptr;
+    if (!cage || editor.history.in_gesture() || bench_.workbench().viewport().tool_active()) return;
     last_ = "select";
     editor.mode = static_cast<ElementMode>(uniform_int(rng_, 0, 2));
-    const Polyhedron& polyhedron = source->polyhedron;
+    const Polyhedron& polyhedron = *cage;
     for (int i = uniform_int(rng_, 1, 4); i > 0; --i) {
       Element element;
       if (editor.mode == ElementMode::vertex)

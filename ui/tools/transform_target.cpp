@@ -97,10 +97,10 @@ TransformTarget TransformTarget::of(const Editor& editor) {
 }
 
 void TransformTarget::freeze() {
+  // Control nets of patches have vertices, too, but no tangents to keep.
   for (Part& part : parts_)
-    if (part.polyhedron)
-      part.frozen = freeze_tangents(*document_.find(part.object)->polyhedron(),
-                                    vertices_around(*part.polyhedron, part.vertices));
+    if (const PolyhedronSource* source = document_.find(part.object)->polyhedron())
+      part.frozen = freeze_tangents(*source, vertices_around(source->polyhedron, part.vertices));
   if (parts_.size() != 1 || parts_[0].vertices.size() != 1 || !parts_[0].frozen || !*parts_[0].frozen) return;
   const Part& part = parts_[0];
   const Pin* pin = (*part.frozen)->shaping->pin.find(part.vertices[0]);
