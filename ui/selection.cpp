@@ -249,6 +249,7 @@ std::vector<VertexId> touched_vertices(const ElementSelection& selection, const 
     if (face == no_index) continue;
     for (const Index v : polyhedron.topology().face_vertices(face)) vertices.insert(polyhedron.vertex_id(v));
   }
+  keep_existing(vertices, polyhedron);
   return {vertices.begin(), vertices.end()};
 }
 

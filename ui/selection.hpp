@@ -86,7 +86,7 @@ void change_elements(
 
 /// Dense indices of what is selected, for drawing.
 Highlights highlights_of(const ElementSelection& selection, const Polyhedron& polyhedron);
-/// Ids of all vertices that the selected elements touch, ascending.
+/// Ids of all vertices of the polyhedron that the selected elements touch, ascending.
 std::vector<VertexId> touched_vertices(const ElementSelection& selection, const Polyhedron& polyhedron);
 /// "3 vertices", "1 edge, 2 faces"; "nothing selected".
 std::string describe(const ElementSelection& selection);

@@ -38,6 +38,11 @@ AxisGizmo gizmo_of(const Metrics& metrics, const PanelRect& rect, const Camera& 
   return {camera, {rect.max.x - inset, rect.min.y + inset}, radius};
 }
 
+/// Another one for every document that the editor can have.
+std::pair<std::uint64_t, std::uint64_t> name_of_document(const Editor& editor) {
+  return {editor.documents, editor.history.serial()};
+}
+
 std::size_t button_index(PointerButton button) {
   return static_cast<std::size_t>(std::find(buttons.begin(), buttons.end(), button) - buttons.begin());
 }
@@ -273,6 +278,7 @@ void Viewport::handle_pointer(bool hovered) {
   event.shift = io.KeyShift;
   event.control = io.KeyCtrl;
   event.alt = io.KeyAlt;
+  end_stale_tool();
   if (tool_ && tool_->modal())
     drive_modal(event, hovered);
   else if (tool_)
@@ -291,7 +297,10 @@ void Viewport::wheel(const PointerEvent& event) {
   const ImGuiIO& io = ImGui::GetIO();
   ToolContext context{editor_, scene_};
   const Vector2 steps{double(io.MouseWheelH), double(io.MouseWheel)};
-  if (tool_ && tool_->wheel(context, steps.y(), event)) return;
+  if (tool_ && tool_->wheel(context, steps.y(), event)) {
+    tool_found_ = name_of_document(editor_);
+    return;
+  }
   constexpr double pause = 0.7;  // seconds that separate two steps to go back from
   turn_wheel(context, {steps, event.pixel, event.shift, event.control}, editor_.now - wheel_at_ > pause);
   wheel_at_ = editor_.now;
@@ -386,6 +395,7 @@ void Viewport::drive_navigation(PointerEvent event) {
 
 void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   tool_ = std::move(tool);
+  tool_found_ = name_of_document(editor_);
   press_ = press;
   hot_handle_.reset();
   hot_arrow_.reset();
@@ -401,7 +411,14 @@ void Viewport::feed(const PointerEvent& event) {
   finish(tool_->update(context, event), event);
 }
 
+/// A tool works on the document that it found. What came in between, as a step that the list of steps went to
+/// or work that was done meanwhile, is not for it.
+void Viewport::end_stale_tool() {
+  if (tool_ && tool_found_ != name_of_document(editor_)) cancel_tool();
+}
+
 void Viewport::finish(ToolState state, const PointerEvent& last) {
+  tool_found_ = name_of_document(editor_);
   if (state == ToolState::stay) return;
   navigation_.reset();
   const std::unique_ptr<Tool> done = std::move(tool_);
@@ -419,6 +436,7 @@ void Viewport::start_modal(std::unique_ptr<Tool> tool) {
 }
 
 bool Viewport::tool_key(const KeyPress& press) {
+  end_stale_tool();
   if (!tool_) return false;
   ToolContext context{editor_, scene_};
   const auto state = tool_->key(context, press);
@@ -435,6 +453,8 @@ bool Viewport::cancel_tool() {
   navigation_.reset();
   tool_->cancel(context);
   tool_.reset();
+  // What it puts back was selected in the document that it found.
+  editor_.selection.prune(editor_.history.current());
   return true;
 }
 

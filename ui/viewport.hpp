@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/gauss_view.hpp"
@@ -78,6 +79,7 @@ class Viewport {
   bool has_news(const PointerEvent& event) const;
   void feed(const PointerEvent& event);
   void finish(ToolState state, const PointerEvent& last);
+  void end_stale_tool();
   void start(std::unique_ptr<Tool> tool, const PointerEvent& press);
   void hover(const Vector2& pixel, bool inside);
 
@@ -86,6 +88,7 @@ class Viewport {
   SceneBuilder scene_;
   PatchJumps jumps_;
   std::unique_ptr<Tool> tool_;
+  std::pair<std::uint64_t, std::uint64_t> tool_found_;  ///< the document that the tool knows
   Gizmo gizmo_;
   SkinOverlay skin_overlay_;
   const GaussView* gauss_ = nullptr;

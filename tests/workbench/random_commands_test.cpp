@@ -41,7 +41,7 @@ Document some_patches(std::mt19937_64& rng) {
 }
 
 Document some_sample(std::mt19937_64& rng) {
-  static constexpr std::array names{"solids_one", "solids_t",  "solids_touching", "skin_smooth",
+  static constexpr std::array names{"solids_one", "solids_t",   "solids_touching", "skin_smooth",
                                     "skin_car",   "sphere_cap", "saddle"};
   return load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/" + names[rng() % names.size()] +
                        ".hariko")
@@ -197,6 +197,10 @@ TEST(RandomCommands, UndoAndRedoGiveBackEqualDocuments) {
       ASSERT_TRUE(state->second == editor.history.current())
           << "another document under the same name, after " << user.last();
       if (fresh) expect_valid(editor.history.current());
+      Selection there = editor.selection;
+      there.prune(editor.history.current());
+      ASSERT_TRUE(there == editor.selection)
+          << "the selection has what the document has not, after " << user.last();
       if (::testing::Test::HasFatalFailure()) {
         ADD_FAILURE() << "after " << user.last();
         return;

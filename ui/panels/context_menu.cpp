@@ -73,8 +73,11 @@ void ContextMenu::watch(Editor& editor, const PanelRect& viewport, const std::op
   if (armed_) {
     about_ = pressed_;
     wanted_ = true;
-    if (about_ && !editor.selection.contains(*about_))
+    if (about_ && !editor.selection.contains(*about_)) {
       editor.selection.select(*about_, Selection::How::replace);
+      // The document may have changed since the press.
+      editor.selection.prune(editor.history.current());
+    }
   }
   armed_ = false;
 }
