@@ -7,7 +7,9 @@ set -euo pipefail
 start_folder=$PWD
 cd "$(dirname "${BASH_SOURCE[0]}")"
 top=$PWD
-scripts/dependencies.sh build >&2
+# STEP is what designers export, so the group cad is not left to choice.
+scripts/dependencies.sh build cad >&2
+scripts/check_build_folder.sh build/release
 cmake --preset release >&2
 cmake --build --preset release --target hariko >&2
 hariko=$top/build/release/app/hariko

@@ -2,17 +2,19 @@
 # Installs what is missing, builds and tests.
 #   ./test.sh          one optimised build with assertions; the tests labelled core and window, but for those of the
 #                      window labelled long
+#   ./test.sh --core   the same build, and the tests labelled core only
 #   ./test.sh --full   also: those, formatting, the sanitizer build with two minutes of a monkey at the window, a
 #                      minute of every fuzzer, long random runs with a fresh seed (set HARIKO_SEED to repeat one),
-#                      and the tests labelled full
+#                      the tests labelled full, and program and core tests on a bare Debian 13 (needs to be root)
 # Stops at the first step that fails. Window tests start an X server of their own.
 set -euo pipefail
 
-full=no
+full=no core_only=no
 case "${1:-}" in
   "") ;;
+  --core) core_only=yes ;;
   --full) full=yes ;;
-  *) echo "usage: ./test.sh [--full]" >&2; exit 2 ;;
+  *) echo "usage: ./test.sh [--core|--full]" >&2; exit 2 ;;
 esac
 
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -20,9 +22,30 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 window_jobs=4
 step() { printf '\n== %s\n' "$*"; }
 
-short_tests() {
+# Builds a preset with the tests, and says what it cost. A warning that the compiler's cache repeats is no error to the
+# compiler, so the output is searched for them.
+build() { # preset options...
+  local preset=$1 log=build/$1/build.log
+  shift
+  step "Build: $preset"
+  scripts/check_build_folder.sh "build/$preset"
+  cmake --preset "$preset" -DHARIKO_WERROR=ON "$@"
+  rm -f "build/$preset/ccache.log"
+  TIMEFORMAT="built in %R s, %U s of them the processors' for us"
+  time CCACHE_STATSLOG=$PWD/build/$preset/ccache.log cmake --build --preset "$preset" 2>&1 | tee "$log"
+  if [ -f "build/$preset/ccache.log" ]; then CCACHE_STATSLOG=$PWD/build/$preset/ccache.log ccache --show-log-stats; fi
+  if grep -n 'warning:' "$log"; then
+    echo "test.sh: the build has warnings" >&2
+    return 1
+  fi
+}
+
+core_tests() {
   step "Tests"
   ctest --test-dir build/release -L core -LE full --output-on-failure --no-tests=error -j2
+}
+
+window_tests() {
   step "Tests of the window"
   local left_out=full
   if [ $full = no ]; then left_out='full|long'; fi
@@ -39,9 +62,7 @@ check_formatting() {
 }
 
 sanitizer_tests() {
-  step "Sanitizer build"
-  cmake --preset debug
-  cmake --build --preset debug
+  build debug
   export UBSAN_OPTIONS=print_stacktrace=1 LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0
   ASAN_OPTIONS=detect_leaks=1 ctest --test-dir build/debug -L core -LE full --output-on-failure --no-tests=error -j2
   # Graphics drivers keep memory until the end, so leaks are looked for in the core tests only.
@@ -49,9 +70,8 @@ sanitizer_tests() {
 }
 
 fuzz() {
+  build fuzz
   step "Fuzzers"
-  cmake --preset fuzz
-  cmake --build --preset fuzz
   local fuzzers=()
   mapfile -t fuzzers < <(find build/fuzz/tests/fuzz -maxdepth 1 -type f -executable | sort)
   if [ ${#fuzzers[@]} -eq 0 ]; then
@@ -84,14 +104,26 @@ long_random_tests() {
     ctest --test-dir build/release -L 'core|full' --output-on-failure --no-tests=error -j2
 }
 
-if [ $full = yes ]; then scripts/dependencies.sh build cad test full; else scripts/dependencies.sh build cad test; fi
-step "Build"
-cmake --preset release
-cmake --build --preset release
-short_tests
+bare_debian_13() {
+  step "A bare Debian 13: the program, for a user with sudo"
+  scripts/bare_machine.sh --ccache --user trixie ./run.sh info assets/samples/fig2.hariko
+  step "A bare Debian 13: the core tests"
+  scripts/bare_machine.sh --ccache trixie ./test.sh --core
+}
+
+if [ $full = yes ]; then
+  scripts/dependencies.sh build cad test full bare
+else
+  scripts/dependencies.sh build cad test
+fi
+build release -DHARIKO_TESTS=ON
+core_tests
+if [ $core_only = yes ]; then exit 0; fi
+window_tests
 if [ $full = yes ]; then
   check_formatting
   sanitizer_tests
   fuzz
   long_random_tests
+  bare_debian_13
 fi

@@ -5,7 +5,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # Release keeps assertions (no NDEBUG): a wrong result is worse than a slow one. Bench drops those of the libraries.
-set(CMAKE_CXX_FLAGS_RELEASE "-O2 -g1")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -fno-omit-frame-pointer")
 set(CMAKE_CXX_FLAGS_BENCH "-O2 -g1 -DNDEBUG")
 set(CMAKE_EXE_LINKER_FLAGS_BENCH "")
@@ -16,7 +16,7 @@ set(CMAKE_EXE_LINKER_FLAGS_FUZZ "")
 add_compile_options(-ffp-contract=off)
 
 add_library(hariko_warnings INTERFACE)
-target_compile_options(hariko_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+target_compile_options(hariko_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow $<$<BOOL:${HARIKO_WERROR}>:-Werror>)
 if(HARIKO_UNITY)
   # Files that are compiled together look like headers to the first of these, and hide constants of other files by their
   # parameters for the second, which GCC's -Wshadow does not mind.
@@ -35,7 +35,29 @@ if(HARIKO_FUZZ)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# ccache takes a precompiled header only where the compiler tells it what was in it (GCC) or leaves the time out of it
+# (clang), and where it may overlook that macros and times of headers could matter. Paths below the checkout count
+# relative to it, so that another checkout of the same commit hits, too.
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime "${CCACHE_PROGRAM}")
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-fpch-preprocess)
+else()
+  add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
+endif()
+
+# A compiler takes 0.8 GB: as many at a time as there is memory for, and Ninja's own number at most.
+cmake_host_system_information(RESULT HARIKO_MEMORY QUERY TOTAL_PHYSICAL_MEMORY)  # in MiB
+cmake_host_system_information(RESULT HARIKO_CORES QUERY NUMBER_OF_LOGICAL_CORES)
+math(EXPR HARIKO_COMPILES "${HARIKO_MEMORY} / 820")
+math(EXPR HARIKO_MOST "${HARIKO_CORES} + 2")
+if(HARIKO_COMPILES GREATER HARIKO_MOST)
+  set(HARIKO_COMPILES ${HARIKO_MOST})
+elseif(HARIKO_COMPILES LESS 1)
+  set(HARIKO_COMPILES 1)
+endif()
+set_property(GLOBAL APPEND PROPERTY JOB_POOLS "compiles=${HARIKO_COMPILES}")
+set(CMAKE_JOB_POOL_COMPILE compiles)

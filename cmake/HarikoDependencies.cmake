@@ -16,15 +16,31 @@ add_library(osd::cpu UNKNOWN IMPORTED)
 set_target_properties(osd::cpu PROPERTIES IMPORTED_LOCATION "${OSD_CPU_LIB}"
   INTERFACE_INCLUDE_DIRECTORIES "${OSD_INCLUDE}")
 
-# STEP and IGES. The package is complete only with all of these components, and takes a version for exactly that one.
+# STEP and IGES: opencascade::exchange, where it is installed. The package is complete only with all of these
+# components, and takes a version for exactly that one.
 set(HARIKO_OPENCASCADE OFF)
 if(HARIKO_CAD)
   find_package(OpenCASCADE QUIET COMPONENTS FoundationClasses ModelingData ModelingAlgorithms Visualization
     ApplicationFramework DataExchange)
-  if(OpenCASCADE_FOUND AND TARGET TKXDESTEP AND OpenCASCADE_VERSION VERSION_GREATER_EQUAL 7.6)
-    set(HARIKO_OPENCASCADE ON)
+  if(OpenCASCADE_FOUND AND TARGET TKDESTEP)  # since 7.8
+    set(HARIKO_EXCHANGE_KITS TKDESTEP TKDEIGES TKDE)
   else()
-    message(STATUS "OpenCASCADE was not found: the program will not write STEP and IGES")
+    set(HARIKO_EXCHANGE_KITS TKXDESTEP TKXDEIGES TKSTEP TKSTEP209 TKSTEPAttr TKSTEPBase TKIGES)
+  endif()
+  list(GET HARIKO_EXCHANGE_KITS 0 HARIKO_STEP_KIT)
+  if(OpenCASCADE_FOUND AND TARGET ${HARIKO_STEP_KIT} AND OpenCASCADE_VERSION VERSION_GREATER_EQUAL 7.6)
+    set(HARIKO_OPENCASCADE ON)
+    message(STATUS "OpenCASCADE ${OpenCASCADE_VERSION}: the program reads and writes STEP and IGES")
+    add_library(opencascade::exchange INTERFACE IMPORTED)
+    target_include_directories(opencascade::exchange SYSTEM INTERFACE "${OpenCASCADE_INCLUDE_DIR}")
+    target_link_libraries(opencascade::exchange INTERFACE ${HARIKO_EXCHANGE_KITS} TKXCAF TKLCAF TKCAF TKCDF TKXSBase
+      TKShHealing TKMesh TKPrim TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
+  elseif(OpenCASCADE_FOUND)
+    message(STATUS "OpenCASCADE ${OpenCASCADE_VERSION} is too old or lacks STEP (7.6 is needed): "
+      "the program will not read and write STEP and IGES")
+  else()
+    message(STATUS "OpenCASCADE was not found: the program will not read and write STEP and IGES "
+      "(scripts/dependencies.sh cad installs it on Debian and Ubuntu)")
   endif()
 endif()
 

@@ -8,9 +8,11 @@ endif()
 set(HARIKO_PRECOMPILED_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp")
 file(CONFIGURE OUTPUT "${HARIKO_PRECOMPILED_SOURCE}" CONTENT "")
 if(HARIKO_PRECOMPILE)
-  # GCC 12 takes concatenated strings and small vectors for overflows; in a precompiled header its mark of a
-  # library's own code, which silences that, is lost.
-  target_compile_options(hariko_warnings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC takes concatenated strings and small vectors for overflows; in a precompiled header its mark of a
+    # library's own code, which silences that, is lost.
+    target_compile_options(hariko_warnings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+  endif()
   add_library(hariko_precompiled OBJECT "${HARIKO_PRECOMPILED_SOURCE}")
   target_link_libraries(hariko_precompiled PRIVATE Eigen3::Eigen hariko_warnings)
   target_precompile_headers(hariko_precompiled PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
@@ -100,22 +102,27 @@ function(hariko_library NAME)
   endif()
 endfunction()
 
-# hariko_test(NAME LABEL core|window LINKS target...): a GoogleTest program of every .cpp in the current folder.
+# hariko_test(NAME PROGRAM core|app|window LINKS target...): the GoogleTest files of the current folder, as a part of one
+# of three test programs; `ctest -R SUITE` chooses among the tests of all.
 function(hariko_test NAME)
-  cmake_parse_arguments(ARG "INTERFACE" "LABEL;TIMEOUT" "LINKS" ${ARGN})
-  if(NOT ARG_LABEL)
-    set(ARG_LABEL core)
-  endif()
-  if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 600)
-  endif()
+  cmake_parse_arguments(ARG "INTERFACE" "PROGRAM" "LINKS" ${ARGN})
   file(GLOB SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
-  add_executable(${NAME} ${SOURCES})
+  add_library(${NAME} OBJECT ${SOURCES})
   target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}")
-  target_compile_definitions(${NAME} PRIVATE HARIKO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${NAME} PRIVATE ${ARG_LINKS} GTest::gtest_main hariko_warnings hariko_test_options)
+  target_link_libraries(${NAME} PUBLIC ${ARG_LINKS} GTest::gtest_main hariko_test_places PRIVATE hariko_warnings
+    hariko_test_options)
   hariko_precompile(${NAME} hariko_precompiled_tests "${ARG_INTERFACE}")
   hariko_unity(${NAME})
-  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+  set_property(GLOBAL APPEND PROPERTY HARIKO_${ARG_PROGRAM}_TESTS ${NAME})
+endfunction()
+
+# hariko_test_program(PROGRAM LABEL TIMEOUT): the program of the folders that named it, after all of them.
+function(hariko_test_program PROGRAM LABEL TIMEOUT)
+  get_property(PARTS GLOBAL PROPERTY HARIKO_${PROGRAM}_TESTS)
+  if(PARTS)
+    add_executable(${PROGRAM}_tests)
+    target_link_libraries(${PROGRAM}_tests PRIVATE ${PARTS})
+    gtest_discover_tests(${PROGRAM}_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS ${LABEL} TIMEOUT ${TIMEOUT})
+  endif()
 endfunction()

@@ -1,17 +1,20 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, as root or with sudo; does nothing when all are there.
-#   scripts/dependencies.sh [build] [cad] [test] [full] [bench]      (default: build)
+#   scripts/dependencies.sh [build] [cad] [test] [full] [bench] [bare]      (default: build)
+# Where packages are not Debian's, it names the libraries that are needed and goes on: CMake tells which are missing.
 set -euo pipefail
 
-build_packages=(build-essential cmake ninja-build pkg-config ccache
+build_packages=(build-essential clang lld cmake ninja-build pkg-config ccache
   libglfw3-dev libx11-dev libimgui-dev libstb-dev libepoxy-dev libglm-dev libeigen3-dev libosd-dev nlohmann-json3-dev libtbb-dev
   libcli11-dev libzip-dev libexpat1-dev libpng-dev libfreetype-dev zlib1g-dev
   fonts-inter fonts-font-awesome fonts-noto-cjk libmuparser-dev libegl1 libgl1 libgl1-mesa-dri)
 test_packages=(libgtest-dev libgmock-dev libassimp-dev lib3mf-dev xvfb xauth xdotool libx11-dev x11-utils imagemagick python3 git)
-full_packages=(clang-14 libclang-rt-14-dev clang-tidy clang-format valgrind librsvg2-bin poppler-utils python3-ezdxf)
+full_packages=(libclang-rt-dev clang-tidy clang-format valgrind librsvg2-bin poppler-utils python3-ezdxf)
 # STEP and IGES: the program builds without them, and says so.
 cad_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libocct-foundation-dev
   libocct-visualization-dev libocct-ocaf-dev)
+# Bare roots of Debian (scripts/bare_machine.sh).
+bare_packages=(mmdebstrap git util-linux)
 bench_packages=(libbenchmark-dev libgtest-dev libassimp-dev "${cad_packages[@]}")
 
 wanted=()
@@ -22,9 +25,21 @@ for group in "${@:-build}"; do
     test) wanted+=("${test_packages[@]}") ;;
     full) wanted+=("${full_packages[@]}") ;;
     bench) wanted+=("${bench_packages[@]}") ;;
-    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, bench)" >&2; exit 2 ;;
+    bare) wanted+=("${bare_packages[@]}") ;;
+    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, bench, bare)" >&2; exit 2 ;;
   esac
 done
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  cat >&2 <<TEXT
+This script installs packages on Debian and Ubuntu only. Hariko needs these, with their development files:
+  a C++20 compiler (clang 14 or GCC 12, or later), CMake 3.25, Ninja, pkg-config
+  GLFW 3.3, Dear ImGui 1.86 with FreeType and the backends for GLFW and OpenGL 3, stb, libepoxy, GLM, X11
+  Eigen 3.4, OpenSubdiv 3.5, oneTBB, nlohmann-json 3.11, CLI11, muParser, libzip, Expat, libpng, FreeType, zlib
+  OpenCASCADE 7.6 for STEP and IGES; the fonts Inter, Font Awesome 4 and Noto Sans CJK; ccache makes later builds faster
+TEXT
+  exit 0
+fi
 
 missing=()
 for package in "${wanted[@]}"; do

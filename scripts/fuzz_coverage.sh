@@ -9,7 +9,7 @@ formats=("${@:2}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 profiles=build/coverage/profiles
 
-cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_CXX_COMPILER=clang++-14 \
+cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_CXX_COMPILER=clang++ \
   "-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping" \
   -DHARIKO_CAD=OFF -DHARIKO_FUZZ=ON -DHARIKO_TESTS=OFF -DHARIKO_WINDOW=OFF >/dev/null
 if [ ${#formats[@]} -eq 0 ]; then mapfile -t formats < <(basename -s _fuzz.cpp tests/fuzz/*_fuzz.cpp); fi

@@ -11,6 +11,7 @@
 #include "core/analysis/measures.hpp"
 #include "core/patching/quartic_patch.hpp"
 #include "tests/support/analytic_patches.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
@@ -64,7 +65,7 @@ Json read(const std::filesystem::path& path) {
 }
 
 TEST(GoldenMetrics, AreReproduced) {
-  const std::filesystem::path folder = std::filesystem::path(HARIKO_SOURCE_DIR) / "tests/golden";
+  const std::filesystem::path folder = std::filesystem::path(test::source_folder()) / "tests/golden";
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename();

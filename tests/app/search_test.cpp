@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/places.hpp"
 #include "ui/command_search.hpp"
 #include "ui/fuzzy.hpp"
 
@@ -91,7 +92,7 @@ TEST(CommandSearch, PutsRecentOnesFirst) {
 }
 
 TEST(CommandSearch, KnowsBothLanguages) {
-  const auto japanese = Language::load(std::string(HARIKO_SOURCE_DIR) + "/assets/languages/ja.json");
+  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.json");
   ASSERT_TRUE(japanese.ok());
   CommandTable t;
   t.add(command("undo", "Edit", "Undo", ""));

@@ -11,6 +11,7 @@
 #include "tests/approximation/meshes.hpp"
 #include "tests/approximation/surfaces.hpp"
 #include "tests/support/analytic_patches.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
@@ -214,8 +215,7 @@ TEST(RandomSurfaces, TheRuleOfThePaperEndsOnNeedles) {
 class Samples : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Samples, EverySurfaceOfTheSample) {
-  const auto document =
-      load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/" + GetParam() + ".hariko");
+  const auto document = load_document(test::source_folder() + "/assets/samples/" + GetParam() + ".hariko");
   ASSERT_TRUE(document.ok());
   for (const auto& object : document->objects) {
     const auto built = object_surface(*document, *object);

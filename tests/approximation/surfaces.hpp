@@ -7,12 +7,13 @@
 #include <string>
 
 #include "core/surface/weld_patches.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
 
 inline std::vector<BezierPatch> golden_patches(const std::string& name) {
-  std::ifstream file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/approximation/surfaces.json");
+  std::ifstream file(test::source_folder() + "/tests/golden/approximation/surfaces.json");
   const auto json = nlohmann::json::parse(file);
   std::vector<BezierPatch> out;
   for (const auto& patch : json.at(name)) {

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/places.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -132,7 +134,7 @@ std::vector<Include> includes_of(const fs::path& top, const fs::path& file) {
 }
 
 std::vector<Include> all_includes() {
-  const fs::path top = HARIKO_SOURCE_DIR;
+  const fs::path top = test::source_folder();
   std::vector<Include> out;
   for (const char* layer : {"core", "render", "ui", "app"}) {
     if (!fs::exists(top / layer)) continue;
@@ -167,7 +169,7 @@ TEST(Includes, OwnHeadersAreNamedFromTheTop) {
 }
 
 TEST(Includes, HeadersAreIncludedOnce) {
-  const fs::path top = HARIKO_SOURCE_DIR;
+  const fs::path top = test::source_folder();
   for (const char* layer : {"core", "render", "ui", "app"}) {
     if (!fs::exists(top / layer)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(top / layer)) {

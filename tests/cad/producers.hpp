@@ -11,6 +11,7 @@
 
 #include "core/document/file.hpp"
 #include "core/modeling/attached.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
@@ -27,8 +28,7 @@ struct WantedSample {
 
 /// All objects of a sample, by their surfaces; `mode` instead of the polyhedra's own.
 inline std::vector<Produced> surfaces_of(const WantedSample& wanted) {
-  const auto document =
-      load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/" + wanted.file + ".hariko");
+  const auto document = load_document(test::source_folder() + "/assets/samples/" + wanted.file + ".hariko");
   if (!document.ok()) {
     ADD_FAILURE() << wanted.file << ": " << document.error().text;
     return {};
@@ -58,8 +58,7 @@ inline std::vector<WantedSample> wanted_samples() {
     return {{"cube_crease"}, {"grid3", Mode::paper}, {"fig2_open"},   {"cube", Mode::g2},
             {"solids_one"},  {"skin_merge_inside"},  {"skin_smooth"}, {"wheel_arch"}};
   std::vector<WantedSample> out;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(HARIKO_SOURCE_DIR) + "/assets/samples")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() + "/assets/samples")) {
     if (entry.path().extension() != ".hariko") continue;
     const std::string name = entry.path().stem().string();
     out.push_back({name});

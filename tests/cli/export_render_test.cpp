@@ -3,6 +3,7 @@
 
 #include "core/exchange/mesh_file.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko::test {
 namespace {
@@ -159,7 +160,7 @@ TEST_F(ExportRender, WhateverObjectsAreMadeFromIsDrawn) {
   write_text(path("patch.bpt"), patch);
   const std::string out = path("picture.png");
   for (const std::string& file :
-       {path("patch.bpt"), std::string(HARIKO_SOURCE_DIR "/assets/samples/saddle.hariko")}) {
+       {path("patch.bpt"), test::source_folder() + "/assets/samples/saddle.hariko"}) {
     const auto picture = [&](const std::string& options) {
       const Outcome result = run("render " + file + " " + out + " --size 160x120" + options);
       EXPECT_EQ(result.exit_code, 0) << result.error;

@@ -13,6 +13,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/places.hpp"
+
 namespace hariko::test {
 
 using Json = nlohmann::json;
@@ -29,7 +31,7 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
 
 /// The model of this name in tests/golden.
 inline std::string golden(const std::string& name) {
-  return std::string(HARIKO_SOURCE_DIR) + "/tests/golden/" + name;
+  return test::source_folder() + "/tests/golden/" + name;
 }
 
 struct Outcome {
@@ -68,8 +70,8 @@ class ProgramTest : public ::testing::Test {
     // checker.
     const bool draws = arguments.starts_with("render ");
     const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY " +
-                                std::string(draws ? "ASAN_OPTIONS=detect_leaks=0 " : "") +
-                                "'" HARIKO_PROGRAM "' " + arguments + " >'" + path("stdout.txt") + "' 2>'" +
+                                std::string(draws ? "ASAN_OPTIONS=detect_leaks=0 " : "") + "'" +
+                                program_path() + "' " + arguments + " >'" + path("stdout.txt") + "' 2>'" +
                                 path("stderr.txt") + "' </dev/null";
     const int status = std::system(command.c_str());
     Outcome out;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/cli/program.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko::test {
 namespace {
@@ -10,10 +11,10 @@ namespace {
 class SkinCommands : public ProgramTest {
  protected:
   static std::string sections(const std::string& name) {
-    return std::string(HARIKO_SOURCE_DIR) + "/tests/skinning/data/" + name + ".json";
+    return test::source_folder() + "/tests/skinning/data/" + name + ".json";
   }
   static Json golden_case(const std::string& name) {
-    return Json::parse(read_text(std::string(HARIKO_SOURCE_DIR) + "/tests/skinning/data/golden.json"))[name];
+    return Json::parse(read_text(test::source_folder() + "/tests/skinning/data/golden.json"))[name];
   }
 };
 
@@ -42,8 +43,7 @@ TEST_F(SkinCommands, EvaluateGivesTheGoldenValues) {
           EXPECT_NEAR(got["samples"][sample["vertex"].get<std::size_t>()][key][axis].get<double>(),
                       sample[key][axis].get<double>(), 1e-5);
   }
-  const Outcome smooth =
-      run("evaluate " + std::string(HARIKO_SOURCE_DIR) + "/assets/samples/skin_smooth.hariko");
+  const Outcome smooth = run("evaluate " + test::source_folder() + "/assets/samples/skin_smooth.hariko");
   ASSERT_EQ(smooth.exit_code, 0) << smooth.error;
   EXPECT_EQ(smooth.json()["grid"], Json({7, 8}));
   EXPECT_EQ(smooth.json()["params"].size(), 2U) << "one row a section";

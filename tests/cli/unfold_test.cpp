@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/cli/program.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko::test {
 namespace {
@@ -34,7 +35,7 @@ TEST_F(Unfold, WritesEveryFormatAndSaysWhatItMade) {
 }
 
 TEST_F(Unfold, SamplesAndPolyhedraBecomePaper) {
-  const std::string sample = std::string(HARIKO_SOURCE_DIR) + "/assets/samples/fig2.hariko";
+  const std::string sample = test::source_folder() + "/assets/samples/fig2.hariko";
   const Outcome result = run("unfold " + sample + " " + path("v.json") + " --height 120 --steps 1000 --json");
   ASSERT_EQ(result.exit_code, 0) << result.error;
   EXPECT_EQ(result.json()["overlaps"], 0);

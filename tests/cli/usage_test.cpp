@@ -1,4 +1,5 @@
 #include "tests/cli/program.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko::test {
 namespace {
@@ -74,7 +75,7 @@ TEST_F(Usage, WrongInputGivesOne) {
 TEST_F(Usage, FullDiskGivesOne) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "this system has no device that is always full";
   const std::string command =
-      "'" HARIKO_PROGRAM "' evaluate " + golden("cube.obj") + " >/dev/full 2>/dev/null";
+      "'" + program_path() + "' evaluate " + golden("cube.obj") + " >/dev/full 2>/dev/null";
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 1);
 }

@@ -8,12 +8,13 @@
 #include "core/document/read_outline.hpp"
 #include "core/gaussmap/edit_outline.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
 
 Document with_cap() {
-  const auto text = read_file(HARIKO_SOURCE_DIR "/tests/golden/gaussmap/sphere_cap.json", 1 << 20);
+  const auto text = read_file(test::source_folder() + "/tests/golden/gaussmap/sphere_cap.json", 1 << 20);
   OutlineSource source;
   source.outline = read_outline(*text).value();
   return add_object({}, "Cap", std::move(source)).value().document;

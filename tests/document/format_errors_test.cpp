@@ -8,6 +8,7 @@
 #include "core/network/network.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "tests/document/random_documents.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
@@ -46,7 +47,7 @@ TEST(FormatErrors, NotJson) {
 }
 
 TEST(FormatErrors, ForeignNamesAreShownWithoutControlCharacters) {
-  std::string text = read_file(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/solids_one.hariko").value();
+  std::string text = read_file(test::source_folder() + "/assets/samples/solids_one.hariko").value();
   const std::string name = "\"type\": \"box\"";
   const std::size_t at = text.find(name);
   ASSERT_NE(at, std::string::npos);

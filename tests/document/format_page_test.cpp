@@ -4,12 +4,13 @@
 
 #include "core/base/file_io.hpp"
 #include "core/document/format.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
 
 TEST(FormatPage, ItsExampleIsADocument) {
-  const std::string page = read_file(HARIKO_SOURCE_DIR "/docs/format.md").value();
+  const std::string page = read_file(test::source_folder() + "/docs/format.md").value();
   const std::string fence = "```json\n";
   const std::size_t begin = page.find(fence) + fence.size();
   const std::string example = page.substr(begin, page.find("```", begin) - begin);

@@ -11,12 +11,13 @@
 
 #include "core/document/edits.hpp"
 #include "tests/document/random_documents.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
 
 std::string file_text(const std::string& path) {
-  std::ifstream file(HARIKO_SOURCE_DIR "/" + path, std::ios::binary);
+  std::ifstream file(test::source_folder() + "/" + path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();

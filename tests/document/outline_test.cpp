@@ -4,13 +4,13 @@
 
 #include "core/base/file_io.hpp"
 #include "core/gaussmap/outline_check.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
 
 std::string golden(const std::string& name) {
-  const auto text =
-      read_file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/gaussmap/" + name + ".json", 1 << 20);
+  const auto text = read_file(test::source_folder() + "/tests/golden/gaussmap/" + name + ".json", 1 << 20);
   EXPECT_TRUE(text.ok());
   return text.ok() ? *text : std::string();
 }

@@ -14,6 +14,7 @@
 #include "core/document/format.hpp"
 #include "core/modeling/attached.hpp"
 #include "tests/patching/g2_support.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
@@ -38,7 +39,7 @@ const std::vector<Expected>& samples() {
 }
 
 std::filesystem::path path_of(const std::string& name) {
-  return std::filesystem::path(HARIKO_SOURCE_DIR) / "assets" / "samples" / (name + ".hariko");
+  return std::filesystem::path(test::source_folder()) / "assets" / "samples" / (name + ".hariko");
 }
 
 const std::vector<std::pair<std::string, std::size_t>>& solid_samples() {
@@ -73,7 +74,7 @@ const std::vector<ExpectedSkin>& skin_samples() {
 
 TEST(Samples, AreAllListed) {
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(HARIKO_SOURCE_DIR "/assets/samples"))
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() + "/assets/samples"))
     count += entry.path().extension() == ".hariko" ? 1U : 0U;
   EXPECT_EQ(count, samples().size() + solid_samples().size() + outline_samples().size() +
                        skin_samples().size() + 1);  // and the wheel arch

@@ -11,12 +11,13 @@
 
 #include "core/document/read_solids.hpp"
 #include "core/envelope/envelope.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
 
 inline EnvelopeInput golden_scene(const std::string& name) {
-  std::ifstream file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/envelope/" + name + ".json");
+  std::ifstream file(test::source_folder() + "/tests/golden/envelope/" + name + ".json");
   std::ostringstream text;
   text << file.rdbuf();
   const auto scene = read_scene(text.str());

@@ -6,6 +6,7 @@
 
 #include "core/exchange/mesh_file.hpp"
 #include "tests/exchange/mesh_text.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
@@ -161,7 +162,7 @@ TEST(ReadObj, GoldenModels) {
     std::size_t vertices, faces;
   };
   // Euler characteristics of the closed ones are checked too: a reader that lost a line would show.
-  const std::filesystem::path folder = std::filesystem::path(HARIKO_SOURCE_DIR) / "tests" / "golden";
+  const std::filesystem::path folder = std::filesystem::path(test::source_folder()) / "tests" / "golden";
   for (const auto& [name, vertices, faces] : {Model{"cube.obj", 8, 6}, Model{"octahedron.obj", 6, 8},
                                               Model{"prism6.obj", 12, 8}, Model{"concave.obj", 16, 10}}) {
     const auto result = read_mesh_file(folder / name);

@@ -19,6 +19,7 @@
 #include "core/exchange/read_stl.hpp"
 #include "core/exchange/triangulate.hpp"
 #include "tests/exchange/mesh_text.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
@@ -446,7 +447,7 @@ TEST(MeshFile, ErrorsNameTheFile) {
 /// bounds.
 TEST(MeshFile, FixturesAreReadOrRefused) {
   std::size_t count = 0;
-  const auto folder = std::filesystem::path(HARIKO_SOURCE_DIR) / "tests" / "exchange" / "fixtures";
+  const auto folder = std::filesystem::path(test::source_folder()) / "tests" / "exchange" / "fixtures";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     ++count;
     const std::string bytes = test::slurp(entry.path());

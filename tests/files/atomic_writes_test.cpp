@@ -14,6 +14,7 @@
 #include "core/document/file.hpp"
 #include "render/image.hpp"
 #include "tests/files/system_faults.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/unfolding/paper.hpp"
@@ -35,7 +36,7 @@ Document one_patch() {
 }
 
 Document sample(const std::string& name) {
-  return load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/" + name + ".hariko").value();
+  return load_document(test::source_folder() + "/assets/samples/" + name + ".hariko").value();
 }
 
 std::vector<Kind> kinds() {

@@ -7,6 +7,7 @@
 #include "core/document/edit_paper.hpp"
 #include "core/document/file.hpp"
 #include "core/unfolding/paper_document.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unfolding/paper.hpp"
 
 namespace hariko::test {
@@ -14,8 +15,7 @@ namespace {
 
 std::vector<std::filesystem::path> sample_files() {
   std::vector<std::filesystem::path> out;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::string(HARIKO_SOURCE_DIR) + "/assets/samples"))
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() + "/assets/samples"))
     if (entry.path().extension() == ".hariko") out.push_back(entry.path());
   std::sort(out.begin(), out.end());
   return out;
@@ -68,14 +68,14 @@ TEST(Samples, AreUnfoldedWithoutOverlaps) {
 
 /// A patch of this sample turns back: halves of its diagonal are longer than the diagonal.
 TEST(Samples, ASurfaceThatTurnsBackNeedsFewFacets) {
-  const auto document = load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/solids_ten.hariko");
+  const auto document = load_document(test::source_folder() + "/assets/samples/solids_ten.hariko");
   ASSERT_TRUE(document.ok());
   EXPECT_LT(facets_of(*document, 4).mesh.face_count(), 2000U);
 }
 
 /// A dented sample: what is left of the mesh keeps its folds and most of its places.
 TEST(Samples, AMovedVertexKeepsMostCuts) {
-  const auto document = load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/fig2.hariko");
+  const auto document = load_document(test::source_folder() + "/assets/samples/fig2.hariko");
   ASSERT_TRUE(document.ok());
   const ModelFacets facets = facets_of(*document, 4);
   const Unfolding model = unfolded(facets, 500);

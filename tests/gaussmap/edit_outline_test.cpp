@@ -118,7 +118,7 @@ TEST(EditOutline, InsideOutIsTheSameSurfaceFromBehind) {
   options.mode = GaussMode::position;
   const auto front = control_points(saddle, options), back = control_points(behind, options);
   ASSERT_TRUE(front.ok() && back.ok());
-  const Truth truth = test::saddle();
+  const Truth truth = test::saddle_truth();
   for (const Vector3& point : back->points) EXPECT_LE((truth.foot(point).point - point).norm(), 5e-3);
 }
 

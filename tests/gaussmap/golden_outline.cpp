@@ -2,11 +2,12 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/gaussmap/truths.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko::test {
 
 Outline golden_outline(const std::string& name) {
-  std::ifstream file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/gaussmap/" + name + ".json");
+  std::ifstream file(test::source_folder() + "/tests/golden/gaussmap/" + name + ".json");
   const auto json = nlohmann::json::parse(file);
   Outline out;
   for (const auto& loop : json.at("loops")) {

@@ -90,7 +90,7 @@ inline Truth paraboloid() {
 }
 
 /// z = x y
-inline Truth saddle() {
+inline Truth saddle_truth() {
   return graph([](double x, double y) { return x * y; }, [](double x, double y) { return Vector2(y, x); },
                {0, 1, 0});
 }
@@ -205,7 +205,7 @@ inline GroundTruth saddle_disc(std::size_t count) {
     const double x = 0.8 * std::cos(2 * pi * t), y = 0.8 * std::sin(2 * pi * t), w = 1 + x * x + y * y;
     return OnSurface{{x, y, x * y}, Vector3(-y, -x, 1).normalized(), -1 / (w * w)};
   };
-  return {"saddle", {{uniform_loop(count, at)}}, saddle()};
+  return {"saddle", {{uniform_loop(count, at)}}, saddle_truth()};
 }
 
 /// `lower` points on the lower loop, whose image is the smaller circle: steps are equal with 31 on the upper

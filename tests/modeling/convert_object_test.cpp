@@ -12,12 +12,13 @@
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_check.hpp"
 #include "core/modeling/attached.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
 
 Document with_outline(const std::string& name, bool g2) {
-  const auto text = read_file(HARIKO_SOURCE_DIR "/tests/golden/gaussmap/" + name + ".json", 1 << 20);
+  const auto text = read_file(test::source_folder() + "/tests/golden/gaussmap/" + name + ".json", 1 << 20);
   OutlineSource source;
   source.outline = read_outline(*text).value();
   source.settings = usual_settings(*source.outline);
@@ -60,7 +61,7 @@ TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
 }
 
 Document with_solids(const std::string& name, EnvelopeMethod method) {
-  const auto text = read_file(HARIKO_SOURCE_DIR "/tests/golden/envelope/" + name + ".json", 1 << 20);
+  const auto text = read_file(test::source_folder() + "/tests/golden/envelope/" + name + ".json", 1 << 20);
   EnvelopeInput input = read_scene(*text).value();
   input.settings.method = method;
   return add_object({}, "Solids", SolidsSource{std::move(input), {}}).value().document;

@@ -9,12 +9,13 @@
 #include "core/document/read_skin.hpp"
 #include "core/modeling/surface_input.hpp"
 #include "core/skinning/evaluate_skin.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko {
 namespace {
 
 Skin input(const std::string& name) {
-  const auto text = read_file(HARIKO_SOURCE_DIR "/tests/skinning/data/" + name + ".json", 1 << 24);
+  const auto text = read_file(test::source_folder() + "/tests/skinning/data/" + name + ".json", 1 << 24);
   EXPECT_TRUE(text.ok());
   return read_skin_layout(*text).value();
 }

@@ -8,12 +8,12 @@
 
 #include "core/base/file_io.hpp"
 #include "core/document/read_skin.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko::test {
 
 inline std::string data_text(const std::string& name) {
-  auto text =
-      read_file(std::string(HARIKO_SOURCE_DIR) + "/tests/skinning/data/" + name, std::size_t(1) << 24);
+  auto text = read_file(test::source_folder() + "/tests/skinning/data/" + name, std::size_t(1) << 24);
   EXPECT_TRUE(text.ok()) << name;
   return text.ok() ? *text : std::string();
 }

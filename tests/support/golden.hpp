@@ -12,11 +12,12 @@
 #include "core/network/shaping.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
+#include "tests/support/places.hpp"
 
 namespace hariko::test {
 
 inline std::string golden_path(const std::string& name) {
-  return std::string(HARIKO_SOURCE_DIR) + "/tests/golden/" + name;
+  return test::source_folder() + "/tests/golden/" + name;
 }
 
 inline nlohmann::json golden_json(const std::string& name) {

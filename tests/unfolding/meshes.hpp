@@ -11,13 +11,14 @@
 
 #include "core/exchange/mesh_file.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
 
 /// tests/golden/unfolding
 inline PolygonMesh golden_facets(const std::string& name) {
-  auto mesh = read_mesh_file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/unfolding/" + name + ".obj");
+  auto mesh = read_mesh_file(test::source_folder() + "/tests/golden/unfolding/" + name + ".obj");
   EXPECT_TRUE(mesh.ok()) << name;
   return mesh.ok() ? std::move(mesh).value().mesh : PolygonMesh{};
 }

@@ -8,6 +8,7 @@
 #include "core/document/edits.hpp"
 #include "core/document/file.hpp"
 #include "core/document/format.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
@@ -43,8 +44,7 @@ Document some_patches(std::mt19937_64& rng) {
 Document some_sample(std::mt19937_64& rng) {
   static constexpr std::array names{"solids_one", "solids_t",   "solids_touching", "skin_smooth",
                                     "skin_car",   "sphere_cap", "saddle"};
-  return load_document(std::string(HARIKO_SOURCE_DIR) + "/assets/samples/" + names[rng() % names.size()] +
-                       ".hariko")
+  return load_document(test::source_folder() + "/assets/samples/" + names[rng() % names.size()] + ".hariko")
       .value();
 }
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/menu_tree.hpp"
@@ -19,7 +20,7 @@ Document box() {
 
 TEST(Table, EveryCommandIsNamedExplainedAndTranslated) {
   HeadlessWorkbench bench(box());
-  const auto japanese = Language::load(std::string(HARIKO_SOURCE_DIR) + "/assets/languages/ja.json");
+  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.json");
   ASSERT_TRUE(japanese.ok());
   std::map<std::string, std::string> keys;
   for (const Command& command : bench.workbench().commands().all()) {
