@@ -28,6 +28,13 @@ Eigen::MatrixXd lower_gram_matrix(const Eigen::MatrixXd& a) {
   return out;
 }
 
+Eigen::MatrixXd scaled_both_sides(const Eigen::VectorXd& scale, const Eigen::MatrixXd& matrix) {
+  Eigen::MatrixXd out(matrix.rows(), matrix.cols());
+  for (Eigen::Index k = 0; k < matrix.cols(); ++k)
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) out(i, k) = scale[i] * matrix(i, k) * scale[k];
+  return out;
+}
+
 Eigen::MatrixXd inverse_matrix(const Eigen::MatrixXd& matrix) {
   return matrix.inverse();
 }

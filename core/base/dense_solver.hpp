@@ -20,6 +20,9 @@ Eigen::VectorXd transposed_product(const Eigen::MatrixXd& a, const Eigen::Vector
 /// a^T a, the lower triangle; zero above the diagonal.
 Eigen::MatrixXd lower_gram_matrix(const Eigen::MatrixXd& a);
 
+/// Entry (i, k) times scale[i] scale[k]; the matrix is square.
+Eigen::MatrixXd scaled_both_sides(const Eigen::VectorXd& scale, const Eigen::MatrixXd& matrix);
+
 /// The matrix must not be singular.
 Eigen::MatrixXd inverse_matrix(const Eigen::MatrixXd& matrix);
 /// By triangular factors with row pivots. The matrix must not be singular.

@@ -22,14 +22,6 @@ constexpr std::size_t dot_grain = 4096;
 
 using Array3 = Coefficients3;
 
-/// diagonal(scale) matrix diagonal(scale)
-Eigen::MatrixXd scaled_both(const Eigen::VectorXd& scale, const Eigen::MatrixXd& matrix) {
-  Eigen::MatrixXd out(matrix.rows(), matrix.cols());
-  for (Eigen::Index k = 0; k < matrix.cols(); ++k)
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) out(i, k) = scale[i] * matrix(i, k) * scale[k];
-  return out;
-}
-
 }  // namespace
 
 /// What one solve needs beside the unknowns, and the vector operations on the active ones.
@@ -196,7 +188,7 @@ FairSystem::Block FairSystem::make_block(Index face) const {
       if (edge_element_[mesh.edge(h)]) weight[at] = std::sqrt(0.5);
     }
   }
-  Eigen::MatrixXd matrix = scaled_both(scale, element.matrix);
+  Eigen::MatrixXd matrix = scaled_both_sides(scale, element.matrix);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Index h = mesh.face_begin(face) + Index(j), e = mesh.edge(h);
     const EdgeElement* edge = edge_element_[e];
@@ -234,7 +226,7 @@ FairSystem::Block FairSystem::make_block(Index face) const {
   }
   const auto inverse = solve_definite(matrix, Eigen::MatrixXd::Identity(size, size));
   HARIKO_ASSERT(inverse, "the fairness energy of a face is positive definite");
-  return scaled_both(weight, *inverse);
+  return scaled_both_sides(weight, *inverse);
 }
 
 void FairSystem::gather(Index face, const Field& x, bool scaled, double* local) const {
