@@ -1,6 +1,5 @@
 #include "core/approximation/balance.hpp"
 
-#include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +10,7 @@
 #include "core/approximation/split_rule.hpp"
 #include "core/approximation/surface_foot.hpp"
 #include "core/base/parallel.hpp"
+#include "core/base/sparse_solver.hpp"
 
 namespace hariko {
 
@@ -117,7 +117,7 @@ class Balance {
     }
     if (!(largest > 0)) return;
     const auto count = static_cast<Eigen::Index>(start_.size());
-    std::vector<Eigen::Triplet<double>> entries;
+    SparseEntries entries;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
     double sum = 0;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -135,10 +135,8 @@ class Balance {
       }
     }
     for (Eigen::Index v = 0; v < count; ++v) entries.emplace_back(int(v), int(v), 1e-6 * sum / double(count));
-    Eigen::SparseMatrix<double> matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    if (solver.info() != Eigen::Success) return;
+    const SparseCholesky solver(sparse_matrix(count, count, entries));
+    if (!solver.succeeded()) return;
     const Eigen::VectorXd change = solver.solve(right);
     if (!change.allFinite()) return;
     // The step of Newton's method for this power.

@@ -1,6 +1,6 @@
 #include "core/approximation/decimate.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

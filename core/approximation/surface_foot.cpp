@@ -1,6 +1,6 @@
 #include "core/approximation/surface_foot.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

@@ -1,11 +1,12 @@
 #include "core/envelope/convex_hull.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+
+#include "core/base/small_solver.hpp"
 
 namespace hariko {
 
@@ -181,8 +182,7 @@ std::vector<Index> flat_vertices(std::span<const Vector3> points,
   }
   std::vector<Index> out;
   for (const auto& [v, normals] : around) {
-    const double least =
-        Eigen::SelfAdjointEigenSolver<Matrix3>(normals.products / normals.area).eigenvalues()[0];
+    const double least = symmetric_axes(normals.products / normals.area).values[0];
     if (!(least > flat_share)) out.push_back(v);
   }
   return out;

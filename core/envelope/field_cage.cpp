@@ -1,11 +1,11 @@
 #include "core/envelope/field_cage.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
+#include "core/base/small_solver.hpp"
 #include "core/envelope/contour.hpp"
 
 namespace hariko {
@@ -213,14 +213,14 @@ class CageBuilder {
       products += normals[i] * normals[i].transpose();
       right += normals[i] * normals[i].dot(points[i] - mean);
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(products);
+    const SymmetricAxes principal = symmetric_axes(products);
     Vector3 x = mean;
     int rank = 0;
     Matrix3 along = Matrix3::Identity();
     for (int i = 0; i < 3; ++i) {
-      if (!(eigen.eigenvalues()[i] >= kept_eigenvalue * eigen.eigenvalues()[2])) continue;
-      const Vector3 axis = eigen.eigenvectors().col(i);
-      x += axis * (axis.dot(right) / eigen.eigenvalues()[i]);
+      if (!(principal.values[i] >= kept_eigenvalue * principal.values[2])) continue;
+      const Vector3 axis = principal.vectors.col(i);
+      x += axis * (axis.dot(right) / principal.values[i]);
       along -= axis * axis.transpose();
       ++rank;
     }

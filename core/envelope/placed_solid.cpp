@@ -1,13 +1,12 @@
 #include "core/envelope/placed_solid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
+#include "core/base/small_solver.hpp"
 #include "core/envelope/convex_hull.hpp"
 
 namespace hariko {
@@ -97,10 +96,10 @@ void set_polyhedron(PlacedSolid& solid, const Solid& authored, const Matrix3& ro
   Matrix3 covariance = Matrix3::Zero();
   for (const Index v : hull.vertices)
     covariance += (points[v] - mean) * (points[v] - mean).transpose() / double(hull.vertices.size());
-  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(covariance);
-  Matrix3 axes = eigen.eigenvectors();
+  const SymmetricAxes principal = symmetric_axes(covariance);
+  Matrix3 axes = principal.vectors;
   if (axes.determinant() < 0) axes.col(0) *= -1;
-  const Vector3 half = eigen.eigenvalues().cwiseMax(1e-18 * size * size).cwiseSqrt();
+  const Vector3 half = principal.values.cwiseMax(1e-18 * size * size).cwiseSqrt();
   for (const Index v : hull.vertices)
     solid.unit_vertices.push_back(
         half.cwiseInverse().cwiseProduct(axes.transpose() * (points[v] - centroid)));

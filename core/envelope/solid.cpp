@@ -1,11 +1,12 @@
 #include "core/envelope/solid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+
+#include "core/base/small_solver.hpp"
 
 namespace hariko {
 
@@ -101,7 +102,7 @@ class SolidCheck {
     }
     Matrix3 spread = Matrix3::Zero();
     for (const Vector3& p : solid_.points) spread += (p - mean) * (p - mean).transpose() / (size * size);
-    const double least = Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvalues()[0];
+    const double least = symmetric_axes(spread).values[0];
     if (!(std::sqrt(std::max(least, 0.0)) > 1e-9))
       fail(e_solid_flat, name + " lie in a plane", "Move one of them out of the plane.");
   }

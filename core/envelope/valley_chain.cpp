@@ -6,6 +6,8 @@
 #include <optional>
 #include <tuple>
 
+#include "core/base/small_solver.hpp"
+
 namespace hariko {
 
 namespace {
@@ -199,8 +201,8 @@ class Chains {
         continue;
       const Vector3 place = solid.world(solid.unit_vertices[v], input_.growth[a.solid]);
       const Vector3 u = place - a.position;
-      const Eigen::Matrix<double, 2, 1> affine =
-          (frame.transpose() * frame).ldlt().solve(frame.transpose() * u);
+      const Vector2 affine =
+          solve_symmetric(Eigen::Matrix2d(frame.transpose() * frame), Vector2(frame.transpose() * u));
       const double height = (u - u.dot(q) / q.squaredNorm() * q).norm(), along_q = u.dot(q) / size;
       if (height < 0.1 * size || affine.x() < -0.1 || affine.y() <= 0 || affine.sum() >= 1.03 ||
           along_q <= 0.05 * size || std::abs(u.dot(normal)) >= 0.3 * size)

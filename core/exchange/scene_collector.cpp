@@ -1,7 +1,7 @@
 #include "core/exchange/scene_collector.hpp"
+#include "core/base/small_solver.hpp"
 #include "core/exchange/remedies.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 
 #include "core/base/printable.hpp"
@@ -28,7 +28,7 @@ std::string counted(std::size_t count, const char* one, const char* several) {
 
 bool Placement::flattens() const {
   if (!(largest() > 0)) return true;
-  const Vector3 stretches = Eigen::JacobiSVD<Matrix3>(linear / largest()).singularValues();
+  const Vector3 stretches = singular_axes(linear / largest()).values;
   return !(stretches[2] > 1e-12 * stretches[0]);
 }
 

@@ -1,10 +1,10 @@
 #include "core/g2/face_energy.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <numbers>
 
 #include "core/base/assert.hpp"
+#include "core/base/dense_solver.hpp"
 #include "core/base/gauss.hpp"
 
 namespace hariko {
@@ -30,8 +30,7 @@ Eigen::MatrixXd integrate(const ChartSamples& samples, const Rows& rows) {
       rows(side, i, of.at(i), own);
       all.middleRows(RowCount * Eigen::Index(i), RowCount) = std::sqrt(of.points[i].weight) * own;
     }
-    square = Eigen::MatrixXd::Zero(width, width);
-    square.selfadjointView<Eigen::Lower>().rankUpdate(all.transpose());
+    square = lower_gram_matrix(all);
     for (Eigen::Index a = 0; a < width; ++a)
       for (Eigen::Index b = 0; b <= a; ++b)
         out(active[std::size_t(a)], active[std::size_t(b)]) += square(a, b);
@@ -128,15 +127,15 @@ CurveMatrix curve_matrix(const FaceChart& chart, int side) {
 CondensedFace condense(const ControlPlaces& places, const Eigen::MatrixXd& energy) {
   const Eigen::MatrixXd cu = part(energy, places.centre, places.unknown);
   const Eigen::MatrixXd cg = part(energy, places.centre, places.given);
-  const Eigen::LLT<Eigen::MatrixXd> factor(part(energy, places.centre, places.centre));
-  HARIKO_ASSERT(factor.info() == Eigen::Success, "the energy of a face's centre is positive definite");
   Eigen::MatrixXd centre(cu.rows(), cu.cols() + cg.cols());
   centre << cu, cg;
-  centre = -factor.solve(centre);
-  const Eigen::MatrixXd uu =
-      part(energy, places.unknown, places.unknown) + cu.transpose() * centre.leftCols(cu.cols());
-  const Eigen::MatrixXd ug =
-      part(energy, places.unknown, places.given) + cu.transpose() * centre.rightCols(cg.cols());
+  const auto solved = solve_definite(part(energy, places.centre, places.centre), centre);
+  HARIKO_ASSERT(solved, "the energy of a face's centre is positive definite");
+  centre = -*solved;
+  const Eigen::MatrixXd uu = part(energy, places.unknown, places.unknown) +
+                             transposed_product(cu, Eigen::MatrixXd(centre.leftCols(cu.cols())));
+  const Eigen::MatrixXd ug = part(energy, places.unknown, places.given) +
+                             transposed_product(cu, Eigen::MatrixXd(centre.rightCols(cg.cols())));
   return {PaddedMatrix(0.5 * (uu + uu.transpose())), PaddedMatrix(ug), PaddedMatrix(centre)};
 }
 

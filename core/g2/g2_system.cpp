@@ -1,6 +1,5 @@
 #include "core/g2/g2_system.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/base/dense_solver.hpp"
 #include "core/base/parallel.hpp"
 
 namespace hariko {
@@ -237,9 +237,10 @@ PaddedMatrix G2System::make_block(Index face) const {
       }
     }
   }
-  const Eigen::LLT<Eigen::MatrixXd> factor(0.5 * (matrix + matrix.transpose()));
-  HARIKO_ASSERT(factor.info() == Eigen::Success, "the energy round a face is positive definite");
-  Eigen::MatrixXd inverse = factor.solve(Eigen::MatrixXd::Identity(size, size));
+  const auto solved =
+      solve_definite(0.5 * (matrix + matrix.transpose()), Eigen::MatrixXd::Identity(size, size));
+  HARIKO_ASSERT(solved, "the energy round a face is positive definite");
+  Eigen::MatrixXd inverse = *solved;
   // In the face's controls: turn * inverse * turn^T, a column at a time, then a row at a time.
   for (int pass = 0; pass < 2; ++pass) {
     for (int k = 0; k < size; ++k) {

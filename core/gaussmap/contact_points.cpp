@@ -1,8 +1,10 @@
 #include "core/gaussmap/contact_points.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "core/base/least_squares.hpp"
 
 namespace hariko {
 namespace {
@@ -70,7 +72,7 @@ class SupportFit {
       add(dx, gradient.x(), weight);
       add(dy, gradient.y(), weight);
     }
-    const Eigen::VectorXd found = rows.topRows(used).colPivHouseholderQr().solve(right.head(used));
+    const Eigen::VectorXd found = solve_overdetermined(rows.topRows(used), right.head(used));
     const double square = scale * scale;
     return {Vector2(found.head<2>() / scale),
             (found[2] * found[4] - found[3] * found[3]) / (square * square)};

@@ -1,30 +1,27 @@
 #include "core/gaussmap/linear_fill.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <cmath>
 
+#include "core/base/sparse_solver.hpp"
 #include "core/gaussmap/control_points.hpp"
 
 namespace hariko {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
-using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// The operators of gaussmap.md 4.1 on the polytope around the unit sphere: w = a^-1 (J h + b) is close to
 /// the sum of the radii of curvature, Lambda is the Laplacian.
 struct Operators {
-  Matrix jacobian, laplacian;  ///< J, Lambda; rows and columns of all sites
-  Vector areas, boundary;      ///< a, b
+  SparseMatrix jacobian, laplacian;  ///< J, Lambda; rows and columns of all sites
+  Vector areas, boundary;            ///< a, b
 };
 
 /// Adds the rows of one site. The edges of its facet lie in the plane n.x = 1.
 class FacetRows {
  public:
-  FacetRows(const SphereMesh& mesh, Triplets& jacobian, Triplets& laplacian)
+  FacetRows(const SphereMesh& mesh, SparseEntries& jacobian, SparseEntries& laplacian)
       : mesh_(mesh), jacobian_(jacobian), laplacian_(laplacian) {}
 
   /// Returns the facet's area.
@@ -63,7 +60,7 @@ class FacetRows {
   }
 
   const SphereMesh& mesh_;
-  Triplets &jacobian_, &laplacian_;
+  SparseEntries &jacobian_, &laplacian_;
   double area_ = 0;
 };
 
@@ -72,7 +69,7 @@ Operators make_operators(const SphereMesh& mesh, const BoundaryData& boundary) {
   Operators out;
   out.areas.resize(count);
   out.boundary = Vector::Zero(count);
-  Triplets jacobian, laplacian;
+  SparseEntries jacobian, laplacian;
   jacobian.reserve(std::size_t(count) * 14);
   laplacian.reserve(std::size_t(count) * 14);
   FacetRows rows(mesh, jacobian, laplacian);
@@ -87,42 +84,41 @@ Operators make_operators(const SphereMesh& mesh, const BoundaryData& boundary) {
     const Vector3 edges = (middle(mesh.next(i)) - n) + (n - middle(mesh.previous(i)));
     out.boundary[i] = edges.cross(n).dot(boundary.points[i]);
   }
-  out.jacobian.resize(count, count);
-  out.jacobian.setFromTriplets(jacobian.begin(), jacobian.end());
-  out.laplacian.resize(count, count);
-  out.laplacian.setFromTriplets(laplacian.begin(), laplacian.end());
+  out.jacobian = sparse_matrix(count, count, jacobian);
+  out.laplacian = sparse_matrix(count, count, laplacian);
   return out;
 }
 
 std::optional<Vector> solve_umbilic(const Operators& operators, const Vector& known, Eigen::Index inner) {
-  const Matrix scaled = operators.areas.cwiseInverse().asDiagonal() * operators.jacobian;
-  const Matrix inner_rows = operators.laplacian.bottomRows(inner);
-  const Matrix system = inner_rows * scaled.rightCols(inner);
+  const SparseMatrix scaled = scaled_rows(operators.areas.cwiseInverse(), operators.jacobian);
+  const SparseMatrix inner_rows = operators.laplacian.bottomRows(inner);
+  const SparseMatrix system = sparse_product(inner_rows, scaled.rightCols(inner));
   const Vector right = -(inner_rows * known);
-  Eigen::SparseLU<Matrix> solver(system);
-  if (solver.info() != Eigen::Success) return {};
-  return Vector(solver.solve(right));
+  const SparseLu solver(system);
+  if (!solver.succeeded()) return {};
+  return solver.solve(right);
 }
 
 std::optional<Vector> solve_curvature(const Operators& operators, const Vector& known, Eigen::Index inner,
                                       const std::vector<RadiusSum>& sums) {
   constexpr double pull = 100;  // mu of gaussmap.md 4.2
-  const Matrix radii = (operators.areas.cwiseInverse().asDiagonal() * operators.jacobian).eval();
-  const Matrix unknown = radii.rightCols(inner);
+  const SparseMatrix radii = scaled_rows(operators.areas.cwiseInverse(), operators.jacobian);
+  const SparseMatrix unknown = radii.rightCols(inner);
   Vector weights = Vector::Zero(known.size()), wanted = Vector::Zero(known.size());
   for (std::size_t i = 0; i < sums.size(); ++i) {
     weights[Eigen::Index(i)] = pull * sums[i].weight;
     wanted[Eigen::Index(i)] = sums[i].value;
   }
-  Matrix form = -operators.laplacian;
+  SparseMatrix form = -operators.laplacian;
   for (Eigen::Index i = 0; i < Eigen::Index(sums.size()); ++i) form.coeffRef(i, i) += weights[i];
-  const Matrix system = unknown.transpose() * (form * unknown);
+  const SparseMatrix system = transposed_product(unknown, sparse_product(form, unknown));
   const Vector right = unknown.transpose() * (weights.cwiseProduct(wanted) - form * known);
-  Eigen::SimplicialLDLT<Matrix> solver(system);
-  if (solver.info() != Eigen::Success) return {};
+  const SparseCholesky solver(system);
+  if (!solver.succeeded()) return {};
   Vector solution = solver.solve(right);
-  solution +=
-      solver.solve(right - system * solution);  // normal equations: one step gives the lost digits back
+  // Normal equations: one step gives the lost digits back.
+  const Vector rest = right - system * solution;
+  solution += solver.solve(rest);
   return solution;
 }
 

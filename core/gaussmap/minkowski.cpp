@@ -1,19 +1,18 @@
 #include "core/gaussmap/minkowski.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <unordered_map>
 
+#include "core/base/small_solver.hpp"
+#include "core/base/sparse_solver.hpp"
 #include "core/gaussmap/tangent_polytope.hpp"
 
 namespace hariko {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
 Element boundary_element(const SphereMesh& mesh, Index site) {
@@ -79,8 +78,8 @@ class Newton {
   double residual(const Vector& areas) const { return (areas - targets_).cwiseQuotient(targets_).norm(); }
 
   /// Derivatives of the inner areas by the inner support values; symmetric.
-  Matrix jacobian() const {
-    std::vector<Eigen::Triplet<double>> entries;
+  SparseMatrix jacobian() const {
+    SparseEntries entries;
     const Index first = mesh_.boundary_count();
     for (Index i = first; i < mesh_.site_count(); ++i) {
       const auto& facet = polytope_->facets()[i];
@@ -94,17 +93,18 @@ class Newton {
         if (k >= first) entries.emplace_back(i - first, k - first, length / sine);
       }
     }
-    Matrix out(mesh_.inner_count(), mesh_.inner_count());
-    out.setFromTriplets(entries.begin(), entries.end());
-    return out;
+    return sparse_matrix(mesh_.inner_count(), mesh_.inner_count(), entries);
   }
 
   /// Inverse iteration for the eigenvalue nearest to 0 of a^-1/2 J a^-1/2.
   bool nearly_singular() const {
     const Vector root = areas_.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-    const Matrix scaled = root.asDiagonal() * jacobian() * root.asDiagonal();
-    const Eigen::SparseLU<Matrix> solver(scaled);
-    if (solver.info() != Eigen::Success) return true;
+    SparseMatrix scaled = jacobian();
+    for (int column = 0; column < scaled.outerSize(); ++column)
+      for (SparseMatrix::InnerIterator entry(scaled, column); entry; ++entry)
+        entry.valueRef() = root[entry.row()] * entry.value() * root[column];
+    const SparseLu solver(scaled);
+    if (!solver.succeeded()) return true;
     Vector x = Vector::Ones(root.size());
     double inverse = 0;
     for (int i = 0; i < 12; ++i) {
@@ -118,8 +118,8 @@ class Newton {
   }
 
   bool step(double least, double& current) {
-    const Eigen::SparseLU<Matrix> solver(jacobian());
-    if (solver.info() != Eigen::Success) return false;
+    const SparseLu solver(jacobian());
+    if (!solver.succeeded()) return false;
     const Vector move = solver.solve(targets_ - areas_);
     if (!move.allFinite()) return false;
     for (double share = 1; share >= 1e-6; share /= 2) {
@@ -210,7 +210,7 @@ std::vector<double> spread_curvature(const SphereMesh& mesh, const std::vector<d
   out.resize(mesh.site_count());
   const Index first = mesh.boundary_count();
   if (mesh.inner_count() == 0) return out;
-  std::vector<Eigen::Triplet<double>> entries;
+  SparseEntries entries;
   Vector right = Vector::Zero(mesh.inner_count());
   for (const auto& triangle : mesh.triangles())
     for (std::size_t k = 0; k < 3; ++k) {
@@ -226,9 +226,8 @@ std::vector<double> spread_curvature(const SphereMesh& mesh, const std::vector<d
           entries.emplace_back(i - first, j - first, -weight);
       }
     }
-  Matrix system(mesh.inner_count(), mesh.inner_count());
-  system.setFromTriplets(entries.begin(), entries.end());
-  const Vector logarithms = Eigen::SimplicialLDLT<Matrix>(system).solve(right);
+  const SparseCholesky solver(sparse_matrix(mesh.inner_count(), mesh.inner_count(), entries));
+  const Vector logarithms = solver.solve(right);
   for (Index i = 0; i < mesh.inner_count(); ++i) out[first + i] = std::exp(logarithms[i]);
   return out;
 }
@@ -244,7 +243,7 @@ Result<std::vector<double>> closing_curvature(const SphereMesh& mesh, const Boun
     system += area * mesh.site(i) * mesh.site(i).transpose();
     right -= area * mesh.site(i);
   }
-  const Vector3 factor = system.ldlt().solve(right);
+  const Vector3 factor = solve_symmetric(system, right);
   Index worst = 0;
   for (Index i = 0; i < mesh.site_count(); ++i) {
     const double change = 1 + factor.dot(mesh.site(i));

@@ -1,11 +1,11 @@
 #include "core/gaussmap/position_fill.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/sparse_solver.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
 #include "core/gaussmap/spread_mesh.hpp"
@@ -13,19 +13,18 @@
 namespace hariko {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
 using Positions = Eigen::MatrixX3d;
 
 /// The cotangent Laplacian and the vertices' areas of a mesh as it lies.
 struct Geometry {
-  Matrix laplacian;  ///< positive semidefinite
+  SparseMatrix laplacian;  ///< positive semidefinite
   Eigen::VectorXd areas;
 };
 
 Geometry geometry_of(const PositionMesh& mesh) {
   const Eigen::Index count = Eigen::Index(mesh.points.size());
-  Geometry out{Matrix(count, count), Eigen::VectorXd::Zero(count)};
-  std::vector<Eigen::Triplet<double>> entries;
+  Geometry out{{}, Eigen::VectorXd::Zero(count)};
+  SparseEntries entries;
   entries.reserve(mesh.triangles.size() * 12);
   for (const auto& triangle : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -39,7 +38,7 @@ Geometry geometry_of(const PositionMesh& mesh) {
       entries.emplace_back(a, b, -weight);
       entries.emplace_back(b, a, -weight);
     }
-  out.laplacian.setFromTriplets(entries.begin(), entries.end());
+  out.laplacian = sparse_matrix(count, count, entries);
   out.areas = out.areas.cwiseMax(1e-12 * out.areas.maxCoeff());
   return out;
 }
@@ -104,12 +103,11 @@ Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vect
     if (cancel.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
     const Geometry geometry = geometry_of(mesh);
     const Positions residual = geometry.laplacian * matrix_of(mesh.points) - flux;
-    const Matrix columns = geometry.laplacian.rightCols(inner);
-    const Matrix weighted = geometry.areas.cwiseInverse().asDiagonal() * columns;
-    const Matrix system = columns.transpose() * weighted;
-    const Eigen::SimplicialLDLT<Matrix> solver(system);
-    const Positions move = -solver.solve(Positions(weighted.transpose() * residual));
-    if (solver.info() != Eigen::Success || !move.allFinite())
+    const SparseMatrix columns = geometry.laplacian.rightCols(inner);
+    const SparseMatrix weighted = scaled_rows(geometry.areas.cwiseInverse(), columns);
+    const SparseCholesky solver(transposed_product(columns, weighted));
+    const Eigen::MatrixXd move = -solver.solve(Eigen::MatrixXd(weighted.transpose() * residual));
+    if (!solver.succeeded() || !move.allFinite())
       return make_error(e_diverged, "The boundary data do not determine a bounded surface.",
                         "Sample the outline more densely, or check its normals.");
     const double longest = move.rowwise().norm().maxCoeff();

@@ -1,10 +1,10 @@
 #include "core/gaussmap/site_insertion.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
+#include "core/base/small_solver.hpp"
 #include "core/gaussmap/orientation.hpp"
 
 namespace hariko {
@@ -18,12 +18,12 @@ std::optional<Vector3> guard_for(const std::vector<std::vector<Vector3>>& loops,
   for (const Vector3& site : sites) mean += site / double(sites.size());
   Matrix3 spread = Matrix3::Zero();
   for (const Vector3& site : sites) spread += (site - mean) * (site - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3> axes(spread);
+  const SymmetricAxes axes = symmetric_axes(spread);
   // Squares of the singular values of the sites about their mean.
-  if (axes.eigenvalues()[0] >= 1e-12 * axes.eigenvalues()[2]) return {};
+  if (axes.values[0] >= 1e-12 * axes.values[2]) return {};
   for (const auto& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i) axis += loop[i].cross(loop[(i + 1) % loop.size()]);
-  const Vector3 normal = axes.eigenvectors().col(0);
+  const Vector3 normal = axes.vectors.col(0);
   return axis.dot(normal) > 0 ? Vector3(-normal) : normal;
 }
 

@@ -1,10 +1,11 @@
 #include "core/gaussmap/tangent_polytope.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.hpp"
+#include "core/base/small_solver.hpp"
 
 namespace hariko {
 namespace {
@@ -53,7 +54,7 @@ Vector3 ball_centre(std::span<const Vector3> normals, std::span<const double> su
         gradient += rows[i] / slack;
         hessian += rows[i] * rows[i].transpose() / (slack * slack);
       }
-      const Eigen::Vector4d move = hessian.ldlt().solve(-gradient);
+      const Eigen::Vector4d move = solve_symmetric(hessian, -gradient);
       double share = 1;
       while (share > 1e-9 && !feasible(x + share * move)) share /= 2;
       if (share <= 1e-9) break;

@@ -1,8 +1,8 @@
 #include "core/modeling/transform_solid.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
+#include "core/base/small_solver.hpp"
 #include "core/document/angles.hpp"
 
 namespace hariko {
@@ -15,8 +15,8 @@ Solid transformed(Solid solid, const Transformation& transformation, const Vecto
   solid.scale = solid.scale.cwiseProduct(stretch);
   if (!(stretch.minCoeff() > 0)) return solid;  // flat: what checks the solid says so
   const Matrix3 directions = axes * stretch.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Matrix3> svd(directions, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Matrix3 rotation = svd.matrixU() * svd.matrixV().transpose();
+  const SingularAxes axes_of = singular_axes(directions);
+  Matrix3 rotation = axes_of.u * axes_of.v.transpose();
   if (rotation.determinant() < 0) rotation.col(0) *= -1;  // a mirror image of a solid along its own x
   solid.rotation = angles_of(Eigen::Quaterniond(rotation));
   return solid;

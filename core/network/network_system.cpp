@@ -1,10 +1,10 @@
 #include "core/network/network_system.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "core/base/dense_solver.hpp"
 #include "core/base/parallel.hpp"
 
 namespace hariko {
@@ -161,7 +161,8 @@ void NetworkSystem::set_conditions(std::span<const BasisCondition> conditions) {
         full.block<3, 3>(3 * i, 3 * j) = block(i, j) * Matrix3::Identity();
     }
     const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(3 * count, 3 * count) - free;
-    vertex.inverse = free * (free * full * free + rest).inverse() * free;
+    const Eigen::MatrixXd whole = matrix_product(matrix_product(free, full), free) + rest;
+    vertex.inverse = matrix_product(matrix_product(free, inverse_matrix(whole)), free);
   }
 }
 
@@ -181,17 +182,17 @@ std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron
     const Index count = frames_.basis_begin[v + 1] - first;
     if (count == 0) continue;
     const Eigen::MatrixXd block = diagonal_block(v);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(block, Eigen::EigenvaluesOnly);
-    const double largest = eigen.eigenvalues().maxCoeff();
+    const Eigen::VectorXd eigenvalues = symmetric_eigenvalues(block);
+    const double largest = eigenvalues.maxCoeff();
     const bool fixed = !pin_state_.empty() && pin_state_[v] == PinState::fixed;
-    if (!fixed && !(eigen.eigenvalues().minCoeff() > 1e-12 * largest))
+    if (!fixed && !(eigenvalues.minCoeff() > 1e-12 * largest))
       return make_error(e_singular_vertex,
                         name_of(polyhedron.vertex_id(v)) +
                             " has no tension in some direction, so its tangents are not determined.",
                         "Raise the tension of one of its edges above zero.",
                         element_of(polyhedron.vertex_id(v)));
     const Eigen::MatrixXd inverse =
-        fixed ? Eigen::MatrixXd::Zero(count, count) : Eigen::MatrixXd(block.inverse());
+        fixed ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count)) : inverse_matrix(block);
     for (Index i = 0; i < count; ++i)
       for (Index j = 0; j < count; ++j) block_inverse_[block_begin_[v] + i * count + j] = inverse(i, j);
   }
@@ -244,8 +245,9 @@ void NetworkSystem::precondition(std::span<const Index> vertices, const std::vec
     if (found == conditioned_.end()) continue;
     const Index first = frames_.basis_begin[v];
     const Eigen::Index size = found->second.inverse.rows();
-    Eigen::Map<Eigen::VectorXd>(z[first].data(), size).noalias() =
-        found->second.inverse * Eigen::Map<const Eigen::VectorXd>(r[first].data(), size);
+    const Eigen::VectorXd given = Eigen::Map<const Eigen::VectorXd>(r[first].data(), size);
+    const Eigen::VectorXd got = matrix_product(found->second.inverse, given);
+    std::copy_n(got.data(), size, z[first].data());
   }
 }
 

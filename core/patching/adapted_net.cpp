@@ -1,11 +1,13 @@
 #include "core/patching/adapted_net.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
+
+#include "core/base/dense_solver.hpp"
+#include "core/base/least_squares.hpp"
 
 namespace hariko {
 
@@ -170,16 +172,16 @@ class Fit {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(pull_.size());
     Eigen::MatrixXd free = Eigen::MatrixXd::Identity(pull_.size(), pull_.size());
     if (a.rows() > 0) {
-      Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeFullV);
-      svd.setThreshold(fit_tolerance);
-      x = svd.solve(b);
-      if ((a * x - b).lpNorm<Eigen::Infinity>() > fit_tolerance) return std::nullopt;
-      free = svd.matrixV().rightCols(pull_.size() - svd.rank());
+      LeastSquares all = all_least_squares(a, b, fit_tolerance);
+      x = std::move(all.shortest);
+      const Eigen::VectorXd error = matrix_product(a, x) - b;
+      if (error.lpNorm<Eigen::Infinity>() > fit_tolerance) return std::nullopt;
+      free = std::move(all.free);
     }
     if (free.cols() > 0) {
-      const Eigen::MatrixXd reduced = free.transpose() * objective_ * free;
-      x +=
-          free * reduced.completeOrthogonalDecomposition().solve(free.transpose() * (pull_ - objective_ * x));
+      const Eigen::MatrixXd reduced = matrix_product(transposed_product(free, objective_), free);
+      const Eigen::VectorXd rest = pull_ - matrix_product(objective_, x);
+      x += matrix_product(free, solve_least_squares(reduced, transposed_product(free, rest)));
     }
     return x;
   }

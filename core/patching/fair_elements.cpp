@@ -1,9 +1,10 @@
 #include "core/patching/fair_elements.hpp"
 
-#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/dense_solver.hpp"
 #include "core/base/gauss.hpp"
 #include "core/base/vector.hpp"
 
@@ -20,9 +21,9 @@ enum Variable { var_u, var_v, var_w };
 
 /// Second derivative of the 18 functions along the topological transversal of an edge: start and end of the
 /// edge and the third variable, at fraction t (kuriyama.md section 6, J(t)).
-Eigen::Matrix<double, 1, quartic_control_count> transversal_row(Variable start, Variable end, Variable third,
-                                                                double t, double c_start, double c_end,
-                                                                double amount) {
+std::array<double, quartic_control_count> transversal_row(Variable start, Variable end, Variable third,
+                                                          double t, double c_start, double c_end,
+                                                          double amount) {
   Vector3 point = Vector3::Zero();
   point[start] = 1 - t;
   point[end] = t;
@@ -32,9 +33,9 @@ Eigen::Matrix<double, 1, quartic_control_count> transversal_row(Variable start, 
   direction[start] = -amount * (4 * p / 3 - (1 - t) / 3);
   direction[end] = -amount * (4 * (1 - p) / 3 - t / 3);
   const QuarticBasis basis = quartic_basis(point[0], point[1], point[2]);
-  Eigen::Matrix<double, 1, quartic_control_count> row;
+  std::array<double, quartic_control_count> row;
   for (std::size_t k = 0; k < quartic_control_count; ++k)
-    row(Eigen::Index(k)) = direction.dot(basis.hessian[k] * direction);
+    row[k] = direction.dot(basis.hessian[k] * direction);
   return row;
 }
 
@@ -42,9 +43,11 @@ JumpRows jump_rows(Variable start, Variable end, Variable third, double c_start,
                    double weight) {
   const auto gauss = gauss_legendre_unit(jump_points);
   JumpRows rows;
-  for (int i = 0; i < jump_points; ++i)
-    rows.row(i) = std::sqrt(weight * gauss[std::size_t(i)].weight) *
-                  transversal_row(start, end, third, gauss[std::size_t(i)].node, c_start, c_end, amount);
+  for (int i = 0; i < jump_points; ++i) {
+    const double scale = std::sqrt(weight * gauss[std::size_t(i)].weight);
+    const auto row = transversal_row(start, end, third, gauss[std::size_t(i)].node, c_start, c_end, amount);
+    for (std::size_t k = 0; k < quartic_control_count; ++k) rows(i, Eigen::Index(k)) = scale * row[k];
+  }
   return rows;
 }
 
@@ -87,6 +90,13 @@ double vertex_constant(Index sides, bool free) {
   return free ? 0.0 : 3 / (8 * split_factor(sides));
 }
 
+JumpColumns times(const JumpRows& rows, const PatchMatrix& dependence) {
+  const Eigen::MatrixXd product = matrix_product(Eigen::MatrixXd(rows), Eigen::MatrixXd(dependence));
+  JumpColumns out;
+  std::copy_n(product.data(), product.size(), out.data());
+  return out;
+}
+
 }  // namespace
 
 PatchEnergy patch_energy(Index sides) {
@@ -105,8 +115,8 @@ PatchEnergy patch_energy(Index sides) {
       const double s = gs.node, t = gt.node;
       const double weight = gs.weight * gt.weight * s * determinant;
       const QuarticBasis basis = quartic_basis(1 - s, s * (1 - t), s * t);
-      Eigen::Matrix<double, 2, quartic_control_count> gradient;
-      Eigen::Matrix<double, 3, quartic_control_count> bending;
+      std::array<Vector2, quartic_control_count> gradient;
+      std::array<Vector3, quartic_control_count> bending;
       for (std::size_t k = 0; k < quartic_control_count; ++k) {
         const auto g = basis.gradient.row(Eigen::Index(k));
         const Eigen::Matrix3d& h = basis.hessian[k];
@@ -116,11 +126,17 @@ PatchEnergy patch_energy(Index sides) {
         second(1, 1) = h(2, 2) - 2 * h(0, 2) + h(0, 0);
         second(0, 1) = second(1, 0) = h(1, 2) - h(0, 1) - h(0, 2) + h(0, 0);
         const Eigen::Matrix2d plane = inverse.transpose() * second * inverse;
-        gradient.col(Eigen::Index(k)) = inverse.transpose() * local;
-        bending.col(Eigen::Index(k)) << plane(0, 0), std::sqrt(2.0) * plane(0, 1), plane(1, 1);
+        gradient[k] = inverse.transpose() * local;
+        bending[k] = Vector3(plane(0, 0), std::sqrt(2.0) * plane(0, 1), plane(1, 1));
       }
-      energy.plate += weight * bending.transpose() * bending;
-      energy.membrane += weight * gradient.transpose() * gradient;
+      for (std::size_t b = 0; b < quartic_control_count; ++b)
+        for (std::size_t a = 0; a < quartic_control_count; ++a) {
+          const auto i = Eigen::Index(a), k = Eigen::Index(b);
+          energy.plate(i, k) += weight * (bending[a][0] * bending[b][0] + bending[a][1] * bending[b][1] +
+                                          bending[a][2] * bending[b][2]);
+          energy.membrane(i, k) +=
+              weight * (gradient[a][0] * gradient[b][0] + gradient[a][1] * gradient[b][1]);
+        }
     }
   return energy;
 }
@@ -172,16 +188,20 @@ const FaceElement* FairElements::face(Index sides, const std::vector<bool>& free
   element.matrix = Eigen::MatrixXd::Zero(size, size);
   for (Index j = 0; j < sides; ++j) {
     const auto columns = element.columns(j);
-    const auto local = (element.dependence[j].transpose() * element.energy * element.dependence[j]).eval();
+    const Eigen::MatrixXd dependence = element.dependence[j];
+    const Eigen::MatrixXd local =
+        matrix_product(transposed_product(dependence, Eigen::MatrixXd(element.energy)), dependence);
     for (int a = 0; a < patch_unknown_count; ++a)
       for (int b = 0; b < patch_unknown_count; ++b) element.matrix(columns[a], columns[b]) += local(a, b);
     const Index behind = (j + sides - 1) % sides;
     // A split edge's jump touches the unknowns of the two patches beside it only.
     const auto behind_columns = element.columns(behind);
-    Eigen::Matrix<double, jump_points, 2 * patch_unknown_count> rows;
-    rows << element.split_left[j] * element.dependence[j],
-        element.split_right[j] * element.dependence[behind];
-    const auto square = (rows.transpose() * rows).eval();
+    const JumpColumns left = times(element.split_left[j], element.dependence[j]),
+                      right = times(element.split_right[j], element.dependence[behind]);
+    Eigen::MatrixXd rows(jump_points, 2 * patch_unknown_count);
+    std::copy_n(left.data(), left.size(), rows.data());
+    std::copy_n(right.data(), right.size(), rows.data() + left.size());
+    const Eigen::MatrixXd square = transposed_product(rows, rows);
     const auto column = [&](int a) {
       return a < patch_unknown_count ? columns[std::size_t(a)]
                                      : behind_columns[std::size_t(a - patch_unknown_count)];
@@ -209,8 +229,8 @@ const EdgeElement* FairElements::edge(const FaceElement* first, Index first_side
   // The first face's half-edge runs from start to end, the second face's from end to start.
   slot->first_rows = jump_rows(var_v, var_w, var_u, c_start, c_end, a1, weights_.curvature_jump);
   slot->second_rows = -jump_rows(var_w, var_v, var_u, c_start, c_end, a2, weights_.curvature_jump);
-  slot->first_columns = slot->first_rows * first->dependence[first_side];
-  slot->second_columns = slot->second_rows * second->dependence[second_side];
+  slot->first_columns = times(slot->first_rows, first->dependence[first_side]);
+  slot->second_columns = times(slot->second_rows, second->dependence[second_side]);
   return slot.get();
 }
 

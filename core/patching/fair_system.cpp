@@ -1,14 +1,16 @@
 #include "core/patching/fair_system.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <numeric>
 
 #include "core/base/conjugate_gradients.hpp"
+#include "core/base/dense_solver.hpp"
 #include "core/base/parallel.hpp"
+#include "core/patching/fair_locals.hpp"
 
 namespace hariko {
 
@@ -18,17 +20,7 @@ constexpr std::size_t face_grain = 64;  ///< faces a task: about 0.1 ms of a ste
 constexpr std::size_t edge_grain = 128;
 constexpr std::size_t dot_grain = 4096;
 
-/// Local vectors are column-major, three columns.
-using LocalMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>>;
-using ConstLocalMap = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>>;
 using Array3 = Coefficients3;
-
-void apply_element(const Eigen::MatrixXd& matrix, const double* x, double* y) {
-  const Eigen::Index n = matrix.rows();
-  ConstLocalMap from(x, n, 3);
-  LocalMap to(y, n, 3);
-  to.noalias() = matrix.lazyProduct(from);
-}
 
 }  // namespace
 
@@ -38,8 +30,8 @@ struct FairSystem::Workspace {
   std::vector<Index> edges;        ///< smooth edges with an active face
   std::vector<Index> inner_edges;  ///< edges whose z are active: smooth with both faces active, or sharp
   std::vector<bool> active;        ///< per face
-  ZeroedArray<double> local_in, local_out;        ///< per face, 3 x local size
-  ZeroedArray<Eigen::Matrix<double, 6, 3>> jump;  ///< per edge
+  ZeroedArray<double> local_in, local_out;  ///< per face, 3 x local size
+  ZeroedArray<FairJump> jump;               ///< per edge
   std::vector<std::pair<std::size_t, std::size_t>>
       chunks;                   ///< ranges of active unknowns, ascending, disjoint
   std::size_t chunk_grain = 1;  ///< chunks a task
@@ -191,10 +183,12 @@ FairSystem::Block FairSystem::make_block(Index face) const {
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(size), weight = Eigen::VectorXd::Ones(size);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Index h = mesh.face_begin(face) + Index(j);
-    scale.segment<2>(3 + 2 * n + 2 * j).setConstant(side_scale_[h]);
-    if (edge_element_[mesh.edge(h)]) weight.segment<2>(3 + 2 * n + 2 * j).setConstant(std::sqrt(0.5));
+    for (const Eigen::Index at : {3 + 2 * n + 2 * j, 4 + 2 * n + 2 * j}) {
+      scale[at] = side_scale_[h];
+      if (edge_element_[mesh.edge(h)]) weight[at] = std::sqrt(0.5);
+    }
   }
-  Eigen::MatrixXd matrix = scale.asDiagonal() * element.matrix * scale.asDiagonal();
+  Eigen::MatrixXd matrix = scaled_both_sides(scale, element.matrix);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Index h = mesh.face_begin(face) + Index(j), e = mesh.edge(h);
     const EdgeElement* edge = edge_element_[e];
@@ -204,13 +198,16 @@ FairSystem::Block FairSystem::make_block(Index face) const {
     const JumpColumns& other = first ? edge->second_columns : edge->first_columns;
     const Index twin = mesh.twin(h);
     const auto columns = element.columns(Index(j));
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(6, size);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(fair_jump_size, size);
+    const auto add = [&](int column, double factor, const JumpColumns& from, int of) {
+      for (Eigen::Index i = 0; i < rows.rows(); ++i) rows(i, column) += factor * from(i, of);
+    };
     for (int a = 0; a < patch_unknown_count; ++a)
-      rows.col(columns[std::size_t(a)]) += scale[columns[std::size_t(a)]] * own.col(a);
+      add(columns[std::size_t(a)], scale[columns[std::size_t(a)]], own, a);
     // The neighbour's z at its origin is ours at the target.
-    rows.col(columns[8]) += side_scale_[twin] * other.col(7);
-    rows.col(columns[7]) += side_scale_[twin] * other.col(8);
-    matrix += rows.transpose() * rows;
+    add(columns[8], side_scale_[twin], other, 7);
+    add(columns[7], side_scale_[twin], other, 8);
+    matrix += transposed_product(rows, rows);
     // The neighbour's own element also sees the shared z.
     const FaceElement& neighbour = *face_element_[mesh.face(twin)];
     const auto theirs = neighbour.columns(twin - mesh.face_begin(mesh.face(twin)));
@@ -222,44 +219,44 @@ FairSystem::Block FairSystem::make_block(Index face) const {
   for (Eigen::Index j = 0; j < n; ++j) {
     if (!is_given(mesh.face_begin(face) + Index(j))) continue;
     for (const Eigen::Index known : {3 + 2 * n + 2 * j, 4 + 2 * n + 2 * j}) {
-      matrix.row(known).setZero();
-      matrix.col(known).setZero();
+      for (Eigen::Index i = 0; i < size; ++i) matrix(known, i) = matrix(i, known) = 0;
       matrix(known, known) = 1;
       weight[known] = 0;
     }
   }
-  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-  HARIKO_ASSERT(factor.info() == Eigen::Success, "the fairness energy of a face is positive definite");
-  return weight.asDiagonal() * factor.solve(Eigen::MatrixXd::Identity(size, size)) * weight.asDiagonal();
+  const auto inverse = solve_definite(matrix, Eigen::MatrixXd::Identity(size, size));
+  HARIKO_ASSERT(inverse, "the fairness energy of a face is positive definite");
+  return scaled_both_sides(weight, *inverse);
 }
 
 void FairSystem::gather(Index face, const Field& x, bool scaled, double* local) const {
   const HalfEdgeMesh& mesh = *mesh_;
-  const Eigen::Index n = Eigen::Index(mesh.side_count(face)), size = local_size(face);
-  LocalMap out(local, size, 3);
-  const std::size_t first = face_begin_[face];
-  for (Eigen::Index i = 0; i < 3 + 2 * n; ++i) out.row(i) = x[first + std::size_t(i)];
-  for (Eigen::Index j = 0; j < n; ++j) {
+  const std::size_t n = mesh.side_count(face), size = 3 + 4 * n, first = face_begin_[face];
+  const auto put = [&](std::size_t at, double scale, const Vector3& value) {
+    for (std::size_t c = 0; c < 3; ++c) local[c * size + at] = scale * value[Eigen::Index(c)];
+  };
+  for (std::size_t i = 0; i < 3 + 2 * n; ++i) put(i, 1, x[first + i]);
+  for (std::size_t j = 0; j < n; ++j) {
     const Index h = mesh.face_begin(face) + Index(j);
     const double scale = scaled ? side_scale_[h] : 1.0;
-    out.row(3 + 2 * n + 2 * j) = scale * x[side_origin_[h]];
-    out.row(4 + 2 * n + 2 * j) = scale * x[side_target_[h]];
+    put(3 + 2 * n + 2 * j, scale, x[side_origin_[h]]);
+    put(4 + 2 * n + 2 * j, scale, x[side_target_[h]]);
   }
 }
 
 void FairSystem::scatter_interior(Index face, const double* local, Field& y) const {
-  const Eigen::Index n = Eigen::Index(mesh_->side_count(face));
-  ConstLocalMap in(local, local_size(face), 3);
-  for (Eigen::Index i = 0; i < 3 + 2 * n; ++i) y[face_begin_[face] + std::size_t(i)] = in.row(i);
+  const std::size_t n = mesh_->side_count(face), size = 3 + 4 * n;
+  for (std::size_t i = 0; i < 3 + 2 * n; ++i)
+    y[face_begin_[face] + i] = Vector3(local[i], local[size + i], local[2 * size + i]);
 }
 
 void FairSystem::collect_sides(const Workspace& work, bool scaled, Field& y) const {
   const HalfEdgeMesh& mesh = *mesh_;
   const auto share = [&](Index h, int end) -> Vector3 {
     const Index f = mesh.face(h);
-    const Eigen::Index n = Eigen::Index(mesh.side_count(f)), j = Eigen::Index(h - mesh.face_begin(f));
-    ConstLocalMap local(work.local_out.data() + 3 * local_begin_[f], local_size(f), 3);
-    return (scaled ? side_scale_[h] : 1.0) * local.row(3 + 2 * n + 2 * j + end).transpose();
+    const std::size_t n = mesh.side_count(f), size = 3 + 4 * n, j = h - mesh.face_begin(f);
+    const double* local = work.local_out.data() + 3 * local_begin_[f] + 3 + 2 * n + 2 * j + std::size_t(end);
+    return (scaled ? side_scale_[h] : 1.0) * Vector3(local[0], local[size], local[2 * size]);
   };
   parallel_for(work.inner_edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -287,19 +284,26 @@ void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
   const auto side_values = [&](Index h) {
     const Index f = mesh.face(h);
     const auto columns = face_element_[f]->columns(h - mesh.face_begin(f));
-    ConstLocalMap local(work.local_in.data() + 3 * local_begin_[f], local_size(f), 3);
-    Eigen::Matrix<double, patch_unknown_count, 3> values;
-    for (int a = 0; a < patch_unknown_count; ++a) values.row(a) = local.row(columns[std::size_t(a)]);
+    const double* local = work.local_in.data() + 3 * local_begin_[f];
+    const std::size_t size = local_begin_[f + 1] - local_begin_[f];
+    FairUnknowns values;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t a = 0; a < fair_unknown_count; ++a)
+        values[c * fair_unknown_count + a] = local[c * size + std::size_t(columns[a])];
     return values;
   };
   parallel_for(work.edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index e = work.edges[k], h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
-      auto& jump = work.jump[e];
-      jump.setZero();
-      if (work.active[mesh.face(h)]) jump += edge_element_[e]->first_columns.lazyProduct(side_values(h));
-      if (work.active[mesh.face(twin)])
-        jump += edge_element_[e]->second_columns.lazyProduct(side_values(twin));
+      FairJump& jump = work.jump[e];
+      jump.fill(0);
+      const auto add = [&](const JumpColumns& columns, Index side) {
+        if (work.active[mesh.face(side)])
+          add_product(fair_jump_size, fair_unknown_count, columns.data(), side_values(side).data(),
+                      jump.data());
+      };
+      add(edge_element_[e]->first_columns, h);
+      add(edge_element_[e]->second_columns, twin);
     }
   });
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
@@ -307,16 +311,15 @@ void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
       const Index f = work.faces[k];
       double* out = work.local_out.data() + 3 * local_begin_[f];
       apply_element(face_element_[f]->matrix, work.local_in.data() + 3 * local_begin_[f], out);
-      LocalMap local(out, local_size(f), 3);
       for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
         const Index e = mesh.edge(h);
         if (!edge_element_[e]) continue;
         const bool first = mesh.half_edge_of_edge(e) == h;
         const JumpColumns& own = first ? edge_element_[e]->first_columns : edge_element_[e]->second_columns;
-        const Eigen::Matrix<double, patch_unknown_count, 3> values =
-            own.transpose().lazyProduct(work.jump[e]);
-        const auto columns = face_element_[f]->columns(h - mesh.face_begin(f));
-        for (int a = 0; a < patch_unknown_count; ++a) local.row(columns[std::size_t(a)]) += values.row(a);
+        FairUnknowns values{};
+        add_transposed_product(fair_unknown_count, fair_jump_size, own.data(), work.jump[e].data(),
+                               values.data());
+        add_to_face(*face_element_[f], h - mesh.face_begin(f), 1, values, out);
       }
       scatter_interior(f, out, y);
     }
@@ -340,44 +343,45 @@ void FairSystem::precondition(Workspace& work, const Field& r, Field& z) const {
 
 void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base, Field& b) const {
   const HalfEdgeMesh& mesh = *mesh_;
-  using Controls = Eigen::Matrix<double, quartic_control_count, 3, Eigen::RowMajor>;
-  const auto controls = [&](Index h) { return Eigen::Map<const Controls>(base[h].control[0].data()); };
   parallel_for(work.edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index e = work.edges[k], h = mesh.half_edge_of_edge(e);
-      work.jump[e] = edge_element_[e]->first_rows.lazyProduct(controls(h)) +
-                     edge_element_[e]->second_rows.lazyProduct(controls(mesh.twin(h)));
+      work.jump[e].fill(0);
+      add_jump(edge_element_[e]->first_rows, fair_controls(base[h]), work.jump[e]);
+      add_jump(edge_element_[e]->second_rows, fair_controls(base[mesh.twin(h)]), work.jump[e]);
     }
   });
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<FairControls> controls;  // of the face's patches
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = work.faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);
       const FaceElement& element = *face_element_[f];
       double* out = work.local_out.data() + 3 * local_begin_[f];
-      LocalMap local(out, local_size(f), 3);
-      local.setZero();
+      std::fill(out, out + 3 * (local_begin_[f + 1] - local_begin_[f]), 0.0);
+      controls.clear();
+      for (Index j = 0; j < n; ++j) controls.push_back(fair_controls(base[first + j]));
       for (Index j = 0; j < n; ++j) {
         const Index following = (j + 1) % n, behind = (j + n - 1) % n, e = mesh.edge(first + j);
         // The patch takes part in the jumps over its two split edges and over its side.
-        const Eigen::Matrix<double, 6, 3> before =
-            element.split_left[j].lazyProduct(controls(first + j)) +
-            element.split_right[j].lazyProduct(controls(first + behind));
-        const Eigen::Matrix<double, 6, 3> after =
-            element.split_left[following].lazyProduct(controls(first + following)) +
-            element.split_right[following].lazyProduct(controls(first + j));
-        Eigen::Matrix<double, quartic_control_count, 3> gradient =
-            element.energy.lazyProduct(controls(first + j));
-        gradient += element.split_left[j].transpose().lazyProduct(before);
-        gradient += element.split_right[following].transpose().lazyProduct(after);
+        FairJump before{}, after{};
+        add_jump(element.split_left[j], controls[j], before);
+        add_jump(element.split_right[j], controls[behind], before);
+        add_jump(element.split_left[following], controls[following], after);
+        add_jump(element.split_right[following], controls[j], after);
+        FairControls gradient{};
+        add_product(fair_control_count, fair_control_count, element.energy.data(), controls[j].data(),
+                    gradient.data());
+        add_gradient(element.split_left[j], before, gradient);
+        add_gradient(element.split_right[following], after, gradient);
         if (edge_element_[e]) {
           const bool first_side = mesh.half_edge_of_edge(e) == first + j;
           const JumpRows& rows = first_side ? edge_element_[e]->first_rows : edge_element_[e]->second_rows;
-          gradient += rows.transpose().lazyProduct(work.jump[e]);
+          add_gradient(rows, work.jump[e], gradient);
         }
-        const Eigen::Matrix<double, patch_unknown_count, 3> values =
-            element.dependence[j].transpose().lazyProduct(gradient);
-        const auto columns = element.columns(j);
-        for (int a = 0; a < patch_unknown_count; ++a) local.row(columns[std::size_t(a)]) -= values.row(a);
+        FairUnknowns values{};
+        add_transposed_product(fair_unknown_count, fair_control_count, element.dependence[j].data(),
+                               gradient.data(), values.data());
+        add_to_face(element, j, -1, values, out);
       }
       scatter_interior(f, out, b);
     }
@@ -417,7 +421,7 @@ FairSystem::Workspace FairSystem::make_workspace(const SolveOptions& options) co
   work.chunk_grain = std::max<std::size_t>(1, dot_grain * work.chunks.size() / total);
   work.local_in = ZeroedArray<double>(3 * local_begin_.back());
   work.local_out = ZeroedArray<double>(3 * local_begin_.back());
-  work.jump = ZeroedArray<Eigen::Matrix<double, 6, 3>>(mesh.edge_count());
+  work.jump = ZeroedArray<FairJump>(mesh.edge_count());
   return work;
 }
 

@@ -1,11 +1,12 @@
 // JoinPlan::solve: one lambda for each joined side, and what follows from it (kuriyama.md section 8).
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 
+#include "core/base/small_solver.hpp"
 #include "core/patching/join_frame.hpp"
 #include "core/patching/join_plan.hpp"
 
@@ -286,7 +287,7 @@ void JoinPlan::Solver::adjust(Group& group) {
   const Vector3 x = first.frame.along.normalized(), y = first.frame.normal.cross(x);
   Eigen::Matrix2d matrix;
   matrix << first.across_part(x), first.across_part(y), second.across_part(x), second.across_part(y);
-  const Vector2 change = matrix.fullPivLu().solve(Vector2(excess(group.ends[0]), excess(group.ends[1])));
+  const Vector2 change = solve_general(matrix, Vector2(excess(group.ends[0]), excess(group.ends[1])));
   group.value += change.x() * x + change.y() * y;
 }
 

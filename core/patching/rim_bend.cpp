@@ -1,9 +1,10 @@
 #include "core/patching/rim_bend.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+
+#include "core/base/small_solver.hpp"
 
 namespace hariko {
 namespace {
@@ -33,7 +34,7 @@ class TriangleForm {
     if (!(square > 0)) return;
     rows /= square;
     const Matrix3 normal_equations = rows.transpose() * rows + sliver * sliver * Matrix3::Identity();
-    form_ = normal_equations.ldlt().solve(rows.transpose() * values) / square;
+    form_ = solve_symmetric(normal_equations, rows.transpose() * values) / square;
   }
   double operator()(const Vector3& a, const Vector3& b) const { return products(a, b) * form_; }
 

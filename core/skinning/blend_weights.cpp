@@ -1,7 +1,7 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/dense_solver.hpp"
 #include "core/skinning/monotone_cubic.hpp"
 #include "core/skinning/smooth.hpp"
 
@@ -31,7 +31,7 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
     a(i, periodic ? (i + 1) % unknowns : i + 1) += h0;
     b[i] = 3 * (h1 * d(before) + h0 * d(i));
   }
-  const Eigen::VectorXd s = a.partialPivLu().solve(b);
+  const Eigen::VectorXd s = solve_general(a, b);
   std::vector<double> out(s.data(), s.data() + s.size());
   if (periodic) out.push_back(out[0]);
   return out;

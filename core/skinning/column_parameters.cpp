@@ -1,9 +1,10 @@
 #include "core/skinning/column_parameters.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "core/base/dense_solver.hpp"
 
 namespace hariko {
 
@@ -88,14 +89,14 @@ class Optimiser {
         moved[k] += 1e-6;
         jacobian.col(k) = (residuals(moved) - r) / 1e-6;
       }
-      const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
-      const Eigen::VectorXd gradient = jacobian.transpose() * r;
+      const Eigen::MatrixXd normal = transposed_product(jacobian, jacobian);
+      const Eigen::VectorXd gradient = transposed_product(jacobian, r);
       bool better = false;
       for (int attempt = 0; attempt < 8 && !better; ++attempt) {
         Eigen::MatrixXd damped = normal;
         damped.diagonal() += damping * normal.diagonal();
         damped.diagonal().array() += 1e-12 * normal.diagonal().mean() + 1e-300;
-        Eigen::VectorXd next = z - damped.ldlt().solve(gradient);
+        Eigen::VectorXd next = z - solve_symmetric(damped, gradient);
         for (int c = 0; c < spans_; ++c) next[c] = std::clamp(next[c], -widest, widest);
         const Eigen::VectorXd changed = residuals(next);
         const double got = changed.squaredNorm();

@@ -1,8 +1,9 @@
 #include "core/skinning/mesh_report.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseLU>
 #include <cmath>
+
+#include "core/base/dense_solver.hpp"
+#include "core/base/sparse_solver.hpp"
 
 namespace hariko {
 
@@ -39,9 +40,9 @@ ControlMeshFigures figures(const PolygonMesh& mesh) {
 
 namespace {
 
-Eigen::SparseMatrix<double> limit_matrix(const SubdivisionTopology& topology) {
+SparseMatrix limit_matrix(const SubdivisionTopology& topology) {
   const auto n = Eigen::Index(topology.mesh().mesh.positions.size());
-  std::vector<Eigen::Triplet<double>> entries;
+  SparseEntries entries;
   for (Index v = 0; v < Index(n); ++v) {
     const Index node = topology.vertex_node(v);
     if (node == no_index) {
@@ -55,9 +56,7 @@ Eigen::SparseMatrix<double> limit_matrix(const SubdivisionTopology& topology) {
     for (std::size_t k = 0; k < controls.size(); ++k)
       if (weights[k] != 0) entries.emplace_back(v, controls[k], weights[k]);
   }
-  Eigen::SparseMatrix<double> out(n, n);
-  out.setFromTriplets(entries.begin(), entries.end());
-  return out;
+  return sparse_matrix(n, n, entries);
 }
 
 /// Largest eigenvalue of a symmetric positive operator.
@@ -80,19 +79,17 @@ double largest_eigenvalue(Eigen::Index n, const Apply& apply) {
 }  // namespace
 
 double limit_condition(const SubdivisionTopology& topology) {
-  const Eigen::SparseMatrix<double> matrix = limit_matrix(topology);
+  const SparseMatrix matrix = limit_matrix(topology);
   if (matrix.rows() <= 600) {
     // Squares of the singular values: good to 1e-8 of the largest, and conditions are far below 1e7.
     const Eigen::MatrixXd dense(matrix);
-    const Eigen::VectorXd squares =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense.transpose() * dense, Eigen::EigenvaluesOnly)
-            .eigenvalues();
+    const Eigen::VectorXd squares = symmetric_eigenvalues(transposed_product(dense, dense));
     const double low = squares[0], high = squares[squares.size() - 1];
     return low > 1e-15 * high ? std::sqrt(high / low) : INFINITY;
   }
-  const Eigen::SparseMatrix<double> transposed = matrix.transpose();
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(matrix), other(transposed);
-  if (factor.info() != Eigen::Success || other.info() != Eigen::Success) return INFINITY;
+  const SparseMatrix transposed = matrix.transpose();
+  const SparseLu factor(matrix), other(transposed);
+  if (!factor.succeeded() || !other.succeeded()) return INFINITY;
   const double high = largest_eigenvalue(
       matrix.rows(), [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return transposed * (matrix * x); });
   const double low = largest_eigenvalue(matrix.rows(), [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {

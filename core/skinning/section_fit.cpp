@@ -1,9 +1,7 @@
 #include "core/skinning/section_fit.hpp"
 
-#include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
-
 #include "core/base/assert.hpp"
+#include "core/base/sparse_solver.hpp"
 
 namespace hariko {
 
@@ -64,10 +62,8 @@ class FairSystem {
     Eigen::MatrixXd x(unknowns_, 3);
     // Between rails, of sections with no points but their ends, nothing is unknown.
     if (unknowns_ > 0) {
-      Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
-      matrix.setFromTriplets(triplets_.begin(), triplets_.end());
-      const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor(matrix);
-      HARIKO_ASSERT(factor.info() == Eigen::Success, "tension makes the system definite");
+      const SparseCholesky factor(sparse_matrix(unknowns_, unknowns_, triplets_));
+      HARIKO_ASSERT(factor.succeeded(), "tension makes the system definite");
       x = factor.solve(right_);
     }
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -80,7 +76,7 @@ class FairSystem {
  private:
   int unknowns_ = 0;
   std::vector<Affine> vertices_;
-  std::vector<Eigen::Triplet<double>> triplets_;
+  SparseEntries triplets_;
   Eigen::MatrixXd right_;
 };
 
