@@ -3,6 +3,7 @@
 // WindowOptions: what the command line says about the window.
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace hariko {
@@ -15,5 +16,8 @@ struct WindowOptions {
   int width = 1440, height = 900;
   double scale = 0;  ///< of the interface instead of the monitor's; 0 for the monitor's
 };
+
+/// "vase.hariko, 1440 x 900": for the log, with files named without their folders.
+std::string to_string(const WindowOptions& options);
 
 }  // namespace hariko
