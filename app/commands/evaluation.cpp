@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array<std::array<double, 3>, 5> samples{
+constexpr std::array<std::array<double, 3>, 5> barycentric_samples{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.6, 0.3, 0.1}, {0.1, 0.2, 0.7}}};
 
 const char* mode_name(Mode mode) {
@@ -71,11 +71,11 @@ void write_patch(JsonWriter& json, Index h, const HalfEdgeMesh& mesh, const Surf
     json.member("side", h - mesh.face_begin(mesh.face(h)));
     if (quartics)
       json.list("D", quartics->patch(h).control, [&](const Vector3& d) { json.value(Vector3(origin + d)); });
-    json.list("points", samples, [&](const auto& uvw) {
+    json.list("points", barycentric_samples, [&](const auto& uvw) {
       const PatchPoint at = surface.patches().evaluate(h, Vector2(uvw[1], uvw[2]), Order::first);
       json.value(Vector3(origin + at.position));
     });
-    json.list("normals", samples,
+    json.list("normals", barycentric_samples,
               [&](const auto& uvw) { json.value(Vector3(surface.normal(h, Vector2(uvw[1], uvw[2])))); });
   });
 }
@@ -160,7 +160,7 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
     json.array("patches", [&] {
       for (Index h = 0; h < mesh.half_edge_count(); ++h) write_patch(json, h, mesh, surface, patches);
     });
-    json.member("sample_uvw", samples);
+    json.member("sample_uvw", barycentric_samples);
     json.object("metrics", [&] { write_metrics(json, mesh, surface, patches); });
     if (source.mode == Mode::g2) json.member("round", built->report.round);
     if (source.mode == Mode::paper || source.mode == Mode::target)

@@ -12,17 +12,17 @@ namespace hariko {
 
 namespace {
 
-struct Member;
+struct InfoMember;
 
 /// What a key of the report says, in the same words for programs and for people.
-struct Value {
+struct InfoValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
-               std::vector<Member>>
+               std::vector<InfoMember>>
       state;
 
-  Value() = default;
+  InfoValue() = default;
   template <class T>
-  Value(const T& value) {  // NOLINT: implicit on purpose
+  InfoValue(const T& value) {  // NOLINT: implicit on purpose
     if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
       state = static_cast<std::int64_t>(value);
     else if constexpr (std::is_convertible_v<T, const char*>)
@@ -31,23 +31,23 @@ struct Value {
       state = value;
   }
   template <class T>
-  Value(const std::optional<T>& value) {  // NOLINT: implicit on purpose
-    if (value) *this = Value(*value);
+  InfoValue(const std::optional<T>& value) {  // NOLINT: implicit on purpose
+    if (value) *this = InfoValue(*value);
   }
 };
 
-struct Member {
+struct InfoMember {
   std::string key;
-  Value value;
+  InfoValue value;
 };
-using Members = std::vector<Member>;
+using InfoMembers = std::vector<InfoMember>;
 
-Value range_of(const std::optional<CurvatureRange>& range) {
+InfoValue range_of(const std::optional<CurvatureRange>& range) {
   if (!range) return {};
   return std::vector<double>{range->least, range->greatest};
 }
 
-Members members_of(const SurfaceComparison& comparison) {
+InfoMembers members_of(const SurfaceComparison& comparison) {
   return {{"patches", comparison.patches},
           {"unchanged", comparison.unchanged},
           {"changed", comparison.changed},
@@ -55,7 +55,7 @@ Members members_of(const SurfaceComparison& comparison) {
           {"largest_distance", comparison.largest_distance}};
 }
 
-Members members_of(const OutlineInfo& outline) {
+InfoMembers members_of(const OutlineInfo& outline) {
   return {{"method", outline.method},
           {"loops", outline.loops},
           {"points", outline.points},
@@ -63,8 +63,8 @@ Members members_of(const OutlineInfo& outline) {
           {"gap", outline.gap}};
 }
 
-Members members_of(const EnvelopeInfo& envelope) {
-  Members out = {
+InfoMembers members_of(const EnvelopeInfo& envelope) {
+  InfoMembers out = {
       {"solids", envelope.solids},     {"method", envelope.method},    {"level", envelope.level},
       {"enclosed", envelope.enclosed}, {"worst", envelope.worst},      {"tested", envelope.tested},
       {"outside", envelope.outside},   {"folds", envelope.folds},      {"crossing", envelope.crossing},
@@ -76,13 +76,13 @@ Members members_of(const EnvelopeInfo& envelope) {
   return out;
 }
 
-Members members_of(const SkinInfo& skin) {
-  Members extraordinary;
+InfoMembers members_of(const SkinInfo& skin) {
+  InfoMembers extraordinary;
   for (const auto& [kind, count] : skin.extraordinary) extraordinary.push_back({kind, count});
   return {{"sections", skin.sections},
           {"method", skin.method},
           {"rows", skin.rows},
-          {"columns", skin.columns > 0 ? Value(skin.columns) : Value()},
+          {"columns", skin.columns > 0 ? InfoValue(skin.columns) : InfoValue()},
           {"extraordinary", extraordinary},
           {"creases", skin.creases},
           {"regular_faces", skin.regular_faces},
@@ -91,48 +91,49 @@ Members members_of(const SkinInfo& skin) {
 }
 
 /// All but the messages and the times, in the order of the report.
-Members members_of(const ObjectInfo& info) {
-  Members out = {{"name", info.name},
-                 {"kind", info.kind},
-                 {"vertices", info.vertices},
-                 {"edges", info.edges},
-                 {"faces", info.faces},
-                 {"patches", info.patches},
-                 {"components", info.components},
-                 {"genus", info.genus},
-                 {"boundary_loops", info.boundary_loops},
-                 {"area", info.area},
-                 {"volume", info.volume},
-                 {"bending", info.bending},
-                 {"largest_gap", info.largest_gap},
-                 {"largest_normal_jump", info.largest_normal_jump},
-                 {"rms_curvature_jump", info.rms_curvature_jump},
-                 {"gauss_range", range_of(info.gauss_range)},
-                 {"mean_range", range_of(info.mean_range)},
-                 {"degenerate_samples", info.degenerate_samples},
-                 {"folded_samples", info.folded_samples}};
+InfoMembers members_of(const ObjectInfo& info) {
+  InfoMembers out = {{"name", info.name},
+                     {"kind", info.kind},
+                     {"vertices", info.vertices},
+                     {"edges", info.edges},
+                     {"faces", info.faces},
+                     {"patches", info.patches},
+                     {"components", info.components},
+                     {"genus", info.genus},
+                     {"boundary_loops", info.boundary_loops},
+                     {"area", info.area},
+                     {"volume", info.volume},
+                     {"bending", info.bending},
+                     {"largest_gap", info.largest_gap},
+                     {"largest_normal_jump", info.largest_normal_jump},
+                     {"rms_curvature_jump", info.rms_curvature_jump},
+                     {"gauss_range", range_of(info.gauss_range)},
+                     {"mean_range", range_of(info.mean_range)},
+                     {"degenerate_samples", info.degenerate_samples},
+                     {"folded_samples", info.folded_samples}};
   if (info.envelope) out.push_back({"envelope", members_of(*info.envelope)});
   if (info.skin) out.push_back({"skin", members_of(*info.skin)});
   if (info.outline) out.push_back({"outline", members_of(*info.outline)});
-  if (info.against) out.push_back({"against", *info.against ? Value(members_of(**info.against)) : Value()});
+  if (info.against)
+    out.push_back({"against", *info.against ? InfoValue(members_of(**info.against)) : InfoValue()});
   return out;
 }
 
-Members times_of(const ObjectInfo& info) {
-  Members out;
+InfoMembers times_of(const ObjectInfo& info) {
+  InfoMembers out;
   for (const auto& [step, time] : info.milliseconds) out.push_back({step, time});
   return out;
 }
 
-void write(JsonWriter& json, const Members& members);
+void write(JsonWriter& json, const InfoMembers& members);
 
-void write(JsonWriter& json, const Value& value) {
+void write(JsonWriter& json, const InfoValue& value) {
   std::visit(
       [&](const auto& state) {
         using T = std::decay_t<decltype(state)>;
         if constexpr (std::is_same_v<T, std::monostate>)
           json.value(nullptr);
-        else if constexpr (std::is_same_v<T, Members>)
+        else if constexpr (std::is_same_v<T, InfoMembers>)
           write(json, state);
         else
           json.value(state);
@@ -140,9 +141,9 @@ void write(JsonWriter& json, const Value& value) {
       value.state);
 }
 
-void write(JsonWriter& json, const Members& members) {
+void write(JsonWriter& json, const InfoMembers& members) {
   json.object([&] {
-    for (const Member& member : members) {
+    for (const InfoMember& member : members) {
       json.key(member.key);
       write(json, member.value);
     }
@@ -160,7 +161,7 @@ void write(JsonWriter& json, const Message& message) {
 }
 
 /// Six significant digits are enough to read; the JSON has them all.
-std::string readable(const Value& value) {
+std::string readable(const InfoValue& value) {
   if (std::holds_alternative<std::monostate>(value.state)) return "-";
   const double* real = std::get_if<double>(&value.state);
   if (!real) {
@@ -174,14 +175,14 @@ std::string readable(const Value& value) {
   return {digits.data(), end.ptr};
 }
 
-std::string line(const Member& member) {
+std::string line(const InfoMember& member) {
   std::string text;
   if (const auto* words = std::get_if<std::string>(&member.value.state)) {
     text = *words;
   } else if (const auto* range = std::get_if<std::vector<double>>(&member.value.state)) {
     text = readable(range->front()) + " .. " + readable(range->back());
-  } else if (const auto* members = std::get_if<Members>(&member.value.state)) {
-    for (const Member& inner : *members)
+  } else if (const auto* members = std::get_if<InfoMembers>(&member.value.state)) {
+    for (const InfoMember& inner : *members)
       text += (text.empty() ? "" : ", ") + inner.key + " " + readable(inner.value);
   } else {
     text = readable(member.value);
@@ -207,7 +208,7 @@ std::string info_json(const std::vector<ObjectInfo>& objects) {
   json.object([&] {
     json.list("objects", objects, [&](const ObjectInfo& info) {
       json.object([&] {
-        for (const Member& member : members_of(info)) {
+        for (const InfoMember& member : members_of(info)) {
           json.key(member.key);
           write(json, member.value);
         }
@@ -224,7 +225,7 @@ std::string info_text(const std::vector<ObjectInfo>& objects) {
   std::string out;
   for (const ObjectInfo& info : objects) {
     if (!out.empty()) out += "\n";
-    for (const Member& member : members_of(info)) out += line(member);
+    for (const InfoMember& member : members_of(info)) out += line(member);
     out += line({"milliseconds", times_of(info)});
     for (const Message& message : info.messages) out += text_of(message);
   }

@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-void write(JsonWriter& json, const Message& message) {
+void write_message(JsonWriter& json, const Message& message) {
   const std::string element = to_string(message.element);
   json.object([&] {
     json.member("code", message.code.name);
@@ -43,7 +43,7 @@ Result<std::string> outline_json(const OutlineSource& source) {
     json.array("boundary", [&] {
       for (Index i = 0; i < points.points.size(); ++i) json.value(i < points.boundary_count);
     });
-    json.list("messages", points.messages, [&](const Message& message) { write(json, message); });
+    json.list("messages", points.messages, [&](const Message& message) { write_message(json, message); });
   });
   return json.take() + "\n";
 }

@@ -16,7 +16,7 @@ namespace hariko {
 namespace {
 
 /// Corners, the middle, a point on a side, and two beside the diagonals.
-constexpr std::array<std::array<double, 2>, 8> samples{
+constexpr std::array<std::array<double, 2>, 8> square_samples{
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.5, 0}, {0.25, 0.5}, {0.7, 0.2}}};
 
 /// How a patch of the source is written down, and whether the surface has its parameters swapped.
@@ -44,7 +44,7 @@ void write_patch(JsonWriter& json, const Surface& surface, Index patch, const Wr
     std::optional<Curvature> bent;
   };
   std::vector<Sample> at;
-  for (const auto& [s, t] : samples) {
+  for (const auto& [s, t] : square_samples) {
     const Vector2 parameter = written.flipped ? Vector2(t, s) : Vector2(s, t);
     const PatchPoint point = surface.patches().evaluate(patch, parameter, Order::second);
     const Vector3 normal = surface.normal(patch, parameter);
@@ -87,7 +87,7 @@ Result<std::string> patch_evaluation_json(const Document& document, const Object
     json.member("seams", surface.seams().size());
     json.member("smooth_seams", smooth);
     json.member("border_sides", surface.boundary_sides().size());
-    json.member("sample_st", samples);
+    json.member("sample_st", square_samples);
     json.array("patches", [&] {
       for (Index k = 0; k < surface.patch_count(); ++k) write_patch(json, surface, k, written[k]);
     });

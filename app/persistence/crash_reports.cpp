@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view beginning = "crash-", ending = ".txt";
+constexpr std::string_view name_beginning = "crash-", name_ending = ".txt";
 constexpr std::uint64_t largest_report = 1 << 20;  // bytes; a report has some kilobytes
 
 bool is_report(const std::string& name) {
-  if (!name.starts_with(beginning) || !name.ends_with(ending)) return false;
-  const std::string_view process =
-      std::string_view(name).substr(beginning.size(), name.size() - beginning.size() - ending.size());
+  if (!name.starts_with(name_beginning) || !name.ends_with(name_ending)) return false;
+  const std::string_view process = std::string_view(name).substr(
+      name_beginning.size(), name.size() - name_beginning.size() - name_ending.size());
   return !process.empty() && process.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
@@ -33,7 +33,7 @@ std::int64_t seconds_of(fs::file_time_type time) {
 }  // namespace
 
 fs::path CrashReports::own_file() const {
-  return folder_ / (std::string(beginning) + std::to_string(::getpid()) + std::string(ending));
+  return folder_ / (std::string(name_beginning) + std::to_string(::getpid()) + std::string(name_ending));
 }
 
 std::vector<CrashReports::Found> CrashReports::all() const {
