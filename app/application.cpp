@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +10,8 @@
 #include <utility>
 
 #include "app/background_work.hpp"
+#include "app/crash_offers.hpp"
+#include "app/crash_report.hpp"
 #include "app/display_loss.hpp"
 #include "app/document_session.hpp"
 #include "app/exchange_jobs.hpp"
@@ -26,35 +27,18 @@
 #include "app/rebuild_engine.hpp"
 #include "app/replay.hpp"
 #include "app/samples.hpp"
+#include "app/scratch_folder.hpp"
 #include "app/signal_watch.hpp"
 #include "app/skin_jobs.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
 #include "core/document/format.hpp"
+#include "ui/system_information.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
 
 namespace {
-
-/// A folder that goes with the program.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hariko-replay-XXXXXX").native();
-    if (::mkdtemp(name.data())) path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code unknown;
-    if (!path_.empty()) std::filesystem::remove_all(path_, unknown);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 bool software_renderer() {
   return describe_gl().find("llvmpipe") != std::string::npos;
@@ -63,9 +47,10 @@ bool software_renderer() {
 class Application {
  public:
   Application(GlWindow& window, Renderer renderer, const WindowOptions& options, std::optional<Replay> replay,
-              SignalWatch& signals)
+              SignalWatch& signals, const RunLog& run_log)
       : window_(window),
         signals_(signals),
+        run_log_(run_log),
         renderer_(std::move(renderer)),
         log_(options.test_log),
         engine_([] { return std::make_unique<SurfaceBuilder>(); }, &GlWindow::wake,
@@ -74,16 +59,20 @@ class Application {
         edits_(editor_, &GlWindow::wake),
         meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
         paper_(editor_, long_, &GlWindow::wake),
-        skins_(editor_, long_, edits_, [this](const char* what, const auto& path) { log_.file(what, path); }),
+        skins_(editor_, long_, edits_, [this](const char* what, const auto& path) { happened(what, path); }),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         exchange_(editor_, workbench_, long_,
-                  [this](const char* what, const auto& path) { log_.file(what, path); }),
+                  [this](const char* what, const auto& path) { happened(what, path); }),
         gauss_(editor_, workbench_.gauss(), &GlWindow::wake),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
-                  [this](const char* what, const auto& path) { log_.file(what, path); }}),
+                  [this](const char* what, const auto& path) { happened(what, path); }}),
+        crashes_(editor_, workbench_, folders_.state, run_log_),
         pictures_(renderer_, long_, folders_.cache / "thumbnails") {
     editor_.views = &engine_.views();
+    editor_.on_notice = [this](Notice::Kind kind, const std::string& text) {
+      if (kind != Notice::Kind::info) run_log_.line(kind == Notice::Kind::error ? "error" : "warning", text);
+    };
     workbench_.samples() = find_samples(assets_folder());
     if (const char* missing = window_.missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
@@ -93,7 +82,10 @@ class Application {
     if (player_) settings_of_replay();
     const auto& files = player_ ? player_->replay().start.files : options.files;
     for (const auto& file : files) file == files.front() ? session_.open(file) : exchange_.import_file(file);
-    if (!player_) session_.find_offers(pictures_);
+    if (!player_) {
+      crashes_.find();
+      session_.find_offers(pictures_);
+    }
     if (files.empty()) picture_samples();
     watch_for_the_end();
   }
@@ -151,6 +143,12 @@ class Application {
   /// ImGui settles hovering and sizes over a few frames.
   static constexpr int frames_after_input = 3;
 
+  /// For both logs; events that have no file are for tests alone.
+  void happened(const char* what, const std::filesystem::path& path) {
+    log_.file(what, path);
+    if (!path.empty()) run_log_.line(what, path.filename().string());
+  }
+
   FileActions file_actions() {
     FileActions actions;
     actions.open = [this](const auto& path) { session_.open(path); };
@@ -160,6 +158,8 @@ class Application {
     actions.revert = [this] { session_.revert(); };
     actions.recover = [this](const std::string& id) { session_.recover(id); };
     actions.discard_recovery = [this](const std::string& id) { session_.discard_recovery(id); };
+    actions.dismiss_crash = [this] { crashes_.dismiss(); };
+    actions.show_log_folder = [this] { crashes_.show_folder(); };
     actions.export_file = [this](const auto& path, const auto& settings) {
       exchange_.export_file(path, settings);
     };
@@ -424,6 +424,7 @@ class Application {
 
   GlWindow& window_;
   SignalWatch& signals_;
+  const RunLog& run_log_;
   const XdgFolders folders_ = xdg_folders();
   SettingsFile settings_file_{folders_.config / "settings.json"};
   Settings saved_settings_;
@@ -442,6 +443,7 @@ class Application {
   ExchangeJobs exchange_;
   GaussEngine gauss_;
   DocumentSession session_;
+  CrashOffers crashes_;
   Pictures pictures_;
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
@@ -457,7 +459,8 @@ class Application {
   std::chrono::steady_clock::time_point played_at_ = std::chrono::steady_clock::now();
 };
 
-int fail(const Message& error) {
+int fail(const Message& error, const RunLog& run_log) {
+  run_log.line("error", to_string(error));
   report_failure(error);
   return 1;
 }
@@ -466,20 +469,32 @@ int fail(const Message& error) {
 
 int run_window(const WindowOptions& options) {
   SignalWatch signals;  // before the driver and the workers start their threads
+  // A replay is not what this user did: it leaves nothing behind.
+  const bool user = options.replay.empty();
+  const std::filesystem::path state = user ? xdg_folders().state : std::filesystem::path();
+  const std::filesystem::path crash_file = CrashReports(state).own_file();
+  const RunLog run_log(state);
+  run_log.line("start", program_version() + ", " + to_string(options));
+  if (user) keep_crash_reports(crash_file, program_version());
   std::optional<Replay> replay;
   GlWindow::Options size{"Hariko", options.width, options.height, options.scale};
-  if (!options.replay.empty()) {
+  if (!user) {
     auto read = Replay::read(options.replay);
-    if (!read.ok()) return fail(read.error());
+    if (!read.ok()) return fail(read.error(), run_log);
     replay = std::move(read).value();
     size = {"Hariko", replay->start.width, replay->start.height, replay->start.scale};
   }
   auto window = GlWindow::open(size);
-  if (!window.ok()) return fail(window.error());
+  if (!window.ok()) return fail(window.error(), run_log);
   auto renderer = Renderer::create();
-  if (!renderer.ok()) return fail(renderer.error());
-  Application application(**window, std::move(renderer).value(), options, std::move(replay), signals);
-  return application.run();
+  if (!renderer.ok()) return fail(renderer.error(), run_log);
+  run_log.line("opengl", describe_gl());
+  if (user) keep_crash_reports(crash_file, system_information());
+  Application application(**window, std::move(renderer).value(), options, std::move(replay), signals,
+                          run_log);
+  const int exit_code = application.run();
+  run_log.line("end", std::to_string(exit_code));
+  return exit_code;
 }
 
 }  // namespace hariko

@@ -355,7 +355,7 @@ void DocumentSession::show_leftovers(const std::vector<Leftover>& leftovers) {
         if (shown.id == id) shown.picture = picture;
     });
   }
-  if (offers.empty()) return;
+  if (offers.empty() && !workbench_.offers().crash) return;
   workbench_.offer_recovery();
   hooks_.log("offers", {});
 }

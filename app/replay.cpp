@@ -8,13 +8,14 @@
 #include <utility>
 
 #include "core/base/file_io.hpp"
+#include "core/base/json_writer.hpp"
 #include "core/document/format.hpp"
 
 namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 using Kind = InputEvent::Kind;
 constexpr int replay_version = 1;
 
@@ -24,42 +25,53 @@ constexpr std::array kinds{std::pair{Kind::move, "move"},     std::pair{Kind::le
                            std::pair{Kind::focus, "focus"},   std::pair{Kind::size, "size"},
                            std::pair{Kind::drop, "drop"},     std::pair{Kind::close, "close"}};
 
-Json json_of(const InputEvent& event) {
-  Json out;
-  for (const auto& [kind, name] : kinds)
-    if (kind == event.kind) out["kind"] = name;
-  switch (event.kind) {
-    case Kind::move:
-    case Kind::wheel:
-    case Kind::size:
-      out["x"] = event.x;
-      out["y"] = event.y;
-      break;
-    case Kind::button:
-      out["button"] = event.code;
-      out["down"] = event.down;
-      out["modifiers"] = event.modifiers;
-      break;
-    case Kind::key:
-      out["key"] = event.code;
-      if (event.meant != event.code) out["meant"] = event.meant;
-      out["down"] = event.down;
-      if (event.repeated) out["repeated"] = true;
-      out["modifiers"] = event.modifiers;
-      break;
-    case Kind::text:
-      out["character"] = event.code;
-      break;
-    case Kind::focus:
-      out["down"] = event.down;
-      break;
-    case Kind::drop:
-      for (const auto& path : event.paths) out["paths"].push_back(path.string());
-      break;
-    default:
-      break;
-  }
-  return out;
+void write(JsonWriter& json, const InputEvent& event) {
+  json.object([&] {
+    for (const auto& [kind, name] : kinds)
+      if (kind == event.kind) json.member("kind", name);
+    switch (event.kind) {
+      case Kind::move:
+      case Kind::wheel:
+      case Kind::size:
+        json.member("x", event.x);
+        json.member("y", event.y);
+        break;
+      case Kind::button:
+        json.member("button", event.code);
+        json.member("down", event.down);
+        json.member("modifiers", event.modifiers);
+        break;
+      case Kind::key:
+        json.member("key", event.code);
+        if (event.meant != event.code) json.member("meant", event.meant);
+        json.member("down", event.down);
+        if (event.repeated) json.member("repeated", true);
+        json.member("modifiers", event.modifiers);
+        break;
+      case Kind::text:
+        json.member("character", event.code);
+        break;
+      case Kind::focus:
+        json.member("down", event.down);
+        break;
+      case Kind::drop:
+        json.list("paths", event.paths, [&](const auto& path) { json.value(path.string()); });
+        break;
+      default:
+        break;
+    }
+  });
+}
+
+/// {"t": TIME, ...}, the members written by `body`.
+template <class Body>
+std::string line_at(double time, Body&& body) {
+  JsonWriter json;
+  json.object([&] {
+    json.member("t", time);
+    body(json);
+  });
+  return json.take();
 }
 
 /// Throws what the JSON library throws, or a sentence.
@@ -169,25 +181,26 @@ std::string document_hash(const Document& document) {
 
 ReplayRecorder::ReplayRecorder(const std::filesystem::path& path, const ReplayStart& start, double now)
     : out_(path, std::ios::binary), start_(now) {
-  Json files = Json::array();
   const auto folder = std::filesystem::absolute(path).parent_path();
-  for (const auto& file : start.files)
-    files.push_back(std::filesystem::absolute(file).lexically_relative(folder).generic_string());
-  Json head;
-  head["hariko_replay"] = replay_version;
-  head["width"] = start.width;
-  head["height"] = start.height;
-  head["scale"] = start.scale;
-  head["files"] = files;
-  if (start.session) {
-    Json& session = head["session"];
-    session["name"] = start.session->name;
-    session["dirty"] = start.session->dirty;
-    session["settings"] = Json::parse(start.session->settings);
-    session["document"] = start.session->document;
-  }
-  // A name may be any bytes.
-  out_ << head.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+  JsonWriter json;
+  json.object([&] {
+    json.member("hariko_replay", replay_version);
+    json.member("width", start.width);
+    json.member("height", start.height);
+    json.member("scale", start.scale);
+    json.list("files", start.files, [&](const auto& file) {
+      json.value(std::filesystem::absolute(file).lexically_relative(folder).generic_string());
+    });
+    if (!start.session) return;
+    json.object("session", [&] {
+      json.member("name", start.session->name);
+      json.member("dirty", start.session->dirty);
+      json.key("settings");
+      json.raw(start.session->settings);
+      json.member("document", start.session->document);
+    });
+  });
+  out_ << json.take() << std::endl;
 }
 
 /// To the millisecond: the order counts, not the digits. The frame in which a recording begins is older than
@@ -198,23 +211,25 @@ double ReplayRecorder::since_start(double now) const {
 
 void ReplayRecorder::batch(double now, const std::vector<InputEvent>& events) {
   if (events.empty()) return;
-  Json list = Json::array();
-  for (const InputEvent& event : events) list.push_back(json_of(event));
-  out_ << Json{{"t", since_start(now)}, {"events", list}}.dump() << std::endl;
+  out_ << line_at(since_start(now), [&](JsonWriter& json) {
+    json.list("events", events, [&](const InputEvent& event) { write(json, event); });
+  }) << std::endl;
   marked_idle_ = false;
 }
 
 void ReplayRecorder::idle(double now) {
   if (marked_idle_) return;
-  out_ << Json{{"t", since_start(now)}, {"idle", true}}.dump() << std::endl;
+  out_ << line_at(since_start(now), [](JsonWriter& json) { json.member("idle", true); }) << std::endl;
   marked_idle_ = true;
 }
 
 void ReplayRecorder::finish(double now, const Document& document, std::size_t undo_steps) {
-  out_ << Json{{"t", since_start(now)},
-               {"end", {{"document", document_hash(document)}, {"steps", undo_steps}}}}
-              .dump()
-       << std::endl;
+  out_ << line_at(since_start(now), [&](JsonWriter& json) {
+    json.object("end", [&] {
+      json.member("document", document_hash(document));
+      json.member("steps", undo_steps);
+    });
+  }) << std::endl;
 }
 
 bool ReplayPlayer::all_played() const {

@@ -2,13 +2,74 @@
 
 #include <imgui.h>
 
-#include <nlohmann/json.hpp>
-
+#include "core/base/json_writer.hpp"
 #include "ui/selection_text.hpp"
 
 namespace hariko {
 
-using Json = nlohmann::ordered_json;
+namespace {
+
+/// {"event": NAME, ...}, the members written by `body`.
+template <class Body>
+std::string event_line(const char* name, Body&& body) {
+  JsonWriter json;
+  json.object([&] {
+    json.member("event", name);
+    body(json);
+  });
+  return json.take();
+}
+
+/// "id": {"vertex": [x, y, depth], ...} of what has vertices, or solids, that tests may point at.
+void write_pixels(JsonWriter& json, const Object& object, const Projector& projector, ImVec2 corner) {
+  constexpr Index most = 300;
+  const PolyhedronSource* source = object.polyhedron();
+  const SolidsSource* solids = object.solids();
+  if (!solids && (!source || source->polyhedron.vertex_count() > most)) return;
+  const auto add = [&](std::uint32_t id, const Vector3& local) {
+    if (const auto pixel = projector.project(object.transform.apply(local)))
+      json.member(std::to_string(id), {corner.x + pixel->x(), corner.y + pixel->y(), pixel->z()});
+  };
+  json.object(std::to_string(object.id.value), [&] {
+    if (solids) {
+      for (const Solid& solid : solids->input->solids) add(solid.id, solid.position);
+      return;
+    }
+    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v)
+      add(source->polyhedron.vertex_id(v).value, source->origin + source->polyhedron.position(v));
+  });
+}
+
+void write_paper(JsonWriter& json, const PaperState& paper) {
+  json.member("shown", paper.shown);
+  json.member("pending", paper.pending);
+  json.member("error", paper.fault ? std::optional(paper.fault->messages.front().code.name) : std::nullopt);
+  const PaperLayout* layout = paper.visible();
+  if (!layout) return;
+  const Unfolding& u = layout->unfolding;
+  const auto facet_or_null = [](Index facet) {
+    return facet == no_index ? std::nullopt : std::optional(facet);
+  };
+  json.member("facets", u.graph->facet_count());
+  json.member("pieces", u.pieces.size());
+  json.member("pages", u.page_count);
+  json.member("joints", u.joints.size());
+  json.member("strips", strip_count(u));
+  json.member("overlaps", layout->overlaps);
+  json.member("off_page", layout->off_page.size());
+  json.member("folded", paper.folded);
+  json.member("selected", facet_or_null(paper.selected_piece()));
+  json.member("hovered", facet_or_null(paper.hovered.facet));
+  json.list("places", u.pieces, [&](const PaperPiece& piece) {
+    json.array([&] {
+      json.value(piece.placement.page);
+      for (const double x : {piece.placement.angle, piece.placement.offset.x(), piece.placement.offset.y()})
+        json.value(x);
+    });
+  });
+}
+
+}  // namespace
 
 TestLog::TestLog(const std::filesystem::path& path) {
   if (path.empty()) return;
@@ -18,16 +79,17 @@ TestLog::TestLog(const std::filesystem::path& path) {
 
 void TestLog::rebuilt(ObjectId object, const SurfaceView& view) {
   if (!on_) return;
-  Json line{{"event", "rebuild"},
-            {"object", object.value},
-            {"quality", view.quality == Quality::final ? "final" : "drag"},
-            {"milliseconds", view.milliseconds}};
-  line["error"] = view.error ? Json(std::string(view.error->code.name)) : Json();
-  out_ << line.dump() << std::endl;
+  out_ << event_line("rebuild", [&](JsonWriter& json) {
+    json.member("object", object.value);
+    json.member("quality", view.quality == Quality::final ? "final" : "drag");
+    json.member("milliseconds", view.milliseconds);
+    json.member("error", view.error ? std::optional(view.error->code.name) : std::nullopt);
+  }) << std::endl;
 }
 
 void TestLog::file(const char* what, const std::filesystem::path& path) {
-  if (on_) out_ << Json{{"event", what}, {"path", path.string()}}.dump() << std::endl;
+  if (!on_) return;
+  out_ << event_line(what, [&](JsonWriter& json) { json.member("path", path.string()); }) << std::endl;
 }
 
 void TestLog::input(const std::vector<InputEvent>& batch) {
@@ -51,7 +113,10 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   pictures_ = workbench.viewport().pictures_drawn();
   if (idle && !idle_) frame_times(editor.frame_times);
   if (idle && !idle_)
-    out_ << Json{{"event", "idle"}, {"frames", frames_}, {"pictures", pictures_}}.dump() << std::endl;
+    out_ << event_line("idle", [&](JsonWriter& json) {
+      json.member("frames", frames_);
+      json.member("pictures", pictures_);
+    }) << std::endl;
   idle_ = idle;
 }
 
@@ -61,57 +126,47 @@ void TestLog::pointer() {
   const ImVec2 at = ImGui::GetIO().MousePos;
   if (std::array{at.x, at.y} == pointer_) return;
   pointer_ = {at.x, at.y};
-  out_ << Json{{"event", "pointer"}, {"at", pointer_}}.dump() << std::endl;
+  out_ << event_line("pointer", [&](JsonWriter& json) { json.member("at", pointer_); }) << std::endl;
 }
 
 void TestLog::taken() {
   if (!std::exchange(taken_, false)) return;
-  out_ << Json{{"event", "input"}, {"keys", keys_}, {"buttons", buttons_}}.dump() << std::endl;
+  out_ << event_line("input", [&](JsonWriter& json) {
+    json.member("keys", keys_);
+    json.member("buttons", buttons_);
+  }) << std::endl;
 }
 
 void TestLog::frame_times(const FrameTimes& times) {
   if (!times.visible) return;
-  Json line{{"event", "frame_times"}};
-  line["frames"] = times.samples().size();
-  line["ours"] = {times.ours(0.5), times.ours(0.95)};
-  line["renderer"] = {times.renderer(0.5), times.renderer(0.95)};
-  line["total"] = {times.total(0.5), times.total(0.95)};
-  line["latency"] = {times.latency(0.5), times.latency(0.95)};
-  out_ << line.dump() << std::endl;
+  out_ << event_line("frame_times", [&](JsonWriter& json) {
+    json.member("frames", times.samples().size());
+    json.member("ours", {times.ours(0.5), times.ours(0.95)});
+    json.member("renderer", {times.renderer(0.5), times.renderer(0.95)});
+    json.member("total", {times.total(0.5), times.total(0.95)});
+    json.member("latency", {times.latency(0.5), times.latency(0.95)});
+  }) << std::endl;
 }
 
 void TestLog::layout(const Workbench& workbench) {
   if (workbench.marks().all() == rects_) return;
   rects_ = workbench.marks().all();
-  Json rects = Json::object();
-  for (const auto& [name, rect] : rects_) rects[name] = {rect.x, rect.y, rect.width, rect.height};
-  out_ << Json{{"event", "layout"}, {"rects", rects}}.dump() << std::endl;
+  out_ << event_line("layout", [&](JsonWriter& json) {
+    json.object("rects", [&] {
+      for (const auto& [name, rect] : rects_) json.member(name, {rect.x, rect.y, rect.width, rect.height});
+    });
+  }) << std::endl;
 }
 
 void TestLog::vertices(const Editor& editor, const Workbench& workbench) {
   if (!editor.has_document) return;
   const Projector projector(editor.camera(), editor.viewport);
   const ImVec2 corner = workbench.viewport().rect().min;
-  Json objects = Json::object();
-  for (const auto& object : editor.document().objects) {
-    const PolyhedronSource* source = object->polyhedron();
-    constexpr Index most = 300;
-    Json pixels = Json::object();
-    const auto add = [&](std::uint32_t id, const Vector3& local) {
-      if (const auto pixel = projector.project(object->transform.apply(local)))
-        pixels[std::to_string(id)] = {corner.x + pixel->x(), corner.y + pixel->y(), pixel->z()};
-    };
-    if (const SolidsSource* solids = object->solids()) {
-      for (const Solid& solid : solids->input->solids) add(solid.id, solid.position);
-      objects[std::to_string(object->id.value)] = std::move(pixels);
-      continue;
-    }
-    if (!source || source->polyhedron.vertex_count() > most) continue;
-    for (Index v = 0; v < source->polyhedron.vertex_count(); ++v)
-      add(source->polyhedron.vertex_id(v).value, source->origin + source->polyhedron.position(v));
-    objects[std::to_string(object->id.value)] = std::move(pixels);
-  }
-  std::string line = Json{{"event", "vertices"}, {"objects", objects}}.dump();
+  std::string line = event_line("vertices", [&](JsonWriter& json) {
+    json.object("objects", [&] {
+      for (const auto& object : editor.document().objects) write_pixels(json, *object, projector, corner);
+    });
+  });
   if (line == vertices_line_) return;
   vertices_line_ = std::move(line);
   out_ << vertices_line_ << std::endl;
@@ -128,41 +183,18 @@ void TestLog::history(const Editor& editor) {
   gesture_ = editor.history.in_gesture();
   dirty_ = editor.history.dirty();
   selection_ = selection;
-  out_ << Json{{"event", "document"},
-               {"label", editor.history.undo_label()},
-               {"position", editor.history.position()},
-               {"serial", serial_},
-               {"gesture", gesture_},
-               {"dirty", dirty_},
-               {"selection", selection_}}
-              .dump()
-       << std::endl;
+  out_ << event_line("document", [&](JsonWriter& json) {
+    json.member("label", editor.history.undo_label());
+    json.member("position", editor.history.position());
+    json.member("serial", serial_);
+    json.member("gesture", gesture_);
+    json.member("dirty", dirty_);
+    json.member("selection", selection_);
+  }) << std::endl;
 }
 
 void TestLog::paper(const Editor& editor) {
-  const PaperLayout* layout = editor.paper.visible();
-  Json line{{"event", "paper"}, {"shown", editor.paper.shown}, {"pending", editor.paper.pending}};
-  line["error"] =
-      editor.paper.fault ? Json(std::string(editor.paper.fault->messages.front().code.name)) : Json();
-  if (layout) {
-    const Unfolding& u = layout->unfolding;
-    line["facets"] = u.graph->facet_count();
-    line["pieces"] = u.pieces.size();
-    line["pages"] = u.page_count;
-    line["joints"] = u.joints.size();
-    line["strips"] = strip_count(u);
-    line["overlaps"] = layout->overlaps;
-    line["off_page"] = layout->off_page.size();
-    line["folded"] = editor.paper.folded;
-    line["selected"] =
-        editor.paper.selected_piece() == no_index ? Json() : Json(editor.paper.selected_piece());
-    line["hovered"] = editor.paper.hovered.facet == no_index ? Json() : Json(editor.paper.hovered.facet);
-    line["places"] = Json::array();
-    for (const PaperPiece& piece : u.pieces)
-      line["places"].push_back({piece.placement.page, piece.placement.angle, piece.placement.offset.x(),
-                                piece.placement.offset.y()});
-  }
-  std::string text = line.dump();
+  std::string text = event_line("paper", [&](JsonWriter& json) { write_paper(json, editor.paper); });
   if (text == paper_line_) return;
   paper_line_ = std::move(text);
   out_ << paper_line_ << std::endl;
@@ -172,32 +204,35 @@ void TestLog::notices(const Editor& editor) {
   const std::string text = editor.notices().empty() ? std::string() : editor.notices().back().text;
   if (text == last_notice_) return;
   last_notice_ = text;
-  out_ << Json{{"event", "notice"}, {"text", text}}.dump() << std::endl;
+  out_ << event_line("notice", [&](JsonWriter& json) { json.member("text", text); }) << std::endl;
 }
 
 void TestLog::commands(const Editor& editor, const Workbench& workbench) {
-  Json table = Json::array();
-  for (const Command& command : workbench.commands().all())
-    table.push_back({{"id", command.id},
-                     {"menu", command.menu},
-                     {"label", editor.language(command.label)},
-                     {"help", editor.language(command.help)},
-                     {"keys", command.keys}});
-  std::string line = Json{{"event", "commands"}, {"table", table}}.dump();
+  std::string line = event_line("commands", [&](JsonWriter& json) {
+    json.list("table", workbench.commands().all(), [&](const Command& command) {
+      json.object([&] {
+        json.member("id", command.id);
+        json.member("menu", command.menu);
+        json.member("label", editor.language(command.label));
+        json.member("help", editor.language(command.help));
+        json.member("keys", command.keys);
+      });
+    });
+  });
   if (line != commands_line_) out_ << line << std::endl;
   commands_line_ = std::move(line);
   const std::string note = editor.cursor_note ? editor.cursor_note->text : std::string();
-  if (note != last_note_) out_ << Json{{"event", "cursor"}, {"text", note}}.dump() << std::endl;
+  if (note != last_note_)
+    out_ << event_line("cursor", [&](JsonWriter& json) { json.member("text", note); }) << std::endl;
   last_note_ = note;
   const CommandLog& log = workbench.command_log();
   if (log.number == commands_run_) return;
   commands_run_ = log.number;
-  out_ << Json{{"event", "command"},
-               {"id", log.last.first},
-               {"ran", log.last.second.ran},
-               {"reason", log.last.second.reason}}
-              .dump()
-       << std::endl;
+  out_ << event_line("command", [&](JsonWriter& json) {
+    json.member("id", log.last.first);
+    json.member("ran", log.last.second.ran);
+    json.member("reason", log.last.second.reason);
+  }) << std::endl;
 }
 
 }  // namespace hariko

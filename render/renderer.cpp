@@ -467,7 +467,7 @@ std::string describe_gl() {
     const GLubyte* value = glGetString(name);
     return value ? std::string(reinterpret_cast<const char*>(value)) : std::string("unknown");
   };
-  return "OpenGL " + text(GL_VERSION) + " (" + text(GL_RENDERER) + ")";
+  return "OpenGL " + text(GL_VERSION) + " (" + text(GL_VENDOR) + ", " + text(GL_RENDERER) + ")";
 }
 
 }  // namespace hariko

@@ -72,7 +72,7 @@ class Renderer {
   std::unique_ptr<State> state_;
 };
 
-/// "OpenGL 4.5 (llvmpipe)": for the about box and error reports. Needs a current context.
+/// "OpenGL 4.5 (Mesa, llvmpipe)": for the about box and error reports. Needs a current context.
 std::string describe_gl();
 
 }  // namespace hariko

@@ -23,7 +23,7 @@ ALLOWED = {
     # Names, and what a report of a mistake needs.
     "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), Eigen (MPL 2.0), oneTBB (Apache 2.0), "
     "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL OFL).",
-    "Hariko {0}\n{1}\nGLFW {2}\nDear ImGui {3}",
+    "Hariko ", "\nGLFW ", "\nDear ImGui ", "\nlog.txt:\n", ", scale ",
      # of the test log
     "OpenGL", "k1  k2", "view menu ",
     # of replays, on stderr

@@ -132,19 +132,25 @@ void Editor::go_to_step(std::size_t position) {
   while (history.position() < position) redo();
 }
 
-void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
+void Editor::show(Notice notice) {
   constexpr std::size_t most = 4;
-  std::erase_if(notices_, [&](const Notice& notice) { return notice.text == text; });
-  notices_.push_back({kind, std::move(text), std::move(remedy), now});
+  std::erase_if(notices_, [&](const Notice& shown) { return shown.text == notice.text; });
+  notices_.push_back(std::move(notice));
   if (notices_.size() > most) notices_.pop_front();
+}
+
+void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
+  if (on_notice) on_notice(kind, text);
+  show({kind, std::move(text), std::move(remedy), now});
 }
 
 void Editor::notify(const Message& message) {
   // What the user cancelled is no mistake.
-  notify(message.code == e_cancelled           ? Notice::Kind::info
-         : message.severity == Severity::error ? Notice::Kind::error
-                                               : Notice::Kind::warning,
-         language.text_of(message), language.remedy_of(message));
+  const Notice::Kind kind = message.code == e_cancelled           ? Notice::Kind::info
+                            : message.severity == Severity::error ? Notice::Kind::error
+                                                                  : Notice::Kind::warning;
+  if (on_notice) on_notice(kind, to_string(message));
+  show({kind, language.text_of(message), language.remedy_of(message), now});
 }
 
 bool Editor::notices_expire() const {

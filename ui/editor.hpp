@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -147,6 +148,8 @@ class Editor {
 
   void notify(Notice::Kind kind, std::string text, std::string remedy = {});
   void notify(const Message& message);
+  /// Told of every notice, messages in English with their codes: for a log. May be empty.
+  std::function<void(Notice::Kind, const std::string& text)> on_notice;
   std::deque<Notice>& notices() { return notices_; }
   const std::deque<Notice>& notices() const { return notices_; }
   std::optional<CursorNote> cursor_note;
@@ -170,6 +173,7 @@ class Editor {
 
  private:
   Box3 visible_box() const;
+  void show(Notice notice);
   bool stepped(std::uint64_t left, const ChosenElements& chosen, bool changed);
 
   SelectionMemory selections_;

@@ -41,6 +41,10 @@ struct FileActions {
   std::function<void(const std::filesystem::path&)> export_pages;
   /// Opens work that an earlier session left behind, or throws it away.
   std::function<void(const std::string&id)> recover, discard_recovery;
+  /// The report of the crash that is offered was seen.
+  std::function<void()> dismiss_crash;
+  /// Shows the folder with the log and reports of crashes, in the desktop's file manager.
+  std::function<void()> show_log_folder;
   /// Records what the user does from now on as a replay, until it is told to stop.
   std::function<void(const std::filesystem::path&)> record;
   std::function<void()> stop_recording;

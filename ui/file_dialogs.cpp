@@ -4,10 +4,23 @@
 
 #include "core/base/file_ending.hpp"
 #include "core/base/file_io.hpp"
+#include "core/cad/kernel/cad_file.hpp"
 #include "ui/key_file.hpp"
 #include "ui/viewport.hpp"
 
 namespace hariko {
+
+std::vector<std::string> importable_endings(bool cad) {
+  std::vector<std::string> out{".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json"};
+  if (cad) out.insert(out.end(), {".step", ".stp", ".iges", ".igs"});
+  return out;
+}
+
+std::vector<std::string> openable_endings(bool cad) {
+  std::vector<std::string> out = importable_endings(cad);
+  out.insert(out.begin(), ".hariko");
+  return out;
+}
 
 FileDialogs::FileDialogs(Editor& editor, const Viewport& viewport, Marks& marks, const Metrics& metrics,
                          const FileActions& actions)
@@ -149,22 +162,13 @@ void FileDialogs::picture(bool turntable) {
 }
 
 void FileDialogs::open(std::function<void(const std::filesystem::path&)> accept) {
-  dialog_.open({translatable("Open"),
-                translatable("Open"),
-                false,
-                {".hariko", ".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json", ".step",
-                 ".stp", ".iges", ".igs"},
-                folder_proposal(),
-                std::move(accept)});
+  dialog_.open({translatable("Open"), translatable("Open"), false, openable_endings(!why_no_cad_files()),
+                folder_proposal(), std::move(accept)});
 }
 
 void FileDialogs::import() {
-  dialog_.open({translatable("Import"),
-                translatable("Import"),
-                false,
-                {".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".3mf", ".bpt", ".json", ".step", ".stp",
-                 ".iges", ".igs"},
-                folder_proposal(),
+  dialog_.open({translatable("Import"), translatable("Import"), false,
+                importable_endings(!why_no_cad_files()), folder_proposal(),
                 [this](const auto& path) { actions_.import_file(path); }});
 }
 

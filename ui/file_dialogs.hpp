@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "ui/export_memory.hpp"
 #include "ui/file_actions.hpp"
@@ -16,6 +17,12 @@
 namespace hariko {
 
 class Viewport;
+
+/// Endings of the files that can be added to a document. `cad`: STEP and IGES can be read
+/// (`why_no_cad_files`).
+std::vector<std::string> importable_endings(bool cad);
+/// The same and documents.
+std::vector<std::string> openable_endings(bool cad);
 
 class FileDialogs {
  public:

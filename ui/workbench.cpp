@@ -128,7 +128,9 @@ void Workbench::frame() {
                        editor_.language,
                        offers_,
                        actions_.recover,
-                       actions_.discard_recovery};
+                       actions_.discard_recovery,
+                       actions_.dismiss_crash,
+                       actions_.show_log_folder};
   // What a gesture shows is not done yet.
   if (!editor_.history.in_gesture()) editor_.guide.look({editor_.history.current(), editor_.exports});
   const float menu = draw_menu_bar(context);
@@ -288,7 +290,7 @@ void Workbench::new_document() {
 }
 
 void Workbench::offer_recovery() {
-  if (editor_.has_document && !offers_.recoveries.empty()) show_recoveries();
+  if (editor_.has_document && (offers_.crash || !offers_.recoveries.empty())) show_recoveries();
 }
 
 void Workbench::show_samples() {

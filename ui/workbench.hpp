@@ -60,7 +60,7 @@ class Workbench {
   void save(std::function<void()> then);
   void new_document();
   void revert() { actions_.revert(); }
-  /// Shows what can be recovered, where the start page does not.
+  /// Shows what a session left that crashed, where the start page does not.
   void offer_recovery();
   void show_recent() { offers_dialog_.open(OffersDialog::Kind::recent); }
   void show_samples();
@@ -73,6 +73,7 @@ class Workbench {
   void convert_skin(ObjectId object) { actions_.convert_skin(object); }
   void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
   void stop_recording() { actions_.stop_recording(); }
+  void show_log_folder() { actions_.show_log_folder(); }
   /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.
   void forget_interface();
   void close_document();

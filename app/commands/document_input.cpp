@@ -1,10 +1,13 @@
 #include "app/commands/document_input.hpp"
 
 #include "app/commands/console.hpp"
+#include "core/document/edit_objects.hpp"
 
 namespace hariko {
 
 namespace {
+
+constexpr Code e_no_such_object{"E_NO_SUCH_OBJECT"};
 
 void choose(OutlineSettings& settings, const Construction& construction) {
   const OutlineConstruction& chosen = construction.outlines;
@@ -41,6 +44,20 @@ Document with_construction(Document document, const Construction& construction) 
     object = std::move(changed);
   }
   return document;
+}
+
+Result<Document> with_only(const Document& document, const std::vector<std::string>& only) {
+  if (only.empty()) return document;
+  std::vector<ObjectId> objects;
+  for (const std::string& name : only) {
+    const std::size_t before = objects.size();
+    for (const auto& object : document.objects)
+      if (object->name == name) objects.push_back(object->id);
+    if (objects.size() == before)
+      return make_error(e_no_such_object, "There is no object called \"" + name + "\".",
+                        "`hariko info` lists the names.");
+  }
+  return showing_only(document, objects);
 }
 
 }  // namespace hariko

@@ -15,4 +15,8 @@ std::optional<Document> read_document_or_report(const std::filesystem::path& fil
 /// Every polyhedron and outline gets the construction, locked ones too: nothing is saved.
 Document with_construction(Document document, const Construction& construction);
 
+/// The objects of these names, hidden ones included, and no others visible; all as they are when `only` is
+/// empty. Error: E_NO_SUCH_OBJECT.
+Result<Document> with_only(const Document& document, const std::vector<std::string>& only);
+
 }  // namespace hariko

@@ -2,12 +2,11 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/ring_residual.hpp"
-#include "app/commands/vector_json.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/measures.hpp"
+#include "core/base/json_writer.hpp"
 #include "core/modeling/surface_input.hpp"
 #include "core/patching/fair_elements.hpp"
 #include "core/patching/quartic_patch.hpp"
@@ -16,28 +15,24 @@ namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr std::array<std::array<double, 3>, 5> samples{
+constexpr std::array<std::array<double, 3>, 5> barycentric_samples{
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.6, 0.3, 0.1}, {0.1, 0.2, 0.7}}};
 
 const char* mode_name(Mode mode) {
   return mode == Mode::paper ? "paper" : mode == Mode::target ? "target" : mode == Mode::g2 ? "g2" : "fair";
 }
 
-Json tangents_json(const Polyhedron& polyhedron, const Network& network) {
+void write_tangents(JsonWriter& json, const Polyhedron& polyhedron, const Network& network) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
-  Json out = Json::object();
   const auto name = [&](Index a, Index b) {
     return std::to_string(polyhedron.vertex_id(a).value) + "-" +
            std::to_string(polyhedron.vertex_id(b).value);
   };
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index a = mesh.origin(h), b = mesh.target(h);
-    out[name(a, b)] = vector_json(network.start[h]);
-    if (mesh.twin(h) == no_index) out[name(b, a)] = vector_json(network.end[h]);
+    json.member(name(a, b), network.start[h]);
+    if (mesh.twin(h) == no_index) json.member(name(b, a), network.end[h]);
   }
-  return out;
 }
 
 /// Degree elevation gives D310 = (V0 + 3 V1) / 4 from the cubic's points, so the tangents can be read off.
@@ -46,50 +41,43 @@ Vector3 tangent_from(const Vector3& end, const Vector3& beside) {
 }
 
 /// Control points are those of extended quartics: mode G2 has none, and says the points at the centres only.
-Json faces_json(const Polyhedron& polyhedron, const Surface& surface, const QuarticPatchSet* quartics) {
+void write_face(JsonWriter& json, Index f, const Polyhedron& polyhedron, const Surface& surface,
+                const QuarticPatchSet* quartics) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
-  Json out = Json::array();
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    Json vertices = Json::array(), at_centre = Json::array(), at_vertex = Json::array();
-    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
-      vertices.push_back(polyhedron.vertex_id(mesh.origin(h)).value);
-      if (!quartics) continue;
-      const auto& d = quartics->patch(h).control;
-      at_centre.push_back(vector_json(tangent_from(d[quartic::d400], d[quartic::d310])));
-      at_vertex.push_back(vector_json(tangent_from(d[quartic::d040], d[quartic::d130])));
-    }
-    const Vector3 centre =
-        surface.origin() +
-        surface.patches().evaluate(mesh.face_begin(f), Vector2(0, 0), Order::first).position;
-    Json face = {{"vertices", vertices}, {"O", vector_json(centre)}};
-    if (quartics) {
-      face["Y"] = at_centre;
-      face["split_tangents"] = at_vertex;
-    }
-    out.push_back(face);
+  std::vector<std::uint32_t> vertices;
+  std::vector<Vector3> at_centre, at_vertex;
+  for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+    vertices.push_back(polyhedron.vertex_id(mesh.origin(h)).value);
+    if (!quartics) continue;
+    const auto& d = quartics->patch(h).control;
+    at_centre.push_back(tangent_from(d[quartic::d400], d[quartic::d310]));
+    at_vertex.push_back(tangent_from(d[quartic::d040], d[quartic::d130]));
   }
-  return out;
+  const PatchPoint centre = surface.patches().evaluate(mesh.face_begin(f), Vector2(0, 0), Order::first);
+  json.object([&] {
+    json.member("vertices", vertices);
+    json.member("O", Vector3(surface.origin() + centre.position));
+    if (!quartics) return;
+    json.member("Y", at_centre);
+    json.member("split_tangents", at_vertex);
+  });
 }
 
-Json patches_json(const HalfEdgeMesh& mesh, const Surface& surface, const QuarticPatchSet* quartics) {
-  Json out = Json::array();
+void write_patch(JsonWriter& json, Index h, const HalfEdgeMesh& mesh, const Surface& surface,
+                 const QuarticPatchSet* quartics) {
   const Vector3& origin = surface.origin();
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    Json control = Json::array(), points = Json::array(), normals = Json::array();
+  json.object([&] {
+    json.member("face", mesh.face(h));
+    json.member("side", h - mesh.face_begin(mesh.face(h)));
     if (quartics)
-      for (const Vector3& d : quartics->patch(h).control) control.push_back(vector_json(origin + d));
-    for (const auto& uvw : samples) {
-      const Vector2 parameter(uvw[1], uvw[2]);
-      points.push_back(vector_json(origin + surface.patches().evaluate(h, parameter, Order::first).position));
-      normals.push_back(vector_json(surface.normal(h, parameter)));
-    }
-    Json patch = {{"face", mesh.face(h)}, {"side", h - mesh.face_begin(mesh.face(h))}};
-    if (quartics) patch["D"] = control;
-    patch["points"] = points;
-    patch["normals"] = normals;
-    out.push_back(patch);
-  }
-  return out;
+      json.list("D", quartics->patch(h).control, [&](const Vector3& d) { json.value(Vector3(origin + d)); });
+    json.list("points", barycentric_samples, [&](const auto& uvw) {
+      const PatchPoint at = surface.patches().evaluate(h, Vector2(uvw[1], uvw[2]), Order::first);
+      json.value(Vector3(origin + at.position));
+    });
+    json.list("normals", barycentric_samples,
+              [&](const auto& uvw) { json.value(Vector3(surface.normal(h, Vector2(uvw[1], uvw[2])))); });
+  });
 }
 
 /// Sum of D^T K_n D over the patches: thin-plate energy in the regular charts of mode FAIR.
@@ -108,7 +96,8 @@ double plate_energy(const HalfEdgeMesh& mesh, const QuarticPatchSet& patches) {
   return sum;
 }
 
-Json metrics_json(const HalfEdgeMesh& mesh, const Surface& surface, const QuarticPatchSet* quartics) {
+void write_metrics(JsonWriter& json, const HalfEdgeMesh& mesh, const Surface& surface,
+                   const QuarticPatchSet* quartics) {
   const Measures measures = measure(surface);
   const ContinuityReport report = continuity(surface);
   struct Sum {
@@ -127,15 +116,15 @@ Json metrics_json(const HalfEdgeMesh& mesh, const Surface& surface, const Quarti
   }
   const double count = poly.count + split.count;
   const double norm = curvature > 0 ? std::sqrt(curvature / count) : 1;
-  Json out = {{"area", measures.area}, {"bend", measures.bending}};
-  if (quartics) out["tp"] = plate_energy(mesh, *quartics);
-  out["g1"] = report.largest_normal_jump.value_or(0.0);
-  out["gap"] = report.largest_gap;
-  out["jump_rms_rel"] = report.rms_curvature_jump.value_or(0.0);
-  out["jump_max_rel"] = largest / norm;
-  out["jump_poly"] = poly.root() / norm;
-  out["jump_split"] = split.root() / norm;
-  return out;
+  json.member("area", measures.area);
+  json.member("bend", measures.bending);
+  if (quartics) json.member("tp", plate_energy(mesh, *quartics));
+  json.member("g1", report.largest_normal_jump.value_or(0.0));
+  json.member("gap", report.largest_gap);
+  json.member("jump_rms_rel", report.rms_curvature_jump.value_or(0.0));
+  json.member("jump_max_rel", largest / norm);
+  json.member("jump_poly", poly.root() / norm);
+  json.member("jump_split", split.root() / norm);
 }
 
 }  // namespace
@@ -155,25 +144,29 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
   long used = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) used += mesh.outgoing(v) != no_index ? 1 : 0;
   const FairWeights weights;
-  Json names = Json::array(), uvw = Json::array();
-  for (const char* name : quartic::control_names) names.push_back(name);
-  for (const auto& sample : samples) uvw.push_back(sample);
-  Json out = {{"mode", mode_name(source.mode)},
-              {"mu", weights.curvature_jump},
-              {"lam", weights.pair_distance},
-              {"kappa", weights.tension},
-              {"euler", used - long(mesh.edge_count()) + long(mesh.face_count())},
-              {"energy", built->network->energy},
-              {"control_names", names},
-              {"tangents", tangents_json(source.polyhedron, *built->network)},
-              {"faces", faces_json(source.polyhedron, surface, patches)},
-              {"patches", patches_json(mesh, surface, patches)},
-              {"sample_uvw", uvw},
-              {"metrics", metrics_json(mesh, surface, patches)}};
-  if (source.mode == Mode::g2) out["round"] = built->report.round;
-  if (source.mode == Mode::paper || source.mode == Mode::target)
-    out["dif_max"] = largest_ring_residual(source, *patches);
-  return out.dump(1) + "\n";
+  JsonWriter json(1);
+  json.object([&] {
+    json.member("mode", mode_name(source.mode));
+    json.member("mu", weights.curvature_jump);
+    json.member("lam", weights.pair_distance);
+    json.member("kappa", weights.tension);
+    json.member("euler", used - long(mesh.edge_count()) + long(mesh.face_count()));
+    json.member("energy", built->network->energy);
+    json.member("control_names", quartic::control_names);
+    json.object("tangents", [&] { write_tangents(json, source.polyhedron, *built->network); });
+    json.array("faces", [&] {
+      for (Index f = 0; f < mesh.face_count(); ++f) write_face(json, f, source.polyhedron, surface, patches);
+    });
+    json.array("patches", [&] {
+      for (Index h = 0; h < mesh.half_edge_count(); ++h) write_patch(json, h, mesh, surface, patches);
+    });
+    json.member("sample_uvw", barycentric_samples);
+    json.object("metrics", [&] { write_metrics(json, mesh, surface, patches); });
+    if (source.mode == Mode::g2) json.member("round", built->report.round);
+    if (source.mode == Mode::paper || source.mode == Mode::target)
+      json.member("dif_max", largest_ring_residual(source, *patches));
+  });
+  return json.take() + "\n";
 }
 
 }  // namespace hariko

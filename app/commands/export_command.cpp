@@ -2,7 +2,6 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
-#include "app/commands/file_options.hpp"
 #include "app/files/control_mesh_file.hpp"
 #include "app/files/export_cad.hpp"
 #include "app/files/export_surfaces.hpp"

@@ -1,14 +1,13 @@
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
-#include "app/commands/file_options.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/mesh_surfaces.hpp"
 #include "core/base/file_io.hpp"
+#include "core/base/json_writer.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/number_text.hpp"
 
@@ -16,52 +15,82 @@ namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double to_degrees = 180 / std::numbers::pi;
 
-Json json_of(const CriterionErrors& errors, double unit) {
-  if (!errors.measured) return nullptr;
-  return {{"measured", errors.largest * unit},
-          {"mean", errors.mean * unit},
-          {"bound", errors.certified ? Json(errors.bound * unit) : Json(nullptr)}};
+void write(JsonWriter& json, const CriterionErrors& errors, double unit) {
+  if (!errors.measured) return json.value(nullptr);
+  json.object([&] {
+    json.member("measured", errors.largest * unit);
+    json.member("mean", errors.mean * unit);
+    json.member("bound", errors.certified ? std::optional(errors.bound * unit) : std::nullopt);
+  });
 }
 
-Json json_of(const ErrorField& field, const Vector3& origin, double unit) {
-  const Vector3 place = origin + field.place;
-  return {{"largest", field.largest * unit},
-          {"mean", field.mean * unit},
-          {"facet", field.facet == no_index ? Json(nullptr) : Json(field.facet)},
-          {"place", {place.x(), place.y(), place.z()}}};
+void write(JsonWriter& json, const ErrorField& field, const Vector3& origin, double unit) {
+  json.object([&] {
+    json.member("largest", field.largest * unit);
+    json.member("mean", field.mean * unit);
+    json.member("facet", field.facet == no_index ? std::nullopt : std::optional(field.facet));
+    json.member("place", Vector3(origin + field.place));
+  });
 }
 
-Json json_of_map(const MeshedObject& object) {
-  if (!object.errors) return nullptr;
+void write_map(JsonWriter& json, const MeshedObject& object) {
+  if (!object.errors) return json.value(nullptr);
   const MeshErrorMap& map = *object.errors;
-  const Vector3& origin = object.surface_origin;
-  return {{"distance", json_of(map.distance, origin, 1)},
-          {"mesh_distance", json_of(map.mesh_distance, origin, 1)},
-          {"normal_angle", json_of(map.normal_angle, origin, to_degrees)},
-          {"fold_angle", json_of(map.fold_angle, origin, to_degrees)}};
+  const auto field = [&](const char* name, const ErrorField& errors, double unit) {
+    json.key(name);
+    write(json, errors, object.surface_origin, unit);
+  };
+  json.object([&] {
+    field("distance", map.distance, 1);
+    field("mesh_distance", map.mesh_distance, 1);
+    field("normal_angle", map.normal_angle, to_degrees);
+    field("fold_angle", map.fold_angle, to_degrees);
+  });
 }
 
-Json json_of(const MeshedObject& object) {
+void write(JsonWriter& json, const MeshedObject& object) {
   const MeshApproximation& result = object.result;
-  Json warnings = Json::array();
-  for (const Message& warning : result.warnings)
-    warnings.push_back({{"code", std::string(warning.code.name)}, {"text", warning.text}});
-  return {{"name", object.name},
-          {"facets", result.mesh.triangles.size()},
-          {"vertices", result.mesh.positions.size()},
-          {"distance", json_of(result.distance, 1)},
-          {"normal_angle", json_of(result.normal_angle, to_degrees)},
-          {"fold_angle", json_of(result.fold_angle, to_degrees)},
-          {"luminance", json_of(result.luminance, 1)},
-          {"longest_edge", result.longest_edge},
-          {"smallest_angle", result.smallest_angle * to_degrees},
-          {"unreached", result.unreached},
-          {"errors", json_of_map(object)},
-          {"warnings", warnings}};
+  const auto criterion = [&](const char* name, const CriterionErrors& errors, double unit) {
+    json.key(name);
+    write(json, errors, unit);
+  };
+  json.object([&] {
+    json.member("name", object.name);
+    json.member("facets", result.mesh.triangles.size());
+    json.member("vertices", result.mesh.positions.size());
+    criterion("distance", result.distance, 1);
+    criterion("normal_angle", result.normal_angle, to_degrees);
+    criterion("fold_angle", result.fold_angle, to_degrees);
+    criterion("luminance", result.luminance, 1);
+    json.member("longest_edge", result.longest_edge);
+    json.member("smallest_angle", result.smallest_angle * to_degrees);
+    json.member("unreached", result.unreached);
+    json.key("errors");
+    write_map(json, object);
+    json.list("warnings", result.warnings, [&](const Message& warning) {
+      json.object([&] {
+        json.member("code", warning.code.name);
+        json.member("text", warning.text);
+      });
+    });
+  });
+}
+
+std::string report_json(const std::vector<MeshedObject>& objects, double meshing, double writing) {
+  std::size_t facets = 0;
+  for (const MeshedObject& object : objects) facets += object.result.mesh.triangles.size();
+  JsonWriter json(2);
+  json.object([&] {
+    json.list("objects", objects, [&](const MeshedObject& object) { write(json, object); });
+    json.member("facets", facets);
+    json.object("milliseconds", [&] {
+      json.member("mesh", meshing);
+      json.member("write", writing);
+    });
+  });
+  return json.take() + "\n";
 }
 
 std::string number(double value) {
@@ -133,15 +162,7 @@ int run_mesh(const MeshArguments& arguments) {
     text += "  " + number(std::round(meshing)) + " ms\n";
     return print(text) ? exit_fine : exit_failed;
   }
-  Json out = {{"objects", Json::array()}};
-  std::size_t facets = 0;
-  for (const MeshedObject& object : *meshed) {
-    out["objects"].push_back(json_of(object));
-    facets += object.result.mesh.triangles.size();
-  }
-  out["facets"] = facets;
-  out["milliseconds"] = {{"mesh", meshing}, {"write", writing}};
-  return print(out.dump(2) + "\n") ? exit_fine : exit_failed;
+  return print(report_json(*meshed, meshing, writing)) ? exit_fine : exit_failed;
 }
 
 }  // namespace hariko

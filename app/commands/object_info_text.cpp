@@ -3,43 +3,59 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <nlohmann/json.hpp>
+#include <variant>
 
 #include "app/commands/object_info.hpp"
+#include "core/base/json_writer.hpp"
 
 namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+struct InfoMember;
 
-template <class T>
-Json value_or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
+/// What a key of the report says, in the same words for programs and for people.
+struct InfoValue {
+  std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
+               std::vector<InfoMember>>
+      state;
+
+  InfoValue() = default;
+  template <class T>
+  InfoValue(const T& value) {  // NOLINT: implicit on purpose
+    if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+      state = static_cast<std::int64_t>(value);
+    else if constexpr (std::is_convertible_v<T, const char*>)
+      state = std::string(value);
+    else
+      state = value;
+  }
+  template <class T>
+  InfoValue(const std::optional<T>& value) {  // NOLINT: implicit on purpose
+    if (value) *this = InfoValue(*value);
+  }
+};
+
+struct InfoMember {
+  std::string key;
+  InfoValue value;
+};
+using InfoMembers = std::vector<InfoMember>;
+
+InfoValue range_of(const std::optional<CurvatureRange>& range) {
+  if (!range) return {};
+  return std::vector<double>{range->least, range->greatest};
 }
 
-Json range_or_null(const std::optional<CurvatureRange>& range) {
-  return range ? Json::array({range->least, range->greatest}) : Json(nullptr);
+InfoMembers members_of(const SurfaceComparison& comparison) {
+  return {{"patches", comparison.patches},
+          {"unchanged", comparison.unchanged},
+          {"changed", comparison.changed},
+          {"unmatched", comparison.unmatched},
+          {"largest_distance", comparison.largest_distance}};
 }
 
-Json to_json(const Message& message) {
-  const std::string element = to_string(message.element);
-  return {{"code", std::string(message.code.name)},
-          {"severity", message.severity == Severity::error ? "error" : "warning"},
-          {"element", element.empty() ? Json(nullptr) : Json(element)},
-          {"text", message.remedy.empty() ? message.text : message.text + " " + message.remedy}};
-}
-
-Json to_json(const std::optional<SurfaceComparison>& comparison) {
-  if (!comparison) return nullptr;
-  return {{"patches", comparison->patches},
-          {"unchanged", comparison->unchanged},
-          {"changed", comparison->changed},
-          {"unmatched", comparison->unmatched},
-          {"largest_distance", value_or_null(comparison->largest_distance)}};
-}
-
-Json to_json(const OutlineInfo& outline) {
+InfoMembers members_of(const OutlineInfo& outline) {
   return {{"method", outline.method},
           {"loops", outline.loops},
           {"points", outline.points},
@@ -47,118 +63,171 @@ Json to_json(const OutlineInfo& outline) {
           {"gap", outline.gap}};
 }
 
-Json to_json(const EnvelopeInfo& envelope) {
-  Json out = {
+InfoMembers members_of(const EnvelopeInfo& envelope) {
+  InfoMembers out = {
       {"solids", envelope.solids},     {"method", envelope.method},    {"level", envelope.level},
       {"enclosed", envelope.enclosed}, {"worst", envelope.worst},      {"tested", envelope.tested},
       {"outside", envelope.outside},   {"folds", envelope.folds},      {"crossing", envelope.crossing},
       {"builds", envelope.builds},     {"symmetry", envelope.symmetry}};
   if (envelope.symmetry != "none") {
-    out["images"] = envelope.images;
-    out["symmetric"] = envelope.symmetric;
+    out.push_back({"images", envelope.images});
+    out.push_back({"symmetric", envelope.symmetric});
   }
   return out;
 }
 
-Json to_json(const SkinInfo& skin) {
-  Json extraordinary = Json::object();
-  for (const auto& [kind, count] : skin.extraordinary) extraordinary[kind] = count;
+InfoMembers members_of(const SkinInfo& skin) {
+  InfoMembers extraordinary;
+  for (const auto& [kind, count] : skin.extraordinary) extraordinary.push_back({kind, count});
   return {{"sections", skin.sections},
           {"method", skin.method},
           {"rows", skin.rows},
-          {"columns", skin.columns > 0 ? Json(skin.columns) : Json(nullptr)},
+          {"columns", skin.columns > 0 ? InfoValue(skin.columns) : InfoValue()},
           {"extraordinary", extraordinary},
           {"creases", skin.creases},
           {"regular_faces", skin.regular_faces},
-          {"condition", value_or_null(skin.condition)},
+          {"condition", skin.condition},
           {"section_miss", skin.section_miss}};
 }
 
-Json to_json(const ObjectInfo& info) {
-  Json out = {{"name", info.name},
-              {"kind", info.kind},
-              {"vertices", value_or_null(info.vertices)},
-              {"edges", value_or_null(info.edges)},
-              {"faces", value_or_null(info.faces)},
-              {"patches", value_or_null(info.patches)},
-              {"components", value_or_null(info.components)},
-              {"genus", value_or_null(info.genus)},
-              {"boundary_loops", value_or_null(info.boundary_loops)},
-              {"area", value_or_null(info.area)},
-              {"volume", value_or_null(info.volume)},
-              {"bending", value_or_null(info.bending)},
-              {"largest_gap", value_or_null(info.largest_gap)},
-              {"largest_normal_jump", value_or_null(info.largest_normal_jump)},
-              {"rms_curvature_jump", value_or_null(info.rms_curvature_jump)},
-              {"gauss_range", range_or_null(info.gauss_range)},
-              {"mean_range", range_or_null(info.mean_range)},
-              {"degenerate_samples", value_or_null(info.degenerate_samples)},
-              {"folded_samples", value_or_null(info.folded_samples)}};
-  if (info.envelope) out["envelope"] = to_json(*info.envelope);
-  if (info.skin) out["skin"] = to_json(*info.skin);
-  if (info.outline) out["outline"] = to_json(*info.outline);
-  if (info.against) out["against"] = to_json(*info.against);
-  out["messages"] = Json::array();
-  for (const Message& message : info.messages) out["messages"].push_back(to_json(message));
-  out["milliseconds"] = Json::object();
-  for (const auto& [step, time] : info.milliseconds) out["milliseconds"][step] = time;
+/// All but the messages and the times, in the order of the report.
+InfoMembers members_of(const ObjectInfo& info) {
+  InfoMembers out = {{"name", info.name},
+                     {"kind", info.kind},
+                     {"vertices", info.vertices},
+                     {"edges", info.edges},
+                     {"faces", info.faces},
+                     {"patches", info.patches},
+                     {"components", info.components},
+                     {"genus", info.genus},
+                     {"boundary_loops", info.boundary_loops},
+                     {"area", info.area},
+                     {"volume", info.volume},
+                     {"bending", info.bending},
+                     {"largest_gap", info.largest_gap},
+                     {"largest_normal_jump", info.largest_normal_jump},
+                     {"rms_curvature_jump", info.rms_curvature_jump},
+                     {"gauss_range", range_of(info.gauss_range)},
+                     {"mean_range", range_of(info.mean_range)},
+                     {"degenerate_samples", info.degenerate_samples},
+                     {"folded_samples", info.folded_samples}};
+  if (info.envelope) out.push_back({"envelope", members_of(*info.envelope)});
+  if (info.skin) out.push_back({"skin", members_of(*info.skin)});
+  if (info.outline) out.push_back({"outline", members_of(*info.outline)});
+  if (info.against)
+    out.push_back({"against", *info.against ? InfoValue(members_of(**info.against)) : InfoValue()});
   return out;
 }
 
-Json all_to_json(const std::vector<ObjectInfo>& objects) {
-  Json out = {{"objects", Json::array()}};
-  for (const ObjectInfo& info : objects) out["objects"].push_back(to_json(info));
+InfoMembers times_of(const ObjectInfo& info) {
+  InfoMembers out;
+  for (const auto& [step, time] : info.milliseconds) out.push_back({step, time});
   return out;
 }
 
-std::string dump(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+void write(JsonWriter& json, const InfoMembers& members);
+
+void write(JsonWriter& json, const InfoValue& value) {
+  std::visit(
+      [&](const auto& state) {
+        using T = std::decay_t<decltype(state)>;
+        if constexpr (std::is_same_v<T, std::monostate>)
+          json.value(nullptr);
+        else if constexpr (std::is_same_v<T, InfoMembers>)
+          write(json, state);
+        else
+          json.value(state);
+      },
+      value.state);
+}
+
+void write(JsonWriter& json, const InfoMembers& members) {
+  json.object([&] {
+    for (const InfoMember& member : members) {
+      json.key(member.key);
+      write(json, member.value);
+    }
+  });
+}
+
+void write(JsonWriter& json, const Message& message) {
+  const std::string element = to_string(message.element);
+  json.object([&] {
+    json.member("code", message.code.name);
+    json.member("severity", message.severity == Severity::error ? "error" : "warning");
+    json.member("element", element.empty() ? std::nullopt : std::optional(element));
+    json.member("text", message.remedy.empty() ? message.text : message.text + " " + message.remedy);
+  });
 }
 
 /// Six significant digits are enough to read; the JSON has them all.
-std::string readable(const Json& value) {
-  if (!value.is_number_float()) return value.is_null() ? "-" : dump(value, -1);
+std::string readable(const InfoValue& value) {
+  if (std::holds_alternative<std::monostate>(value.state)) return "-";
+  const double* real = std::get_if<double>(&value.state);
+  if (!real) {
+    JsonWriter json;
+    write(json, value);
+    return json.take();
+  }
   std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value.get<double>(),
-                                 std::chars_format::general, 6);
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), *real, std::chars_format::general, 6);
   return {digits.data(), end.ptr};
 }
 
-std::string line(const std::string& key, const Json& value) {
+std::string line(const InfoMember& member) {
   std::string text;
-  if (value.is_string())
-    text = value.get<std::string>();
-  else if (value.is_array())
-    text = readable(value[0]) + " .. " + readable(value[1]);
-  else if (value.is_object())
-    for (const auto& [step, time] : value.items())
-      text += (text.empty() ? "" : ", ") + step + " " + readable(time);
-  else
-    text = readable(value);
-  std::string label = key;
+  if (const auto* words = std::get_if<std::string>(&member.value.state)) {
+    text = *words;
+  } else if (const auto* range = std::get_if<std::vector<double>>(&member.value.state)) {
+    text = readable(range->front()) + " .. " + readable(range->back());
+  } else if (const auto* members = std::get_if<InfoMembers>(&member.value.state)) {
+    for (const InfoMember& inner : *members)
+      text += (text.empty() ? "" : ", ") + inner.key + " " + readable(inner.value);
+  } else {
+    text = readable(member.value);
+  }
+  std::string label = member.key;
   std::replace(label.begin(), label.end(), '_', ' ');
   label.resize(std::max<std::size_t>(label.size() + 2, 22), ' ');
   return label + text + "\n";
 }
 
+std::string text_of(const Message& message) {
+  std::string out = message.severity == Severity::error ? "error " : "warning ";
+  out += message.code.name;
+  if (const std::string element = to_string(message.element); !element.empty()) out += " (" + element + ")";
+  out += ": " + message.text;
+  return message.remedy.empty() ? out + "\n" : out + " " + message.remedy + "\n";
+}
+
 }  // namespace
 
 std::string info_json(const std::vector<ObjectInfo>& objects) {
-  return dump(all_to_json(objects), 2) + "\n";
+  JsonWriter json(2);
+  json.object([&] {
+    json.list("objects", objects, [&](const ObjectInfo& info) {
+      json.object([&] {
+        for (const InfoMember& member : members_of(info)) {
+          json.key(member.key);
+          write(json, member.value);
+        }
+        json.list("messages", info.messages, [&](const Message& message) { write(json, message); });
+        json.key("milliseconds");
+        write(json, times_of(info));
+      });
+    });
+  });
+  return json.take() + "\n";
 }
 
 std::string info_text(const std::vector<ObjectInfo>& objects) {
   std::string out;
-  const Json all = all_to_json(objects);
-  for (const Json& object : all["objects"]) {
+  for (const ObjectInfo& info : objects) {
     if (!out.empty()) out += "\n";
-    for (const auto& [key, value] : object.items())
-      if (key != "messages") out += line(key, value);
-    for (const Json& message : object["messages"]) {
-      out += message["severity"].get<std::string>() + " " + message["code"].get<std::string>();
-      if (!message["element"].is_null()) out += " (" + message["element"].get<std::string>() + ")";
-      out += ": " + message["text"].get<std::string>() + "\n";
-    }
+    for (const InfoMember& member : members_of(info)) out += line(member);
+    out += line({"milliseconds", times_of(info)});
+    for (const Message& message : info.messages) out += text_of(message);
   }
   return out.empty() ? "The document has no objects.\n" : out;
 }

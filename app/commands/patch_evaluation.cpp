@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
-#include "app/commands/vector_json.hpp"
 #include "core/analysis/continuity.hpp"
 #include "core/analysis/curvature.hpp"
 #include "core/analysis/measures.hpp"
 #include "core/base/assert.hpp"
+#include "core/base/json_writer.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/surface/tensor_bezier.hpp"
 
@@ -16,10 +15,8 @@ namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Corners, the middle, a point on a side, and two beside the diagonals.
-constexpr std::array<std::array<double, 2>, 8> samples{
+constexpr std::array<std::array<double, 2>, 8> square_samples{
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}, {0.5, 0}, {0.25, 0.5}, {0.7, 0.2}}};
 
 /// How a patch of the source is written down, and whether the surface has its parameters swapped.
@@ -40,28 +37,36 @@ std::vector<WrittenPatch> written_patches(const Object& object, const Surface& s
   return out;
 }
 
-Json patch_json(const Surface& surface, Index patch, const WrittenPatch& written) {
-  Json points = Json::array(), normals = Json::array(), gauss = Json::array(), mean = Json::array(),
-       principal = Json::array();
-  for (const auto& [s, t] : samples) {
+void write_patch(JsonWriter& json, const Surface& surface, Index patch, const WrittenPatch& written) {
+  struct Sample {
+    Vector3 position;
+    std::optional<Vector3> normal;
+    std::optional<Curvature> bent;
+  };
+  std::vector<Sample> at;
+  for (const auto& [s, t] : square_samples) {
     const Vector2 parameter = written.flipped ? Vector2(t, s) : Vector2(s, t);
-    const PatchPoint at = surface.patches().evaluate(patch, parameter, Order::second);
-    points.push_back(vector_json(surface.origin() + at.position));
+    const PatchPoint point = surface.patches().evaluate(patch, parameter, Order::second);
     const Vector3 normal = surface.normal(patch, parameter);
-    normals.push_back(normal.isZero(0) ? Json(nullptr) : vector_json(normal));
-    const auto bent = curvature(at);
-    gauss.push_back(bent ? Json(bent->gauss) : Json(nullptr));
-    mean.push_back(bent ? Json(bent->mean) : Json(nullptr));
-    principal.push_back(bent ? Json::array({bent->k1, bent->k2}) : Json(nullptr));
+    at.push_back({surface.origin() + point.position, normal.isZero(0) ? std::nullopt : std::optional(normal),
+                  curvature(point)});
   }
-  return {{"degree", {written.degree_s, written.degree_t}},
-          {"rational", written.rational},
-          {"flipped", written.flipped},
-          {"points", points},
-          {"normals", normals},
-          {"gauss", gauss},
-          {"mean", mean},
-          {"principal", principal}};
+  json.object([&] {
+    json.member("degree", {written.degree_s, written.degree_t});
+    json.member("rational", written.rational);
+    json.member("flipped", written.flipped);
+    json.list("points", at, [&](const Sample& sample) { json.value(sample.position); });
+    json.list("normals", at, [&](const Sample& sample) { json.value(sample.normal); });
+    json.list("gauss", at, [&](const Sample& sample) {
+      sample.bent ? json.value(sample.bent->gauss) : json.value(nullptr);
+    });
+    json.list("mean", at, [&](const Sample& sample) {
+      sample.bent ? json.value(sample.bent->mean) : json.value(nullptr);
+    });
+    json.list("principal", at, [&](const Sample& sample) {
+      sample.bent ? json.value({sample.bent->k1, sample.bent->k2}) : json.value(nullptr);
+    });
+  });
 }
 
 }  // namespace
@@ -72,25 +77,28 @@ Result<std::string> patch_evaluation_json(const Document& document, const Object
   if (!built.ok()) return built.error();
   const Surface& surface = built->surface;
   const std::vector<WrittenPatch> written = written_patches(object, surface);
-  Json at = Json::array(), patches = Json::array();
-  for (const auto& sample : samples) at.push_back(sample);
-  for (Index k = 0; k < surface.patch_count(); ++k) patches.push_back(patch_json(surface, k, written[k]));
   const auto smooth = std::count_if(surface.seams().begin(), surface.seams().end(),
                                     [](const Seam& seam) { return seam.intended != Continuity::g0; });
   const Measures measures = measure(surface);
   const ContinuityReport report = continuity(surface);
-  const Json out = {{"kind", kind_of(object.source)},
-                    {"seams", surface.seams().size()},
-                    {"smooth_seams", smooth},
-                    {"border_sides", surface.boundary_sides().size()},
-                    {"sample_st", at},
-                    {"patches", patches},
-                    {"metrics",
-                     {{"area", measures.area},
-                      {"bend", measures.bending},
-                      {"g1", report.largest_normal_jump.value_or(0.0)},
-                      {"gap", report.largest_gap}}}};
-  return out.dump(1) + "\n";
+  JsonWriter json(1);
+  json.object([&] {
+    json.member("kind", kind_of(object.source));
+    json.member("seams", surface.seams().size());
+    json.member("smooth_seams", smooth);
+    json.member("border_sides", surface.boundary_sides().size());
+    json.member("sample_st", square_samples);
+    json.array("patches", [&] {
+      for (Index k = 0; k < surface.patch_count(); ++k) write_patch(json, surface, k, written[k]);
+    });
+    json.object("metrics", [&] {
+      json.member("area", measures.area);
+      json.member("bend", measures.bending);
+      json.member("g1", report.largest_normal_jump.value_or(0.0));
+      json.member("gap", report.largest_gap);
+    });
+  });
+  return json.take() + "\n";
 }
 
 }  // namespace hariko

@@ -1,9 +1,6 @@
 #include "app/commands/skin_evaluation.hpp"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "app/commands/vector_json.hpp"
+#include "core/base/json_writer.hpp"
 #include "core/skinning/mesh_report.hpp"
 #include "core/skinning/regular_faces.hpp"
 
@@ -11,71 +8,79 @@ namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json figures_json(const SkinMesh& mesh) {
+void write_figures(JsonWriter& json, const SkinMesh& mesh) {
   const ControlMeshFigures got = figures(mesh.control.mesh);
-  Json extraordinary = Json::object();
-  for (const auto& [kind, count] : got.extraordinary) extraordinary[kind] = count;
-  return {{"vertices", got.vertices},
-          {"faces", got.faces},
-          {"edges", got.edges},
-          {"quads", got.quads},
-          {"tris", got.triangles},
-          {"ngons", got.polygons},
-          {"extraordinary", extraordinary},
-          {"boundary_vertices", got.boundary_vertices},
-          {"nonmanifold_edges", got.nonmanifold_edges},
-          {"euler", got.euler},
-          {"crease_edges", mesh.control.creases.size()},
-          {"corner_vertices", mesh.control.corners.size()},
-          {"regular_faces", regular_faces(mesh.control).size()}};
+  json.member("vertices", got.vertices);
+  json.member("faces", got.faces);
+  json.member("edges", got.edges);
+  json.member("quads", got.quads);
+  json.member("tris", got.triangles);
+  json.member("ngons", got.polygons);
+  json.object("extraordinary", [&] {
+    for (const auto& [kind, count] : got.extraordinary) json.member(kind, count);
+  });
+  json.member("boundary_vertices", got.boundary_vertices);
+  json.member("nonmanifold_edges", got.nonmanifold_edges);
+  json.member("euler", got.euler);
+  json.member("crease_edges", mesh.control.creases.size());
+  json.member("corner_vertices", mesh.control.corners.size());
+  json.member("regular_faces", regular_faces(mesh.control).size());
 }
 
-void add_control_mesh(const ControlMesh& control, Json& out) {
-  Json points = Json::array(), faces = Json::array(), creases = Json::array(), corners = Json::array();
-  for (const Vector3& p : control.mesh.positions) points.push_back(vector_json(p));
-  for (std::size_t f = 0; f < control.mesh.face_count(); ++f) {
-    Json face = Json::array();
-    for (const Index v : control.mesh.face(f)) face.push_back(v);
-    faces.push_back(face);
-  }
-  for (const ControlMesh::Crease& crease : control.creases)
-    creases.push_back({{"edge", {crease.a, crease.b}}, {"sharpness", crease.sharpness}});
-  for (const ControlMesh::Corner& corner : control.corners)
-    corners.push_back({{"vertex", corner.vertex}, {"sharpness", corner.sharpness}});
-  out["control"] = {{"points", points}, {"faces", faces}, {"creases", creases}, {"corners", corners}};
+void write(JsonWriter& json, const SectionMiss& miss) {
+  json.object([&] {
+    json.member("max", miss.largest);
+    json.member("rms", miss.root_mean_square);
+    json.member("same_parameter_max",
+                miss.same_parameter < 0 ? std::nullopt : std::optional(miss.same_parameter));
+  });
 }
 
-void add_lines(const SkinResult& result, Json& out) {
+void write_lines(JsonWriter& json, const SkinResult& result) {
   if (result.mesh.rows.empty()) {
-    out["params"] = result.mesh.parameters;
-    out["grid"] = {result.mesh.grid_rows, result.mesh.grid_columns};
+    json.member("params", result.mesh.parameters);
+    json.member("grid", {result.mesh.grid_rows, result.mesh.grid_columns});
     return;
   }
-  Json lines = Json::array();
-  for (const PlannedStrip& strip : result.plan.strips) {
-    Json pairs = Json::array();
-    for (const PointPair& line : strip.lines) pairs.push_back({line.a, line.b});
-    lines.push_back(pairs);
-  }
-  out["lines"] = lines;
-  out["rows"] = result.mesh.rows;
+  json.list("lines", result.plan.strips, [&](const PlannedStrip& strip) {
+    json.list(strip.lines, [&](const PointPair& line) { json.value({line.a, line.b}); });
+  });
+  json.member("rows", result.mesh.rows);
 }
 
-Json samples_json(const Surface& surface) {
+void write_control_mesh(JsonWriter& json, const ControlMesh& control) {
+  json.member("points", control.mesh.positions);
+  json.array("faces", [&] {
+    for (std::size_t f = 0; f < control.mesh.face_count(); ++f)
+      json.list(control.mesh.face(f), [&](Index v) { json.value(v); });
+  });
+  json.list("creases", control.creases, [&](const ControlMesh::Crease& crease) {
+    json.object([&] {
+      json.member("edge", {crease.a, crease.b});
+      json.member("sharpness", crease.sharpness);
+    });
+  });
+  json.list("corners", control.corners, [&](const ControlMesh::Corner& corner) {
+    json.object([&] {
+      json.member("vertex", corner.vertex);
+      json.member("sharpness", corner.sharpness);
+    });
+  });
+}
+
+void write_samples(JsonWriter& json, const Surface& surface) {
   const SubdivisionPatchSet& patches = *subdivision_patches(surface);
-  Json out = Json::array();
   for (Index v = 0; v < Index(patches.control_points().size()); ++v) {
     const Index node = patches.topology().vertex_node(v);
     if (node == no_index) continue;
     const Vector3& normal = surface.node_normal(node);
-    out.push_back({{"vertex", v},
-                   {"control", vector_json(patches.control_points()[v])},
-                   {"limit", vector_json(patches.limit_position(v))},
-                   {"normal", normal.isZero(0) ? Json(nullptr) : vector_json(normal)}});
+    json.object([&] {
+      json.member("vertex", v);
+      json.member("control", patches.control_points()[v]);
+      json.member("limit", patches.limit_position(v));
+      json.member("normal", normal.isZero(0) ? std::nullopt : std::optional<Vector3>(normal));
+    });
   }
-  return out;
 }
 
 }  // namespace
@@ -84,19 +89,17 @@ Result<std::string> skin_evaluation_json(const Skin& skin) {
   const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
   if (!made) return made.error();
   const SkinMesh& mesh = made->result.mesh;
-  Json out = figures_json(mesh);
-  const double condition = limit_condition(subdivision_patches(made->surface)->topology());
-  out["limit_cond"] = std::isfinite(condition) ? Json(condition) : Json(nullptr);
-  out["section_error"] = Json::array();
-  for (const SectionMiss& miss : section_misses(skin, mesh, made->surface))
-    out["section_error"].push_back(
-        {{"max", miss.largest},
-         {"rms", miss.root_mean_square},
-         {"same_parameter_max", miss.same_parameter < 0 ? Json(nullptr) : Json(miss.same_parameter)}});
-  add_lines(made->result, out);
-  add_control_mesh(mesh.control, out);
-  out["samples"] = samples_json(made->surface);
-  return out.dump(1) + "\n";
+  JsonWriter json(1);
+  json.object([&] {
+    write_figures(json, mesh);
+    json.member("limit_cond", limit_condition(subdivision_patches(made->surface)->topology()));
+    json.list("section_error", section_misses(skin, mesh, made->surface),
+              [&](const SectionMiss& miss) { write(json, miss); });
+    write_lines(json, made->result);
+    json.object("control", [&] { write_control_mesh(json, mesh.control); });
+    json.array("samples", [&] { write_samples(json, made->surface); });
+  });
+  return json.take() + "\n";
 }
 
 }  // namespace hariko

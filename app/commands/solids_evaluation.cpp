@@ -1,8 +1,6 @@
 #include "app/commands/solids_evaluation.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include "app/commands/vector_json.hpp"
+#include "core/base/json_writer.hpp"
 #include "core/envelope/envelope.hpp"
 #include "core/envelope/scene_symmetry.hpp"
 
@@ -10,38 +8,40 @@ namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// (w x, w y, w z, w) of a control point, about the document's origin.
-Json to_json(const Homogeneous& h, const Vector3& origin) {
-  return Json::array(
-      {h.x() + h.w() * origin.x(), h.y() + h.w() * origin.y(), h.z() + h.w() * origin.z(), h.w()});
+std::array<double, 4> about_origin(const Homogeneous& h, const Vector3& origin) {
+  return {h.x() + h.w() * origin.x(), h.y() + h.w() * origin.y(), h.z() + h.w() * origin.z(), h.w()};
 }
 
 /// The number of a placed solid, as the file has it: capsules make two of one, and images none.
-Json owner(Index solid, const EnvelopedScene& scene) {
-  return solid == no_index ? Json(nullptr) : Json(scene.image_of[scene.placed[solid].owner]);
+auto owner(Index solid, const EnvelopedScene& scene) {
+  return solid == no_index ? std::nullopt : std::optional(scene.image_of[scene.placed[solid].owner]);
 }
 
-void add_network(const CurveNetwork& network, const EnvelopeSurface& made, const EnvelopedScene& scene,
-                 Json& out) {
-  Json vertices = Json::array(), edges = Json::array(), faces = Json::array();
-  for (const CageVertex& v : network.cage.vertices)
-    vertices.push_back({{"position", vector_json(Vector3(v.position + made.origin))},
-                        {"normal", vector_json(v.normal)},
-                        {"owner", owner(v.solid, scene)}});
-  for (const NetworkCurve& curve : network.curves) {
-    Json control = Json::array();
-    for (const Homogeneous& h : curve.ribbon.curve) control.push_back(to_json(h, made.origin));
-    edges.push_back(
-        {{"ends", {curve.low, curve.high}}, {"primitive", curve.primitive}, {"control", control}});
-  }
-  for (const CageFace& face : network.cage.faces)
-    faces.push_back({{"loop", face.loop}, {"owner", owner(face.solid, scene)}});
-  out["vertices"] = vertices;
-  out["edges"] = edges;
-  out["faces"] = faces;
-  out["patches"] = network.patches.size();
+void write_network(JsonWriter& json, const CurveNetwork& network, const EnvelopeSurface& made,
+                   const EnvelopedScene& scene) {
+  json.list("vertices", network.cage.vertices, [&](const CageVertex& v) {
+    json.object([&] {
+      json.member("position", Vector3(v.position + made.origin));
+      json.member("normal", v.normal);
+      json.member("owner", owner(v.solid, scene));
+    });
+  });
+  json.list("edges", network.curves, [&](const NetworkCurve& curve) {
+    json.object([&] {
+      json.member("ends", {curve.low, curve.high});
+      json.member("primitive", curve.primitive);
+      json.list("control", curve.ribbon.curve,
+                [&](const Homogeneous& h) { json.value(about_origin(h, made.origin)); });
+    });
+  });
+  json.list("faces", network.cage.faces, [&](const CageFace& face) {
+    json.object([&] {
+      json.member("loop", face.loop);
+      json.member("owner", owner(face.solid, scene));
+    });
+  });
+  json.member("patches", network.patches.size());
 }
 
 }  // namespace
@@ -49,20 +49,22 @@ void add_network(const CurveNetwork& network, const EnvelopeSurface& made, const
 Result<std::string> solids_json(const SolidsSource& source) {
   const auto made = EnvelopeSurfacer().rebuild(*source.input);
   if (!made.ok()) return made.error();
-  Json out = Json::object();
-  if (made->network)
-    add_network(*made->network, *made, enveloped_scene(*source.input), out);
-  else
-    out["patches"] = made->surface.patch_count();
-  out["method"] = made->network ? "network" : "field";
-  if (source.input->settings.symmetry != SymmetryPlane::none) out["symmetric"] = made->symmetric;
-  out["level"] = made->level;
-  out["enclosed"] = made->enclosed;
-  out["worst_violation"] = made->check ? made->check->worst / made->diagonal : made->worst / made->diagonal;
-  out["folds"] = made->folds;
-  if (made->check) out["crossing"] = made->check->covered;
-  out["builds"] = made->builds;
-  return out.dump(1) + "\n";
+  JsonWriter json(1);
+  json.object([&] {
+    if (made->network)
+      write_network(json, *made->network, *made, enveloped_scene(*source.input));
+    else
+      json.member("patches", made->surface.patch_count());
+    json.member("method", made->network ? "network" : "field");
+    if (source.input->settings.symmetry != SymmetryPlane::none) json.member("symmetric", made->symmetric);
+    json.member("level", made->level);
+    json.member("enclosed", made->enclosed);
+    json.member("worst_violation", (made->check ? made->check->worst : made->worst) / made->diagonal);
+    json.member("folds", made->folds);
+    if (made->check) json.member("crossing", made->check->covered);
+    json.member("builds", made->builds);
+  });
+  return json.take() + "\n";
 }
 
 }  // namespace hariko

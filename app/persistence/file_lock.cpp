@@ -15,13 +15,14 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/json_writer.hpp"
 #include "core/base/printable.hpp"
 
 namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 using Outcome = FileLock::Attempt::Outcome;
 
 std::string first_line(const char* path) {
@@ -55,14 +56,16 @@ std::uint64_t start_of(std::int64_t process) {
 }
 
 std::string text_of(const LockOwner& owner) {
-  return Json{{"host", owner.host},
-              {"user", owner.user},
-              {"boot", owner.boot},
-              {"process", owner.process},
-              {"process_start", owner.process_start},
-              {"since", owner.since}}
-             .dump() +
-         "\n";
+  JsonWriter json;
+  json.object([&] {
+    json.member("host", owner.host);
+    json.member("user", owner.user);
+    json.member("boot", owner.boot);
+    json.member("process", owner.process);
+    json.member("process_start", owner.process_start);
+    json.member("since", owner.since);
+  });
+  return json.take() + "\n";
 }
 
 std::optional<LockOwner> read_owner(int descriptor) {

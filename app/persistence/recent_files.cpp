@@ -6,12 +6,13 @@
 
 #include "core/base/file_io.hpp"
 #include "core/base/file_uri.hpp"
+#include "core/base/json_writer.hpp"
 
 namespace hariko {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 constexpr std::uint64_t largest_file = 1 << 20;  // bytes
 
 }  // namespace
@@ -49,12 +50,18 @@ Result<Done> RecentFiles::touch(const std::filesystem::path& path, std::int64_t 
   std::erase_if(entries, [&](const RecentEntry& entry) { return entry.path == path; });
   entries.insert(entries.begin(), {path, now});
   if (entries.size() > most) entries.resize(most);
-  Json list = Json::array();
-  for (const RecentEntry& entry : entries)
-    list.push_back({{"uri", file_uri(entry.path)}, {"used_at", entry.used_at}});
+  JsonWriter json(2);
+  json.object([&] {
+    json.list("recent", entries, [&](const RecentEntry& entry) {
+      json.object([&] {
+        json.member("uri", file_uri(entry.path));
+        json.member("used_at", entry.used_at);
+      });
+    });
+  });
   std::error_code unknown;  // writing says what is wrong
   std::filesystem::create_directories(file_.parent_path(), unknown);
-  return write_file_atomic(file_, Json{{"recent", list}}.dump(2) + "\n");
+  return write_file_atomic(file_, json.take() + "\n");
 }
 
 }  // namespace hariko

@@ -19,7 +19,7 @@ namespace hariko {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr std::uint64_t largest_settings = 1 << 20;  // bytes
 constexpr const char *exports_member = "exports", *cad_member = "cad", *picture_member = "picture",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/file_uri.hpp"
+#include "core/base/json_writer.hpp"
 #include "core/base/printable.hpp"
 #include "core/document/format.hpp"
 
@@ -16,7 +17,7 @@ namespace hariko {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr std::string_view copy_begin = "copy-", copy_end = ".hariko";
 constexpr const char* note_name = "recovery.json";
@@ -67,19 +68,23 @@ struct NotedCopy {
   std::uint64_t generation = 0, bytes_sum = 0;
 };
 
-Json json_of(const FileStamp& stamp) {
-  return {
-      {"size", stamp.size}, {"modified", stamp.modified}, {"device", stamp.device}, {"inode", stamp.inode}};
-}
-
 std::string text_of(const NotedCopy& noted) {
-  Json json{{"hariko_recovery", note_version},
-            {"copy", noted.generation},
-            {"checksum", noted.bytes_sum},
-            {"written_at", noted.note.written_at}};
-  if (!noted.note.original.empty()) json["original"] = file_uri(noted.note.original);
-  if (noted.note.original_stamp) json["original_stamp"] = json_of(*noted.note.original_stamp);
-  return json.dump(2) + "\n";
+  JsonWriter json(2);
+  json.object([&] {
+    json.member("hariko_recovery", note_version);
+    json.member("copy", noted.generation);
+    json.member("checksum", noted.bytes_sum);
+    json.member("written_at", noted.note.written_at);
+    if (!noted.note.original.empty()) json.member("original", file_uri(noted.note.original));
+    if (const auto& stamp = noted.note.original_stamp)
+      json.object("original_stamp", [&] {
+        json.member("size", stamp->size);
+        json.member("modified", stamp->modified);
+        json.member("device", stamp->device);
+        json.member("inode", stamp->inode);
+      });
+  });
+  return json.take() + "\n";
 }
 
 template <class Number>

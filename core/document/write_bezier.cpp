@@ -4,7 +4,7 @@ namespace hariko::detail {
 
 namespace {
 
-void write_patch(JsonWriter& out, const BezierPatch& patch) {
+void write_patch(DocumentText& out, const BezierPatch& patch) {
   out.open('{');
   out.key("degree");
   out.row(2, [&](std::size_t i) { out.number(std::uint32_t(i == 0 ? patch.degree_s : patch.degree_t)); });
@@ -24,7 +24,7 @@ void write_patch(JsonWriter& out, const BezierPatch& patch) {
 
 }  // namespace
 
-void write_source(JsonWriter& out, const BezierSource& source) {
+void write_source(DocumentText& out, const BezierSource& source) {
   out.open('{');
   out.key("kind");
   out.string("bezier");

@@ -1,15 +1,15 @@
 #include <array>
 
+#include "core/document/document_text.hpp"
 #include "core/document/format.hpp"
 #include "core/document/format_names.hpp"
-#include "core/document/json_writer.hpp"
 #include "core/document/write_paper.hpp"
 #include "core/document/write_source.hpp"
 
 namespace hariko {
 namespace {
 
-using Writer = detail::JsonWriter;
+using Writer = detail::DocumentText;
 using detail::write_source;
 
 void write_shaping(Writer& out, const Shaping& shaping) {

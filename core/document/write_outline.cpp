@@ -5,7 +5,7 @@ namespace hariko::detail {
 
 namespace {
 
-void write_loop(JsonWriter& out, const OutlineLoop& loop) {
+void write_loop(DocumentText& out, const OutlineLoop& loop) {
   out.open('{');
   out.key("points");
   out.vectors(loop.points);
@@ -20,7 +20,7 @@ void write_loop(JsonWriter& out, const OutlineLoop& loop) {
 
 }  // namespace
 
-void write_source(JsonWriter& out, const OutlineSource& source) {
+void write_source(DocumentText& out, const OutlineSource& source) {
   const OutlineSettings& settings = source.settings;
   out.open('{');
   out.key("kind");

@@ -6,7 +6,7 @@ namespace hariko::detail {
 
 namespace {
 
-void write_settings(JsonWriter& out, const PaperSettings& settings) {
+void write_settings(DocumentText& out, const PaperSettings& settings) {
   const auto number = [&](std::string_view name, double value, bool first = false) {
     if (!first) out.raw(", ");
     out.string(name);
@@ -32,7 +32,7 @@ void write_settings(JsonWriter& out, const PaperSettings& settings) {
 
 /// [object, vertex] of a reference mesh; [object, "face", id, side, u, v] of a surface, with two ids for an
 /// edge.
-void write_vertex(JsonWriter& out, const PaperVertex& vertex) {
+void write_vertex(DocumentText& out, const PaperVertex& vertex) {
   out.raw("[");
   out.number(vertex.object.value);
   const auto next = [&](auto value) {
@@ -54,7 +54,7 @@ void write_vertex(JsonWriter& out, const PaperVertex& vertex) {
 }
 
 template <class Row>
-void write_placed(JsonWriter& out, const Row& corners, const PaperPlace& place) {
+void write_placed(DocumentText& out, const Row& corners, const PaperPlace& place) {
   const std::size_t n = corners.size();
   out.row(n + 4, [&](std::size_t i) {
     if (i < n)
@@ -68,7 +68,7 @@ void write_placed(JsonWriter& out, const Row& corners, const PaperPlace& place) 
 
 }  // namespace
 
-void write_paper(JsonWriter& out, const PaperModel& paper) {
+void write_paper(DocumentText& out, const PaperModel& paper) {
   out.open('{');
   out.key("objects");
   out.row(paper.objects.size(), [&](std::size_t i) { out.number(paper.objects[i].value); });

@@ -5,7 +5,7 @@ namespace hariko::detail {
 
 namespace {
 
-void write_curve(JsonWriter& out, std::string_view name, const SubdivisionCurve& curve) {
+void write_curve(DocumentText& out, std::string_view name, const SubdivisionCurve& curve) {
   out.key(name);
   out.open('{');
   out.key("points");
@@ -22,7 +22,7 @@ void write_curve(JsonWriter& out, std::string_view name, const SubdivisionCurve&
   out.close('}');
 }
 
-void write_section(JsonWriter& out, const SkinSection& section) {
+void write_section(DocumentText& out, const SkinSection& section) {
   out.open('{');
   out.key("id");
   out.number(section.id);
@@ -56,14 +56,14 @@ void write_section(JsonWriter& out, const SkinSection& section) {
   out.close('}');
 }
 
-void write_strip(JsonWriter& out, std::uint32_t id, std::uint32_t first, std::uint32_t second) {
+void write_strip(DocumentText& out, std::uint32_t id, std::uint32_t first, std::uint32_t second) {
   out.raw("{\"id\": ");
   out.number(id);
   out.raw(", \"sections\": ");
   out.row(2, [&](std::size_t i) { out.number(i == 0 ? first : second); });
 }
 
-void write_link(JsonWriter& out, const SkinLink& link) {
+void write_link(DocumentText& out, const SkinLink& link) {
   write_strip(out, link.id, link.first, link.second);
   out.raw(", \"a\": ");
   out.numbers(link.a);
@@ -74,7 +74,7 @@ void write_link(JsonWriter& out, const SkinLink& link) {
   out.raw("}");
 }
 
-void write_merge(JsonWriter& out, const SkinMerge& merge) {
+void write_merge(DocumentText& out, const SkinMerge& merge) {
   write_strip(out, merge.id, merge.first, merge.second);
   out.raw(", \"side\": ");
   out.string(name_of(merge.side, strip_side_names));
@@ -88,7 +88,7 @@ void write_merge(JsonWriter& out, const SkinMerge& merge) {
   out.raw("}");
 }
 
-void write_smooth(JsonWriter& out, const SmoothOptions& options) {
+void write_smooth(DocumentText& out, const SmoothOptions& options) {
   out.key("smooth");
   out.open('{');
   out.key("columns");
@@ -103,7 +103,7 @@ void write_smooth(JsonWriter& out, const SmoothOptions& options) {
   out.close('}');
 }
 
-void write_pleat(JsonWriter& out, const PleatOptions& options) {
+void write_pleat(DocumentText& out, const PleatOptions& options) {
   out.key("pleat");
   out.open('{');
   out.key("rows");
@@ -125,7 +125,7 @@ void write_pleat(JsonWriter& out, const PleatOptions& options) {
 
 }  // namespace
 
-void write_source(JsonWriter& out, const SkinSource& source) {
+void write_source(DocumentText& out, const SkinSource& source) {
   const Skin& skin = *source.skin;
   out.open('{');
   out.key("kind");

@@ -5,7 +5,7 @@ namespace hariko::detail {
 
 namespace {
 
-void write_solid(JsonWriter& out, const Solid& solid) {
+void write_solid(DocumentText& out, const Solid& solid) {
   const auto number = [&](std::string_view name, double value) {
     out.raw(", \"");
     out.raw(name);
@@ -56,7 +56,7 @@ void write_solid(JsonWriter& out, const Solid& solid) {
 
 }  // namespace
 
-void write_source(JsonWriter& out, const SolidsSource& source) {
+void write_source(DocumentText& out, const SolidsSource& source) {
   const EnvelopeSettings& settings = source.input->settings;
   out.open('{');
   out.key("kind");

@@ -2,13 +2,13 @@
 
 // Writing Bezier patches, solids, sections and outlines into the text of a document.
 
-#include "core/document/json_writer.hpp"
+#include "core/document/document_text.hpp"
 
 namespace hariko::detail {
 
-void write_source(JsonWriter& out, const BezierSource& source);
-void write_source(JsonWriter& out, const SolidsSource& source);
-void write_source(JsonWriter& out, const SkinSource& source);
-void write_source(JsonWriter& out, const OutlineSource& source);
+void write_source(DocumentText& out, const BezierSource& source);
+void write_source(DocumentText& out, const SolidsSource& source);
+void write_source(DocumentText& out, const SkinSource& source);
+void write_source(DocumentText& out, const OutlineSource& source);
 
 }  // namespace hariko::detail

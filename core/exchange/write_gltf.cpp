@@ -3,8 +3,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <optional>
 
+#include "core/base/json_writer.hpp"
 #include "core/exchange/file_space.hpp"
 #include "core/exchange/gltf_container.hpp"
 #include "core/exchange/single_normals.hpp"
@@ -14,8 +15,6 @@
 
 namespace hariko {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Numbers of the glTF 2.0 specification.
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
@@ -47,6 +46,72 @@ double linear(std::uint8_t channel) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
+/// A part of the binary chunk: one view and one accessor of the file have the same number.
+struct Accessor {
+  std::size_t begin = 0, size = 0;  ///< bytes
+  std::size_t count = 0;            ///< elements
+  int component = 0, target = 0;
+  const char* type = "";
+  std::optional<std::array<Vector3, 2>> bounds;
+};
+
+/// A node with a mesh and a material of the same number.
+struct Part {
+  std::string name;
+  Vector3 place;
+  std::array<double, 3> colour{};  ///< linear
+  std::size_t positions = 0, indices = 0;
+  std::optional<std::size_t> normals;
+};
+
+void write_mesh(JsonWriter& json, const Part& part, std::size_t material) {
+  json.object([&] {
+    json.member("name", part.name);
+    json.array("primitives", [&] {
+      json.object([&] {
+        json.object("attributes", [&] {
+          json.member("POSITION", part.positions);
+          if (part.normals) json.member("NORMAL", *part.normals);
+        });
+        json.member("indices", part.indices);
+        json.member("material", material);
+      });
+    });
+  });
+}
+
+void write_material(JsonWriter& json, const Part& part) {
+  json.object([&] {
+    json.object("pbrMetallicRoughness", [&] {
+      json.member("baseColorFactor", {part.colour[0], part.colour[1], part.colour[2], 1.0});
+      json.member("metallicFactor", 0.0);
+      json.member("roughnessFactor", 0.6);
+    });
+    json.member("doubleSided", true);
+  });
+}
+
+void write_accessor(JsonWriter& json, const Accessor& accessor, std::size_t view) {
+  json.object([&] {
+    json.member("bufferView", view);
+    json.member("componentType", accessor.component);
+    json.member("count", accessor.count);
+    json.member("type", accessor.type);
+    if (!accessor.bounds) return;
+    json.member("min", (*accessor.bounds)[0]);
+    json.member("max", (*accessor.bounds)[1]);
+  });
+}
+
+void write_view(JsonWriter& json, const Accessor& accessor) {
+  json.object([&] {
+    json.member("buffer", 0);
+    json.member("byteOffset", accessor.begin);
+    json.member("byteLength", accessor.size);
+    json.member("target", accessor.target);
+  });
+}
+
 class GltfWriter {
  public:
   explicit GltfWriter(double metres_per_unit) : space_{metres_per_unit, UpAxis::y} {}
@@ -54,38 +119,27 @@ class GltfWriter {
   Result<Done> add(const std::string& name, const std::array<std::uint8_t, 3>& colour, const Vector3& origin,
                    const VertexTriangles& mesh) {
     if (mesh.triangles.empty()) return Done{};
-    Json primitive = {{"attributes", Json::object()}};
     const auto positions = add_vectors(mesh.positions, space_.factor, true);
     if (!positions) return positions.error();
-    primitive["attributes"]["POSITION"] = *positions;
-    if (!mesh.normals.empty()) primitive["attributes"]["NORMAL"] = *add_vectors(mesh.normals, 1, false);
-    primitive["indices"] = add_indices(mesh.triangles);
-    primitive["material"] = materials_.size();
-    materials_.push_back(
-        {{"pbrMetallicRoughness",
-          {{"baseColorFactor", {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1.0}},
-           {"metallicFactor", 0.0},
-           {"roughnessFactor", 0.6}}},
-         {"doubleSided", true}});
+    Part part;
+    part.name = name;
     // Floats are fine enough beside the object's own origin, which is a double.
-    const Vector3 place = space_.placed(origin);
-    if (!place.allFinite()) return too_large();
-    nodes_.push_back(
-        {{"name", name}, {"mesh", meshes_.size()}, {"translation", {place.x(), place.y(), place.z()}}});
-    meshes_.push_back({{"name", name}, {"primitives", Json::array({primitive})}});
+    part.place = space_.placed(origin);
+    if (!part.place.allFinite()) return too_large();
+    part.colour = {linear(colour[0]), linear(colour[1]), linear(colour[2])};
+    part.positions = *positions;
+    if (!mesh.normals.empty()) part.normals = *add_vectors(mesh.normals, 1, false);
+    part.indices = add_indices(mesh.triangles);
+    parts_.push_back(std::move(part));
     return Done{};
   }
 
   Result<std::string> take(GltfForm form) {
-    if (form == GltfForm::text) {
-      Json root = root_object();
-      if (!nodes_.empty())
-        root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(binary_);
-      return root.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
-    }
-    std::string text = root_object().dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (form == GltfForm::text)
+      return root_text(1, "data:application/octet-stream;base64," + base64(binary_)) + '\n';
+    std::string text = root_text(-1, {});
     while (text.size() % 4 != 0) text += ' ';
-    const std::size_t binary = nodes_.empty() ? 0 : glb_chunk_header_size + binary_.size();
+    const std::size_t binary = parts_.empty() ? 0 : glb_chunk_header_size + binary_.size();
     const std::size_t total = glb_header_size + glb_chunk_header_size + text.size() + binary;
     if (total > 0xffffffffU)
       return make_error(e_limit, "A glTF file has at most 4 GB.", "Choose a larger tolerance.");
@@ -95,29 +149,59 @@ class GltfWriter {
          {magic, version, std::uint32_t(total), std::uint32_t(text.size()), json_chunk})
       append_word(out, word);
     out += text;
-    if (nodes_.empty()) return out;
+    if (parts_.empty()) return out;
     append_word(out, std::uint32_t(binary_.size()));
     append_word(out, binary_chunk);
     return out + binary_;
   }
 
  private:
-  Json root_object() const {
-    Json scene = Json::array();
-    for (std::size_t i = 0; i < nodes_.size(); ++i) scene.push_back(i);
-    Json root = {{"asset", {{"version", "2.0"}, {"generator", "Hariko"}}}, {"scene", 0}};
-    root["scenes"] = Json::array({Json{{"nodes", scene}}});
-    if (!nodes_.empty()) {
-      root["nodes"] = nodes_;
-      root["meshes"] = meshes_;
-      root["materials"] = materials_;
-      root["accessors"] = accessors_;
-      root["bufferViews"] = views_;
-      root["buffers"] = Json::array({Json{{"byteLength", binary_.size()}}});
-    } else {
-      root["scenes"][0].erase("nodes");
-    }
-    return root;
+  /// `uri`: of the buffer; empty where it is the file's own binary chunk.
+  std::string root_text(int indent, const std::string& uri) const {
+    JsonWriter json(indent);
+    json.object([&] {
+      json.object("asset", [&] {
+        json.member("version", "2.0");
+        json.member("generator", "Hariko");
+      });
+      json.member("scene", 0);
+      json.array("scenes", [&] {
+        json.object([&] {
+          if (parts_.empty()) return;
+          json.array("nodes", [&] {
+            for (std::size_t i = 0; i < parts_.size(); ++i) json.value(i);
+          });
+        });
+      });
+      if (!parts_.empty()) write_parts(json, uri);
+    });
+    return json.take();
+  }
+  void write_parts(JsonWriter& json, const std::string& uri) const {
+    const auto each = [&](const char* name, const auto& entries, const auto& write) {
+      json.array(name, [&] {
+        for (std::size_t i = 0; i < entries.size(); ++i) write(entries[i], i);
+      });
+    };
+    each("nodes", parts_, [&](const Part& part, std::size_t i) {
+      json.object([&] {
+        json.member("name", part.name);
+        json.member("mesh", i);
+        json.member("translation", part.place);
+      });
+    });
+    each("meshes", parts_, [&](const Part& part, std::size_t i) { write_mesh(json, part, i); });
+    each("materials", parts_, [&](const Part& part, std::size_t) { write_material(json, part); });
+    each("accessors", accessors_,
+         [&](const Accessor& accessor, std::size_t i) { write_accessor(json, accessor, i); });
+    each("bufferViews", accessors_,
+         [&](const Accessor& accessor, std::size_t) { write_view(json, accessor); });
+    json.array("buffers", [&] {
+      json.object([&] {
+        json.member("byteLength", binary_.size());
+        if (!uri.empty()) json.member("uri", uri);
+      });
+    });
   }
 
   static Message too_large() {
@@ -128,10 +212,7 @@ class GltfWriter {
   /// Adds an accessor of a part of the binary chunk that begins at `begin`.
   std::size_t add_accessor(std::size_t begin, std::size_t count, int component, const char* type,
                            int target) {
-    views_.push_back(
-        {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary_.size() - begin}, {"target", target}});
-    accessors_.push_back(
-        {{"bufferView", views_.size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
+    accessors_.push_back({begin, binary_.size() - begin, count, component, target, type, {}});
     return accessors_.size() - 1;
   }
 
@@ -146,10 +227,7 @@ class GltfWriter {
       for (int axis = 0; axis < 3; ++axis) append_word(binary_, std::bit_cast<std::uint32_t>(f[axis]));
     }
     const std::size_t accessor = add_accessor(begin, vectors.size(), float_component, "VEC3", vertex_buffer);
-    if (bounded) {
-      accessors_[accessor]["min"] = {low.x(), low.y(), low.z()};
-      accessors_[accessor]["max"] = {high.x(), high.y(), high.z()};
-    }
+    if (bounded) accessors_[accessor].bounds = {{low.cast<double>(), high.cast<double>()}};
     return accessor;
   }
 
@@ -162,8 +240,8 @@ class GltfWriter {
 
   FileSpace space_;
   std::string binary_;
-  Json nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array();
-  Json accessors_ = Json::array(), views_ = Json::array();
+  std::vector<Part> parts_;
+  std::vector<Accessor> accessors_;
 };
 
 }  // namespace

@@ -92,10 +92,12 @@ std::optional<std::string> violation(const std::string& file, const std::string&
   if (forbidden != forbidden_beginnings().end() && begins_with_any(target, forbidden->second))
     return layer + " must not include " + target;
   if (fs::path(file).extension() == ".hpp" &&
-      begins_with_any(target, {"Eigen/Sparse", "nlohmann/json.hpp", "tbb/", "oneapi/"}))
+      begins_with_any(target, {"Eigen/Sparse", "nlohmann/json.hpp", "CLI/", "tbb/", "oneapi/"}))
     return target + " is kept out of headers: it slows every build down";
   if (target.ends_with(".hxx") && !file.starts_with("core/cad/kernel/opencascade/"))
     return "core/cad/kernel/opencascade is the only folder that knows OpenCASCADE";
+  if (target.starts_with("CLI/") && !file.starts_with("app/commands/command_line/"))
+    return "app/commands/command_line is the only folder that knows CLI11";
   if (begins_with_any(target, {"tbb/", "oneapi/"}) && file != "core/base/parallel.cpp")
     return "core/base/parallel.cpp is the only door to the thread library";
   return core_violation(file, target);
@@ -218,6 +220,9 @@ TEST(Includes, TheRulesFindWhatTheyForbid) {
   EXPECT_TRUE(refused("core/network/x.hpp", "Eigen/Sparse"));
   EXPECT_TRUE(refused("core/network/x.hpp", "Eigen/SparseCholesky"));
   EXPECT_TRUE(refused("app/x.hpp", "nlohmann/json.hpp"));
+  EXPECT_TRUE(refused("app/commands/command_line/x.hpp", "CLI/CLI.hpp"));
+  EXPECT_TRUE(refused("app/x.cpp", "CLI/CLI.hpp"));
+  EXPECT_FALSE(refused("app/commands/command_line/x.cpp", "CLI/CLI.hpp"));
   EXPECT_TRUE(refused("core/network/x.cpp", "tbb/parallel_for.h"));
   EXPECT_TRUE(refused("core/cad/x.cpp", "TopoDS.hxx"));
   EXPECT_TRUE(refused("core/cad/kernel/cad_file.hpp", "gp_Pnt.hxx"));

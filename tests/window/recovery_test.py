@@ -121,6 +121,39 @@ def crash_and_recover(program, model, folder, output):
         check(window.quit() == 0, "the program did not end well")
 
 
+def report_of_a_crash(program, model, folder, output):
+    """A crash leaves a report beside the log, and the next start offers it above the work."""
+    home = os.path.join(folder, "report")
+    state = os.path.join(home, "state", "hariko")
+    autosave_every_second(home)
+    with opened(program, model, home=home) as window:
+        edit_and_autosave(window)
+        window.program.send_signal(signal.SIGSEGV)
+        window.program.wait(timeout=20)
+        window.errors.seek(0)
+        if "AddressSanitizer" in window.errors.read():
+            return  # which reports crashes itself
+        report = read(os.path.join(state, f"crash-{window.program.pid}.txt")).decode()
+    for part in ("hariko crashed: SEGV\n", " UTC\n", "\nHariko ", "\nOpenGL ", "\nDear ImGui "):
+        check(part in report, f"the report does not say {part!r}: {report}")
+    log = read(os.path.join(state, "log.txt")).decode()
+    for part in (" start Hariko ", ", model.hariko, ", " opengl OpenGL ", " opened model.hariko\n"):
+        check(part in log, f"the log does not say {part!r}: {log}")
+    check(folder not in log, f"the log names the user's folders: {log}")
+
+    with opened(program, home=home, size=(1280, 800)) as window:
+        window.rect("crash.dismiss")
+        window.rect("recovery.recover")
+        window.wait_idle()
+        window.screenshot(os.path.join(output, "crash_start_page.png"))
+        answer(window, "crash.dismiss")
+        window.wait(lambda: "crash.dismiss" not in window.last("layout")["rects"], "the report to go")
+        check("recovery.recover" in window.last("layout")["rects"], "the work went with the report")
+        check(os.path.exists(os.path.join(state, "crash.txt")), "the report that was seen is not kept")
+        check(window.quit() == 0, "the program did not end well")
+    check(b" end 0\n" in read(os.path.join(state, "log.txt")), "the log does not know that the program ended well")
+
+
 def signals(program, model, folder, output):
     """SIGTERM and the end of the display: the work of less than a second ago is written."""
     del output
@@ -182,7 +215,7 @@ def session(program, source, output):
     with tempfile.TemporaryDirectory() as folder:
         model = os.path.join(folder, "model.hariko")
         only = os.environ.get("HARIKO_ONLY")
-        for part in (crash_and_recover, signals, two_windows):
+        for part in (crash_and_recover, report_of_a_crash, signals, two_windows):
             if only and part.__name__ not in only.split(","):
                 continue
             shutil.copy(os.path.join(samples, "cube.hariko"), model)

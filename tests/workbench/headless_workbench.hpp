@@ -138,6 +138,8 @@ class HeadlessWorkbench {
     complete(actions.add_section);
     complete(actions.recover);
     complete(actions.discard_recovery);
+    complete(actions.dismiss_crash);
+    complete(actions.show_log_folder);
     complete(actions.record);
     complete(actions.stop_recording);
     complete(actions.picture_samples);

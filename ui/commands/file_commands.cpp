@@ -37,7 +37,8 @@ void add_file_commands(CommandHost& host) {
              "Open unsaved work of a session that ended without saving.", "", "", false, false,
              [&workbench] { workbench.show_recoveries(); },
              [&workbench]() -> Reason {
-               if (!workbench.offers().recoveries.empty()) return {};
+               const Offers& offers = workbench.offers();
+               if (offers.crash || !offers.recoveries.empty()) return {};
                return "There is no unsaved work of an earlier session.";
              }});
   table.add({"file.save", "File", "Save", "Save the document.", "Ctrl+S", icon::save, false, false,
@@ -63,9 +64,10 @@ void add_file_commands(CommandHost& host) {
       {"file.export_cad", "File", "Export for CAD\u2026",
        "Write the surfaces as STEP or IGES: splines with common edges, and solids where they are closed.", "",
        "", false, false, [&workbench] { workbench.files().export_cad(); },
-       [document]() -> Reason {
+       [document, &editor]() -> Reason {
          if (auto reason = document()) return reason;
-         if (const auto missing = why_no_cad_files()) return missing->text;
+         if (const auto missing = why_no_cad_files())
+           return editor.language.text_of(*missing) + " " + editor.language.remedy_of(*missing);
          return {};
        }});
   table.add({"file.export_control", "File", "Export control meshes\u2026",

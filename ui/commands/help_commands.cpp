@@ -1,22 +1,15 @@
 // Commands that help to find things: the palette, the cheat sheet, preferences, and what this program is.
 
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "render/renderer.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
+#include "ui/system_information.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
 
 namespace {
-
-/// What a report about a mistake needs, in English whatever the language.
-std::string system_information() {
-  return fill("Hariko {0}\n{1}\nGLFW {2}\nDear ImGui {3}",
-              {HARIKO_VERSION, describe_gl(), glfwGetVersionString(), ImGui::GetVersion()});
-}
 
 constexpr const char* libraries =
     "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), Eigen (MPL 2.0), oneTBB "
@@ -65,6 +58,9 @@ void add_help_commands(CommandHost& host) {
                if (editor.recording) return {};
                return translatable("No replay is being recorded.");
              }});
+  table.add({"help.log", translatable("Help"), translatable("Open the log folder"),
+             translatable("Show the files that a report about a mistake of the program needs."), "", "",
+             false, false, [&workbench] { workbench.show_log_folder(); }});
   table.add({"help.about", translatable("Help"), translatable("About Hariko"),
              translatable("Version, graphics driver and licences."), "", icon::info, false, true,
              [&workbench, &editor] { show_about(workbench, editor.language); }});

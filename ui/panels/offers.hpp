@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct RecoveryOffer {
   float aspect = 4.0F / 3;        ///< of the picture
 };
 
+/// A session that ended by a mistake of the program.
+struct CrashOffer {
+  std::int64_t at = 0;  ///< seconds since 1970, UTC
+  std::string report;   ///< what a report about the mistake needs, for the clipboard
+};
+
 struct RecentFile {
   std::filesystem::path path;
   std::int64_t used_at = 0;       ///< seconds since 1970, UTC; opened or saved
@@ -32,6 +39,7 @@ struct RecentFile {
 };
 
 struct Offers {
+  std::optional<CrashOffer> crash;        ///< until it is dismissed
   std::vector<RecoveryOffer> recoveries;  ///< latest first
   std::vector<RecentFile> recent;         ///< latest first; files that are gone are left out
 };

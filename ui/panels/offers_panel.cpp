@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "ui/icons.hpp"
+#include "ui/panels/crash_offer.hpp"
 #include "ui/panels/sample_cards.hpp"
 
 namespace hariko {
@@ -144,7 +145,9 @@ void OffersDialog::draw(PanelContext& context) {
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y - m.px(80)});
-  const std::string title = std::string(recovery                ? tr("Unsaved work of an earlier session")
+  const bool crash_alone = context.offers.crash && context.offers.recoveries.empty();
+  const std::string title = std::string(recovery && crash_alone ? tr("Report of a crash")
+                                        : recovery              ? tr("Unsaved work of an earlier session")
                                         : kind_ == Kind::recent ? tr("Recent files")
                                                                 : tr("Samples")) +
                             id;
@@ -152,8 +155,9 @@ void OffersDialog::draw(PanelContext& context) {
     return;
   const float inner = ImGui::GetContentRegionAvail().x;
   if (recovery) {
+    draw_crash_offer(context, inner);
     draw_recovery_offers(context, inner);
-    if (context.offers.recoveries.empty()) open_ = false;
+    if (!context.offers.crash && context.offers.recoveries.empty()) open_ = false;
   } else if (kind_ == Kind::recent ? draw_recent_files(context, inner, 12)
                                    : draw_samples(context, ImGui::GetCursorPosX(), inner, 4)) {
     open_ = false;

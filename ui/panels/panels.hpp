@@ -62,6 +62,8 @@ struct PanelContext {
   const Offers& offers;
   /// Both by the id of a RecoveryOffer.
   std::function<void(const std::string&id)> recover, discard_recovery;
+  /// Of the crash that is offered.
+  std::function<void()> dismiss_crash, show_log_folder;
 
   /// Runs a command; when it cannot run, its reason becomes a notice.
   void run(std::string_view id);

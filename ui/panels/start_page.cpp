@@ -5,6 +5,7 @@
 
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/crash_offer.hpp"
 #include "ui/panels/offers_panel.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/sample_cards.hpp"
@@ -31,6 +32,8 @@ void section_of(PanelContext& context, float left, const char* title, const Draw
 }
 
 void earlier_work(PanelContext& context, float left, float content) {
+  if (context.offers.crash)
+    section_of(context, left, "Report of a crash", [&] { draw_crash_offer(context, content); });
   if (!context.offers.recoveries.empty())
     section_of(context, left, "Unsaved work of an earlier session",
                [&] { draw_recovery_offers(context, content); });

@@ -7,7 +7,7 @@ namespace hariko {
 
 std::optional<Message> why_no_cad_files() {
   return make_error(e_no_cad_kernel, "This build of Hariko has no OpenCASCADE, which STEP and IGES need.",
-                    "Install OpenCASCADE's development files and build again.");
+                    "Run scripts/dependencies.sh cad in the folder with Hariko's sources and build again.");
 }
 
 Result<CadFile> make_cad_file(std::span<const CadObject>, const CadFileOptions&, const CancelToken&,

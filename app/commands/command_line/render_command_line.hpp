@@ -1,12 +1,16 @@
 #pragma once
 
-// The options of `hariko render`. Internal to app/commands.
+// The options of `hariko render`. Internal to this folder.
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "app/commands/drawing_command.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace hariko {
 

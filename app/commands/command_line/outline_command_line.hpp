@@ -1,11 +1,14 @@
 #pragma once
 
-// The options of outlines, for all subcommands that make surfaces. Internal to app/commands.
+// The options of outlines, for all subcommands that make surfaces. Internal to this folder.
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "app/commands/commands.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace hariko {
 

@@ -1,13 +1,16 @@
 #pragma once
 
-// The options of all commands that write models for other programs. Internal to app/commands.
+// The options of all commands that write models for other programs. Internal to this folder.
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/commands/commands.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace hariko {
 
@@ -25,9 +28,5 @@ class FileOptions {
   bool ascii_ = false;
   std::vector<std::string> only_;
 };
-
-/// The objects of these names, hidden ones included, and no others visible; all as they are when `only` is
-/// empty. Error: E_NO_SUCH_OBJECT.
-Result<Document> with_only(const Document& document, const std::vector<std::string>& only);
 
 }  // namespace hariko

@@ -1,12 +1,15 @@
 #pragma once
 
-// The options of `hariko unfold`. Internal to app/commands.
+// The options of `hariko unfold`. Internal to this folder.
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "app/commands/commands.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace hariko {
 

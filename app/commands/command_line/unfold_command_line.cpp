@@ -1,5 +1,6 @@
-#include "app/commands/unfold_command_line.hpp"
+#include "app/commands/command_line/unfold_command_line.hpp"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -18,7 +19,7 @@ std::optional<double> parse_length(std::string_view text) {
 }
 
 /// "A4", "A3", "Letter", or "WxH" in mm.
-std::optional<PaperSize> parse_page(std::string text) {
+std::optional<PaperSize> parse_paper(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (text == "a4") return a4_paper;
@@ -77,7 +78,7 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
 }
 
 void UnfoldCommandLine::check() const {
-  if (!parse_page(page_)) throw CLI::ValidationError("--page", "must be A4, A3, Letter, or like 210x297");
+  if (!parse_paper(page_)) throw CLI::ValidationError("--page", "must be A4, A3, Letter, or like 210x297");
   for (const std::string& out : outs_) {
     if (!sheet_format_of(out))
       throw CLI::ValidationError("OUT", "the name must end in .pdf, .svg, .dxf, .png or .json");
@@ -92,7 +93,7 @@ UnfoldArguments UnfoldCommandLine::arguments() const {
   UnfoldArguments out = arguments_;
   out.file = file_;
   out.outs.assign(outs_.begin(), outs_.end());
-  out.settings.page = *parse_page(page_);
+  out.settings.page = *parse_paper(page_);
   out.settings.flat_fold = flat_degrees_ * radians;
   if (merge_degrees_ >= 0) out.settings.merge_angle = merge_degrees_ * radians;
   if (distance_ > 0) out.facets.distance = distance_;

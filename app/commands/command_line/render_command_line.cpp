@@ -1,5 +1,6 @@
-#include "app/commands/render_command_line.hpp"
+#include "app/commands/command_line/render_command_line.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>

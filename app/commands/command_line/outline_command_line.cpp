@@ -1,5 +1,6 @@
-#include "app/commands/outline_command_line.hpp"
+#include "app/commands/command_line/outline_command_line.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "core/document/format_names.hpp"

@@ -1,17 +1,11 @@
-#include "app/commands/file_options.hpp"
+#include "app/commands/command_line/file_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "core/document/edit_objects.hpp"
 #include "core/exchange/mesh_file.hpp"
 
 namespace hariko {
-
-namespace {
-
-constexpr Code e_no_such_object{"E_NO_SUCH_OBJECT"};
-
-}  // namespace
 
 void FileOptions::add_to(CLI::App* command) {
   command
@@ -48,20 +42,6 @@ FileArguments FileOptions::arguments() const {
   out.choices.ascii = ascii_;
   out.only = only_;
   return out;
-}
-
-Result<Document> with_only(const Document& document, const std::vector<std::string>& only) {
-  if (only.empty()) return document;
-  std::vector<ObjectId> objects;
-  for (const std::string& name : only) {
-    const std::size_t before = objects.size();
-    for (const auto& object : document.objects)
-      if (object->name == name) objects.push_back(object->id);
-    if (objects.size() == before)
-      return make_error(e_no_such_object, "There is no object called \"" + name + "\".",
-                        "`hariko info` lists the names.");
-  }
-  return showing_only(document, objects);
 }
 
 }  // namespace hariko

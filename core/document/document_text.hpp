@@ -1,6 +1,6 @@
 #pragma once
 
-// JsonWriter: the text of documents, laid out for people.
+// DocumentText: the text of documents, laid out for people.
 
 #include <array>
 #include <charconv>
@@ -16,7 +16,7 @@
 namespace hariko::detail {
 
 /// Builds JSON text. Lists of numbers stay on one line each, everything else has a line of its own.
-class JsonWriter {
+class DocumentText {
  public:
   std::string take() {
     text_ += '\n';

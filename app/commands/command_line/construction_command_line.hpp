@@ -1,0 +1,23 @@
+#pragma once
+
+// The options of how surfaces are made, for all commands that make some. Internal to this folder.
+
+#include <string>
+
+#include "app/commands/command_line/outline_command_line.hpp"
+
+namespace hariko {
+
+class ConstructionCommandLine {
+ public:
+  void add_to(CLI::App& command);
+  /// After parsing.
+  Construction construction() const;
+
+ private:
+  std::string mode_;
+  bool round_ = false;
+  OutlineCommandLine outlines_;
+};
+
+}  // namespace hariko

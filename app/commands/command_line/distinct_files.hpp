@@ -1,0 +1,10 @@
+#pragma once
+
+#include <filesystem>
+
+namespace hariko {
+
+/// Throws CLI::ValidationError where a command would overwrite what it reads.
+void check_distinct(const std::filesystem::path& in, const std::filesystem::path& out);
+
+}  // namespace hariko

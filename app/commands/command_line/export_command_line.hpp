@@ -1,0 +1,34 @@
+#pragma once
+
+// The options of `hariko export`. Internal to this folder.
+
+#include <string>
+#include <vector>
+
+#include "app/commands/command_line/file_options.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace hariko {
+
+class ExportCommandLine {
+ public:
+  void add_to(CLI::App& app);
+  CLI::App* command() const { return command_; }
+  /// Throws CLI::ValidationError for what the parser itself cannot refuse.
+  void check() const;
+  /// After `check`.
+  ExportArguments arguments(const Construction& construction) const;
+
+ private:
+  CLI::App* command_ = nullptr;
+  CLI::Option* density_ = nullptr;         ///< of triangles only
+  std::vector<CLI::Option*> cad_options_;  ///< of STEP and IGES only
+  ExportArguments arguments_;
+  FileOptions file_options_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace hariko {
+
+/// "Hariko 1.2.3"
+std::string program_version();
+/// What a report about a mistake needs, in English whatever the language: versions of the program and of what
+/// it stands on, and the graphics driver. Needs a current OpenGL context.
+std::string system_information();
+
+}  // namespace hariko
