@@ -103,6 +103,7 @@ if outdated; then
   unpack
 fi
 
+# The clone lies where the checkout lies here: paths are in what a compiler's cache compares.
 home=/root user=root
 if [ $as_user = yes ]; then
   home=/home/designer user=designer
@@ -113,10 +114,11 @@ if [ $as_user = yes ]; then
     echo "designer ALL=(ALL) NOPASSWD: ALL" >/etc/sudoers.d/designer' >&2
 fi
 # The untouched root has no git, so the clone is made here; it has no other tie to this checkout.
-git clone --quiet --no-hardlinks --no-local "file://$checkout" "$root$home/hariko"
-git -C "$root$home/hariko" remote remove origin
-for file in ${copies[@]+"${copies[@]}"}; do cp "$file" "$root$home/hariko/"; done
-in_root chown -R "$user:$user" "$home"
+git clone --quiet --no-hardlinks --no-local "file://$checkout" "$root$checkout"
+git -C "$root$checkout" remote remove origin
+for file in ${copies[@]+"${copies[@]}"}; do cp "$file" "$root$checkout/"; done
+in_root chown -R "$user:$user" "$home" "$checkout"
+in_root sh -c 'while [ "$1" != / ]; do chmod a+x "$1"; set -- "$(dirname "$1")"; done' sh "$(dirname "$checkout")"
 
 variables=("HOME=$home" "USER=$user" "LOGNAME=$user" LANG=C.UTF-8 TERM=dumb "CI=${CI:-}"
   PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
@@ -130,9 +132,9 @@ if [ $lend_cache = yes ]; then
 fi
 result=0
 in_root setpriv --reuid="$user" --regid="$user" --init-groups env -i "${variables[@]}" \
-  sh -c 'cd "$HOME/hariko" && exec "$@"' sh "$@" || result=$?
+  sh -c 'cd "$0" && exec "$@"' "$checkout" "$@" || result=$?
 for path in ${takes[@]+"${takes[@]}"}; do
   # Patterns may name what the command has made.
-  for found in "$root$home/hariko/"$path; do cp -r "$found" "$start_folder/"; done
+  for found in "$root$checkout/"$path; do cp -r "$found" "$start_folder/"; done
 done
 exit "$result"

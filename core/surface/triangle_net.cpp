@@ -54,51 +54,30 @@ TriangleNet::TriangleNet(int degree) : degree_(degree) {
 
 namespace {
 
-/// De Casteljau's steps r .. m on a row; `done(r)` after each.
-template <int r, int m, class Row, class Done>
-void steps(Row& row, double t, const Done& done) {
-  if constexpr (r <= m) {
-    constexpr int length = 3 * (m - r + 1);
-    row.template head<length>() += t * (row.template segment<length>(3) - row.template head<length>());
-    done(r);
-    steps<r + 1, m>(row, t, done);
-  }
-}
-
-/// One row of m + 1 control points.
-template <int m>
-void split_row(const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
-  // The coordinates of all points one after the other: a step is one sum of long vectors.
-  Eigen::Array<double, 3 * (m + 1), 1> row;
-  for (int i = 0; i <= m; ++i) row.template segment<3>(3 * i) = net[at[i]].array();
-  const auto store = [&](Vector3& to, int i) { to = row.template segment<3>(3 * i).matrix(); };
+/// De Casteljau's steps on one row of m + 1 control points. The coordinates of all points stand one after the
+/// other, so that a step is one sum of long vectors; lengths known only at run time cost nothing there, and
+/// compile at once.
+void split_row(int m, const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
+  std::array<double, 3 * (TriangleNet::max_degree + 1)> row{};
+  const auto store = [&](Vector3& to, int i) {
+    to = Eigen::Map<const Vector3>(row.data() + std::ptrdiff_t(3) * i);
+  };
+  for (int i = 0; i <= m; ++i) Eigen::Map<Vector3>(row.data() + std::ptrdiff_t(3) * i) = net[at[i]];
   store(first[at[0]], 0);
   store(second[at[m]], m);
-  steps<1, m>(row, t, [&](int r) {
+  for (int r = 1; r <= m; ++r) {
+    const std::size_t length = 3 * std::size_t(m - r + 1);
+    for (std::size_t i = 0; i < length; ++i) row[i] += t * (row[i + 3] - row[i]);
     store(first[at[r]], 0);
     store(second[at[m - r]], m - r);
-  });
-}
-
-/// Lengths known when compiled.
-template <int m>
-void split_rows(const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
-  split_row<m>(at, t, net, first, second);
-  if constexpr (m > 0) split_rows<m - 1>(at + m + 1, t, net, first, second);
-}
-
-template <int m = TriangleNet::max_degree>
-void split_net(int degree, const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
-  if (degree == m)
-    split_rows<m>(at, t, net, first, second);
-  else if constexpr (m > 1)
-    split_net<m - 1>(degree, at, t, net, first, second);
+  }
 }
 
 }  // namespace
 
 void TriangleNet::split(int side, double t, const Vector3* net, Vector3* first, Vector3* second) const {
-  split_net(degree_, rows_[std::size_t(side)].data(), t, net, first, second);
+  const int* at = rows_[std::size_t(side)].data();
+  for (int m = degree_; m >= 0; at += m + 1, --m) split_row(m, at, t, net, first, second);
 }
 
 void TriangleNet::samples(const Vector3* net, std::span<Vector3, sample_count> out) const {
