@@ -21,6 +21,18 @@ Message locked_object(const Object& object) {
                     element_of(object.id));
 }
 
+Result<Document> change_object(const Document& document, ObjectId id, bool unlocked_only,
+                               const std::function<Result<Done>(Object&)>& change) {
+  const Object* object = document.find(id);
+  if (!object) return unknown_object(id);
+  if (unlocked_only && object->locked) return locked_object(*object);
+  Object changed = *object;
+  if (const Result<Done> done = change(changed); !done) return done.error();
+  // An unchanged object stays shared, so that the equality test of the history is quick.
+  if (changed == *object) return document;
+  return with_object(document, std::move(changed));
+}
+
 Document with_object(const Document& document, Object object) {
   Document changed = document;
   for (auto& shared : changed.objects)

@@ -2,6 +2,7 @@
 
 // What the edits share: finding the object, checking it, and replacing it in a copy of the document.
 
+#include <functional>
 #include <string>
 
 #include "core/document/document.hpp"
@@ -18,18 +19,9 @@ std::string name_with(std::string name, std::string_view suffix);
 /// A copy of the document in which `object` stands for the one with the same id.
 Document with_object(const Document& document, Object object);
 
-/// Calls change(Object&) -> Result<Done> on a copy of the object; refuses locked objects if `unlocked_only`.
-template <class Change>
-Result<Document> change_object(const Document& document, ObjectId id, bool unlocked_only, Change&& change) {
-  const Object* object = document.find(id);
-  if (!object) return unknown_object(id);
-  if (unlocked_only && object->locked) return locked_object(*object);
-  Object changed = *object;
-  if (const Result<Done> done = change(changed); !done) return done.error();
-  // An unchanged object stays shared, so that the equality test of the history is quick.
-  if (changed == *object) return document;
-  return with_object(document, std::move(changed));
-}
+/// Calls `change` on a copy of the object; refuses locked objects if `unlocked_only`.
+Result<Document> change_object(const Document& document, ObjectId id, bool unlocked_only,
+                               const std::function<Result<Done>(Object&)>& change);
 
 /// E_TRANSFORM_INVALID, E_DISPLAY_INVALID.
 Result<Similarity> checked_transform(const Similarity& transform);
