@@ -142,7 +142,7 @@ class HeadlessWorkbench {
     complete(actions.show_log_folder);
     complete(actions.record);
     complete(actions.stop_recording);
-    complete(actions.picture_samples);
+    complete(actions.picture);
     complete(actions.quit);
     return actions;
   }

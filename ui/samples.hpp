@@ -1,0 +1,27 @@
+#pragma once
+
+// Samples: models that come with the program, by the ways in which they were made.
+
+#include <imgui.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+namespace hariko {
+
+/// How a model is begun; samples stand under these headings, in this order.
+enum class Beginning { polyhedron, solids, sections, outline, other };
+inline constexpr std::array beginnings{Beginning::polyhedron, Beginning::solids, Beginning::sections,
+                                       Beginning::outline, Beginning::other};
+
+struct Sample {
+  std::filesystem::path path;
+  std::string title, description;  ///< English
+  Beginning beginning = Beginning::other;
+  bool wanted = false;            ///< its picture was asked for
+  ImTextureID picture = nullptr;  ///< null until it is there
+  float aspect = 1.5F;            ///< of the picture
+};
+
+}  // namespace hariko
