@@ -36,7 +36,7 @@ constexpr Description descriptions[] = {
     {"knot", Beginning::polyhedron, "Knot", "A thousand faces, to see how fast everything follows"},
 
     {"solids_dryer", Beginning::solids, "Hair dryer", "Two solids, body and handle"},
-    {"solids_bottle", Beginning::solids, "Bottle", "Three solids with a waist between"},
+    {"solids_bottle", Beginning::solids, "Bottle", "A body, a neck and a round mouth"},
     {"solids_camera", Beginning::solids, "Camera", "A box, a lens and a grip"},
     {"solids_car", Beginning::solids, "Car of two boxes", "A cabin on a body"},
     {"solids_one", Beginning::solids, "Box", "The surface round a single solid"},
