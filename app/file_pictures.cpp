@@ -81,7 +81,7 @@ ImTextureID upload_picture(const Image& image) {
   // program to make levels, which takes as long as half a start.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                image.rgba.data());
   glBindTexture(GL_TEXTURE_2D, 0);
   // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers

@@ -113,7 +113,7 @@ void TestLog::first_frame(const Workbench& workbench) {
   };
   const auto& samples = workbench.samples();
   const auto missing = std::count_if(samples.begin(), samples.end(),
-                                     [](const Sample& sample) { return sample.wanted && !sample.picture; });
+                                     [](const Sample& sample) { return sample.wanted && !sample.picture.texture; });
   out_ << event_line("first_frame", [&](JsonWriter& json) {
     json.member("cpu_ms", milliseconds(used.ru_utime) + milliseconds(used.ru_stime));
     json.member("user_ms", milliseconds(used.ru_utime));

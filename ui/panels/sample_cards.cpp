@@ -14,15 +14,16 @@ constexpr float picture_aspect = 1.5F;
 constexpr float padding = 12, spacing = 16, above_title = 8, above_text = 23, below_text = 9;  ///< points
 
 /// A picture that fills a place: its middle, where it is higher or wider.
-void fill_with(ImTextureID picture, float aspect, ImVec2 low, ImVec2 high, float radius) {
+void fill_with(const Picture& picture, ImVec2 low, ImVec2 high, float radius) {
   ImVec2 first{0, 0}, last{1, 1};
   const float place = (high.x - low.x) / (high.y - low.y);
-  if (aspect < place)
-    first.y = (1 - aspect / place) / 2, last.y = 1 - first.y;
+  if (picture.aspect < place)
+    first.y = (1 - picture.aspect / place) / 2, last.y = 1 - first.y;
   else
-    first.x = (1 - place / aspect) / 2, last.x = 1 - first.x;
-  ImGui::GetWindowDrawList()->AddImageRounded(picture, low, high, first, last, IM_COL32_WHITE, radius,
-                                              ImDrawFlags_RoundCornersTop);
+    first.x = (1 - place / picture.aspect) / 2, last.x = 1 - first.x;
+  const auto used = [&](ImVec2 at) { return ImVec2(at.x * picture.used.x, at.y * picture.used.y); };
+  ImGui::GetWindowDrawList()->AddImageRounded(picture.texture, low, high, used(first), used(last),
+                                              IM_COL32_WHITE, radius, ImDrawFlags_RoundCornersTop);
 }
 
 /// True when it was chosen.
@@ -40,8 +41,8 @@ bool draw_card(PanelContext& context, const Card& card, ImVec2 size, std::size_t
   draw.AddRectFilled(low, high, hovered ? palette().field_hover : palette().panel, radius);
   const ImVec2 picture_high(high.x, low.y + size.x / picture_aspect);
   if (card.pictured && !card.pictured->wanted) context.picture(*card.pictured);
-  if (card.pictured && card.pictured->picture)
-    fill_with(card.pictured->picture, card.pictured->aspect, low, picture_high, radius);
+  if (card.pictured && card.pictured->picture.texture)
+    fill_with(card.pictured->picture, low, picture_high, radius);
   else
     draw.AddRectFilled(low, picture_high, palette().field, radius, ImDrawFlags_RoundCornersTop);
   if (card.paint) card.paint(low, picture_high);
