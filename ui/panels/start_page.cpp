@@ -28,7 +28,7 @@ struct Way {
 constexpr std::array<Way, 5> ways{{
     {"start.polyhedron", translatable("Polyhedron"),
      translatable("Pull a coarse cage; a smooth surface follows."), "file.new_from_box", "fig2"},
-    {"start.solids", translatable("Solids"), translatable("Place boxes and balls; one skin goes round them."),
+    {"start.solids", translatable("Solids"), translatable("Place boxes and balls; a surface goes round them."),
      "solid.box", "solids_dryer"},
     {"start.sections", translatable("Sections"),
      translatable("Draw a path and curves across it; a skin joins them."), "skin.draw", "skin_car_smooth"},
