@@ -9,6 +9,7 @@
 #include <regex>
 #include <sstream>
 
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "ui/font_files.hpp"
 #include "ui/icons.hpp"
@@ -67,7 +68,7 @@ TEST_F(Fonts, DigitsHaveOneWidth) {
 
 TEST_F(Fonts, HaveEveryIconOfTheList) {
   load_fonts({});
-  std::ifstream file(HARIKO_SOURCE_DIR "/ui/icons.hpp");
+  std::ifstream file(test::source_folder() + "/ui/icons.hpp");
   std::stringstream text;
   text << file.rdbuf();
   const std::string source = text.str();

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 void copy_samples(const fs::path& assets, std::initializer_list<const char*> names) {
   fs::create_directories(assets / "samples");
   for (const char* name : names)
-    fs::copy_file(fs::path(HARIKO_SOURCE_DIR) / "assets" / "samples" / name, assets / "samples" / name);
+    fs::copy_file(fs::path(test::source_folder()) / "assets" / "samples" / name, assets / "samples" / name);
 }
 
 std::size_t colours_of(const Image& image) {

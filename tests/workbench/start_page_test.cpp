@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/samples.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 
@@ -22,7 +23,7 @@ const std::vector<std::string> ways{"start.polyhedron", "start.solids", "start.s
 class StartPageBench {
  public:
   explicit StartPageBench(ImVec2 size = {1280, 800}) : bench_(Document(), size, actions()) {
-    bench_.workbench().samples() = find_samples(std::string(HARIKO_SOURCE_DIR) + "/assets");
+    bench_.workbench().samples() = find_samples(test::source_folder() + "/assets");
     bench_.editor().has_document = false;
     bench_.frame();
     bench_.frame();
@@ -134,8 +135,7 @@ TEST(StartPage, FitsNarrowWindowsInBothLanguages) {
     SCOPED_TRACE(japanese);
     StartPageBench bench({800, 600});
     if (japanese) {
-      bench->editor().language =
-          Language::load(std::string(HARIKO_SOURCE_DIR) + "/assets/languages/ja.json").value();
+      bench->editor().language = Language::load(test::source_folder() + "/assets/languages/ja.json").value();
       FontRequest fonts;
       for (const char32_t character : bench->editor().language.characters())
         fonts.characters.insert(character);
@@ -167,9 +167,9 @@ TEST(StartPage, AsksForPicturesOfWhatIsSeenAndNoMore) {
 }
 
 TEST(Samples, HaveTitlesInBothLanguagesAndAPlaceAmongTheWays) {
-  const auto japanese = Language::load(std::string(HARIKO_SOURCE_DIR) + "/assets/languages/ja.json").value();
+  const auto japanese = Language::load(test::source_folder() + "/assets/languages/ja.json").value();
   std::set<std::string> titles;
-  for (const Sample& sample : find_samples(std::string(HARIKO_SOURCE_DIR) + "/assets")) {
+  for (const Sample& sample : find_samples(test::source_folder() + "/assets")) {
     SCOPED_TRACE(sample.path.filename());
     EXPECT_NE(sample.beginning, Beginning::other);
     EXPECT_TRUE(japanese.has(sample.title)) << sample.title;
