@@ -26,6 +26,7 @@
 #include "app/pictures.hpp"
 #include "app/rebuild_engine.hpp"
 #include "app/replay.hpp"
+#include "app/sample_pictures.hpp"
 #include "app/samples.hpp"
 #include "app/scratch_folder.hpp"
 #include "app/signal_watch.hpp"
@@ -33,6 +34,7 @@
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
 #include "core/document/format.hpp"
+#include "ui/fonts.hpp"
 #include "ui/system_information.hpp"
 #include "ui/workbench.hpp"
 
@@ -68,13 +70,14 @@ class Application {
                  {&GlWindow::wake, [this] { engine_.reset(); },
                   [this](const char* what, const auto& path) { happened(what, path); }}),
         crashes_(editor_, workbench_, folders_.state, run_log_),
-        pictures_(renderer_, long_, folders_.cache / "thumbnails") {
+        pictures_(renderer_, long_, folders_.cache / "thumbnails"),
+        sample_pictures_(sample_pictures_folder(assets_folder()), workbench_.samples(), pictures_) {
     editor_.views = &engine_.views();
     editor_.on_notice = [this](Notice::Kind kind, const std::string& text) {
       if (kind != Notice::Kind::info) run_log_.line(kind == Notice::Kind::error ? "error" : "warning", text);
     };
     workbench_.samples() = find_samples(assets_folder());
-    if (const char* missing = window_.missing_fonts())
+    if (const char* missing = missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
     begin_replay(options, std::move(replay));
     // A replay must not depend on what this user chose and left behind.
@@ -86,7 +89,6 @@ class Application {
       crashes_.find();
       session_.find_offers(pictures_);
     }
-    if (files.empty()) picture_samples();
     watch_for_the_end();
   }
   ~Application() {
@@ -177,7 +179,7 @@ class Application {
     actions.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
     actions.record = [this](const auto& path) { record_to_ = path; };
     actions.stop_recording = [this] { recording_ends_ = true; };
-    actions.picture_samples = [this] { picture_samples(); };
+    actions.picture = [this](Sample& sample) { sample_pictures_.give(sample, editor_.settings.theme); };
     actions.quit = [this] { quit_ = true; };
     return actions;
   }
@@ -262,9 +264,9 @@ class Application {
     if (!ImGui::IsAnyMouseDown()) skins_.settle();
     const Settings& settings = editor_.settings;
     if (window_.set_appearance(settings.theme, settings.interface_scale))
-      frames_ = frames_after_input;          // sizes settle again
-    if (pictured_theme_) picture_samples();  // anew after a change of the theme
-    text_.update(editor_, window_);
+      frames_ = frames_after_input;  // sizes settle again
+    if (std::exchange(pictured_theme_, settings.theme) != settings.theme) sample_pictures_.forget();
+    text_.update(editor_, workbench_.offers(), window_);
     const auto start = std::chrono::steady_clock::now();
     const bool measured = editor_.frame_times.visible;
     window_.begin_frame();
@@ -290,6 +292,7 @@ class Application {
     const std::string title =
         editor_.has_document ? editor_.title() + " \u2014 Hariko" : std::string("Hariko");
     window_.set_title(title);
+    if (std::exchange(first_, false)) log_.first_frame(workbench_);
     idle_ = rests();
     if (recorder_ && idle_) recorder_->idle(editor_.now);
     log_.frame(editor_, workbench_, idle_);
@@ -407,21 +410,6 @@ class Application {
     return 0;
   }
 
-  void picture_samples() {
-    if (std::exchange(pictured_theme_, editor_.settings.theme) == editor_.settings.theme) return;
-    // NOLINTNEXTLINE(modernize-loop-convert): the pictures come later, the index finds their place then
-    for (std::size_t i = 0; i < workbench_.samples().size(); ++i) {
-      const auto path = workbench_.samples()[i].path;
-      long_.run(
-          {}, [path](const CancelToken& cancel) { return sample_scene(path, cancel); },
-          [this, i](Scene scene) {
-            scene.background = background_of(editor_.settings.theme);
-            Sample& sample = workbench_.samples()[i];
-            release_picture(std::exchange(sample.picture, sample_picture(renderer_, scene)));
-          });
-    }
-  }
-
   GlWindow& window_;
   SignalWatch& signals_;
   const RunLog& run_log_;
@@ -445,10 +433,12 @@ class Application {
   DocumentSession session_;
   CrashOffers crashes_;
   Pictures pictures_;
+  SamplePictures sample_pictures_;
   int frames_ = frames_after_input;
   bool quit_ = false, idle_ = false;
-  std::optional<ThemeId> pictured_theme_;  ///< of the pictures of the samples; none before they are wanted
-  std::atomic<int> signal_ = 0;            ///< that asked for the end
+  bool first_ = true;                       ///< no frame was drawn yet
+  ThemeId pictured_theme_ = ThemeId::dark;  ///< of the pictures of the samples
+  std::atomic<int> signal_ = 0;             ///< that asked for the end
   FrameMeter meter_;
   std::optional<ReplayRecorder> recorder_;
   std::optional<std::filesystem::path> record_to_;  ///< a recording that is to begin

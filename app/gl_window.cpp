@@ -18,11 +18,10 @@ namespace hariko {
 struct GlWindow::State {
   GLFWwindow* window = nullptr;
   Metrics metrics;
-  FontRequest fonts;
+  std::optional<FontRequest> fonts;  ///< in the atlas; none before the first frame
   ThemeId theme = ThemeId::dark;
   Palette palette{};
   float monitor_scale = 0;  // 0: not known yet
-  const char* missing_fonts = nullptr;
   std::string title;
   std::vector<KeyPress> keys;
   std::vector<std::filesystem::path> drops;
@@ -153,8 +152,7 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
       state_of(w).redraw = true;
     });
   }
-  state_->fonts.scale = state_->metrics.scale = state_->monitor_scale;
-  state_->missing_fonts = load_fonts(state_->fonts);
+  state_->metrics.scale = state_->monitor_scale;
   apply_theme(state_->theme, state_->metrics.scale, state_->palette);
   ImGui_ImplGlfw_InitForOpenGL(window, false);
   ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -281,7 +279,7 @@ bool GlWindow::set_appearance(ThemeId theme, float interface_scale) {
   if (theme == state_->theme && scale == state_->metrics.scale) return false;
   state_->theme = theme;
   state_->metrics.scale = scale;
-  set_fonts(state_->fonts);
+  if (state_->fonts) set_fonts(*state_->fonts);
   apply_theme(theme, scale, state_->palette);
   return true;
 }
@@ -324,9 +322,11 @@ std::u32string GlWindow::take_typed() {
 }
 void GlWindow::set_fonts(FontRequest request) {
   request.scale = state_->metrics.scale;
-  if (request == state_->fonts) return;
+  if (state_->fonts == request) return;
+  const bool first = !state_->fonts;
   state_->fonts = std::move(request);
-  state_->missing_fonts = load_fonts(state_->fonts);
+  load_fonts(*state_->fonts);
+  if (first) return;  // the backend takes up the atlas when the first frame begins
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -362,9 +362,6 @@ int GlWindow::height() const {
 }
 double GlWindow::monitor_scale() const {
   return static_cast<double>(state_->monitor_scale);
-}
-const char* GlWindow::missing_fonts() const {
-  return state_->missing_fonts;
 }
 
 }  // namespace hariko

@@ -71,8 +71,6 @@ class GlWindow {
   /// Makes the fonts write this from the next frame on; the window knows its own scale. Does nothing when
   /// they do already. Not within a frame.
   void set_fonts(FontRequest request);
-  /// What of fonts is missing, as a sentence; nullptr when nothing is.
-  const char* missing_fonts() const;
 
  private:
   struct State;

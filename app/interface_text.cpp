@@ -25,25 +25,29 @@ void InterfaceText::choose(Editor& editor) {
   for (const char32_t point : editor.language.characters()) of_catalogue_.insert(point);
 }
 
-void InterfaceText::collect_names(const Editor& editor) {
-  if (editor.history.serial() == names_serial_) return;
-  names_serial_ = editor.history.serial();
+void InterfaceText::collect_names(const Editor& editor, const Offers& offers) {
+  const std::size_t offered = offers.recent.size() + offers.recoveries.size();
+  if (editor.history.serial() == names_serial_ && offered == offered_) return;
+  names_serial_ = editor.history.serial(), offered_ = offered;
   const auto add = [&](std::string_view text) {
     for (const char32_t point : code_points(text))
       if (needs_japanese_font(point)) of_names_.insert(point);
   };
   add(editor.title());
   for (const auto& object : editor.document().objects) add(object->name);
+  for (const RecentFile& file : offers.recent) add(file.path.string());
+  for (const RecoveryOffer& offer : offers.recoveries) add(offer.path.string());
 }
 
-void InterfaceText::update(Editor& editor, GlWindow& window) {
+void InterfaceText::update(Editor& editor, const Offers& offers, GlWindow& window) {
   choose(editor);
-  collect_names(editor);
+  collect_names(editor, offers);
   for (const char32_t point : window.take_typed())
     if (needs_japanese_font(point)) of_names_.insert(point);
   FontRequest request;
   // Who has Japanese names types more of them: all common characters at once instead of a new atlas for each.
-  request.japanese = language_ == LanguageId::japanese || !of_names_.empty();
+  // The interface itself has a fifth of them, which its start does not wait for.
+  request.japanese = !of_names_.empty();
   request.characters = of_catalogue_;
   request.characters.insert(of_names_.begin(), of_names_.end());
   // The name of the language is offered in its own script.

@@ -7,6 +7,7 @@
 
 #include "app/gl_window.hpp"
 #include "ui/editor.hpp"
+#include "ui/panels/offers.hpp"
 
 namespace hariko {
 
@@ -16,17 +17,19 @@ class InterfaceText {
   explicit InterfaceText(std::filesystem::path catalogues) : folder_(std::move(catalogues)) {}
 
   /// Before a frame. Loads the catalogue of the language that the settings name, and fonts for the characters
-  /// of object names and of what is typed. Where a language cannot be had it sets English again and says why.
-  void update(Editor& editor, GlWindow& window);
+  /// of object names, of files that are offered and of what is typed. Where a language cannot be had it sets
+  /// English again and says why.
+  void update(Editor& editor, const Offers& offers, GlWindow& window);
 
  private:
   void choose(Editor& editor);
-  void collect_names(const Editor& editor);
+  void collect_names(const Editor& editor, const Offers& offers);
 
   std::filesystem::path folder_;
   LanguageId language_ = LanguageId::english;  ///< that `editor.language` holds
   std::set<char32_t> of_catalogue_, of_names_;
   std::uint64_t names_serial_ = ~std::uint64_t{0};
+  std::size_t offered_ = 0;  ///< how many files were offered when names were collected
 };
 
 /// The name of a language's catalogue; empty for English, which needs none.

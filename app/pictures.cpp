@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include "app/samples.hpp"
+#include "app/file_pictures.hpp"
 #include "core/base/file_stamp.hpp"
 #include "core/base/file_uri.hpp"
 
@@ -59,7 +59,7 @@ void Pictures::request(const fs::path& file, std::function<void(ImTextureID)> do
         if (auto image = read_png(cache / (found.key + ".png")); image.ok())
           found.image = std::move(image).value();
         else
-          found.scene = sample_scene(file, cancel);
+          found.scene = file_scene(file, cancel);
         return found;
       },
       [this, done = std::move(done)](const Found& found) {

@@ -1,14 +1,9 @@
 #include "app/samples.hpp"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <set>
-
-#include "app/files/open_file.hpp"
-#include "app/surface_builder.hpp"
-#include "ui/view_pictures.hpp"
 
 namespace hariko {
 
@@ -16,58 +11,90 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr PixelSize picture_size{540, 360};
-
 struct Description {
   const char* stem;
+  Beginning beginning;
   const char* title;
   const char* text;
 };
+
+/// In the order in which they are shown.
 constexpr Description descriptions[] = {
-    {"cube", "Cube", "Six quads become a rounded solid"},
-    {"fig2", "Vase body", "Three hexagon rings, closed"},
-    {"fig2_open", "Open vase", "The same without its top: a border"},
-    {"fig5c", "Flattened edges", "Edge tension 10 flattens"},
-    {"fig5d", "Points", "Vertex tension 10 makes points"},
-    {"concave", "Concave faces", "What folds, and the warning for it"},
-    {"concave_split", "Concave, split", "The same with its concave faces decomposed"},
-    {"genus3", "Three holes", "A closed shape of genus 3"},
-    {"torus", "Torus", "Eight by four quads"},
-    {"grid", "Open grid", "A free-form patch with borders"},
-    {"grid3", "Open grid", "A free-form patch with borders"},
-    {"creased", "Creased cube", "Sharp edges among smooth ones"},
-    {"cube_crease", "Creased cube", "Sharp edges among smooth ones"},
-    {"car", "Car body", "Larger model"},
-    {"knot", "Knot", "A thousand faces, to see how fast everything follows"},
-    {"skin_smooth", "Smooth skin", "Two sections with few columns, placed where they matter"},
-    {"skin_ridges", "Ridges by themselves", "Points matched by their places alone"},
-    {"skin_joined", "Joined ridges", "Two lines say which ridge goes where"},
-    {"skin_grouped", "Grouped ridges", "Curves round points that belong together"},
-    {"skin_between", "Joined on a grid", "Features aligned without extraordinary vertices"},
-    {"skin_car_smooth", "Car, smooth skin", "Seven sections along a path, on a regular grid"},
-    {"skin_car", "Car, pleated skin", "The same sections with their edges joined"},
-    {"skin_merge_inside", "Merging ridges", "Two ridges become one on the way"},
-    {"skin_merge_end", "Ridges that end in one", "Two ridges become one at the last section"},
-    {"sphere_cap", "Sphere cap", "An outline with normals and curvature: an exact sphere"},
-    {"ellipsoid_cap", "Ellipsoid cap", "An outline with normals and curvature, filled"},
-    {"paraboloid", "Paraboloid", "An outline that is not flat"},
-    {"sphere_band", "Spherical band", "Two outlines, one surface between them"},
-    {"sphere_holes", "Sphere with three holes", "Three outlines bound one surface"},
-    {"catenoid", "Catenoid", "A saddle everywhere, between two rings"},
-    {"saddle", "Saddle", "A saddle over a round outline"},
-    {"shell", "Shell", "A flat rim with tilted normals becomes a housing"},
-    {"wheel_arch", "Wheel arch", "A hole between bicubic patches, closed smoothly"},
+    {"car", Beginning::polyhedron, "Car body", "A body from a coarse cage"},
+    {"fig2", Beginning::polyhedron, "Vase", "Three hexagon rings, closed"},
+    {"cube", Beginning::polyhedron, "Cube", "Six quads become a rounded solid"},
+    {"cube_crease", Beginning::polyhedron, "Creased cube", "Sharp edges among smooth ones"},
+    {"fig2_open", Beginning::polyhedron, "Open vase", "The same without its top: a border"},
+    {"fig5c", Beginning::polyhedron, "Vase with a flat lid", "Edge tension 10 flattens"},
+    {"fig5d", Beginning::polyhedron, "Vase with a pointed rim", "Vertex tension 10 makes points"},
+    {"torus", Beginning::polyhedron, "Torus", "Eight by four quads"},
+    {"genus3", Beginning::polyhedron, "Three holes", "A closed shape of genus 3"},
+    {"grid3", Beginning::polyhedron, "Open grid", "A free-form patch with borders"},
+    {"wheel_arch", Beginning::polyhedron, "Wheel arch", "A hole between bicubic patches, closed smoothly"},
+    {"concave", Beginning::polyhedron, "Concave faces", "What folds, and the warning for it"},
+    {"concave_split", Beginning::polyhedron, "Concave, split", "The same with its concave faces decomposed"},
+    {"knot", Beginning::polyhedron, "Knot", "A thousand faces, to see how fast everything follows"},
+
+    {"solids_dryer", Beginning::solids, "Hair dryer", "Two solids, body and handle"},
+    {"solids_bottle", Beginning::solids, "Bottle", "A body, a neck and a round mouth"},
+    {"solids_camera", Beginning::solids, "Camera", "A box, a lens and a grip"},
+    {"solids_car", Beginning::solids, "Car of two boxes", "A cabin on a body"},
+    {"solids_one", Beginning::solids, "Box", "The surface round a single solid"},
+    {"solids_l", Beginning::solids, "Two boxes, an L", "A surface that stays close to its solids"},
+    {"solids_t", Beginning::solids, "Two boxes, a T", "A branch in the middle"},
+    {"solids_u", Beginning::solids, "Three boxes, a U", "Two arms on a base"},
+    {"solids_apart", Beginning::solids, "Two boxes apart", "A bridge between solids that do not touch"},
+    {"solids_touching", Beginning::solids, "Two boxes that touch", "One face against the other"},
+    {"solids_four", Beginning::solids, "Four solids", "One surface round solids of several kinds"},
+    {"solids_ten", Beginning::solids, "Ten solids", "One surface round many"},
+
+    {"skin_car_smooth", Beginning::sections, "Car, smooth skin",
+     "Seven sections along a path, on a regular grid"},
+    {"skin_car", Beginning::sections, "Car, pleated skin", "The same sections with their edges joined"},
+    {"skin_smooth", Beginning::sections, "Smooth skin",
+     "Two sections with few columns, placed where they matter"},
+    {"skin_ridges", Beginning::sections, "Ridges by themselves", "Points matched by their places alone"},
+    {"skin_joined", Beginning::sections, "Joined ridges", "Two lines say which ridge goes where"},
+    {"skin_grouped", Beginning::sections, "Grouped ridges", "Curves round points that belong together"},
+    {"skin_between", Beginning::sections, "Joined on a grid",
+     "Features aligned without extraordinary vertices"},
+    {"skin_merge_inside", Beginning::sections, "Merging ridges", "Two ridges become one on the way"},
+    {"skin_merge_end", Beginning::sections, "Ridges that end in one",
+     "Two ridges become one at the last section"},
+
+    {"shell", Beginning::outline, "Shell", "A flat rim with tilted normals becomes a housing"},
+    {"saddle", Beginning::outline, "Saddle", "A saddle over a round outline"},
+    {"sphere_band", Beginning::outline, "Spherical band", "Two outlines, one surface between them"},
+    {"sphere_holes", Beginning::outline, "Sphere with three holes", "Three outlines bound one surface"},
+    {"sphere_cap", Beginning::outline, "Sphere cap",
+     "An outline with normals and curvature: an exact sphere"},
+    {"ellipsoid_cap", Beginning::outline, "Ellipsoid cap", "An outline with normals and curvature, filled"},
+    {"paraboloid", Beginning::outline, "Paraboloid", "An outline that is not flat"},
+    {"catenoid", Beginning::outline, "Catenoid", "A saddle everywhere, between two rings"},
 };
 
+/// Its place among the descriptions; their number for one that has none.
+std::size_t place_of(const fs::path& path) {
+  const auto found = std::find_if(std::begin(descriptions), std::end(descriptions),
+                                  [stem = path.stem().string()](const auto& d) { return stem == d.stem; });
+  return static_cast<std::size_t>(found - std::begin(descriptions));
+}
+
 Sample describe(const fs::path& path) {
-  const std::string stem = path.stem().string();
-  for (const Description& known : descriptions)
-    if (stem == known.stem) return {path, known.title, known.text};
-  std::string title = stem;
+  Sample sample;
+  sample.path = path;
+  if (const std::size_t place = place_of(path); place < std::size(descriptions)) {
+    const Description& known = descriptions[place];
+    sample.beginning = known.beginning;
+    sample.title = known.title, sample.description = known.text;
+    return sample;
+  }
+  std::string title = path.stem().string();
   std::replace(title.begin(), title.end(), '_', ' ');
   if (!title.empty() && title[0] >= 'a' && title[0] <= 'z')
     title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  return {path, title, path.filename().string()};
+  sample.title = std::move(title), sample.description = path.filename().string();
+  return sample;
 }
 
 }  // namespace
@@ -95,60 +122,9 @@ std::vector<Sample> find_samples(const fs::path& assets) {
     if (path.extension() == ".obj" && paths.contains(fs::path(path).replace_extension(".hariko"))) continue;
     samples.push_back(describe(path));
   }
+  std::stable_sort(samples.begin(), samples.end(),
+                   [](const Sample& a, const Sample& b) { return place_of(a.path) < place_of(b.path); });
   return samples;
-}
-
-Scene sample_scene(const fs::path& path, const CancelToken& cancel) {
-  Scene scene;
-  scene.grid.visible = false;
-  const auto opened = open_file(path);
-  if (!opened.document) return scene;
-  for (const auto& object : opened.document->objects) {
-    if (!object->has_surface() || !object->visible) continue;
-    SurfaceBuilder builder;
-    const SurfaceView view =
-        builder.build(object, neighbours_of(*opened.document, object->id), Quality::final, cancel);
-    SceneObject out;
-    out.mesh = view.mesh;
-    out.polyhedron = cage_of(*object);
-    out.show_polyhedron = object->polyhedron() != nullptr;
-    out.show_network = true;
-    out.transform = matrix_of(object->transform);
-    scene.objects.push_back(std::move(out));
-  }
-  return scene;
-}
-
-std::optional<Image> draw_picture(Renderer& renderer, const Scene& scene, PixelSize size) {
-  const Camera camera = Camera::standard(StandardView::iso).frame(scene.world_box(), size);
-  if (scene.objects.empty() || !renderer.draw(scene, camera, {size, 4, thumbnail_picture}).ok()) return {};
-  Image image = renderer.read(thumbnail_picture);
-  renderer.forget(thumbnail_picture);
-  return image;
-}
-
-ImTextureID upload_picture(const Image& image) {
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
-  glBindTexture(GL_TEXTURE_2D, texture);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-               image.rgba.data());
-  glGenerateMipmap(GL_TEXTURE_2D);
-  glBindTexture(GL_TEXTURE_2D, 0);
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
-  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
-}
-
-void release_picture(ImTextureID picture) {
-  const auto texture = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(picture));
-  if (texture != 0) glDeleteTextures(1, &texture);
-}
-
-ImTextureID sample_picture(Renderer& renderer, const Scene& scene) {
-  const auto image = draw_picture(renderer, scene, picture_size);
-  return image ? upload_picture(*image) : nullptr;
 }
 
 }  // namespace hariko

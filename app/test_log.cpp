@@ -1,6 +1,10 @@
 #include "app/test_log.hpp"
 
+#include <epoxy/gl.h>
 #include <imgui.h>
+#include <sys/resource.h>
+
+#include <algorithm>
 
 #include "core/base/json_writer.hpp"
 #include "ui/selection_text.hpp"
@@ -97,6 +101,24 @@ void TestLog::input(const std::vector<InputEvent>& batch) {
     if (event.kind == InputEvent::Kind::key && !event.repeated) ++keys_, taken_ = true;
     if (event.kind == InputEvent::Kind::button) ++buttons_, taken_ = true;
   }
+}
+
+void TestLog::first_frame(const Workbench& workbench) {
+  if (!on_) return;
+  glFinish();  // a software renderer draws in threads of its own
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto milliseconds = [](const timeval& time) {
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
+  };
+  const auto& samples = workbench.samples();
+  const auto missing = std::count_if(samples.begin(), samples.end(),
+                                     [](const Sample& sample) { return sample.wanted && !sample.picture.texture; });
+  out_ << event_line("first_frame", [&](JsonWriter& json) {
+    json.member("cpu_ms", milliseconds(used.ru_utime) + milliseconds(used.ru_stime));
+    json.member("user_ms", milliseconds(used.ru_utime));
+    json.member("pictures_missing", static_cast<std::size_t>(missing));
+  }) << std::endl;
 }
 
 void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle) {

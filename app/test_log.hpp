@@ -25,6 +25,9 @@ class TestLog {
   /// What the next frame sees. Changes of keys and buttons are counted, and logged once that frame has acted
   /// on them.
   void input(const std::vector<InputEvent>& batch);
+  /// After the first frame, once it is drawn: the processor time that the program took until then, all
+  /// threads and the system's share, and how many pictures the page still waits for.
+  void first_frame(const Workbench& workbench);
   /// After a frame: logs what changed since the last one. `idle`: nothing is left to do.
   void frame(const Editor& editor, const Workbench& workbench, bool idle);
 

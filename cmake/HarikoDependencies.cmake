@@ -52,6 +52,7 @@ if(HARIKO_WINDOW)
   find_package(Freetype REQUIRED)
   find_package(CLI11 REQUIRED)
   pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+  pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET fontconfig)
   # imgui.pc does not name FreeType, and the static library needs its link order: an own target.
   pkg_check_modules(IMGUI REQUIRED imgui)
   find_library(IMGUI_LIB imgui REQUIRED)

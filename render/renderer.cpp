@@ -30,8 +30,6 @@ double scale_of_transform(const SceneObject& object) {
 }  // namespace
 
 struct Renderer::State {
-  explicit State(gl::Painter p) : painter(std::move(p)), stamp(shader_stamp()) {}
-
   struct MeshEntry {
     std::shared_ptr<const DisplayMesh::Curves> curves;  // the key; kept so that its address stays unique
     std::unique_ptr<gl::MeshBuffers> buffers;
@@ -69,7 +67,7 @@ struct Renderer::State {
   void release(unsigned pictures);
   void drop_unused();
 
-  gl::Painter painter;
+  std::unique_ptr<gl::Painter> painter;  ///< null before the first picture
   std::array<Picture, most_pictures> pictures;
   unsigned bit = 1;  ///< of the picture that is drawn
   gl::IndexCache indices;
@@ -81,7 +79,7 @@ struct Renderer::State {
   gl::BufferCache<FacetLines, gl::FacetLineBuffers> facet_edges;
   std::vector<SectionEntry> sections;
   FrameStatistics statistics;
-  std::uint64_t stamp = 0;
+  std::uint64_t stamp = shader_stamp();
 };
 
 /// The entry of the mesh's family: refreshed versions share their curves, so they follow each other in one
@@ -139,9 +137,9 @@ void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& obj
     if (by_value)
       look.values = {scale_for(object.map, object.range, frame.colour_blind_safe), object.range,
                      undefined_color};
-    painter.lines(frame, model,
-                  {&mesh.vertices(), vertex_stride, mesh.curve_array(kind), mesh.curve_count(kind)}, line,
-                  gl::Depth::visible, 1, look);
+    painter->lines(frame, model,
+                   {&mesh.vertices(), vertex_stride, mesh.curve_array(kind), mesh.curve_count(kind)}, line,
+                   gl::Depth::visible, 1, look);
   };
   if (values || object.wire == PatchWire::borders)
     draw(CurveKind::split, values ? style.continuity : style.split, values);
@@ -168,8 +166,8 @@ void Renderer::State::draw_marks(const gl::Frame& frame, const SceneObject& obje
       look.dash = std::exp2(std::round(std::log2(static_cast<double>(dash.length) * pixel)));
       look.dash_share = static_cast<double>(dash.share);
     }
-    painter.lines(frame, model, {&mesh.vertices(), vertex_stride, buffers.array(k), buffers.count(k)},
-                  style.marks[k], gl::Depth::visible, 1, look);
+    painter->lines(frame, model, {&mesh.vertices(), vertex_stride, buffers.array(k), buffers.count(k)},
+                   style.marks[k], gl::Depth::visible, 1, look);
   }
 }
 
@@ -184,10 +182,10 @@ void Renderer::State::draw_combs(const gl::Frame& frame, const SceneObject& obje
       object.comb_scale * pixel *
       std::min(comb_pixels / object.combs->typical, longest_comb_pixels / object.combs->greatest);
   constexpr int stride = 6;
-  painter.lines(frame, model, {&buffers.teeth(), stride, buffers.tooth_array(), buffers.tooth_count()},
-                style.comb_tooth, gl::Depth::visible, 1, look);
-  painter.lines(frame, model, {&buffers.teeth(), stride, buffers.envelope_array(), buffers.envelope_count()},
-                style.comb_envelope, gl::Depth::visible, 1, look);
+  painter->lines(frame, model, {&buffers.teeth(), stride, buffers.tooth_array(), buffers.tooth_count()},
+                 style.comb_tooth, gl::Depth::visible, 1, look);
+  painter->lines(frame, model, {&buffers.teeth(), stride, buffers.envelope_array(), buffers.envelope_count()},
+                 style.comb_envelope, gl::Depth::visible, 1, look);
 }
 
 void Renderer::State::draw_facet_edges(const gl::Frame& frame, const SceneObject& object,
@@ -196,9 +194,9 @@ void Renderer::State::draw_facet_edges(const gl::Frame& frame, const SceneObject
   const gl::FacetLineBuffers& buffers = facet_edges.get(object.facet_edges, bit, statistics.uploaded_bytes);
   gl::LineLook look;
   look.depth = object.facet_edges->depth;
-  painter.lines(frame, gl::at_origin(object.transform, object.facet_edges->origin),
-                {&buffers.points(), 3, buffers.array(), buffers.count()}, style.facet_edge,
-                gl::Depth::visible, 1, look);
+  painter->lines(frame, gl::at_origin(object.transform, object.facet_edges->origin),
+                 {&buffers.points(), 3, buffers.array(), buffers.count()}, style.facet_edge,
+                 gl::Depth::visible, 1, look);
 }
 
 void Renderer::State::draw_section(const gl::Frame& frame, const SceneObject& object,
@@ -210,8 +208,8 @@ void Renderer::State::draw_section(const gl::Frame& frame, const SceneObject& ob
                offset = plane.offset - plane.normal.dot(Vector3(model.topRightCorner<3, 1>()));
   if (!(length > 0)) return;
   const gl::SectionBuffers& buffers = section_buffers(object.mesh, {normal / length, offset / length});
-  painter.lines(frame, model, {&buffers.points(), 3, buffers.array(), buffers.count()}, style.section,
-                gl::Depth::visible, 1);
+  painter->lines(frame, model, {&buffers.points(), 3, buffers.array(), buffers.count()}, style.section,
+                 gl::Depth::visible, 1);
 }
 
 void Renderer::State::draw_tensions(const gl::Frame& frame, const SceneObject& object,
@@ -222,8 +220,9 @@ void Renderer::State::draw_tensions(const gl::Frame& frame, const SceneObject& o
   gl::LineLook look;
   look.values = {ColorScale::diverging_safe, {0, 1}, {0, 0, 0, 0}};
   for (const EdgeKind kind : {EdgeKind::plain, EdgeKind::crease, EdgeKind::boundary})
-    painter.lines(frame, model, {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind)},
-                  kind == EdgeKind::plain ? style.tension : style.tension_on_line, depth, opacity, look);
+    painter->lines(frame, model,
+                   {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind)},
+                   kind == EdgeKind::plain ? style.tension : style.tension_on_line, depth, opacity, look);
 }
 
 void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject& object,
@@ -231,11 +230,12 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
   const gl::PolyhedronBuffers& buffers = polyhedra.get(object.polyhedron, bit, statistics.uploaded_bytes);
   const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
   const auto edges = [&](EdgeKind kind, const gl::LineStyle& line) {
-    painter.lines(frame, model, {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind)},
-                  line, depth, opacity);
+    painter->lines(frame, model,
+                   {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind)}, line, depth,
+                   opacity);
   };
   const auto some = [&](const Highlights& elements, const gl::LineStyle& line) {
-    painter.some_edges(frame, model, *object.polyhedron, buffers, elements.edges, line, depth, opacity);
+    painter->some_edges(frame, model, *object.polyhedron, buffers, elements.edges, line, depth, opacity);
   };
   if (object.show_polyhedron) {
     edges(EdgeKind::plain, style.polyhedron);
@@ -247,10 +247,10 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
   some(object.hovered, style.hovered_edge);
   some(object.failed, style.failed_edge);
   const auto points = [&](const std::vector<Index>& vertices, const gl::PointStyle& point) {
-    painter.some_points(frame, model, buffers, vertices, point, depth, opacity);
+    painter->some_points(frame, model, buffers, vertices, point, depth, opacity);
   };
   if (object.show_polyhedron && object.show_points)
-    painter.points(frame, model, buffers, style.point, depth, opacity, object.show_tensions);
+    painter->points(frame, model, buffers, style.point, depth, opacity, object.show_tensions);
   if (object.show_polyhedron) {
     points(object.polyhedron->corners, style.corner);
     points(object.polyhedron->smooth, style.smooth);
@@ -277,25 +277,25 @@ void Renderer::State::draw_bodies(const gl::Frame& frame, const SceneObject& obj
   }
   const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
   const float opacity = object.faint_bodies ? faint : 1;
-  painter.bodies(frame, model, buffers, plain, look.plain, opacity);
-  painter.bodies(frame, model, buffers, hovered, look.hovered, opacity);
-  painter.bodies(frame, model, buffers, object.selected.faces, look.selected, opacity);
+  painter->bodies(frame, model, buffers, plain, look.plain, opacity);
+  painter->bodies(frame, model, buffers, hovered, look.hovered, opacity);
+  painter->bodies(frame, model, buffers, object.selected.faces, look.selected, opacity);
 }
 
 void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style) {
   for (const SceneObject& object : scene.objects) {
     if (object.polyhedron && object.show_bodies) {
-      painter.cut(frame, true);
+      painter->cut(frame, true);
       draw_bodies(frame, object, style);
-      painter.cut(frame, false);
+      painter->cut(frame, false);
     }
     if (object.mesh && object.show_surface && object.mesh->patch_count() > 0) {
-      painter.cut(frame, true);
+      painter->cut(frame, true);
       draw_facet_edges(frame, object, style);
       draw_curves(frame, object, style);
       draw_marks(frame, object, style);
       draw_combs(frame, object, style);
-      painter.cut(frame, false);
+      painter->cut(frame, false);
       if (scene.section) draw_section(frame, object, *scene.section, style);
     }
     if (!object.polyhedron) continue;
@@ -303,17 +303,17 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
                      !object.failed.empty();
     if (!any) continue;
     const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
-    painter.cut(frame, true);
+    painter->cut(frame, true);
     if (!object.show_bodies) {
-      painter.faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
-      painter.faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
+      painter->faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
+      painter->faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
     }
-    painter.faces(frame, model, *object.polyhedron, object.failed.faces, style.failed_fill);
+    painter->faces(frame, model, *object.polyhedron, object.failed.faces, style.failed_fill);
     if (object.x_ray) draw_polyhedron(frame, object, style, gl::Depth::hidden, scene.hidden_opacity);
     draw_polyhedron(frame, object, style, gl::Depth::visible, 1);
-    painter.cut(frame, false);
+    painter->cut(frame, false);
   }
-  painter.overlay(frame, scene.lines);
+  painter->overlay(frame, scene.lines);
 }
 
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -327,15 +327,15 @@ Result<Renderer> Renderer::create() {
     return make_error(e_gl_version,
                       "This program needs OpenGL 3.3; the graphics driver offers " + describe_gl() + ".",
                       "Update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1.");
-  Result<gl::Painter> painter = gl::Painter::create();
-  if (!painter) return painter.error();
-  return Renderer(std::make_unique<State>(std::move(painter).value()));
+  return Renderer(std::make_unique<State>());
 }
 
 Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const FrameOptions& options) {
   State& s = *state_;
   s.statistics = {};
-  s.painter.reset(&s.statistics);
+  if (!s.painter)
+    if (const Result<Done> made = reload(); !made) return made;
+  s.painter->reset(&s.statistics);
   HARIKO_ASSERT(options.picture >= 0 && options.picture < most_pictures, "no such picture");
   State::Picture& picture = s.pictures[std::size_t(options.picture)];
   s.bit = 1U << static_cast<unsigned>(options.picture);
@@ -355,18 +355,18 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Fram
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBlendEquation(GL_FUNC_ADD);
-  s.painter.background(style, scene.background);
-  s.painter.cut(frame, true);
+  s.painter->background(style, scene.background);
+  s.painter->cut(frame, true);
   Result<Done> drawn = Done{};
   for (const SceneObject& object : scene.objects) {
     if (!object.mesh || !object.show_surface || object.mesh->patch_count() == 0) continue;
     gl::MeshBuffers& buffers = s.mesh_buffers(*object.mesh);
     buffers.set_patch_colors(patch_color_bytes(object), s.statistics.uploaded_bytes);
-    if (Result<Done> done = s.painter.surface(frame, object, buffers, scene.zebra, style); !done)
+    if (Result<Done> done = s.painter->surface(frame, object, buffers, scene.zebra, style); !done)
       drawn = done;
   }
-  s.painter.cut(frame, false);
-  if (scene.grid.visible) s.painter.grid(frame, scene.grid, style);
+  s.painter->cut(frame, false);
+  if (scene.grid.visible) s.painter->grid(frame, scene.grid, style);
   s.draw_overlays(frame, scene, style);
 
   glBindVertexArray(0);
@@ -458,7 +458,7 @@ Result<Done> Renderer::reload() {
   state_->stamp = shader_stamp();
   Result<gl::Painter> painter = gl::Painter::create();
   if (!painter) return painter.error();
-  state_->painter = std::move(painter).value();
+  state_->painter = std::make_unique<gl::Painter>(std::move(painter).value());
   return Done{};
 }
 

@@ -36,13 +36,14 @@ class Renderer {
   /// spare. GPU copies of meshes are shared between them.
   static constexpr int most_pictures = 8;
 
-  /// Errors: E_GL_VERSION below 3.3, E_GL_SHADER.
+  /// Errors: E_GL_VERSION below 3.3. Shaders are compiled when the first picture is drawn: a window that
+  /// shows none starts without them.
   static Result<Renderer> create();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Draws; the picture is then in texture(options.picture). Errors: E_GL_FRAMEBUFFER.
+  /// Draws; the picture is then in texture(options.picture). Errors: E_GL_FRAMEBUFFER, E_GL_SHADER.
   Result<Done> draw(const Scene& scene, const Camera& camera, const FrameOptions& options);
 
   /// GL name of the RGBA8 texture with a picture; rows run upwards, as GL has them (ImGui: uv (0,1)..(1,0)).

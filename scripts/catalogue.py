@@ -20,8 +20,10 @@ import sys
 ALLOWED = {
     "Hariko", "Blender", "Maya", "Rhino", "English", "DISPLAY", "UTF-8",
     "Ctrl + ", "Shift + ", "Alt + ", "Viewport", "object:", "OpenGL ",
+    # Families of fonts.
+    "Inter", "FontAwesome", "Noto Sans CJK JP",
     # Names, and what a report of a mistake needs.
-    "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), Eigen (MPL 2.0), oneTBB (Apache 2.0), "
+    "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), fontconfig (MIT), Eigen (MPL 2.0), oneTBB (Apache 2.0), "
     "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL OFL).",
     "Hariko ", "\nGLFW ", "\nDear ImGui ", "\nlog.txt:\n", ", scale ",
      # of the test log

@@ -6,7 +6,7 @@ set -euo pipefail
 
 build_packages=(build-essential clang lld cmake ninja-build pkg-config ccache
   libglfw3-dev libx11-dev libimgui-dev libstb-dev libepoxy-dev libglm-dev libeigen3-dev libosd-dev nlohmann-json3-dev libtbb-dev
-  libcli11-dev libzip-dev libexpat1-dev libpng-dev libfreetype-dev zlib1g-dev
+  libcli11-dev libzip-dev libexpat1-dev libpng-dev libfreetype-dev libfontconfig-dev zlib1g-dev
   fonts-inter fonts-font-awesome fonts-noto-cjk libmuparser-dev libegl1 libgl1 libgl1-mesa-dri)
 test_packages=(libgtest-dev libgmock-dev libassimp-dev lib3mf-dev xvfb xauth xdotool libx11-dev x11-utils imagemagick python3 git)
 full_packages=(libclang-rt-dev clang-tidy clang-format valgrind librsvg2-bin poppler-utils python3-ezdxf)

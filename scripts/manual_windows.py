@@ -243,7 +243,7 @@ def take(program, name):
         window = Window(program, *files, home=home)
         try:
             window.move(4, 796)  # off everything that answers to the pointer
-            time.sleep(2 if model is None else 0.5)  # the cards of the start page draw themselves one by one
+            time.sleep(0.5)
             window.wait_idle()
             action(window)
             time.sleep(0.6)

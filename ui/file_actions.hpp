@@ -10,6 +10,7 @@
 #include "ui/drawing_order.hpp"
 #include "ui/export_settings.hpp"
 #include "ui/picture_order.hpp"
+#include "ui/samples.hpp"
 
 namespace hariko {
 
@@ -48,8 +49,8 @@ struct FileActions {
   /// Records what the user does from now on as a replay, until it is told to stop.
   std::function<void(const std::filesystem::path&)> record;
   std::function<void()> stop_recording;
-  std::function<void()> picture_samples;  ///< gives the samples their pictures where they have none
-  std::function<void()> quit;             ///< at once
+  std::function<void(Sample&)> picture;  ///< gets a sample its picture, at once or later
+  std::function<void()> quit;            ///< at once
 };
 
 }  // namespace hariko

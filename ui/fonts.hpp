@@ -1,6 +1,7 @@
 #pragma once
 
-// Fonts: what the interface is written with. Japanese is loaded only when something needs it.
+// Fonts: what the interface is written with: Latin, Greek and Cyrillic always, Japanese only when something
+// needs it.
 
 #include <set>
 #include <string>
@@ -9,7 +10,7 @@ struct ImFont;
 
 namespace hariko {
 
-/// What the fonts must be able to write, beyond Latin and Greek.
+/// What the fonts must be able to write, beyond Latin, Greek and Cyrillic.
 struct FontRequest {
   float scale = 1;  ///< framebuffer pixels per design pixel
   /// Kana and the common characters of Japanese, for reading and typing.
@@ -18,16 +19,19 @@ struct FontRequest {
   friend bool operator==(const FontRequest&, const FontRequest&) = default;
 };
 
-/// Whether a font for Japanese is installed (Debian package fonts-noto-cjk).
+/// Whether a font for Japanese is installed (on Debian that of the package fonts-noto-cjk).
 bool japanese_font_installed();
 /// Whether this character is in the font for Japanese only.
 bool needs_japanese_font(char32_t character);
 
-/// Fills ImGui's atlas anew; between frames only, and the backend must take up the atlas afterwards. Returns
-/// what is missing, as a sentence, or nullptr.
-const char* load_fonts(const FontRequest& request);
+/// Which of the fonts that this program is made for is not installed, as a sentence; null where all are.
+const char* missing_fonts();
 
-/// The large font of titles.
+/// Fills ImGui's atlas anew; between frames only, and the backend must take up the atlas afterwards. Where no
+/// font can be found it is ImGui's own one, of plain Latin.
+void load_fonts(const FontRequest& request);
+
+/// The large font of titles, which has Latin letters only.
 ImFont* title_font();
 
 }  // namespace hariko

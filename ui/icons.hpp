@@ -45,6 +45,13 @@ inline constexpr const char* add = "\uf067";       // plus
 inline constexpr const char* reset = "\uf0e2";
 inline constexpr const char* record = "\uf111";  // circle
 
+/// All of the above: only these are taken from the font.
+inline constexpr const char* of_font[] = {
+    select, orbit,   pan,         zoom,        frame, vertex, edge,  face,   open,    folder,
+    file,   save,    import_file, export_file, undo,  redo,   shown, hidden, locked,  unlocked,
+    trash,  warning, error,       info,        close, up,     scale, mesh,   current, check,
+    object, search,  keyboard,    settings,    add,   reset,  record};
+
 inline constexpr unsigned short extrude_code = 0xf300, inset_code = 0xf301, bevel_code = 0xf302,
                                 loop_cut_code = 0xf303, knife_code = 0xf304, lasso_code = 0xf305,
                                 mirror_code = 0xf306;

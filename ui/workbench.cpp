@@ -123,6 +123,7 @@ void Workbench::frame() {
                        metrics_,
                        panel_state_,
                        samples_,
+                       actions_.picture,
                        [this](const std::filesystem::path& path) { open_guarded(path); },
                        viewport_.hint(),
                        editor_.language,
@@ -154,7 +155,7 @@ void Workbench::layout(PanelContext& context, float menu) {
   const float tools = tool_column_width(metrics_, screen.y - menu - status);
   if (!editor_.has_document) {
     const PanelRect all{{0, menu}, screen};
-    draw_start_page(context, all);
+    start_page_.draw(context, all);
     draw_notices(context, all);
     return;
   }
@@ -225,6 +226,7 @@ void Workbench::key(const KeyPress& press) {
   if (text_field_active() || field_opening() || files_.is_open() || offers_dialog_.is_open() ||
       prompt_.is_open())
     return;
+  if (!editor_.has_document && start_page_.key(chord)) return;
   // A running tool takes its own keys first: axes, numbers, Enter.
   if (viewport_.tool_key(press)) return;
   const Command* command = commands_.find(chord);
@@ -294,7 +296,6 @@ void Workbench::offer_recovery() {
 }
 
 void Workbench::show_samples() {
-  actions_.picture_samples();
   offers_dialog_.open(OffersDialog::Kind::samples);
 }
 
@@ -318,6 +319,7 @@ void Workbench::forget_interface() {
   gauss_ = {};
   palette_ = {};
   cheat_sheet_ = {};
+  start_page_ = {};
   files_.forget_choices();
   editor_.meshing = {};
   ImGui::ClearActiveID();

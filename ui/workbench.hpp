@@ -16,6 +16,7 @@
 #include "ui/panels/paper_panel.hpp"
 #include "ui/panels/preferences.hpp"
 #include "ui/panels/prompt.hpp"
+#include "ui/panels/start_page.hpp"
 #include "ui/viewport.hpp"
 
 namespace hariko {
@@ -47,6 +48,7 @@ class Workbench {
   /// The Gauss sphere: the application fills it while it is shown.
   GaussView& gauss() { return gauss_; }
   std::vector<Sample>& samples() { return samples_; }
+  const std::vector<Sample>& samples() const { return samples_; }
   Offers& offers() { return offers_; }
 
   /// Asks something that cannot be undone.
@@ -101,6 +103,7 @@ class Workbench {
   PanelState panel_state_;
   std::vector<Sample> samples_;
   Offers offers_;
+  StartPage start_page_;
   CommandPalette palette_;
   CheatSheet cheat_sheet_;
   ContextMenu context_menu_;

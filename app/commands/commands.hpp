@@ -115,4 +115,8 @@ struct UnfoldArguments {
 };
 int run_unfold(const UnfoldArguments& arguments);
 
+/// For the build: pictures of the samples in `assets`, in the folder `out`. Without OpenGL there are none,
+/// which is said and is no failure: the program draws them when it shows them.
+int run_sample_pictures(const std::filesystem::path& assets, const std::filesystem::path& out);
+
 }  // namespace hariko

@@ -44,7 +44,7 @@ def session(program, source, output):
     with tempfile.TemporaryDirectory() as folder:
         window = Window(program)
         try:
-            window.click_on("start.box")
+            window.click_on("start.polyhedron")
             window.wait(lambda: window.last("vertices") is not None, "the box")
             window.wait_idle()
             first = save_as(window, os.path.join(folder, "first.hariko"))

@@ -10,6 +10,17 @@ def session(program, source, output):
     window = Window(program, size=(1024, 700))
     try:
         window.screenshot(os.path.join(output, "start_page.png"))
+        check(window.count("first_frame") == 1, "the first frame was not measured once")
+
+        # By keys: the drawing of an outline begins, and Close leads back.
+        for key in ("Tab", "Tab", "Right", "Right", "Right", "Return"):
+            window.key(key)
+        window.wait(lambda: "viewport" in window.last("layout")["rects"], "the outline to be drawn")
+        window.key("Escape")
+        window.wait_idle()
+        window.key("ctrl+w")
+        window.wait(lambda: "viewport" not in window.last("layout")["rects"], "the start page again")
+        window.wait_idle()
         window.click_on("sample.cube_crease.hariko")
         window.wait_event("opened", 0)
         window.wait_idle()

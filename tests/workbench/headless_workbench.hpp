@@ -29,11 +29,8 @@ class HeadlessWorkbench {
     io.IniFilename = nullptr;
     io.DisplaySize = size;
     metrics_.scale = 1;
-    load_fonts({});
+    set_fonts({});
     apply_theme(ThemeId::dark, 1, palette_);
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
     editor_.views = &engine_.views();
     editor_.open(std::move(document), {});
     workbench_ = std::make_unique<Workbench>(editor_, renderer_, 1, metrics_, complete(std::move(actions)));
@@ -51,6 +48,14 @@ class HeadlessWorkbench {
   Editor& editor() { return editor_; }
   Workbench& workbench() { return *workbench_; }
   Renderer& renderer() { return renderer_; }
+
+  /// Between frames.
+  void set_fonts(const FontRequest& request) {
+    load_fonts(request);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  }
 
   void frame() {
     editor_.now += 0.05;
@@ -142,7 +147,7 @@ class HeadlessWorkbench {
     complete(actions.show_log_folder);
     complete(actions.record);
     complete(actions.stop_recording);
-    complete(actions.picture_samples);
+    complete(actions.picture);
     complete(actions.quit);
     return actions;
   }

@@ -12,7 +12,8 @@ namespace hariko {
 namespace {
 
 constexpr const char* libraries =
-    "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), Eigen (MPL 2.0), oneTBB "
+    "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), fontconfig (MIT), Eigen (MPL "
+    "2.0), oneTBB "
     "(Apache 2.0), "
     "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL "
     "OFL).";

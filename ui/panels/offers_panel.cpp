@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "ui/icons.hpp"
+#include "ui/panels/card_focus.hpp"
 #include "ui/panels/crash_offer.hpp"
 #include "ui/panels/sample_cards.hpp"
 
@@ -36,6 +37,11 @@ std::string title_of(const Language& tr, const RecoveryOffer& offer) {
   return offer.path.empty() ? tr(std::string(translatable("Untitled"))) : offer.path.filename().string();
 }
 
+/// Whether keys choose the last item.
+bool by_key(PanelContext& context, const std::string& id) {
+  return context.focus && context.focus->item(id, context.metrics.px(4));
+}
+
 void recovery_card(PanelContext& context, const RecoveryOffer& offer, float width) {
   const Metrics& m = context.metrics;
   const Language& tr = context.tr;
@@ -64,13 +70,15 @@ void recovery_card(PanelContext& context, const RecoveryOffer& offer, float widt
   ImGui::SetCursorScreenPos({left, at.y + height - ImGui::GetFrameHeight() - m.px(10)});
   if (!offer.damaged) {
     ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(palette().accent, 0.35F));
-    if (ImGui::Button(tr("Recover"), {m.px(110), 0})) context.recover(offer.id);
+    const bool pressed = ImGui::Button(tr("Recover"), {m.px(110), 0});
     context.marks.item("recovery.recover");
+    if (by_key(context, "recover." + offer.id) || pressed) context.recover(offer.id);
     ImGui::PopStyleColor();
     ImGui::SameLine();
   }
-  if (ImGui::Button(tr("Discard"), {m.px(110), 0})) context.discard_recovery(offer.id);
+  const bool discarded = ImGui::Button(tr("Discard"), {m.px(110), 0});
   context.marks.item("recovery.discard");
+  if (by_key(context, "discard." + offer.id) || discarded) context.discard_recovery(offer.id);
   ImGui::PopID();
   ImGui::SetCursorScreenPos({at.x, at.y + height + m.px(8)});
   ImGui::Dummy({width, 1});
@@ -79,8 +87,9 @@ void recovery_card(PanelContext& context, const RecoveryOffer& offer, float widt
 bool recent_card(PanelContext& context, const RecentFile& file, ImVec2 size) {
   const Metrics& m = context.metrics;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::InvisibleButton(file.path.c_str(), size);
+  bool clicked = ImGui::InvisibleButton(file.path.c_str(), size);
   context.marks.item("recent." + file.path.filename().string());
+  if (by_key(context, file.path.string())) clicked = true;
   const bool hovered = ImGui::IsItemHovered();
   if (hovered) ImGui::SetTooltip("%s\n%s", file.path.c_str(), local_time_text(file.used_at).c_str());
   ImDrawList& draw = *ImGui::GetWindowDrawList();

@@ -12,17 +12,10 @@
 #include "ui/editor.hpp"
 #include "ui/marks.hpp"
 #include "ui/panels/offers.hpp"
+#include "ui/samples.hpp"
 #include "ui/theme.hpp"
 
 namespace hariko {
-
-/// Something to begin with, shown on the start page.
-struct Sample {
-  std::filesystem::path path;
-  std::string title, description;
-  ImTextureID picture = nullptr;  ///< null until it is rendered
-  float aspect = 1.5F;            ///< of the picture
-};
 
 /// What the list of objects remembers between frames.
 struct OutlinerState {
@@ -48,6 +41,8 @@ struct PanelState {
   std::shared_ptr<const MeasuredSections> measured_sections;  ///< of the skin that was shown last
 };
 
+class CardFocus;
+
 /// What the panels need from the rest.
 struct PanelContext {
   Editor& editor;
@@ -56,6 +51,8 @@ struct PanelContext {
   const Metrics& metrics;
   PanelState& state;
   std::vector<Sample>& samples;
+  /// Gets a sample its picture, at once or later.
+  std::function<void(Sample&)> picture;
   std::function<void(const std::filesystem::path&)> open;
   std::string tool_hint;
   const Language& tr;
@@ -64,6 +61,7 @@ struct PanelContext {
   std::function<void(const std::string&id)> recover, discard_recovery;
   /// Of the crash that is offered.
   std::function<void()> dismiss_crash, show_log_folder;
+  CardFocus* focus = nullptr;  ///< of the page that is being drawn, where keys choose
 
   /// Runs a command; when it cannot run, its reason becomes a notice.
   void run(std::string_view id);
@@ -98,7 +96,6 @@ void draw_cursor_note(PanelContext& context);
 void draw_meshing(PanelContext& context, const PanelRect& rect);
 /// The step of the guided first model.
 void draw_guide(PanelContext& context, const PanelRect& rect);
-void draw_start_page(PanelContext& context, const PanelRect& rect);
 
 /// The button that most people want next, in the accent colour.
 bool main_button(const char* label, ImVec2 size = {0, 0});

@@ -1,84 +1,120 @@
 #include "ui/panels/sample_cards.hpp"
 
-#include "ui/panels/overlay_window.hpp"
+#include <algorithm>
+#include <utility>
+
+#include "ui/panels/card_focus.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
 
 namespace {
 
-struct Card {
-  std::string id, title, subtitle, help;
-  ImTextureID picture = nullptr;
-};
+constexpr float picture_aspect = 1.5F;
+constexpr float padding = 12, spacing = 16, above_title = 8, above_text = 23, below_text = 9;  ///< points
 
-constexpr float caption_height = 70;  // a title and two lines
-
-/// A card with a picture. True when it was clicked.
-bool card(PanelContext& context, const Card& card, ImVec2 size) {
-  const Metrics& m = context.metrics;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::InvisibleButton(card.id.c_str(), size);
-  context.marks.item(card.id);
-  const bool hovered = ImGui::IsItemHovered();
-  if (hovered && !card.help.empty()) ImGui::SetTooltip("%s", card.help.c_str());
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 end(at.x + size.x, at.y + size.y);
-  const float caption = m.px(caption_height), radius = m.px(6);
-  draw.AddRectFilled(at, end, hovered ? palette().field_hover : palette().panel, radius);
-  const ImVec2 picture_end(end.x, end.y - caption);
-  if (card.picture)
-    draw.AddImageRounded(card.picture, at, picture_end, {0, 0}, {1, 1}, IM_COL32_WHITE, radius,
-                         ImDrawFlags_RoundCornersTop);
+/// A picture that fills a place: its middle, where it is higher or wider.
+void fill_with(const Picture& picture, ImVec2 low, ImVec2 high, float radius) {
+  ImVec2 first{0, 0}, last{1, 1};
+  const float place = (high.x - low.x) / (high.y - low.y);
+  if (picture.aspect < place)
+    first.y = (1 - picture.aspect / place) / 2, last.y = 1 - first.y;
   else
-    draw.AddRectFilled(at, picture_end, palette().field, radius, ImDrawFlags_RoundCornersTop);
-  const float room = size.x - m.px(20);
-  draw.AddText({at.x + m.px(12), picture_end.y + m.px(7)}, palette().text, elided(card.title, room).c_str());
-  draw.AddText({at.x + m.px(12), picture_end.y + m.px(27)}, palette().dim_text,
-               in_lines(card.subtitle, room, 2).c_str());
-  if (hovered) draw.AddRect(at, end, palette().secondary, radius, 0, m.px(1.5F));
-  return clicked;
+    first.x = (1 - place / picture.aspect) / 2, last.x = 1 - first.x;
+  const auto used = [&](ImVec2 at) { return ImVec2(at.x * picture.used.x, at.y * picture.used.y); };
+  ImGui::GetWindowDrawList()->AddImageRounded(picture.texture, low, high, used(first), used(last),
+                                              IM_COL32_WHITE, radius, ImDrawFlags_RoundCornersTop);
 }
 
-/// Places cards of equal size in rows, from the left edge of the content.
-class Grid {
- public:
-  Grid(const PanelContext& context, float left, float content, int columns, float aspect)
-      : left_(left), spacing_(context.metrics.px(16)), columns_(columns), top_(ImGui::GetCursorPosY()) {
-    const float width = (content - spacing_ * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    size_ = {width, width / aspect + context.metrics.px(caption_height)};
-  }
-  /// Moves to the next place.
-  ImVec2 next(float below = 0) {
-    const int column = count_ % columns_, row = count_ / columns_;
-    ++count_;
-    ImGui::SetCursorPos({left_ + static_cast<float>(column) * (size_.x + spacing_),
-                         top_ + static_cast<float>(row) * (size_.y + below + spacing_)});
-    return size_;
-  }
-
- private:
-  float left_, spacing_;
-  int columns_, count_ = 0;
-  float top_;
-  ImVec2 size_{};
-};
+/// True when it was chosen.
+bool draw_card(PanelContext& context, const Card& card, ImVec2 size, std::size_t lines) {
+  const Metrics& m = context.metrics;
+  const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + size.x, low.y + size.y);
+  bool chosen = ImGui::InvisibleButton(card.id.c_str(), size);
+  context.marks.item(card.id);
+  const bool hovered = ImGui::IsItemHovered();
+  const float radius = m.px(6);
+  if (context.focus && context.focus->item(card.id, radius)) chosen = true;
+  if (hovered && !card.help.empty()) ImGui::SetTooltip("%s", card.help.c_str());
+  if (!ImGui::IsRectVisible(low, high)) return chosen;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddRectFilled(low, high, hovered ? palette().field_hover : palette().panel, radius);
+  const ImVec2 picture_high(high.x, low.y + size.x / picture_aspect);
+  if (card.pictured && !card.pictured->wanted) context.picture(*card.pictured);
+  if (card.pictured && card.pictured->picture.texture)
+    fill_with(card.pictured->picture, low, picture_high, radius);
+  else
+    draw.AddRectFilled(low, picture_high, palette().field, radius, ImDrawFlags_RoundCornersTop);
+  if (card.paint) card.paint(low, picture_high);
+  const float room = size.x - 2 * m.px(padding), left = low.x + m.px(padding);
+  draw.AddText({left, picture_high.y + m.px(above_title)}, palette().text,
+               in_lines(card.title, room, 1).c_str());
+  draw.AddText({left, picture_high.y + m.px(above_title + above_text)}, palette().dim_text,
+               in_lines(card.text, room, lines).c_str());
+  if (hovered) draw.AddRect(low, high, palette().secondary, radius, 0, m.px(1.5F));
+  return chosen;
+}
 
 }  // namespace
 
+int CardGrid::draw(std::size_t lines) const {
+  const Metrics& m = context_.metrics;
+  const float gap = m.px(spacing), top = ImGui::GetCursorPosY();
+  const float column = (width_ - gap * static_cast<float>(columns_ - 1)) / static_cast<float>(columns_);
+  std::size_t longest = 1;
+  for (const Card& card : cards_) {
+    const std::string text = in_lines(card.text, column - 2 * m.px(padding), lines);
+    longest = std::max(longest, 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+  }
+  const ImVec2 size(column, column / picture_aspect + m.px(above_title + above_text + below_text) +
+                                static_cast<float>(longest) * ImGui::GetTextLineHeight());
+  int chosen = -1;
+  for (int i = 0; i < static_cast<int>(cards_.size()); ++i) {
+    ImGui::SetCursorPos({left_ + static_cast<float>(i % columns_) * (size.x + gap),
+                         top + static_cast<float>(i / columns_) * (size.y + gap)});
+    if (draw_card(context_, cards_[static_cast<std::size_t>(i)], size, longest)) chosen = i;
+  }
+  return chosen;
+}
+
+const char* heading_of(Beginning beginning) {
+  switch (beginning) {
+    case Beginning::polyhedron:
+      return translatable("Polyhedron");
+    case Beginning::solids:
+      return translatable("Solids");
+    case Beginning::sections:
+      return translatable("Sections");
+    case Beginning::outline:
+      return translatable("Outline");
+    case Beginning::other:
+      break;
+  }
+  return translatable("Others");
+}
+
 bool draw_samples(PanelContext& context, float left, float width, int columns) {
-  Grid grid(context, left, width, columns, 1.5F);
   bool chosen = false;
-  const std::vector<Sample> all = context.samples;
-  for (const Sample& sample : all) {
-    const ImVec2 size = grid.next();
-    if (!card(context,
-              {"sample." + sample.path.filename().string(), context.tr(sample.title),
-               context.tr(sample.description), context.tr(sample.description), sample.picture},
-              size))
-      continue;
+  bool first = true;
+  for (const Beginning beginning : beginnings) {
+    std::vector<std::filesystem::path> paths;
+    CardGrid grid(context, left, width, columns);
+    for (Sample& sample : context.samples) {
+      if (sample.beginning != beginning) continue;
+      paths.push_back(sample.path);
+      grid.add({"sample." + sample.path.filename().string(), context.tr(sample.title),
+                context.tr(sample.description), context.tr(sample.description), &sample});
+    }
+    if (paths.empty()) continue;
+    ImGui::Dummy({0, context.metrics.px(std::exchange(first, false) ? 0 : 8)});
+    ImGui::SetCursorPosX(left);
+    heading(context, heading_of(beginning));
+    ImGui::Dummy({0, context.metrics.px(2)});
+    constexpr std::size_t lines = 2;
+    const int picked = grid.draw(lines);
+    if (picked < 0) continue;
     chosen = true;
-    context.open(sample.path);
+    context.open(paths[static_cast<std::size_t>(picked)]);
   }
   return chosen;
 }

@@ -36,6 +36,7 @@ class CommandLine {
     mesh_.add_to(app_);
     add_evaluate();
     unfold_.add_to(app_);
+    add_sample_pictures();
     for (CLI::App* command : {info_, export_.command(), render_.command(), mesh_.command(), evaluate_})
       construction_.add_to(*command);
     app_.footer(
@@ -63,6 +64,7 @@ class CommandLine {
     if (*unfold_.command()) return run_unfold(unfold_.arguments());
     if (*mesh_.command()) return run_mesh(mesh_.arguments(construction));
     if (*evaluate_) return run_evaluate(evaluate_arguments_);
+    if (*pictures_) return run_sample_pictures(assets_, pictures_folder_);
     report_missing(window_.options());
     return window_.options();
   }
@@ -82,6 +84,13 @@ class CommandLine {
         ->required();
     evaluate_->add_option("--tension", evaluate_arguments_.tension,
                           "JSON file with tensions, creases and corners");
+  }
+
+  /// For the build only.
+  void add_sample_pictures() {
+    pictures_ = app_.add_subcommand("sample-pictures", "Draws the pictures of the start page")->group("");
+    pictures_->add_option("ASSETS", assets_, "The program's data")->required();
+    pictures_->add_option("OUT", pictures_folder_, "Folder of the pictures")->required();
   }
 
   void parse(int argc, char** argv) {
@@ -117,9 +126,10 @@ class CommandLine {
   }
 
   CLI::App app_;
-  CLI::App *info_ = nullptr, *evaluate_ = nullptr;
+  CLI::App *info_ = nullptr, *evaluate_ = nullptr, *pictures_ = nullptr;
   InfoArguments info_arguments_;
   EvaluateArguments evaluate_arguments_;
+  std::filesystem::path assets_, pictures_folder_;
   WindowCommandLine window_;
   ExportCommandLine export_;
   MeshCommandLine mesh_;

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/cad/kernel/opencascade/kernel.hpp"
 #include "core/cad/kernel/opencascade/kernel_session.hpp"
 #include "core/cad/kernel/opencascade/shape.hpp"
 
@@ -142,12 +143,9 @@ Result<CadFile> make(std::span<const CadObject> objects, const CadFileOptions& o
 
 }  // namespace
 
-std::optional<Message> why_no_cad_files() {
-  return {};
-}
-
-Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileOptions& options,
-                              const CancelToken& cancel, const Progress& progress) {
+Result<CadFile> by_opencascade::make_cad_file(std::span<const CadObject> objects,
+                                              const CadFileOptions& options, const CancelToken& cancel,
+                                              const Progress& progress) {
   try {
     const KernelSession session;
     return make(objects, options, cancel, progress);

@@ -30,6 +30,7 @@
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/cad_text.hpp"
 #include "core/cad/kernel/opencascade/isolated.hpp"
+#include "core/cad/kernel/opencascade/kernel.hpp"
 #include "core/cad/kernel/opencascade/kernel_session.hpp"
 #include "core/cad/kernel/opencascade/scene_bytes.hpp"
 #include "core/cad/kernel/opencascade/triangulated.hpp"
@@ -289,8 +290,9 @@ Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const
 
 }  // namespace
 
-Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadOptions& options,
-                               const CancelToken& cancel, const Progress& progress) {
+Result<CadScene> by_opencascade::read_cad_file(const std::filesystem::path& path,
+                                               const CadReadOptions& options, const CancelToken& cancel,
+                                               const Progress& progress) {
   const auto format = cad_format_of(path);
   HARIKO_ASSERT(format, "the ending tells the format");
   const KernelSession session;

@@ -1,0 +1,79 @@
+// Loads the module with OpenCASCADE when a STEP or IGES file is first written or read.
+
+#include <dlfcn.h>
+
+#include <mutex>
+#include <string>
+#include <system_error>
+
+#include "core/cad/kernel/cad_module.hpp"
+
+namespace hariko {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `lib/hariko` beside the folder of an installed program, else where the build of this program made it.
+fs::path module_path() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return {};
+  const fs::path built = HARIKO_CAD_MODULE;
+  const fs::path installed = program.parent_path().parent_path() / "lib" / "hariko" / built.filename();
+  if (fs::is_regular_file(installed, error)) return installed;
+  const bool is_built = program.string().starts_with(HARIKO_BUILD_FOLDER "/");
+  return is_built && fs::is_regular_file(built, error) ? built : fs::path();
+}
+
+Message missing(const std::string& why) {
+  return make_error(e_no_cad_kernel, "OpenCASCADE, which STEP and IGES need, cannot be loaded: " + why + ".",
+                    "Install Hariko again, with its part for CAD files.");
+}
+
+Result<const CadModule*> load() {
+  const fs::path path = module_path();
+  if (path.empty()) return missing("its part of Hariko is not installed");
+  // Never closed: the kernel keeps settings for the whole process.
+  void* const library = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  void* const entry = library ? ::dlsym(library, cad_module_entry) : nullptr;
+  if (!entry) {
+    const char* const why = ::dlerror();
+    return missing(why ? why : "it is not what it should be");
+  }
+  return reinterpret_cast<CadModuleEntry>(entry)();
+}
+
+/// Tries again after a failure: the libraries may have been installed meanwhile.
+Result<const CadModule*> module() {
+  static const CadModule* loaded = nullptr;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  if (loaded) return loaded;
+  auto result = load();
+  if (result.ok()) loaded = *result;
+  return result;
+}
+
+}  // namespace
+
+std::optional<Message> why_no_cad_files() {
+  if (module_path().empty()) return missing("its part of Hariko is not installed");
+  return {};
+}
+
+Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileOptions& options,
+                              const CancelToken& cancel, const Progress& progress) {
+  const auto kernel = module();
+  if (!kernel) return kernel.error();
+  return (*kernel)->make_cad_file(objects, options, cancel, progress);
+}
+
+Result<CadScene> read_cad_file(const fs::path& path, const CadReadOptions& options, const CancelToken& cancel,
+                               const Progress& progress) {
+  const auto kernel = module();
+  if (!kernel) return kernel.error();
+  return (*kernel)->read_cad_file(path, options, cancel, progress);
+}
+
+}  // namespace hariko

@@ -1,0 +1,15 @@
+#pragma once
+
+// The functions of cad_file.hpp and read_cad_file.hpp as OpenCASCADE does them. Only for the module.
+
+#include "core/cad/kernel/cad_file.hpp"
+#include "core/cad/kernel/read_cad_file.hpp"
+
+namespace hariko::by_opencascade {
+
+Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileOptions& options,
+                              const CancelToken& cancel, const Progress& progress);
+Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadOptions& options,
+                               const CancelToken& cancel, const Progress& progress);
+
+}  // namespace hariko::by_opencascade
