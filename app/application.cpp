@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "app/assets_folder.hpp"
 #include "app/background_work.hpp"
 #include "app/display_loss.hpp"
 #include "app/document_session.hpp"
@@ -30,6 +31,7 @@
 #include "app/skin_jobs.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
+#include "app/window_icons.hpp"
 #include "core/document/format.hpp"
 #include "ui/workbench.hpp"
 
@@ -55,6 +57,11 @@ class ScratchFolder {
  private:
   std::filesystem::path path_;
 };
+
+constexpr const char* no_assets = translatable(
+    "Samples and languages were not found beside the program. Install Hariko again, or name their folder in "
+    "the "
+    "variable HARIKO_ASSETS.");
 
 bool software_renderer() {
   return describe_gl().find("llvmpipe") != std::string::npos;
@@ -84,6 +91,8 @@ class Application {
                   [this](const char* what, const auto& path) { log_.file(what, path); }}),
         pictures_(renderer_, long_, folders_.cache / "thumbnails") {
     editor_.views = &engine_.views();
+    if (std::error_code unknown; !std::filesystem::is_directory(assets_folder(), unknown))
+      editor_.notify(Notice::Kind::warning, editor_.language(no_assets));
     workbench_.samples() = find_samples(assets_folder());
     if (const char* missing = window_.missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
@@ -474,6 +483,7 @@ int run_window(const WindowOptions& options) {
     replay = std::move(read).value();
     size = {"Hariko", replay->start.width, replay->start.height, replay->start.scale};
   }
+  size.icons = window_icons(icons_folder(assets_folder()));
   auto window = GlWindow::open(size);
   if (!window.ok()) return fail(window.error());
   auto renderer = Renderer::create();

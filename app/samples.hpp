@@ -11,9 +11,6 @@
 
 namespace hariko {
 
-/// The folder with the program's data: HARIKO_ASSETS, else beside the program, else where it was built from.
-std::filesystem::path assets_folder();
-
 /// Documents in the samples folder, in the order of their names; titles come from the names.
 std::vector<Sample> find_samples(const std::filesystem::path& assets);
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, as root or with sudo; does nothing when all are there.
-#   scripts/dependencies.sh [build] [cad] [test] [full] [bench]      (default: build)
+#   scripts/dependencies.sh [build] [cad] [test] [full] [package] [bench]      (default: build)
 set -euo pipefail
 
 build_packages=(build-essential cmake ninja-build pkg-config ccache
@@ -13,6 +13,9 @@ full_packages=(clang-14 libclang-rt-14-dev clang-tidy clang-format valgrind libr
 cad_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libocct-modeling-data-dev libocct-foundation-dev
   libocct-visualization-dev libocct-ocaf-dev)
 bench_packages=(libbenchmark-dev libgtest-dev libassimp-dev "${cad_packages[@]}")
+# What the package is made and checked with (scripts/check_package.sh).
+package_packages=(dpkg-dev file librsvg2-bin lintian desktop-file-utils appstream man-db mandoc libxml2-utils shared-mime-info
+  libglib2.0-bin xvfb xauth x11-utils imagemagick)
 
 wanted=()
 for group in "${@:-build}"; do
@@ -21,8 +24,9 @@ for group in "${@:-build}"; do
     cad) wanted+=("${cad_packages[@]}") ;;
     test) wanted+=("${test_packages[@]}") ;;
     full) wanted+=("${full_packages[@]}") ;;
+    package) wanted+=("${package_packages[@]}") ;;
     bench) wanted+=("${bench_packages[@]}") ;;
-    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, bench)" >&2; exit 2 ;;
+    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, package, bench)" >&2; exit 2 ;;
   esac
 done
 
