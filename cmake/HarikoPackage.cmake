@@ -32,18 +32,16 @@ install(FILES "${HARIKO_DESKTOP}/hariko.bash-completion" DESTINATION "${CMAKE_IN
 install(FILES README.md "${HARIKO_DESKTOP}/copyright" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
-# hariko_install_compressed(SOURCE DESTINATION): as gzip, without the time, as packages want manual pages.
-function(hariko_install_compressed SOURCE DESTINATION)
-  install(CODE "
-    set(OUT \"\${CMAKE_INSTALL_PREFIX}/${DESTINATION}\")
-    message(STATUS \"Installing: \$ENV{DESTDIR}\${OUT}\")
-    cmake_path(GET OUT PARENT_PATH FOLDER)
-    file(INSTALL DESTINATION \"\${FOLDER}\" TYPE DIRECTORY FILES)
-    execute_process(COMMAND gzip -9nc \"${SOURCE}\" OUTPUT_FILE \"\$ENV{DESTDIR}\${OUT}\" COMMAND_ERROR_IS_FATAL ANY)
-    file(CHMOD \"\$ENV{DESTDIR}\${OUT}\" PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
-    list(APPEND CMAKE_INSTALL_MANIFEST_FILES \"\${OUT}\")")
+# hariko_install_compressed(SOURCE FOLDER): as SOURCE.gz, without the time in it, as packages want manual pages.
+function(hariko_install_compressed SOURCE FOLDER)
+  cmake_path(GET SOURCE FILENAME NAME)
+  set(COMPRESSED "${CMAKE_BINARY_DIR}/package/${NAME}.gz")
+  install(CODE "execute_process(COMMAND gzip -9nc [==[${SOURCE}]==] OUTPUT_FILE [==[${COMPRESSED}]==]
+    COMMAND_ERROR_IS_FATAL ANY)")
+  install(FILES "${COMPRESSED}" DESTINATION "${FOLDER}")
 endfunction()
-hariko_install_compressed("${HARIKO_DESKTOP}/hariko.1" "${CMAKE_INSTALL_MANDIR}/man1/hariko.1.gz")
+file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/package")
+hariko_install_compressed("${HARIKO_DESKTOP}/hariko.1" "${CMAKE_INSTALL_MANDIR}/man1")
 
 # The name of the release, "deb12": a package of one release does not install on another. Debian's unstable has no number.
 set(HARIKO_RELEASE "")
@@ -61,7 +59,7 @@ if(EXISTS /etc/os-release)
 endif()
 set(HARIKO_PACKAGE_VERSION "${PROJECT_VERSION}${HARIKO_RELEASE}")
 configure_file("${HARIKO_DESKTOP}/changelog.in" "${CMAKE_BINARY_DIR}/package/changelog" @ONLY)
-hariko_install_compressed("${CMAKE_BINARY_DIR}/package/changelog" "${CMAKE_INSTALL_DOCDIR}/changelog.gz")
+hariko_install_compressed("${CMAKE_BINARY_DIR}/package/changelog" "${CMAKE_INSTALL_DOCDIR}")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME hariko)
@@ -78,8 +76,7 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "modeler for free-form shapes")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}
-Hariko (paper stretched over a form) is a desktop modeler for designers. You
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Hariko (paper stretched over a form) is a desktop modeler for designers. You
 give it a rough polyhedron; it stretches a smooth surface over it at once, and
 follows while you drag. Tensions pull it flat or to a point, creases make it
 sharp.

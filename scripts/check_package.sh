@@ -84,7 +84,7 @@ for_desktops() {
   bash -n "$share/bash-completion/completions/hariko"
   [ "$(zcat "$share/doc/hariko/changelog.gz" | dpkg-parsechangelog -l - -S Version)" = \
     "$(dpkg-deb --field "$package" Version)" ] || fail "the change log is of another version"
-  update-mime-database -n "$share/mime"
+  update-mime-database -n "$share/mime" 2>/dev/null
   local sample=$share/hariko/samples/fig2.hariko
   cp "$sample" "$work/without an ending"
   local file
@@ -94,10 +94,10 @@ for_desktops() {
   done
 }
 
-# The maintainer has no address and the project no home page: all else that lintian says is a fault.
+# The maintainer (in the change log, too) has no address and the project no home page: all else is a fault.
 words_of_lintian() {
   step "Lintian"
-  local allowed='(maintainer-address-missing|no-homepage-field|malformed-contact|mail-address-loops-or-bounces)'
+  local allowed='(maintainer-address-missing|no-homepage-field|malformed-contact|bogus-mail-host-in-debian-changelog)'
   lintian --allow-root --tag-display-limit 0 --display-info "$package" >"$work/lintian" || true
   cat "$work/lintian"
   grep -E '^[EW]:' "$work/lintian" | grep -v -E "$allowed" && fail "lintian found faults"
