@@ -94,10 +94,11 @@ for_desktops() {
   done
 }
 
-# The maintainer (in the change log, too) has no address and the project no home page: all else is a fault.
+# The maintainer (in the change log, too) has no address and the project no home page (which makes the description for
+# software centres fail in Debian 13; for_desktops has looked at all of that): anything else is a fault.
 words_of_lintian() {
   step "Lintian"
-  local allowed='(maintainer-address-missing|no-homepage-field|malformed-contact|bogus-mail-host-in-debian-changelog)'
+  local allowed='(maintainer-address-missing|no-homepage-field|malformed-contact|bogus-mail-host-in-debian-changelog|appstream-metadata-validation-failed)'
   lintian --allow-root --tag-display-limit 0 --display-info "$package" >"$work/lintian" || true
   cat "$work/lintian"
   grep -E '^[EW]:' "$work/lintian" | grep -v -E "$allowed" && fail "lintian found faults"
