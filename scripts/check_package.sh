@@ -150,10 +150,10 @@ window_opens() {
   step "The window"
   local number=90
   while [ -e /tmp/.X11-unix/X$number ]; do ((++number)); done
-  Xvfb :$number -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1 &
+  Xvfb :$number -screen 0 1280x800x24 -nolisten tcp -ac >/dev/null 2>&1 &
   local server=$!
   export DISPLAY=:$number
-  wait_for xwininfo -root >/dev/null
+  wait_for xwininfo -root >/dev/null 2>&1
   in_other_home DISPLAY=$DISPLAY hariko /usr/share/hariko/samples/fig2.hariko 2>"$work/stderr" &
   local program=$!
   wait_for has_window
