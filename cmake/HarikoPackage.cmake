@@ -16,6 +16,10 @@ file(CREATE_LINK ../../assets/samples-pictures "${HARIKO_BUILD_DATA}/pictures" S
 file(RELATIVE_PATH TARGET "${CMAKE_BINARY_DIR}/share" "${PROJECT_SOURCE_DIR}/assets/icons")
 file(CREATE_LINK "${TARGET}" "${CMAKE_BINARY_DIR}/share/icons" SYMBOLIC)
 
+# CMake's targets of OpenCASCADE and others name more libraries than the program uses: each would be loaded at the start
+# and be a package to install.
+target_link_options(hariko PRIVATE LINKER:--as-needed)
+
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
   WORLD_READ WORLD_EXECUTE)
 install(TARGETS hariko RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
