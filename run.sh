@@ -11,7 +11,7 @@ top=$PWD
 scripts/dependencies.sh build cad >&2
 scripts/check_build_folder.sh build/release
 cmake --preset release >&2
-cmake --build --preset release --target hariko >&2
+cmake --build --preset release --target hariko hariko_sample_pictures >&2
 hariko=$top/build/release/app/hariko
 
 if [ $# -gt 0 ]; then

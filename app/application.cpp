@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "app/assets_folder.hpp"
 #include "app/background_work.hpp"
 #include "app/crash_offers.hpp"
 #include "app/crash_report.hpp"
@@ -33,6 +34,7 @@
 #include "app/skin_jobs.hpp"
 #include "app/surface_builder.hpp"
 #include "app/test_log.hpp"
+#include "app/window_icons.hpp"
 #include "core/document/format.hpp"
 #include "ui/fonts.hpp"
 #include "ui/system_information.hpp"
@@ -41,6 +43,11 @@
 namespace hariko {
 
 namespace {
+
+constexpr const char* no_assets = translatable(
+    "Samples and languages were not found beside the program. Install Hariko again, or name their folder in "
+    "the "
+    "variable HARIKO_ASSETS.");
 
 bool software_renderer() {
   return describe_gl().find("llvmpipe") != std::string::npos;
@@ -76,6 +83,8 @@ class Application {
     editor_.on_notice = [this](Notice::Kind kind, const std::string& text) {
       if (kind != Notice::Kind::info) run_log_.line(kind == Notice::Kind::error ? "error" : "warning", text);
     };
+    if (std::error_code unknown; !std::filesystem::is_directory(assets_folder(), unknown))
+      editor_.notify(Notice::Kind::warning, editor_.language(no_assets));
     workbench_.samples() = find_samples(assets_folder());
     if (const char* missing = missing_fonts())
       editor_.notify(Notice::Kind::warning, editor_.language(missing));
@@ -474,6 +483,7 @@ int run_window(const WindowOptions& options) {
     replay = std::move(read).value();
     size = {"Hariko", replay->start.width, replay->start.height, replay->start.scale};
   }
+  size.icons = window_icons(icons_folder(assets_folder()));
   auto window = GlWindow::open(size);
   if (!window.ok()) return fail(window.error(), run_log);
   auto renderer = Renderer::create();

@@ -86,6 +86,23 @@ std::string version_at_hand() {
   return text;
 }
 
+/// Desktops put the window to the entry of their menu by this name: StartupWMClass and the file's own in
+/// hariko.desktop.
+void name_for_desktop() {
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "hariko");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "hariko");
+#ifdef GLFW_WAYLAND_APP_ID
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "hariko");
+#endif
+}
+
+/// Wayland's desktops take the icon from the menu entry, and GLFW tells them so as an error.
+void set_icons(GLFWwindow* window, std::vector<Image> icons) {
+  std::vector<GLFWimage> images;
+  for (Image& icon : icons) images.push_back({icon.width, icon.height, icon.rgba.data()});
+  if (!images.empty()) glfwSetWindowIcon(window, static_cast<int>(images.size()), images.data());
+}
+
 }  // namespace
 
 GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
@@ -172,7 +189,7 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const Options& options) {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SAMPLES, 0);  // the renderer has its own multisampled picture
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
-  glfwWindowHintString(GLFW_X11_CLASS_NAME, "hariko");
+  name_for_desktop();
   int width = options.width, height = options.height;
   if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
     int x = 0, y = 0, available_width = 0, available_height = 0;
@@ -189,6 +206,7 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const Options& options) {
         "Hariko needs OpenGL 3.3, which is not available: " + (found.empty() ? why : "found " + found) + ".",
         "Update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1 to draw without it.");
   }
+  set_icons(state->window, options.icons);
   state->title = options.title;
   state->monitor_scale = static_cast<float>(options.scale);
   glfwSetWindowSizeLimits(state->window, 800, 560, GLFW_DONT_CARE, GLFW_DONT_CARE);

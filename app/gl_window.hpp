@@ -9,6 +9,7 @@
 
 #include "app/input_queue.hpp"
 #include "core/base/result.hpp"
+#include "render/image.hpp"
 #include "ui/command_table.hpp"
 #include "ui/fonts.hpp"
 #include "ui/theme.hpp"
@@ -25,6 +26,7 @@ class GlWindow {
     std::string title;
     int width = 1440, height = 900;  ///< screen coordinates
     double scale = 0;                ///< of the interface instead of the monitor's; 0 for the monitor's
+    std::vector<Image> icons = {};   ///< of the window, in the sizes that there are; the desktop chooses
   };
   /// Errors: E_NO_DISPLAY, E_NO_WINDOW (no OpenGL 3.3), both with what to do.
   static Result<std::unique_ptr<GlWindow>> open(const Options& options);

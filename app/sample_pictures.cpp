@@ -59,9 +59,7 @@ Picture upload_padded(const Image& image) {
 }  // namespace
 
 fs::path sample_pictures_folder(const fs::path& assets) {
-  std::error_code unknown;
-  if (const fs::path own = assets / "pictures"; fs::is_directory(own, unknown)) return own;
-  return HARIKO_PICTURES_FOLDER;
+  return assets / "pictures";
 }
 
 Result<std::size_t> make_sample_pictures(const fs::path& assets, const fs::path& out) {

@@ -13,8 +13,7 @@
 
 namespace hariko {
 
-/// The folder with the pictures: `pictures` in the program's data, else where the build makes them. It need
-/// not be there.
+/// The folder with the pictures among the program's data, which need not be there.
 std::filesystem::path sample_pictures_folder(const std::filesystem::path& assets);
 
 /// Draws every sample, without a window, into a folder that is made where needed: a picture for each theme.

@@ -1,7 +1,6 @@
 #include "app/samples.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
 #include <set>
 
@@ -98,17 +97,6 @@ Sample describe(const fs::path& path) {
 }
 
 }  // namespace
-
-fs::path assets_folder() {
-  std::error_code error;
-  if (const char* given = std::getenv("HARIKO_ASSETS")) return given;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    const fs::path installed = program.parent_path().parent_path() / "share" / "hariko";
-    if (fs::is_directory(installed, error)) return installed;
-  }
-  return HARIKO_ASSETS_FOLDER;
-}
 
 std::vector<Sample> find_samples(const fs::path& assets) {
   std::vector<Sample> samples;

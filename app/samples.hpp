@@ -9,9 +9,6 @@
 
 namespace hariko {
 
-/// The folder with the program's data: HARIKO_ASSETS, else beside the program, else where it was built from.
-std::filesystem::path assets_folder();
-
 /// Documents in the samples folder, in the order in which they are shown; those that nothing is known of come
 /// last, with titles made from their names.
 std::vector<Sample> find_samples(const std::filesystem::path& assets);

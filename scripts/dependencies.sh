@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, as root or with sudo; does nothing when all are there.
-#   scripts/dependencies.sh [build] [cad] [test] [full] [bench] [bare]      (default: build)
+#   scripts/dependencies.sh [build] [cad] [test] [full] [package] [bench] [bare]      (default: build)
 # Where packages are not Debian's, it names the libraries that are needed and goes on: CMake tells which are missing.
 set -euo pipefail
 
@@ -16,6 +16,9 @@ cad_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libocct-
 # Bare roots of Debian (scripts/bare_machine.sh).
 bare_packages=(mmdebstrap git util-linux)
 bench_packages=(libbenchmark-dev libgtest-dev libassimp-dev "${cad_packages[@]}")
+# What the package is made and checked with (scripts/check_package.sh).
+package_packages=(dpkg-dev file librsvg2-bin lintian desktop-file-utils appstream man-db mandoc libxml2-utils shared-mime-info
+  libglib2.0-bin xvfb xauth x11-utils imagemagick)
 
 wanted=()
 for group in "${@:-build}"; do
@@ -24,9 +27,10 @@ for group in "${@:-build}"; do
     cad) wanted+=("${cad_packages[@]}") ;;
     test) wanted+=("${test_packages[@]}") ;;
     full) wanted+=("${full_packages[@]}") ;;
+    package) wanted+=("${package_packages[@]}") ;;
     bench) wanted+=("${bench_packages[@]}") ;;
     bare) wanted+=("${bare_packages[@]}") ;;
-    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, bench, bare)" >&2; exit 2 ;;
+    *) echo "dependencies.sh: unknown group '$group' (build, cad, test, full, package, bench, bare)" >&2; exit 2 ;;
   esac
 done
 

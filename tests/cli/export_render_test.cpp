@@ -170,5 +170,16 @@ TEST_F(ExportRender, WhateverObjectsAreMadeFromIsDrawn) {
   }
 }
 
+/// As file managers ask for thumbnails.
+TEST_F(ExportRender, AFormatStandsForTheEndingOfTheName) {
+  const std::string picture = path("thumbnail.XYZ"), lines = path("lines");
+  Outcome result = run("render " + golden("cube.obj") + " " + picture + " --format png --size 64x64");
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_EQ(read_text(picture).substr(0, 4), "\x89PNG");
+  result = run("render " + golden("cube.obj") + " " + lines + " --format svg --hidden");
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_NE(read_text(lines).find("<svg"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hariko::test

@@ -49,6 +49,8 @@ TEST_F(Usage, WrongArgumentsGiveTwo) {
                                 "render " + cube + " " + path("a.png") + " --view inside",
                                 "render " + cube + " " + path("a.png") + " --map heat",
                                 "render " + cube + " " + path("a.png") + " --show faces",
+                                "render " + cube + " " + path("a.png") + " --format svg",
+                                "render " + cube + " " + path("a") + " --format jpg",
                                 std::string("evaluate"),
                                 "evaluate " + cube + " --mode cubic",
                                 "evaluate " + cube + " --tension"}) {

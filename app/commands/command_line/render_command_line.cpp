@@ -114,6 +114,8 @@ void RenderCommandLine::add_to(CLI::App& app) {
   command_->add_option("OUT", out_, "File to write: *.png, or *.svg for lines")->required();
   command_->add_option("--size", size_, "Width and height in pixels, as 1280x960; of *.svg also as 180x120mm")
       ->capture_default_str();
+  command_->add_option("--format", format_, "Kind of the picture, where the name of OUT has no such ending")
+      ->check(CLI::IsMember({"png", "svg"}));
   command_->add_option("--view", view_, "Direction of view")
       ->check(CLI::IsMember({"iso", "front", "back", "left", "right", "top", "bottom"}))
       ->capture_default_str();
@@ -171,9 +173,18 @@ void RenderCommandLine::add_lines() {
 void RenderCommandLine::check() const {
   if (!section_.empty() && !parse_section(section_))
     throw CLI::ValidationError("--section", "must be like x=10, y=-2.5 or -z=3");
-  if (is_png(out_)) return check_picture();
-  if (is_svg(out_)) return check_drawing();
-  throw CLI::ValidationError("OUT", "the name must end in .png or .svg");
+  if ((is_png(out_) && format_ == "svg") || (is_svg(out_) && format_ == "png"))
+    throw CLI::ValidationError("--format", "is another one than that of the name's ending");
+  if (is_picture()) return check_picture();
+  if (is_drawing()) return check_drawing();
+  throw CLI::ValidationError("OUT", "the name must end in .png or .svg, or --format say which it is");
+}
+
+bool RenderCommandLine::is_picture() const {
+  return format_.empty() ? is_png(out_) : format_ == "png";
+}
+bool RenderCommandLine::is_drawing() const {
+  return format_.empty() ? is_svg(out_) : format_ == "svg";
 }
 
 void RenderCommandLine::check_picture() const {
@@ -198,7 +209,7 @@ void RenderCommandLine::check_drawing() const {
 }
 
 int RenderCommandLine::run(const Construction& construction) const {
-  if (is_svg(out_)) {
+  if (is_drawing()) {
     DrawingArguments arguments = drawing();
     arguments.construction = construction;
     return run_drawing(arguments);

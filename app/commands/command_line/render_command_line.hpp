@@ -26,6 +26,9 @@ class RenderCommandLine {
  private:
   void add_looks();
   void add_lines();
+  /// What OUT becomes, by its ending or by --format.
+  bool is_picture() const;
+  bool is_drawing() const;
   void check_picture() const;
   void check_drawing() const;
   RenderArguments picture() const;
@@ -33,8 +36,8 @@ class RenderCommandLine {
 
   CLI::App* command_ = nullptr;
   std::vector<CLI::Option*> picture_options_, drawing_options_;  ///< of only one of both
-  std::string file_, out_, size_ = "1280x960", view_ = "iso", map_ = "shaded", range_ = "symmetric",
-                           material_, colour_, wire_ = "none", section_, background_ = "dark";
+  std::string file_, out_, format_, size_ = "1280x960", view_ = "iso", map_ = "shaded", range_ = "symmetric",
+                                    material_, colour_, wire_ = "none", section_, background_ = "dark";
   std::vector<std::string> show_, lines_;
   RenderArguments arguments_;
   bool hidden_ = false;
