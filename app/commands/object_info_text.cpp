@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <memory>
 #include <variant>
 
 #include "app/commands/object_info.hpp"
@@ -13,11 +14,12 @@ namespace hariko {
 namespace {
 
 struct InfoMember;
+using InfoMembers = std::vector<InfoMember>;
 
 /// What a key of the report says, in the same words for programs and for people.
 struct InfoValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
-               std::vector<InfoMember>>
+               std::shared_ptr<const InfoMembers>>
       state;
 
   InfoValue() = default;
@@ -27,6 +29,8 @@ struct InfoValue {
       state = static_cast<std::int64_t>(value);
     else if constexpr (std::is_convertible_v<T, const char*>)
       state = std::string(value);
+    else if constexpr (std::is_same_v<T, InfoMembers>)
+      state = std::make_shared<const InfoMembers>(value);
     else
       state = value;
   }
@@ -40,7 +44,6 @@ struct InfoMember {
   std::string key;
   InfoValue value;
 };
-using InfoMembers = std::vector<InfoMember>;
 
 InfoValue range_of(const std::optional<CurvatureRange>& range) {
   if (!range) return {};
@@ -133,8 +136,8 @@ void write(JsonWriter& json, const InfoValue& value) {
         using T = std::decay_t<decltype(state)>;
         if constexpr (std::is_same_v<T, std::monostate>)
           json.value(nullptr);
-        else if constexpr (std::is_same_v<T, InfoMembers>)
-          write(json, state);
+        else if constexpr (std::is_same_v<T, std::shared_ptr<const InfoMembers>>)
+          write(json, *state);
         else
           json.value(state);
       },
@@ -181,8 +184,8 @@ std::string line(const InfoMember& member) {
     text = *words;
   } else if (const auto* range = std::get_if<std::vector<double>>(&member.value.state)) {
     text = readable(range->front()) + " .. " + readable(range->back());
-  } else if (const auto* members = std::get_if<InfoMembers>(&member.value.state)) {
-    for (const InfoMember& inner : *members)
+  } else if (const auto* members = std::get_if<std::shared_ptr<const InfoMembers>>(&member.value.state)) {
+    for (const InfoMember& inner : **members)
       text += (text.empty() ? "" : ", ") + inner.key + " " + readable(inner.value);
   } else {
     text = readable(member.value);

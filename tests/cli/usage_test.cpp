@@ -153,7 +153,7 @@ Names options_in(const std::string& text) {
 
 /// Which options docs/cli.md names for each command in its synopsis and its tables; "" is the window.
 std::map<std::string, Names> documented() {
-  std::istringstream lines(read_text(HARIKO_SOURCE_DIR "/docs/cli.md"));
+  std::istringstream lines(read_text(source_folder() + "/docs/cli.md"));
   std::map<std::string, Names> out;
   std::string place;
   bool synopsis = false;
@@ -191,7 +191,7 @@ TEST_F(Usage, HelpNamesAllThatIsDocumented) {
 }
 
 TEST_F(Usage, AllThatHelpNamesIsDocumented) {
-  const Names documented = options_in(read_text(HARIKO_SOURCE_DIR "/docs/cli.md"));
+  const Names documented = options_in(read_text(source_folder() + "/docs/cli.md"));
   for (const std::string command : {"", "info", "export", "render", "mesh", "evaluate", "unfold"})
     for (const std::string& option : options_in(run(command + " --help").out))
       EXPECT_TRUE(documented.contains(option)) << "docs/cli.md does not name " << option << " of " << command;
