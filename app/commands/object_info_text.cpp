@@ -22,24 +22,30 @@ struct InfoValue {
 
   InfoValue() = default;
   template <class T>
-  InfoValue(const T& value) {  // NOLINT: implicit on purpose
-    if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
-      state = static_cast<std::int64_t>(value);
-    else if constexpr (std::is_convertible_v<T, const char*>)
-      state = std::string(value);
-    else
-      state = value;
-  }
+  InfoValue(const T& value);  // NOLINT: implicit on purpose
   template <class T>
-  InfoValue(const std::optional<T>& value) {  // NOLINT: implicit on purpose
-    if (value) *this = InfoValue(*value);
-  }
+  InfoValue(const std::optional<T>& value);  // NOLINT: implicit on purpose
 };
 
 struct InfoMember {
   std::string key;
   InfoValue value;
 };
+// Here, where the members of the variant are complete types.
+template <class T>
+InfoValue::InfoValue(const T& value) {
+  if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
+    state = static_cast<std::int64_t>(value);
+  else if constexpr (std::is_convertible_v<T, const char*>)
+    state = std::string(value);
+  else
+    state = value;
+}
+template <class T>
+InfoValue::InfoValue(const std::optional<T>& value) {
+  if (value) *this = InfoValue(*value);
+}
+
 using InfoMembers = std::vector<InfoMember>;
 
 InfoValue range_of(const std::optional<CurvatureRange>& range) {
