@@ -55,14 +55,18 @@ content() {
     share/metainfo/local.hariko.Hariko.metainfo.xml share/mime/packages/hariko.xml share/thumbnailers/hariko.thumbnailer; do
     [ -f "$work/files/usr/$path" ] || fail "no /usr/$path"
   done
-  local size samples pictures
+  local size sample theme
   for size in 16 24 32 48 64 128 256 512; do
     file "$work/files/usr/share/icons/hicolor/${size}x$size/apps/hariko.png" | grep -q "PNG image data, $size x $size" ||
       fail "no icon of $size pixels"
   done
-  samples=$(find "$work/files/usr/share/hariko/samples" -name '*.hariko' | wc -l)
-  pictures=$(find "$work/files/usr/share/hariko/pictures" -name '*.png' | wc -l)
-  echo "$samples samples, $pictures pictures of them"
+  # The start page shows samples at once by pictures that were drawn when the package was made.
+  for sample in "$work/files/usr/share/hariko/samples"/*.hariko; do
+    for theme in dark light; do
+      [ -s "$work/files/usr/share/hariko/pictures/$(basename "$sample" .hariko)-$theme.png" ] ||
+        fail "no $theme picture of $(basename "$sample")"
+    done
+  done
   file "$work/files/usr/bin/hariko" | grep -q ', stripped' || fail "the program is not stripped"
 }
 
