@@ -34,7 +34,7 @@ control_data() {
   [[ $(dpkg-deb --field "$package" Version) == *"$release" ]] || fail "the version does not end in $release"
   local depends needed
   depends=$(dpkg-deb --field "$package" Depends)
-  for needed in libc6 libstdc++6 libx11-6 libgl1 libegl1 libgl1-mesa-dri fonts-inter fonts-font-awesome libglfw3 libosd; do
+  for needed in libc6 libstdc++6 libx11-6 libgl1 libegl1 libgl1-mesa-dri fonts-inter fonts-font-awesome libglfw3 libosd libocct-data-exchange; do
     [[ $depends == *"$needed"* ]] || fail "does not depend on $needed"
   done
   [[ $(dpkg-deb --field "$package" Recommends) == *fonts-noto-cjk* ]] || fail "does not recommend fonts-noto-cjk"
@@ -48,22 +48,28 @@ content() {
   awk '$1 !~ /^(drwxr-xr-x|-rw-r--r--|-rwxr-xr-x)$/' "$work/contents" | grep . && fail "odd permissions"
   dpkg-deb --extract "$package" "$work/files"
   local path
-  for path in bin/hariko share/applications/hariko.desktop share/bash-completion/completions/hariko \
+  for path in bin/hariko lib/hariko/hariko_cad.so share/applications/hariko.desktop share/bash-completion/completions/hariko \
     share/doc/hariko/copyright share/doc/hariko/changelog.gz share/doc/hariko/docs/manual.md \
     share/hariko/languages/ja.json share/hariko/samples/fig2.hariko share/icons/hicolor/scalable/apps/hariko.svg \
     share/icons/hicolor/scalable/mimetypes/application-x-hariko.svg share/man/man1/hariko.1.gz \
     share/metainfo/local.hariko.Hariko.metainfo.xml share/mime/packages/hariko.xml share/thumbnailers/hariko.thumbnailer; do
     [ -f "$work/files/usr/$path" ] || fail "no /usr/$path"
   done
-  local size samples pictures
+  local size sample theme
   for size in 16 24 32 48 64 128 256 512; do
     file "$work/files/usr/share/icons/hicolor/${size}x$size/apps/hariko.png" | grep -q "PNG image data, $size x $size" ||
       fail "no icon of $size pixels"
   done
-  samples=$(find "$work/files/usr/share/hariko/samples" -name '*.hariko' | wc -l)
-  pictures=$(find "$work/files/usr/share/hariko/pictures" -name '*.png' | wc -l)
-  echo "$samples samples, $pictures pictures of them"
-  file "$work/files/usr/bin/hariko" | grep -q ', stripped' || fail "the program is not stripped"
+  # The start page shows samples at once by pictures that were drawn when the package was made.
+  for sample in "$work/files/usr/share/hariko/samples"/*.hariko; do
+    for theme in dark light; do
+      [ -s "$work/files/usr/share/hariko/pictures/$(basename "$sample" .hariko)-$theme.png" ] ||
+        fail "no $theme picture of $(basename "$sample")"
+    done
+  done
+  for path in bin/hariko lib/hariko/hariko_cad.so; do
+    file "$work/files/usr/$path" | grep -q ', stripped' || fail "/usr/$path is not stripped"
+  done
 }
 
 for_desktops() {
@@ -107,7 +113,10 @@ words_of_lintian() {
 
 # --- What installs it
 
-in_other_home() { runuser -u package-user -- env -i PATH="$PATH" HOME=/home/package-user "$@"; }
+# The program takes the place of the shell that calls it, so that signals reach it.
+in_other_home() {
+  exec setpriv --reuid=package-user --regid=package-user --init-groups env -i PATH="$PATH" HOME=/home/package-user "$@"
+}
 
 # Nothing but the package and what it depends on is there, so a dependency that is missing shows.
 installed_alone() {
@@ -118,15 +127,17 @@ installed_alone() {
   useradd --create-home --shell /bin/bash package-user
   mkdir "$work/out"
   chown package-user "$work/out"
-  in_other_home hariko --version
-  in_other_home test -r /usr/share/hariko/samples/fig2.hariko
-  in_other_home hariko info /usr/share/hariko/samples/fig2.hariko
-  in_other_home hariko render /usr/share/hariko/samples/fig2.hariko "$work/out/fig2.png" --size 320x240
+  (in_other_home hariko --version)
+  (in_other_home test -r /usr/share/hariko/samples/fig2.hariko)
+  (in_other_home hariko info /usr/share/hariko/samples/fig2.hariko)
+  (in_other_home hariko render /usr/share/hariko/samples/fig2.hariko "$work/out/fig2.png" --size 320x240)
   [ -s "$work/out/fig2.png" ] || fail "no picture"
+  (in_other_home hariko export /usr/share/hariko/samples/cube.hariko "$work/out/cube.step")
+  grep -q ISO-10303-21 "$work/out/cube.step" || fail "no STEP file"
   local entry
   entry=$(sed -n 's/^Exec=//p' /usr/share/thumbnailers/hariko.thumbnailer |
     sed "s|%i|/usr/share/hariko/samples/cube.hariko|; s|%o|$work/out/thumbnail|; s|%s|128|g")
-  in_other_home $entry
+  (in_other_home $entry)
   [ -s "$work/out/thumbnail" ] || fail "no thumbnail"
 }
 
@@ -141,9 +152,13 @@ wait_for() {
 }
 
 has_window() { xwininfo -root -tree 2>/dev/null | grep -q '("hariko" "hariko")'; }
+# The surface is there, and the screen is twice the same.
 is_drawn() {
+  grep -q '"rebuild"' "$work/out/log" || return 1
+  local before=${picture_before:-}
   import -window root "$work/window.png"
-  [ "$(identify -format %k "$work/window.png")" -gt 2000 ]
+  picture_before=$(identify -format '%#' "$work/window.png")
+  [ "$picture_before" = "$before" ] && [ "$(identify -format %k "$work/window.png")" -gt 2000 ]
 }
 
 window_opens() {
@@ -154,7 +169,7 @@ window_opens() {
   local server=$!
   export DISPLAY=:$number
   wait_for xwininfo -root >/dev/null 2>&1
-  in_other_home DISPLAY=$DISPLAY hariko /usr/share/hariko/samples/fig2.hariko 2>"$work/stderr" &
+  in_other_home DISPLAY=$DISPLAY hariko --test-log "$work/out/log" /usr/share/hariko/samples/fig2.hariko 2>"$work/stderr" &
   local program=$!
   wait_for has_window
   wait_for is_drawn

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/window_icons.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace hariko {
@@ -68,7 +69,7 @@ TEST_F(AssetsFolder, IsSoughtBesideTheProgramWhereThereIsNone) {
 }
 
 TEST(WindowIcons, ComeInTheSizesOfTheirFolders) {
-  const std::vector<Image> icons = window_icons(icons_folder(fs::path(HARIKO_SOURCE_DIR) / "assets/x"));
+  const std::vector<Image> icons = window_icons(icons_folder(fs::path(test::source_folder()) / "assets/x"));
   ASSERT_EQ(icons.size(), 6U);
   for (const Image& icon : icons) {
     EXPECT_EQ(icon.width, icon.height);

@@ -2,7 +2,6 @@
 called, and nothing in it names the place where it was built or installed."""
 
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -38,14 +37,19 @@ def thumbnail_of(program, sample, out):
         assert file.read(4) == b"\x89PNG"
 
 
+def step_of(program, sample, out):
+    """The part for CAD is found beside the program; a build without OpenCASCADE has none."""
+    if os.path.exists(os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(program))), "lib/hariko/hariko_cad.so")):
+        run(program, "export", sample, out)
+        with open(out, "rb") as file:
+            assert file.read(12) == b"ISO-10303-21"
+
+
 def names_no_place(prefix, places):
-    """The program's debugging information, which packages leave out, names its sources."""
-    stripped = os.path.join(prefix, "stripped")
-    if shutil.which("strip"):
-        run("strip", "-o", stripped, os.path.join(prefix, "bin/hariko"))
     for path in files_below(prefix):
-        if path == os.path.join(prefix, "bin/hariko"):
-            continue
+        if path.endswith(("bin/hariko", ".so")):
+            # Debugging information, which packages leave out, names the sources.
+            run("strip", path)
         with open(path, "rb") as file:
             content = file.read()
         for place in places:
@@ -68,6 +72,7 @@ def main():
         os.symlink(os.path.join(moved, "bin/hariko"), link)
         assert run(link, "--version").startswith("hariko ")
         thumbnail_of(link, os.path.join(moved, "share/hariko/samples/cube.hariko"), os.path.join(top, "thumbnail.XYZ"))
+        step_of(link, os.path.join(moved, "share/hariko/samples/cube.hariko"), os.path.join(top, "cube.step"))
         names_no_place(moved, [first, BUILD])
 
 

@@ -14,16 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `lib/hariko` beside the folder of an installed program, else where the build of this program made it.
+/// In `lib/hariko` beside the folder of the program, in an installed prefix as in a build folder; empty where
+/// it is not.
 fs::path module_path() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
-  const fs::path built = HARIKO_CAD_MODULE;
-  const fs::path installed = program.parent_path().parent_path() / "lib" / "hariko" / built.filename();
-  if (fs::is_regular_file(installed, error)) return installed;
-  const bool is_built = program.string().starts_with(HARIKO_BUILD_FOLDER "/");
-  return is_built && fs::is_regular_file(built, error) ? built : fs::path();
+  fs::path module = program.parent_path().parent_path() / "lib" / "hariko" / "hariko_cad.so";
+  return fs::is_regular_file(module, error) ? module : fs::path();
 }
 
 Message missing(const std::string& why) {
