@@ -13,9 +13,4 @@ namespace hariko {
 /// is a singular value decomposition, which takes compilers longer than most whole files.
 Eigen::Quaterniond least_rotation(const Vector3& from, const Vector3& to);
 
-/// A rotation that takes the z axis to `direction`, which is not zero: about the axis across both, and for
-/// opposite ones a half turn. Right to rounding, but for nearly opposite directions to 1e-3 only. The same
-/// bits as Eigen's `FromTwoVectors`, without its singular value decomposition.
-Matrix3 turn_of_z(const Vector3& direction);
-
 }  // namespace hariko

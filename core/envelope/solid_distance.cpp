@@ -107,7 +107,7 @@ SolidDistance SolidDistance::capsule(const Vector3& a, const Vector3& b, double 
   out.shape_ = Shape::capsule;
   out.centre_ = 0.5 * (a + b);
   const double length = (b - a).norm();
-  if (length > 0) out.rotation_ = turn_of_z(b - a);
+  if (length > 0) out.rotation_ = least_rotation(Vector3::UnitZ(), b - a).toRotationMatrix();
   out.half_ = {radius, radius, length / 2};
   out.reach_ = length / 2 + radius;
   out.thickness_ = 2 * radius;

@@ -34,19 +34,4 @@ TEST(LeastRotation, OppositeDirectionsAreHalfATurnApartAndZeroTurnsNothing) {
   }
 }
 
-TEST(TurnOfZ, TakesTheAxisToTheDirection) {
-  for_random(32, 1000, [&](std::mt19937_64& rng) {
-    Vector3 to = random_vector(rng);
-    // Nearly opposite ones, too, for which any axis across will do.
-    const bool opposite = uniform_int(rng, 0, 1) == 1;
-    if (opposite) to = Vector3(0, 0, -1) + std::exp(uniform(rng, -40, -5)) * to;
-    const Matrix3 turn = turn_of_z(std::exp(uniform(rng, -20, 20)) * to);
-    EXPECT_LE((turn.transpose() * turn - Matrix3::Identity()).norm(), opposite ? 1e-3 : 1e-9);
-    EXPECT_GT(turn.determinant(), 0);
-    EXPECT_LE((turn.col(2) - to.normalized()).norm(), opposite ? 1e-3 : 1e-9);
-  });
-  EXPECT_EQ(turn_of_z({0, 0, 2}), Matrix3::Identity());
-  EXPECT_EQ(turn_of_z({0, 0, -2}).col(2), Vector3(0, 0, -1));
-}
-
 }  // namespace hariko::test
