@@ -33,13 +33,13 @@ if(HARIKO_PRECOMPILE AND HARIKO_WINDOW)
 endif()
 
 if(HARIKO_PRECOMPILE AND HARIKO_TESTS)
-  add_executable(hariko_precompiled_tests "${HARIKO_PRECOMPILED_SOURCE}")
+  add_library(hariko_precompiled_tests OBJECT "${HARIKO_PRECOMPILED_SOURCE}")
   target_link_libraries(hariko_precompiled_tests PRIVATE Eigen3::Eigen GTest::gtest_main hariko_warnings
     hariko_test_options)
   target_precompile_headers(hariko_precompiled_tests PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp"
     <gtest/gtest.h>)
   if(TARGET hariko_precompiled_interface)
-    add_executable(hariko_precompiled_interface_tests "${HARIKO_PRECOMPILED_SOURCE}")
+    add_library(hariko_precompiled_interface_tests OBJECT "${HARIKO_PRECOMPILED_SOURCE}")
     target_include_directories(hariko_precompiled_interface_tests PRIVATE "${PROJECT_SOURCE_DIR}")
     target_link_libraries(hariko_precompiled_interface_tests PRIVATE hariko_cad_kernel hariko_render imgui::imgui
       GTest::gtest_main hariko_warnings hariko_test_options)
