@@ -136,7 +136,7 @@ std::vector<Include> includes_of(const fs::path& top, const fs::path& file) {
 }
 
 std::vector<Include> all_includes() {
-  const fs::path top = test::source_folder();
+  const fs::path top = hariko::test::source_folder();
   std::vector<Include> out;
   for (const char* layer : {"core", "render", "ui", "app"}) {
     if (!fs::exists(top / layer)) continue;
@@ -171,7 +171,7 @@ TEST(Includes, OwnHeadersAreNamedFromTheTop) {
 }
 
 TEST(Includes, HeadersAreIncludedOnce) {
-  const fs::path top = test::source_folder();
+  const fs::path top = hariko::test::source_folder();
   for (const char* layer : {"core", "render", "ui", "app"}) {
     if (!fs::exists(top / layer)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(top / layer)) {

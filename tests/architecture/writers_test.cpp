@@ -26,7 +26,7 @@ const std::map<std::string, std::string>& exceptions() {
 }
 
 TEST(Writers, NobodyWritesFilesByItself) {
-  const fs::path top = test::source_folder();
+  const fs::path top = hariko::test::source_folder();
   std::size_t seen = 0, excepted = 0;
   for (const char* layer : {"core", "render", "ui", "app"})
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(top / layer)) {
