@@ -17,7 +17,7 @@ using test::spill;
 class OfferOfACrash : public ::testing::Test {
  protected:
   OfferOfACrash()
-      : bench_(document_from_mesh(test::prism(4), "Box").value(), {800, 560}, actions()),
+      : bench_(document_from_mesh(test::prism(4), "Box").value(), {1280, 900}, actions()),
         offers_(bench_.editor(), bench_.workbench(), state_, log_, [this](const auto& path) {
           shown_.push_back(path);
           return can_show_;
