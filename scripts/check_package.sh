@@ -48,7 +48,7 @@ content() {
   awk '$1 !~ /^(drwxr-xr-x|-rw-r--r--|-rwxr-xr-x)$/' "$work/contents" | grep . && fail "odd permissions"
   dpkg-deb --extract "$package" "$work/files"
   local path
-  for path in bin/hariko lib/hariko/hariko_cad.so share/applications/hariko.desktop share/bash-completion/completions/hariko \
+  for path in bin/hariko lib/hariko/modules/hariko_cad.so share/applications/hariko.desktop share/bash-completion/completions/hariko \
     share/doc/hariko/copyright share/doc/hariko/changelog.gz share/doc/hariko/docs/manual.md \
     share/hariko/languages/ja.json share/hariko/samples/fig2.hariko share/icons/hicolor/scalable/apps/hariko.svg \
     share/icons/hicolor/scalable/mimetypes/application-x-hariko.svg share/man/man1/hariko.1.gz \
@@ -67,7 +67,7 @@ content() {
         fail "no $theme picture of $(basename "$sample")"
     done
   done
-  for path in bin/hariko lib/hariko/hariko_cad.so; do
+  for path in bin/hariko lib/hariko/modules/hariko_cad.so; do
     file "$work/files/usr/$path" | grep -q ', stripped' || fail "/usr/$path is not stripped"
   done
 }

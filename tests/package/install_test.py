@@ -39,7 +39,7 @@ def thumbnail_of(program, sample, out):
 
 def step_of(program, sample, out):
     """The part for CAD is found beside the program; a build without OpenCASCADE has none."""
-    if os.path.exists(os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(program))), "lib/hariko/hariko_cad.so")):
+    if os.path.exists(os.path.join(os.path.dirname(os.path.dirname(os.path.realpath(program))), "lib/hariko/modules/hariko_cad.so")):
         run(program, "export", sample, out)
         with open(out, "rb") as file:
             assert file.read(12) == b"ISO-10303-21"

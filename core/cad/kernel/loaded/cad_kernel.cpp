@@ -14,13 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In `lib/hariko` beside the folder of the program, in an installed prefix as in a build folder; empty where
-/// it is not.
+/// In `lib/hariko/modules` beside the folder of the program, in an installed prefix as in a build folder;
+/// empty where it is not.
 fs::path module_path() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return {};
-  fs::path module = program.parent_path().parent_path() / "lib" / "hariko" / "hariko_cad.so";
+  fs::path module = program.parent_path().parent_path() / "lib" / "hariko" / "modules" / "hariko_cad.so";
   return fs::is_regular_file(module, error) ? module : fs::path();
 }
 
