@@ -91,8 +91,11 @@ std::optional<std::string> violation(const std::string& file, const std::string&
   const auto forbidden = forbidden_beginnings().find(layer);
   if (forbidden != forbidden_beginnings().end() && begins_with_any(target, forbidden->second))
     return layer + " must not include " + target;
+  if (target.starts_with("Eigen/Sparse") && target != "Eigen/SparseCore" &&
+      file != "core/base/sparse_solver.cpp")
+    return "core/base/sparse_solver.cpp is the only door to Eigen's sparse factorisations";
   if (fs::path(file).extension() == ".hpp" &&
-      begins_with_any(target, {"Eigen/Sparse", "nlohmann/json.hpp", "CLI/", "tbb/", "oneapi/"}))
+      begins_with_any(target, {"nlohmann/json.hpp", "CLI/", "tbb/", "oneapi/"}))
     return target + " is kept out of headers: it slows every build down";
   if (target.ends_with(".hxx") && !file.starts_with("core/cad/kernel/opencascade/"))
     return "core/cad/kernel/opencascade is the only folder that knows OpenCASCADE";
