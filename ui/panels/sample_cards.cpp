@@ -108,8 +108,7 @@ bool draw_samples(PanelContext& context, float left, float width, int columns) {
     if (paths.empty()) continue;
     ImGui::Dummy({0, context.metrics.px(std::exchange(first, false) ? 0 : 8)});
     ImGui::SetCursorPosX(left);
-    heading(context, heading_of(beginning));
-    ImGui::Dummy({0, context.metrics.px(2)});
+    ImGui::TextDisabled("%s", context.tr(heading_of(beginning)));
     constexpr std::size_t lines = 2;
     const int picked = grid.draw(lines);
     if (picked < 0) continue;

@@ -28,8 +28,8 @@ struct Way {
 constexpr std::array<Way, 5> ways{{
     {"start.polyhedron", translatable("Polyhedron"),
      translatable("Pull a coarse cage; a smooth surface follows."), "file.new_from_box", "fig2"},
-    {"start.solids", translatable("Solids"), translatable("Place boxes and balls; a surface goes round them."),
-     "solid.box", "solids_dryer"},
+    {"start.solids", translatable("Solids"),
+     translatable("Place boxes and balls; a surface goes round them."), "solid.box", "solids_dryer"},
     {"start.sections", translatable("Sections"),
      translatable("Draw a path and curves across it; a skin joins them."), "skin.draw", "skin_car_smooth"},
     {"start.outline", translatable("Outline"),
@@ -87,7 +87,6 @@ void section(PanelContext& context, float left, const char* title) {
   ImGui::Dummy({0, context.metrics.px(12)});
   ImGui::SetCursorPosX(left);
   ImGui::TextUnformatted(context.tr(title));
-  ImGui::Dummy({0, context.metrics.px(2)});
 }
 
 void title(PanelContext& context, CardFocus& focus, float left, float width) {
