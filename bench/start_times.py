@@ -44,7 +44,7 @@ class Display:
 
 
 def environment(display, home):
-    return dict(os.environ, DISPLAY=display.name, HOME=home, LIBGL_ALWAYS_SOFTWARE="1",
+    return dict(os.environ, DISPLAY=display.name, HOME=home,
                 **{f"XDG_{kind}_HOME": os.path.join(home, kind.lower()) for kind in ("CONFIG", "STATE", "CACHE", "DATA")})
 
 
