@@ -45,8 +45,17 @@ archive=$cache/$suite.tar
 packages=$cache/$suite-packages
 mkdir -p "$cache" "$packages/partial"
 root=$(mktemp -d "$cache/$suite.XXXXXX")
+# Mounts are made in name spaces of their own and are never seen here. Should one be there all the same, deleting would
+# reach into what is mounted.
+empty_root() {
+  if grep -qF " $root/" /proc/self/mountinfo; then
+    echo "bare_machine.sh: something is mounted in $root, which is left as it is" >&2
+    return 1
+  fi
+  find "$root" -mindepth 1 -delete
+}
 cleanup() {
-  if [ $keep = yes ]; then echo "bare_machine.sh: the root is left in $root" >&2; else rm -rf "$root"; fi
+  if [ $keep = yes ]; then echo "bare_machine.sh: the root is left in $root" >&2; else empty_root && rmdir "$root"; fi
 }
 trap cleanup EXIT
 
@@ -72,7 +81,7 @@ in_root() {
 compiler_cache=
 
 unpack() {
-  find "$root" -mindepth 1 -delete
+  empty_root
   tar -x --numeric-owner -p -f "$archive" -C "$root"
   # Names of hosts are found, and packages fetched, the way this machine does it.
   cp -L /etc/resolv.conf /etc/hosts "$root/etc/"
