@@ -7,6 +7,11 @@ find_package(TBB REQUIRED)
 # The CMake package of libzip asks for its command line tools, too.
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 find_package(EXPAT REQUIRED)
+# Newer versions count in 64 bits and warn of the functions that do not.
+include(CheckCXXSymbolExists)
+set(CMAKE_REQUIRED_LIBRARIES EXPAT::EXPAT)
+check_cxx_symbol_exists(XML_GetCurrentByteIndex64 expat.h HARIKO_EXPAT_64)
+unset(CMAKE_REQUIRED_LIBRARIES)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 
 # OpenSubdiv's own CMake package names static libraries that Debian does not ship, so it is looked up by hand.

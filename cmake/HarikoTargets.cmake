@@ -109,7 +109,7 @@ function(hariko_test NAME)
   file(GLOB SOURCES CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   add_library(${NAME} OBJECT ${SOURCES})
   target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${NAME} PUBLIC ${ARG_LINKS} GTest::gtest_main hariko_test_places PRIVATE hariko_warnings
+  target_link_libraries(${NAME} PUBLIC ${ARG_LINKS} Eigen3::Eigen GTest::gtest_main hariko_test_places PRIVATE hariko_warnings
     hariko_test_options)
   hariko_precompile(${NAME} hariko_precompiled_tests "${ARG_INTERFACE}")
   hariko_unity(${NAME})

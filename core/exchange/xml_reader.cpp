@@ -3,10 +3,27 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace hariko {
 namespace {
+
+#ifdef HARIKO_EXPAT_64
+std::uint64_t current_line(XML_Parser parser) {
+  return XML_GetCurrentLineNumber64(parser);
+}
+std::int64_t current_byte(XML_Parser parser) {
+  return XML_GetCurrentByteIndex64(parser);
+}
+#else
+std::uint64_t current_line(XML_Parser parser) {
+  return XML_GetCurrentLineNumber(parser);
+}
+std::int64_t current_byte(XML_Parser parser) {
+  return XML_GetCurrentByteIndex(parser);
+}
+#endif
 
 constexpr std::size_t max_depth = 32, max_tag = 1'000'000, piece_size = 65536;
 
@@ -64,7 +81,7 @@ XmlReader::~XmlReader() {
 }
 
 std::size_t XmlReader::line() const {
-  return XML_GetCurrentLineNumber(parser_);
+  return static_cast<std::size_t>(current_line(parser_));
 }
 
 void XmlReader::refuse(Code code, const std::string& sentence, const char* remedy) {
@@ -95,7 +112,7 @@ bool XmlReader::parse(std::string_view piece, bool last) {
     else
       refuse(e_parse, "This is not XML: " + std::string(XML_ErrorString(code)) + ".");
   }
-  const auto done = static_cast<std::size_t>(std::max<XML_Index>(XML_GetCurrentByteIndex(parser_), 0));
+  const auto done = static_cast<std::size_t>(std::max<std::int64_t>(current_byte(parser_), 0));
   if (!error_ && fed_ > done + max_tag) refuse(e_limit, "A tag is longer than a million characters.");
   return !error_;
 }
