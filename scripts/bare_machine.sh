@@ -3,7 +3,7 @@
 # out here is cloned. Proves that the scripts install whatever a build, a test or the program needs.
 #   scripts/bare_machine.sh [OPTIONS] bookworm|trixie [COMMAND...]     (default command: ./run.sh info of a sample)
 #     --user         the command runs as a user with sudo instead of root
-#     --ccache       lends the root this user's compiler cache, read and written
+#     --ccache       lends the root this user's compiler cache, read and written; read only where --user is given
 #     --copy FILE    puts a file into the clone's folder; may be given several times
 #     --take PATH    copies what the command wrote at PATH, relative to the clone, to the current folder
 #     --keep         leaves the root behind and says where
@@ -138,6 +138,7 @@ if [ $lend_cache = yes ]; then
   compiler_cache=${CCACHE_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/ccache}
   mkdir -p "$compiler_cache"
   variables+=(CCACHE_DIR=/var/cache/ccache)
+  if [ $as_user = yes ]; then variables+=(CCACHE_READONLY=1 CCACHE_TEMPDIR=/tmp/ccache); fi
 fi
 result=0
 in_root setpriv --reuid="$user" --regid="$user" --init-groups env -i "${variables[@]}" \
