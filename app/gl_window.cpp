@@ -160,6 +160,10 @@ GlWindow::GlWindow(std::unique_ptr<State> state) : state_(std::move(state)) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+#if IMGUI_VERSION_NUM >= 18700
+  // The input queue decides what a frame sees; a second one behind it would let the pointer lag.
+  ImGui::GetIO().ConfigInputTrickleEventQueue = false;
+#endif
   float scale_x = 1, scale_y = 1;
   glfwGetWindowContentScale(window, &scale_x, &scale_y);
   if (state_->monitor_scale <= 0) {
@@ -307,8 +311,14 @@ void GlWindow::begin_frame() {
   ImGui_ImplGlfw_NewFrame();
   // The backend asks the desktop where the pointer is now; the frame sees where it was at its batch.
   ImGuiIO& io = ImGui::GetIO();
+#if IMGUI_VERSION_NUM >= 18700  // which keeps a queue of its own
+  io.AddMousePosEvent(state_->pointer.x, state_->pointer.y);
+  for (std::size_t i = 0; i < state_->buttons.size(); ++i)
+    io.AddMouseButtonEvent(static_cast<int>(i), state_->buttons[i]);
+#else
   io.MousePos = state_->pointer;
   for (std::size_t i = 0; i < state_->buttons.size(); ++i) io.MouseDown[i] = state_->buttons[i];
+#endif
   io.DeltaTime = std::max(1e-4F, static_cast<float>(state_->clock.tick(input_time())));
   ImGui::NewFrame();
 }

@@ -52,14 +52,19 @@ class ExportDialog : public ::testing::Test {
     for (int i = 0; i < 10 && !bench_.workbench().marks().all().contains(mark); ++i) bench_.frame();
     ASSERT_TRUE(bench_.workbench().marks().all().contains(mark)) << mark;
   }
-  void press(ImGuiKey_ key, bool control) {
-    constexpr int code = 65;
+  void press(ImGuiKey key, bool control) {
     ImGuiIO& io = ImGui::GetIO();
-    io.KeyMap[key] = code;
     bench_.hold(false, control, false);
-    io.KeysDown[code] = true;
+#if IMGUI_VERSION_NUM >= 18900
+    const auto set = [&](bool down) { io.AddKeyEvent(key, down); };
+#else
+    constexpr int code = 65;
+    io.KeyMap[key] = code;
+    const auto set = [&](bool down) { io.KeysDown[code] = down; };
+#endif
+    set(true);
     bench_.frame();
-    io.KeysDown[code] = false;
+    set(false);
     bench_.hold(false, false, false);
     bench_.frame();
   }

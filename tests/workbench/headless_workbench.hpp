@@ -94,9 +94,15 @@ class HeadlessWorkbench {
   }
   void hold(bool shift, bool control, bool alt) {
     ImGuiIO& io = ImGui::GetIO();
+#if IMGUI_VERSION_NUM >= 18900
+    io.AddKeyEvent(ImGuiMod_Shift, shift);
+    io.AddKeyEvent(ImGuiMod_Ctrl, control);
+    io.AddKeyEvent(ImGuiMod_Alt, alt);
+#else
     io.KeyShift = shift;
     io.KeyCtrl = control;
     io.KeyAlt = alt;
+#endif
   }
 
   /// Until surfaces are ready and shown.
