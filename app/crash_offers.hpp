@@ -16,7 +16,7 @@ class CrashOffers {
  public:
   using ShowFolder = std::function<bool(const std::filesystem::path&)>;
 
-  /// Of the folder with the reports and the log. All but the paths is borrowed.
+  /// Takes the folder with the reports and the log. All but the paths is borrowed.
   CrashOffers(Editor& editor, Workbench& workbench, std::filesystem::path folder, const RunLog& log);
   /// With another way to show a folder, for tests: false where it cannot be shown.
   CrashOffers(Editor& editor, Workbench& workbench, std::filesystem::path folder, const RunLog& log,

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t stack_size = 64 * 1024, most_calls = 64;
 
-/// What the handler needs, ready before anything is broken. Signal handlers have no user data, and there is
+/// Data of the handler, ready before anything is broken. Signal handlers have no user data, and there is
 /// one set of them for the process.
 struct Prepared {
   std::array<char, 4096> file{};  ///< ends with 0; empty for none

@@ -33,7 +33,7 @@ SceneObject part_of(const Document& document, const std::shared_ptr<const Object
   out.mesh = builder.build(object, neighbours_of(document, object->id), Quality::final, cancel).mesh;
   out.polyhedron = lines_of(document, *object);
   out.transform = matrix_of(object->transform);
-  // Of what is not a polyhedron the network is dense, and would hide what the surface was made from.
+  // The network of anything but a polyhedron is dense, and would hide what the surface was made from.
   out.show_network = !object->skin() && !object->solids() && !object->outline();
   out.show_polyhedron = object->polyhedron() || object->solids() || object->outline();
   // Points of a dense cage would hide it.

@@ -12,7 +12,7 @@
 
 namespace hariko {
 
-/// What a picture of a file shows: surfaces and what they are made from. Without objects when the file cannot
+/// Contents of the picture of a file: surfaces and what they are made from. Without objects when the file cannot
 /// be read. For a worker.
 Scene file_scene(const std::filesystem::path& path, const CancelToken& cancel);
 /// The camera of such a picture, with a margin round the model.

@@ -112,8 +112,9 @@ void TestLog::first_frame(const Workbench& workbench) {
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
   };
   const auto& samples = workbench.samples();
-  const auto missing = std::count_if(samples.begin(), samples.end(),
-                                     [](const Sample& sample) { return sample.wanted && !sample.picture.texture; });
+  const auto missing = std::count_if(samples.begin(), samples.end(), [](const Sample& sample) {
+    return sample.wanted && !sample.picture.texture;
+  });
   out_ << event_line("first_frame", [&](JsonWriter& json) {
     json.member("cpu_ms", milliseconds(used.ru_utime) + milliseconds(used.ru_stime));
     json.member("user_ms", milliseconds(used.ru_utime));

@@ -16,7 +16,7 @@ namespace {
 struct InfoMember;
 using InfoMembers = std::vector<InfoMember>;
 
-/// What a key of the report says, in the same words for programs and for people.
+/// The title of a key of the report, in the same words for programs and for people.
 struct InfoValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
                std::shared_ptr<const InfoMembers>>

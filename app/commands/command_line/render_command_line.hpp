@@ -26,7 +26,7 @@ class RenderCommandLine {
  private:
   void add_looks();
   void add_lines();
-  /// What OUT becomes, by its ending or by --format.
+  /// The format of OUT, by its ending or by --format.
   bool is_picture() const;
   bool is_drawing() const;
   void check_picture() const;

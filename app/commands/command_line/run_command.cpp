@@ -115,7 +115,7 @@ class CommandLine {
     if (const auto& files = window_.options().files; !files.empty()) check_first_word(files.front().string());
   }
 
-  /// Who typed the name looks at the terminal; the window says it, too, as it may have come from a menu.
+  /// The terminal is where a name is typed; the window says it, too, as it may have come from a menu.
   static void report_missing(const WindowOptions& options) {
     for (const std::filesystem::path& file : options.files) {
       std::error_code unknown;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What was probably meant where the command line names something that is not there. Internal to this folder.
+// Suggestions where the command line names something that is not there. Internal to this folder.
 
 #include <optional>
 #include <string>
