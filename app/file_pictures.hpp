@@ -12,8 +12,8 @@
 
 namespace hariko {
 
-/// Contents of the picture of a file: surfaces and what they are made from. Without objects when the file cannot
-/// be read. For a worker.
+/// Contents of the picture of a file: surfaces and what they are made from. Without objects when the file
+/// cannot be read. For a worker.
 Scene file_scene(const std::filesystem::path& path, const CancelToken& cancel);
 /// The camera of such a picture, with a margin round the model.
 Camera file_camera(const Scene& scene, PixelSize size);
