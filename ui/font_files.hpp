@@ -13,7 +13,7 @@ struct FontFile {
   std::string family;  ///< "Inter"
 };
 
-/// Where nothing fits a member is empty; then there is no such font.
+/// An empty member means that no such font was found.
 struct FontFiles {
   std::optional<FontFile> text;   ///< Inter, else what fontconfig takes for a sans-serif with Latin letters
   std::optional<FontFile> icons;  ///< Font Awesome 4, and nothing else: its characters are its own

@@ -10,7 +10,7 @@ struct ImFont;
 
 namespace hariko {
 
-/// What the fonts must be able to write, beyond Latin, Greek and Cyrillic.
+/// Characters that the fonts must have, beyond Latin, Greek and Cyrillic.
 struct FontRequest {
   float scale = 1;  ///< framebuffer pixels per design pixel
   /// Kana and the common characters of Japanese, for reading and typing.

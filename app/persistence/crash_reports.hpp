@@ -21,7 +21,7 @@ class CrashReports {
 
   explicit CrashReports(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Where the report of this process goes, should it crash. The folder need not exist.
+  /// The file for this process's report, should it crash. The folder need not exist.
   std::filesystem::path own_file() const;
   /// The latest report that was not dismissed yet.
   std::optional<Found> latest() const;

@@ -25,7 +25,7 @@ class AssetsFolder : public ::testing::Test {
     return data;
   }
   fs::path found(const fs::path& program, std::map<std::string, std::string> variables = {}) const {
-    // What this machine has installed is none of the test's business.
+    // The test does not depend on what this machine has installed.
     variables.emplace("XDG_DATA_DIRS", (top() / "nothing").string());
     return assets_folder(program, [&](const char* name) {
       const auto it = variables.find(name);

@@ -1,4 +1,4 @@
-// Which files the dialogs offer.
+// Tests of the file types that dialogs offer.
 
 #include <gtest/gtest.h>
 

@@ -99,7 +99,7 @@ TEST_F(Usage, AMisspeltOptionIsToldWithTheNearest) {
     EXPECT_NE(result.error.find("Did you mean '" + meant + "'?"), std::string::npos) << arguments << "\n"
                                                                                      << result.error;
   }
-  // What help does not show is not proposed either.
+  // Hidden words are not proposed either.
   EXPECT_EQ(run("--test-lgo x").error.find("Did you mean '--test-log'"), std::string::npos);
 }
 
@@ -151,7 +151,7 @@ Names options_in(const std::string& text) {
   return out;
 }
 
-/// Which options docs/cli.md names for each command in its synopsis and its tables; "" is the window.
+/// The options that docs/cli.md names for each command in its synopsis and its tables; "" is the window.
 std::map<std::string, Names> documented() {
   std::istringstream lines(read_text(source_folder() + "/docs/cli.md"));
   std::map<std::string, Names> out;

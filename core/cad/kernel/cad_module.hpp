@@ -1,7 +1,8 @@
 #pragma once
 
-// What the module with OpenCASCADE offers to the program that loads it. The module is a library of its own
-// because the seventy libraries behind it take longer to load than all else that the program needs to start.
+// The interface between the module with OpenCASCADE and the program that loads it. The module is a library of
+// its own because the seventy libraries behind it take longer to load than all else that the program needs to
+// start.
 
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
