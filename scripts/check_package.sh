@@ -113,9 +113,12 @@ words_of_lintian() {
 
 # --- What installs it
 
-# The program takes the place of the shell that calls it, so that signals reach it.
+# The program takes the place of the shell that calls it, so that signals reach it. A session gives its user a folder
+# for what lasts as long as it does; OpenGL complains where there is none.
 in_other_home() {
-  exec setpriv --reuid=package-user --regid=package-user --init-groups env -i PATH="$PATH" HOME=/home/package-user "$@"
+  install -d -m 700 -o package-user -g package-user "$work/session"
+  exec setpriv --reuid=package-user --regid=package-user --init-groups env -i PATH="$PATH" HOME=/home/package-user \
+    XDG_RUNTIME_DIR="$work/session" "$@"
 }
 
 # Nothing but the package and what it depends on is there, so a dependency that is missing shows.

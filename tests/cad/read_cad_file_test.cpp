@@ -20,6 +20,7 @@
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <StepData_StepModel.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -186,9 +187,10 @@ struct OtherProgram {
     TDataStd_Name::Set(label, name);
     return label;
   }
-  void write(const fs::path& path, const char* unit) {
-    Interface_Static::SetCVal("write.step.unit", unit);
+  void write(const fs::path& path, const std::string& unit) {
+    Interface_Static::SetCVal("write.step.unit", unit.c_str());
     STEPCAFControl_Writer writer;
+    writer.ChangeWriter().Model()->SetWriteLengthUnit(unit == "M" ? 1000 : unit == "INCH" ? 25.4 : 1);
     ASSERT_TRUE(writer.Transfer(document, STEPControl_AsIs));
     ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
   }

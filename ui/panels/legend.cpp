@@ -38,7 +38,7 @@ void range_end(PanelContext& context, const Object& object, const ValueRange& sh
     ImGui::SetNextItemWidth(width);
     double typed = value;
     const bool waiting = frames < patience;
-    if (waiting) ImGui::SetKeyboardFocusHere();
+    if (waiting) focus_next_field();
     if (ImGui::InputDouble(high ? "##high" : "##low", &typed, 0, 0, "%.6g",
                            ImGuiInputTextFlags_AutoSelectAll))
       context.state.typed = typed;

@@ -86,7 +86,7 @@ void name_field(PanelContext& context, const Object& object, float width) {
   Editor& editor = context.editor;
   OutlinerState& state = context.state.outliner;
   ImGui::SetNextItemWidth(width);
-  if (state.focus_name) ImGui::SetKeyboardFocusHere();
+  if (state.focus_name) focus_next_field();
   ImGui::InputText("##name", &state.name, ImGuiInputTextFlags_AutoSelectAll);
   context.marks.item("outliner.name");
   if (ImGui::IsItemDeactivated()) {

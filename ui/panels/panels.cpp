@@ -9,6 +9,11 @@ void PanelContext::run(std::string_view id) {
   if (!outcome.ran) editor.notify(Notice::Kind::info, editor.language.phrase(outcome.reason));
 }
 
+void focus_next_field() {
+  ImGui::SetWindowFocus();
+  ImGui::SetKeyboardFocusHere();
+}
+
 bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVec2 padding,
                  ImGuiWindowFlags extra) {
   ImGui::SetNextWindowPos(rect.min);

@@ -48,6 +48,19 @@ const char* name_of(CadUnit unit) {
   }
 }
 
+double millimetres_in(CadUnit unit) {
+  switch (unit) {
+    case CadUnit::centimetre:
+      return 10;
+    case CadUnit::metre:
+      return 1000;
+    case CadUnit::inch:
+      return 25.4;
+    default:
+      return 1;
+  }
+}
+
 void add(KernelDocument& document, const TopoDS_Shape& shape, const CadObject& object) {
   const TDF_Label main = document.handle()->Main();
   const TDF_Label label = XCAFDoc_DocumentTool::ShapeTool(main)->AddShape(shape, false);
@@ -77,6 +90,8 @@ Result<std::string> step_text(const KernelDocument& document, const CadFileOptio
                             options.format == CadFormat::step_ap242 ? "AP242DIS" : "AP214IS");
   Interface_Static::SetCVal("write.step.unit", name_of(options.unit));
   STEPCAFControl_Writer writer;
+  // The setting names the unit in the file; from OpenCASCADE 7.7 on, the numbers follow the model's own.
+  writer.ChangeWriter().Model()->SetWriteLengthUnit(millimetres_in(options.unit));
   writer.SetColorMode(true);
   writer.SetNameMode(true);
   if (!writer.Transfer(document.handle(), STEPControl_AsIs)) return not_written("nothing was transferred");
