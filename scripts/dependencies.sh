@@ -39,7 +39,7 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
 This script installs packages on Debian and Ubuntu only. Hariko needs these, with their development files:
   a C++20 compiler (clang 14 or GCC 12, or later), CMake 3.25, Ninja, pkg-config
   GLFW 3.3, Dear ImGui 1.86 with FreeType and the backends for GLFW and OpenGL 3, stb, libepoxy, GLM, X11
-  Eigen 3.4, OpenSubdiv 3.5, oneTBB, nlohmann-json 3.11, CLI11, muParser, libzip, Expat, libpng, FreeType, zlib
+  Eigen 3.4, OpenSubdiv 3.5, oneTBB, nlohmann-json 3.11, CLI11, muParser, libzip, Expat, libpng, FreeType, Fontconfig, zlib
   OpenCASCADE 7.6 for STEP and IGES; the fonts Inter, Font Awesome 4 and Noto Sans CJK; ccache makes later builds faster
 TEXT
   exit 0
