@@ -37,7 +37,7 @@ class Window:
         self.display_server = self.program = None
         self.events = []
         self._log = None
-        self._rest = ""
+        self._rest = b""
         self.home = home or os.path.join(self.folder, "home")
         try:
             self._start(program, [*arguments, *(self._own(file) for file in files)], size)
@@ -82,8 +82,9 @@ class Window:
         if self._log is None:
             if not os.path.exists(self.log_path):
                 return
-            self._log = open(self.log_path, encoding="utf-8")
-        *lines, self._rest = (self._rest + self._log.read()).split("\n")
+            self._log = open(self.log_path, "rb")
+        # The end may lie within a character.
+        *lines, self._rest = (self._rest + self._log.read()).split(b"\n")
         self.events += [json.loads(line) for line in lines]
 
     def last(self, event):
