@@ -14,6 +14,10 @@ namespace {
 
 /// Of the mean length: keeps the charts of faces without any size above zero.
 constexpr double least_chart_size = 1e-6;
+/// A rectangle 4000 times as long as wide; narrower faces count as flattened ones. With twice as much, the sides
+/// of a prism of 128 sides and height 100 would.
+constexpr double short_side = 0.01;  ///< of the mean side of a face
+constexpr double least_opening = 5e-4;
 
 double det(const Vector2& a, const Vector2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -28,6 +32,7 @@ class PolygonChart {
     find_regular();
     if (!flat_) unfold();
     widen();
+    lift();
     for (std::size_t j = 0; j < n_; ++j)
       if (!(area(j) > 1e-12 * size_ * size_)) {
         p_ = regular_;
@@ -102,7 +107,7 @@ class PolygonChart {
   /// A face whose affine part has no area, or turns the other way, becomes regular.
   void unfold() {
     const double opening = det(affine_[0], affine_[1]) / (size_ * size_ * std::sin(2 * std::numbers::pi / double(n_)));
-    const double share = std::clamp(1000 * (1e-3 - opening), 0.0, 1.0);
+    const double share = std::clamp(1 - opening / least_opening, 0.0, 1.0);
     if (share == 0) return;
     for (std::size_t j = 0; j < n_; ++j) {
       p_[j] += share * (regular_[j] - p_[j]);
@@ -110,17 +115,36 @@ class PolygonChart {
     }
   }
 
-  /// Towards the affine part as soon as a patch gets flat: its height far below the mean height.
+  /// Towards the affine part as soon as a patch gets flat: its height far below the mean height. Sides far
+  /// shorter than the others have no say, since their height is a matter of chance.
   void widen() {
-    double least = INFINITY, sum = 0, length = 0;
+    double sum = 0, length = 0;
     for (std::size_t j = 0; j < n_; ++j) {
-      const double side = (p_[(j + 1) % n_] - p_[j]).norm();
-      least = std::min(least, side > 0 ? area(j) / side : 0.0);
       sum += area(j);
-      length += side;
+      length += side(j);
     }
-    const double height = sum > 0 ? least * length / sum : 0.0;
-    const double s = std::clamp(height / 0.1, 0.0, 1.0), share = 1 - s * s * (3 - 2 * s);
+    const double mean = length > 0 ? sum / length : 0;
+    double least = INFINITY;
+    for (std::size_t j = 0; j < n_; ++j) {
+      const double gap = std::max(0.0, short_side * length / double(n_) - side(j));
+      least = std::min(least, (area(j) + gap * mean) / (side(j) + gap));
+    }
+    const double s = mean > 0 ? std::clamp(least / mean / 0.1, 0.0, 1.0) : 0.0;
+    blend(1 - s * s * (3 - 2 * s));
+  }
+
+  /// Keeps the areas of short sides from zero, as the fans at vertices keep their lengths.
+  void lift() {
+    double least = INFINITY, sum = 0;
+    for (std::size_t j = 0; j < n_; ++j) {
+      least = std::min(least, area(j));
+      sum += area(j);
+    }
+    if (sum > 0) blend(short_side * std::clamp(1 - least * double(n_) / (short_side * sum), 0.0, 1.0));
+  }
+
+  double side(std::size_t j) const { return (p_[(j + 1) % n_] - p_[j]).norm(); }
+  void blend(double share) {
     if (share == 0) return;
     for (std::size_t j = 0; j < n_; ++j) p_[j] += share * (affine_[j] - p_[j]);
   }
