@@ -12,7 +12,8 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t grain = 2048;  ///< vertices a task: about 0.1 ms of a step
-constexpr int max_steps = 30;        ///< 0.268^30 is below any tolerance that makes sense
+/// 0.268^30 and 0.38^60 are below any tolerance that makes sense.
+constexpr int max_steps = 30, max_steps_with_rays = 60;
 
 std::string name_of(VertexId id) {
   return "Vertex " + std::to_string(id.value);
@@ -21,11 +22,11 @@ std::string name_of(VertexId id) {
 }  // namespace
 
 Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, const Shaping& shaping,
-                                              std::span<const FrameRequest> requests) {
+                                              const FrameOptions& options) {
   NetworkSystem system;
   system.mesh_ = polyhedron.shared_topology();
   if (auto failed = system.read_tensions(polyhedron, shaping)) return *failed;
-  auto frames = build_vertex_frames(polyhedron, shaping, requests);
+  auto frames = build_vertex_frames(polyhedron, shaping, options);
   if (!frames) return frames.error();
   system.frames_ = std::move(frames).value();
 
@@ -50,6 +51,10 @@ Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, cons
     system.incident_ends_[cursor[mesh.origin(h)]++] = 2 * e;
     system.incident_ends_[cursor[mesh.target(h)]++] = 2 * e + 1;
   }
+  NetworkWeights weights = network_weights(mesh, system.frames_);
+  system.edge_weight_ = std::move(weights.edge);
+  if (!weights.ray.empty())
+    system.rays_ = NetworkRays(system.mesh_, system.frames_, system.alpha_, weights.ray);
   if (auto failed = system.read_pins(polyhedron, shaping)) return *failed;
   if (auto failed = system.factor_blocks(polyhedron)) return *failed;
   return system;
@@ -118,7 +123,8 @@ Eigen::MatrixXd NetworkSystem::diagonal_block(Index v) const {
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(count, count);
   for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
     const TangentCoefficients& end = edge_ends_[incident_ends_[i]];
-    const double weight = 2 * (beta_[incident_ends_[i] / 2] + alpha_[v]);
+    const Index e = incident_ends_[i] / 2;
+    const double weight = 2 * edge_weight_[e] * (beta_[e] + alpha_[v]);
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
         if (end.basis[a] != no_index && end.basis[b] != no_index)
@@ -152,7 +158,8 @@ void NetworkSystem::set_conditions(std::span<const BasisCondition> conditions) {
     }
   }
   for (auto& [v, vertex] : conditioned_) {
-    const Eigen::MatrixXd block = diagonal_block(v);
+    Eigen::MatrixXd block = diagonal_block(v);
+    rays_.add_diagonal(v, frames_.basis_begin[v], block);
     const Eigen::Index count = block.rows();
     Eigen::MatrixXd free = Eigen::MatrixXd::Zero(3 * count, 3 * count), full = free;
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -181,7 +188,7 @@ std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron
     const Index first = frames_.basis_begin[v];
     const Index count = frames_.basis_begin[v + 1] - first;
     if (count == 0) continue;
-    const Eigen::MatrixXd block = diagonal_block(v);
+    Eigen::MatrixXd block = diagonal_block(v);
     const Eigen::VectorXd eigenvalues = symmetric_eigenvalues(block);
     const double largest = eigenvalues.maxCoeff();
     const bool fixed = !pin_state_.empty() && pin_state_[v] == PinState::fixed;
@@ -191,6 +198,7 @@ std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron
                             " has no tension in some direction, so its tangents are not determined.",
                         "Raise the tension of one of its edges above zero.",
                         element_of(polyhedron.vertex_id(v)));
+    rays_.add_diagonal(v, first, block);
     const Eigen::MatrixXd inverse =
         fixed ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count)) : inverse_matrix(block);
     for (Index i = 0; i < count; ++i)
@@ -199,17 +207,21 @@ std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron
   return std::nullopt;
 }
 
-void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vector3>& x,
-                          std::vector<Vector3>& end_tangents, std::vector<Vector3>& y) const {
+void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vector3>& x, Workspace& work,
+                          std::vector<Vector3>& y) const {
   parallel_for(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
+    for (std::size_t k = begin; k < end; ++k) {
       for (Index i = incident_begin_[vertices[k]]; i < incident_begin_[vertices[k] + 1]; ++i) {
         const TangentCoefficients& tangent = edge_ends_[incident_ends_[i]];
         Vector3 t = tangent.c[0] * x[tangent.basis[0]];
         if (tangent.basis[1] != no_index) t += tangent.c[1] * x[tangent.basis[1]];
-        end_tangents[incident_ends_[i]] = t;
+        work.end_tangents[incident_ends_[i]] = t;
       }
+      if (!rays_.empty()) rays_.set_tangents(vertices[k], x, work.rays);
+    }
   });
+  parallel_for(work.rays.faces.size(), grain,
+               [&](std::size_t begin, std::size_t end) { rays_.answer(begin, end, work.rays); });
   parallel_for(vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index v = vertices[k];
@@ -218,10 +230,13 @@ void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vec
         const Index at = incident_ends_[i];
         const TangentCoefficients& tangent = edge_ends_[at];
         const double beta = beta_[at / 2];
-        const Vector3 gradient = 2 * (beta + alpha_[v]) * end_tangents[at] - beta * end_tangents[at ^ 1U];
+        const Vector3 gradient =
+            edge_weight_[at / 2] *
+            (2 * (beta + alpha_[v]) * work.end_tangents[at] - beta * work.end_tangents[at ^ 1U]);
         y[tangent.basis[0]] += tangent.c[0] * gradient;
         if (tangent.basis[1] != no_index) y[tangent.basis[1]] += tangent.c[1] * gradient;
       }
+      if (!rays_.empty()) rays_.add_product(v, work.rays, y);
     }
   });
 }
@@ -279,11 +294,12 @@ std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
     for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
       const Index at = incident_ends_[i], h = mesh_->half_edge_of_edge(at / 2);
       const Index other = at & 1U ? mesh_->origin(h) : mesh_->target(h);
-      const Vector3 pull = beta_[at / 2] * (positions[other] - positions[v]);
+      const Vector3 pull = edge_weight_[at / 2] * beta_[at / 2] * (positions[other] - positions[v]);
       const TangentCoefficients& tangent = edge_ends_[at];
       b[tangent.basis[0]] += tangent.c[0] * pull;
       if (tangent.basis[1] != no_index) b[tangent.basis[1]] += tangent.c[1] * pull;
     }
+  rays_.add_right_side(vertices, positions, b);
   return b;
 }
 
@@ -327,7 +343,9 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
                                              const SolveOptions& options) const {
   const std::vector<Index>& vertices = options.active_vertices ? *options.active_vertices : all_vertices_;
   const std::vector<Vector3> zero(frames_.basis_count(), Vector3::Zero());
-  std::vector<Vector3> z = zero, q = zero, end_tangents(edge_ends_.size(), Vector3::Zero());
+  std::vector<Vector3> z = zero, q = zero;
+  Workspace work{std::vector<Vector3>(edge_ends_.size(), Vector3::Zero()), rays_.make_workspace(vertices)};
+  const int limit = rays_.empty() ? max_steps : max_steps_with_rays;
   Solution solution;
   std::vector<Vector3>& x = solution.basis;
   x = starting_point(vertices, options);
@@ -336,14 +354,14 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
   project(vertices, b);
   precondition(vertices, b, z);
   const double goal = options.tolerance * options.tolerance * dot(vertices, b, z);
-  apply(vertices, x, end_tangents, q);
+  apply(vertices, x, work, q);
   combine(vertices, r, 1, -1, q);
   project(vertices, r);
   precondition(vertices, r, z);
   std::vector<Vector3> p = z;
   double rz = dot(vertices, r, z);
-  while (rz > goal && solution.iterations < max_steps) {
-    apply(vertices, p, end_tangents, q);
+  while (rz > goal && solution.iterations < limit) {
+    apply(vertices, p, work, q);
     project(vertices, q);
     const double step = rz / dot(vertices, p, q);
     combine(vertices, x, 1, step, p);
@@ -404,8 +422,10 @@ Network NetworkSystem::network(const Solution& solution, std::span<const Vector3
     const Vector3 d = positions[b] - positions[a];
     const Vector3 bend_a = d + network.end[h] - 2 * network.start[h];
     const Vector3 bend_b = -d + network.start[h] - 2 * network.end[h];
-    network.energy += beta_[e] / 3 * (bend_a.squaredNorm() + bend_a.dot(bend_b) + bend_b.squaredNorm()) +
-                      alpha_[a] * network.start[h].squaredNorm() + alpha_[b] * network.end[h].squaredNorm();
+    network.energy +=
+        edge_weight_[e] *
+        (beta_[e] / 3 * (bend_a.squaredNorm() + bend_a.dot(bend_b) + bend_b.squaredNorm()) +
+         alpha_[a] * network.start[h].squaredNorm() + alpha_[b] * network.end[h].squaredNorm());
   }
   return network;
 }

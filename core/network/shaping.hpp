@@ -40,4 +40,9 @@ struct Shaping {
 /// `g2` has continuous curvature (g2.md).
 enum class Mode { paper, target, fair, g2 };
 
+/// How vertices and faces are laid out in the plane. `equal`: equal angles and unit lengths at every vertex,
+/// regular faces, as in the paper. `metric`: as the polyhedron's angles and lengths are (kuriyama.md section
+/// 12). Mode PAPER takes the first always.
+enum class Frames { equal, metric };
+
 }  // namespace hariko

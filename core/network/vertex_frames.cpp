@@ -4,9 +4,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "core/base/assert.hpp"
+#include "core/network/fan_angles.hpp"
 #include "core/network/network.hpp"
 
 namespace hariko {
@@ -43,25 +45,50 @@ Fan fan_of(const HalfEdgeMesh& mesh, Index v) {
   return fan;
 }
 
+/// Corners between two sharp edges, or all round a vertex that has at most one, and what the image of a plane
+/// vector is there.
+struct Sector {
+  enum class Image : std::uint8_t { smooth, straight, line, corner };
+  Image image = Image::smooth;
+  std::size_t first = 0, corners = 0;  ///< its first edge in the fan, and how many corners follow
+  double opening = 0;
+  /// Smooth: Ts, Tc. Straight: Tc. Line: Ts (none with one corner), Tc. Corner: X of the first and of the
+  /// last edge.
+  std::array<Index, 2> basis{no_index, no_index};
+  double sign = 1;  ///< line: of Tc
+};
+
 class FrameBuilder {
  public:
-  FrameBuilder(const Polyhedron& polyhedron, const Shaping& shaping, std::span<const FrameRequest> requests)
-      : polyhedron_(polyhedron), mesh_(polyhedron.topology()), shaping_(shaping) {
-    for (const FrameRequest& request : requests) requests_[request.vertex] = &request;
+  FrameBuilder(const Polyhedron& polyhedron, const Shaping& shaping, const FrameOptions& options)
+      : polyhedron_(polyhedron), mesh_(polyhedron.topology()), shaping_(shaping), options_(options) {
+    for (const FrameRequest& request : options.requests) requests_[request.vertex] = &request;
   }
 
   Result<VertexFrames> build() {
+    const Index count = mesh_.half_edge_count();
     frames_.kind.assign(mesh_.vertex_count(), FrameKind::isolated);
-    frames_.ends.resize(2 * std::size_t(mesh_.half_edge_count()));
-    frames_.step.assign(mesh_.half_edge_count(), 0.0);
+    frames_.ends.resize(2 * std::size_t(count));
+    frames_.length.assign(2 * std::size_t(count), 1.0);
+    frames_.step.assign(count, 0.0);
+    frames_.half_turn.assign(count, false);
+    frames_.split_gain.assign(count, 1.0);
     mark_sharp_edges();
     frames_.basis_begin.reserve(mesh_.vertex_count() + 1);
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       frames_.basis_begin.push_back(next_basis_);
+      sector_begin_.push_back(sectors_.size());
       if (mesh_.outgoing(v) == no_index) continue;
-      if (auto failed = build_vertex(v)) return *failed;
+      fan_ = fan_of(mesh_, v);
+      if (auto failed = divide(v)) return *failed;
+      for (std::size_t s = sector_begin_.back(); s < sectors_.size(); ++s) mark_half_turns(sectors_[s]);
     }
     frames_.basis_begin.push_back(next_basis_);
+    sector_begin_.push_back(sectors_.size());
+    const bool metric = options_.frames == Frames::metric;
+    frames_.charts = metric ? metric_charts(polyhedron_, frames_.half_turn) : equal_charts(mesh_);
+    if (metric) mark_unit_vertices();
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) place_vertex(v);
     return std::move(frames_);
   }
 
@@ -73,8 +100,17 @@ class FrameBuilder {
       if (const Index e = polyhedron_.find(id); on && e != no_index) frames_.sharp[e] = true;
   }
 
-  std::optional<Message> build_vertex(Index v) {
-    fan_ = fan_of(mesh_, v);
+  void mark_unit_vertices() {
+    unit_.assign(mesh_.vertex_count(), false);
+    for (const Index v : options_.unit_vertices) unit_[v] = true;
+    for (const FrameRequest& request : options_.requests) unit_[request.vertex] = true;
+    for (const auto& [id, pin] : shaping_.pin)
+      if (const Index v = polyhedron_.find(id); v != no_index && pin.kind == Pin::Kind::tangents)
+        unit_[v] = true;
+  }
+
+  /// Divides the fan into sectors and takes the vertex's basis vectors.
+  std::optional<Message> divide(Index v) {
     const VertexTag tag = shaping_.tag.get_or(polyhedron_.vertex_id(v), VertexTag::automatic);
     std::vector<std::size_t> sharp;
     for (std::size_t k = 0; k < fan_.edges.size(); ++k)
@@ -94,15 +130,15 @@ class FrameBuilder {
     const bool corner =
         sharp.size() >= 3 || tag == VertexTag::corner || (border_tip && tag != VertexTag::smooth);
     if (fan_.closed && sharp.size() <= 1)
-      smooth_vertex(v);
+      divide_smooth(v);
     else if (request && request->line)
-      sharp_line_vertex(v, sharp);
+      divide_line(v, sharp);
     else if (request)
-      corner_vertex(v, sharp, request->opening);
+      divide_corner(v, sharp, request->opening);
     else if (corner)
-      corner_vertex(v, sharp);
+      divide_corner(v, sharp);
     else
-      sharp_line_vertex(v, sharp);
+      divide_line(v, sharp);
     return std::nullopt;
   }
 
@@ -112,101 +148,229 @@ class FrameBuilder {
     return first;
   }
 
-  void set_edge(std::size_t k, const TangentCoefficients& tangent) {
-    const FanEdge& edge = fan_.edges[k % fan_.edges.size()];
-    frames_.ends[2 * edge.half_edge + (edge.at_origin ? 0 : 1)] = tangent;
-    const Index twin = mesh_.twin(edge.half_edge);
-    if (twin != no_index) frames_.ends[2 * twin + (edge.at_origin ? 1 : 0)] = tangent;
-  }
-  void set_step(std::size_t corner, double step) {
-    frames_.step[fan_.corners[corner % fan_.corners.size()]] = step;
-  }
-
-  void smooth_vertex(Index v) {
+  void divide_smooth(Index v) {
     const std::size_t n = fan_.edges.size();
-    if (n == 2) {
-      frames_.kind[v] = FrameKind::straight;
-      const Index tc = take_basis(1);
-      set_edge(0, {{tc, no_index}, {1, 0}});
-      set_edge(1, {{tc, no_index}, {-1, 0}});
-    } else {
-      frames_.kind[v] = FrameKind::smooth;
-      const Index ts = take_basis(2);
-      for (std::size_t k = 0; k < n; ++k) {
-        const double angle = 2 * pi * double(k) / double(n);
-        set_edge(k, {{ts, ts + 1}, {std::sin(angle), std::cos(angle)}});
-      }
-    }
-    for (std::size_t k = 0; k < n; ++k) set_step(k, 2 * pi / double(n));
+    const bool straight = n == 2;
+    frames_.kind[v] = straight ? FrameKind::straight : FrameKind::smooth;
+    const Index first = take_basis(straight ? 1 : 2);
+    Sector sector{straight ? Sector::Image::straight : Sector::Image::smooth, 0, n, 2 * pi};
+    sector.basis = {first, straight ? no_index : first + 1};
+    sectors_.push_back(sector);
   }
 
-  /// Sectors between consecutive sharp edges: (first edge, number of corners).
-  std::vector<std::pair<std::size_t, std::size_t>> sectors(const std::vector<std::size_t>& sharp) const {
+  /// Ranges between consecutive sharp edges: (first edge, number of corners).
+  std::vector<std::pair<std::size_t, std::size_t>> parts_between(
+      const std::vector<std::size_t>& sharp) const {
     std::vector<std::pair<std::size_t, std::size_t>> out;
     for (std::size_t i = 0; i + 1 < sharp.size(); ++i) out.emplace_back(sharp[i], sharp[i + 1] - sharp[i]);
     if (fan_.closed) out.emplace_back(sharp.back(), fan_.edges.size() - sharp.back() + sharp.front());
     return out;
   }
 
-  void sharp_line_vertex(Index v, const std::vector<std::size_t>& sharp) {
+  void divide_line(Index v, const std::vector<std::size_t>& sharp) {
     frames_.kind[v] = FrameKind::sharp_line;
     const Index tc = take_basis(1);
     double sign = 1;
-    for (const auto& [first, m] : sectors(sharp)) {
-      const Index ts = m >= 2 ? take_basis(1) : no_index;
-      for (std::size_t j = 0; j <= m; ++j) {
-        const double angle = pi * double(j) / double(m);
-        const bool on_line = j == 0 || j == m;
-        const double cosine = j == 0 ? 1 : j == m ? -1 : std::cos(angle);
-        if (on_line)
-          set_edge(first + j, {{tc, no_index}, {sign * cosine, 0}});
-        else
-          set_edge(first + j, {{ts, tc}, {std::sin(angle), sign * cosine}});
-        if (j < m) set_step(first + j, pi / double(m));
-      }
+    for (const auto& [first, m] : parts_between(sharp)) {
+      Sector sector{Sector::Image::line, first, m, pi};
+      sector.basis = {m >= 2 ? take_basis(1) : no_index, tc};
+      sector.sign = sign;
+      sectors_.push_back(sector);
       sign = -sign;
     }
   }
 
   /// `given`: the opening of the only sector, where it is known.
-  void corner_vertex(Index v, const std::vector<std::size_t>& sharp, std::optional<double> given = {}) {
+  void divide_corner(Index v, const std::vector<std::size_t>& sharp, std::optional<double> given = {}) {
     frames_.kind[v] = FrameKind::corner;
     const Index first_basis = take_basis(static_cast<Index>(sharp.size()));
-    const auto parts = sectors(sharp);
+    const auto parts = parts_between(sharp);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const auto [first, m] = parts[i];
-      const Index xa = first_basis + static_cast<Index>(i);
-      const Index xb = first_basis + static_cast<Index>((i + 1) % sharp.size());
       const double full = fan_.closed ? 2 * pi : pi;
       const double usual = parts.size() == 1 && !fan_.closed
                                ? pi / 2
                                : std::min(full * double(m) / double(fan_.corners.size()), 2 * pi / 3);
-      const double opening = given.value_or(usual);
-      const double step = opening / double(m);
-      set_edge(first, {{xa, no_index}, {1, 0}});
-      set_edge(first + m, {{xb, no_index}, {1, 0}});
-      for (std::size_t j = 1; j < m; ++j)
-        set_edge(first + j, {{xa, xb},
-                             {std::sin(opening - double(j) * step) / std::sin(opening),
-                              std::sin(double(j) * step) / std::sin(opening)}});
-      for (std::size_t j = 0; j < m; ++j) set_step(first + j, step);
+      Sector sector{Sector::Image::corner, first, m, given.value_or(usual)};
+      sector.basis = {first_basis + static_cast<Index>(i),
+                      first_basis + static_cast<Index>((i + 1) % sharp.size())};
+      sectors_.push_back(sector);
     }
+  }
+
+  Index corner(const Sector& sector, std::size_t j) const {
+    return fan_.corners[(sector.first + j) % fan_.corners.size()];
+  }
+  const FanEdge& edge(const Sector& sector, std::size_t j) const {
+    return fan_.edges[(sector.first + j) % fan_.edges.size()];
+  }
+
+  void mark_half_turns(const Sector& sector) {
+    const bool turns = sector.image == Sector::Image::straight ||
+                       (sector.image == Sector::Image::line && sector.corners == 1);
+    for (std::size_t j = 0; turns && j < sector.corners; ++j) frames_.half_turn[corner(sector, j)] = true;
+  }
+
+  void place_vertex(Index v) {
+    if (mesh_.outgoing(v) == no_index) return;
+    fan_ = fan_of(mesh_, v);
+    const std::span<Sector> sectors(sectors_.data() + sector_begin_[v],
+                                    sector_begin_[v + 1] - sector_begin_[v]);
+    const bool metric = options_.frames == Frames::metric && !unit_[v];
+    const std::vector<double> lengths =
+        metric ? fan_lengths(sectors) : std::vector<double>(fan_.edges.size(), 1.0);
+    for (Sector& sector : sectors) {
+      const bool turns = frames_.half_turn[corner(sector, 0)];
+      place(sector, metric && !turns ? metric_angles(sector) : equal_angles(sector), lengths);
+      if (options_.frames == Frames::metric) find_gain(sector, metric);
+    }
+  }
+
+  /// Angle of each edge of the sector from its first one.
+  static std::vector<double> equal_angles(const Sector& sector) {
+    std::vector<double> angles(sector.corners + 1);
+    for (std::size_t j = 0; j <= sector.corners; ++j)
+      angles[j] = sector.opening * double(j) / double(sector.corners);
+    return angles;
+  }
+
+  std::vector<double> metric_angles(Sector& sector) const {
+    std::vector<double> seen(sector.corners);
+    for (std::size_t j = 0; j < sector.corners; ++j)
+      seen[j] = corner_angle(mesh_, frames_.charts, corner(sector, j));
+    if (sector.image == Sector::Image::corner)
+      sector.opening = std::clamp(std::accumulate(seen.begin(), seen.end(), 0.0), pi / 6, 2 * pi / 3);
+    const bool closed = sector.image == Sector::Image::smooth;
+    const std::vector<double> steps = fan_steps(seen, sector.opening, closed);
+    std::vector<double> angles(sector.corners + 1, 0.0);
+    std::partial_sum(steps.begin(), steps.end(), angles.begin() + 1);
+    angles.back() = sector.opening;
+    return angles;
+  }
+
+  /// Lengths of the edges in space, kept from zero by the longest of them. Edges at a half turn share one.
+  std::vector<double> fan_lengths(std::span<const Sector> sectors) const {
+    std::vector<double> lengths;
+    double longest = 0;
+    for (const FanEdge& each : fan_.edges) {
+      lengths.push_back(frames_.charts.edge_length[mesh_.edge(each.half_edge)]);
+      longest = std::max(longest, lengths.back());
+    }
+    if (!(longest > 0)) longest = frames_.charts.mean_length;
+    for (double& length : lengths) length = std::hypot(length, 0.01 * longest);
+    for (const Sector& sector : sectors) {
+      if (!frames_.half_turn[corner(sector, 0)]) continue;
+      double& first = lengths[sector.first % lengths.size()];
+      double& last = lengths[(sector.first + 1) % lengths.size()];
+      first = last = std::sqrt(first * last);
+    }
+    return lengths;
+  }
+
+  void place(const Sector& sector, const std::vector<double>& angles, const std::vector<double>& lengths) {
+    for (std::size_t j = 0; j <= sector.corners; ++j) {
+      const double length = lengths[(sector.first + j) % lengths.size()];
+      if (j < fan_.edges.size())  // all round, the last edge is the first one
+        set_edge(sector, j, scaled(image(sector, angles, j), length), length);
+      if (j < sector.corners)
+        frames_.step[corner(sector, j)] =
+            options_.frames == Frames::equal || frames_.half_turn[corner(sector, j)]
+                ? sector.opening / double(sector.corners)
+                : angles[j + 1] - angles[j];
+    }
+  }
+
+  static TangentCoefficients scaled(TangentCoefficients tangent, double length) {
+    for (double& c : tangent.c) c *= length;
+    return tangent;
+  }
+
+  /// The image of the unit vector along edge j.
+  static TangentCoefficients image(const Sector& sector, const std::vector<double>& angles, std::size_t j) {
+    const double angle = angles[j];
+    const bool first = j == 0, last = j == sector.corners;
+    switch (sector.image) {
+      case Sector::Image::straight:
+        return {{sector.basis[0], no_index}, {first ? 1.0 : -1.0, 0}};
+      case Sector::Image::smooth:
+        return {sector.basis, {std::sin(angle), std::cos(angle)}};
+      case Sector::Image::line:
+        if (first || last) return {{sector.basis[1], no_index}, {first ? sector.sign : -sector.sign, 0}};
+        return {sector.basis, {std::sin(angle), sector.sign * std::cos(angle)}};
+      case Sector::Image::corner:
+        break;
+    }
+    if (first) return {{sector.basis[0], no_index}, {1, 0}};
+    if (last) return {{sector.basis[1], no_index}, {1, 0}};
+    return {sector.basis,
+            {std::sin(sector.opening - angle) / std::sin(sector.opening),
+             std::sin(angle) / std::sin(sector.opening)}};
+  }
+
+  void set_edge(const Sector& sector, std::size_t j, const TangentCoefficients& tangent, double length) {
+    const FanEdge& at = edge(sector, j);
+    const auto set = [&](Index end) {
+      frames_.ends[end] = tangent;
+      frames_.length[end] = length;
+    };
+    set(2 * at.half_edge + (at.at_origin ? 0 : 1));
+    const Index twin = mesh_.twin(at.half_edge);
+    if (twin != no_index) set(2 * twin + (at.at_origin ? 1 : 0));
+  }
+
+  /// One factor for the whole sector, so that its split vectors are as long, in the geometric mean, as the
+  /// corners' arms in the faces. A fan of unit lengths stands for one of the edges' mean length.
+  void find_gain(const Sector& sector, bool metric) {
+    if (frames_.half_turn[corner(sector, 0)]) return;
+    const FaceCharts& charts = frames_.charts;
+    double logarithms = 0;
+    for (std::size_t j = 0; j < sector.corners; ++j) {
+      const Index h = corner(sector, j);
+      const double a = frames_.length[2 * h], b = frames_.length[2 * mesh_.previous(h) + 1];
+      const double xa = charts.area[h], xb = charts.area[mesh_.previous(h)], step = frames_.step[h];
+      const double along = xb * a + xa * b * std::cos(step), across = xa * b * std::sin(step);
+      const double split = std::hypot(along, across) / (a * b * std::abs(std::sin(step)));
+      logarithms += std::log(std::sqrt(charts.square[h]) / split);
+    }
+    logarithms /= double(sector.corners);
+    if (!metric) logarithms -= mean_logarithm_of_lengths();
+    const double kappa = std::exp(logarithms);
+    for (std::size_t j = 0; j < sector.corners; ++j) {
+      const Index h = corner(sector, j);
+      frames_.split_gain[h] = kappa / (frames_.length[2 * h] * frames_.length[2 * mesh_.previous(h) + 1] *
+                                       std::sin(frames_.step[h]));
+    }
+  }
+
+  double mean_logarithm_of_lengths() const {
+    double longest = 0, sum = 0;
+    const auto length = [&](const FanEdge& each) {
+      return frames_.charts.edge_length[mesh_.edge(each.half_edge)];
+    };
+    for (const FanEdge& each : fan_.edges) longest = std::max(longest, length(each));
+    if (!(longest > 0)) longest = frames_.charts.mean_length;
+    for (const FanEdge& each : fan_.edges) sum += std::log(std::hypot(length(each), 0.01 * longest));
+    return sum / double(fan_.edges.size());
   }
 
   const Polyhedron& polyhedron_;
   const HalfEdgeMesh& mesh_;
   const Shaping& shaping_;
+  const FrameOptions& options_;
   std::map<Index, const FrameRequest*> requests_;
   VertexFrames frames_;
   Fan fan_;
+  std::vector<Sector> sectors_;             ///< of all vertices, in order
+  std::vector<std::size_t> sector_begin_;   ///< per vertex, plus one
+  std::vector<bool> unit_;                  ///< per vertex; empty in equal frames
   Index next_basis_ = 0;
 };
 
 }  // namespace
 
 Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping,
-                                         std::span<const FrameRequest> requests) {
-  return FrameBuilder(polyhedron, shaping, requests).build();
+                                         const FrameOptions& options) {
+  return FrameBuilder(polyhedron, shaping, options).build();
 }
 
 }  // namespace hariko

@@ -1,13 +1,14 @@
 #pragma once
 
 // Vertex frames: how the tangents at a vertex depend on its few basis vectors (Kuriyama 1991, equation (2),
-// extended to borders, creases, darts and corners; kuriyama.md section 2.1).
+// extended to borders, creases, darts and corners; kuriyama.md section 2.1; fans by measure: section 12.2).
 
 #include <array>
 #include <span>
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/network/face_charts.hpp"
 #include "core/network/shaping.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
@@ -22,16 +23,28 @@ struct TangentCoefficients {
 /// The rows of the table in kuriyama.md 2.1.
 enum class FrameKind : std::uint8_t { isolated, smooth, straight, sharp_line, corner };
 
-/// Depends on connectivity and tags only. "End" 2h is half-edge h at its origin: T(origin -> target); end 2h
-/// + 1 is h at its target: T(target -> origin). Both half-edges of an edge describe the same two tangents.
+/// Equal frames depend on connectivity and tags only, those by measure on the positions as well. "End" 2h is
+/// half-edge h at its origin: T(origin -> target); end 2h + 1 is h at its target: T(target -> origin). Both
+/// half-edges of an edge describe the same two tangents.
 struct VertexFrames {
   std::vector<FrameKind> kind;     ///< per vertex
   std::vector<Index> basis_begin;  ///< per vertex, plus one: basis vectors of v are [begin[v], begin[v + 1])
   std::vector<TangentCoefficients> ends;  ///< per end (2 per half-edge)
-  std::vector<double> step;  ///< per half-edge: angular step of the sector of the corner at its origin
-  std::vector<bool> sharp;   ///< per edge: border or crease
+  std::vector<double> length;  ///< per end: length of the edge's vector in the fan, 1 in equal frames
+  std::vector<double> step;    ///< per half-edge: angle between the edges of the corner at its origin
+  std::vector<bool> half_turn;  ///< per half-edge: that angle is a half turn, by connectivity and tags
+  /// Per half-edge: the split tangent of the corner at its origin is this times (x of the patch behind the
+  /// corner T(edge) + x of the half-edge's own patch T(edge behind)); 1 in equal frames.
+  std::vector<double> split_gain;
+  std::vector<bool> sharp;  ///< per edge: border or crease
+  FaceCharts charts;
 
   Index basis_count() const { return basis_begin.back(); }
+  /// Factors of the tangents along half-edge h and along the one before it in the split tangent of the
+  /// corner at h's origin. Not at a half turn.
+  std::array<double, 2> split_factors(const HalfEdgeMesh& mesh, Index h) const {
+    return {split_gain[h] * charts.area[mesh.previous(h)], split_gain[h] * charts.area[h]};
+  }
 };
 
 /// What the curves on both sides of a border vertex ask of its frame when they are given (joins): a smooth
@@ -44,9 +57,17 @@ struct FrameRequest {
   friend bool operator==(const FrameRequest&, const FrameRequest&) = default;
 };
 
-/// `requests`: at border vertices where no crease ends, each at most once. Error: E_CORNER_NEEDS_CREASE where
-/// an inner vertex tagged corner has fewer than two sharp edges.
+struct FrameOptions {
+  Frames frames = Frames::equal;
+  /// At border vertices where no crease ends, each at most once.
+  std::span<const FrameRequest> requests = {};
+  /// Vertices whose tangents are given: they keep equal angles and unit lengths, as do those with a pin of
+  /// kind `tangents`.
+  std::span<const Index> unit_vertices = {};
+};
+
+/// Error: E_CORNER_NEEDS_CREASE where an inner vertex tagged corner has fewer than two sharp edges.
 Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping,
-                                         std::span<const FrameRequest> requests = {});
+                                         const FrameOptions& options = {});
 
 }  // namespace hariko

@@ -2,143 +2,191 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <map>
 
-#include "core/base/dense_solver.hpp"
-#include "core/base/gauss.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/vector.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int jump_points = 6;
+constexpr std::size_t jump_points = 6;
 constexpr int energy_points = 12;
+constexpr std::size_t own_grain = 64;  ///< elements a task
 
-/// Corner of a patch as a homogeneous variable.
-enum Variable { var_u, var_v, var_w };
-
-/// Second derivative of the 18 functions along the topological transversal of an edge: start and end of the
-/// edge and the third variable, at fraction t (kuriyama.md section 6, J(t)).
-std::array<double, quartic_control_count> transversal_row(Variable start, Variable end, Variable third,
-                                                          double t, double c_start, double c_end,
-                                                          double amount) {
-  Vector3 point = Vector3::Zero();
-  point[start] = 1 - t;
-  point[end] = t;
-  const double p = (1 - t) * (1 - c_start) + t * c_end;
-  Vector3 direction = Vector3::Zero();
-  direction[third] = amount;
-  direction[start] = -amount * (4 * p / 3 - (1 - t) / 3);
-  direction[end] = -amount * (4 * (1 - p) / 3 - t / 3);
-  const QuarticBasis basis = quartic_basis(point[0], point[1], point[2]);
-  std::array<double, quartic_control_count> row;
-  for (std::size_t k = 0; k < quartic_control_count; ++k)
-    row[k] = direction.dot(basis.hessian[k] * direction);
-  return row;
+/// out += a^T b: a, b columns of `rows` numbers.
+template <class A, class B, class Add>
+void add_products(const A& a, const B& b, const Add& add) {
+  for (Eigen::Index j = 0; j < b.cols(); ++j)
+    for (Eigen::Index i = 0; i < a.cols(); ++i) {
+      double sum = 0;
+      for (Eigen::Index k = 0; k < a.rows(); ++k) sum += a(k, i) * b(k, j);
+      add(i, j, sum);
+    }
 }
 
-JumpRows jump_rows(Variable start, Variable end, Variable third, double c_start, double c_end, double amount,
-                   double weight) {
-  const auto gauss = gauss_legendre_unit(jump_points);
-  JumpRows rows;
-  for (int i = 0; i < jump_points; ++i) {
-    const double scale = std::sqrt(weight * gauss[std::size_t(i)].weight);
-    const auto row = transversal_row(start, end, third, gauss[std::size_t(i)].node, c_start, c_end, amount);
-    for (std::size_t k = 0; k < quartic_control_count; ++k) rows(i, Eigen::Index(k)) = scale * row[k];
-  }
-  return rows;
+/// left times a matrix that is mostly zero.
+template <class Left>
+Eigen::Matrix<double, Left::RowsAtCompileTime, patch_unknown_count> times(const Left& left,
+                                                                          const PatchMatrix& sparse) {
+  Eigen::Matrix<double, Left::RowsAtCompileTime, patch_unknown_count> out;
+  out.setZero();
+  for (Eigen::Index j = 0; j < sparse.cols(); ++j)
+    for (Eigen::Index k = 0; k < sparse.rows(); ++k)
+      if (const double factor = sparse(k, j); factor != 0) out.col(j) += factor * left.col(k);
+  return out;
 }
 
-/// How the 18 control points of patch j depend on its 9 unknowns.
-PatchMatrix patch_dependence(Index sides, Index side, double c_start, double c_end) {
+/// How the 18 control points of a patch depend on its 9 unknowns.
+PatchMatrix patch_dependence(const PatchMeasure& first, const PatchMeasure& second) {
   using namespace quartic;
-  const double c_centre = 0.75 * std::cos(2 * pi / double(sides));
   PatchMatrix m = PatchMatrix::Zero();
   m(d400, 0) = m(d310, 0) = m(d301, 0) = 1;
   m(d220, 0) = m(d202, 0) = 0.5;
   struct SplitEdge {
-    Index number;
-    double c_vertex;
+    const PatchMeasure& of;
     Control outer, middle, at_centre, at_vertex;
     int z;
-    double centre_sign;
+    double centre_share;  ///< of z in the patch's point at the centre; the opposite at the vertex
   };
-  const SplitEdge splits[2] = {{side, c_start, d310, d220, d211w, d121w, 3, 0.5},
-                               {side + 1, c_end, d301, d202, d211v, d112v, 5, -0.5}};
+  const SplitEdge splits[2] = {{first, d310, d220, d211w, d121w, 3, 1 - first.own_split},
+                               {second, d301, d202, d211v, d112v, 5, -second.own_split}};
   for (const SplitEdge& s : splits) {
-    const double angle = 2 * pi * double(s.number % sides) / double(sides);
-    const double y[2] = {std::sin(angle), std::cos(angle)};
+    const double y[2] = {s.of.corner.y(), s.of.corner.x()};
     for (int i = 0; i < 2; ++i) {
       m(s.outer, 1 + i) += 0.75 * y[i];
       m(s.middle, 1 + i) += 0.5 * y[i];
-      m(s.at_centre, 1 + i) += (3 - 2 * c_centre - s.c_vertex) / 3 * y[i];
-      m(s.at_vertex, 1 + i) += 2 * s.c_vertex / 3 * y[i];
+      m(s.at_centre, 1 + i) += (3 - 2 * s.of.c_centre - s.of.c_split) / 3 * y[i];
+      m(s.at_vertex, 1 + i) += 2 * s.of.c_split / 3 * y[i];
     }
-    m(s.at_centre, 0) += 1 - 2 * c_centre / 3;
-    m(s.at_vertex, 0) += 2 * s.c_vertex / 3;
-    m(s.at_centre, s.z) = s.centre_sign;
-    m(s.at_vertex, s.z + 1) = -s.centre_sign;
+    m(s.at_centre, 0) += 1 - 2 * s.of.c_centre / 3;
+    m(s.at_vertex, 0) += 2 * s.of.c_split / 3;
+    m(s.at_centre, s.z) = s.centre_share;
+    m(s.at_vertex, s.z + 1) = -s.centre_share;
   }
   m(d121u, 7) = 1;
   m(d112u, 8) = 1;
   return m;
 }
 
-double vertex_constant(Index sides, bool free) {
-  return free ? 0.0 : 3 / (8 * split_factor(sides));
-}
-
-JumpColumns times(const JumpRows& rows, const PatchMatrix& dependence) {
-  const Eigen::MatrixXd product = matrix_product(Eigen::MatrixXd(rows), Eigen::MatrixXd(dependence));
-  JumpColumns out;
-  std::copy_n(product.data(), product.size(), out.data());
-  return out;
-}
-
 }  // namespace
 
-PatchEnergy patch_energy(Index sides) {
-  const double n = double(sides), scale = 2 * std::sin(pi / n);
-  // Columns: the two neighbouring vertices of the regular n-gon of unit side, seen from its centre.
-  Eigen::Matrix2d chart;
-  chart << 1, std::cos(2 * pi / n), 0, std::sin(2 * pi / n);
-  chart /= scale;
-  const Eigen::Matrix2d inverse = chart.inverse();
-  const double determinant = std::abs(chart.determinant());
-
-  PatchEnergy energy{ControlMatrix::Zero(), ControlMatrix::Zero()};
+FairTables::FairTables() : points_(gauss_legendre_unit(int(jump_points))) {
+  for (ControlMatrix& matrix : second_) matrix.setZero();
+  for (ControlMatrix& matrix : first_) matrix.setZero();
   const auto gauss = gauss_legendre_unit(energy_points);
   for (const auto& gs : gauss)
     for (const auto& gt : gauss) {
-      const double s = gs.node, t = gt.node;
-      const double weight = gs.weight * gt.weight * s * determinant;
+      const double s = gs.node, t = gt.node, weight = gs.weight * gt.weight * s;
       const QuarticBasis basis = quartic_basis(1 - s, s * (1 - t), s * t);
-      std::array<Vector2, quartic_control_count> gradient;
-      std::array<Vector3, quartic_control_count> bending;
+      std::array<std::array<double, quartic_control_count>, 3> second;
+      std::array<std::array<double, quartic_control_count>, 2> first;
       for (std::size_t k = 0; k < quartic_control_count; ++k) {
         const auto g = basis.gradient.row(Eigen::Index(k));
         const Eigen::Matrix3d& h = basis.hessian[k];
-        const Eigen::Vector2d local(g(1) - g(0), g(2) - g(0));
-        Eigen::Matrix2d second;
-        second(0, 0) = h(1, 1) - 2 * h(0, 1) + h(0, 0);
-        second(1, 1) = h(2, 2) - 2 * h(0, 2) + h(0, 0);
-        second(0, 1) = second(1, 0) = h(1, 2) - h(0, 1) - h(0, 2) + h(0, 0);
-        const Eigen::Matrix2d plane = inverse.transpose() * second * inverse;
-        gradient[k] = inverse.transpose() * local;
-        bending[k] = Vector3(plane(0, 0), std::sqrt(2.0) * plane(0, 1), plane(1, 1));
+        first[0][k] = g(1) - g(0);
+        first[1][k] = g(2) - g(0);
+        second[0][k] = h(1, 1) - 2 * h(0, 1) + h(0, 0);
+        second[1][k] = h(1, 2) - h(0, 1) - h(0, 2) + h(0, 0);
+        second[2][k] = h(2, 2) - 2 * h(0, 2) + h(0, 0);
       }
-      for (std::size_t b = 0; b < quartic_control_count; ++b)
-        for (std::size_t a = 0; a < quartic_control_count; ++a) {
-          const auto i = Eigen::Index(a), k = Eigen::Index(b);
-          energy.plate(i, k) += weight * (bending[a][0] * bending[b][0] + bending[a][1] * bending[b][1] +
-                                          bending[a][2] * bending[b][2]);
-          energy.membrane(i, k) +=
-              weight * (gradient[a][0] * gradient[b][0] + gradient[a][1] * gradient[b][1]);
-        }
+      const auto add = [&](const auto& derivatives, std::size_t a, std::size_t b, ControlMatrix& to) {
+        for (std::size_t j = 0; j < quartic_control_count; ++j)
+          for (std::size_t i = 0; i < quartic_control_count; ++i)
+            to(Eigen::Index(i), Eigen::Index(j)) +=
+                weight / 2 *
+                (derivatives[a][i] * derivatives[b][j] + derivatives[b][i] * derivatives[a][j]);
+      };
+      constexpr std::size_t pairs[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
+      for (std::size_t p = 0; p < 6; ++p) add(second, pairs[p][0], pairs[p][1], second_[p]);
+      add(first, 0, 0, first_[0]);
+      add(first, 0, 1, first_[1]);
+      add(first, 1, 1, first_[2]);
     }
-  return energy;
+
+  // u, v, w: the centre, the first and the second end of the face's side.
+  constexpr Eigen::Index variables[4][3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {2, 1, 0}};
+  constexpr std::size_t entries[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+  for (std::size_t side = 0; side < 4; ++side)
+    for (std::size_t i = 0; i < jump_points; ++i) {
+      const auto* variable = variables[side];
+      Vector3 point = Vector3::Zero();
+      point[variable[0]] = 1 - points_[i].node;
+      point[variable[1]] = points_[i].node;
+      const QuarticBasis basis = quartic_basis(point[0], point[1], point[2]);
+      for (std::size_t e = 0; e < 6; ++e)
+        for (std::size_t k = 0; k < quartic_control_count; ++k)
+          sides_[side][i][e][k] = (e < 3 ? 1 : 2) *
+                                  basis.hessian[k](variable[entries[e][0]], variable[entries[e][1]]);
+    }
+}
+
+ControlMatrix FairTables::energy(const ChartTriangle& triangle, double plate, double membrane) const {
+  const double det = triangle.determinant, square = det * det;
+  // The inverse of the matrix of scalar products.
+  const double vv = triangle.qq / square, vw = -triangle.pq / square, ww = triangle.pp / square;
+  const double k = plate * det, m = membrane * det;
+  ControlMatrix out = k * vv * vv * second_[0];
+  out += 4 * k * vv * vw * second_[1];
+  out += 2 * k * vw * vw * second_[2];
+  out += 2 * k * (vv * ww + vw * vw) * second_[3];
+  out += 4 * k * vw * ww * second_[4];
+  out += k * ww * ww * second_[5];
+  if (m != 0) {
+    out += m * vv * first_[0];
+    out += 2 * m * vw * first_[1];
+    out += m * ww * first_[2];
+  }
+  return out;
+}
+
+JumpRows FairTables::jump_rows(Side side, double c_start, double c_end, double amount, double weight) const {
+  JumpRows rows;
+  for (std::size_t i = 0; i < jump_points; ++i) {
+    const double t = points_[i].node, scale = std::sqrt(weight * points_[i].weight) * amount * amount;
+    const double p = (1 - t) * (1 - c_start) + t * c_end;
+    const double start = -(4 * p / 3 - (1 - t) / 3), end = -(4 * (1 - p) / 3 - t / 3);
+    const PointTable& table = sides_[side][i];
+    const double factors[6] = {scale * start * start, scale * end * end, scale,
+                               scale * start * end,   scale * start,     scale * end};
+    for (std::size_t k = 0; k < quartic_control_count; ++k) {
+      double sum = 0;
+      for (std::size_t e = 0; e < 6; ++e) sum += factors[e] * table[e][k];
+      rows(Eigen::Index(i), Eigen::Index(k)) = sum;
+    }
+  }
+  return rows;
+}
+
+PatchEnergy patch_energy(Index sides) {
+  const FairTables tables;
+  const ChartTriangle triangle = regular_triangle(sides);
+  return {tables.energy(triangle, 1, 0), tables.energy(triangle, 0, 1)};
+}
+
+PatchParts patch_parts(const FairTables& tables, const PatchMeasure& patch, const PatchMeasure& following) {
+  PatchParts out;
+  out.energy = tables.energy(patch.triangle, patch.plate, patch.membrane);
+  for (const Eigen::Index first : {12, 14, 16}) {
+    out.energy(first, first) += patch.pair;
+    out.energy(first + 1, first + 1) += patch.pair;
+    out.energy(first, first + 1) -= patch.pair;
+    out.energy(first + 1, first) -= patch.pair;
+  }
+  out.dependence = patch_dependence(patch, following);
+  // From O outward the patch lies on the left of its first split edge and on the right of its second one.
+  out.first = tables.jump_rows(FairTables::centre_to_first, patch.c_centre, patch.c_split, patch.own_split,
+                               patch.split_jump);
+  out.second = -tables.jump_rows(FairTables::centre_to_second, following.c_centre, following.c_split,
+                                 1 - following.own_split, following.split_jump);
+  return out;
+}
+
+EdgeRows edge_rows(const FairTables& tables, const EdgeMeasure& edge) {
+  // The first face's half-edge runs from start to end, the second face's from end to start.
+  return {tables.jump_rows(FairTables::first_to_second, edge.c_start, edge.c_end, edge.own, edge.jump),
+          -tables.jump_rows(FairTables::second_to_first, edge.c_start, edge.c_end, 1 - edge.own, edge.jump)};
 }
 
 std::array<int, patch_unknown_count> FaceElement::columns(Index side) const {
@@ -154,84 +202,124 @@ std::array<int, patch_unknown_count> FaceElement::columns(Index side) const {
           4 + 2 * n + 2 * j};
 }
 
-const FaceElement* FairElements::face(Index sides, const std::vector<bool>& free_corner, double tau) {
-  std::vector<double> key{double(sides), tau};
-  for (const bool free : free_corner) key.push_back(free ? 1 : 0);
-  auto& slot = faces_[key];
-  if (slot) return slot.get();
-  slot = std::make_unique<FaceElement>();
-  FaceElement& element = *slot;
-  element.sides = sides;
-
-  auto [found, fresh] = energies_.try_emplace(sides);
-  if (fresh) found->second = patch_energy(sides);
-  element.energy = found->second.plate + tau * found->second.membrane;
-  for (const Eigen::Index first : {12, 14, 16}) {
-    element.energy(first, first) += weights_.pair_distance;
-    element.energy(first + 1, first + 1) += weights_.pair_distance;
-    element.energy(first, first + 1) -= weights_.pair_distance;
-    element.energy(first + 1, first) -= weights_.pair_distance;
+FairElements::FairElements(const FairMeasures& measures, const HalfEdgeMesh& mesh, bool shared)
+    : mesh_(mesh),
+      measures_(measures),
+      shared_(shared),
+      faces_(mesh.face_count()),
+      edges_(mesh.edge_count()) {
+  if (shared) {
+    share();
+    return;
   }
-
-  const auto c_vertex = [&](Index j) { return vertex_constant(sides, free_corner[j % sides]); };
-  const double c_centre = 0.75 * std::cos(2 * pi / double(sides));
-  for (Index j = 0; j < sides; ++j) {
-    element.dependence.push_back(patch_dependence(sides, j, c_vertex(j), c_vertex(j + 1)));
-    // Split edge j from O outward: patch j on its left (edge w = 0), patch j - 1 on its right (edge v = 0).
-    element.split_left.push_back(
-        jump_rows(var_u, var_v, var_w, c_centre, c_vertex(j), 0.5, weights_.curvature_jump));
-    element.split_right.push_back(
-        -jump_rows(var_u, var_w, var_v, c_centre, c_vertex(j), 0.5, weights_.curvature_jump));
-  }
-
-  const int size = 3 + 4 * int(sides);
-  element.matrix = Eigen::MatrixXd::Zero(size, size);
-  for (Index j = 0; j < sides; ++j) {
-    const auto columns = element.columns(j);
-    const Eigen::MatrixXd dependence = element.dependence[j];
-    const Eigen::MatrixXd local =
-        matrix_product(transposed_product(dependence, Eigen::MatrixXd(element.energy)), dependence);
-    for (int a = 0; a < patch_unknown_count; ++a)
-      for (int b = 0; b < patch_unknown_count; ++b) element.matrix(columns[a], columns[b]) += local(a, b);
-    const Index behind = (j + sides - 1) % sides;
-    // A split edge's jump touches the unknowns of the two patches beside it only.
-    const auto behind_columns = element.columns(behind);
-    const JumpColumns left = times(element.split_left[j], element.dependence[j]),
-                      right = times(element.split_right[j], element.dependence[behind]);
-    Eigen::MatrixXd rows(jump_points, 2 * patch_unknown_count);
-    std::copy_n(left.data(), left.size(), rows.data());
-    std::copy_n(right.data(), right.size(), rows.data() + left.size());
-    const Eigen::MatrixXd square = transposed_product(rows, rows);
-    const auto column = [&](int a) {
-      return a < patch_unknown_count ? columns[std::size_t(a)]
-                                     : behind_columns[std::size_t(a - patch_unknown_count)];
-    };
-    for (int a = 0; a < 2 * patch_unknown_count; ++a)
-      for (int b = 0; b < 2 * patch_unknown_count; ++b) element.matrix(column(a), column(b)) += square(a, b);
-  }
-  return slot.get();
+  parallel_for(faces_.size(), own_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) faces_[f] = make_face(Index(f));
+  });
+  parallel_for(edges_.size(), own_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e)
+      if (measures_.edge[e].jump >= 0) edges_[e] = make_edge(Index(e));
+  });
 }
 
-const EdgeElement* FairElements::edge(const FaceElement* first, Index first_side, const FaceElement* second,
-                                      Index second_side, double c_start, double c_end) {
-  // Element addresses are stable for the life of this object, so they stand for what they depend on.
-  std::vector<double> key{double(reinterpret_cast<std::uintptr_t>(first)),
-                          double(first_side),
-                          double(reinterpret_cast<std::uintptr_t>(second)),
-                          double(second_side),
-                          c_start,
-                          c_end};
-  auto& slot = edges_[key];
-  if (slot) return slot.get();
-  slot = std::make_unique<EdgeElement>();
-  const double first_f = split_factor(first->sides), second_f = split_factor(second->sides);
-  const double a1 = second_f / (first_f + second_f), a2 = first_f / (first_f + second_f);
-  // The first face's half-edge runs from start to end, the second face's from end to start.
-  slot->first_rows = jump_rows(var_v, var_w, var_u, c_start, c_end, a1, weights_.curvature_jump);
-  slot->second_rows = -jump_rows(var_w, var_v, var_u, c_start, c_end, a2, weights_.curvature_jump);
-  slot->first_columns = times(slot->first_rows, first->dependence[first_side]);
-  slot->second_columns = times(slot->second_rows, second->dependence[second_side]);
-  return slot.get();
+std::vector<double> FairElements::key_of_face(Index face) const {
+  std::vector<double> key;
+  for (Index h = mesh_.face_begin(face); h < mesh_.face_end(face); ++h) {
+    const PatchMeasure& p = measures_.patch[h];
+    for (const double value :
+         {p.triangle.pp, p.triangle.pq, p.triangle.qq, p.triangle.determinant, p.plate, p.membrane, p.pair,
+          p.split_jump, p.c_centre, p.c_split, p.own_split, p.corner.x(), p.corner.y()})
+      key.push_back(value);
+  }
+  return key;
+}
+
+void FairElements::share() {
+  std::map<std::vector<double>, std::shared_ptr<const FaceElement>> faces;
+  for (Index f = 0; f < mesh_.face_count(); ++f) {
+    auto& slot = faces[key_of_face(f)];
+    if (!slot) slot = make_face(f);
+    faces_[f] = slot;
+  }
+  std::map<std::vector<double>, std::shared_ptr<const EdgeElement>> edges;
+  for (Index e = 0; e < mesh_.edge_count(); ++e) {
+    const EdgeMeasure& edge = measures_.edge[e];
+    if (edge.jump < 0) continue;
+    const Index h = mesh_.half_edge_of_edge(e), twin = mesh_.twin(h);
+    // Element addresses are stable for the life of this object, so they stand for what they depend on.
+    const auto place = [&](Index side) {
+      return double(reinterpret_cast<std::uintptr_t>(faces_[mesh_.face(side)].get()));
+    };
+    auto& slot = edges[{place(h), double(h - mesh_.face_begin(mesh_.face(h))), place(twin),
+                        double(twin - mesh_.face_begin(mesh_.face(twin))), edge.jump, edge.c_start,
+                        edge.c_end, edge.own}];
+    if (!slot) slot = make_edge(e);
+    edges_[e] = slot;
+  }
+}
+
+std::span<const PatchParts> FairElements::parts(Index face, std::vector<PatchParts>& room) const {
+  if (!faces_[face]->parts.empty()) return faces_[face]->parts;
+  room.clear();
+  for (Index h = mesh_.face_begin(face); h < mesh_.face_end(face); ++h)
+    room.push_back(patch_parts(tables_, measures_.patch[h], measures_.patch[mesh_.next(h)]));
+  return room;
+}
+
+const EdgeRows& FairElements::rows(Index edge, EdgeRows& room) const {
+  if (edges_[edge]->rows) return *edges_[edge]->rows;
+  room = edge_rows(tables_, measures_.edge[edge]);
+  return room;
+}
+
+std::shared_ptr<FaceElement> FairElements::make_face(Index face) const {
+  auto out = std::make_shared<FaceElement>();
+  FaceElement& element = *out;
+  const Index sides = mesh_.side_count(face), first = mesh_.face_begin(face);
+  element.sides = sides;
+  const int size = 3 + 4 * int(sides);
+  element.matrix = Eigen::MatrixXd::Zero(size, size);
+  std::vector<JumpColumns> left(sides), right(sides);  // of each patch, at its first and second split edge
+  if (shared_) element.parts.reserve(sides);
+  for (Index j = 0; j < sides; ++j) {
+    const Index h = first + j;
+    PatchParts parts = patch_parts(tables_, measures_.patch[h], measures_.patch[mesh_.next(h)]);
+    const auto columns = element.columns(j);
+    const PatchMatrix product = times(parts.energy, parts.dependence);
+    add_products(parts.dependence, product, [&](Eigen::Index a, Eigen::Index b, double value) {
+      element.matrix(columns[std::size_t(a)], columns[std::size_t(b)]) += value;
+    });
+    left[j] = times(parts.first, parts.dependence);
+    right[j] = times(parts.second, parts.dependence);
+    if (shared_) element.parts.push_back(std::move(parts));
+  }
+  // A split edge's jump touches the unknowns of the two patches beside it only.
+  for (Index j = 0; j < sides; ++j) {
+    const Index behind = (j + sides - 1) % sides;
+    const auto own = element.columns(j), other = element.columns(behind);
+    const auto add = [&](const JumpColumns& a, const auto& rows, const JumpColumns& b, const auto& columns) {
+      add_products(a, b, [&](Eigen::Index i, Eigen::Index k, double value) {
+        element.matrix(rows[std::size_t(i)], columns[std::size_t(k)]) += value;
+      });
+    };
+    add(left[j], own, left[j], own);
+    add(left[j], own, right[behind], other);
+    add(right[behind], other, left[j], own);
+    add(right[behind], other, right[behind], other);
+  }
+  return out;
+}
+
+std::shared_ptr<EdgeElement> FairElements::make_edge(Index edge) const {
+  auto out = std::make_shared<EdgeElement>();
+  const Index h = mesh_.half_edge_of_edge(edge), twin = mesh_.twin(h);
+  const auto dependence = [&](Index side) {
+    return patch_dependence(measures_.patch[side], measures_.patch[mesh_.next(side)]);
+  };
+  EdgeRows rows = edge_rows(tables_, measures_.edge[edge]);
+  out->first_columns = times(rows.first, dependence(h));
+  out->second_columns = times(rows.second, dependence(twin));
+  if (shared_) out->rows = std::make_unique<EdgeRows>(std::move(rows));
+  return out;
 }
 
 }  // namespace hariko

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include "core/base/conjugate_gradients.hpp"
@@ -19,6 +18,7 @@ namespace {
 constexpr std::size_t face_grain = 64;  ///< faces a task: about 0.1 ms of a step
 constexpr std::size_t edge_grain = 128;
 constexpr std::size_t dot_grain = 4096;
+constexpr std::size_t block_grain = 16;  ///< blocks a task
 
 using Array3 = Coefficients3;
 
@@ -83,12 +83,18 @@ struct FairSystem::Iteration {
 };
 
 FairSystem::FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-                       const PatchConstants& constants, const FairWeights& weights,
-                       const std::vector<bool>& given_side)
-    : mesh_(std::move(mesh)), given_side_(given_side), elements_(std::make_shared<FairElements>(weights)) {
+                       const PatchConstants& constants, const std::vector<bool>& given_side,
+                       const std::optional<FairWeights>& weights)
+    : mesh_(std::move(mesh)), given_side_(given_side), corner_(network.frames().charts.corner) {
   number_unknowns();
-  build_elements(network, constants, weights);
-  build_preconditioner();
+  number_sides(constants);
+  // Frames by measure: no two faces are equal.
+  const Frames frames = network.frames().charts.frames;
+  const bool shared = frames == Frames::equal;
+  elements_ = std::make_shared<FairElements>(
+      fair_measures(*mesh_, network, constants, weights.value_or(fair_weights(frames))), *mesh_,
+      shared);
+  build_preconditioner(shared);
 }
 
 void FairSystem::number_unknowns() {
@@ -103,12 +109,12 @@ void FairSystem::number_unknowns() {
   unknown_count_ = next;
 }
 
-void FairSystem::build_elements(const NetworkSystem& network, const PatchConstants& constants,
-                                const FairWeights& weights) {
+void FairSystem::number_sides(const PatchConstants& constants) {
   const HalfEdgeMesh& mesh = *mesh_;
   side_origin_.resize(mesh.half_edge_count());
   side_target_.resize(mesh.half_edge_count());
   side_scale_.assign(mesh.half_edge_count(), 1.0);
+  own_split_ = constants.own_split;
   std::size_t next = unknown_count_;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
@@ -129,44 +135,27 @@ void FairSystem::build_elements(const NetworkSystem& network, const PatchConstan
     }
   }
   unknown_count_ = next;
-
-  face_element_.resize(mesh.face_count());
-  std::vector<bool> free_corner;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    double excess = 0, alpha = 0;
-    free_corner.clear();
-    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
-      excess += std::max(network.beta()[mesh.edge(h)] - 1, 0.0);
-      alpha += network.alpha()[mesh.origin(h)];
-      free_corner.push_back(constants.free_split[h]);
-    }
-    const double tau = weights.tension * (excess + alpha) / double(mesh.side_count(f));
-    face_element_[f] = elements_->face(mesh.side_count(f), free_corner, tau);
-  }
-  edge_element_.assign(mesh.edge_count(), nullptr);
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
-    if (!constants.smooth[h]) continue;
-    const Index first = mesh.face(h), second = mesh.face(twin);
-    edge_element_[e] =
-        elements_->edge(face_element_[first], h - mesh.face_begin(first), face_element_[second],
-                        twin - mesh.face_begin(second), constants.c_origin[h], constants.c_target[h]);
-  }
 }
 
-void FairSystem::build_preconditioner() {
+void FairSystem::build_preconditioner(bool shared) {
   const HalfEdgeMesh& mesh = *mesh_;
-  std::map<std::vector<const void*>, std::shared_ptr<const Block>> known;
   block_.resize(mesh.face_count());
+  if (!shared) {
+    parallel_for(mesh.face_count(), block_grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) block_[f] = std::make_shared<const Block>(make_block(Index(f)));
+    });
+    return;
+  }
+  std::map<std::vector<const void*>, std::shared_ptr<const Block>> known;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     // Equal elements all round mean an equal block; the neighbour's element decides the scale of shared z as
     // well.
-    std::vector<const void*> key{face_element_[f]};
+    std::vector<const void*> key{elements_->face(f)};
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       const Index e = mesh.edge(h);
-      key.push_back(edge_element_[e]);
-      const bool smooth = edge_element_[e] != nullptr;
-      key.push_back(smooth ? face_element_[mesh.face(mesh.twin(h))] : nullptr);
+      key.push_back(elements_->edge(e));
+      const bool smooth = elements_->edge(e) != nullptr;
+      key.push_back(smooth ? elements_->face(mesh.face(mesh.twin(h))) : nullptr);
       key.push_back(mesh.half_edge_of_edge(e) == h ? this : nullptr);
       key.push_back(is_given(h) ? this : nullptr);
     }
@@ -178,38 +167,36 @@ void FairSystem::build_preconditioner() {
 
 FairSystem::Block FairSystem::make_block(Index face) const {
   const HalfEdgeMesh& mesh = *mesh_;
-  const FaceElement& element = *face_element_[face];
+  const FaceElement& element = *elements_->face(face);
   const Eigen::Index n = Eigen::Index(element.sides), size = local_size(face);
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(size), weight = Eigen::VectorXd::Ones(size);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Index h = mesh.face_begin(face) + Index(j);
     for (const Eigen::Index at : {3 + 2 * n + 2 * j, 4 + 2 * n + 2 * j}) {
       scale[at] = side_scale_[h];
-      if (edge_element_[mesh.edge(h)]) weight[at] = std::sqrt(0.5);
+      if (elements_->edge(mesh.edge(h))) weight[at] = std::sqrt(0.5);
     }
   }
   Eigen::MatrixXd matrix = scaled_both_sides(scale, element.matrix);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Index h = mesh.face_begin(face) + Index(j), e = mesh.edge(h);
-    const EdgeElement* edge = edge_element_[e];
+    const EdgeElement* edge = elements_->edge(e);
     if (!edge) continue;
     const bool first = mesh.half_edge_of_edge(e) == h;
     const JumpColumns& own = first ? edge->first_columns : edge->second_columns;
     const JumpColumns& other = first ? edge->second_columns : edge->first_columns;
     const Index twin = mesh.twin(h);
     const auto columns = element.columns(Index(j));
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(fair_jump_size, size);
-    const auto add = [&](int column, double factor, const JumpColumns& from, int of) {
-      for (Eigen::Index i = 0; i < rows.rows(); ++i) rows(i, column) += factor * from(i, of);
-    };
-    for (int a = 0; a < patch_unknown_count; ++a)
-      add(columns[std::size_t(a)], scale[columns[std::size_t(a)]], own, a);
+    JumpColumns rows = own;
+    for (int a = 0; a < patch_unknown_count; ++a) rows.col(a) *= scale[columns[std::size_t(a)]];
     // The neighbour's z at its origin is ours at the target.
-    add(columns[8], side_scale_[twin], other, 7);
-    add(columns[7], side_scale_[twin], other, 8);
-    matrix += transposed_product(rows, rows);
+    rows.col(8) += side_scale_[twin] * other.col(7);
+    rows.col(7) += side_scale_[twin] * other.col(8);
+    for (int a = 0; a < patch_unknown_count; ++a)
+      for (int b = 0; b < patch_unknown_count; ++b)
+        matrix(columns[std::size_t(a)], columns[std::size_t(b)]) += rows.col(a).dot(rows.col(b));
     // The neighbour's own element also sees the shared z.
-    const FaceElement& neighbour = *face_element_[mesh.face(twin)];
+    const FaceElement& neighbour = *elements_->face(mesh.face(twin));
     const auto theirs = neighbour.columns(twin - mesh.face_begin(mesh.face(twin)));
     const double square = side_scale_[twin] * side_scale_[twin];
     const int mine[2] = {columns[7], columns[8]}, their[2] = {theirs[8], theirs[7]};
@@ -261,7 +248,7 @@ void FairSystem::collect_sides(const Workspace& work, bool scaled, Field& y) con
   parallel_for(work.inner_edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index e = work.inner_edges[k], h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
-      if (edge_element_[e]) {
+      if (elements_->edge(e)) {
         y[side_origin_[h]] = share(h, 0) + share(twin, 1);
         y[side_target_[h]] = share(h, 1) + share(twin, 0);
         continue;
@@ -283,7 +270,7 @@ void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
   });
   const auto side_values = [&](Index h) {
     const Index f = mesh.face(h);
-    const auto columns = face_element_[f]->columns(h - mesh.face_begin(f));
+    const auto columns = elements_->face(f)->columns(h - mesh.face_begin(f));
     const double* local = work.local_in.data() + 3 * local_begin_[f];
     const std::size_t size = local_begin_[f + 1] - local_begin_[f];
     FairUnknowns values;
@@ -302,24 +289,24 @@ void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
           add_product(fair_jump_size, fair_unknown_count, columns.data(), side_values(side).data(),
                       jump.data());
       };
-      add(edge_element_[e]->first_columns, h);
-      add(edge_element_[e]->second_columns, twin);
+      add(elements_->edge(e)->first_columns, h);
+      add(elements_->edge(e)->second_columns, twin);
     }
   });
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = work.faces[k];
       double* out = work.local_out.data() + 3 * local_begin_[f];
-      apply_element(face_element_[f]->matrix, work.local_in.data() + 3 * local_begin_[f], out);
+      apply_element(elements_->face(f)->matrix, work.local_in.data() + 3 * local_begin_[f], out);
       for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
         const Index e = mesh.edge(h);
-        if (!edge_element_[e]) continue;
+        if (!elements_->edge(e)) continue;
         const bool first = mesh.half_edge_of_edge(e) == h;
-        const JumpColumns& own = first ? edge_element_[e]->first_columns : edge_element_[e]->second_columns;
+        const JumpColumns& own = first ? elements_->edge(e)->first_columns : elements_->edge(e)->second_columns;
         FairUnknowns values{};
         add_transposed_product(fair_unknown_count, fair_jump_size, own.data(), work.jump[e].data(),
                                values.data());
-        add_to_face(*face_element_[f], h - mesh.face_begin(f), 1, values, out);
+        add_to_face(*elements_->face(f), h - mesh.face_begin(f), 1, values, out);
       }
       scatter_interior(f, out, y);
     }
@@ -346,40 +333,45 @@ void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base,
   parallel_for(work.edges.size(), edge_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index e = work.edges[k], h = mesh.half_edge_of_edge(e);
+      EdgeRows room;
+      const EdgeRows& rows = elements_->rows(e, room);
       work.jump[e].fill(0);
-      add_jump(edge_element_[e]->first_rows, fair_controls(base[h]), work.jump[e]);
-      add_jump(edge_element_[e]->second_rows, fair_controls(base[mesh.twin(h)]), work.jump[e]);
+      add_jump(rows.first, fair_controls(base[h]), work.jump[e]);
+      add_jump(rows.second, fair_controls(base[mesh.twin(h)]), work.jump[e]);
     }
   });
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     std::vector<FairControls> controls;  // of the face's patches
+    std::vector<PatchParts> room;
+    EdgeRows edge_room;
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = work.faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);
-      const FaceElement& element = *face_element_[f];
+      const FaceElement& element = *elements_->face(f);
       double* out = work.local_out.data() + 3 * local_begin_[f];
       std::fill(out, out + 3 * (local_begin_[f + 1] - local_begin_[f]), 0.0);
+      const auto parts = elements_->parts(f, room);
       controls.clear();
       for (Index j = 0; j < n; ++j) controls.push_back(fair_controls(base[first + j]));
       for (Index j = 0; j < n; ++j) {
         const Index following = (j + 1) % n, behind = (j + n - 1) % n, e = mesh.edge(first + j);
         // The patch takes part in the jumps over its two split edges and over its side.
         FairJump before{}, after{};
-        add_jump(element.split_left[j], controls[j], before);
-        add_jump(element.split_right[j], controls[behind], before);
-        add_jump(element.split_left[following], controls[following], after);
-        add_jump(element.split_right[following], controls[j], after);
+        add_jump(parts[j].first, controls[j], before);
+        add_jump(parts[behind].second, controls[behind], before);
+        add_jump(parts[following].first, controls[following], after);
+        add_jump(parts[j].second, controls[j], after);
         FairControls gradient{};
-        add_product(fair_control_count, fair_control_count, element.energy.data(), controls[j].data(),
+        add_product(fair_control_count, fair_control_count, parts[j].energy.data(), controls[j].data(),
                     gradient.data());
-        add_gradient(element.split_left[j], before, gradient);
-        add_gradient(element.split_right[following], after, gradient);
-        if (edge_element_[e]) {
+        add_gradient(parts[j].first, before, gradient);
+        add_gradient(parts[j].second, after, gradient);
+        if (elements_->edge(e)) {
           const bool first_side = mesh.half_edge_of_edge(e) == first + j;
-          const JumpRows& rows = first_side ? edge_element_[e]->first_rows : edge_element_[e]->second_rows;
-          add_gradient(rows, work.jump[e], gradient);
+          const EdgeRows& rows = elements_->rows(e, edge_room);
+          add_gradient(first_side ? rows.first : rows.second, work.jump[e], gradient);
         }
         FairUnknowns values{};
-        add_transposed_product(fair_unknown_count, fair_control_count, element.dependence[j].data(),
+        add_transposed_product(fair_unknown_count, fair_control_count, parts[j].dependence.data(),
                                gradient.data(), values.data());
         add_to_face(element, j, -1, values, out);
       }
@@ -405,7 +397,7 @@ FairSystem::Workspace FairSystem::make_workspace(const SolveOptions& options) co
     work.add_chunks(face_begin_[f], face_begin_[f] + 3 + 2 * std::size_t(mesh.side_count(f)));
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       const Index e = mesh.edge(h), twin = mesh.twin(h);
-      const bool smooth = edge_element_[e] != nullptr;
+      const bool smooth = elements_->edge(e) != nullptr;
       const bool both = twin != no_index && work.active[mesh.face(twin)];
       if (!smooth && !is_given(h)) sides.push_back(side_origin_[h]);
       if (both && mesh.half_edge_of_edge(e) != h) continue;  // taken from the other side
@@ -459,12 +451,9 @@ void FairSystem::fill_split_points(const Field& unknowns, std::span<const Index>
                                    PatchNetwork& out) const {
   for (const Index f : faces) {
     const Vector3* y = unknowns.data() + face_begin_[f];
-    const Index first = mesh_->face_begin(f), n = mesh_->side_count(f);
     out.centre[f] = y[0];
-    for (Index j = 0; j < n; ++j) {
-      const double angle = 2 * std::numbers::pi * double(j) / double(n);
-      out.centre_tangent[first + j] = std::sin(angle) * y[1] + std::cos(angle) * y[2];
-    }
+    for (Index h = mesh_->face_begin(f); h < mesh_->face_end(f); ++h)
+      out.centre_tangent[h] = corner_[h].y() * y[1] + corner_[h].x() * y[2];
   }
 }
 
@@ -479,12 +468,13 @@ void FairSystem::add_free_parts(const Field& unknowns, std::span<const Index> fa
       for (Index j = 0; j < n; ++j) {
         auto& d = patches[first + j].control;
         const Index h = first + j, following = (j + 1) % n;
-        // Both patches beside a split edge have weight 1/2 in its condition, so z moves them in opposite
-        // directions.
-        d[d211w] += 0.5 * split[2 * j];
-        d[d121w] -= 0.5 * split[2 * j + 1];
-        d[d211v] -= 0.5 * split[2 * following];
-        d[d112v] += 0.5 * split[2 * following + 1];
+        // z moves the points beside a split edge in opposite directions, each by the other's weight in the
+        // condition.
+        const double other = 1 - own_split_[h], own = own_split_[first + following];
+        d[d211w] += other * split[2 * j];
+        d[d121w] -= other * split[2 * j + 1];
+        d[d211v] -= own * split[2 * following];
+        d[d112v] += own * split[2 * following + 1];
         d[d121u] += side_scale_[h] * unknowns[side_origin_[h]];
         d[d112u] += side_scale_[h] * unknowns[side_target_[h]];
       }

@@ -1,9 +1,10 @@
 #pragma once
 
-// FairSystem: the linear system of mode FAIR, assembled once per connectivity and tensions, solved for any
-// positions (kuriyama.md section 6).
+// FairSystem: the linear system of mode FAIR, assembled once per connectivity, tensions and frames, solved for
+// any positions (kuriyama.md section 6).
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,15 +19,15 @@ namespace hariko {
 
 /// Unknowns per face: O, Ys, Yc, then z at both ends of each split edge. Per inner smooth edge: z at both
 /// ends, shared by its faces. Per side on a sharp edge: z at both ends, the side's own. The matrix is kept as
-/// shared dense elements and applied face by face; conjugate gradients precondition with the exact inverses
+/// dense elements, shared where faces are equal, and applied face by face; conjugate gradients precondition with the exact inverses
 /// of overlapping face blocks.
 class FairSystem {
  public:
   /// `given_side`, per half-edge: the points that serve this border edge are in the base patch, their z is
-  /// zero; empty when there are none.
+  /// zero; empty when there are none. `weights`: other than `fair_weights`.
   FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
-             const PatchConstants& constants, const FairWeights& weights = {},
-             const std::vector<bool>& given_side = {});
+             const PatchConstants& constants, const std::vector<bool>& given_side = {},
+             const std::optional<FairWeights>& weights = {});
 
   std::size_t unknown_count() const { return unknown_count_; }
   const HalfEdgeMesh& mesh() const { return *mesh_; }
@@ -74,9 +75,8 @@ class FairSystem {
 
   Workspace make_workspace(const SolveOptions& options) const;
   void number_unknowns();
-  void build_elements(const NetworkSystem& network, const PatchConstants& constants,
-                      const FairWeights& weights);
-  void build_preconditioner();
+  void number_sides(const PatchConstants& constants);
+  void build_preconditioner(bool shared);
   Block make_block(Index face) const;
   bool is_given(Index h) const { return !given_side_.empty() && given_side_[h]; }
   Eigen::Index local_size(Index face) const { return 3 + 4 * Eigen::Index(mesh_->side_count(face)); }
@@ -97,10 +97,10 @@ class FairSystem {
   std::vector<std::size_t> side_origin_;  ///< per half-edge: unknown z at its origin
   std::vector<std::size_t> side_target_;
   std::vector<double> side_scale_;  ///< per half-edge: factor of the shared z in the own face's point
+  std::vector<double> own_split_;   ///< as in PatchConstants
   std::vector<bool> given_side_;
-  std::shared_ptr<FairElements> elements_;
-  std::vector<const FaceElement*> face_element_;
-  std::vector<const EdgeElement*> edge_element_;  ///< null on sharp edges
+  std::vector<Vector2> corner_;  ///< per half-edge: its origin in the face's chart
+  std::shared_ptr<const FairElements> elements_;
   std::vector<std::shared_ptr<const Block>> block_;
 };
 

@@ -30,7 +30,7 @@ class SideMaker {
     side.has_cross = true;
     side.tangent_origin = straight_tangent(join.half_edge);
     side.tangent_target = straight_tangent(mesh_.next(join.half_edge));
-    const double speed = 3 * joined_.coefficients[j].lambda / constants_.f[mesh_.face(join.half_edge)];
+    const double speed = 3 * joined_.coefficients[j].lambda / constants_.x[join.half_edge];
     std::array<Vector3, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = join.row[i] - p[i];
     const Vector3 first_a = 3 * (p[1] - p[0]), first_b = 3 * (p[3] - p[2]);
@@ -47,7 +47,7 @@ class SideMaker {
   std::optional<Vector3> straight_tangent(Index corner) const {
     if (!is_straight(frames_.step[corner])) return std::nullopt;
     for (const PrescribedSplit& split : joined_.geometry.splits)
-      if (split.half_edge == corner) return 3 * split.tangent / constants_.f[mesh_.face(corner)];
+      if (split.half_edge == corner) return 3 * split.tangent / constants_.x[corner];
     HARIKO_ASSERT(false, "joined half-turn corners have a given split tangent");
     return std::nullopt;
   }

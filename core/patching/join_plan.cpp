@@ -174,6 +174,12 @@ std::optional<Message> JoinPlan::request_frame(Index v, const Vertex& vertex) {
   return std::nullopt;
 }
 
+std::vector<Index> JoinPlan::vertices() const {
+  std::vector<Index> out;
+  for (const auto& [v, vertex] : vertices_) out.push_back(v);
+  return out;
+}
+
 bool JoinPlan::any_smooth() const {
   return std::any_of(joins_.begin(), joins_.end(),
                      [](const Join& join) { return join.continuity != Continuity::g0; });

@@ -136,7 +136,6 @@ JoinPlan::End JoinPlan::Solver::make_end(std::size_t join, bool at_origin, std::
   end.corner = at_origin ? h : mesh_.next(h);
   const TangentCoefficients& own = frames_.ends[2 * h + (at_origin ? 0 : 1)];
   const TangentCoefficients& beside = frames_.ends[at_origin ? 2 * mesh_.previous(h) + 1 : 2 * mesh_.next(h)];
-  const double f = constants_.f[mesh_.face(h)];
   Group group;
   if (constants_.free_split[end.corner]) {
     Vector3 mean = Vector3::Zero();
@@ -145,14 +144,17 @@ JoinPlan::End JoinPlan::Solver::make_end(std::size_t join, bool at_origin, std::
     group.value = (mean - plan_.polyhedron_->position(end.vertex)) / 3;
     group.value -= end.frame.normal * end.frame.normal.dot(group.value);
   } else {
-    end.rest = f * end.frame.tangent;
+    // The side's own edge opens the corner at its origin and closes the one at its target.
+    const auto [first, second] = frames_.split_factors(mesh_, end.corner);
+    const double by_own = at_origin ? first : second, by_beside = at_origin ? second : first;
+    end.rest = by_own * end.frame.tangent;
     for (int i = 0; i < 2; ++i) {
       if (beside.basis[i] == no_index) continue;
       if (beside.basis[i] == own.basis[0]) {
-        end.rest += f * beside.c[i] * own_.at(own.basis[0]);
+        end.rest += by_beside * beside.c[i] * own_.at(own.basis[0]);
       } else {
         end.other = beside.basis[i];
-        end.gain = f * beside.c[i];
+        end.gain = by_beside * beside.c[i];
       }
     }
     const auto known = own_.find(end.other);

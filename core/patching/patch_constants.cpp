@@ -1,44 +1,53 @@
 #include "core/patching/patch_constants.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace hariko {
 
-double split_factor(Index sides) {
-  const double s = std::sin(std::numbers::pi / double(sides));
-  return 1 / (4 * s * s);
+namespace {
+
+/// s . t / (t . t) of the split vector s of corner h and the vector t of one of the corner's edges: of half-edge
+/// h, or of the one before it.
+double split_along(const HalfEdgeMesh& mesh, const VertexFrames& frames, Index h, bool own_edge) {
+  if (frames.half_turn[h]) return 0;  // the parts of both sides of the edge cancel
+  const auto [first, second] = frames.split_factors(mesh, h);
+  const double a = frames.length[2 * h], b = frames.length[2 * mesh.previous(h) + 1];
+  const double cosine = std::cos(frames.step[h]);
+  return own_edge ? first + second * b / a * cosine : second + first * a / b * cosine;
 }
 
+}  // namespace
+
 PatchConstants patch_constants(const HalfEdgeMesh& mesh, const VertexFrames& frames) {
-  constexpr double pi = std::numbers::pi;
-  PatchConstants out;
-  out.f.resize(mesh.face_count());
-  out.c_centre.resize(mesh.face_count());
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    out.f[f] = split_factor(mesh.side_count(f));
-    out.c_centre[f] = 0.75 * std::cos(2 * pi / double(mesh.side_count(f)));
-  }
   const Index count = mesh.half_edge_count();
+  const FaceCharts& charts = frames.charts;
+  PatchConstants out;
+  out.x = charts.area;
+  out.c_centre.resize(count);
   out.c_split.resize(count);
-  out.free_split.resize(count);
+  out.own_split.resize(count);
+  out.free_split = frames.half_turn;
   out.smooth.resize(count);
   out.c_origin.assign(count, 0.0);
   out.c_target.assign(count, 0.0);
   out.own.assign(count, 0.0);
   for (Index h = 0; h < count; ++h) {
-    // A step of pi is only ever set as pi / 1 or 2 pi / 2, so the comparison is exact.
-    out.free_split[h] = frames.step[h] == pi;
-    out.c_split[h] = out.free_split[h] ? 0.0 : 3 / (8 * out.f[mesh.face(h)]);
+    const Index before = mesh.previous(h);
+    const double x = out.x[h], x_before = out.x[before];
+    out.own_split[h] = x_before / (x_before + x);
+    out.c_centre[h] = 0.75 * (x_before * charts.dot[h] + x * charts.dot[before]) /
+                      ((x_before + x) * charts.square[h]);
+    out.c_split[h] = out.free_split[h] ? 0.0 : 0.75 / (frames.split_gain[h] * (x_before + x));
     out.smooth[h] = !frames.sharp[mesh.edge(h)];
     if (!out.smooth[h]) continue;
     const Index twin = mesh.twin(h);
-    const double own = out.f[mesh.face(h)], other = out.f[mesh.face(twin)];
-    const double factor = 1.5 * own * other / (own + other);
-    // Both corners beside a smooth edge lie in one sector, hence share its step.
-    out.c_origin[h] = factor * (1 + std::cos(frames.step[h]));
-    out.c_target[h] = factor * (1 + std::cos(frames.step[twin]));
-    out.own[h] = other / (own + other);
+    const double own = out.x[twin] / (x + out.x[twin]), other = x / (x + out.x[twin]);
+    // The corners beside the edge, at its origin and at its target: one opens with it, one closes.
+    out.c_origin[h] = 0.75 * (own * split_along(mesh, frames, h, true) +
+                              other * split_along(mesh, frames, mesh.next(twin), false));
+    out.c_target[h] = 0.75 * (own * split_along(mesh, frames, mesh.next(h), false) +
+                              other * split_along(mesh, frames, twin, true));
+    out.own[h] = own;
   }
   return out;
 }

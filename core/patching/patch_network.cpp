@@ -1,9 +1,7 @@
 #include "core/patching/patch_network.hpp"
 
-#include <cmath>
-#include <numbers>
-
 #include "core/base/parallel.hpp"
+#include "core/network/ray_matrix.hpp"
 
 namespace hariko {
 
@@ -44,15 +42,13 @@ Vector3 PatchBuilder::right_side_at_target(Index h) const {
 }
 
 Vector3 PatchBuilder::right_side_at_vertex(Index h) const {
-  const Index f = mesh_.face(h);
-  return right_side(positions_[mesh_.origin(h)], split_.split_tangent[h], split_.centre[f],
-                    split_.centre_tangent[h], constants_.c_split[h], constants_.c_centre[f]);
+  return right_side(positions_[mesh_.origin(h)], split_.split_tangent[h], split_.centre[mesh_.face(h)],
+                    split_.centre_tangent[h], constants_.c_split[h], constants_.c_centre[h]);
 }
 
 Vector3 PatchBuilder::right_side_at_centre(Index h) const {
-  const Index f = mesh_.face(h);
-  return right_side(split_.centre[f], split_.centre_tangent[h], positions_[mesh_.origin(h)],
-                    split_.split_tangent[h], constants_.c_centre[f], constants_.c_split[h]);
+  return right_side(split_.centre[mesh_.face(h)], split_.centre_tangent[h], positions_[mesh_.origin(h)],
+                    split_.split_tangent[h], constants_.c_centre[h], constants_.c_split[h]);
 }
 
 QuarticPatch PatchBuilder::base_patch(Index h) const {
@@ -84,43 +80,51 @@ void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames,
     const Index v = mesh.origin(h);
     const Vector3& p = positions[v];
     if (frames.kind[v] != FrameKind::straight) return (face_mean(mesh, positions, mesh.face(h)) - p) / 3;
-    // Valence 2: tau = sum of sign f (c - P) / 3 over sum of f^2; the first corner of the fan counts as left.
+    // Valence 2: tau = sum of sign x (c - P) / 3 over sum of x^2; the first corner of the fan counts as left.
     const Index left = mesh.outgoing(v), right = mesh.rotate(left);
     const Index left_face = mesh.face(left), right_face = mesh.face(right);
-    const double fl = constants.f[left_face], fr = constants.f[right_face];
-    const Vector3 tau = (fl * (face_mean(mesh, positions, left_face) - p) -
-                         fr * (face_mean(mesh, positions, right_face) - p)) /
-                        (3 * (fl * fl + fr * fr));
-    return h == left ? Vector3(fl * tau) : Vector3(-fr * tau);
+    const double xl = constants.x[left], xr = constants.x[right];
+    const Vector3 tau = (xl * (face_mean(mesh, positions, left_face) - p) -
+                         xr * (face_mean(mesh, positions, right_face) - p)) /
+                        (3 * (xl * xl + xr * xr));
+    return h == left ? Vector3(xl * tau) : Vector3(-xr * tau);
   };
   parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
-      for (Index h = mesh.face_begin(faces[k]); h < mesh.face_end(faces[k]); ++h)
-        out.split_tangent[h] =
-            constants.free_split[h]
-                ? free_tangent(h)
-                : Vector3(constants.f[faces[k]] * (network.start[h] + network.end[mesh.previous(h)]));
+      for (Index h = mesh.face_begin(faces[k]); h < mesh.face_end(faces[k]); ++h) {
+        if (constants.free_split[h]) {
+          out.split_tangent[h] = free_tangent(h);
+          continue;
+        }
+        const auto [first, second] = frames.split_factors(mesh, h);
+        out.split_tangent[h] = first * network.start[h] + second * network.end[mesh.previous(h)];
+      }
   });
 }
 
-void fill_split_points(const HalfEdgeMesh& mesh, std::span<const Vector3> positions,
+void fill_split_points(const HalfEdgeMesh& mesh, const FaceCharts& charts, std::span<const Vector3> positions,
                        std::span<const Index> faces, PatchNetwork& out) {
   parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);
-      const double turn = 2 * std::numbers::pi / double(n);
       const Vector3 mean = face_mean(mesh, positions, f);
-      Vector3 tangent_sum = Vector3::Zero(), ys = Vector3::Zero(), yc = Vector3::Zero();
+      RayMatrix rays;
+      Matrix3 right = Matrix3::Zero();  // a row an unknown
       for (Index j = 0; j < n; ++j) {
+        const Vector2& p = charts.corner[first + j];
         const Vector3& tangent = out.split_tangent[first + j];
-        const Vector3 reach = positions[mesh.origin(first + j)] - mean + tangent;
-        tangent_sum += tangent;
-        ys += std::sin(turn * j) * reach;
-        yc += std::cos(turn * j) * reach;
+        const Vector3 reach = positions[mesh.origin(first + j)] - mean;
+        rays.add(p, 1);
+        right.row(0) += (2 * reach / 3 + tangent).transpose();
+        right.row(1) += p.y() * (reach + tangent).transpose();
+        right.row(2) += p.x() * (reach + tangent).transpose();
       }
-      out.centre[f] = mean + 1.5 / double(n) * tangent_sum;
-      for (Index j = 0; j < n; ++j)
-        out.centre_tangent[first + j] = (std::sin(turn * j) * ys + std::cos(turn * j) * yc) / double(n);
+      const Matrix3 solution = rays.inverse() * right;
+      out.centre[f] = mean + solution.row(0).transpose();
+      for (Index j = 0; j < n; ++j) {
+        const Vector2& p = charts.corner[first + j];
+        out.centre_tangent[first + j] = (p.y() * solution.row(1) + p.x() * solution.row(2)).transpose();
+      }
     }
   });
 }

@@ -52,9 +52,9 @@ void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames,
                          const PatchConstants& constants, std::span<const Vector3> positions,
                          const Network& network, std::span<const Index> faces, PatchNetwork& out);
 
-/// Split points and their tangents from the split curves alone: mode PAPER and TARGET (equations (6), (7) in
-/// closed form).
-void fill_split_points(const HalfEdgeMesh& mesh, std::span<const Vector3> positions,
+/// Split points and their tangents from the split curves alone, which they bend as little as they can: mode
+/// PAPER and TARGET (equations (6), (7)).
+void fill_split_points(const HalfEdgeMesh& mesh, const FaceCharts& charts, std::span<const Vector3> positions,
                        std::span<const Index> faces, PatchNetwork& out);
 
 }  // namespace hariko

@@ -34,6 +34,12 @@ std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
   return std::nullopt;
 }
 
+/// The paper's construction is what it is, and mode G2 has no other frames.
+Frames frames_of(const PolyhedronSurfaceInput& input) {
+  const bool free = input.mode == Mode::target || input.mode == Mode::fair;
+  return free ? input.frames : Frames::equal;
+}
+
 bool equal_but_pins(const Shaping& a, const Shaping& b) {
   return a.alpha == b.alpha && a.beta == b.beta && a.crease == b.crease && a.tag == b.tag;
 }
@@ -95,6 +101,7 @@ struct PolyhedronSurfacer::State {
   Shaping shaping;
   std::shared_ptr<const ElementAliases> aliases;
   std::optional<SurfaceSystem> system;
+  std::vector<Vector3> charted;  ///< frames by measure: the positions that they were taken from
   JoinPlan joins;
   Surface::Parts parts;
   std::shared_ptr<const QuarticTables> tables = std::make_shared<QuarticTables>();
@@ -121,7 +128,8 @@ struct PolyhedronSurfacer::State {
   std::optional<G2DragResponse> g2_response;
   std::uint64_t revision = 0;
 
-  std::optional<Message> prepare(const PolyhedronSurfaceInput& input);
+  std::optional<Message> prepare(const PolyhedronSurfaceInput& input, Quality quality);
+  Result<NetworkSystem> assemble(const PolyhedronSurfaceInput& input) const;
   /// The network's solution, and what joins give beside it.
   Result<NetworkSystem::Solution> solve_network(std::span<const Vector3> positions, Quality quality,
                                                 JoinPlan::Solution& joined);
@@ -132,7 +140,7 @@ struct PolyhedronSurfacer::State {
   void make_fair() {
     if (!system->fair)
       system->fair = std::make_unique<FairSystem>(system->mesh, system->network, system->constants,
-                                                  FairWeights{}, system->given_side);
+                                                  system->given_side);
   }
   bool wants_round(const PolyhedronSurfaceInput& input) const;
   std::optional<QuarticPatchArray> fair_patches(const std::vector<Vector3>& positions, const Network& network,
@@ -152,16 +160,28 @@ bool PolyhedronSurfacer::State::wants_round(const PolyhedronSurfaceInput& input)
   return input.round || std::any_of(alpha.begin(), alpha.end(), [](double a) { return a > 0; });
 }
 
-std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input) {
+Result<NetworkSystem> PolyhedronSurfacer::State::assemble(const PolyhedronSurfaceInput& input) const {
+  const std::vector<Index> joined = joins.vertices();
+  return NetworkSystem::assemble(joins.polyhedron(), input.shaping,
+                                 {frames_of(input), joins.requests(), joined});
+}
+
+std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input,
+                                                          Quality quality) {
   const bool same_mesh = polyhedron && polyhedron->shared_topology() == input.polyhedron.shared_topology();
   const bool same_names =
       aliases == input.aliases || (aliases && input.aliases && *aliases == *input.aliases);
   auto plan = JoinPlan::make(input.polyhedron, input.shaping, input.joins);
   if (!plan) return plan.error();
-  const bool same = same_mesh && same_names && system && shaping == input.shaping &&
-                    system->mode == input.mode && joins.same_structure(*plan);
-  const bool same_but_pins = same_mesh && same_names && system && system->mode == input.mode &&
-                             joins.same_structure(*plan) && equal_but_pins(shaping, input.shaping);
+  const Frames frames = frames_of(input);
+  const bool metric = frames == Frames::metric;
+  const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
+                              system->network.frames().charts.frames == frames &&
+                              joins.same_structure(*plan);
+  const bool same_charts =
+      !metric || quality == Quality::drag || plan->polyhedron().positions() == charted;
+  const bool same = same_structure && same_charts && shaping == input.shaping;
+  const bool same_but_pins = same_structure && !metric && equal_but_pins(shaping, input.shaping);
   joins = std::move(plan).value();
   polyhedron = input.polyhedron;
   aliases = input.aliases;
@@ -178,9 +198,10 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   }
   if (input.mode == Mode::fair || input.mode == Mode::g2)
     if (auto failed = check_sides(input.polyhedron, input.mode)) return failed;
-  auto network = NetworkSystem::assemble(input.polyhedron, input.shaping, joins.requests());
+  auto network = assemble(input);
   if (!network) return network.error();
   shaping = input.shaping;
+  if (metric) charted = joins.polyhedron().positions();
   const auto& mesh = input.polyhedron.shared_topology();
   system =
       SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
@@ -200,7 +221,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare_pins(const PolyhedronS
   if (!joins.empty() || !base_has(input)) base.reset();
   response.reset();
   g2_response.reset();
-  auto network = NetworkSystem::assemble(input.polyhedron, input.shaping, joins.requests());
+  auto network = assemble(input);
   if (!network) {
     system.reset();
     return network.error();
@@ -435,7 +456,7 @@ PolyhedronSurfacer& PolyhedronSurfacer::operator=(PolyhedronSurfacer&&) noexcept
 
 Result<PolyhedronSurface> PolyhedronSurfacer::rebuild(const PolyhedronSurfaceInput& input, Quality quality,
                                                       const CancelToken& cancel) {
-  if (auto failed = state_->prepare(input)) {
+  if (auto failed = state_->prepare(input, quality)) {
     if (input.aliases) failed->element = input.aliases->original(failed->element);
     return *failed;
   }

@@ -54,6 +54,9 @@ struct PolyhedronSurfaceInput {
   /// Mode G2: measure bending over the surface of mode FAIR (g2.md section 8). Done anyway where some alpha
   /// is above zero. While dragging, the reference is that of the last `final` result.
   bool round = false;
+  /// Modes TARGET and FAIR; the others keep equal frames. While dragging, frames by measure are those of the
+  /// last `final` result.
+  Frames frames = Frames::equal;
 };
 
 struct PolyhedronSurface {

@@ -67,8 +67,15 @@ std::vector<Index> clamped_rims(const Polyhedron& polyhedron, const Shaping& sha
   return out;
 }
 
+RimMeasure rim_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index half_edge) {
+  if (charts.frames == Frames::equal)  // the circle in the triangle of unit side
+    return {0.5 / std::sqrt(3.0), 1};
+  const double length = charts.edge_length[mesh.edge(half_edge)], x = charts.area[half_edge];
+  return {2 * x / length, length * std::pow(x, 1.25)};
+}
+
 RimBend rim_bend(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, const Network& network,
-                 std::span<const QuarticPatch> base, Index half_edge) {
+                 std::span<const QuarticPatch> base, Index half_edge, const RimMeasure& measure) {
   std::array<Vector3, 3> corner, normal;
   std::size_t k = 0;
   for (Index h = half_edge; k < 3; h = mesh.next(h), ++k) {
@@ -76,17 +83,16 @@ RimBend rim_bend(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, c
     normal[k] = network.normal[mesh.origin(h)];
   }
   const TriangleForm form(corner, normal);
-  // Derivatives across the rim, inward in the regular triangle of unit side, at its ends; the patch is as
-  // high as the circle in the triangle is wide.
+  // Derivatives across the rim, inward in the chart, at its ends.
   using namespace quartic;
   const auto& d = base[half_edge].control;
-  const double height = 0.5 / std::sqrt(3.0);
+  const double height = measure.height;
   const Vector3 a = 4 * (d[d130] - (d[d040] + d[d031]) / 2) / height;
   const Vector3 b = 4 * (d[d103] - (d[d004] + d[d013]) / 2) / height;
   // Integrated by parts, bending that should be II(v, v) n across the rim pulls there on the derivative 4 z_i
   // B_i(t) / height, B_i the cubic Bernstein functions, v running from a to b.
   const double aa = form(a, a), ab = form(a, b), bb = form(b, b);
-  const Vector3 outward = -4 / height * (normal[0] + normal[1]).stableNormalized();
+  const Vector3 outward = -4 * measure.factor / height * (normal[0] + normal[1]).stableNormalized();
   return {half_edge, (2 * aa + 2 * ab + bb) / 20 * outward, (aa + 2 * ab + 2 * bb) / 20 * outward};
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/network/face_charts.hpp"
 #include "core/network/network.hpp"
 #include "core/network/shaping.hpp"
 #include "core/patching/quartic_patch.hpp"
@@ -23,8 +24,14 @@ struct RimBend {
   Vector3 at_origin = Vector3::Zero(), at_target = Vector3::Zero();
 };
 
+/// How far the chart of a patch reaches from its rim, and the factor of the patch's part in the energy.
+struct RimMeasure {
+  double height = 0, factor = 1;
+};
+RimMeasure rim_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index half_edge);
+
 /// `base`: patches with all unknowns zero, whose split tangents say how fast the surface leaves the rim.
 RimBend rim_bend(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, const Network& network,
-                 std::span<const QuarticPatch> base, Index half_edge);
+                 std::span<const QuarticPatch> base, Index half_edge, const RimMeasure& measure);
 
 }  // namespace hariko

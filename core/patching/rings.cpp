@@ -17,7 +17,7 @@ struct RingEdge {
   bool given = false;  ///< of a border edge: its point is known, not sought
 };
 
-/// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (f of its face) and
+/// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (its area in the chart) and
 /// target[i]. Closed: as many patches as edges. Open: one fewer, and the first and last edge carry no
 /// condition.
 struct Ring {
@@ -152,8 +152,9 @@ class RingSolver {
     for (Index h = first; h < mesh_.face_end(face); ++h) {
       Vector3* left = &patches_[h].control[d211w];
       Vector3* right = &patches_[mesh_.previous(h)].control[d211v];
-      ring_.edges.push_back({*left - ring_.point, 0.5, 0.5, left, right});
-      ring_.x.push_back(1);
+      const double own = constants_.own_split[h];
+      ring_.edges.push_back({*left - ring_.point, own, 1 - own, left, right});
+      ring_.x.push_back(constants_.x[h]);
       ring_.target.push_back(target_at(patches_[h], 0));
     }
     solve_closed(ring_, mode_);
@@ -213,10 +214,11 @@ class RingSolver {
     ring_.edges.push_back({*left - ring_.point, own, 1 - own, left, right, given});
     Vector3* split_left = &patches_[previous].control[d112v];
     Vector3* split_right = &patches_[h].control[d121w];
-    ring_.edges.push_back({*split_left - ring_.point, 0.5, 0.5, split_left, split_right});
-    const double x = constants_.f[mesh_.face(h)];
-    ring_.x.push_back(x);
-    ring_.x.push_back(x);
+    const double own_split = constants_.own_split[h];
+    ring_.edges.push_back(
+        {*split_left - ring_.point, 1 - own_split, own_split, split_left, split_right});
+    ring_.x.push_back(constants_.x[h]);
+    ring_.x.push_back(constants_.x[previous]);
     // Where a point of a patch is given, its other point of the pair keeps as near to it as it can.
     ring_.target.push_back(given ? *left : target_at(patches_[h], 1));
     ring_.target.push_back(is_given(previous) ? patches_[previous].control[d112u]

@@ -44,14 +44,16 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
     }
   };
   if (!system.fair) {
-    fill_split_points(mesh, positions, faces, split);
+    fill_split_points(mesh, system.network.frames().charts, positions, faces, split);
     build_base();
     solve_rings(mesh, system.constants, system.mode, region.vertices, faces, patches, system.given_side);
     return {};
   }
   build_base();  // with O and Y zero: the part that does not depend on the unknowns
   std::vector<RimBend> bends;
-  for (const Index h : rims) bends.push_back(rim_bend(mesh, positions, network, patches, h));
+  const FaceCharts& charts = system.network.frames().charts;
+  for (const Index h : rims)
+    bends.push_back(rim_bend(mesh, positions, network, patches, h, rim_measure(mesh, charts, h)));
   FairSystem::SolveOptions with_rims = options;
   with_rims.rims = bends;
   FairSystem::Solution solution = system.fair->solve(patches, with_rims, cancel);

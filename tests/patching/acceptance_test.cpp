@@ -61,7 +61,7 @@ double largest_defect(const PolyhedronSurfaceInput& input) {
   std::vector<Index> faces(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) faces[f] = f;
   fill_split_tangents(mesh, system.frames(), constants, positions, network, faces, split);
-  fill_split_points(mesh, positions, faces, split);
+  fill_split_points(mesh, system.frames().charts, positions, faces, split);
   const PatchBuilder builder(mesh, constants, positions, network, split);
   double largest = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -71,7 +71,7 @@ double largest_defect(const PolyhedronSurfaceInput& input) {
     Index h = mesh.outgoing(v);
     do {
       const Index right = mesh.twin(h);
-      const double x = constants.f[mesh.face(h)], before = constants.f[mesh.face(right)];
+      const double x = constants.x[h], before = constants.x[right];
       const double edge = 1 / before + 1 / x, inner = -2 / x;
       sum += edge * (builder.right_side_at_origin(h) - positions[v]) +
              inner * (builder.right_side_at_vertex(h) - positions[v]);

@@ -60,7 +60,7 @@ TEST(FairSystem, SolutionMinimisesTheEnergy) {
     const HalfEdgeMesh& mesh = polyhedron.topology();
     const auto system = NetworkSystem::assemble(polyhedron, {}).value();
     const auto constants = patch_constants(mesh, system.frames());
-    const FairSystem fair(polyhedron.shared_topology(), system, constants, {0, 10, 2});
+    const FairSystem fair(polyhedron.shared_topology(), system, constants, {}, FairWeights{0, 10, 2});
     const auto positions = polyhedron.positions();
     const Network network = system.network(system.solve(positions, {}), positions);
     std::vector<Index> faces(mesh.face_count());

@@ -1,0 +1,91 @@
+#include "core/network/fan_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace hariko {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double least_step = 2 * degree;
+/// Above its limit less this a step approaches the limit smoothly.
+constexpr double soft_range = 4 * degree;
+constexpr int limit_rounds = 30;
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Angle from a to b in a triangle that turns counter-clockwise, 0 .. pi.
+double angle_between(const Vector2& a, const Vector2& b) {
+  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
+}
+
+/// Flow lines go straight through a vertex where the corners on both sides of them differ little.
+void straighten(std::vector<double>& steps) {
+  const std::size_t half = steps.size() / 2;
+  double largest = 0;
+  for (std::size_t k = 0; k < half; ++k)
+    largest = std::max(largest, std::abs(steps[k] - steps[k + half]) / 2);
+  const double ratio = largest / (20 * degree), square = ratio * ratio;
+  const double share = 0.7 / (1 + square * square);
+  for (std::size_t k = 0; k < half; ++k) {
+    const double mean = (steps[k] + steps[k + half]) / 2;
+    steps[k] += share * (mean - steps[k]);
+    steps[k + half] += share * (mean - steps[k + half]);
+  }
+}
+
+/// The largest step of a corner with this angle in its face. It is lower for reflex corners, whose split
+/// edges move faster with the position along an edge.
+double limit_of(double angle) {
+  return std::max(150 * degree, 178 * degree - 1.5 * std::max(0.0, angle - 180 * degree));
+}
+
+void keep_in_limits(std::vector<double>& steps, std::span<const double> angles, double total) {
+  const auto within = [&](std::size_t k) {
+    return steps[k] >= least_step && steps[k] <= limit_of(angles[k]) - soft_range;
+  };
+  bool all_within = true;
+  for (std::size_t k = 0; k < steps.size(); ++k) all_within = all_within && within(k);
+  if (all_within) return;
+  for (int round = 0; round < limit_rounds; ++round) {
+    double room = 0;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const double limit = limit_of(angles[k]), soft = limit - soft_range;
+      double& a = steps[k];
+      a = std::max(a, least_step);
+      if (a > soft) a = soft + soft_range * std::tanh((a - soft) / soft_range);
+      room += (limit - a) * a;
+    }
+    const double missing = total - sum_of(steps);
+    if (std::abs(missing) <= 1e-15 * total || !(room > 0)) break;
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      steps[k] += missing * (limit_of(angles[k]) - steps[k]) * steps[k] / room;
+  }
+  const double scale = total / sum_of(steps);
+  for (double& a : steps) a *= scale;
+}
+
+}  // namespace
+
+double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner) {
+  // Patches turn counter-clockwise round 0, so both parts are below a half turn.
+  const Vector2& p = charts.corner[corner];
+  return angle_between(charts.corner[mesh.next(corner)] - p, -p) +
+         angle_between(-p, charts.corner[mesh.previous(corner)] - p);
+}
+
+std::vector<double> fan_steps(std::span<const double> angles, double total, bool closed) {
+  std::vector<double> steps(angles.begin(), angles.end());
+  const double scale = total / sum_of(steps);
+  for (double& a : steps) a *= scale;
+  if (closed && steps.size() >= 4 && steps.size() % 2 == 0) straighten(steps);
+  keep_in_limits(steps, angles, total);
+  return steps;
+}
+
+}  // namespace hariko

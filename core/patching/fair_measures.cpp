@@ -1,0 +1,96 @@
+#include "core/patching/fair_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hariko {
+
+namespace {
+
+/// Bends of patches count with area^(3 - p)/2 and those of edges alike, with p = 1/2 between long edges that
+/// win (p = 0) and short ones (p = 3, true bending).
+constexpr double area_power = 1.25;
+
+/// Jump over an edge of this length between triangles of these areas: (L / h^3) (h L)^(5/4), 1/h the sum of
+/// the reciprocal heights.
+double jump_measure(double length, double x_left, double x_right) {
+  const double height_times_length = 2 * x_left * x_right / (x_left + x_right);
+  return std::pow(length, 4.0) * std::pow(height_times_length, area_power - 3);
+}
+
+/// Mean of the squared lengths of a face's edges, kept from zero.
+double mean_square(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index face) {
+  double sum = 0;
+  for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {
+    const double length = charts.edge_length[mesh.edge(h)];
+    sum += length * length / double(mesh.side_count(face));
+  }
+  const double least = 1e-6 * charts.mean_length;
+  return sum + least * least;
+}
+
+/// Membrane energy that the tensions of a face ask for.
+double membrane_factor(const HalfEdgeMesh& mesh, const NetworkSystem& network, Index face, double tension) {
+  double excess = 0, alpha = 0;
+  for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {
+    excess += std::max(network.beta()[mesh.edge(h)] - 1, 0.0);
+    alpha += network.alpha()[mesh.origin(h)];
+  }
+  return tension * (excess + alpha) / double(mesh.side_count(face));
+}
+
+}  // namespace
+
+FairWeights fair_weights(Frames frames) {
+  return frames == Frames::equal ? FairWeights{} : FairWeights{0.5, 2.5, 2};
+}
+
+ChartTriangle regular_triangle(Index sides) {
+  const double square = split_factor(sides), angle = 2 * std::numbers::pi / double(sides);
+  return {square, square * std::cos(angle), square, square * std::sin(angle)};
+}
+
+FairMeasures fair_measures(const HalfEdgeMesh& mesh, const NetworkSystem& network,
+                           const PatchConstants& constants, const FairWeights& weights) {
+  const FaceCharts& charts = network.frames().charts;
+  const bool metric = charts.frames == Frames::metric;
+  FairMeasures out;
+  out.patch.resize(mesh.half_edge_count());
+  out.edge.resize(mesh.edge_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const double membrane = membrane_factor(mesh, network, f, weights.tension);
+    const double square = metric ? mean_square(mesh, charts, f) : 1;
+    for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
+      const Index before = mesh.previous(h);
+      PatchMeasure& patch = out.patch[h];
+      const double x = charts.area[h];
+      const double scale = metric ? std::pow(x, area_power) : 1;
+      patch.triangle = metric ? ChartTriangle{charts.square[h], charts.dot[h], charts.square[mesh.next(h)],
+                                              2 * x}
+                              : regular_triangle(mesh.side_count(f));
+      patch.plate = scale;
+      patch.membrane = scale * membrane / square;
+      patch.pair = weights.pair_distance * (metric ? scale / x : 1);
+      patch.split_jump =
+          weights.curvature_jump *
+          (metric ? jump_measure(std::sqrt(charts.square[h]), x, charts.area[before]) : 1);
+      patch.c_centre = constants.c_centre[h];
+      patch.c_split = constants.c_split[h];
+      patch.own_split = constants.own_split[h];
+      patch.corner = charts.corner[h];
+    }
+  }
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e);
+    if (!constants.smooth[h]) continue;
+    const Index twin = mesh.twin(h);
+    const double measure =
+        metric ? jump_measure(charts.edge_length[e], charts.area[h], charts.area[twin]) : 1;
+    out.edge[e] = {weights.curvature_jump * measure, constants.c_origin[h], constants.c_target[h],
+                   constants.own[h]};
+  }
+  return out;
+}
+
+}  // namespace hariko
