@@ -16,12 +16,19 @@ std::size_t hariko::live_bytes() {
   return live;
 }
 
-void* operator new(std::size_t size) {
+// The sanitizers' own form does not call the one below.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   void* block = std::malloc(size + header);
-  if (!block) throw std::bad_alloc();
+  if (!block) return nullptr;
   *static_cast<std::size_t*>(block) = size;
   live += size;
   return static_cast<char*>(block) + header;
+}
+
+void* operator new(std::size_t size) {
+  void* block = operator new(size, std::nothrow);
+  if (!block) throw std::bad_alloc();
+  return block;
 }
 
 void operator delete(void* pointer) noexcept {
