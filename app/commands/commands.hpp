@@ -35,6 +35,7 @@ struct OutlineConstruction {
 struct Construction {
   std::optional<Mode> mode;  ///< of polyhedra; of outlines, where it is `fair` or `g2`
   bool round = false;        ///< of polyhedra: turns it on; never off
+  std::optional<Frames> frames = {};  ///< of polyhedra
   OutlineConstruction outlines = {};
   friend bool operator==(const Construction&, const Construction&) = default;
 };

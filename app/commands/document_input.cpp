@@ -38,6 +38,7 @@ Document with_construction(Document document, const Construction& construction) 
     if (auto* polyhedron = std::get_if<PolyhedronSource>(&changed->source)) {
       polyhedron->mode = construction.mode.value_or(polyhedron->mode);
       polyhedron->round = polyhedron->round || construction.round;
+      polyhedron->frames = construction.frames.value_or(polyhedron->frames);
     } else {
       choose(std::get<OutlineSource>(changed->source).settings, construction);
     }

@@ -132,8 +132,13 @@ void write_metrics(JsonWriter& json, const HalfEdgeMesh& mesh, const Surface& su
 Result<std::string> evaluation_json(const PolyhedronSource& half) {
   const auto whole = baked(half);
   if (!whole) return whole.error();
-  const PolyhedronSource& source = *whole;
-  const auto built = PolyhedronSurfacer().rebuild(surface_input(source).value());
+  const auto input = surface_input(*whole);
+  if (!input) return input.error();
+  // As the surface is made: what preparation changes is what is told.
+  PolyhedronSource source = *whole;
+  source.polyhedron = input->polyhedron;
+  source.shaping = input->shaping;
+  const auto built = PolyhedronSurfacer().rebuild(*input);
   if (!built.ok()) return built.error();
   const Surface& surface = built->surface;
   const HalfEdgeMesh& mesh = source.polyhedron.topology();
@@ -143,7 +148,8 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
 
   long used = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) used += mesh.outgoing(v) != no_index ? 1 : 0;
-  const FairWeights weights;
+  const FairWeights weights =
+      fair_weights(source.mode == Mode::fair ? source.frames : Frames::equal);
   JsonWriter json(1);
   json.object([&] {
     json.member("mode", mode_name(source.mode));

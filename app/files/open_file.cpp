@@ -27,6 +27,12 @@ namespace hariko {
 
 namespace {
 
+Result<PolyhedronSource> imported(const PolygonMesh& mesh) {
+  auto source = PolyhedronSource::from_mesh(mesh);
+  if (!source) return source;
+  return as_new(*std::move(source));
+}
+
 /// The objects of a mesh file, each as it came, repaired, and as reference facets where it makes no
 /// polyhedron.
 class MeshObjects {
@@ -34,7 +40,7 @@ class MeshObjects {
   explicit MeshObjects(OpenedFile& opened) : opened_(opened) {}
 
   void add(PolygonMesh mesh, const std::string& name, bool alone) {
-    auto polyhedron = PolyhedronSource::from_mesh(mesh);
+    auto polyhedron = imported(mesh);
     if (polyhedron.ok()) {
       for (auto* document : {&whole_, &repaired_, &reference_}) put(*document, name, polyhedron);
       return;
@@ -44,8 +50,7 @@ class MeshObjects {
     const auto repaired = make_manifold(mesh);
     if (repaired.ok()) count_repair(repaired->report);
     put(repaired_, name,
-        repaired.ok() ? PolyhedronSource::from_mesh(repaired->mesh)
-                      : Result<PolyhedronSource>(repaired.error()));
+        repaired.ok() ? imported(repaired->mesh) : Result<PolyhedronSource>(repaired.error()));
     put(reference_, name, MeshSource::from_mesh(mesh));
     if (opened_.broken_mesh) return;
     opened_.broken_mesh = std::move(mesh);

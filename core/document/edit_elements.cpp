@@ -251,6 +251,13 @@ Result<Document> set_mode(const Document& document, ObjectId object, Mode mode) 
   });
 }
 
+Result<Document> set_frames(const Document& document, ObjectId object, Frames frames) {
+  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
+    source.frames = frames;
+    return Done{};
+  });
+}
+
 Result<Document> set_round(const Document& document, ObjectId object, bool round) {
   return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
     source.round = round;

@@ -57,6 +57,8 @@ Result<Document> set_pin(const Document& document, ObjectId object, VertexId ver
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
 
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
+/// Whether angles and lengths of the polyhedron count (modes TARGET and FAIR).
+Result<Document> set_frames(const Document& document, ObjectId object, Frames frames);
 /// Errors: E_AUTOMATIC_TENSION_RANGE.
 Result<Document> set_preparation(const Document& document, ObjectId object, const Preparation& preparation);
 /// Whether mode G2 measures bending over the surface of mode FAIR.

@@ -20,6 +20,7 @@ inline constexpr std::array material_names{"clay"sv, "porcelain"sv, "metal"sv,
 inline constexpr std::array wire_names{"none"sv, "borders"sv, "mesh"sv};
 inline constexpr std::array range_mode_names{"symmetric"sv, "percentile"sv, "full"sv, "manual"sv};
 inline constexpr std::array mode_names{"paper"sv, "target"sv, "fair"sv, "g2"sv};
+inline constexpr std::array frames_names{"equal"sv, "metric"sv};
 inline constexpr std::array tag_names{"automatic"sv, "corner"sv, "smooth"sv};
 inline constexpr std::array axis_names{"x"sv, "y"sv, "z"sv};
 inline constexpr std::array pin_names{"tangents"sv, "normal"sv};
@@ -39,8 +40,8 @@ inline constexpr std::array range_members{"mode"sv, "low"sv, "high"sv};
 inline constexpr std::array ranges_members{"gaussian"sv, "mean"sv, "principal_max"sv, "principal_min"sv,
                                            "continuity"sv};
 inline constexpr std::array polyhedron_members{
-    "kind"sv,  "mode"sv,  "round"sv, "mirror"sv, "preparation"sv, "origin"sv, "vertices"sv,
-    "faces"sv, "alpha"sv, "beta"sv,  "crease"sv, "tag"sv,         "pin"sv,    "attached"sv};
+    "kind"sv,  "mode"sv,  "frames"sv, "round"sv,  "mirror"sv, "preparation"sv, "origin"sv,  "vertices"sv,
+    "faces"sv, "alpha"sv, "beta"sv,   "crease"sv, "tag"sv,    "pin"sv,         "attached"sv};
 inline constexpr std::array preparation_members{"split_concave"sv, "automatic_tension"sv};
 inline constexpr std::array attachment_members{"edge"sv,       "patch"sv,  "side"sv,  "reversed"sv,
                                                "continuity"sv, "adapts"sv, "frozen"sv};

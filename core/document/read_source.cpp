@@ -264,6 +264,10 @@ std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, 
   reader.if_member(at, "mode", [&](const JsonCursor& member) {
     mode = static_cast<Mode>(reader.choice(member, mode_names));
   });
+  Frames frames = Frames::equal;
+  reader.if_member(at, "frames", [&](const JsonCursor& member) {
+    frames = static_cast<Frames>(reader.choice(member, frames_names));
+  });
   bool round = false;
   reader.if_member(at, "round", [&](const JsonCursor& member) { round = reader.boolean(member); });
   std::optional<Mirror> mirror;
@@ -297,7 +301,8 @@ std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, 
                           mirror,
                           preparation,
                           round,
-                          std::move(attachments)};
+                          std::move(attachments),
+                          frames};
 }
 
 std::optional<Source> read_patches(JsonReader& reader, const JsonCursor& at, std::string_view text) {

@@ -36,8 +36,14 @@ Result<PolyhedronSource> PolyhedronSource::from_mesh(PolygonMesh mesh) {
   return PolyhedronSource{*origin, *std::move(polyhedron), {}, Mode::fair, {}};
 }
 
+PolyhedronSource as_new(PolyhedronSource source) {
+  source.frames = Frames::metric;
+  source.preparation.split_concave = true;
+  return source;
+}
+
 bool operator==(const PolyhedronSource& a, const PolyhedronSource& b) {
-  return a.origin == b.origin && a.mode == b.mode && a.round == b.round && a.shaping == b.shaping &&
+  return a.origin == b.origin && a.mode == b.mode && a.round == b.round && a.frames == b.frames && a.shaping == b.shaping &&
          a.kept == b.kept && a.mirror == b.mirror && a.preparation == b.preparation &&
          a.attachments == b.attachments && a.polyhedron == b.polyhedron;
 }

@@ -48,6 +48,8 @@ struct PolyhedronSource {
   bool round = false;
   /// Border edges that are joined to patches. An entry whose edge is gone or inside now means nothing.
   Shared<Attachments> attachments = {};
+  /// Modes TARGET and FAIR; other modes keep it.
+  Frames frames = Frames::equal;
 
   /// Takes a mesh with absolute positions, chooses the origin (`origin_for`) and subtracts it. Errors: those
   /// of `Polyhedron::build`; elements are dense indices, which are also the new ids.
@@ -55,6 +57,9 @@ struct PolyhedronSource {
 
   friend bool operator==(const PolyhedronSource& a, const PolyhedronSource& b);
 };
+
+/// As new objects and imported ones are made: frames by measure, concave faces cut.
+PolyhedronSource as_new(PolyhedronSource source);
 
 /// An imported mesh kept as reference: facets only, no surface, not necessarily manifold. Positions are
 /// finite and relative to origin; faces have at least three corners with indices in range.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "core/document/document_text.hpp"
@@ -78,6 +79,10 @@ void write_source(Writer& out, const PolyhedronSource& source) {
   out.string("polyhedron");
   out.key("mode");
   out.string(detail::name_of(source.mode, detail::mode_names));
+  if (source.frames != Frames::equal) {
+    out.key("frames");
+    out.string(detail::name_of(source.frames, detail::frames_names));
+  }
   if (source.round) {
     out.key("round");
     out.raw("true");
@@ -294,6 +299,15 @@ void write_object(Writer& out, const Object& object) {
   out.close('}');
 }
 
+/// Version 2 knows frames by measure; whatever else was added could not be misread.
+int version_of(const Document& document) {
+  const bool metric =
+      std::any_of(document.objects.begin(), document.objects.end(), [](const auto& object) {
+        return object->polyhedron() && object->polyhedron()->frames != Frames::equal;
+      });
+  return metric ? 2 : 1;
+}
+
 }  // namespace
 
 std::string write_document(const Document& document) {
@@ -302,7 +316,7 @@ std::string write_document(const Document& document) {
   out.key("format");
   out.string("hariko");
   out.key("version");
-  out.number(static_cast<std::uint32_t>(format_version));
+  out.number(static_cast<std::uint32_t>(version_of(document)));
   out.key("unit");
   out.string(detail::name_of(document.unit, detail::unit_names));
   out.key("next_object_id");

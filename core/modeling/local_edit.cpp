@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "core/base/dense_solver.hpp"
 #include "core/document/edits.hpp"
 #include "core/modeling/surface_input.hpp"
 #include "core/network/network_system.hpp"
@@ -21,6 +22,35 @@ std::vector<VertexId> fan_of(const Polyhedron& polyhedron, Index v) {
     const Index following = mesh.rotate(h);
     if (following == no_index) out.push_back(polyhedron.vertex_id(mesh.origin(mesh.previous(h))));
     h = following == first ? no_index : following;
+  }
+  return out;
+}
+
+/// The basis vectors with which a fan of equal angles comes nearest to the network's tangents at a vertex:
+/// pinned vertices have such fans.
+std::vector<Vector3> nearest_basis(const HalfEdgeMesh& mesh, const VertexFrames& equal,
+                                   const Network& network, Index v) {
+  const Index begin = equal.basis_begin[v], count = equal.basis_begin[v + 1] - begin;
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(count, count), right = Eigen::MatrixXd::Zero(count, 3);
+  const auto add = [&](const TangentCoefficients& end, const Vector3& tangent) {
+    for (std::size_t a = 0; a < 2; ++a) {
+      if (end.basis[a] == no_index) continue;
+      right.row(end.basis[a] - begin) += end.c[a] * tangent.transpose();
+      for (std::size_t b = 0; b < 2; ++b)
+        if (end.basis[b] != no_index) square(end.basis[a] - begin, end.basis[b] - begin) += end.c[a] * end.c[b];
+    }
+  };
+  const Index first = mesh.outgoing(v);
+  for (Index h = first; h != no_index;) {
+    add(equal.ends[2 * h], network.start[h]);
+    const Index following = mesh.rotate(h), last = mesh.previous(h);
+    if (following == no_index) add(equal.ends[2 * last + 1], network.end[last]);
+    h = following == first ? no_index : following;
+  }
+  std::vector<Vector3> out(count);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::VectorXd solved = solve_symmetric(square, Eigen::VectorXd(right.col(axis)));
+    for (Index b = 0; b < count; ++b) out[b][axis] = solved[b];
   }
   return out;
 }
@@ -48,12 +78,21 @@ std::vector<VertexId> vertices_around(const Polyhedron& polyhedron, std::span<co
 Result<PolyhedronSource> freeze_tangents(const PolyhedronSource& source, std::span<const VertexId> vertices) {
   const auto input = surface_input(source);
   if (!input) return input.error();
-  const auto system = NetworkSystem::assemble(input->polyhedron, input->shaping);
+  const bool metric = input->frames == Frames::metric &&
+                      (input->mode == Mode::fair || input->mode == Mode::target);
+  const auto system = NetworkSystem::assemble(input->polyhedron, input->shaping,
+                                              {metric ? Frames::metric : Frames::equal});
   if (!system) return system.error();
   const std::vector<Vector3> positions = input->polyhedron.positions();
   const auto solution = system->solve(positions, {});
   const Network network = system->network(solution, positions);
   const VertexFrames& frames = system->frames();
+  std::optional<VertexFrames> equal;
+  if (metric) {
+    auto built = build_vertex_frames(input->polyhedron, input->shaping);
+    if (!built) return built.error();
+    equal = std::move(built).value();
+  }
 
   Shaping shaping = *source.shaping;
   for (const VertexId id : vertices) {
@@ -68,8 +107,11 @@ Result<PolyhedronSource> freeze_tangents(const PolyhedronSource& source, std::sp
     Pin pin;
     if (fan_of(source.polyhedron, own) == fan_of(input->polyhedron, v)) {
       pin.kind = Pin::Kind::tangents;
-      for (Index b = frames.basis_begin[v]; b < frames.basis_begin[v + 1]; ++b)
-        pin.vectors.push_back(solution.basis[b]);
+      if (equal)
+        pin.vectors = nearest_basis(input->polyhedron.topology(), *equal, network, v);
+      else
+        for (Index b = frames.basis_begin[v]; b < frames.basis_begin[v + 1]; ++b)
+          pin.vectors.push_back(solution.basis[b]);
     } else if (network.normal[v] != Vector3::Zero()) {
       pin.vectors = {network.normal[v]};
     } else {

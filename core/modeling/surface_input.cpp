@@ -49,6 +49,7 @@ Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source, Qua
 
   PolyhedronSurfaceInput input{prepared->polyhedron, *prepared->shaping, source.mode, source.origin, pieces};
   input.round = source.round;
+  input.frames = source.frames;
   if (prepared->mirror) {
     auto whole = mirrored(*prepared, kept.whole ? &*kept.whole : nullptr);
     if (!whole) return whole.error();

@@ -105,18 +105,6 @@ void warn_face_shapes(const Checked& mesh) {
          "Sides of the face cross each other; the surface folds over it.");
 }
 
-void warn_many_sides(const Checked& mesh) {
-  MessageGroup group = mesh.group(w_many_sides, "Split it into faces with fewer sides.");
-  for (Index f = 0; f < mesh.topology.face_count(); ++f) {
-    const Index sides = mesh.topology.side_count(f);
-    if (sides > 12)
-      group.add(mesh.names.face(f), [&] {
-        return "The face has " + std::to_string(sides) +
-               " sides; with more than 12 its patches become slivers.";
-      });
-  }
-}
-
 void warn_valence_2(const Checked& mesh) {
   MessageGroup group = mesh.group(w_valence_2, "Remove it, or join it to another vertex by an edge.");
   for (Index v = 0; v < mesh.topology.vertex_count(); ++v)
@@ -137,7 +125,6 @@ std::vector<Message> mesh_warnings(const HalfEdgeMesh& topology, std::span<const
   warn_duplicates(mesh, zero);
   warn_zero_edges(mesh, zero);
   warn_face_shapes(mesh);
-  warn_many_sides(mesh);
   warn_valence_2(mesh);
   return out;
 }

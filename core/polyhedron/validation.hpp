@@ -24,7 +24,6 @@ inline constexpr Code w_duplicate_vertex{"W_DUPLICATE_VERTEX"};
 inline constexpr Code w_zero_edge{"W_ZERO_EDGE"};
 inline constexpr Code w_concave_face{"W_CONCAVE_FACE"};
 inline constexpr Code w_self_crossing_face{"W_SELF_CROSSING_FACE"};
-inline constexpr Code w_many_sides{"W_MANY_SIDES"};
 inline constexpr Code w_valence_2{"W_VALENCE_2"};
 
 /// All errors and warnings of a mesh; elements are dense indices. At most `limit` messages of each code; the

@@ -43,7 +43,7 @@ TEST_F(Evaluate, GoldenFiles) {
     const std::string model = stem.substr(0, stem.rfind('_')), mode = stem.substr(stem.rfind('_') + 1);
     const bool tension = std::filesystem::exists(golden(model + ".tension.json"));
     const std::string mesh = model == "cube_crease" ? "cube" : model.starts_with("fig5") ? "fig2" : model;
-    const Outcome result = run("evaluate " + golden(mesh + ".obj") + " --mode " + mode +
+    const Outcome result = run("evaluate " + golden(mesh + ".obj") + " --frames equal --mode " + mode +
                                (tension ? " --tension " + golden(model + ".tension.json") : std::string()));
     ASSERT_EQ(result.exit_code, 0) << result.error;
     const Json actual = result.json();
@@ -58,6 +58,20 @@ TEST_F(Evaluate, GoldenFiles) {
 
 TEST_F(Evaluate, FairIsTheDefaultMode) {
   EXPECT_EQ(run("evaluate " + golden("cube.obj")).json()["mode"], "fair");
+}
+
+TEST_F(Evaluate, ImportsHaveFramesByMeasure) {
+  const auto bending = [&](const std::string& options) {
+    return run("evaluate " + golden("prism6.obj") + options).json()["metrics"]["bend"].get<double>();
+  };
+  EXPECT_NEAR(bending(""), 28.2535, 1e-3);
+  EXPECT_EQ(bending(""), bending(" --frames metric"));
+  EXPECT_NEAR(bending(" --frames equal"), 36.9845, 1e-3);
+}
+
+TEST_F(Evaluate, ImportsHaveTheirConcaveFacesCut) {
+  const Json json = run("evaluate " + golden("concave.obj") + " --frames equal").json();
+  EXPECT_NEAR(json["metrics"]["bend"].get<double>(), 90.97, 0.1);
 }
 
 TEST_F(Evaluate, TensionFilesWithMistakesAreRefused) {

@@ -99,6 +99,7 @@ TEST(Format, EqualityNoticesEveryField) {
   }
   changed([](Object& o) { o.kept = KeptMembers{{"x", "1"}}; });
   changed([&](Object& o) { source_of(o).mode = Mode::paper; });
+  changed([&](Object& o) { source_of(o).frames = Frames::metric; });
   changed([&](Object& o) { source_of(o).origin.x() = 4; });
   changed([&](Object& o) { source_of(o).kept = KeptMembers{{"x", "1"}}; });
   shape([](Shaping& s) { s.alpha.set({3}, 2); });
@@ -166,6 +167,24 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
 
   EXPECT_EQ(*read_document(write_document(document)), document);
   EXPECT_EQ(write_document(document), text) << "the fixture is written as this version writes";
+}
+
+TEST(Format, FixtureOfVersion2ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v2.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  ASSERT_EQ(read->objects.size(), 2U);
+  EXPECT_EQ(read->objects[0]->polyhedron()->frames, Frames::metric);
+  EXPECT_TRUE(read->objects[0]->polyhedron()->preparation.split_concave);
+  EXPECT_EQ(read->objects[1]->polyhedron()->frames, Frames::equal) << "nothing old changes by itself";
+  EXPECT_EQ(write_document(*read), text) << "the fixture is written as this version writes";
+}
+
+TEST(Format, TheLowestVersionThatHoldsTheDocumentIsWritten) {
+  Document document = read_document(file_text("tests/document/fixtures/v2.hariko")).value();
+  EXPECT_NE(write_document(document).find("\"version\": 2,"), std::string::npos);
+  document = set_frames(document, document.objects[0]->id, Frames::equal).value();
+  EXPECT_NE(write_document(document).find("\"version\": 1,"), std::string::npos);
 }
 
 TEST(Format, UnknownPartsStayByteForByte) {

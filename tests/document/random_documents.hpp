@@ -133,7 +133,8 @@ inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
           any_mirror(rng),
           {chance(rng, 0.3), chance(rng, 0.3) ? uniform(rng, 0, 1) : 0},
           chance(rng, 0.3),
-          std::move(attachments)};
+          std::move(attachments),
+          chance(rng, 0.5) ? Frames::metric : Frames::equal};
 }
 
 inline Source any_source(std::mt19937_64& rng) {

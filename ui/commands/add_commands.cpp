@@ -63,7 +63,7 @@ MakeSource from_mesh(MakeMesh make) {
     if (!mesh) return mesh.error();
     Result<PolyhedronSource> source = PolyhedronSource::from_mesh(std::move(mesh).value());
     if (!source) return source.error();
-    return Source(std::move(source).value());
+    return Source(as_new(std::move(source).value()));
   };
 }
 

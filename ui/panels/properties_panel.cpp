@@ -258,6 +258,25 @@ Result<Document> edit_preparations(const Document& document, const Objects& obje
   return result;
 }
 
+/// Modes TARGET and FAIR know it.
+void frames_row(PanelContext& context, const Objects& objects) {
+  Objects shaped;
+  for (const auto& object : objects)
+    if (const PolyhedronSource* source = object->polyhedron())
+      if (source->mode == Mode::fair || source->mode == Mode::target) shaped.push_back(object);
+  if (shaped.empty()) return;
+  const auto metric = common<bool>(
+      shaped, [](const auto& object) { return object->polyhedron()->frames == Frames::metric; });
+  const auto on = check_row(context, "frames", "By measure",
+                            "Angles and lengths of the polyhedron count: uneven cages give even surfaces",
+                            metric);
+  if (!on) return;
+  Result<Document> result = context.editor.history.current();
+  for (const auto& object : shaped)
+    if (result.ok()) result = set_frames(*result, object->id, *on ? Frames::metric : Frames::equal);
+  context.editor.commit(result, *on ? "Surface by measure" : "Surface by equal angles");
+}
+
 void preparation_rows(PanelContext& context, const Objects& objects) {
   Objects polyhedra;
   for (const auto& object : objects)
@@ -295,6 +314,7 @@ void object_section(PanelContext& context, const Objects& objects) {
   if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->locked; }))
     hint_text(context, "Locked: unlock it in the list above to change it.");
   mode_row(context, objects);
+  frames_row(context, objects);
   round_row(context, objects);
   if (objects.size() == 1) mirror_row(context, *objects.front());
   preparation_rows(context, objects);

@@ -15,7 +15,7 @@ class ConstructionCommandLine {
   Construction construction() const;
 
  private:
-  std::string mode_;
+  std::string mode_, frames_;
   bool round_ = false;
   OutlineCommandLine outlines_;
 };
