@@ -11,8 +11,8 @@
 
 namespace hariko {
 
-/// What `export_triangles` would write into a file of this name. Takes as long as making it. Errors: those of
-/// `mesh_surfaces`, `density_meshes` and `check_mesh_file`; E_CANCELLED.
+/// Counts what `export_triangles` would write into a file of this name. Takes as long as making it. Errors:
+/// those of `mesh_surfaces`, `density_meshes` and `check_mesh_file`; E_CANCELLED.
 Result<ExportCount> count_triangles(const Document& document, const std::filesystem::path& path,
                                     const ExportSettings& settings, const CancelToken& cancel);
 

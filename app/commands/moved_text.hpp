@@ -1,6 +1,6 @@
 #pragma once
 
-// What is said of a model that was moved to zero as it was written. Internal to app/commands.
+// The line about a model that was moved to zero as it was written. Internal to app/commands.
 
 #include <string>
 

@@ -27,7 +27,7 @@ ShownObject shown_facets(const Object& object, const RenderArguments& arguments)
   return {std::move(out), surface};
 }
 
-/// What a surface has beside its facets.
+/// Adds combs and marks of a surface.
 void add_curves(const Object& object, const Surface& surface, const RenderArguments& arguments,
                 SceneObject& out) {
   if (arguments.combs) {

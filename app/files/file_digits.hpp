@@ -1,6 +1,6 @@
 #pragma once
 
-// What a promised tolerance has to leave for the digits of a file.
+// The share of a promised tolerance that the digits of a file take.
 
 #include <Eigen/Geometry>
 #include <filesystem>

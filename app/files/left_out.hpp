@@ -1,6 +1,6 @@
 #pragma once
 
-// What is visible and yet cannot go into a file or a picture: said and counted, never left out in silence.
+// Visible objects that cannot go into a file or a picture: said and counted, never left out in silence.
 
 #include <vector>
 
@@ -14,10 +14,10 @@ inline constexpr Code w_not_written{"W_NOT_WRITTEN"};
 /// objects of kinds that this version does not know.
 std::vector<Message> left_out_of_triangles(const Document& document);
 
-/// Of STEP and IGES: also reference facets, which are no smooth faces.
+/// For STEP and IGES: also reference facets, which are no smooth faces.
 std::vector<Message> left_out_of_cad(const Document& document);
 
-/// Of control meshes: all but skins.
+/// For control meshes: all but skins.
 std::vector<Message> left_out_of_control_meshes(const Document& document);
 
 /// The visible objects of reference facets, which no CAD file holds.

@@ -20,7 +20,8 @@ MeshOptions in_object_space(MeshOptions options, double scale) {
   return options;
 }
 
-/// What of a promised distance is left for the digits of the file: all where facets stay as they are.
+/// The part of a promised distance that is left for the digits of the file: all where facets stay as they
+/// are.
 std::optional<double> share_of_digits(const Object& object, const MeshRequest& request) {
   const std::optional<double>& distance = request.options.criteria.distance;
   if (!distance || (object.mesh() && !request.decimate)) return distance;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is visible in a document as triangles under tolerances.
+// The visible objects of a document as triangles under tolerances.
 
 #include <optional>
 #include <string>
@@ -21,7 +21,7 @@ struct MeshedObject {
   std::optional<MeshErrorMap> errors;  ///< where asked for; places are relative to `surface_origin`
   Vector3 surface_origin = Vector3::Zero();
   MeshColour colour = usual_mesh_colour;
-  /// What of the tolerance was left for the digits of the file; nothing where no distance was promised.
+  /// The part of the tolerance that was left for the file's digits; nothing where no distance was promised.
   std::optional<double> most_rounding = {};
 
   NamedTriangles named() const { return {name, &result.mesh, colour, most_rounding}; }
@@ -33,8 +33,8 @@ struct MeshRequest {
   MeshOptions options;
   bool errors = false;    ///< maps the errors too
   bool decimate = false;  ///< reference facets get fewer under the tolerances, else they stay as they are
-  /// Of the file for which the meshes are: the distance holds for its numbers (at least half of it is left
-  /// for the mesh).
+  /// The digits of the file that the meshes are for: the distance holds for its numbers (at least half is
+  /// left for the mesh).
   FileDigits digits = {};
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What of an object goes into pictures, measures and files.
+// Objects that go into pictures, measures and files.
 
 #include "core/document/document.hpp"
 

@@ -14,7 +14,8 @@ namespace hariko {
 
 namespace {
 
-/// Of the size: above the first a shape is ruined, below the second it is as good as any in the format.
+/// Shares of the size: above the first a shape is ruined, below the second it is as good as any in the
+/// format.
 constexpr double ruinous = 1e-4, harmless = 1e-6;
 /// Height of a facet by its longest side, below which it never had an area.
 constexpr double needle = 1e-9;
@@ -28,7 +29,7 @@ class Measure {
  public:
   Measure(const std::vector<Vector3>& positions, const Vector3& origin, const FileNumbers& numbers)
       : positions_(positions), origin_(origin), numbers_(numbers) {
-    // Where floats are local the origin is written as it is.
+    // The origin of local floats is written as it is.
     const bool absolute = numbers.kind == FileNumbers::Kind::floats;
     rounded_.reserve(positions.size());
     for (const Vector3& position : positions) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the numbers of a file do to a mesh: some formats hold fewer digits than a double has.
+// The rounding of a mesh by the numbers of a file: some formats hold fewer digits than a double has.
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -39,7 +39,7 @@ struct FileRounding {
   double size = 0;            ///< diagonal of the mesh's box
 };
 
-/// Of all vertices that facets have. O(size).
+/// Takes all vertices that facets have. O(size).
 FileRounding rounding_of(const TriangleMesh& mesh, const FileNumbers& numbers);
 FileRounding rounding_of(const PolygonMesh& mesh, const FileNumbers& numbers);
 

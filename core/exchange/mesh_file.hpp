@@ -65,14 +65,14 @@ inline constexpr std::string_view written_mesh_endings = ".obj, .off, .ply, .stl
 /// `written_format`.
 FileNumbers file_numbers(const std::filesystem::path& path, const WriteOptions& options);
 
-/// What became of meshes in a file.
+/// Meshes as they are in a file that was written.
 struct WrittenMeshes {
   std::vector<FileRounding> rounding;  ///< of each mesh, in the unit of the meshes
   Vector3 moved = Vector3::Zero();     ///< the point of the file's space that `to_zero` brought to zero
   std::vector<Message> warnings;       ///< W_FILE_DIGITS
 };
 
-/// What `write_mesh_file` would give, without writing. Errors: E_FORMAT_UNKNOWN, E_FILE_DIGITS.
+/// Gives what `write_mesh_file` would, without writing. Errors: E_FORMAT_UNKNOWN, E_FILE_DIGITS.
 Result<WrittenMeshes> check_mesh_file(const std::filesystem::path& path,
                                       std::span<const NamedTriangles> meshes, const WriteOptions& options);
 

@@ -17,7 +17,7 @@ std::string case_file(const std::string& name) {
   return source_folder() + "/tests/cases/" + name;
 }
 
-/// What is known of the triangles of a file, corners joined where they are equal bit for bit.
+/// Triangles of a file, counted and measured; corners are joined where they are equal bit for bit.
 struct Known {
   std::size_t triangles = 0, bad = 0;
   double volume = 0, area = 0;

@@ -193,7 +193,7 @@ bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metr
   file_row(editor, marks, metrics, written_format(name).value_or(FormatChoices{}));
   result_row(editor, marks);
   if (!extension_.empty()) remembered_[extension_] = settings_;
-  // Where the digits of the format count, so does all that changes the numbers.
+  // In a format whose digits count, all that changes the numbers does.
   const bool digits = rounds(extension_) || rounds(extension_before);
   if (digits ? extension_ == extension_before && settings_.same_digits(before)
              : settings_.same_triangles(before))

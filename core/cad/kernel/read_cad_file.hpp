@@ -39,7 +39,7 @@ struct CadPart {
   std::optional<std::array<std::uint8_t, 3>> colour;  ///< sRGB
   std::vector<BezierPatch> patches;                   ///< of faces that are whole splines, exactly
   PolygonMesh mesh;                                   ///< triangles of all other faces, joined at their edges
-  /// Of spline faces whose triangles are in the mesh, exactly: they share edges with other faces, and what is
+  /// Patches of spline faces whose triangles are in the mesh: they share edges with other faces, and what is
   /// closed in the file stays one closed mesh.
   std::vector<BezierPatch> also_exact = {};
 };

@@ -246,7 +246,7 @@ class SceneMaker {
     if (!part.patches.empty() || part.mesh.face_count() > 0) out_.parts.push_back(std::move(part));
   }
 
-  /// Which of a leaf's faces are whole splines; the leaf is the one that comes next.
+  /// One flag a face of the leaf that comes next: it is a whole spline.
   std::vector<bool> whole_faces(const TopoDS_Shape& shape) const {
     std::vector<bool> out;
     for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
