@@ -177,7 +177,9 @@ class Application {
     actions.export_cad = [this](const auto& path, const auto& settings) {
       exchange_.export_cad(path, settings);
     };
-    actions.count_export = [this](const ExportSettings& settings) { exchange_.count_export(settings); };
+    actions.count_export = [this](const std::filesystem::path& path, const ExportSettings& settings) {
+      exchange_.count_export(path, settings);
+    };
     actions.count_cad = [this](const CadSettings& settings) { exchange_.count_cad(settings); };
     actions.cancel_count = [this] { exchange_.cancel_count(); };
     actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };

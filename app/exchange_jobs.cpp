@@ -8,6 +8,7 @@
 #include "app/broken_mesh.hpp"
 #include "app/export_triangles.hpp"
 #include "app/files/export_cad.hpp"
+#include "app/files/left_out.hpp"
 #include "app/files/sheet_file.hpp"
 #include "core/document/convert_unit.hpp"
 #include "core/document/edit_objects.hpp"
@@ -70,9 +71,9 @@ void ExchangeJobs::count(Count count, Take take) {
       });
 }
 
-void ExchangeJobs::count_export(const ExportSettings& settings) {
-  count([settings, document = document_to_export(settings.only_selected)](
-            const CancelToken& cancel) { return count_triangles(document, settings, cancel); },
+void ExchangeJobs::count_export(const std::filesystem::path& path, const ExportSettings& settings) {
+  count([path, settings, document = document_to_export(settings.only_selected)](
+            const CancelToken& cancel) { return count_triangles(document, path, settings, cancel); },
         [this, settings](const Result<ExportCount>& counted) {
           workbench_.files().take_export_count(settings, counted);
         });
@@ -108,6 +109,7 @@ void ExchangeJobs::export_file(const std::filesystem::path& path, const ExportSe
           log_("export_failed", path);
           return editor_.notify(exported.error());
         }
+        warn(exported->warnings);
         editor_.notify(Notice::Kind::info, export_text(editor_.language, path, *exported, unit, choices));
         ++editor_.exports;
         log_("exported", path);
@@ -117,17 +119,19 @@ void ExchangeJobs::export_file(const std::filesystem::path& path, const ExportSe
 void ExchangeJobs::export_cad(const std::filesystem::path& path, const CadSettings& settings) {
   counting_.cancel();
   const Unit unit = editor_.document().unit;
+  Document document = document_to_export(settings.only_selected);
+  std::vector<Message> left_out = left_out_of_cad(document);
   work_.run_cancellable(
       fill(translatable("Exporting {0}"), {path.filename().string()}),
-      [path, settings, document = document_to_export(settings.only_selected)](const CancelToken& cancel,
-                                                                              const Progress& progress) {
+      [path, settings, document = std::move(document)](const CancelToken& cancel, const Progress& progress) {
         return hariko::export_cad(document, path, settings.choices, header_time(), cancel, progress);
       },
-      [this, path, unit](const Result<CadExportReport>& exported) {
+      [this, path, unit, left_out = std::move(left_out)](const Result<CadExportReport>& exported) {
         if (!exported.ok()) {
           log_("export_failed", path);
           return editor_.notify(exported.error());
         }
+        warn(left_out);
         for (const Message& warning : warnings_of(*exported)) editor_.notify(warning);
         editor_.notify(Notice::Kind::info, cad_export_text(editor_.language, path, totals(exported->objects),
                                                            exported->bytes, unit));

@@ -30,7 +30,7 @@ class ExchangeJobs {
   void import_file(const std::filesystem::path& path);
   /// Counts the triangles or faces that an export would write, for the dialogs; a count that is on its way
   /// is cancelled, and nothing is heard of it any more.
-  void count_export(const ExportSettings& settings);
+  void count_export(const std::filesystem::path& path, const ExportSettings& settings);
   void count_cad(const CadSettings& settings);
   void cancel_count() { counting_.cancel(); }
   void export_file(const std::filesystem::path& path, const ExportSettings& settings);

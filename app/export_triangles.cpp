@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "app/files/export_surfaces.hpp"
+#include "app/files/left_out.hpp"
 #include "app/files/mesh_surfaces.hpp"
+#include "app/files/reference_facets.hpp"
+#include "core/document/object_shape.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/attached.hpp"
 #include "render/camera.hpp"
@@ -20,12 +23,48 @@ MeshOptions options_of(const ExportSettings& settings) {
   return options;
 }
 
-/// A mesh of the whole density, without making it.
+/// All triangles that an export makes, which borrow from the lists.
+struct ExportMeshes {
+  std::vector<MeshedObject> tolerated;
+  std::vector<NamedMesh> meshes;
+
+  std::vector<NamedTriangles> named() const {
+    std::vector<NamedTriangles> out;
+    for (const MeshedObject& object : tolerated) out.push_back(object.named());
+    for (const NamedMesh& mesh : meshes) out.push_back({mesh.name, &mesh.mesh, mesh.colour});
+    return out;
+  }
+};
+
+Result<ExportMeshes> export_meshes(const Document& document, const std::filesystem::path& path,
+                                   const ExportSettings& settings, MeshReport report,
+                                   const CancelToken& cancel, const Progress& progress) {
+  ExportMeshes out;
+  if (settings.by == ExportSettings::By::density) {
+    auto made = density_meshes(document, settings.density, cancel, progress);
+    if (!made.ok()) return made.error();
+    out.meshes = std::move(made).value();
+    return out;
+  }
+  MeshRequest request{options_of(settings)};
+  request.options.report = report;
+  request.digits = file_digits(document, path, write_options(document, settings.choices));
+  auto made = mesh_surfaces(document, request, cancel, progress);
+  if (!made.ok()) return made.error();
+  out.tolerated = std::move(made).value();
+  return out;
+}
+
+/// The triangles of the whole density, without making them.
 Result<ExportCount> count_by_density(const Document& document, int density, const CancelToken& cancel) {
   ExportCount count;
   const auto n = static_cast<std::size_t>(density);
   for (const auto& object : document.objects) {
-    if (!object->visible || !object->has_surface()) continue;
+    if (!object->visible || !has_shape(*object)) continue;
+    if (const MeshSource* facets = object->mesh()) {
+      count.triangles += triangles_of(*facets).triangles.size();
+      continue;
+    }
     const auto built = object_surface(document, *object, cancel);
     if (!built.ok()) return built.error();
     const Surface& surface = built->surface;
@@ -51,22 +90,30 @@ ExportReport report_of(std::span<const NamedTriangles> meshes, double scale,
 
 }  // namespace
 
-Result<ExportCount> count_triangles(const Document& document, const ExportSettings& settings,
-                                    const CancelToken& cancel) {
-  if (settings.by == ExportSettings::By::density) return count_by_density(document, settings.density, cancel);
-  MeshOptions options = options_of(settings);
-  options.report = MeshReport::all;
-  const auto meshed = mesh_surfaces(document, {options}, cancel);
-  if (!meshed.ok()) return meshed.error();
+Result<ExportCount> count_triangles(const Document& document, const std::filesystem::path& path,
+                                    const ExportSettings& settings, const CancelToken& cancel) {
+  const bool exact = file_numbers(path, {}).kind == FileNumbers::Kind::exact;
+  if (exact && settings.by == ExportSettings::By::density)
+    return count_by_density(document, settings.density, cancel);
+  auto made = export_meshes(document, path, settings, MeshReport::all, cancel, {});
+  if (!made.ok()) return made.error();
+  const auto named = made->named();
+  const auto checked = check_mesh_file(path, named, write_options(document, settings.choices));
+  if (!checked.ok()) return checked.error();
   ExportCount count;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    count.triangles += named[i].mesh->triangles.size() - checked->rounding[i].collapsed;
+    count.rounding = std::max(count.rounding, checked->rounding[i].distance);
+  }
   count.certain = true;
-  for (const MeshedObject& object : *meshed) {
-    const MeshApproximation& made = object.result;
-    count.triangles += made.mesh.triangles.size();
-    count.certain = count.certain && made.distance.certified;
-    count.distance = std::max(count.distance, std::max(made.distance.largest, made.distance.bound));
-    count.angle = std::max(count.angle, made.normal_angle.largest);
-    count.reached = count.reached && made.reached();
+  std::size_t i = 0;
+  for (MeshedObject& object : made.value().tolerated) {
+    object.add(checked->rounding[i++]);
+    const MeshApproximation& result = object.result;
+    count.certain = count.certain && result.distance.certified;
+    count.distance = std::max(count.distance, std::max(result.distance.largest, result.distance.bound));
+    count.angle = std::max(count.angle, result.normal_angle.largest);
+    count.reached = count.reached && result.reached();
   }
   return count;
 }
@@ -75,26 +122,20 @@ Result<ExportReport> export_triangles(const Document& document, const std::files
                                       const ExportSettings& settings, const CancelToken& cancel,
                                       const Progress& progress) {
   constexpr double writing = 0.75;  // what making the triangles takes of the whole, about
-  const Progress making = progress.part(0, writing);
-  std::vector<MeshedObject> tolerated;
-  std::vector<NamedMesh> meshes;
-  std::vector<NamedTriangles> named;
-  if (settings.by == ExportSettings::By::density) {
-    auto made = density_meshes(document, settings.density, cancel, making);
-    if (!made.ok()) return made.error();
-    meshes = std::move(made).value();
-    for (const NamedMesh& mesh : meshes) named.push_back({mesh.name, &mesh.mesh, mesh.colour});
-  } else {
-    auto made = mesh_surfaces(document, {options_of(settings)}, cancel, making);
-    if (!made.ok()) return made.error();
-    tolerated = std::move(made).value();
-    for (const MeshedObject& object : tolerated)
-      named.push_back({object.name, &object.result.mesh, object.colour});
-  }
+  const auto made =
+      export_meshes(document, path, settings, MeshReport::asked, cancel, progress.part(0, writing));
+  if (!made.ok()) return made.error();
   progress.report(writing);
-  const auto written = write_mesh_file(path, named, write_options(document, settings.choices, cancel));
+  const auto named = made->named();
+  auto written = write_mesh_file(path, named, write_options(document, settings.choices, cancel));
   if (!written.ok()) return written.error();
-  return report_of(named, settings.choices.scale, path);
+  ExportReport report = report_of(named, settings.choices.scale, path);
+  for (const FileRounding& rounding : written->rounding) report.triangles -= rounding.collapsed;
+  report.moved = written->moved;
+  report.warnings = left_out_of_triangles(document);
+  const std::vector<Message>& own = written->warnings;
+  report.warnings.insert(report.warnings.end(), own.begin(), own.end());
+  return report;
 }
 
 }  // namespace hariko

@@ -11,12 +11,12 @@
 
 namespace hariko {
 
-/// What `export_triangles` would write. Takes as long as making it. Errors: those of `mesh_surfaces` and of
-/// rebuilding; E_CANCELLED.
-Result<ExportCount> count_triangles(const Document& document, const ExportSettings& settings,
-                                    const CancelToken& cancel);
+/// Counts what `export_triangles` would write into a file of this name. Takes as long as making it. Errors:
+/// those of `mesh_surfaces`, `density_meshes` and `check_mesh_file`; E_CANCELLED.
+Result<ExportCount> count_triangles(const Document& document, const std::filesystem::path& path,
+                                    const ExportSettings& settings, const CancelToken& cancel);
 
-/// Writes the visible surfaces in the format that the ending names. Errors: those of `mesh_surfaces`,
+/// Writes what is visible in the format that the ending names. Errors: those of `mesh_surfaces`,
 /// `export_surfaces` and writing; E_CANCELLED, and the file is as it was.
 Result<ExportReport> export_triangles(const Document& document, const std::filesystem::path& path,
                                       const ExportSettings& settings, const CancelToken& cancel,

@@ -4,6 +4,7 @@
 
 #include "app/files/open_file.hpp"
 #include "app/surface_builder.hpp"
+#include "core/document/object_shape.hpp"
 #include "ui/object_lines.hpp"
 #include "ui/skin_view.hpp"
 #include "ui/view_pictures.hpp"
@@ -51,7 +52,7 @@ Scene file_scene(const fs::path& path, const CancelToken& cancel) {
   const auto opened = open_file(path);
   if (!opened.document) return scene;
   for (const auto& object : opened.document->objects) {
-    if (!object->has_surface() || !object->visible) continue;
+    if (!has_shape(*object) || !object->visible) continue;
     scene.objects.push_back(part_of(*opened.document, object, cancel));
     if (object->skin()) add_sections(*object, scene);
   }

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "app/files/reference_facets.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/approximation/decimate.hpp"
 #include "core/approximation/error_map.hpp"
-#include "core/exchange/triangulate.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/surface/facets.hpp"
 
@@ -31,10 +31,8 @@ struct Subject {
 Result<Subject> subject_of(const Document& document, const Object& object, const CancelToken& cancel) {
   Subject out;
   if (const MeshSource* source = object.mesh()) {
-    FaceTriangles cut = triangulate(*source->mesh);
-    const std::vector<Element> sources(cut.triangles.size());
-    out.dense = TriangleMesh{source->origin, source->mesh->positions, cut.triangles, {}, {}};
-    out.surface = facet_surface(source->origin, source->mesh->positions, std::move(cut.triangles), sources);
+    out.dense = triangles_of(*source);
+    out.surface = facets_of(*source);
     return out;
   }
   auto built = object_surface(document, object, cancel);

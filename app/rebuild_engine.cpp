@@ -1,5 +1,7 @@
 #include "app/rebuild_engine.hpp"
 
+#include "core/document/object_shape.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -33,7 +35,7 @@ bool same_neighbours(const Object& a, const ObjectPointers& of_a, const Object& 
 
 /// Facets of reference meshes are drawn as surfaces are.
 bool is_drawn(const Object& object) {
-  return object.has_surface() || object.mesh();
+  return has_shape(object);
 }
 
 }  // namespace

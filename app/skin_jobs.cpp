@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/files/control_mesh_file.hpp"
+#include "app/files/left_out.hpp"
 #include "core/document/edits.hpp"
 #include "core/modeling/skin_polyhedron.hpp"
 #include "core/skinning/add_section.hpp"
@@ -111,16 +112,16 @@ void SkinJobs::take(const MadeSection& made) {
 }
 
 void SkinJobs::export_control(const std::filesystem::path& path) {
+  const Document& document = editor_.history.current();
   files_.run(
       fill(translatable("Exporting {0}"), {path.filename().string()}),
-      [path, document = editor_.history.current()](const CancelToken&) {
-        return export_control_meshes(document, path);
-      },
-      [this, path](const Result<Done>& exported) {
+      [path, document](const CancelToken&) { return export_control_meshes(document, path); },
+      [this, path, left_out = left_out_of_control_meshes(document)](const Result<Done>& exported) {
         if (!exported.ok()) {
           log_("export_failed", path);
           return editor_.notify(exported.error());
         }
+        for (const Message& warning : left_out) editor_.notify(warning);
         editor_.notify(Notice::Kind::info,
                        fill(editor_.language("Exported {0}."), {path.filename().string()}));
         ++editor_.exports;

@@ -4,11 +4,10 @@
 #include <chrono>
 #include <exception>
 
+#include "app/files/reference_facets.hpp"
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
-#include "core/exchange/triangulate.hpp"
 #include "core/polyhedron/validation.hpp"
-#include "core/surface/facets.hpp"
 #include "render/surface_maps.hpp"
 
 namespace hariko {
@@ -17,14 +16,6 @@ namespace {
 
 constexpr Code e_rebuild_failed{"E_REBUILD_FAILED"};
 constexpr int histogram_bins = 48;
-
-/// Flat facets of a reference mesh, relative to its origin.
-Surface facets_of(const MeshSource& source) {
-  FaceTriangles cut = triangulate(*source.mesh);
-  std::vector<Element> sources;
-  for (const Index face : cut.faces) sources.push_back({Element::Kind::face, face});
-  return facet_surface(source.origin, source.mesh->positions, std::move(cut.triangles), sources);
-}
 
 /// Reference meshes have no curvature to show.
 SurfaceMap shown_map(const Object& object) {

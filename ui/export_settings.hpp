@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/document/cad_choices.hpp"
 #include "core/document/file_choices.hpp"
@@ -27,6 +28,11 @@ struct ExportSettings {
     other.choices = choices;
     return *this == other;
   }
+  /// True when also the errors of the numbers are the same in a format that rounds them.
+  bool same_digits(ExportSettings other) const {
+    other.choices.ascii = choices.ascii;
+    return *this == other;
+  }
 };
 
 /// Likewise for CAD.
@@ -45,6 +51,8 @@ struct CadSettings {
 /// What was written, all objects together.
 struct ExportReport {
   std::size_t triangles = 0;
+  Vector3 moved = Vector3::Zero();  ///< the point of the file's space that was brought to zero
+  std::vector<Message> warnings;
   Vector3 size = Vector3::Zero();  ///< along the axes of the document, in its unit times the scale chosen
   std::uintmax_t bytes = 0;
 };
@@ -55,6 +63,7 @@ struct ExportCount {
   /// By tolerance only. `certain`: no point is farther off; else samples showed it.
   double distance = 0, angle = 0;
   bool certain = false, reached = true;
+  double rounding = 0;  ///< farthest that the file's digits move a vertex, which the distance includes
 };
 
 }  // namespace hariko

@@ -34,9 +34,15 @@ std::string export_text(const Language& tr, const std::filesystem::path& path, c
   std::string sizes;
   for (int axis = 0; axis < 3; ++axis)
     sizes += (axis > 0 ? " \u00d7 " : "") + format_quantity(length, size[axis]);
-  return fill(
-      tr("Exported {0}: {1} triangles, {2}, {3}."),
-      {path.filename().string(), std::to_string(report.triangles), sizes, file_size_text(report.bytes)});
+  std::string text =
+      fill(tr("Exported {0}: {1} triangles, {2}, {3}."),
+           {path.filename().string(), std::to_string(report.triangles), sizes, file_size_text(report.bytes)});
+  if (report.moved.isZero(0)) return text;
+  const Quantity place = length_quantity(unit, report.moved.cwiseAbs().maxCoeff());
+  return text + " " +
+         fill(tr("Its zero is the point {0}, {1}, {2} of the model."),
+              {format_quantity(place, report.moved.x()), format_quantity(place, report.moved.y()),
+               format_quantity(place, report.moved.z())});
 }
 
 std::string cad_count_text(const Language& tr, const CadTotals& count, Unit document_unit) {
@@ -45,6 +51,8 @@ std::string cad_count_text(const Language& tr, const CadTotals& count, Unit docu
                          ? fill(tr("faces: {0}, all of them exact"), {faces})
                          : fill(tr("faces: {0}, {1} of them exact"), {faces, std::to_string(count.exact)});
   if (count.unreached > 0) text += gap + std::string(tr("the tolerance is not reached everywhere"));
+  if (count.left_out > 0)
+    text += gap + fill(tr("objects of reference facets left out: {0}"), {std::to_string(count.left_out)});
   text += "\n";
   if (!count.all_exact())
     text +=

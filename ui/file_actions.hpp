@@ -23,9 +23,9 @@ struct FileActions {
   std::function<void(const std::filesystem::path&)> save_copy;
   std::function<void()> revert;  ///< to what the file holds
   std::function<void(const std::filesystem::path&, const ExportSettings&)> export_file;
-  /// Finds out what the triangles would be like; ends in `FileDialogs::take_export_count`. Only the last one
-  /// asked for counts.
-  std::function<void(const ExportSettings&)> count_export;
+  /// Finds out what the triangles in a file of this name would be like; ends in
+  /// `FileDialogs::take_export_count`. Only the last one asked for counts.
+  std::function<void(const std::filesystem::path&, const ExportSettings&)> count_export;
   /// The same of faces, and `FileDialogs::take_cad_count`.
   std::function<void(const CadSettings&)> count_cad;
   std::function<void()> cancel_count;  ///< of either

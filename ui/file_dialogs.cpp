@@ -82,11 +82,11 @@ void FileDialogs::export_triangles() {
                 [this](const auto& path) { actions_.export_file(path, export_options_.settings()); },
                 [this](const std::filesystem::path& name) {
                   if (export_options_.draw(editor_, marks_, metrics_, name))
-                    actions_.count_export(export_options_.settings());
+                    actions_.count_export(name, export_options_.settings());
                 },
                 [] { return ExportOptions::rows; }});
   export_options_.begin(editor_, proposal);
-  actions_.count_export(export_options_.settings());
+  actions_.count_export(proposal, export_options_.settings());
   counting_ = true;
 }
 

@@ -1,5 +1,7 @@
 #include "ui/meshing.hpp"
 
+#include "core/document/object_shape.hpp"
+
 #include <numbers>
 
 namespace hariko {
@@ -31,7 +33,7 @@ MeshOptions MeshingSettings::options(double scale) const {
 std::shared_ptr<const Object> meshed_object(const Document& document, ObjectId active) {
   std::shared_ptr<const Object> first;
   for (const auto& object : document.objects) {
-    if (!object->visible || !(object->has_surface() || object->mesh())) continue;
+    if (!object->visible || !has_shape(*object)) continue;
     if (object->id == active) return object;
     if (!first) first = object;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/document/object_shape.hpp"
 #include "ui/object_lines.hpp"
 #include "ui/solids_display.hpp"
 
@@ -171,7 +172,7 @@ void SceneBuilder::update(const Editor& editor) {
       next.lines.push_back({from, to, color_from_hex("#e5484d"), 3, true});
   for (const auto& object : editor.document().objects) {
     if (paper_) break;
-    if (!object->visible || (!object->has_surface() && !object->mesh())) continue;
+    if (!object->visible || !has_shape(*object)) continue;
     next.objects.push_back(describe(editor, object));
     if (const MeshingResult* meshed = editor.meshing.shown_for(object)) {
       const MeshShown shown = editor.meshing.shown;

@@ -2,11 +2,23 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/commands/moved_text.hpp"
 #include "app/files/control_mesh_file.hpp"
 #include "app/files/export_cad.hpp"
 #include "app/files/export_surfaces.hpp"
+#include "app/files/left_out.hpp"
 
 namespace hariko {
+
+namespace {
+
+Result<WrittenMeshes> control_meshes(const Document& document, const std::filesystem::path& out) {
+  const auto done = export_control_meshes(document, out);
+  if (!done.ok()) return done.error();
+  return WrittenMeshes{{}, Vector3::Zero(), left_out_of_control_meshes(document)};
+}
+
+}  // namespace
 
 int run_export(const ExportArguments& arguments) {
   const auto read = read_document_or_report(arguments.file, arguments.construction);
@@ -25,15 +37,20 @@ int run_export(const ExportArguments& arguments) {
       report(arguments.file.string(), written.error());
       return exit_failed;
     }
+    for (const Message& warning : left_out_of_cad(*document)) report(arguments.file.string(), warning);
     for (const Message& warning : warnings_of(*written)) report(arguments.file.string(), warning);
     return print(text_of(*written, document->unit)) ? exit_fine : exit_failed;
   }
-  const auto done = arguments.control ? export_control_meshes(*document, arguments.out)
-                                      : export_surfaces(*document, arguments.out, arguments.density,
-                                                        arguments.file_arguments.choices);
-  if (done.ok()) return exit_fine;
-  report(arguments.file.string(), done.error());
-  return exit_failed;
+  auto written = arguments.control ? control_meshes(*document, arguments.out)
+                                   : export_surfaces(*document, arguments.out, arguments.density,
+                                                     arguments.file_arguments.choices);
+  if (!written.ok()) {
+    report(arguments.file.string(), written.error());
+    return exit_failed;
+  }
+  for (const Message& warning : written->warnings) report(arguments.file.string(), warning);
+  const std::string moved = moved_text(written->moved);
+  return moved.empty() || print(moved) ? exit_fine : exit_failed;
 }
 
 }  // namespace hariko

@@ -4,7 +4,9 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
+#include "app/commands/moved_text.hpp"
 #include "app/files/export_surfaces.hpp"
+#include "app/files/left_out.hpp"
 #include "app/files/mesh_surfaces.hpp"
 #include "core/base/file_io.hpp"
 #include "core/base/json_writer.hpp"
@@ -78,13 +80,19 @@ void write(JsonWriter& json, const MeshedObject& object) {
   });
 }
 
-std::string report_json(const std::vector<MeshedObject>& objects, double meshing, double writing) {
+std::string report_json(const std::vector<MeshedObject>& objects, const WrittenMeshes& written,
+                        double meshing, double writing) {
   std::size_t facets = 0;
   for (const MeshedObject& object : objects) facets += object.result.mesh.triangles.size();
+  for (const FileRounding& rounding : written.rounding) facets -= rounding.collapsed;
+  double farthest = 0;
+  for (const FileRounding& rounding : written.rounding) farthest = std::max(farthest, rounding.distance);
   JsonWriter json(2);
   json.object([&] {
     json.list("objects", objects, [&](const MeshedObject& object) { write(json, object); });
     json.member("facets", facets);
+    json.member("rounding", farthest);
+    json.member("moved", written.moved);
     json.object("milliseconds", [&] {
       json.member("mesh", meshing);
       json.member("write", writing);
@@ -134,35 +142,38 @@ int run_mesh(const MeshArguments& arguments) {
     report(arguments.file.string(), error);
     return exit_failed;
   };
-  const MeshRequest request{arguments.options, !arguments.errors.empty(), true};
   const auto read = read_document_or_report(arguments.file, arguments.construction);
   if (!read) return exit_failed;
   const auto document = with_only(*read, arguments.file_arguments.only);
   if (!document.ok()) return failed(document.error());
-  const auto meshed = mesh_surfaces(*document, request);
+  const WriteOptions options = write_options(*document, arguments.file_arguments.choices);
+  const MeshRequest request{arguments.options, !arguments.errors.empty(), true,
+                            file_digits(*document, arguments.out, options)};
+  auto meshed = mesh_surfaces(*document, request);
   if (!meshed.ok()) return failed(meshed.error());
   const double meshing = watch.lap();
   std::vector<NamedTriangles> named;
-  for (const MeshedObject& object : *meshed)
-    named.push_back({object.name, &object.result.mesh, object.colour});
-  if (const auto done =
-          write_mesh_file(arguments.out, named, write_options(*document, arguments.file_arguments.choices));
-      !done.ok())
-    return failed(done.error());
+  for (const MeshedObject& object : *meshed) named.push_back(object.named());
+  const auto written = write_mesh_file(arguments.out, named, options);
+  if (!written.ok()) return failed(written.error());
+  for (std::size_t i = 0; i < named.size(); ++i) meshed.value()[i].add(written->rounding[i]);
   if (!arguments.errors.empty()) {
     const auto done = write_file_atomic(arguments.errors, error_text(*meshed));
     if (!done.ok()) return failed(done.error());
   }
   const double writing = watch.lap();
+  for (const Message& warning : left_out_of_triangles(*document)) report(arguments.file.string(), warning);
+  for (const Message& warning : written->warnings) report(arguments.file.string(), warning);
   for (const MeshedObject& object : *meshed)
     for (const Message& warning : object.result.warnings) report(arguments.file.string(), warning);
   if (!arguments.json) {
     std::string text;
     for (const MeshedObject& object : *meshed) text += text_of(object);
+    text += moved_text(written->moved);
     text += "  " + number(std::round(meshing)) + " ms\n";
     return print(text) ? exit_fine : exit_failed;
   }
-  return print(report_json(*meshed, meshing, writing)) ? exit_fine : exit_failed;
+  return print(report_json(*meshed, *written, meshing, writing)) ? exit_fine : exit_failed;
 }
 
 }  // namespace hariko

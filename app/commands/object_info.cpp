@@ -15,6 +15,7 @@
 #include "core/modeling/attached.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "core/skinning/local_skin.hpp"
 #include "core/skinning/mesh_report.hpp"
 #include "core/skinning/regular_faces.hpp"
 
@@ -127,9 +128,10 @@ SkinInfo skin_info(const Skin& skin, const SkinSurface& made) {
 
 /// The surface over sections, with the counts of its control mesh.
 Result<PolyhedronSurface> inspect_skin(const Skin& skin, double scale, ObjectInfo& info) {
-  auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  const LocalSkin local = local_skin(skin);
+  auto made = SkinSurfacer().surface(local.skin, local.origin);
   if (!made) return made.error();
-  info.skin = skin_info(skin, *made);
+  info.skin = skin_info(local.skin, *made);
   for (double& miss : info.skin->section_miss) miss *= scale;
   if (const auto topology = HalfEdgeMesh::build(made->result.mesh.control.mesh); topology.ok())
     count_topology(*topology, info);

@@ -15,6 +15,7 @@ namespace {
 void set_ranges(Scene& scene, SurfaceMap map, const MapRange& wanted, Legend& legend) {
   std::vector<float> values;
   for (const SceneObject& object : scene.objects) {
+    if (object.map != map) continue;  // reference facets
     const auto own = values_of(*object.mesh, map);
     values.insert(values.end(), own.begin(), own.end());
   }

@@ -15,8 +15,8 @@ struct ShownObject {
   Surface surface;
 };
 
-/// The visible objects that have a surface; reports what is wrong and gives nothing when one cannot be made,
-/// or there is none.
+/// The visible objects, surfaces and reference facets; reports what is wrong and gives nothing when one
+/// cannot be made, or there is none.
 std::optional<std::vector<ShownObject>> shown_objects_or_report(const Document& document,
                                                                 const RenderArguments& arguments);
 

@@ -1,6 +1,7 @@
 #include "app/commands/skin_evaluation.hpp"
 
 #include "core/base/json_writer.hpp"
+#include "core/skinning/local_skin.hpp"
 #include "core/skinning/mesh_report.hpp"
 #include "core/skinning/regular_faces.hpp"
 
@@ -48,8 +49,9 @@ void write_lines(JsonWriter& json, const SkinResult& result) {
   json.member("rows", result.mesh.rows);
 }
 
-void write_control_mesh(JsonWriter& json, const ControlMesh& control) {
-  json.member("points", control.mesh.positions);
+void write_control_mesh(JsonWriter& json, const ControlMesh& control, const Vector3& origin) {
+  json.list("points", control.mesh.positions,
+            [&](const Vector3& point) { json.value(Vector3(origin + point)); });
   json.array("faces", [&] {
     for (std::size_t f = 0; f < control.mesh.face_count(); ++f)
       json.list(control.mesh.face(f), [&](Index v) { json.value(v); });
@@ -76,8 +78,8 @@ void write_samples(JsonWriter& json, const Surface& surface) {
     const Vector3& normal = surface.node_normal(node);
     json.object([&] {
       json.member("vertex", v);
-      json.member("control", patches.control_points()[v]);
-      json.member("limit", patches.limit_position(v));
+      json.member("control", Vector3(surface.origin() + patches.control_points()[v]));
+      json.member("limit", Vector3(surface.origin() + patches.limit_position(v)));
       json.member("normal", normal.isZero(0) ? std::nullopt : std::optional<Vector3>(normal));
     });
   }
@@ -86,17 +88,18 @@ void write_samples(JsonWriter& json, const Surface& surface) {
 }  // namespace
 
 Result<std::string> skin_evaluation_json(const Skin& skin) {
-  const auto made = SkinSurfacer().surface(skin, Vector3::Zero());
+  const LocalSkin local = local_skin(skin);
+  const auto made = SkinSurfacer().surface(local.skin, local.origin);
   if (!made) return made.error();
   const SkinMesh& mesh = made->result.mesh;
   JsonWriter json(1);
   json.object([&] {
     write_figures(json, mesh);
     json.member("limit_cond", limit_condition(subdivision_patches(made->surface)->topology()));
-    json.list("section_error", section_misses(skin, mesh, made->surface),
+    json.list("section_error", section_misses(local.skin, mesh, made->surface),
               [&](const SectionMiss& miss) { write(json, miss); });
     write_lines(json, made->result);
-    json.object("control", [&] { write_control_mesh(json, mesh.control); });
+    json.object("control", [&] { write_control_mesh(json, mesh.control, local.origin); });
     json.array("samples", [&] { write_samples(json, made->surface); });
   });
   return json.take() + "\n";

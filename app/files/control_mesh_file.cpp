@@ -5,6 +5,7 @@
 #include "core/base/file_io.hpp"
 #include "core/exchange/write_control_mesh.hpp"
 #include "core/skinning/evaluate_skin.hpp"
+#include "core/skinning/local_skin.hpp"
 
 namespace hariko {
 
@@ -13,14 +14,15 @@ Result<Done> export_control_meshes(const Document& document, const std::filesyst
   std::vector<NamedControlMesh> named;
   for (const auto& object : document.objects) {
     if (!object->visible || !object->skin()) continue;
-    auto made = evaluate_skin(*object->skin()->skin);
+    const LocalSkin local = local_skin(*object->skin()->skin);
+    auto made = evaluate_skin(local.skin);
     if (!made) {
       Message error = made.error();
       error.text = object->name + ": " + error.text;
       return error;
     }
     meshes.push_back(std::move(made.value().mesh.control));
-    for (Vector3& p : meshes.back().mesh.positions) p = object->transform.apply(p);
+    for (Vector3& p : meshes.back().mesh.positions) p = object->transform.apply(local.origin + p);
     named.push_back({object->name, &meshes.back()});
   }
   if (named.empty())

@@ -4,6 +4,7 @@
 #include <ctime>
 
 #include "app/files/export_surfaces.hpp"
+#include "app/files/left_out.hpp"
 #include "core/base/file_io.hpp"
 #include "core/cad/cad_measure.hpp"
 #include "core/exchange/mesh_file.hpp"
@@ -106,6 +107,11 @@ Result<std::vector<MadeObject>> make_objects(const Document& document, const Cad
     if (!one->model.faces.empty()) made.push_back(std::move(one).value());
   }
   if (!made.empty()) return made;
+  if (const std::size_t facets = visible_reference_objects(document); facets > 0)
+    return make_error(e_no_surface,
+                      "STEP and IGES hold smooth faces, and what is visible are reference facets (objects: " +
+                          std::to_string(facets) + ").",
+                      "Write STL, OBJ, PLY, 3MF or glTF, which hold facets.");
   return make_error(e_no_surface, "There is no visible surface to export.", "Show an object or import one.");
 }
 
@@ -141,7 +147,9 @@ Result<CadTotals> count_cad(const Document& document, const CadChoices& choices,
   if (!made.ok()) return made.error();
   std::vector<CadObjectReport> reports;
   for (const MadeObject& one : *made) reports.push_back(one.report);
-  return totals(reports);
+  CadTotals out = totals(reports);
+  out.left_out = visible_reference_objects(document);
+  return out;
 }
 
 CadTotals totals(std::span<const CadObjectReport> objects) {

@@ -1,10 +1,13 @@
 #include "app/files/mesh_surfaces.hpp"
 
+#include <algorithm>
+
 #include "app/files/export_surfaces.hpp"
+#include "app/files/reference_facets.hpp"
 #include "core/approximation/decimate.hpp"
-#include "core/exchange/triangulate.hpp"
+#include "core/document/object_box.hpp"
+#include "core/document/object_shape.hpp"
 #include "core/modeling/attached.hpp"
-#include "core/surface/facets.hpp"
 
 namespace hariko {
 
@@ -15,6 +18,14 @@ MeshOptions in_object_space(MeshOptions options, double scale) {
   for (std::optional<double>* length : {&options.criteria.distance, &options.criteria.max_edge})
     if (*length) **length /= scale;
   return options;
+}
+
+/// The part of a promised distance that is left for the digits of the file: all where facets stay as they
+/// are.
+std::optional<double> share_of_digits(const Object& object, const MeshRequest& request) {
+  const std::optional<double>& distance = request.options.criteria.distance;
+  if (!distance || (object.mesh() && !request.decimate)) return distance;
+  return request.digits ? std::min(request.digits(world_box(object)), 0.5 * *distance) : 0.0;
 }
 
 void scale(ErrorField& field, double factor) {
@@ -38,10 +49,7 @@ void place(MeshedObject& object, const Similarity& transform) {
   object.surface_origin = transform.apply(object.surface_origin);
   if (object.errors) place(*object.errors, transform);
   MeshApproximation& result = object.result;
-  TriangleMesh& mesh = result.mesh;
-  mesh.origin = transform.apply(mesh.origin);
-  for (Vector3& position : mesh.positions) position = transform.apply_to_vector(position);
-  for (Vector3& normal : mesh.normals) normal = transform.rotation * normal;
+  place(result.mesh, transform);
   result.distance.largest *= transform.scale;
   result.distance.mean *= transform.scale;
   result.distance.bound *= transform.scale;
@@ -72,22 +80,47 @@ Result<MeshedObject> mesh_of(const Surface& surface, const std::string& name, co
 /// A reference mesh with fewer facets, in its own space; its facets are the surface.
 Result<MeshedObject> decimated(const MeshSource& source, const std::string& name, const MeshRequest& request,
                                const CancelToken& cancel, const Progress& progress) {
-  FaceTriangles cut = triangulate(*source.mesh);
-  TriangleMesh dense{source.origin, source.mesh->positions, std::move(cut.triangles), {}, {}};
-  auto made = decimate(dense, request.options, cancel, progress.part(0, request.errors ? 0.7 : 1));
+  auto made =
+      decimate(triangles_of(source), request.options, cancel, progress.part(0, request.errors ? 0.7 : 1));
   if (!made.ok()) return named(made.error(), name);
   MeshedObject out{name, std::move(made).value(), {}, source.origin};
   if (!request.errors) return out;
-  std::vector<Element> sources;
-  for (const Index face : cut.faces) sources.push_back({Element::Kind::face, face});
-  const Surface facets = facet_surface(source.origin, dense.positions, std::move(dense.triangles), sources);
-  auto map = mesh_error_map(facets, out.result.mesh, {}, {}, cancel, progress.part(0.7, 1));
+  auto map = mesh_error_map(facets_of(source), out.result.mesh, {}, {}, cancel, progress.part(0.7, 1));
   if (!map.ok()) return named(map.error(), name);
   out.errors = std::move(map).value();
   return out;
 }
 
+/// Reference facets are what they are: nothing is off.
+MeshedObject as_it_is(const MeshSource& source, const std::string& name) {
+  MeshedObject out{name, {}, {}, source.origin};
+  out.result.mesh = triangles_of(source);
+  for (CriterionErrors* errors : {&out.result.distance, &out.result.normal_angle})
+    errors->measured = errors->certified = true;
+  return out;
+}
+
+/// In the object's own space.
+Result<MeshedObject> mesh_object(const Document& document, const Object& object, const MeshRequest& request,
+                                 const CancelToken& cancel, const Progress& progress) {
+  if (const MeshSource* facets = object.mesh())
+    return request.decimate ? decimated(*facets, object.name, request, cancel, progress)
+                            : as_it_is(*facets, object.name);
+  const auto built = object_surface(document, object, cancel);
+  if (cancel.cancelled()) return make_error(e_cancelled, "The meshing was cancelled.");
+  if (!built.ok()) return named(built.error(), object.name);
+  return mesh_of(built->surface, object.name, request, cancel, progress);
+}
+
 }  // namespace
+
+void MeshedObject::add(const FileRounding& rounding) {
+  result.distance.largest += rounding.distance;
+  result.distance.bound += rounding.distance;
+  result.normal_angle.largest += rounding.turn;
+  result.normal_angle.bound += rounding.turn;
+  result.fold_angle.largest += 2 * rounding.turn;
+}
 
 Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel, const Progress& progress) {
@@ -97,25 +130,17 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
   for (const auto& object : document.objects) {
     const Progress part = progress.part(number / count, (number + 1) / count);
     ++number;
-    const MeshSource* reference = request.meshes ? object->mesh() : nullptr;
-    if (!object->visible || !(object->has_surface() || reference)) continue;
-    const MeshRequest own{in_object_space(request.options, object->transform.scale), request.errors};
-    if (reference) {
-      auto made = decimated(*reference, object->name, own, cancel, part);
-      if (!made.ok()) return made.error();
-      place(made.value(), object->transform);
-      out.push_back(std::move(made).value());
-      out.back().colour = colour_of(*object);
-      continue;
-    }
-    const auto built = object_surface(document, *object, cancel);
-    if (cancel.cancelled()) return make_error(e_cancelled, "The meshing was cancelled.");
-    if (!built.ok()) return named(built.error(), object->name);
-    auto made = mesh_of(built->surface, object->name, own, cancel, part);
+    if (!object->visible || !has_shape(*object)) continue;
+    MeshRequest own = request;
+    const std::optional<double> digits = share_of_digits(*object, request);
+    if (digits) *own.options.criteria.distance -= *digits;
+    own.options = in_object_space(own.options, object->transform.scale);
+    auto made = mesh_object(document, *object, own, cancel, part);
     if (!made.ok()) return made.error();
     place(made.value(), object->transform);
     out.push_back(std::move(made).value());
     out.back().colour = colour_of(*object);
+    out.back().most_rounding = digits;
   }
   if (out.empty())
     return make_error(e_no_surface, "There is nothing to approximate.", "Show an object or import one.");

@@ -1,11 +1,12 @@
 #pragma once
 
-// The surfaces of a document as triangles under tolerances.
+// The visible objects of a document as triangles under tolerances.
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/files/file_digits.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/approximation/error_map.hpp"
 #include "core/document/document.hpp"
@@ -20,16 +21,26 @@ struct MeshedObject {
   std::optional<MeshErrorMap> errors;  ///< where asked for; places are relative to `surface_origin`
   Vector3 surface_origin = Vector3::Zero();
   MeshColour colour = usual_mesh_colour;
+  /// The part of the tolerance that was left for the file's digits; nothing where no distance was promised.
+  std::optional<double> most_rounding = {};
+
+  NamedTriangles named() const { return {name, &result.mesh, colour, most_rounding}; }
+  /// Adds what the digits of the file did to what is known of the mesh.
+  void add(const FileRounding& rounding);
 };
 
 struct MeshRequest {
   MeshOptions options;
-  bool errors = false;  ///< maps the errors too
-  bool meshes = false;  ///< reference meshes are decimated, else left out
+  bool errors = false;    ///< maps the errors too
+  bool decimate = false;  ///< reference facets get fewer under the tolerances, else they stay as they are
+  /// The digits of the file that the meshes are for: the distance holds for its numbers (at least half is
+  /// left for the mesh).
+  FileDigits digits = {};
 };
 
-/// The visible surfaces of a document, each at quality `final`. Errors: those of rebuilding, `approximate`
-/// and `decimate`, with the object's name; E_NO_SURFACE when there is nothing to mesh; E_CANCELLED.
+/// All that is visible in a document: surfaces at quality `final`, and reference facets. Errors: those of
+/// rebuilding, `approximate` and `decimate`, with the object's name; E_NO_SURFACE when there is nothing to
+/// mesh; E_CANCELLED.
 Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const MeshRequest& request,
                                                 const CancelToken& cancel = {},
                                                 const Progress& progress = {});

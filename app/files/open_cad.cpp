@@ -13,23 +13,41 @@ DisplaySettings display_of(const CadPart& part) {
   return out;
 }
 
-/// Adds what a part consists of; the patches come first.
+/// Adds one object.
+Result<Document> with_object(const Document& document, const std::string& name, Source source,
+                             const DisplaySettings& display, bool visible = true) {
+  auto added = add_object(document, name, std::move(source), {}, display);
+  if (!added.ok()) return added.error();
+  return visible ? Result<Document>(std::move(added).value().document)
+                 : set_visible(added->document, added->id, false);
+}
+
+Result<Document> with_patches(const Document& document, std::vector<BezierPatch> patches,
+                              const std::string& name, const DisplaySettings& display, bool visible) {
+  auto source = BezierSource::from_patches(std::move(patches));
+  if (!source.ok()) return source.error();
+  return with_object(document, name, std::move(source).value(), display, visible);
+}
+
+/// Adds what a part consists of: patches, facets, and the exact patches of spline faces that are facets,
+/// which are hidden as the same shape is there already.
 Result<Document> with_part(Document document, CadPart part, const std::string& name) {
   const DisplaySettings display = display_of(part);
   const bool both = !part.patches.empty() && part.mesh.face_count() > 0;
   if (!part.patches.empty()) {
-    auto source = BezierSource::from_patches(std::move(part.patches));
-    if (!source.ok()) return source.error();
-    auto added = add_object(document, name, std::move(source).value(), {}, display);
-    if (!added.ok()) return added.error();
-    document = std::move(added).value().document;
+    auto next = with_patches(document, std::move(part.patches), name, display, true);
+    if (!next.ok()) return next;
+    document = std::move(next).value();
   }
-  if (part.mesh.face_count() == 0) return document;
-  auto source = MeshSource::from_mesh(std::move(part.mesh));
-  if (!source.ok()) return source.error();
-  auto added = add_object(document, both ? name + " (mesh)" : name, std::move(source).value(), {}, display);
-  if (!added.ok()) return added.error();
-  return std::move(added).value().document;
+  if (part.mesh.face_count() > 0) {
+    auto source = MeshSource::from_mesh(std::move(part.mesh));
+    if (!source.ok()) return source.error();
+    auto next = with_object(document, both ? name + " (mesh)" : name, std::move(source).value(), display);
+    if (!next.ok()) return next;
+    document = std::move(next).value();
+  }
+  if (part.also_exact.empty()) return document;
+  return with_patches(document, std::move(part.also_exact), name + " (patches)", display, false);
 }
 
 }  // namespace

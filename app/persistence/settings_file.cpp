@@ -76,6 +76,7 @@ void visit_export(AnyExport& e, Visitor& visitor) {
   visitor.number("scale", e.choices.scale, 1e-6, 1e6);
   visitor.flag("y_up", e.choices.y_up);
   visitor.flag("ascii", e.choices.ascii);
+  visitor.flag("to_zero", e.choices.to_zero);
 }
 
 template <class AnyChoices, class Visitor>

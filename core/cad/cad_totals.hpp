@@ -12,6 +12,7 @@ struct CadTotals {
   std::size_t unreached = 0;  ///< faces that do not keep the tolerance
   double distance = 0;        ///< largest measured between a surface and its faces, length
   double normal_jump = 0;     ///< largest across smooth edges, radians
+  std::size_t left_out = 0;   ///< visible objects of reference facets, which such files do not hold
 
   bool all_exact() const { return exact == faces; }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/document/object_box.hpp"
+#include "core/document/object_shape.hpp"
 
 namespace hariko {
 
@@ -23,7 +24,7 @@ Document remove_paper(const Document& document) {
 std::vector<ObjectId> unfoldable_objects(const Document& document) {
   std::vector<ObjectId> out;
   for (const auto& object : document.objects)
-    if (object->visible && (object->has_surface() || object->mesh())) out.push_back(object->id);
+    if (object->visible && has_shape(*object)) out.push_back(object->id);
   std::sort(out.begin(), out.end());
   return out;
 }

@@ -14,6 +14,7 @@ struct FileChoices {
   double scale = 1;          ///< all lengths are multiplied by it; above 0, finite
   bool y_up = false;         ///< else z
   bool ascii = false;        ///< text; else binary, where the format has both
+  bool to_zero = false;      ///< triangles: the middle of the box of all that is written comes to lie at zero
 
   friend bool operator==(const FileChoices&, const FileChoices&) = default;
 };

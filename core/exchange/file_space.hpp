@@ -22,7 +22,8 @@ struct FileSpace {
 };
 
 /// The mesh as it stands in the file. O(size).
-TriangleMesh in_space(const FileSpace& space, TriangleMesh mesh);
-PolygonMesh in_space(const FileSpace& space, PolygonMesh mesh);
+/// Afterwards moved by `-zero`, which is a point of the file.
+TriangleMesh in_space(const FileSpace& space, TriangleMesh mesh, const Vector3& zero = Vector3::Zero());
+PolygonMesh in_space(const FileSpace& space, PolygonMesh mesh, const Vector3& zero = Vector3::Zero());
 
 }  // namespace hariko

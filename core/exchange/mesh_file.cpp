@@ -56,29 +56,87 @@ Result<std::string> bytes_of(const std::string& extension, std::span<const Mesh>
   return write_gltf(meshes, metres_per_unit, extension == ".glb" ? GltfForm::binary : GltfForm::text);
 }
 
+/// The space of a file of these choices, and the length of its unit.
+struct FilePlan {
+  FileSpace space;
+  double metres_per_file_unit = 0.001;
+};
+
+FilePlan plan_of(const FormatChoices& choices, const WriteOptions& options) {
+  FilePlan out;
+  out.metres_per_file_unit =
+      choices.unit ? options.metres_per_file_unit.value_or(options.metres_per_unit) : options.metres_per_unit;
+  out.space = {// 1 exactly where both units are the same
+               options.factor * (options.metres_per_unit / out.metres_per_file_unit),
+               choices.up ? options.up : UpAxis::z};
+  return out;
+}
+
+Eigen::AlignedBox3d box_of(std::span<const NamedTriangles> meshes) {
+  Eigen::AlignedBox3d box;
+  for (const NamedTriangles& named : meshes)
+    for (const Vector3& position : named.mesh->positions) box.extend(named.mesh->origin + position);
+  return box;
+}
+
+Eigen::AlignedBox3d box_of(std::span<const NamedPolygons> meshes) {
+  Eigen::AlignedBox3d box;
+  for (const NamedPolygons& named : meshes)
+    for (const Vector3& position : named.mesh->positions) box.extend(position);
+  return box;
+}
+
+/// Meshes as they stand in the file, with what its digits do to them.
 template <class Mesh>
-Result<Done> write_meshes(const std::filesystem::path& path, std::span<const Mesh> meshes,
-                          const WriteOptions& options) {
+struct Prepared {
+  std::vector<Mesh> named;
+  std::deque<std::remove_const_t<std::remove_pointer_t<decltype(Mesh::mesh)>>> moved;
+  WrittenMeshes report;
+  double metres_per_file_unit = 0.001;
+};
+
+template <class Mesh>
+Result<Prepared<Mesh>> prepare(const std::filesystem::path& path, std::span<const Mesh> meshes,
+                               const WriteOptions& options) {
   const auto choices = written_format(path);
   if (!choices)
     return in_file(
         path, make_error(e_format_unknown, "The extension stands for no mesh format that can be written.",
                          "Use " + std::string(written_mesh_endings) + "."));
-  const double metres_per_file_unit = choices->unit
-                                          ? options.metres_per_file_unit.value_or(options.metres_per_unit)
-                                          : options.metres_per_unit;
-  const FileSpace space{// 1 exactly where both units are the same
-                        options.factor * (options.metres_per_unit / metres_per_file_unit),
-                        choices->up ? options.up : UpAxis::z};
-  std::vector<Mesh> named(meshes.begin(), meshes.end());
-  std::deque<std::remove_const_t<std::remove_pointer_t<decltype(Mesh::mesh)>>> moved;
-  if (!space.is_same())
-    for (Mesh& mesh : named) mesh.mesh = &moved.emplace_back(in_space(space, *mesh.mesh));
-  const auto bytes =
-      bytes_of(lower_ending(path), std::span<const Mesh>(named), metres_per_file_unit, options.encoding);
+  const FilePlan plan = plan_of(*choices, options);
+  Prepared<Mesh> out;
+  out.metres_per_file_unit = plan.metres_per_file_unit;
+  out.named.assign(meshes.begin(), meshes.end());
+  if (const auto box = box_of(meshes); options.to_zero && !box.isEmpty())
+    out.report.moved = plan.space.placed(box.center());
+  if (!plan.space.is_same() || !out.report.moved.isZero(0))
+    for (Mesh& mesh : out.named)
+      mesh.mesh = &out.moved.emplace_back(in_space(plan.space, *mesh.mesh, out.report.moved));
+  FileNumbers numbers = file_numbers(path, options);
+  numbers.scale /= plan.space.factor;
+  for (const Mesh& mesh : out.named) {
+    FileRounding rounding = rounding_of(*mesh.mesh, numbers);
+    rounding.distance /= plan.space.factor;
+    rounding.size /= plan.space.factor;
+    const double* allowed = mesh.most_rounding ? &*mesh.most_rounding : nullptr;
+    if (ruins(rounding, allowed)) return digits_error(rounding, mesh.name);
+    if (coarse(rounding, allowed)) out.report.warnings.push_back(digits_warning(rounding, mesh.name));
+    out.report.rounding.push_back(rounding);
+  }
+  return out;
+}
+
+template <class Mesh>
+Result<WrittenMeshes> write_meshes(const std::filesystem::path& path, std::span<const Mesh> meshes,
+                                   const WriteOptions& options) {
+  auto prepared = prepare(path, meshes, options);
+  if (!prepared) return prepared.error();
+  const auto bytes = bytes_of(lower_ending(path), std::span<const Mesh>(prepared->named),
+                              prepared->metres_per_file_unit, options.encoding);
   if (!bytes) return in_file(path, bytes.error());
   if (options.cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");
-  return write_file_atomic(path, *bytes);
+  if (auto written = write_file_atomic(path, *bytes); !written) return written.error();
+  return std::move(prepared.value().report);
 }
 
 }  // namespace
@@ -180,13 +238,31 @@ Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const Rea
   return mesh;
 }
 
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
-                             const WriteOptions& options) {
+FileNumbers file_numbers(const std::filesystem::path& path, const WriteOptions& options) {
+  const std::string extension = lower_ending(path);
+  const auto choices = written_format(path);
+  if (!choices) return {};
+  const FilePlan plan = plan_of(*choices, options);
+  if (extension == ".stl") return {FileNumbers::Kind::floats, plan.space.factor};
+  if (extension == ".glb" || extension == ".gltf")
+    return {FileNumbers::Kind::local_floats, plan.space.factor * plan.metres_per_file_unit};
+  return {};
+}
+
+Result<WrittenMeshes> check_mesh_file(const std::filesystem::path& path,
+                                      std::span<const NamedTriangles> meshes, const WriteOptions& options) {
+  auto prepared = prepare(path, meshes, options);
+  if (!prepared) return prepared.error();
+  return std::move(prepared.value().report);
+}
+
+Result<WrittenMeshes> write_mesh_file(const std::filesystem::path& path,
+                                      std::span<const NamedTriangles> meshes, const WriteOptions& options) {
   return write_meshes(path, meshes, options);
 }
 
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,
-                             const WriteOptions& options) {
+Result<WrittenMeshes> write_mesh_file(const std::filesystem::path& path,
+                                      std::span<const NamedPolygons> meshes, const WriteOptions& options) {
   return write_meshes(path, meshes, options);
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/exchange/file_rounding.hpp"
 #include "core/exchange/file_space.hpp"
 #include "core/exchange/imported_scene.hpp"
 #include "core/exchange/read_gltf.hpp"
@@ -45,6 +46,7 @@ struct WriteOptions {
   double factor = 1;                                ///< all lengths are multiplied by it; above 0
   UpAxis up = UpAxis::z;
   MeshEncoding encoding = MeshEncoding::binary;  ///< where the format has both
+  bool to_zero = false;                          ///< the middle of the box of all meshes comes to lie at zero
 };
 
 /// What a format leaves to choose.
@@ -59,13 +61,30 @@ std::optional<FormatChoices> written_format(const std::filesystem::path& path);
 /// The endings, as they stand in sentences.
 inline constexpr std::string_view written_mesh_endings = ".obj, .off, .ply, .stl, .3mf, .glb or .gltf";
 
+/// How a file of this name holds coordinates that are in the meshes' unit; exact for endings that are none of
+/// `written_format`.
+FileNumbers file_numbers(const std::filesystem::path& path, const WriteOptions& options);
+
+/// Meshes as they are in a file that was written.
+struct WrittenMeshes {
+  std::vector<FileRounding> rounding;  ///< of each mesh, in the unit of the meshes
+  Vector3 moved = Vector3::Zero();     ///< the point of the file's space that `to_zero` brought to zero
+  std::vector<Message> warnings;       ///< W_FILE_DIGITS
+};
+
+/// Gives what `write_mesh_file` would, without writing. Errors: E_FORMAT_UNKNOWN, E_FILE_DIGITS.
+Result<WrittenMeshes> check_mesh_file(const std::filesystem::path& path,
+                                      std::span<const NamedTriangles> meshes, const WriteOptions& options);
+
 /// Writes meshes in the format of the extension: OBJ, OFF, PLY, STL, 3MF or glTF (.glb, .gltf),
 /// atomically. Formats that fix the unit, the up axis or the encoding keep to theirs whatever the options
-/// say. Errors: E_FORMAT_UNKNOWN, E_FILE_WRITE, E_CANCELLED (nothing is written then), and those of
-/// `write_stl`, `write_gltf` and `write_3mf`.
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedTriangles> meshes,
-                             const WriteOptions& options = {});
-Result<Done> write_mesh_file(const std::filesystem::path& path, std::span<const NamedPolygons> meshes,
-                             const WriteOptions& options = {});
+/// say. Errors: E_FORMAT_UNKNOWN, E_FILE_DIGITS, E_FILE_WRITE, E_CANCELLED (nothing is written then), and
+/// those of `write_stl`, `write_gltf` and `write_3mf`.
+Result<WrittenMeshes> write_mesh_file(const std::filesystem::path& path,
+                                      std::span<const NamedTriangles> meshes,
+                                      const WriteOptions& options = {});
+Result<WrittenMeshes> write_mesh_file(const std::filesystem::path& path,
+                                      std::span<const NamedPolygons> meshes,
+                                      const WriteOptions& options = {});
 
 }  // namespace hariko

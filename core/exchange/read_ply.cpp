@@ -15,8 +15,6 @@
 namespace hariko {
 namespace {
 
-constexpr const char* remedy_cut = "The file was cut off: copy or export it again.";
-
 /// Numbers of a binary file, one after the other.
 class BinarySource {
  public:

@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t header_size = 80;
 constexpr std::size_t facet_size = 50;  // 12 floats and 2 bytes of attributes
 constexpr int corner_size = 12;         // 3 floats
-constexpr const char* remedy_cut = "The file was cut off: copy or export it again.";
 
 std::uint32_t little_endian_32(const char* bytes) {
   std::uint32_t value = 0;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,11 +24,14 @@ struct NamedTriangles {
   std::string name;
   const TriangleMesh* mesh = nullptr;
   MeshColour colour = usual_mesh_colour;
+  /// Farthest that the file's digits may move a vertex, in the unit of the mesh; nothing: 1e-4 of its size.
+  std::optional<double> most_rounding = {};
 };
 struct NamedPolygons {
   std::string name;
   const PolygonMesh* mesh = nullptr;
   MeshColour colour = usual_mesh_colour;
+  std::optional<double> most_rounding = {};
 };
 
 enum class MeshEncoding { ascii, binary };  ///< of PLY and STL; binary is little-endian
@@ -44,9 +48,10 @@ std::string write_ply(std::span<const NamedTriangles> meshes, MeshEncoding encod
 std::string write_ply(std::span<const NamedPolygons> meshes, MeshEncoding encoding);
 
 /// STL: binary with all meshes as one, text with a solid for each. Equal positions stay equal when rounded to
-/// float, so closed meshes stay closed; polygons are triangulated. Text has the floats that binary has, as
-/// the shortest text that reads back as the same. Fails with E_LIMIT beyond the range of floats, binary also
-/// above 2^32 - 1 triangles. O(size).
+/// float, so closed meshes stay closed; triangles
+/// two corners of which become the same are left out; polygons are triangulated. Text has the floats that
+/// binary has, as the shortest text that reads back as the same. Fails with E_LIMIT beyond the range of
+/// floats, binary also above 2^32 - 1 triangles. O(size).
 Result<std::string> write_stl(std::span<const NamedTriangles> meshes,
                               MeshEncoding encoding = MeshEncoding::binary);
 Result<std::string> write_stl(std::span<const NamedPolygons> meshes,

@@ -28,9 +28,10 @@ void append_normal(std::string& out, const Vector3& n) {
 std::string write_obj(std::span<const NamedTriangles> meshes) {
   std::string out;
   std::size_t first_vertex = 1, first_normal = 1;  // OBJ counts from 1, over all objects
-  for (const auto& [name, mesh, colour] : meshes) {
+  for (const NamedTriangles& named : meshes) {
+    const TriangleMesh* mesh = named.mesh;
     const bool has_normals = !mesh->normal_triangles.empty();
-    out += "o " + name_for_file(name) + '\n';
+    out += "o " + name_for_file(named.name) + '\n';
     for (const Vector3& p : mesh->positions) append_position(out, mesh->origin + p);
     if (has_normals)
       for (const Vector3& n : mesh->normals) append_normal(out, n);
@@ -54,8 +55,9 @@ std::string write_obj(std::span<const NamedTriangles> meshes) {
 std::string write_obj(std::span<const NamedPolygons> meshes) {
   std::string out;
   std::size_t first_vertex = 1;
-  for (const auto& [name, mesh, colour] : meshes) {
-    out += "o " + name_for_file(name) + '\n';
+  for (const NamedPolygons& named : meshes) {
+    const PolygonMesh* mesh = named.mesh;
+    out += "o " + name_for_file(named.name) + '\n';
     for (const Vector3& p : mesh->positions) append_position(out, p);
     for (std::size_t f = 0; f < mesh->face_count(); ++f) {
       out += 'f';

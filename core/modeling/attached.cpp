@@ -6,6 +6,7 @@
 #include "core/document/edit_attachments.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_polyhedron.hpp"
+#include "core/skinning/local_skin.hpp"
 #include "core/surface/weld_patches.hpp"
 
 namespace hariko {
@@ -312,17 +313,13 @@ Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Qua
 
 Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, Quality quality,
                                                const CancelToken& cancel) {
-  Skin skin = *source.skin;
-  std::vector<Vector3> positions;
-  change_positions(skin, [&](const Vector3& position) { positions.push_back(position); });
-  const Vector3 origin = origin_for(positions);
-  change_positions(skin, [&](Vector3& position) { position -= origin; });
+  const LocalSkin local = local_skin(*source.skin);
   progress_.report(1);  // until something is left to do
   SkinWork work;
   work.cancel = cancel;
   work.progress = progress_;
   work.moving = quality == Quality::drag;
-  auto made = skinner_.surface(skin, origin, work);
+  auto made = skinner_.surface(local.skin, local.origin, work);
   if (!made) return made.error();
   return whole(std::move(made->surface), std::move(made->result.warnings));
 }

@@ -5,6 +5,7 @@
 #include "core/approximation/surface_foot.hpp"
 #include "core/modeling/surface_input.hpp"
 #include "core/skinning/evaluate_skin.hpp"
+#include "core/skinning/local_skin.hpp"
 
 namespace hariko {
 
@@ -53,8 +54,9 @@ double distance_between(const Surface& polyhedron, const Surface& skin, const Ca
 
 Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& cancel,
                                        const Progress& progress) {
+  const LocalSkin local = local_skin(skin);
   auto made =
-      SkinSurfacer().surface(skin, Vector3::Zero(), {.cancel = cancel, .progress = progress.part(0, 0.3)});
+      SkinSurfacer().surface(local.skin, local.origin, {.cancel = cancel, .progress = progress.part(0, 0.3)});
   if (!made) return made.error();
   const SubdivisionPatchSet& patches = *subdivision_patches(made->surface);
   PolygonMesh mesh = made->result.mesh.control.mesh;
@@ -63,6 +65,7 @@ Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& canc
   auto source = PolyhedronSource::from_mesh(std::move(mesh));
   if (!source) return source.error();
   SkinPolyhedron out{*std::move(source), 0, made->result.warnings};
+  out.source.origin += local.origin;
   out.source.shaping = shaping_of(made->surface);
   const auto input = surface_input(out.source);
   if (!input) return input.error();

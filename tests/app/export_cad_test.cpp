@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/export_surfaces.hpp"
+#include "app/files/left_out.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -75,6 +76,27 @@ TEST(ExportCad, ExactFormsAreCalledExact) {
   for (const char* part :
        {"12, 4 of them exact", "off by 0.00031 mm", "0.057\u00b0", "not reached everywhere"})
     EXPECT_NE(told.find(part), std::string::npos) << told;
+}
+
+TEST(ExportCad, ReferenceFacetsAreLeftOutWithACount) {
+  PolygonMesh triangle;
+  triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.add_face({0, 1, 2});
+  const auto with_facets = [&](const Document& document) {
+    return add_object(document, "Scan", MeshSource::from_mesh(triangle).value())->document;
+  };
+  const CadTotals counted = count(with_facets(saddle()), {tolerance});
+  EXPECT_EQ(counted.left_out, 1U);
+  EXPECT_NE(cad_count_text(Language(), counted, Unit::millimetre).find("left out: 1"), std::string::npos);
+  const auto told = left_out_of_cad(with_facets(saddle()));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].code, w_not_written);
+  EXPECT_NE(told[0].text.find("1 (\"Scan\")"), std::string::npos) << told[0].text;
+  EXPECT_TRUE(left_out_of_cad(saddle()).empty());
+  const auto alone = count_cad(with_facets({}), {tolerance});
+  ASSERT_FALSE(alone.ok());
+  EXPECT_EQ(alone.error().code, e_no_surface);
+  EXPECT_NE(alone.error().text.find("reference facets"), std::string::npos) << alone.error().text;
 }
 
 TEST(ExportCad, CountsCanBeCancelledAndSayWhatIsMissing) {

@@ -1,6 +1,8 @@
 // Skins on the command line: the plain layout, `info`, `evaluate` and the control mesh.
 
+#include <array>
 #include <cmath>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 #include "tests/support/places.hpp"
@@ -47,6 +49,40 @@ TEST_F(SkinCommands, EvaluateGivesTheGoldenValues) {
   ASSERT_EQ(smooth.exit_code, 0) << smooth.error;
   EXPECT_EQ(smooth.json()["grid"], Json({7, 8}));
   EXPECT_EQ(smooth.json()["params"].size(), 2U) << "one row a section";
+}
+
+/// The layout with all positions moved.
+Json moved(Json layout, const std::array<double, 3>& by) {
+  const auto move = [&](Json& points) {
+    for (Json& point : points)
+      for (std::size_t axis = 0; axis < 3; ++axis) point[axis] = point[axis].get<double>() + by[axis];
+  };
+  move(layout["path"]["points"]);
+  for (Json& section : layout["sections"]) move(section["points"]);
+  return layout;
+}
+
+TEST_F(SkinCommands, FarFromZeroIsAsPreciseAsAtZero) {
+  const Json far = Json::parse(read_text(test::source_folder() + "/tests/cases/skin_far_from_origin.json"));
+  for (const double place : {0.0, 1e3, 1e6}) {
+    SCOPED_TRACE(place);
+    write_text(path("a.json"), moved(far, {place - 1e6, place - 1e6, place - 1e6}).dump());
+    const Outcome result = run("info --json " + path("a.json"));
+    ASSERT_EQ(result.exit_code, 0) << result.error;
+    const Json object = result.object();
+    EXPECT_NEAR(object["volume"].get<double>(), 14908.3, 0.1);
+    EXPECT_EQ(object["degenerate_samples"], 0);
+    for (const Json& miss : object["skin"]["section_miss"]) EXPECT_LT(miss.get<double>(), 1e-6);
+    const Outcome evaluated = run("evaluate " + path("a.json"));
+    ASSERT_EQ(evaluated.exit_code, 0) << evaluated.error;
+    EXPECT_NEAR(evaluated.json()["control"]["points"][0][2].get<double>(), place, 100);
+    ASSERT_EQ(run("export --control " + path("a.json") + " " + path("a.obj")).exit_code, 0);
+    std::istringstream control(read_text(path("a.obj")));
+    double x = 0, y = 0, z = 0;
+    for (std::string word; control >> word && word != "v";) continue;
+    control >> x >> y >> z;
+    EXPECT_NEAR(z, place, 100);
+  }
 }
 
 TEST_F(SkinCommands, InfoTellsHowNearTheSectionsAre) {

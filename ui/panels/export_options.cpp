@@ -16,6 +16,11 @@ constexpr double to_degrees = 180 / std::numbers::pi;
 /// Of the size: about what an eye tells apart on a screen, and the finest that makes sense to ask for.
 constexpr double usual_tolerance = 5e-4, finest_tolerance = 1e-6;
 
+/// The format of this ending holds fewer digits than the document.
+bool rounds(const std::string& extension) {
+  return file_numbers("a" + extension, {}).kind != FileNumbers::Kind::exact;
+}
+
 Quantity degrees() {
   Quantity quantity = angle_quantity();
   quantity.low = 0;
@@ -77,7 +82,8 @@ void ExportOptions::result_row(const Editor& editor, Marks& marks) const {
   if (!count_) return ImGui::TextDisabled("%s", tr("Counting triangles\u2026"));
   if (!count_->ok()) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().error);
-    ImGui::TextWrapped("%s", tr.text_of(count_->error()).c_str());
+    const Message& error = count_->error();
+    ImGui::TextWrapped("%s", (tr.text_of(error) + " " + tr.remedy_of(error)).c_str());
     return ImGui::PopStyleColor();
   }
   const ExportCount& count = count_->value();
@@ -114,6 +120,13 @@ void ExportOptions::kind_row(const Editor& editor, Marks& marks, const Metrics& 
   ImGui::Checkbox((std::string(tr("selected objects only")) + "##selected").c_str(),
                   &settings_.only_selected);
   marks.item("export.selected");
+  ImGui::SameLine();
+  ImGui::Checkbox((std::string(tr("move to zero")) + "##zero").c_str(), &settings_.choices.to_zero);
+  marks.item("export.zero");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s",
+                      tr("The middle of all that is written comes to lie at zero, which keeps models far "
+                         "away precise in formats of few digits."));
 }
 
 void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& metrics,
@@ -166,6 +179,7 @@ bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metr
                          const std::filesystem::path& name) {
   const Language& tr = editor.language;
   const ExportSettings before = settings_;
+  const std::string extension_before = extension_;
   take_up(name);
   kind_row(editor, marks, metrics);
   if (settings_.by == ExportSettings::By::tolerance) {
@@ -179,13 +193,18 @@ bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metr
   file_row(editor, marks, metrics, written_format(name).value_or(FormatChoices{}));
   result_row(editor, marks);
   if (!extension_.empty()) remembered_[extension_] = settings_;
-  if (settings_.same_triangles(before)) return false;
+  // In a format whose digits count, all that changes the numbers does.
+  const bool digits = rounds(extension_) || rounds(extension_before);
+  if (digits ? extension_ == extension_before && settings_.same_digits(before)
+             : settings_.same_triangles(before))
+    return false;
   count_.reset();
   return true;
 }
 
 void ExportOptions::take(const ExportSettings& settings, const Result<ExportCount>& count) {
-  if (settings.same_triangles(settings_)) count_ = count;
+  if (rounds(extension_) ? settings.same_digits(settings_) : settings.same_triangles(settings_))
+    count_ = count;
 }
 
 }  // namespace hariko

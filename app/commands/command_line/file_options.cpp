@@ -14,6 +14,10 @@ void FileOptions::add_to(CLI::App* command) {
   command->add_option("--scale", scale_, "Multiplies all lengths")->capture_default_str();
   command->add_option("--up", up_, "Axis of the file that points up: z (default) or y")
       ->check(CLI::IsMember({"y", "z"}));
+  command
+      ->add_option("--origin", origin_,
+                   "zero: moves the middle of all that is written to zero; own (default): coordinates stay")
+      ->check(CLI::IsMember({"own", "zero"}));
   command->add_flag("--ascii", ascii_, "STL and PLY as text instead of binary");
   command
       ->add_option("--only", only_, "Name of an object to write instead of all visible ones; may be repeated")
@@ -26,6 +30,8 @@ void FileOptions::check(const std::filesystem::path& out) const {
     throw CLI::ValidationError("--scale", "must be a number above 0");
   const auto format = written_format(out);
   if (ascii_ && !(format && format->encoding)) throw CLI::ValidationError("--ascii", "is for STL and PLY");
+  if (!format && !origin_.empty())
+    throw CLI::ValidationError("--origin", "is for triangles; STEP and IGES hold coordinates as they are");
   if (!format) return;
   if (!unit_.empty() && !format->unit)
     throw CLI::ValidationError("--unit", "glTF files are always in metres");
@@ -40,6 +46,7 @@ FileArguments FileOptions::arguments() const {
   out.choices.scale = scale_;
   out.choices.y_up = up_ == "y";
   out.choices.ascii = ascii_;
+  out.choices.to_zero = origin_ == "zero";
   out.only = only_;
   return out;
 }

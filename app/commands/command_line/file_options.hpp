@@ -16,14 +16,14 @@ namespace hariko {
 
 class FileOptions {
  public:
-  /// --unit, --scale, --up, --ascii, --only
+  /// --unit, --scale, --up, --origin, --ascii, --only
   void add_to(CLI::App* command);
   /// Throws CLI::ValidationError where the format of `out` leaves no choice.
   void check(const std::filesystem::path& out) const;
   FileArguments arguments() const;
 
  private:
-  std::string unit_, up_;
+  std::string unit_, up_, origin_;
   double scale_ = 1;
   bool ascii_ = false;
   std::vector<std::string> only_;

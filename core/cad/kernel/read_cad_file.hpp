@@ -20,6 +20,7 @@ namespace hariko {
 inline constexpr Code e_cad_read{"E_CAD_READ"};
 inline constexpr Code w_cad_patches{"W_CAD_PATCHES"};
 inline constexpr Code w_cad_faces{"W_CAD_FACES"};
+inline constexpr Code w_cad_mixed{"W_CAD_MIXED"};
 
 struct CadReadOptions {
   double tolerance = 0;  ///< between a face and its triangles, mm; 0: `usual_cad_mesh_tolerance` of its part
@@ -32,12 +33,15 @@ inline constexpr std::size_t max_cad_parts = 10'000;
 inline constexpr std::size_t max_cad_patches = 20'000;  ///< of a file; with more all of it is triangles
 inline constexpr std::size_t max_cad_triangles = 20'000'000;
 
-/// Every face is in one of the two; positions in millimetres, absolute.
+/// Every face is in one of the first two; positions in millimetres, absolute.
 struct CadPart {
   std::string name;                                   ///< printable; empty where the file gives none
   std::optional<std::array<std::uint8_t, 3>> colour;  ///< sRGB
   std::vector<BezierPatch> patches;                   ///< of faces that are whole splines, exactly
   PolygonMesh mesh;                                   ///< triangles of all other faces, joined at their edges
+  /// Patches of spline faces whose triangles are in the mesh: they share edges with other faces, and what is
+  /// closed in the file stays one closed mesh.
+  std::vector<BezierPatch> also_exact = {};
 };
 
 struct CadScene {
@@ -47,10 +51,11 @@ struct CadScene {
 
 /// The ending tells the format (asserted to be one). Parts of assemblies stand in their places. A face
 /// becomes patches where its surface is a spline of a degree that patches have and its border runs along the
-/// sides of a rectangle of parameters. Errors: those of `read_file`, E_NO_CAD_KERNEL, E_CAD_READ (no such
-/// file, cut off, or what the kernel says), E_LIMIT, E_CANCELLED. W_CAD_FACES: faces that could not be
-/// triangulated; W_CAD_PATCHES: too many splines for patches. Calls wait for each other and for those of
-/// make_cad_file.
+/// sides of a rectangle of parameters; where it hangs together with faces of other kinds it becomes triangles
+/// with them, and `also_exact` has its patches (W_CAD_MIXED counts such faces). Errors: those of `read_file`,
+/// E_NO_CAD_KERNEL, E_CAD_READ (no such file, cut off, or what the kernel says), E_LIMIT, E_CANCELLED.
+/// W_CAD_FACES: faces that could not be triangulated; W_CAD_PATCHES: too many splines for patches. Calls wait
+/// for each other and for those of make_cad_file.
 Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadOptions& options = {},
                                const CancelToken& cancel = {}, const Progress& progress = {});
 

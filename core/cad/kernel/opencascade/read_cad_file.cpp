@@ -32,6 +32,7 @@
 #include "core/cad/kernel/opencascade/isolated.hpp"
 #include "core/cad/kernel/opencascade/kernel.hpp"
 #include "core/cad/kernel/opencascade/kernel_session.hpp"
+#include "core/cad/kernel/opencascade/mixed_shells.hpp"
 #include "core/cad/kernel/opencascade/scene_bytes.hpp"
 #include "core/cad/kernel/opencascade/triangulated.hpp"
 #include "core/cad/kernel/opencascade/whole_splines.hpp"
@@ -185,6 +186,14 @@ class SceneMaker {
       out_.warnings.push_back(make_warning(
           w_cad_faces, std::to_string(failed_) + " faces could not be made into triangles and are missing.",
           "Repair the model in the program that it comes from."));
+    if (mixed_ > 0)
+      out_.warnings.push_back(
+          make_warning(w_cad_mixed,
+                       "Spline faces that share edges with faces of other kinds became facets with them, so "
+                       "that shapes stay "
+                       "closed (faces: " +
+                           std::to_string(mixed_) + "). Their exact patches are in hidden objects.",
+                       "Show the objects called \"(patches)\" to analyse them, or to export them for CAD."));
     if (out_.parts.empty()) return failed("The file holds no faces.");
     return std::move(out_);
   }
@@ -213,10 +222,14 @@ class SceneMaker {
     BRep_Builder builder;
     builder.MakeCompound(others);
     bool empty = true;
-    for (TopExp_Explorer face(leaf.shape, TopAbs_FACE); face.More(); face.Next(), ++face_) {
+    const std::vector<bool> mixed = beside_others(leaf.shape, whole_faces(leaf.shape));
+    std::size_t own = 0;
+    for (TopExp_Explorer face(leaf.shape, TopAbs_FACE); face.More(); face.Next(), ++face_, ++own) {
       if (face_ < splines_.size() && !splines_[face_].empty()) {
-        std::move(splines_[face_].begin(), splines_[face_].end(), std::back_inserter(part.patches));
-        continue;
+        std::move(splines_[face_].begin(), splines_[face_].end(),
+                  std::back_inserter(mixed[own] ? part.also_exact : part.patches));
+        if (!mixed[own]) continue;
+        ++mixed_;
       }
       builder.Add(others, face.Current());
       empty = false;
@@ -233,10 +246,20 @@ class SceneMaker {
     if (!part.patches.empty() || part.mesh.face_count() > 0) out_.parts.push_back(std::move(part));
   }
 
+  /// One flag a face of the leaf that comes next: it is a whole spline.
+  std::vector<bool> whole_faces(const TopoDS_Shape& shape) const {
+    std::vector<bool> out;
+    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+      const std::size_t number = face_ + out.size();
+      out.push_back(number < splines_.size() && !splines_[number].empty());
+    }
+    return out;
+  }
+
   const CadReadOptions& options_;
   CadScene out_;
   std::vector<std::vector<BezierPatch>> splines_;  ///< of each face of the file
-  std::size_t face_ = 0, failed_ = 0, triangles_ = 0;
+  std::size_t face_ = 0, failed_ = 0, triangles_ = 0, mixed_ = 0;
 };
 
 /// What the kernel's readers have in common, by name.

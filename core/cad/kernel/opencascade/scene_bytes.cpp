@@ -12,8 +12,8 @@ namespace hariko {
 namespace {
 
 /// Codes are constants of the program, so names are enough to find them again.
-constexpr std::array known_codes{e_cad_read,  e_limit,     e_cancelled,  e_file_open,
-                                 e_file_read, w_cad_faces, w_cad_patches};
+constexpr std::array known_codes{e_cad_read,  e_limit,     e_cancelled,   e_file_open,
+                                 e_file_read, w_cad_faces, w_cad_patches, w_cad_mixed};
 
 class Writer {
  public:
@@ -87,6 +87,28 @@ class Reader {
   std::string_view left_;
 };
 
+void write(Writer& out, const std::vector<BezierPatch>& patches) {
+  out.value(patches.size());
+  for (const BezierPatch& patch : patches) {
+    out.value(patch.degree_s);
+    out.value(patch.degree_t);
+    out.list(patch.points);
+    out.list(patch.weights);
+  }
+}
+
+std::vector<BezierPatch> patches_in(Reader& in) {
+  std::vector<BezierPatch> out;
+  for (auto left = in.value<std::size_t>(); left > 0; --left) {
+    BezierPatch& patch = out.emplace_back();
+    patch.degree_s = in.value<int>();
+    patch.degree_t = in.value<int>();
+    patch.points = in.list<Vector3>();
+    patch.weights = in.list<double>();
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string bytes_of(const Result<CadScene>& scene) {
@@ -103,13 +125,8 @@ std::string bytes_of(const Result<CadScene>& scene) {
     out.text(part.name);
     out.value(part.colour.has_value());
     out.value(part.colour.value_or(std::array<std::uint8_t, 3>{}));
-    out.value(part.patches.size());
-    for (const BezierPatch& patch : part.patches) {
-      out.value(patch.degree_s);
-      out.value(patch.degree_t);
-      out.list(patch.points);
-      out.list(patch.weights);
-    }
+    write(out, part.patches);
+    write(out, part.also_exact);
     out.list(part.mesh.positions);
     out.list(part.mesh.face_offsets);
     out.list(part.mesh.face_vertices);
@@ -128,14 +145,8 @@ Result<CadScene> scene_of(std::string_view bytes) {
     const bool coloured = in.value<bool>();
     const auto colour = in.value<std::array<std::uint8_t, 3>>();
     if (coloured) part.colour = colour;
-    for (auto patches = in.value<std::size_t>(); patches > 0; --patches) {
-      BezierPatch patch;
-      patch.degree_s = in.value<int>();
-      patch.degree_t = in.value<int>();
-      patch.points = in.list<Vector3>();
-      patch.weights = in.list<double>();
-      part.patches.push_back(std::move(patch));
-    }
+    part.patches = patches_in(in);
+    part.also_exact = patches_in(in);
     part.mesh.positions = in.list<Vector3>();
     part.mesh.face_offsets = in.list<Index>();
     part.mesh.face_vertices = in.list<Index>();

@@ -1,0 +1,150 @@
+#include "core/exchange/file_rounding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/polyhedron/polyhedron.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Shares of the size: above the first a shape is ruined, below the second it is as good as any in the
+/// format.
+constexpr double ruinous = 1e-4, harmless = 1e-6;
+/// Height of a facet by its longest side, below which it never had an area.
+constexpr double needle = 1e-9;
+
+constexpr const char* way_out =
+    "Move the model to zero as it is written (--origin zero, \"move to zero\" in the dialog), or write OBJ, "
+    "PLY, "
+    "3MF or glTF.";
+
+class Measure {
+ public:
+  Measure(const std::vector<Vector3>& positions, const Vector3& origin, const FileNumbers& numbers)
+      : positions_(positions), origin_(origin), numbers_(numbers) {
+    // The origin of local floats is written as it is.
+    const bool absolute = numbers.kind == FileNumbers::Kind::floats;
+    rounded_.reserve(positions.size());
+    for (const Vector3& position : positions) {
+      const Vector3 whole = absolute ? Vector3(origin + position) : position;
+      rounded_.push_back(whole.unaryExpr([&](double x) { return numbers_.rounded(x); }));
+      if (absolute) rounded_.back() -= origin;
+    }
+  }
+
+  void take(Index a, Index b, Index c) {
+    const std::array corners{a, b, c};
+    for (const Index v : corners) {
+      out_.distance = std::max(out_.distance, (rounded_[v] - positions_[v]).norm());
+      box_.extend(positions_[v]);
+    }
+    const auto area = [&](const std::vector<Vector3>& p) {
+      return Vector3((p[b] - p[a]).cross(p[c] - p[a]));
+    };
+    const Vector3 was = area(positions_), is = area(rounded_);
+    const double longest = std::max({(positions_[b] - positions_[a]).squaredNorm(),
+                                     (positions_[c] - positions_[b]).squaredNorm(),
+                                     (positions_[a] - positions_[c]).squaredNorm()});
+    if (!(was.norm() > needle * longest)) return;
+    if (!(is.norm() > 0))
+      ++out_.collapsed;
+    else
+      out_.turn = std::max(out_.turn, std::atan2(was.cross(is).norm(), was.dot(is)));
+  }
+
+  FileRounding done() {
+    if (!box_.isEmpty()) out_.size = box_.diagonal().norm();
+    return out_;
+  }
+
+ private:
+  const std::vector<Vector3>& positions_;
+  const Vector3 origin_;
+  const FileNumbers numbers_;
+  std::vector<Vector3> rounded_;  ///< relative to the origin as the positions are
+  Eigen::AlignedBox3d box_;
+  FileRounding out_;
+};
+
+std::string three_digits(double value) {
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+  return {text.data(), end.ptr};
+}
+
+std::string facet_count(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " facet" : " facets");
+}
+
+}  // namespace
+
+FileRounding rounding_of(const TriangleMesh& mesh, const FileNumbers& numbers) {
+  if (numbers.kind == FileNumbers::Kind::exact) return {};
+  Measure measure(mesh.positions, mesh.origin, numbers);
+  for (const auto& [a, b, c] : mesh.triangles) measure.take(a, b, c);
+  return measure.done();
+}
+
+FileRounding rounding_of(const PolygonMesh& mesh, const FileNumbers& numbers) {
+  if (numbers.kind == FileNumbers::Kind::exact) return {};
+  std::vector<Vector3> positions = mesh.positions;
+  const Vector3 origin = origin_for(positions);
+  for (Vector3& position : positions) position -= origin;
+  Measure measure(positions, origin, numbers);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 2; k < face.size(); ++k) measure.take(face[0], face[k - 1], face[k]);
+  }
+  return measure.done();
+}
+
+double largest_rounding(const Eigen::AlignedBox3d& box, const FileNumbers& numbers) {
+  if (numbers.kind == FileNumbers::Kind::exact || box.isEmpty()) return 0;
+  const bool absolute = numbers.kind == FileNumbers::Kind::floats;
+  const Vector3 farthest =
+      absolute ? Vector3(box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs())) : Vector3(box.sizes());
+  // Half of the last digit is a share of 2^-24 at the most.
+  constexpr double share = 0.5 * std::numeric_limits<float>::epsilon();
+  return share * farthest.norm();
+}
+
+bool ruins(const FileRounding& rounding, const double* allowed) {
+  return rounding.distance > (allowed ? *allowed : ruinous * rounding.size) ||
+         (rounding.collapsed > 0 && rounding.distance > harmless * rounding.size);
+}
+
+Message digits_error(const FileRounding& rounding, std::string_view name) {
+  const std::string moves = std::string(name) +
+                            ": this format holds 7 to 8 digits, which moves vertices by up to " +
+                            three_digits(rounding.distance);
+  return make_error(e_file_digits,
+                    rounding.collapsed == 0
+                        ? moves + " so far from zero."
+                        : moves + " so far from zero, and flattens " + facet_count(rounding.collapsed) + ".",
+                    way_out);
+}
+
+bool coarse(const FileRounding& rounding, const double* allowed) {
+  return rounding.collapsed > 0 || (!allowed && rounding.distance > harmless * rounding.size);
+}
+
+Message digits_warning(const FileRounding& rounding, std::string_view name) {
+  const std::string moves = std::string(name) +
+                            ": this format holds 7 to 8 digits, which moves vertices by up to " +
+                            three_digits(rounding.distance);
+  return make_warning(w_file_digits,
+                      rounding.collapsed == 0 ? moves + "."
+                                              : moves + ", and leaves out or flattens " +
+                                                    facet_count(rounding.collapsed) + ", smaller than that.",
+                      way_out);
+}
+
+}  // namespace hariko
