@@ -360,9 +360,9 @@ class FrameBuilder {
   std::map<Index, const FrameRequest*> requests_;
   VertexFrames frames_;
   Fan fan_;
-  std::vector<Sector> sectors_;             ///< of all vertices, in order
-  std::vector<std::size_t> sector_begin_;   ///< per vertex, plus one
-  std::vector<bool> unit_;                  ///< per vertex; empty in equal frames
+  std::vector<Sector> sectors_;            ///< of all vertices, in order
+  std::vector<std::size_t> sector_begin_;  ///< per vertex, plus one
+  std::vector<bool> unit_;                 ///< per vertex; empty in equal frames
   Index next_basis_ = 0;
 };
 

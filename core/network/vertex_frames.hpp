@@ -30,8 +30,8 @@ struct VertexFrames {
   std::vector<FrameKind> kind;     ///< per vertex
   std::vector<Index> basis_begin;  ///< per vertex, plus one: basis vectors of v are [begin[v], begin[v + 1])
   std::vector<TangentCoefficients> ends;  ///< per end (2 per half-edge)
-  std::vector<double> length;  ///< per end: length of the edge's vector in the fan, 1 in equal frames
-  std::vector<double> step;    ///< per half-edge: angle between the edges of the corner at its origin
+  std::vector<double> length;   ///< per end: length of the edge's vector in the fan, 1 in equal frames
+  std::vector<double> step;     ///< per half-edge: angle between the edges of the corner at its origin
   std::vector<bool> half_turn;  ///< per half-edge: that angle is a half turn, by connectivity and tags
   /// Per half-edge: the split tangent of the corner at its origin is this times (x of the patch behind the
   /// corner T(edge) + x of the half-edge's own patch T(edge behind)); 1 in equal frames.

@@ -139,8 +139,8 @@ struct PolyhedronSurfacer::State {
   std::optional<PolyhedronSurface> drag(const PolyhedronSurfaceInput& input, const CancelToken& cancel);
   void make_fair() {
     if (!system->fair)
-      system->fair = std::make_unique<FairSystem>(system->mesh, system->network, system->constants,
-                                                  system->given_side);
+      system->fair =
+          std::make_unique<FairSystem>(system->mesh, system->network, system->constants, system->given_side);
   }
   bool wants_round(const PolyhedronSurfaceInput& input) const;
   std::optional<QuarticPatchArray> fair_patches(const std::vector<Vector3>& positions, const Network& network,
@@ -176,10 +176,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   const Frames frames = frames_of(input);
   const bool metric = frames == Frames::metric;
   const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
-                              system->network.frames().charts.frames == frames &&
-                              joins.same_structure(*plan);
-  const bool same_charts =
-      !metric || quality == Quality::drag || plan->polyhedron().positions() == charted;
+                              system->network.frames().charts.frames == frames && joins.same_structure(*plan);
+  const bool same_charts = !metric || quality == Quality::drag || plan->polyhedron().positions() == charted;
   const bool same = same_structure && same_charts && shaping == input.shaping;
   const bool same_but_pins = same_structure && !metric && equal_but_pins(shaping, input.shaping);
   joins = std::move(plan).value();
