@@ -61,9 +61,9 @@ struct FrameOptions {
   Frames frames = Frames::equal;
   /// At border vertices where no crease ends, each at most once.
   std::span<const FrameRequest> requests = {};
-  /// Vertices whose tangents are given: they keep equal angles and unit lengths, as do those with a pin of
-  /// kind `tangents`.
-  std::span<const Index> unit_vertices = {};
+  /// Border half-edges whose curves are given (joins). Their ends keep equal angles and unit lengths, as do
+  /// vertices with a pin of kind `tangents`; along a chain of them all split gains are the same.
+  std::span<const Index> joined = {};
 };
 
 /// Error: E_CORNER_NEEDS_CREASE where an inner vertex tagged corner has fewer than two sharp edges.

@@ -161,7 +161,7 @@ bool PolyhedronSurfacer::State::wants_round(const PolyhedronSurfaceInput& input)
 }
 
 Result<NetworkSystem> PolyhedronSurfacer::State::assemble(const PolyhedronSurfaceInput& input) const {
-  const std::vector<Index> joined = joins.vertices();
+  const std::vector<Index> joined = joins.half_edges();
   return NetworkSystem::assemble(joins.polyhedron(), input.shaping,
                                  {frames_of(input), joins.requests(), joined});
 }
