@@ -18,6 +18,8 @@ namespace {
 constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
 /// Of the object's size: patches that a drag moves less stay as they are.
 constexpr double drag_negligible = 1e-10;
+/// Half-edges up to which frames by measure follow a drag: a surface is then made anew in a frame's time.
+constexpr Index largest_live_frames = 1000;
 
 std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
   const bool fair = mode == Mode::fair;
@@ -177,7 +179,9 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   const bool metric = frames == Frames::metric;
   const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
                               system->network.frames().charts.frames == frames && joins.same_structure(*plan);
-  const bool same_charts = !metric || quality == Quality::drag || plan->polyhedron().positions() == charted;
+  const bool frozen =
+      quality == Quality::drag && input.polyhedron.topology().half_edge_count() > largest_live_frames;
+  const bool same_charts = !metric || frozen || plan->polyhedron().positions() == charted;
   const bool same = same_structure && same_charts && shaping == input.shaping;
   const bool same_but_pins = same_structure && !metric && equal_but_pins(shaping, input.shaping);
   joins = std::move(plan).value();
