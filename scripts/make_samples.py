@@ -171,6 +171,7 @@ def polyhedron(vertices, faces, lists):
     return [
         '        "kind": "polyhedron"',
         '        "mode": "fair"',
+        '        "frames": "metric"',
         '        "origin": [0, 0, 0]',
         rows("vertices", [(i, *vertex) for i, vertex in enumerate(vertices)]),
         rows("faces", [(i, *face) for i, face in enumerate(faces)]),
@@ -299,8 +300,9 @@ def object_text(number_, name, source, cage=True):
 
 
 def document(*objects):
+    version = 2 if any('"frames": "metric"' in text for text in objects) else 1
     return (
-        f'{{\n  "format": "hariko",\n  "version": 1,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": {version},\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 

@@ -33,8 +33,8 @@ struct OutlineConstruction {
 
 /// How surfaces are made, instead of what the document says.
 struct Construction {
-  std::optional<Mode> mode;  ///< of polyhedra; of outlines, where it is `fair` or `g2`
-  bool round = false;        ///< of polyhedra: turns it on; never off
+  std::optional<Mode> mode;           ///< of polyhedra; of outlines, where it is `fair` or `g2`
+  bool round = false;                 ///< of polyhedra: turns it on; never off
   std::optional<Frames> frames = {};  ///< of polyhedra
   OutlineConstruction outlines = {};
   friend bool operator==(const Construction&, const Construction&) = default;

@@ -148,8 +148,7 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
 
   long used = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) used += mesh.outgoing(v) != no_index ? 1 : 0;
-  const FairWeights weights =
-      fair_weights(source.mode == Mode::fair ? source.frames : Frames::equal);
+  const FairWeights weights = fair_weights(source.mode == Mode::fair ? source.frames : Frames::equal);
   JsonWriter json(1);
   json.object([&] {
     json.member("mode", mode_name(source.mode));

@@ -301,10 +301,9 @@ void write_object(Writer& out, const Object& object) {
 
 /// Version 2 knows frames by measure; whatever else was added could not be misread.
 int version_of(const Document& document) {
-  const bool metric =
-      std::any_of(document.objects.begin(), document.objects.end(), [](const auto& object) {
-        return object->polyhedron() && object->polyhedron()->frames != Frames::equal;
-      });
+  const bool metric = std::any_of(document.objects.begin(), document.objects.end(), [](const auto& object) {
+    return object->polyhedron() && object->polyhedron()->frames != Frames::equal;
+  });
   return metric ? 2 : 1;
 }
 

@@ -37,7 +37,8 @@ std::vector<Vector3> nearest_basis(const HalfEdgeMesh& mesh, const VertexFrames&
       if (end.basis[a] == no_index) continue;
       right.row(end.basis[a] - begin) += end.c[a] * tangent.transpose();
       for (std::size_t b = 0; b < 2; ++b)
-        if (end.basis[b] != no_index) square(end.basis[a] - begin, end.basis[b] - begin) += end.c[a] * end.c[b];
+        if (end.basis[b] != no_index)
+          square(end.basis[a] - begin, end.basis[b] - begin) += end.c[a] * end.c[b];
     }
   };
   const Index first = mesh.outgoing(v);
@@ -78,10 +79,10 @@ std::vector<VertexId> vertices_around(const Polyhedron& polyhedron, std::span<co
 Result<PolyhedronSource> freeze_tangents(const PolyhedronSource& source, std::span<const VertexId> vertices) {
   const auto input = surface_input(source);
   if (!input) return input.error();
-  const bool metric = input->frames == Frames::metric &&
-                      (input->mode == Mode::fair || input->mode == Mode::target);
-  const auto system = NetworkSystem::assemble(input->polyhedron, input->shaping,
-                                              {metric ? Frames::metric : Frames::equal});
+  const bool metric =
+      input->frames == Frames::metric && (input->mode == Mode::fair || input->mode == Mode::target);
+  const auto system =
+      NetworkSystem::assemble(input->polyhedron, input->shaping, {metric ? Frames::metric : Frames::equal});
   if (!system) return system.error();
   const std::vector<Vector3> positions = input->polyhedron.positions();
   const auto solution = system->solve(positions, {});

@@ -14,8 +14,8 @@ namespace {
 
 /// Of the mean length: keeps the charts of faces without any size above zero.
 constexpr double least_chart_size = 1e-6;
-/// A rectangle 4000 times as long as wide; narrower faces count as flattened ones. With twice as much, the sides
-/// of a prism of 128 sides and height 100 would.
+/// A rectangle 4000 times as long as wide; narrower faces count as flattened ones. With twice as much, the
+/// sides of a prism of 128 sides and height 100 would.
 constexpr double short_side = 0.01;  ///< of the mean side of a face
 constexpr double least_opening = 5e-4;
 
@@ -93,7 +93,8 @@ class PolygonChart {
     for (std::size_t j = 0; j < n_; ++j) {
       affine_[j].setZero();
       for (std::size_t i = 0; i < n_; ++i)
-        affine_[j] += 2 / double(n_) * std::cos(2 * std::numbers::pi * (double(i) - double(j)) / double(n_)) * p_[i];
+        affine_[j] +=
+            2 / double(n_) * std::cos(2 * std::numbers::pi * (double(i) - double(j)) / double(n_)) * p_[i];
     }
     const double length = affine_[0].norm();
     const Vector2 axis = length > 0 ? Vector2(affine_[0] / length) : Vector2(1, 0);
@@ -106,7 +107,8 @@ class PolygonChart {
 
   /// A face whose affine part has no area, or turns the other way, becomes regular.
   void unfold() {
-    const double opening = det(affine_[0], affine_[1]) / (size_ * size_ * std::sin(2 * std::numbers::pi / double(n_)));
+    const double opening =
+        det(affine_[0], affine_[1]) / (size_ * size_ * std::sin(2 * std::numbers::pi / double(n_)));
     const double share = std::clamp(1 - opening / least_opening, 0.0, 1.0);
     if (share == 0) return;
     for (std::size_t j = 0; j < n_; ++j) {
@@ -170,7 +172,8 @@ FaceCharts equal_charts(const HalfEdgeMesh& mesh) {
   out.dot.resize(count);
   out.area.resize(count);
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    const double step = 2 * std::numbers::pi / double(mesh.side_count(f)), area = split_factor(mesh.side_count(f));
+    const double step = 2 * std::numbers::pi / double(mesh.side_count(f)),
+                 area = split_factor(mesh.side_count(f));
     for (Index h = mesh.face_begin(f), j = 0; h < mesh.face_end(f); ++h, ++j) {
       out.corner[h] = Vector2(std::cos(step * j), std::sin(step * j));
       out.dot[h] = std::cos(step);

@@ -34,7 +34,8 @@ double split_factor(Index sides);
 FaceCharts equal_charts(const HalfEdgeMesh& mesh);
 
 /// Continuous in the positions; the same up to a turn of the plane for any rotation, and scaled as the
-/// polyhedron is. Faces with a corner in `half_turn` (per half-edge) get the regular polygon of the same area.
+/// polyhedron is. Faces with a corner in `half_turn` (per half-edge) get the regular polygon of the same
+/// area.
 FaceCharts metric_charts(const Polyhedron& polyhedron, const std::vector<bool>& half_turn);
 
 }  // namespace hariko

@@ -32,9 +32,9 @@ class NetworkRays {
 
   /// What a solve works in.
   struct Workspace {
-    std::vector<Index> faces;           ///< round the vertices that take part, ascending
-    std::vector<Vector3> tangent;       ///< per half-edge: of the split edge at its origin
-    std::vector<Matrix3> split_point;   ///< per face: a row each for O, Ys and Yc
+    std::vector<Index> faces;          ///< round the vertices that take part, ascending
+    std::vector<Vector3> tangent;      ///< per half-edge: of the split edge at its origin
+    std::vector<Matrix3> split_point;  ///< per face: a row each for O, Ys and Yc
   };
   Workspace make_workspace(std::span<const Index> vertices) const;
 

@@ -230,9 +230,8 @@ void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vec
         const Index at = incident_ends_[i];
         const TangentCoefficients& tangent = edge_ends_[at];
         const double beta = beta_[at / 2];
-        const Vector3 gradient =
-            edge_weight_[at / 2] *
-            (2 * (beta + alpha_[v]) * work.end_tangents[at] - beta * work.end_tangents[at ^ 1U]);
+        const Vector3 gradient = edge_weight_[at / 2] * (2 * (beta + alpha_[v]) * work.end_tangents[at] -
+                                                         beta * work.end_tangents[at ^ 1U]);
         y[tangent.basis[0]] += tangent.c[0] * gradient;
         if (tangent.basis[1] != no_index) y[tangent.basis[1]] += tangent.c[1] * gradient;
       }
@@ -422,10 +421,9 @@ Network NetworkSystem::network(const Solution& solution, std::span<const Vector3
     const Vector3 d = positions[b] - positions[a];
     const Vector3 bend_a = d + network.end[h] - 2 * network.start[h];
     const Vector3 bend_b = -d + network.start[h] - 2 * network.end[h];
-    network.energy +=
-        edge_weight_[e] *
-        (beta_[e] / 3 * (bend_a.squaredNorm() + bend_a.dot(bend_b) + bend_b.squaredNorm()) +
-         alpha_[a] * network.start[h].squaredNorm() + alpha_[b] * network.end[h].squaredNorm());
+    network.energy += edge_weight_[e] *
+                      (beta_[e] / 3 * (bend_a.squaredNorm() + bend_a.dot(bend_b) + bend_b.squaredNorm()) +
+                       alpha_[a] * network.start[h].squaredNorm() + alpha_[b] * network.end[h].squaredNorm());
   }
   return network;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/assert.hpp"
+#include "core/base/disjoint_sets.hpp"
 #include "core/network/fan_angles.hpp"
 #include "core/network/network.hpp"
 
@@ -89,6 +90,7 @@ class FrameBuilder {
     frames_.charts = metric ? metric_charts(polyhedron_, frames_.half_turn) : equal_charts(mesh_);
     if (metric) mark_unit_vertices();
     for (Index v = 0; v < mesh_.vertex_count(); ++v) place_vertex(v);
+    if (metric && !options_.joined.empty()) share_gains();
     return std::move(frames_);
   }
 
@@ -102,8 +104,7 @@ class FrameBuilder {
 
   void mark_unit_vertices() {
     unit_.assign(mesh_.vertex_count(), false);
-    for (const Index v : options_.unit_vertices) unit_[v] = true;
-    for (const FrameRequest& request : options_.requests) unit_[request.vertex] = true;
+    for (const Index h : options_.joined) unit_[mesh_.origin(h)] = unit_[mesh_.target(h)] = true;
     for (const auto& [id, pin] : shaping_.pin)
       if (const Index v = polyhedron_.find(id); v != no_index && pin.kind == Pin::Kind::tangents)
         unit_[v] = true;
@@ -342,6 +343,28 @@ class FrameBuilder {
     }
   }
 
+  /// A side that is given at both ends leaves the surface at one speed, which goes with the gains there.
+  void share_gains() {
+    DisjointSets chains(mesh_.vertex_count());
+    for (const Index h : options_.joined) chains.join(mesh_.origin(h), mesh_.target(h));
+    std::vector<double> logarithms(mesh_.vertex_count(), 0.0), counts(mesh_.vertex_count(), 0.0);
+    const auto for_corners = [&](const auto& body) {
+      std::vector<bool> done(mesh_.vertex_count(), false);
+      for (const Index joined : options_.joined)
+        for (const Index v : {mesh_.origin(joined), mesh_.target(joined)}) {
+          if (done[v]) continue;
+          done[v] = true;
+          for (Index h = mesh_.outgoing(v); h != no_index; h = mesh_.rotate(h))
+            if (!frames_.half_turn[h]) body(chains.find(v), frames_.split_gain[h]);
+        }
+    };
+    for_corners([&](Index chain, double gain) {
+      logarithms[chain] += std::log(gain);
+      counts[chain] += 1;
+    });
+    for_corners([&](Index chain, double& gain) { gain = std::exp(logarithms[chain] / counts[chain]); });
+  }
+
   double mean_logarithm_of_lengths() const {
     double longest = 0, sum = 0;
     const auto length = [&](const FanEdge& each) {
@@ -360,9 +383,9 @@ class FrameBuilder {
   std::map<Index, const FrameRequest*> requests_;
   VertexFrames frames_;
   Fan fan_;
-  std::vector<Sector> sectors_;             ///< of all vertices, in order
-  std::vector<std::size_t> sector_begin_;   ///< per vertex, plus one
-  std::vector<bool> unit_;                  ///< per vertex; empty in equal frames
+  std::vector<Sector> sectors_;            ///< of all vertices, in order
+  std::vector<std::size_t> sector_begin_;  ///< per vertex, plus one
+  std::vector<bool> unit_;                 ///< per vertex; empty in equal frames
   Index next_basis_ = 0;
 };
 

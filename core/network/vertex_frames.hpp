@@ -30,8 +30,8 @@ struct VertexFrames {
   std::vector<FrameKind> kind;     ///< per vertex
   std::vector<Index> basis_begin;  ///< per vertex, plus one: basis vectors of v are [begin[v], begin[v + 1])
   std::vector<TangentCoefficients> ends;  ///< per end (2 per half-edge)
-  std::vector<double> length;  ///< per end: length of the edge's vector in the fan, 1 in equal frames
-  std::vector<double> step;    ///< per half-edge: angle between the edges of the corner at its origin
+  std::vector<double> length;   ///< per end: length of the edge's vector in the fan, 1 in equal frames
+  std::vector<double> step;     ///< per half-edge: angle between the edges of the corner at its origin
   std::vector<bool> half_turn;  ///< per half-edge: that angle is a half turn, by connectivity and tags
   /// Per half-edge: the split tangent of the corner at its origin is this times (x of the patch behind the
   /// corner T(edge) + x of the half-edge's own patch T(edge behind)); 1 in equal frames.
@@ -61,9 +61,9 @@ struct FrameOptions {
   Frames frames = Frames::equal;
   /// At border vertices where no crease ends, each at most once.
   std::span<const FrameRequest> requests = {};
-  /// Vertices whose tangents are given: they keep equal angles and unit lengths, as do those with a pin of
-  /// kind `tangents`.
-  std::span<const Index> unit_vertices = {};
+  /// Border half-edges whose curves are given (joins). Their ends keep equal angles and unit lengths, as do
+  /// vertices with a pin of kind `tangents`; along a chain of them all split gains are the same.
+  std::span<const Index> joined = {};
 };
 
 /// Error: E_CORNER_NEEDS_CREASE where an inner vertex tagged corner has fewer than two sharp edges.

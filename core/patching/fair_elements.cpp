@@ -95,8 +95,7 @@ FairTables::FairTables() : points_(gauss_legendre_unit(int(jump_points))) {
         for (std::size_t j = 0; j < quartic_control_count; ++j)
           for (std::size_t i = 0; i < quartic_control_count; ++i)
             to(Eigen::Index(i), Eigen::Index(j)) +=
-                weight / 2 *
-                (derivatives[a][i] * derivatives[b][j] + derivatives[b][i] * derivatives[a][j]);
+                weight / 2 * (derivatives[a][i] * derivatives[b][j] + derivatives[b][i] * derivatives[a][j]);
       };
       constexpr std::size_t pairs[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
       for (std::size_t p = 0; p < 6; ++p) add(second, pairs[p][0], pairs[p][1], second_[p]);
@@ -117,8 +116,8 @@ FairTables::FairTables() : points_(gauss_legendre_unit(int(jump_points))) {
       const QuarticBasis basis = quartic_basis(point[0], point[1], point[2]);
       for (std::size_t e = 0; e < 6; ++e)
         for (std::size_t k = 0; k < quartic_control_count; ++k)
-          sides_[side][i][e][k] = (e < 3 ? 1 : 2) *
-                                  basis.hessian[k](variable[entries[e][0]], variable[entries[e][1]]);
+          sides_[side][i][e][k] =
+              (e < 3 ? 1 : 2) * basis.hessian[k](variable[entries[e][0]], variable[entries[e][1]]);
     }
 }
 

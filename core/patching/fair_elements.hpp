@@ -60,9 +60,9 @@ class FairTables {
 
 /// One patch's matrices.
 struct PatchParts {
-  ControlMatrix energy;        ///< of its own
-  PatchMatrix dependence;      ///< control points from the patch's unknowns
-  JumpRows first, second;      ///< weighted jump rows at its first and its second split edge
+  ControlMatrix energy;    ///< of its own
+  PatchMatrix dependence;  ///< control points from the patch's unknowns
+  JumpRows first, second;  ///< weighted jump rows at its first and its second split edge
 };
 /// `following`: of the next patch of the face.
 PatchParts patch_parts(const FairTables& tables, const PatchMeasure& patch, const PatchMeasure& following);

@@ -11,12 +11,34 @@ namespace {
 /// Bends of patches count with area^(3 - p)/2 and those of edges alike, with p = 1/2 between long edges that
 /// win (p = 0) and short ones (p = 3, true bending).
 constexpr double area_power = 1.25;
+/// Of the height of a patch to that of the one across its side: lower ones are measured as if they were
+/// higher.
+constexpr double least_ratio = 0.05;
 
 /// Jump over an edge of this length between triangles of these areas: (L / h^3) (h L)^(5/4), 1/h the sum of
 /// the reciprocal heights.
 double jump_measure(double length, double x_left, double x_right) {
   const double height_times_length = 2 * x_left * x_right / (x_left + x_right);
   return std::pow(length, 4.0) * std::pow(height_times_length, area_power - 3);
+}
+
+/// Factor of the height with which a patch is measured. The condition across its side hardly moves the points
+/// of a patch far lower than the other one, so for what its own form wants those of the other would go far.
+double stretch(const HalfEdgeMesh& mesh, const PatchConstants& constants, Index h) {
+  if (!constants.smooth[h]) return 1;
+  const double ratio = constants.x[h] / constants.x[mesh.twin(h)];
+  if (ratio >= least_ratio) return 1;
+  const double share = ratio / least_ratio;
+  return least_ratio * (1 + share * share) / (2 * ratio);
+}
+
+/// The triangle with its height above the side p q times a factor.
+ChartTriangle stretched(const ChartTriangle& t, double factor) {
+  if (factor == 1) return t;
+  const double side = t.pp - 2 * t.pq + t.qq;  // squared
+  // What the squared height gains: determinant = height x side.
+  const double gain = (factor * factor - 1) * t.determinant * t.determinant / side;
+  return {t.pp + gain, t.pq + gain, t.qq + gain, factor * t.determinant};
 }
 
 /// Mean of the squared lengths of a face's edges, kept from zero.
@@ -58,23 +80,30 @@ FairMeasures fair_measures(const HalfEdgeMesh& mesh, const NetworkSystem& networ
   FairMeasures out;
   out.patch.resize(mesh.half_edge_count());
   out.edge.resize(mesh.edge_count());
+  std::vector<double> measured = charts.area;
+  std::vector<double> factor(mesh.half_edge_count(), 1.0);
+  if (metric)
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      factor[h] = stretch(mesh, constants, h);
+      measured[h] *= factor[h];
+    }
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const double membrane = membrane_factor(mesh, network, f, weights.tension);
     const double square = metric ? mean_square(mesh, charts, f) : 1;
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       const Index before = mesh.previous(h);
       PatchMeasure& patch = out.patch[h];
-      const double x = charts.area[h];
+      const double x = measured[h];
       const double scale = metric ? std::pow(x, area_power) : 1;
       patch.triangle = metric ? ChartTriangle{charts.square[h], charts.dot[h], charts.square[mesh.next(h)],
-                                              2 * x}
+                                              2 * charts.area[h]}
                               : regular_triangle(mesh.side_count(f));
+      patch.triangle = stretched(patch.triangle, factor[h]);
       patch.plate = scale;
       patch.membrane = scale * membrane / square;
       patch.pair = weights.pair_distance * (metric ? scale / x : 1);
-      patch.split_jump =
-          weights.curvature_jump *
-          (metric ? jump_measure(std::sqrt(charts.square[h]), x, charts.area[before]) : 1);
+      patch.split_jump = weights.curvature_jump *
+                         (metric ? jump_measure(std::sqrt(charts.square[h]), x, measured[before]) : 1);
       patch.c_centre = constants.c_centre[h];
       patch.c_split = constants.c_split[h];
       patch.own_split = constants.own_split[h];
@@ -85,8 +114,7 @@ FairMeasures fair_measures(const HalfEdgeMesh& mesh, const NetworkSystem& networ
     const Index h = mesh.half_edge_of_edge(e);
     if (!constants.smooth[h]) continue;
     const Index twin = mesh.twin(h);
-    const double measure =
-        metric ? jump_measure(charts.edge_length[e], charts.area[h], charts.area[twin]) : 1;
+    const double measure = metric ? jump_measure(charts.edge_length[e], measured[h], measured[twin]) : 1;
     out.edge[e] = {weights.curvature_jump * measure, constants.c_origin[h], constants.c_target[h],
                    constants.own[h]};
   }

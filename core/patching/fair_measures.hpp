@@ -30,15 +30,15 @@ ChartTriangle regular_triangle(Index sides);  ///< of the regular polygon with u
 
 struct PatchMeasure {
   ChartTriangle triangle;
-  double plate = 1, membrane = 0, pair = 0;  ///< factors of the patch's terms
-  double split_jump = 0;                     ///< factor of the jump over its first split edge
+  double plate = 1, membrane = 0, pair = 0;           ///< factors of the patch's terms
+  double split_jump = 0;                              ///< factor of the jump over its first split edge
   double c_centre = 0, c_split = 0, own_split = 0.5;  ///< of that split edge, as in PatchConstants
   Vector2 corner = Vector2::Zero();                   ///< Y = corner.y Ys + corner.x Yc
 };
 struct EdgeMeasure {
-  double jump = -1;                ///< factor of the jump over the edge; negative on sharp edges
-  double c_start = 0, c_end = 0;   ///< along the edge's half-edge
-  double own = 0.5;                ///< weight of that half-edge's patch in the condition
+  double jump = -1;               ///< factor of the jump over the edge; negative on sharp edges
+  double c_start = 0, c_end = 0;  ///< along the edge's half-edge
+  double own = 0.5;               ///< weight of that half-edge's patch in the condition
 };
 
 struct FairMeasures {

@@ -92,8 +92,7 @@ FairSystem::FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSy
   const Frames frames = network.frames().charts.frames;
   const bool shared = frames == Frames::equal;
   elements_ = std::make_shared<FairElements>(
-      fair_measures(*mesh_, network, constants, weights.value_or(fair_weights(frames))), *mesh_,
-      shared);
+      fair_measures(*mesh_, network, constants, weights.value_or(fair_weights(frames))), *mesh_, shared);
   build_preconditioner(shared);
 }
 
@@ -142,7 +141,8 @@ void FairSystem::build_preconditioner(bool shared) {
   block_.resize(mesh.face_count());
   if (!shared) {
     parallel_for(mesh.face_count(), block_grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) block_[f] = std::make_shared<const Block>(make_block(Index(f)));
+      for (std::size_t f = begin; f < end; ++f)
+        block_[f] = std::make_shared<const Block>(make_block(Index(f)));
     });
     return;
   }
@@ -302,7 +302,8 @@ void FairSystem::apply(Workspace& work, const Field& x, Field& y) const {
         const Index e = mesh.edge(h);
         if (!elements_->edge(e)) continue;
         const bool first = mesh.half_edge_of_edge(e) == h;
-        const JumpColumns& own = first ? elements_->edge(e)->first_columns : elements_->edge(e)->second_columns;
+        const JumpColumns& own =
+            first ? elements_->edge(e)->first_columns : elements_->edge(e)->second_columns;
         FairUnknowns values{};
         add_transposed_product(fair_unknown_count, fair_jump_size, own.data(), work.jump[e].data(),
                                values.data());

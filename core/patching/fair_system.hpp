@@ -1,7 +1,7 @@
 #pragma once
 
-// FairSystem: the linear system of mode FAIR, assembled once per connectivity, tensions and frames, solved for
-// any positions (kuriyama.md section 6).
+// FairSystem: the linear system of mode FAIR, assembled once per connectivity, tensions and frames, solved
+// for any positions (kuriyama.md section 6).
 
 #include <memory>
 #include <optional>
@@ -19,8 +19,8 @@ namespace hariko {
 
 /// Unknowns per face: O, Ys, Yc, then z at both ends of each split edge. Per inner smooth edge: z at both
 /// ends, shared by its faces. Per side on a sharp edge: z at both ends, the side's own. The matrix is kept as
-/// dense elements, shared where faces are equal, and applied face by face; conjugate gradients precondition with the exact inverses
-/// of overlapping face blocks.
+/// dense elements, shared where faces are equal, and applied face by face; conjugate gradients precondition
+/// with the exact inverses of overlapping face blocks.
 class FairSystem {
  public:
   /// `given_side`, per half-edge: the points that serve this border edge are in the base patch, their z is

@@ -174,9 +174,9 @@ std::optional<Message> JoinPlan::request_frame(Index v, const Vertex& vertex) {
   return std::nullopt;
 }
 
-std::vector<Index> JoinPlan::vertices() const {
+std::vector<Index> JoinPlan::half_edges() const {
   std::vector<Index> out;
-  for (const auto& [v, vertex] : vertices_) out.push_back(v);
+  for (const Join& join : joins_) out.push_back(join.half_edge);
   return out;
 }
 

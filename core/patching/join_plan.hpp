@@ -49,7 +49,7 @@ class JoinPlan {
   /// The polyhedron with the ends of joined edges where the sides end.
   const Polyhedron& polyhedron() const { return *polyhedron_; }
   const std::vector<FrameRequest>& requests() const { return requests_; }
-  std::vector<Index> vertices() const;  ///< ends of joined edges, ascending
+  std::vector<Index> half_edges() const;  ///< joined ones, ascending
   bool any_smooth() const;
   /// Half-edges whose tangent planes are given, as a flag each; empty when there are none.
   std::vector<bool> smooth_sides() const;

@@ -6,8 +6,8 @@ namespace hariko {
 
 namespace {
 
-/// s . t / (t . t) of the split vector s of corner h and the vector t of one of the corner's edges: of half-edge
-/// h, or of the one before it.
+/// s . t / (t . t) of the split vector s of corner h and the vector t of one of the corner's edges: of
+/// half-edge h, or of the one before it.
 double split_along(const HalfEdgeMesh& mesh, const VertexFrames& frames, Index h, bool own_edge) {
   if (frames.half_turn[h]) return 0;  // the parts of both sides of the edge cancel
   const auto [first, second] = frames.split_factors(mesh, h);
@@ -35,8 +35,8 @@ PatchConstants patch_constants(const HalfEdgeMesh& mesh, const VertexFrames& fra
     const Index before = mesh.previous(h);
     const double x = out.x[h], x_before = out.x[before];
     out.own_split[h] = x_before / (x_before + x);
-    out.c_centre[h] = 0.75 * (x_before * charts.dot[h] + x * charts.dot[before]) /
-                      ((x_before + x) * charts.square[h]);
+    out.c_centre[h] =
+        0.75 * (x_before * charts.dot[h] + x * charts.dot[before]) / ((x_before + x) * charts.square[h]);
     out.c_split[h] = out.free_split[h] ? 0.0 : 0.75 / (frames.split_gain[h] * (x_before + x));
     out.smooth[h] = !frames.sharp[mesh.edge(h)];
     if (!out.smooth[h]) continue;

@@ -18,6 +18,8 @@ namespace {
 constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
 /// Of the object's size: patches that a drag moves less stay as they are.
 constexpr double drag_negligible = 1e-10;
+/// Half-edges up to which frames by measure follow a drag: a surface is then made anew in a frame's time.
+constexpr Index largest_live_frames = 1000;
 
 std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
   const bool fair = mode == Mode::fair;
@@ -139,8 +141,8 @@ struct PolyhedronSurfacer::State {
   std::optional<PolyhedronSurface> drag(const PolyhedronSurfaceInput& input, const CancelToken& cancel);
   void make_fair() {
     if (!system->fair)
-      system->fair = std::make_unique<FairSystem>(system->mesh, system->network, system->constants,
-                                                  system->given_side);
+      system->fair =
+          std::make_unique<FairSystem>(system->mesh, system->network, system->constants, system->given_side);
   }
   bool wants_round(const PolyhedronSurfaceInput& input) const;
   std::optional<QuarticPatchArray> fair_patches(const std::vector<Vector3>& positions, const Network& network,
@@ -161,7 +163,7 @@ bool PolyhedronSurfacer::State::wants_round(const PolyhedronSurfaceInput& input)
 }
 
 Result<NetworkSystem> PolyhedronSurfacer::State::assemble(const PolyhedronSurfaceInput& input) const {
-  const std::vector<Index> joined = joins.vertices();
+  const std::vector<Index> joined = joins.half_edges();
   return NetworkSystem::assemble(joins.polyhedron(), input.shaping,
                                  {frames_of(input), joins.requests(), joined});
 }
@@ -176,10 +178,10 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   const Frames frames = frames_of(input);
   const bool metric = frames == Frames::metric;
   const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
-                              system->network.frames().charts.frames == frames &&
-                              joins.same_structure(*plan);
-  const bool same_charts =
-      !metric || quality == Quality::drag || plan->polyhedron().positions() == charted;
+                              system->network.frames().charts.frames == frames && joins.same_structure(*plan);
+  const bool frozen =
+      quality == Quality::drag && input.polyhedron.topology().half_edge_count() > largest_live_frames;
+  const bool same_charts = !metric || frozen || plan->polyhedron().positions() == charted;
   const bool same = same_structure && same_charts && shaping == input.shaping;
   const bool same_but_pins = same_structure && !metric && equal_but_pins(shaping, input.shaping);
   joins = std::move(plan).value();

@@ -17,9 +17,9 @@ struct RingEdge {
   bool given = false;  ///< of a border edge: its point is known, not sought
 };
 
-/// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (its area in the chart) and
-/// target[i]. Closed: as many patches as edges. Open: one fewer, and the first and last edge carry no
-/// condition.
+/// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (its area in the
+/// chart) and target[i]. Closed: as many patches as edges. Open: one fewer, and the first and last edge carry
+/// no condition.
 struct Ring {
   Vector3 point = Vector3::Zero();
   bool closed = true;
@@ -215,8 +215,7 @@ class RingSolver {
     Vector3* split_left = &patches_[previous].control[d112v];
     Vector3* split_right = &patches_[h].control[d121w];
     const double own_split = constants_.own_split[h];
-    ring_.edges.push_back(
-        {*split_left - ring_.point, 1 - own_split, own_split, split_left, split_right});
+    ring_.edges.push_back({*split_left - ring_.point, 1 - own_split, own_split, split_left, split_right});
     ring_.x.push_back(constants_.x[h]);
     ring_.x.push_back(constants_.x[previous]);
     // Where a point of a patch is given, its other point of the pair keeps as near to it as it can.

@@ -64,9 +64,16 @@ struct Largest {
 void expect_joined(std::mt19937_64& rng, std::span<const Mode> wanted, Largest& largest) {
   const double factor = chance(rng, 0.5) ? 1.0 : std::pow(10.0, uniform_int(rng, -3, 6));
   const JoinCase given = scaled(random_join_case(rng), factor);
+  std::vector<std::pair<Mode, Frames>> ways;
   for (const Mode mode : wanted) {
+    ways.emplace_back(mode, Frames::equal);
+    if (mode == Mode::target || mode == Mode::fair) ways.emplace_back(mode, Frames::metric);
+  }
+  for (const auto& [mode, frames] : ways) {
     PolyhedronSurfacer surfacer;
-    const auto made = surfacer.rebuild(given.input(mode));
+    PolyhedronSurfaceInput input = given.input(mode);
+    input.frames = frames;
+    const auto made = surfacer.rebuild(input);
     ASSERT_TRUE(made.ok()) << to_string(made.error());
     EXPECT_TRUE(made->report.fair_converged && made->report.g2_converged);
     for (const Join& join : given.joins) {

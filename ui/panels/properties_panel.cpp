@@ -265,11 +265,11 @@ void frames_row(PanelContext& context, const Objects& objects) {
     if (const PolyhedronSource* source = object->polyhedron())
       if (source->mode == Mode::fair || source->mode == Mode::target) shaped.push_back(object);
   if (shaped.empty()) return;
-  const auto metric = common<bool>(
-      shaped, [](const auto& object) { return object->polyhedron()->frames == Frames::metric; });
-  const auto on = check_row(context, "frames", "By measure",
-                            "Angles and lengths of the polyhedron count: uneven cages give even surfaces",
-                            metric);
+  const auto metric =
+      common<bool>(shaped, [](const auto& object) { return object->polyhedron()->frames == Frames::metric; });
+  const auto on =
+      check_row(context, "frames", "By measure",
+                "Angles and lengths of the polyhedron count: uneven cages give even surfaces", metric);
   if (!on) return;
   Result<Document> result = context.editor.history.current();
   for (const auto& object : shaped)
