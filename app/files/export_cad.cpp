@@ -176,6 +176,12 @@ std::vector<Message> warnings_of(const CadExportReport& report) {
   if (!report.file.valid)
     out.push_back(make_warning(w_cad_invalid, "OpenCASCADE's own check does not accept the written shape.",
                                "Look for folds in the surface, or choose a smaller tolerance."));
+  if (report.file.changed_names > 0)
+    out.push_back(make_warning(
+        w_cad_names,
+        "IGES has names of unaccented Latin letters only: " + std::to_string(report.file.changed_names) +
+            " names have \"_\" in the place of others.",
+        "Export as STEP to keep the names."));
   return out;
 }
 

@@ -17,6 +17,7 @@ namespace hariko {
 
 inline constexpr Code w_cad_tolerance{"W_CAD_TOLERANCE"};
 inline constexpr Code w_cad_invalid{"W_CAD_INVALID"};
+inline constexpr Code w_cad_names{"W_CAD_NAMES"};
 
 /// One object as it was written; lengths are the document's, after `scale`.
 struct CadObjectReport {
@@ -50,7 +51,8 @@ CadTotals totals(std::span<const CadObjectReport> objects);
 Result<CadTotals> count_cad(const Document& document, const CadChoices& choices,
                             const CancelToken& cancel = {});
 
-/// W_CAD_TOLERANCE for objects with faces that do not keep it; W_CAD_INVALID where the kernel objects.
+/// W_CAD_TOLERANCE for objects with faces that do not keep it; W_CAD_INVALID where the kernel objects;
+/// W_CAD_NAMES where names lost letters.
 std::vector<Message> warnings_of(const CadExportReport& report);
 
 /// The local time as headers want it: 2026-11-22T12:00:00.

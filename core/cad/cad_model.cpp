@@ -12,6 +12,7 @@
 #include "core/patching/quartic_patch.hpp"
 #include "core/skinning/subdivision_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"
+#include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {
 
@@ -21,7 +22,8 @@ namespace {
 constexpr double curve_share = 0.05, ringed_curve_share = 0.125;
 /// Likewise for what is farther off between the places that the fit looks at.
 constexpr double fit_share = 0.4;
-/// Cubics and quartics have their own degree, the curves of mode G2 are sextics; the rest is interpolated.
+/// Cubics, quartics and polynomial Bezier patches have their own degree, the curves of mode G2 are sextics;
+/// the rest is interpolated.
 constexpr int cubic = 3, quartic_degree = 4, quintic = 5, sextic_degree = 6;
 
 /// The patches may be ordinary quartics: their inner points coincide in pairs, nearly.
@@ -39,6 +41,8 @@ bool may_be_quartics(const Surface& surface, double size) {
 int spline_degree(const Surface& surface) {
   const PatchSet* patches = &surface.patches();
   if (subdivision_patches(surface) || dynamic_cast<const BicubicPatchSet*>(patches)) return cubic;
+  if (const auto* bezier = dynamic_cast<const BezierPatchSet*>(patches))
+    return bezier_degree(*bezier).value_or(quintic);
   return dynamic_cast<const G2PatchSet*>(patches) ? sextic_degree : quintic;
 }
 
@@ -81,7 +85,7 @@ class Maker {
 
  private:
   const CadPiece& piece(const CadUse& use) const { return out_.pieces[use.piece]; }
-  double length(const CadUse& use) const { return double(piece(use).length(use.side)); }
+  double length(const CadUse& use) const { return piece(use).length(use.side); }
   bool whole(const CadUse& use) const { return use.begin == 0 && use.end == length(use); }
 
   PatchPoint point(Index number, double s, double t) const {
@@ -93,11 +97,6 @@ class Maker {
     const PatchPoint p = point(number, at.x(), at.y());
     const Vector3 along = side % 2 == 0 ? p.ds : p.dt;
     return {p.position, side < 2 ? along : Vector3(-along)};
-  }
-  SplineSpace whole_numbers(Index cells) const {
-    SplineSpace space{degree_, {}};
-    for (Index i = 0; i <= cells; ++i) space.breaks.push_back(double(i));
-    return space;
   }
   /// Round extraordinary vertices a subdivision surface is made of ever smaller rings of bicubic pieces;
   /// knots that are there as well make a spline of all but the innermost.
@@ -122,7 +121,7 @@ class Maker {
   SplineSpace side_start(Index number, int side) const {
     const CadPiece& all = out_.pieces[number];
     const bool begin = has_rings(all, side), end = has_rings(all, (side + 1) % 4);
-    return begin || end ? ringed(begin, end) : whole_numbers(all.length(side));
+    return begin || end ? ringed(begin, end) : SplineSpace{degree_, all.knots(side)};
   }
 
   FitLimits curve_limits() const {
@@ -154,7 +153,7 @@ class Maker {
           if (sides_[p][std::size_t(side)].size() < 2) continue;
           divided_[p][std::size_t(side)] =
               fit_curve(
-                  whole_numbers(out_.pieces[p].length(side)),
+                  SplineSpace{degree_, out_.pieces[p].knots(side)},
                   [&](double x) { return side_point(Index(p), side, x); }, curve_limits())
                   .curve;
         }
@@ -291,7 +290,7 @@ class Maker {
     CadFace& face = out_.faces[f];
     face.sides = sides_[f];
     std::array<SplineCurve, 4> curves;
-    SplineSpace s = whole_numbers(piece.columns), t = whole_numbers(piece.rows);
+    SplineSpace s{degree_, piece.s}, t{degree_, piece.t};
     for (int side = 0; side < 4; ++side) {
       SplineCurve& curve = curves[std::size_t(side)] = side_curve(f, side);
       const SplineSpace upward = side < 2 ? curve.space : curve.space.reversed();

@@ -26,7 +26,7 @@ struct CadEdge {
 };
 
 struct CadFace {
-  SplineSurface surface;  ///< over 0 .. columns, 0 .. rows of its piece; the outside is on the left of ds, dt
+  SplineSurface surface;  ///< over the breaks of its piece; the outside is on the left of ds, dt
   std::array<std::vector<Index>, 4> sides;  ///< edges, counter-clockwise
   bool exact = false;                       ///< the surface itself, to rounding
   bool reached = true;                      ///< the tolerance held at the places that the fit looked at

@@ -27,6 +27,12 @@ CellPoint cell_point(const CadCell& cell, double s, double t) {
   return out;
 }
 
+/// The number of the stretch between breaks that x lies in; of two at a break the upper one.
+std::size_t span_of(const std::vector<double>& breaks, double x) {
+  const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, x);
+  return std::size_t(above - breaks.begin()) - 1;
+}
+
 /// Part of side `side` of a patch.
 CellSide on(Index patch, int side, double begin, double end) {
   return {{patch, std::uint8_t(side)}, begin, end, no_index};
@@ -46,7 +52,7 @@ void add_thirds(Index patch, std::vector<CadPiece>& out) {
                     side_parameter(Domain::triangle, before, 0.5)};
     cell.sides = {on(patch, k, 0, 0.5), inside(3 * patch + Index(k), true),
                   inside(3 * patch + Index(before), false), on(patch, before, 0.5, 1)};
-    out.push_back({1, 1, {cell}});
+    out.push_back({{0, 1}, {0, 1}, {cell}, {}});
   }
 }
 
@@ -76,7 +82,7 @@ std::vector<CadPiece> chart_pieces(const G2PatchSet& patches) {
       // Side 1 of a patch is the face's: corner 0 is the centre.
       cell.sides = {on(of_face[f][k], 1, 0, 0.5), inside(first_inner + k, true),
                     inside(first_inner + before, false), on(of_face[f][before], 1, 0.5, 1)};
-      out.push_back({1, 1, {cell}});
+      out.push_back({{0, 1}, {0, 1}, {cell}, {}});
     }
     first_inner += n;
   }
@@ -90,12 +96,20 @@ const CadCell& CadPiece::cell(int side, Index at) const {
     case 0:
       return cells[at];
     case 1:
-      return cells[at * columns + columns - 1];
+      return cells[at * columns() + columns() - 1];
     case 2:
-      return cells[(rows - 1) * columns + columns - 1 - at];
+      return cells[(rows() - 1) * columns() + columns() - 1 - at];
     default:
-      return cells[(rows - 1 - at) * columns];
+      return cells[(rows() - 1 - at) * columns()];
   }
+}
+
+std::vector<double> CadPiece::breaks(int side) const {
+  const std::vector<double>& upward = side % 2 == 0 ? s : t;
+  if (side < 2) return upward;
+  std::vector<double> out;
+  for (auto at = upward.rbegin(); at != upward.rend(); ++at) out.push_back(upward.back() - *at);
+  return out;
 }
 
 Vector2 CadPiece::parameter(int side, double x) const {
@@ -103,11 +117,11 @@ Vector2 CadPiece::parameter(int side, double x) const {
     case 0:
       return {x, 0};
     case 1:
-      return {double(columns), x};
+      return {s.back(), x};
     case 2:
-      return {double(columns) - x, double(rows)};
+      return {s.back() - x, t.back()};
     default:
-      return {0, double(rows) - x};
+      return {0, t.back() - x};
   }
 }
 
@@ -121,14 +135,14 @@ std::vector<CadPiece> cad_pieces(const Surface& surface) {
 }
 
 PatchPoint evaluate(const Surface& surface, const CadPiece& piece, double s, double t) {
-  const auto column = Index(std::clamp(std::floor(s), 0.0, double(piece.columns) - 1));
-  const auto row = Index(std::clamp(std::floor(t), 0.0, double(piece.rows) - 1));
-  const CadCell& cell = piece.cells[row * piece.columns + column];
-  const CellPoint at = cell_point(cell, s - double(column), t - double(row));
+  const std::size_t column = span_of(piece.s, s), row = span_of(piece.t, t);
+  const CadCell& cell = piece.cells[row * piece.columns() + column];
+  const double width = piece.s[column + 1] - piece.s[column], height = piece.t[row + 1] - piece.t[row];
+  const CellPoint at = cell_point(cell, (s - piece.s[column]) / width, (t - piece.t[row]) / height);
   PatchPoint point = cell.chart ? g2_patches(surface)->evaluate_chart(cell.patch, at.at, Order::first)
                                 : surface.patches().evaluate(cell.patch, at.at, Order::first);
-  const Vector3 by_s = at.by_s.x() * point.ds + at.by_s.y() * point.dt;
-  const Vector3 by_t = at.by_t.x() * point.ds + at.by_t.y() * point.dt;
+  const Vector3 by_s = (at.by_s.x() * point.ds + at.by_s.y() * point.dt) / width;
+  const Vector3 by_t = (at.by_t.x() * point.ds + at.by_t.y() * point.dt) / height;
   point.ds = by_s;
   point.dt = by_t;
   return point;

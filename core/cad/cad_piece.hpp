@@ -4,9 +4,11 @@
 // model.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/surface/surface.hpp"
+#include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {
 
@@ -26,13 +28,25 @@ struct CadCell {
   std::array<CellSide, 4> sides;   ///< counter-clockwise, as sides of squares
 };
 
-/// columns x rows cells, row by row, over 0 <= s <= columns, 0 <= t <= rows. Between its cells the surface
-/// has two continuous derivatives by s and t.
+/// Cells, row by row, between the breaks by s and t, which ascend from 0. Between its cells the surface is as
+/// smooth as a spline of its degree with simple knots there.
 struct CadPiece {
-  Index columns = 1, rows = 1;
+  std::vector<double> s{0, 1}, t{0, 1};
   std::vector<CadCell> cells;
+  /// Of each side: the breaks at which its curve is more than one polynomial, with both ends. None: all.
+  std::array<std::vector<double>, 4> side_knots;
 
-  Index length(int side) const { return side % 2 == 0 ? columns : rows; }
+  Index columns() const { return Index(s.size() - 1); }
+  Index rows() const { return Index(t.size() - 1); }
+  Index cell_count(int side) const { return side % 2 == 0 ? columns() : rows(); }
+  /// Where a side ends in its own parameter, which begins at 0.
+  double length(int side) const { return side % 2 == 0 ? s.back() : t.back(); }
+  /// The breaks along a side, counter-clockwise.
+  std::vector<double> breaks(int side) const;
+  /// Those that the side's curve needs.
+  std::vector<double> knots(int side) const {
+    return side_knots[std::size_t(side)].empty() ? breaks(side) : side_knots[std::size_t(side)];
+  }
   /// The cell at place `at` along a side, counter-clockwise.
   const CadCell& cell(int side, Index at) const;
   /// (s, t) of the point at x in 0 .. length(side) along a side, counter-clockwise.
@@ -40,14 +54,18 @@ struct CadPiece {
 };
 
 /// Pieces that cover a surface once. Squares become faces as they are, or rectangles of faces where they are
-/// pieces of one bicubic spline; triangles three squares each, round their corners, which have no degenerate
+/// pieces of one spline; triangles three squares each, round their corners, which have no degenerate
 /// sides; faces of mode G2 as many squares as they have corners. No piece meets itself. O(patches).
 std::vector<CadPiece> cad_pieces(const Surface& surface);
+
+/// The largest degree of the patches, by s or t, where splines can hold all of them: none is rational.
+std::optional<int> bezier_degree(const BezierPatchSet& patches);
 
 /// Point of a piece with derivatives by s and t.
 PatchPoint evaluate(const Surface& surface, const CadPiece& piece, double s, double t);
 
-/// Of squares: rectangles of patches that are pieces of one bicubic spline (cad_pieces).
+/// Of squares: rectangles of patches that are pieces of one spline (cad_pieces): bicubic ones, and Bezier
+/// patches of the degree that `bezier_degree` gives, whose knots may be at uneven distances.
 std::vector<CadPiece> merged_squares(const Surface& surface);
 
 }  // namespace hariko

@@ -162,13 +162,15 @@ class Planner {
     users_.resize(arcs_.size());
     uses_.resize(pieces_.size());
     for (Index p = 0; p < pieces_.size(); ++p)
-      for (int side = 0; side < 4; ++side)
-        for (Index at = 0; at < pieces_[p].length(side); ++at) {
+      for (int side = 0; side < 4; ++side) {
+        const std::vector<double> breaks = pieces_[p].breaks(side);
+        for (Index at = 0; at < pieces_[p].cell_count(side); ++at) {
           const CellSide& cell = pieces_[p].cell(side, at).sides[std::size_t(side)];
           auto& list = uses_[p][std::size_t(side)];
+          const double low = breaks[at], width = breaks[at + 1] - low;
           const auto add = [&](Index arc, double begin, double end) {
             users_[arc].push_back({p, side, Index(list.size())});
-            list.push_back({arc, double(at) + begin, double(at) + end});
+            list.push_back({arc, low + begin * width, end == 1 ? breaks[at + 1] : low + end * width});
           };
           if (cell.side.patch == no_index) {
             add(first_inner_arc_ + cell.inner, 0, 1);
@@ -182,6 +184,7 @@ class Planner {
           for (std::size_t i = from; i < to; ++i)
             add(arcs_[first_arc_[here] + i].same, fraction(i), fraction(i + 1));
         }
+      }
   }
 
   struct User {
@@ -262,8 +265,9 @@ class Planner {
     return no_index;
   }
   bool runs_along(const CadUse& stretch, const ArcUse& item) const {
-    const auto at = Index(std::min(std::floor(0.5 * (item.begin + item.end)),
-                                   double(pieces_[stretch.piece].length(stretch.side)) - 1));
+    const std::vector<double> breaks = pieces_[stretch.piece].breaks(stretch.side);
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, 0.5 * (item.begin + item.end));
+    const auto at = Index(above - breaks.begin() - 1);
     const CellSide& cell = pieces_[stretch.piece].cell(stretch.side, at).sides[std::size_t(stretch.side)];
     if (cell.side.patch == no_index) return cell.begin < cell.end;
     const std::size_t here = slot(cell.side);

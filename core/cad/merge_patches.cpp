@@ -1,11 +1,16 @@
-// Rectangles of square patches that are pieces of one bicubic spline.
+// Rectangles of square patches that are pieces of one spline.
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
+#include "core/cad/bezier_joint.hpp"
 #include "core/cad/cad_piece.hpp"
+#include "core/cad/spline.hpp"
 #include "core/skinning/subdivision_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"
 
@@ -18,11 +23,22 @@ constexpr Index longest_side = 128;
 /// Two derivatives that agree to this, of the patch's size, are one spline's.
 constexpr double same = 1e-10;
 
+/// Two widths that agree to this, of the wider, are one column's.
+constexpr double same_width = 1e-9;
+
 /// A patch, turned so that its side `turn` is the cell's side 0.
 struct Placed {
   Index patch = no_index;
   int turn = 0;
 };
+/// Beyond a side of a cell; `width` across the side, of the cell's own.
+struct Neighbour {
+  Placed placed;
+  double width = 1;
+};
+bool equal_widths(double a, double b) {
+  return std::abs(a - b) <= same_width * std::max(a, b);
+}
 
 /// Value and derivatives by x along a side and y into the patch.
 struct SideJet {
@@ -46,7 +62,15 @@ SideJet side_jet(const Surface& surface, PatchSide side, double at) {
 class Merger {
  public:
   explicit Merger(const Surface& surface)
-      : surface_(surface), across_(4 * surface.patch_count()), neighbours_(4 * surface.patch_count()) {
+      : surface_(surface),
+        bezier_(dynamic_cast<const BezierPatchSet*>(&surface.patches())),
+        across_(4 * surface.patch_count()),
+        width_(4 * surface.patch_count(), 1),
+        neighbours_(4 * surface.patch_count()) {
+    if (bezier_) {
+      degree_ = bezier_degree(*bezier_).value_or(0);
+      rounding_ = rounding_of(surface);
+    }
     for (const Seam& seam : surface.seams()) {
       neighbours_[slot(seam.first)].push_back(seam.second.patch);
       neighbours_[slot(seam.second)].push_back(seam.first.patch);
@@ -56,9 +80,13 @@ class Merger {
       }
       const bool whole =
           seam.first_begin == 0 && seam.first_end == 1 && seam.second_begin == 1 && seam.second_end == 0;
-      if (!whole || !spline(seam.first.patch) || !spline(seam.second.patch) || !smooth(seam)) continue;
+      if (!whole || !spline(seam.first.patch) || !spline(seam.second.patch)) continue;
+      const std::optional<double> width = width_across(seam);
+      if (!width) continue;
       across_[slot(seam.first)] = seam.second;
       across_[slot(seam.second)] = seam.first;
+      width_[slot(seam.first)] = *width;
+      width_[slot(seam.second)] = 1 / *width;
     }
     taken_.assign(surface.patch_count(), 0);
   }
@@ -80,31 +108,49 @@ class Merger {
 
  private:
   struct Rectangle {
-    Index columns = 0, rows = 0;
+    std::vector<double> widths, heights;
     std::vector<Placed> placed;
 
+    Index columns() const { return Index(widths.size()); }
+    Index rows() const { return Index(heights.size()); }
     /// The part of the first columns and rows.
     Rectangle part(Index width, Index height) const {
-      Rectangle out{width, height, {}};
+      Rectangle out{
+          {widths.begin(), widths.begin() + width}, {heights.begin(), heights.begin() + height}, {}};
       for (Index row = 0; row < height; ++row)
-        out.placed.insert(out.placed.end(), placed.begin() + row * columns,
-                          placed.begin() + row * columns + width);
+        out.placed.insert(out.placed.end(), placed.begin() + row * columns(),
+                          placed.begin() + row * columns() + width);
       return out;
     }
+  };
+  struct Row {
+    double height = 0;
+    std::vector<Placed> placed;
   };
 
   static std::size_t slot(PatchSide side) { return 4 * std::size_t(side.patch) + side.side; }
 
-  /// The patch is one bicubic polynomial.
+  /// The patch is one polynomial of the surface's degree.
   bool spline(Index patch) const {
+    if (bezier_)
+      return bezier_->patch(patch).degree_s == degree_ && bezier_->patch(patch).degree_t == degree_;
     if (const SubdivisionPatchSet* set = subdivision_patches(surface_))
       return set->topology().polynomial(patch);
     return dynamic_cast<const BicubicPatchSet*>(&surface_.patches()) != nullptr;
   }
 
+  /// How wide the second patch is where the first is 1 across their seam; nothing where they are not pieces
+  /// of one spline.
+  std::optional<double> width_across(const Seam& seam) const {
+    if (seam.intended == Continuity::g0) return {};
+    if (bezier_)
+      return spline_joint(bezier_->patch(seam.first.patch), seam.first.side,
+                          bezier_->patch(seam.second.patch), seam.second.side, rounding_);
+    return smooth(seam) ? std::optional(1.0) : std::nullopt;
+  }
+
   /// Both sides have the same derivatives up to the second: four places decide for cubics.
   bool smooth(const Seam& seam) const {
-    if (seam.intended == Continuity::g0) return false;
     const double size =
         std::max(surface_.patch_scale(seam.first.patch), surface_.patch_scale(seam.second.patch));
     const auto equal = [&](const Vector3& a, const Vector3& b) {
@@ -120,11 +166,12 @@ class Merger {
   }
 
   /// What lies beyond side `side` of a cell, turned the same way.
-  std::optional<Placed> beyond(const Placed& at, int side) const {
-    const PatchSide other = across_[slot({at.patch, std::uint8_t((at.turn + side) % 4)})];
+  std::optional<Neighbour> beyond(const Placed& at, int side) const {
+    const std::size_t own = slot({at.patch, std::uint8_t((at.turn + side) % 4)});
+    const PatchSide other = across_[own];
     if (other.patch == no_index || taken_[other.patch]) return {};
     // The neighbour's side that meets ours is its cell's side opposite to it.
-    return Placed{other.patch, (other.side + 4 - (side + 2) % 4) % 4};
+    return Neighbour{{other.patch, (other.side + 4 - (side + 2) % 4) % 4}, width_[own]};
   }
 
   static bool contains(const std::vector<Placed>& list, Index patch) {
@@ -133,41 +180,53 @@ class Merger {
 
   /// As long a row as there is through a cell, then as many rows as there are.
   Rectangle grow(const Placed& start) {
-    std::vector<Placed> row{start};
+    Rectangle out{{1}, {1}, {start}};
+    std::vector<Placed>& row = out.placed;
     for (const int side : {1, 3}) {
+      const bool last = side == 1;
       while (row.size() < longest_side) {
-        const auto next = beyond(side == 1 ? row.back() : row.front(), side);
-        if (!next || contains(row, next->patch)) break;
-        row.insert(side == 1 ? row.end() : row.begin(), *next);
+        const auto next = beyond(last ? row.back() : row.front(), side);
+        if (!next || contains(row, next->placed.patch)) break;
+        const double width = next->width * (last ? out.widths.back() : out.widths.front());
+        out.widths.insert(last ? out.widths.end() : out.widths.begin(), width);
+        row.insert(last ? row.end() : row.begin(), next->placed);
       }
     }
-    Rectangle out{Index(row.size()), 1, row};
     std::set<Index> inside;
     for (const Placed& p : row) inside.insert(p.patch);
     for (const int side : {2, 0}) {
-      while (out.rows < longest_side) {
-        const std::vector<Placed> next = next_row(out, side, inside);
-        if (next.empty()) break;
-        for (const Placed& p : next) inside.insert(p.patch);
-        out.placed.insert(side == 2 ? out.placed.end() : out.placed.begin(), next.begin(), next.end());
-        ++out.rows;
+      const bool last = side == 2;
+      while (out.rows() < longest_side) {
+        const Row next = next_row(out, side, inside);
+        if (next.placed.empty()) break;
+        for (const Placed& p : next.placed) inside.insert(p.patch);
+        out.placed.insert(last ? out.placed.end() : out.placed.begin(), next.placed.begin(),
+                          next.placed.end());
+        out.heights.insert(last ? out.heights.end() : out.heights.begin(), next.height);
       }
     }
     return out;
   }
 
   /// The row of cells beyond the first or last row; empty where there is none.
-  std::vector<Placed> next_row(const Rectangle& rectangle, int side, const std::set<Index>& inside) const {
-    std::vector<Placed> next;
-    const std::size_t edge = side == 2 ? rectangle.placed.size() - rectangle.columns : 0;
-    for (std::size_t i = 0; i < rectangle.columns; ++i) {
+  Row next_row(const Rectangle& rectangle, int side, const std::set<Index>& inside) const {
+    Row next;
+    const std::size_t edge = side == 2 ? rectangle.placed.size() - rectangle.columns() : 0;
+    for (std::size_t i = 0; i < rectangle.columns(); ++i) {
       const auto found = beyond(rectangle.placed[edge + i], side);
-      if (!found || inside.contains(found->patch) || contains(next, found->patch)) return {};
-      if (i > 0) {  // the row runs on
-        const auto along = beyond(next.back(), 1);
-        if (!along || along->patch != found->patch || along->turn != found->turn) return {};
+      if (!found || inside.contains(found->placed.patch) || contains(next.placed, found->placed.patch))
+        return {};
+      const double height = found->width * (side == 2 ? rectangle.heights.back() : rectangle.heights.front());
+      if (i == 0) {
+        next.height = height;
+      } else {  // the row runs on
+        const auto along = beyond(next.placed.back(), 1);
+        if (!along || along->placed.patch != found->placed.patch ||
+            along->placed.turn != found->placed.turn || !equal_widths(height, next.height) ||
+            !equal_widths(along->width * rectangle.widths[i - 1], rectangle.widths[i]))
+          return {};
       }
-      next.push_back(*found);
+      next.placed.push_back(found->placed);
     }
     return next;
   }
@@ -178,11 +237,12 @@ class Merger {
       const auto meeting = meeting_sides(rectangle);
       if (!meeting) return rectangle;
       const auto [a, b] = *meeting;
-      const bool by_columns = a % 2 == 1 && b % 2 == 1   ? rectangle.columns > 1
-                              : a % 2 == 0 && b % 2 == 0 ? rectangle.rows == 1
-                                                         : rectangle.columns >= rectangle.rows;
-      rectangle = by_columns ? rectangle.part((rectangle.columns + 1) / 2, rectangle.rows)
-                             : rectangle.part(rectangle.columns, (rectangle.rows + 1) / 2);
+      const Index columns = rectangle.columns(), rows = rectangle.rows();
+      const bool by_columns = a % 2 == 1 && b % 2 == 1   ? columns > 1
+                              : a % 2 == 0 && b % 2 == 0 ? rows == 1
+                                                         : columns >= rows;
+      rectangle =
+          by_columns ? rectangle.part((columns + 1) / 2, rows) : rectangle.part(columns, (rows + 1) / 2);
     }
   }
 
@@ -191,12 +251,11 @@ class Merger {
     if (rectangle.placed.size() == 1) return {};  // patches that meet themselves are cut before
     std::map<Index, std::set<int>> border;        // the rectangle's sides at each patch
     const auto each = [&](const auto& visit) {
-      for (Index i = 0; i < rectangle.columns; ++i)
-        visit(rectangle.placed[i], 0),
-            visit(rectangle.placed[(rectangle.rows - 1) * rectangle.columns + i], 2);
-      for (Index j = 0; j < rectangle.rows; ++j)
-        visit(rectangle.placed[j * rectangle.columns + rectangle.columns - 1], 1),
-            visit(rectangle.placed[j * rectangle.columns], 3);
+      const Index columns = rectangle.columns(), rows = rectangle.rows();
+      for (Index i = 0; i < columns; ++i)
+        visit(rectangle.placed[i], 0), visit(rectangle.placed[(rows - 1) * columns + i], 2);
+      for (Index j = 0; j < rows; ++j)
+        visit(rectangle.placed[j * columns + columns - 1], 1), visit(rectangle.placed[j * columns], 3);
     };
     each([&](const Placed& p, int side) { border[p.patch].insert(side); });
     std::optional<std::pair<int, int>> out;
@@ -210,7 +269,7 @@ class Merger {
   }
 
   void add(const Rectangle& rectangle, std::vector<CadPiece>& out) {
-    CadPiece piece{rectangle.columns, rectangle.rows, {}};
+    CadPiece piece{breaks_of(rectangle.widths), breaks_of(rectangle.heights), {}, {}};
     for (const Placed& placed : rectangle.placed) {
       taken_[placed.patch] = 1;
       CadCell cell;
@@ -222,7 +281,34 @@ class Merger {
       }
       piece.cells.push_back(cell);
     }
+    if (bezier_)
+      for (int side = 0; side < 4; ++side) piece.side_knots[std::size_t(side)] = side_knots(piece, side);
     out.push_back(std::move(piece));
+  }
+
+  /// Breaks that one of both faces along an edge has alone are no knots of their common curve: without them
+  /// the other face does not get them when it is made again.
+  std::vector<double> side_knots(const CadPiece& piece, int side) const {
+    const std::vector<double> breaks = piece.breaks(side);
+    std::vector<double> out{breaks.front()};
+    for (Index at = 1; at < piece.cell_count(side); ++at) {
+      const PatchSide before = piece.cell(side, at - 1).sides[std::size_t(side)].side,
+                      behind = piece.cell(side, at).sides[std::size_t(side)].side;
+      const double ratio = (breaks[at + 1] - breaks[at]) / (breaks[at] - breaks[at - 1]);
+      if (!one_polynomial(bezier_->patch(before.patch), before.side, bezier_->patch(behind.patch),
+                          behind.side, ratio, rounding_))
+        out.push_back(breaks[at]);
+    }
+    out.push_back(breaks.back());
+    return out;
+  }
+
+  /// The widest stretch is 1.
+  static std::vector<double> breaks_of(const std::vector<double>& widths) {
+    const double widest = *std::max_element(widths.begin(), widths.end());
+    std::vector<double> out{0};
+    for (const double width : widths) out.push_back(out.back() + width / widest);
+    return out;
   }
 
   /// A patch that closes with itself, as four pieces.
@@ -238,18 +324,44 @@ class Merger {
       cell.sides = {CellSide{{patch, std::uint8_t(k)}, 0, 0.5, no_index},
                     CellSide{{}, 0, 1, first + Index(k)}, CellSide{{}, 1, 0, first + Index(before)},
                     CellSide{{patch, std::uint8_t(before)}, 0.5, 1, no_index}};
-      out.push_back({1, 1, {cell}});
+      out.push_back({{0, 1}, {0, 1}, {cell}, {}});
     }
   }
 
+  /// How far control points that are computed from those of a neighbour may be off: by the rounding of the
+  /// numbers in the file, which continuing a polynomial multiplies by up to 3^8.
+  static double rounding_of(const Surface& surface) {
+    Eigen::AlignedBox3d box;
+    for (Index p = 0; p < surface.patch_count(); ++p)
+      for (int k = 0; k < 4; ++k)
+        box.extend(surface.patches().evaluate(p, corner_parameter(Domain::square, k), Order::first).position);
+    const double farthest = surface.origin().norm() + std::max(box.min().norm(), box.max().norm());
+    return std::max(1e-11 * box.diagonal().norm(), 1e3 * std::numeric_limits<double>::epsilon() * farthest);
+  }
+
   const Surface& surface_;
-  std::vector<PatchSide> across_;               ///< the side beyond each side, where both are one spline
+  const BezierPatchSet* bezier_;  ///< the surface's patches where they are such
+  int degree_ = 0;                ///< of Bezier patches that may be joined
+  double rounding_ = 0;
+  std::vector<PatchSide> across_;  ///< the side beyond each side, where both are one spline
+  std::vector<double> width_;      ///< of the patch there, across the side, where the own one is 1
   std::vector<std::vector<Index>> neighbours_;  ///< patches beyond each side
   std::vector<Index> meets_itself_;
   std::vector<char> taken_;
 };
 
 }  // namespace
+
+std::optional<int> bezier_degree(const BezierPatchSet& patches) {
+  int degree = 1;
+  for (Index p = 0; p < patches.patch_count(); ++p) {
+    const BezierPatch& patch = patches.patch(p);
+    if (patch.rational()) return {};
+    degree = std::max({degree, patch.degree_s, patch.degree_t});
+  }
+  if (degree > max_spline_degree) return {};
+  return degree;
+}
 
 std::vector<CadPiece> merged_squares(const Surface& surface) {
   return Merger(surface).run();

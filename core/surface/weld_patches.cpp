@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
@@ -13,13 +15,17 @@ namespace {
 
 constexpr double weld_tolerance = 1e-9;  ///< of the whole's size
 constexpr double smooth_angle = 1e-6;
+/// Of a number in a file, which rounds what is far from zero.
+constexpr double number_rounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr int samples = 16;  ///< intervals at which sides are compared
-/// Above this number of free sides T-joints are not looked for.
-constexpr std::size_t max_free_sides = 5000;
+/// Parameters that are nearer than this to a multiple of 1 / `halvings` are that: sides are mostly halved.
+constexpr double same_parameter = 1e-7;
+constexpr double halvings = 4096;
 
 struct SideCurve {
   std::array<Vector3, samples + 1> point;
-  Eigen::AlignedBox3d box;
+  Eigen::AlignedBox3d box;   ///< round the points
+  Eigen::AlignedBox3d hull;  ///< round the whole curve, which goes beyond its points between them
   bool collapsed = false;
 };
 
@@ -53,6 +59,21 @@ class Welder {
     return loose_.evaluate(slot / 4, side_parameter(Domain::square, int(slot % 4), x), Order::first).position;
   }
 
+  /// Round the control points of a side.
+  Eigen::AlignedBox3d hull_of(Index slot) const {
+    const BezierPatch& patch = loose_.patch(slot / 4);
+    const int side = int(slot % 4), m = patch.degree_s, n = patch.degree_t;
+    Eigen::AlignedBox3d out;
+    for (int i = 0; i <= (side % 2 == 0 ? m : n); ++i) {
+      const std::size_t at = side == 0   ? patch.index(i, 0)
+                             : side == 1 ? patch.index(m, i)
+                             : side == 2 ? patch.index(i, n)
+                                         : patch.index(0, i);
+      out.extend(patch.points[at]);
+    }
+    return out;
+  }
+
   void sample_sides() {
     count_ = loose_.patch_count();
     curves_.resize(4 * count_);
@@ -63,9 +84,11 @@ class Welder {
         curve.point[std::size_t(i)] = on_side(slot, grid_fraction(i, samples));
         curve.box.extend(curve.point[std::size_t(i)]);
       }
+      curve.hull = hull_of(slot);
       all.extend(curve.box);
     }
-    tolerance_ = weld_tolerance * all.diagonal().norm();
+    const double farthest = origin_.norm() + std::max(all.min().norm(), all.max().norm());
+    tolerance_ = std::max(weld_tolerance * all.diagonal().norm(), number_rounding * farthest);
     for (SideCurve& curve : curves_) curve.collapsed = curve.box.diagonal().norm() <= tolerance_;
     matched_.assign(curves_.size(), 0);
   }
@@ -104,7 +127,7 @@ class Welder {
   /// Parameter of the point on a side that is nearest to p; negative when it is farther than the tolerance.
   double parameter_on(Index slot, const Vector3& p) const {
     const SideCurve& curve = curves_[slot];
-    if ((curve.box.exteriorDistance(p)) > tolerance_) return -1;
+    if (curve.hull.exteriorDistance(p) > tolerance_) return -1;
     int nearest = 0;
     for (int i = 1; i <= samples; ++i)
       if ((curve.point[std::size_t(i)] - p).squaredNorm() <
@@ -129,8 +152,8 @@ class Welder {
       if (tangent.squaredNorm() == 0) break;
       x = std::clamp(x + (p - on_side(slot, x)).dot(tangent) / tangent.squaredNorm(), 0.0, 1.0);
     }
-    for (const double end : {0.0, 1.0})
-      if (std::abs(x - end) < 1e-7 && (on_side(slot, end) - p).norm() <= tolerance_) x = end;
+    const double halved = std::round(x * halvings) / halvings;
+    if (std::abs(x - halved) < same_parameter && (on_side(slot, halved) - p).norm() <= tolerance_) x = halved;
     return (on_side(slot, x) - p).norm() <= tolerance_ ? x : -1;
   }
 
@@ -138,21 +161,45 @@ class Welder {
     std::vector<Index> open;
     for (Index slot = 0; slot < curves_.size(); ++slot)
       if (!matched_[slot] && !curves_[slot].collapsed) open.push_back(slot);
-    if (open.size() > max_free_sides) return;
-    for (const Index small : open)
-      for (const Index large : open) {
-        if (small == large || matched_[small]) continue;
-        Eigen::AlignedBox3d box = curves_[large].box;
-        box.min().array() -= tolerance_;
-        box.max().array() += tolerance_;
-        if (!box.contains(curves_[small].box)) continue;
-        const double begin = parameter_on(large, curves_[small].point[0]);
-        const double end = parameter_on(large, curves_[small].point[samples]);
-        if (begin < 0 || end < 0 || std::abs(end - begin) < 1e-6 || !is_part(small, large, begin, end))
-          continue;
-        meetings_.push_back({large, small, begin, end, 0, 1});
-        matched_[small] = 1;
+    for (const auto& [small, large] : points_in_hulls(open)) {
+      if (matched_[small]) continue;
+      const double begin = parameter_on(large, curves_[small].point[0]);
+      if (begin < 0) continue;
+      const double end = parameter_on(large, curves_[small].point[samples]);
+      if (end < 0 || std::abs(end - begin) < 1e-6 || !is_part(small, large, begin, end)) continue;
+      meetings_.push_back({large, small, begin, end, 0, 1});
+      matched_[small] = 1;
+    }
+  }
+  /// Pairs of sides of which the first's points lie in the second's hull, in order of the first: a sweep over
+  /// where hulls begin, in the direction in which there are most.
+  std::vector<std::pair<Index, Index>> points_in_hulls(const std::vector<Index>& open) const {
+    Eigen::AlignedBox3d all;
+    for (const Index slot : open) all.extend(curves_[slot].hull);
+    std::vector<std::pair<Index, Index>> out;
+    if (open.empty()) return out;
+    Eigen::Index axis = 0;
+    all.sizes().maxCoeff(&axis);
+    std::vector<Index> order = open, running;
+    const auto low = [&](Index slot) { return curves_[slot].hull.min()[axis]; };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return low(a) < low(b); });
+    const auto holds = [&](Index large, Index small) {
+      Eigen::AlignedBox3d box = curves_[large].hull;
+      box.min().array() -= tolerance_;
+      box.max().array() += tolerance_;
+      return box.contains(curves_[small].box);
+    };
+    for (const Index slot : order) {
+      std::erase_if(running,
+                    [&](Index other) { return curves_[other].hull.max()[axis] < low(slot) - tolerance_; });
+      for (const Index other : running) {
+        if (holds(other, slot)) out.emplace_back(slot, other);
+        if (holds(slot, other)) out.emplace_back(other, slot);
       }
+      running.push_back(slot);
+    }
+    std::sort(out.begin(), out.end());
+    return out;
   }
   bool is_part(Index small, Index large, double begin, double end) const {
     for (int i = 1; i < samples; ++i) {

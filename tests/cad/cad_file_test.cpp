@@ -152,8 +152,7 @@ double distance_of(const TopoDS_Shape& shape, const CadModel& model, const Surfa
         const double x = double(i) / density, y = double(j) / density;
         const gp_Pnt p = spline->Value(s0 + x * (s1 - s0), t0 + y * (t1 - t0));
         const Vector3 want =
-            surface.origin() +
-            evaluate(surface, piece, x * double(piece.columns), y * double(piece.rows)).position;
+            surface.origin() + evaluate(surface, piece, x * piece.s.back(), y * piece.t.back()).position;
         largest = std::max(largest, (Vector3(p.X(), p.Y(), p.Z()) - want).norm());
       }
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cad/kernel/cad_letters.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
 
 namespace hariko::test {
@@ -17,8 +18,20 @@ constexpr const char* small_step =
     "DATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n";
 
 TEST(CadText, WholeStepFilesAreAccepted) {
-  EXPECT_FALSE(check_step_text(small_step));
-  EXPECT_FALSE(check_step_text(std::string(small_step) + "what follows"));
+  const auto whole = check_step_text(small_step);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->end, std::string(small_step).size());
+  EXPECT_FALSE(whole->more_follows);
+}
+
+TEST(CadText, WhatFollowsTheEndOfStepIsCutOffAndSaid) {
+  const auto text = step_text_of(std::string(small_step) + "what follows");
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->text, small_step);
+  ASSERT_EQ(text->warnings.size(), 1U);
+  EXPECT_EQ(text->warnings[0].code, w_cad_behind);
+  // Signatures of edition 3 belong to the file.
+  EXPECT_TRUE(step_text_of(std::string(small_step) + "SIGNATURE;\nMIIB\nENDSEC;\n")->warnings.empty());
 }
 
 TEST(CadText, StepFilesThatAreCutOffAreRefusedWherever) {
@@ -26,16 +39,16 @@ TEST(CadText, StepFilesThatAreCutOffAreRefusedWherever) {
   const std::size_t end = whole.rfind("END-ISO-10303-21") + 16;
   for (std::size_t size = 0; size < end; ++size) {
     const auto wrong = check_step_text(std::string_view(whole).substr(0, size));
-    ASSERT_TRUE(wrong) << size;
-    EXPECT_EQ(wrong->code, e_cad_read);
+    ASSERT_FALSE(wrong) << size;
+    EXPECT_EQ(wrong.error().code, e_cad_read);
   }
 }
 
 TEST(CadText, StepFilesThatNestTooDeeplyAreRefused) {
   const std::string deep = std::string("ISO-10303-21;\n#1=A(") + std::string(100'000, '(');
   const auto wrong = check_step_text(deep);
-  ASSERT_TRUE(wrong);
-  EXPECT_NE(wrong->text.find("nested"), std::string::npos);
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().text.find("nested"), std::string::npos);
 }
 
 std::string iges_line(const std::string& text, char section, int number) {
@@ -59,26 +72,88 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 TEST(CadText, WholeIgesFilesAreAccepted) {
-  EXPECT_FALSE(check_iges_text(joined(small_iges())));
+  EXPECT_TRUE(check_iges_text(joined(small_iges())));
   std::string windows = joined(small_iges());
   for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2)
     windows.insert(at, "\r");
-  EXPECT_FALSE(check_iges_text(windows));
+  const auto checked = check_iges_text(windows + "\r\n\x1a");
+  ASSERT_TRUE(checked);
+  EXPECT_TRUE(checked->counts_agree);
+  EXPECT_FALSE(checked->more_follows);
+}
+
+TEST(CadText, IgesWithTextBehindItsEndIsReadWithAWarning) {
+  const std::string whole = joined(small_iges());
+  const auto text = iges_text_of(whole + "left by the exporter\n");
+  ASSERT_TRUE(text);
+  EXPECT_TRUE(text->changed);
+  EXPECT_EQ(text->text, whole);
+  ASSERT_EQ(text->warnings.size(), 1U);
+  EXPECT_EQ(text->warnings[0].code, w_cad_behind);
+}
+
+TEST(CadText, IgesWhoseLastLineCountsTooManyIsReadWithAWarning) {
+  auto lines = small_iges();
+  lines.back() = iges_line("S      3G      1D      4P     17", 'T', 1);
+  const auto text = iges_text_of(joined(lines));
+  ASSERT_TRUE(text);
+  ASSERT_EQ(text->warnings.size(), 1U);
+  EXPECT_EQ(text->warnings[0].code, w_cad_counts);
+  // Lines of parameters that the directory counts, and directories that parameters name, are missed.
+  lines[2] = iges_line("     116       2", 'D', 1);
+  EXPECT_FALSE(iges_text_of(joined(lines)));
+  lines = small_iges();
+  lines[4] = iges_line("116,0,0,0;" + std::string(55, ' ') + "      3", 'P', 1);
+  EXPECT_FALSE(iges_text_of(joined(lines)));
+}
+
+TEST(CadText, ByteOrderMarksAreSkippedWithAWarning) {
+  const std::string mark = "\xef\xbb\xbf";
+  std::string wide = "\xff\xfe";
+  for (const char c : std::string(small_step)) (wide += c) += '\0';
+  for (const std::string& marked : {mark + small_step, wide}) {
+    const auto text = step_text_of(marked);
+    ASSERT_TRUE(text);
+    EXPECT_EQ(text->text, small_step);
+    ASSERT_EQ(text->warnings.size(), 1U);
+    EXPECT_EQ(text->warnings[0].code, w_cad_mark);
+  }
+  const auto iges = iges_text_of(mark + joined(small_iges()));
+  ASSERT_TRUE(iges);
+  EXPECT_TRUE(iges->changed);
+  EXPECT_EQ(iges->text, joined(small_iges()));
+}
+
+TEST(CadText, LettersOfOldEncodingsLoseAtMostThemselves) {
+  const auto latin = decoded("Geh\xe4use \x80 5", StrayBytes::windows_1252);
+  EXPECT_EQ(latin.text, "Gehäuse € 5");
+  EXPECT_EQ(latin.guessed, 2U);
+  EXPECT_EQ(decoded("Geh\xe4use", StrayBytes::question_mark).text, "Geh?use");
+  const auto known = decoded("Gehäuse ホイール", StrayBytes::windows_1252);
+  EXPECT_EQ(known.text, "Gehäuse ホイール");
+  EXPECT_EQ(known.guessed, 0U);
+}
+
+TEST(CadText, LettersBeyondAsciiAreWrittenAsDirectives) {
+  EXPECT_EQ(with_step_directives("wheel"), "wheel");
+  EXPECT_EQ(with_step_directives("äö wheel ホ"), "\\X2\\00E400F6\\X0\\ wheel \\X2\\30DB\\X0\\");
+  EXPECT_EQ(with_step_directives("é😀!"), "\\X2\\00E9\\X0\\\\X4\\0001F600\\X0\\!");
+  EXPECT_EQ(ascii_name("ホイール é 1"), "____ _ 1");
 }
 
 TEST(CadText, IgesFilesThatAreCutOffOrMissLinesAreRefused) {
   const std::string whole = joined(small_iges());
   for (std::size_t size = 0; size + 1 < whole.size(); ++size)
-    EXPECT_TRUE(check_iges_text(std::string_view(whole).substr(0, size))) << size;
+    EXPECT_FALSE(check_iges_text(std::string_view(whole).substr(0, size))) << size;
   for (std::size_t gone = 0; gone < small_iges().size(); ++gone) {
     auto lines = small_iges();
     lines.erase(lines.begin() + std::ptrdiff_t(gone));
-    EXPECT_TRUE(check_iges_text(joined(lines))) << gone;
+    EXPECT_FALSE(check_iges_text(joined(lines))) << gone;
   }
   for (std::size_t k = 0; k + 1 < small_iges().size(); ++k) {
     auto lines = small_iges();
     std::swap(lines[k], lines[k + 1]);
-    EXPECT_TRUE(check_iges_text(joined(lines))) << k;
+    EXPECT_FALSE(check_iges_text(joined(lines))) << k;
   }
 }
 

@@ -55,5 +55,41 @@ TEST(WeldPatches, NetsInPlanesAcrossTheAxes) {
   });
 }
 
+/// The part s0 .. s1, t0 .. t1 of z = x (2 - x) over 0 .. 2, 0 .. 1, whose sides bulge between their ends, at
+/// a place.
+BezierPatch arch(double s0, double s1, double t0, double t1, const Vector3& place) {
+  BezierPatch out;
+  out.degree_s = 2;
+  out.degree_t = 1;
+  const double from = 2 * s0, to = 2 * s1;
+  for (const double t : {t0, t1}) {
+    out.points.push_back(place + Vector3(from, t, from * (2 - from)));
+    out.points.push_back(place + Vector3((from + to) / 2, t, from + to - from * to));
+    out.points.push_back(place + Vector3(to, t, to * (2 - to)));
+  }
+  return out;
+}
+
+TEST(WeldPatches, SidesInPartsMeetWholeOnesWhereverTheyBulge) {
+  // Near zero, and where numbers are rounded to 1e-10.
+  for (const Vector3& place : {Vector3(0, 0, 0), Vector3(1e6, -2e6, 3e5)}) {
+    std::vector<BezierPatch> patches{arch(0, 1, 0, 1, place)};
+    double before = 0;
+    for (const double at : {0.03125, 0.0625, 0.125, 0.25, 0.4375, 0.5625, 0.75, 1.0}) {
+      patches.push_back(arch(before, at, 1, 2, place));
+      before = at;
+    }
+    const Surface surface = weld_patches(Vector3::Zero(), patches).value();
+    EXPECT_EQ(surface.seams().size(), 8U + 7U);
+    // The whole one's other sides, the ends of the parts, and their sides beyond.
+    EXPECT_EQ(surface.boundary_sides().size(), 3U + 2U + 8U);
+    for (const Seam& seam : surface.seams()) {
+      if (seam.first.patch != 0) continue;
+      // Parts begin at the parameters at which they were cut, to the last bit.
+      EXPECT_EQ(seam.first_begin * 32, std::round(seam.first_begin * 32));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hariko

@@ -49,6 +49,8 @@ struct CadFileReport {
   std::size_t solids = 0, open_shells = 0, faces = 0;
   bool valid = false;         ///< BRepCheck_Analyzer finds nothing wrong
   double edge_tolerance = 0;  ///< the largest, millimetres
+  /// Objects whose names lost letters: IGES has those of ASCII only.
+  std::size_t changed_names = 0;
 };
 
 struct CadFile {

@@ -21,6 +21,10 @@ inline constexpr Code e_cad_read{"E_CAD_READ"};
 inline constexpr Code w_cad_patches{"W_CAD_PATCHES"};
 inline constexpr Code w_cad_faces{"W_CAD_FACES"};
 inline constexpr Code w_cad_mixed{"W_CAD_MIXED"};
+inline constexpr Code w_cad_mark{"W_CAD_MARK"};        ///< a byte order mark before the file
+inline constexpr Code w_cad_behind{"W_CAD_BEHIND"};    ///< text behind the file's end
+inline constexpr Code w_cad_counts{"W_CAD_COUNTS"};    ///< wrong numbers of lines in the last one of IGES
+inline constexpr Code w_cad_letters{"W_CAD_LETTERS"};  ///< letters in an encoding that is not known
 
 struct CadReadOptions {
   double tolerance = 0;  ///< between a face and its triangles, mm; 0: `usual_cad_mesh_tolerance` of its part
@@ -30,7 +34,8 @@ struct CadReadOptions {
 inline constexpr double usual_cad_mesh_tolerance = 5e-4;  ///< of the part's diagonal
 inline constexpr std::uint64_t max_cad_file_bytes = std::uint64_t{1} << 29;
 inline constexpr std::size_t max_cad_parts = 10'000;
-inline constexpr std::size_t max_cad_patches = 20'000;  ///< of a file; with more all of it is triangles
+/// Of a file, as many as one object may have; with more all of it is triangles.
+inline constexpr std::size_t max_cad_patches = 100'000;
 inline constexpr std::size_t max_cad_triangles = 20'000'000;
 
 /// Every face is in one of the first two; positions in millimetres, absolute.
@@ -54,8 +59,8 @@ struct CadScene {
 /// sides of a rectangle of parameters; where it hangs together with faces of other kinds it becomes triangles
 /// with them, and `also_exact` has its patches (W_CAD_MIXED counts such faces). Errors: those of `read_file`,
 /// E_NO_CAD_KERNEL, E_CAD_READ (no such file, cut off, or what the kernel says), E_LIMIT, E_CANCELLED.
-/// W_CAD_FACES: faces that could not be triangulated; W_CAD_PATCHES: too many splines for patches. Calls wait
-/// for each other and for those of make_cad_file.
+/// W_CAD_FACES: faces that could not be triangulated; W_CAD_PATCHES: too many splines for patches; those of
+/// `step_text_of`. Calls wait for each other and for those of make_cad_file.
 Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadOptions& options = {},
                                const CancelToken& cancel = {}, const Progress& progress = {});
 

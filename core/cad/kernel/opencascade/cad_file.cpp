@@ -6,6 +6,10 @@
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <IGESData_IGESWriter.hxx>
+#include <IGESData_Protocol.hxx>
+#include <IGESSelect_WorkLibrary.hxx>
+#include <Interface_FloatWriter.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
@@ -27,6 +31,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/cad/kernel/cad_letters.hpp"
 #include "core/cad/kernel/opencascade/kernel.hpp"
 #include "core/cad/kernel/opencascade/kernel_session.hpp"
 #include "core/cad/kernel/opencascade/shape.hpp"
@@ -85,6 +90,13 @@ Handle(TCollection_HAsciiString) text(const std::string& value) {
   return new TCollection_HAsciiString(value.c_str());
 }
 
+/// Numbers come back as they were but for a unit of their last place: the kernel's own 13 (STEP) and 11
+/// (IGES) digits leave gaps between the faces of what is far from zero.
+void take_all_digits(Interface_FloatWriter& numbers) {
+  numbers.SetFormat("%.15E");
+  numbers.SetZeroSuppress(true);
+}
+
 Result<std::string> step_text(const KernelDocument& document, const CadFileOptions& options) {
   Interface_Static::SetCVal("write.step.schema",
                             options.format == CadFormat::step_ap242 ? "AP242DIS" : "AP214IS");
@@ -104,10 +116,11 @@ Result<std::string> step_text(const KernelDocument& document, const CadFileOptio
   const Handle(StepData_Protocol) protocol =
       Handle(StepData_Protocol)::DownCast(writer.ChangeWriter().WS()->Protocol());
   StepData_StepWriter lines(model);
+  take_all_digits(lines.FloatWriter());
   lines.SendModel(protocol);
   std::ostringstream stream;
   if (!lines.Print(stream)) return not_written("the text of the STEP file could not be made");
-  return std::move(stream).str();
+  return with_step_directives(std::move(stream).str());
 }
 
 Result<std::string> iges_text(const KernelDocument& document, const CadFileOptions& options) {
@@ -129,8 +142,11 @@ Result<std::string> iges_text(const KernelDocument& document, const CadFileOptio
   global.SetLastChangeDate(text(time));
   global.SetFileName(text("hariko"));
   writer.Model()->SetGlobalSection(global);
+  IGESData_IGESWriter lines(writer.Model());
+  take_all_digits(lines.FloatWriter());
+  lines.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
   std::ostringstream stream;
-  if (!writer.Write(stream)) return not_written("the text of the IGES file could not be made");
+  if (!lines.Print(stream)) return not_written("the text of the IGES file could not be made");
   return std::move(stream).str();
 }
 
@@ -144,7 +160,10 @@ Result<CadFile> make(std::span<const CadObject> objects, const CadFileOptions& o
     const TopoDS_Shape shape = shape_of(*objects[i].model, out.report);
     out.report.valid = out.report.valid && BRepCheck_Analyzer(shape).IsValid();
     out.report.edge_tolerance = std::max(out.report.edge_tolerance, largest_edge_tolerance(shape));
-    add(document, shape, objects[i]);
+    CadObject object = objects[i];
+    if (options.format == CadFormat::iges) object.name = ascii_name(object.name);
+    out.report.changed_names += object.name != objects[i].name;
+    add(document, shape, object);
     progress.report(0.5 * double(i + 1) / double(objects.size()));
   }
   if (cancel.cancelled()) return make_error(e_cancelled, "The export was cancelled.");

@@ -40,16 +40,6 @@ class SharedFraction {
   std::atomic<double>* fraction_ = nullptr;
 };
 
-bool write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 /// Never returns: what this process would do at its end is its parent's to do.
 [[noreturn]] void work_and_end(const std::function<std::string(const std::function<void(double)>&)>& work,
                                double most_seconds, std::atomic<double>& fraction, int out) {
@@ -84,6 +74,16 @@ bool read_all(int descriptor, std::string& bytes, const SharedFraction& fraction
 }
 
 }  // namespace
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
 
 std::optional<std::string> isolated(
     const std::function<std::string(const std::function<void(double)>& report)>& work, double most_seconds,

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
@@ -18,5 +19,8 @@ namespace hariko {
 std::optional<std::string> isolated(
     const std::function<std::string(const std::function<void(double)>& report)>& work, double most_seconds,
     const CancelToken& cancel, const Progress& progress);
+
+/// False where not all of the bytes can be written.
+bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace hariko

@@ -1,5 +1,6 @@
 #include "core/cad/kernel/read_cad_file.hpp"
 
+#include <sys/mman.h>
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -34,6 +35,7 @@
 #include "core/cad/kernel/opencascade/kernel_session.hpp"
 #include "core/cad/kernel/opencascade/mixed_shells.hpp"
 #include "core/cad/kernel/opencascade/scene_bytes.hpp"
+#include "core/cad/kernel/opencascade/sew_faces.hpp"
 #include "core/cad/kernel/opencascade/triangulated.hpp"
 #include "core/cad/kernel/opencascade/whole_splines.hpp"
 
@@ -72,15 +74,6 @@ std::string name_of(const TDF_Label& label) {
   return printable(out, 200);
 }
 
-using Colour = std::optional<std::array<std::uint8_t, 3>>;
-
-/// A shape of the file in its place.
-struct Leaf {
-  TopoDS_Shape shape;
-  std::string name;
-  Colour colour;
-};
-
 class Collector {
  public:
   explicit Collector(const Handle(TDocStd_Document) & document)
@@ -88,7 +81,7 @@ class Collector {
         colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {}
 
   /// E_LIMIT where there are too many.
-  Result<std::vector<Leaf>> run() {
+  Result<std::vector<CadLeaf>> run() {
     TDF_LabelSequence labels;
     shapes_->GetFreeShapes(labels);
     for (int i = 1; i <= labels.Length(); ++i) add(labels.Value(i), TopLoc_Location(), {}, {}, 0);
@@ -101,42 +94,49 @@ class Collector {
  private:
   static constexpr int deepest = 100;
 
-  Colour colour_of(const TDF_Label& label) const {
+  CadColour colour_of(const TDF_Label& label) const {
     for (const XCAFDoc_ColorType kind : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen, XCAFDoc_ColorCurv})
       if (Quantity_Color colour; colours_->GetColor(label, kind, colour)) return as_bytes(colour);
     return {};
   }
-  Colour colour_of(const TopoDS_Shape& shape) const {
+  CadColour colour_of(const TopoDS_Shape& shape) const {
     for (const XCAFDoc_ColorType kind : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen})
       if (Quantity_Color colour; colours_->GetColor(shape, kind, colour)) return as_bytes(colour);
     return {};
   }
-  static Colour as_bytes(const Quantity_Color& colour) {
+  static CadColour as_bytes(const Quantity_Color& colour) {
     double r = 0, g = 0, b = 0;
     colour.Values(r, g, b, Quantity_TOC_sRGB);
     const auto byte = [](double x) { return std::uint8_t(std::lround(255 * std::clamp(x, 0.0, 1.0))); };
     return std::array{byte(r), byte(g), byte(b)};
   }
   /// Of its first coloured body, else of its first face.
-  Colour inner_colour(const TopoDS_Shape& shape) const {
+  CadColour inner_colour(const TopoDS_Shape& shape) const {
     for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE})
       if (TopExp_Explorer at(shape, kind); at.More())
-        if (const Colour colour = colour_of(at.Current())) return colour;
+        if (const CadColour colour = colour_of(at.Current())) return colour;
     return {};
   }
 
+  /// The name of a usage says something: components are often called by nothing, by a number, or as the
+  /// entity of STEP that places them (NEXT_ASSEMBLY_USAGE_OCCURRENCE).
+  static bool names_something(const std::string& usage) {
+    std::string_view left = usage;
+    for (const std::string_view kind : {"NAUO", "NEXT_ASSEMBLY_USAGE_OCCURRENCE"})
+      if (left.starts_with(kind)) left.remove_prefix(kind.size());
+    return left.find_first_not_of(" _-#.0123456789") != std::string_view::npos;
+  }
+
   void add(const TDF_Label& label, const TopLoc_Location& place, const std::string& given_name,
-           const Colour& given_colour, int depth) {
+           const CadColour& given_colour, int depth) {
     if (depth > deepest || too_many_) return;
     const std::string own_name = name_of(label);
     const std::string& name = given_name.empty() ? own_name : given_name;
-    const Colour colour = given_colour ? given_colour : colour_of(label);
+    const CadColour colour = given_colour ? given_colour : colour_of(label);
     TDF_Label referred;
     if (XCAFDoc_ShapeTool::IsReference(label) && XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
-      // Components are often called by nothing or by the kernel's own "=>[0:1:1:2]".
-      const bool named = !name.empty() && !name.starts_with("=>");
-      return add(referred, place * XCAFDoc_ShapeTool::GetLocation(label), named ? name : std::string(),
-                 colour, depth + 1);
+      return add(referred, place * XCAFDoc_ShapeTool::GetLocation(label),
+                 names_something(name) ? name : std::string(), colour, depth + 1);
     }
     if (XCAFDoc_ShapeTool::IsAssembly(label)) {
       TDF_LabelSequence components;
@@ -157,7 +157,7 @@ class Collector {
 
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colours_;
-  std::vector<Leaf> leaves_;
+  std::vector<CadLeaf> leaves_;
   bool too_many_ = false;
 };
 
@@ -172,10 +172,10 @@ class SceneMaker {
  public:
   explicit SceneMaker(const CadReadOptions& options) : options_(options) {}
 
-  Result<CadScene> run(const std::vector<Leaf>& leaves, const Message_ProgressRange& range) {
+  Result<CadScene> run(const std::vector<CadLeaf>& leaves, const Message_ProgressRange& range) {
     if (options_.patches) find_splines(leaves);
     Message_ProgressScope scope(range, nullptr, double(std::max<std::size_t>(leaves.size(), 1)));
-    for (const Leaf& leaf : leaves) {
+    for (const CadLeaf& leaf : leaves) {
       add(leaf, scope.Next());
       if (triangles_ > max_cad_triangles)
         return make_error(
@@ -200,9 +200,9 @@ class SceneMaker {
 
  private:
   /// Of all faces in their order, unless there are too many: then all is triangles.
-  void find_splines(const std::vector<Leaf>& leaves) {
+  void find_splines(const std::vector<CadLeaf>& leaves) {
     std::size_t count = 0;
-    for (const Leaf& leaf : leaves)
+    for (const CadLeaf& leaf : leaves)
       for (TopExp_Explorer face(leaf.shape, TopAbs_FACE); face.More(); face.Next()) {
         splines_.push_back(whole_spline(TopoDS::Face(face.Current())));
         count += splines_.back().size();
@@ -216,7 +216,7 @@ class SceneMaker {
       }
   }
 
-  void add(const Leaf& leaf, const Message_ProgressRange& range) {
+  void add(const CadLeaf& leaf, const Message_ProgressRange& range) {
     CadPart part{leaf.name, leaf.colour, {}, {}};
     TopoDS_Compound others;
     BRep_Builder builder;
@@ -273,23 +273,59 @@ std::optional<Message> transfer(Reader& reader, const Read& read, KernelDocument
   return {};
 }
 
-std::optional<Message> load(const std::filesystem::path& path, CadFormat format, KernelDocument& document,
-                            const Message_ProgressRange& range) {
-  auto bytes = read_file(path, max_cad_file_bytes);
-  if (!bytes.ok()) return bytes.error();
-  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  if (format == CadFormat::iges) {
-    if (auto wrong = check_iges_text(*bytes)) return wrong;
-    IGESCAFControl_Reader reader;
-    return transfer(
-        reader, [&](auto& r) { return r.ReadFile(path.c_str()); }, document, range);
-  }
-  if (auto wrong = check_step_text(*bytes)) return wrong;
+/// A file that is nowhere but in memory, for readers that want a path. It is gone with this process.
+std::optional<std::string> path_in_memory(std::string_view bytes) {
+  const int descriptor = ::memfd_create("hariko", MFD_CLOEXEC);
+  if (descriptor < 0 || !write_all(descriptor, bytes)) return {};
+  return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+std::optional<Message> load_iges(const std::filesystem::path& path, const CadText& text,
+                                 KernelDocument& document, const Message_ProgressRange& range) {
+  const std::optional<std::string> from = text.changed ? path_in_memory(text.text) : path.string();
+  if (!from)
+    return make_error(e_file_read, "There is no room for a copy of the file in memory.", "Try again.");
+  IGESCAFControl_Reader reader;
+  return transfer(
+      reader, [&](auto& r) { return r.ReadFile(from->c_str()); }, document, range);
+}
+
+std::optional<Message> load_step(CadText text, KernelDocument& document, const Message_ProgressRange& range) {
   STEPCAFControl_Reader reader;
-  std::istringstream stream(std::move(bytes).value());
+  std::istringstream stream(std::move(text.text));
   // Without a folder in its name no other files are looked for.
   return transfer(
       reader, [&](auto& r) { return r.ChangeReader().ReadStream("file", stream); }, document, range);
+}
+
+/// What is known of a file's text once the kernel has read it.
+struct LoadedText {
+  std::vector<Message> warnings;
+  bool own = false;  ///< written by this program
+};
+
+/// What this program writes says so within its first lines.
+bool is_own(std::string_view text) {
+  const std::string_view head = text.substr(0, 4096);
+  return head.find("6Hhariko,") != std::string_view::npos || head.find("'Hariko'") != std::string_view::npos;
+}
+
+/// Fills the document.
+Result<LoadedText> load(const std::filesystem::path& path, CadFormat format, KernelDocument& document,
+                        const Message_ProgressRange& range) {
+  auto bytes = read_file(path, max_cad_file_bytes);
+  if (!bytes.ok()) return bytes.error();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  // Else what has no name is called FACE, SOLID or "=>[0:1:1:2]".
+  XCAFDoc_ShapeTool::SetAutoNaming(false);
+  const bool iges = format == CadFormat::iges;
+  auto text = iges ? iges_text_of(std::move(bytes).value()) : step_text_of(std::move(bytes).value());
+  if (!text.ok()) return text.error();
+  LoadedText out{text->warnings, is_own(text->text)};
+  const auto wrong =
+      iges ? load_iges(path, *text, document, range) : load_step(std::move(text).value(), document, range);
+  if (wrong) return *wrong;
+  return out;
 }
 
 Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const CadReadOptions& options,
@@ -298,10 +334,18 @@ Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const
     const Handle(Indicator) indicator = new Indicator(report);
     Message_ProgressScope scope(indicator->Start(), nullptr, 2);
     KernelDocument document;
-    if (const auto wrong = load(path, format, document, scope.Next())) return *wrong;
+    const auto text = load(path, format, document, scope.Next());
+    if (!text.ok()) return text.error();
     const auto leaves = Collector(document.handle()).run();
     if (!leaves.ok()) return leaves.error();
-    return SceneMaker(options).run(*leaves, scope.Next());
+    // What this program writes has its edges in common already.
+    const std::vector<CadLeaf> whole = text->own ? *leaves : sewn(*leaves, format == CadFormat::iges);
+    auto made = SceneMaker(options).run(whole, scope.Next());
+    if (made.ok()) {
+      auto& all = made.value().warnings;
+      all.insert(all.begin(), text->warnings.begin(), text->warnings.end());
+    }
+    return made;
   } catch (const Standard_Failure& failure) {
     return failed("OpenCASCADE cannot read this file: " + printable(failure.GetMessageString(), 200) + ".");
   } catch (const std::bad_alloc&) {

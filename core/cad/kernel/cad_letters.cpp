@@ -1,0 +1,144 @@
+#include "core/cad/kernel/cad_letters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "core/base/assert.hpp"
+#include "core/base/utf8.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Windows-1252 from 0x80 to 0x9f; the bytes that it leaves free become '?'.
+constexpr std::array<std::uint16_t, 32> windows_1252{
+    0x20ac, '?',    0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021, 0x02c6, 0x2030, 0x0160,
+    0x2039, 0x0152, '?',    0x017d, '?',    '?',    0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
+    0x2013, 0x2014, 0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, '?',    0x017e, 0x0178};
+
+void append_utf8(std::string& out, std::uint32_t code) {
+  const auto tail = [&](int shift) { out += char(0x80 | ((code >> shift) & 0x3f)); };
+  if (code < 0x80) {
+    out += char(code);
+  } else if (code < 0x800) {
+    out += char(0xc0 | (code >> 6));
+    tail(0);
+  } else if (code < 0x10000) {
+    out += char(0xe0 | (code >> 12));
+    tail(6), tail(0);
+  } else {
+    out += char(0xf0 | (code >> 18));
+    tail(12), tail(6), tail(0);
+  }
+}
+
+/// The code point of a well-formed sequence.
+std::uint32_t code_point(std::string_view sequence) {
+  HARIKO_ASSERT(!sequence.empty() && sequence.size() <= 4, "a sequence has one to four bytes");
+  const auto byte = [&](std::size_t i) { return std::uint32_t(static_cast<unsigned char>(sequence[i])); };
+  if (sequence.size() == 1) return byte(0);
+  std::uint32_t code = byte(0) & (0xffU >> (sequence.size() + 1));
+  for (std::size_t i = 1; i < sequence.size(); ++i) code = (code << 6) | (byte(i) & 0x3f);
+  return code;
+}
+
+std::string of_utf16(std::string_view bytes, bool big_endian) {
+  const auto unit = [&](std::size_t at) {
+    const auto first = static_cast<unsigned char>(bytes[at]),
+               second = static_cast<unsigned char>(bytes[at + 1]);
+    return std::uint32_t(big_endian ? first << 8 | second : second << 8 | first);
+  };
+  std::string out;
+  for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+    std::uint32_t code = unit(at);
+    const bool high = code >= 0xd800 && code < 0xdc00;
+    if (high && at + 3 < bytes.size() && unit(at + 2) >= 0xdc00 && unit(at + 2) < 0xe000) {
+      code = 0x10000 + ((code - 0xd800) << 10) + (unit(at + 2) - 0xdc00);
+      at += 2;
+    }
+    append_utf8(out, code >= 0xd800 && code < 0xe000 ? '?' : code);
+  }
+  return out;
+}
+
+std::string hexadecimal(std::uint32_t value, int digits) {
+  std::string out;
+  for (int k = digits - 1; k >= 0; --k) out += "0123456789ABCDEF"[(value >> (4 * k)) & 0xf];
+  return out;
+}
+
+bool is_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+}  // namespace
+
+DecodedText decoded(std::string bytes, StrayBytes stray) {
+  DecodedText out;
+  for (const bool big_endian : {true, false})
+    if (bytes.starts_with(big_endian ? "\xfe\xff" : "\xff\xfe")) {
+      out.marked = true;
+      out.text = of_utf16(std::string_view(bytes).substr(2), big_endian);
+      return out;
+    }
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  if (bytes.starts_with(mark)) {
+    out.marked = true;
+    bytes.erase(0, mark.size());
+  }
+  if (is_ascii(bytes)) {
+    out.text = std::move(bytes);
+    return out;
+  }
+  for (std::string_view left = bytes; !left.empty();) {
+    if (const std::size_t length = utf8_length(left); length > 0) {
+      out.text += left.substr(0, length);
+      left.remove_prefix(length);
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(left[0]);
+    append_utf8(out.text, stray == StrayBytes::question_mark ? '?'
+                          : byte < 0xa0                      ? windows_1252[byte - 0x80U]
+                                                             : byte);
+    ++out.guessed;
+    left.remove_prefix(1);
+  }
+  return out;
+}
+
+std::string with_step_directives(std::string_view text) {
+  std::string out;
+  int open = 0;  // digits of a character in the directive that is not closed yet
+  while (!text.empty()) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(text), 1);
+    const std::uint32_t code =
+        length == 1 && static_cast<unsigned char>(text[0]) >= 0x80 ? '?' : code_point(text.substr(0, length));
+    const int digits = code < 0x80 ? 0 : code < 0x10000 ? 4 : 8;
+    if (open != digits) {
+      if (open > 0) out += "\\X0\\";
+      if (digits > 0) out += digits == 4 ? "\\X2\\" : "\\X4\\";
+      open = digits;
+    }
+    if (digits == 0)
+      out += char(code);
+    else
+      out += hexadecimal(code, digits);
+    text.remove_prefix(length);
+  }
+  if (open > 0) out += "\\X0\\";
+  return out;
+}
+
+std::string ascii_name(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const bool ascii = static_cast<unsigned char>(text[0]) < 0x80;
+    out += ascii ? text[0] : '_';
+    text.remove_prefix(ascii ? 1 : std::max<std::size_t>(utf8_length(text), 1));
+  }
+  return out;
+}
+
+}  // namespace hariko

@@ -1,0 +1,140 @@
+#include "core/cad/kernel/opencascade/sew_faces.hpp"
+
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace hariko {
+
+namespace {
+
+std::size_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum not_in = TopAbs_SHAPE) {
+  std::size_t out = 0;
+  for (TopExp_Explorer at(shape, kind, not_in); at.More(); at.Next()) ++out;
+  return out;
+}
+
+TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound out;
+  BRep_Builder builder;
+  builder.MakeCompound(out);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(out, shape);
+  return out;
+}
+
+/// A closed shell as a solid that looks outward; others as they are.
+TopoDS_Shape body_of(const TopoDS_Shape& shape) {
+  if (shape.ShapeType() != TopAbs_SHELL || !BRep_Tool::IsClosed(shape)) return shape;
+  TopoDS_Solid solid;
+  BRep_Builder builder;
+  builder.MakeSolid(solid);
+  builder.Add(solid, TopoDS::Shell(shape));
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+struct Sewn {
+  std::vector<TopoDS_Shape> bodies;  ///< of several faces
+  std::vector<TopoDS_Shape> alone;   ///< faces that meet no other
+};
+
+/// Nothing where there is no size to sew by, or where the kernel gives up.
+std::optional<Sewn> sew(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  if (box.IsVoid() || box.IsOpen() || !(box.SquareExtent() > 0)) return {};
+  BRepBuilderAPI_Sewing sewing(sewing_tolerance * std::sqrt(box.SquareExtent()));
+  sewing.Add(shape);
+  sewing.Perform();
+  const TopoDS_Shape& done = sewing.SewedShape();
+  if (done.IsNull() || count(done, TopAbs_FACE) < count(shape, TopAbs_FACE)) return {};
+  Sewn out;
+  for (TopExp_Explorer shell(done, TopAbs_SHELL); shell.More(); shell.Next())
+    (count(shell.Current(), TopAbs_FACE) > 1 ? out.bodies : out.alone).push_back(body_of(shell.Current()));
+  for (TopExp_Explorer face(done, TopAbs_FACE, TopAbs_SHELL); face.More(); face.Next())
+    out.alone.push_back(face.Current());
+  return out;
+}
+
+/// Of several shells or faces that may have borders.
+bool is_in_pieces(const TopoDS_Shape& shape) {
+  return count(shape, TopAbs_SOLID) == 0 &&
+         count(shape, TopAbs_SHELL) + count(shape, TopAbs_FACE, TopAbs_SHELL) > 1;
+}
+
+TopoDS_Shape whole(const TopoDS_Shape& shape) {
+  const auto made = sew(shape);
+  if (!made) return shape;
+  std::vector<TopoDS_Shape> all = made->bodies;
+  all.insert(all.end(), made->alone.begin(), made->alone.end());
+  return all.size() == 1 ? all.front() : compound_of(all);
+}
+
+/// A name without the number at its end: "FACE (12)", "patch_3".
+std::string_view stem(std::string_view name) {
+  const std::size_t last = name.find_last_not_of("0123456789 ()_-.#:");
+  return name.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+/// The faces that are leaves of their own, and where they come from.
+class LooseFaces {
+ public:
+  void add(const CadLeaf& leaf) {
+    shapes_.push_back(leaf.shape);
+    if (!colour_) colour_ = leaf.colour;
+    const std::string_view own = stem(leaf.name);
+    if (shapes_.size() == 1) name_ = leaf.name;
+    if (name_ == leaf.name) return;
+    const std::string_view common = stem(name_);
+    name_ = common == own ? std::string(own) : std::string();
+  }
+
+  std::vector<CadLeaf> take() const {
+    std::vector<CadLeaf> out;
+    if (shapes_.empty()) return out;
+    const auto made = sew(compound_of(shapes_));
+    if (!made) return {{compound_of(shapes_), name_, colour_}};
+    for (const TopoDS_Shape& body : made->bodies) out.push_back({body, name_, colour_});
+    if (!made->alone.empty()) out.push_back({compound_of(made->alone), name_, colour_});
+    return out;
+  }
+
+ private:
+  std::vector<TopoDS_Shape> shapes_;
+  std::string name_;
+  CadColour colour_;
+};
+
+}  // namespace
+
+std::vector<CadLeaf> sewn(std::vector<CadLeaf> leaves, bool loose) {
+  LooseFaces faces;
+  std::vector<CadLeaf> out;
+  std::optional<std::size_t> first;  // where the loose faces begin
+  for (CadLeaf& leaf : leaves) {
+    if (loose && count(leaf.shape, TopAbs_FACE) == 1) {
+      if (!first) first = out.size();
+      faces.add(leaf);
+      continue;
+    }
+    if (is_in_pieces(leaf.shape)) leaf.shape = whole(leaf.shape);
+    out.push_back(std::move(leaf));
+  }
+  const std::vector<CadLeaf> made = faces.take();
+  out.insert(out.begin() + std::ptrdiff_t(first.value_or(0)), made.begin(), made.end());
+  return out;
+}
+
+}  // namespace hariko
