@@ -6,6 +6,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
+#include "core/surface/box_tree.hpp"
 
 namespace hariko {
 
@@ -14,8 +15,6 @@ namespace {
 constexpr double weld_tolerance = 1e-9;  ///< of the whole's size
 constexpr double smooth_angle = 1e-6;
 constexpr int samples = 16;  ///< intervals at which sides are compared
-/// Above this number of free sides T-joints are not looked for.
-constexpr std::size_t max_free_sides = 5000;
 
 struct SideCurve {
   std::array<Vector3, samples + 1> point;
@@ -138,14 +137,17 @@ class Welder {
     std::vector<Index> open;
     for (Index slot = 0; slot < curves_.size(); ++slot)
       if (!matched_[slot] && !curves_[slot].collapsed) open.push_back(slot);
-    if (open.size() > max_free_sides) return;
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Index slot : open) {
+      boxes.push_back(curves_[slot].box);
+      boxes.back().min().array() -= tolerance_;
+      boxes.back().max().array() += tolerance_;
+    }
+    const BoxTree tree(std::move(boxes));
     for (const Index small : open)
-      for (const Index large : open) {
+      for (const Index found : tree.containing(curves_[small].box)) {
+        const Index large = open[found];
         if (small == large || matched_[small]) continue;
-        Eigen::AlignedBox3d box = curves_[large].box;
-        box.min().array() -= tolerance_;
-        box.max().array() += tolerance_;
-        if (!box.contains(curves_[small].box)) continue;
         const double begin = parameter_on(large, curves_[small].point[0]);
         const double end = parameter_on(large, curves_[small].point[samples]);
         if (begin < 0 || end < 0 || std::abs(end - begin) < 1e-6 || !is_part(small, large, begin, end))
