@@ -20,6 +20,7 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"paper", "target", "fair", "g2"}));
   command.add_flag("--round", round_, "Mode g2 measures bending over the surface of mode fair");
   outlines_.add_to(command);
+  reading_.add_to(command);
 }
 
 Construction ConstructionCommandLine::construction() const {
@@ -27,6 +28,7 @@ Construction ConstructionCommandLine::construction() const {
   if (!mode_.empty()) out.mode = mode_of(mode_);
   out.round = round_;
   out.outlines = outlines_.construction();
+  out.reading = reading_.reading();
   return out;
 }
 
