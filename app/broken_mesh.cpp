@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/printable.hpp"
+#include "core/polyhedron/message_summary.hpp"
 
 namespace hariko {
 
@@ -16,14 +17,17 @@ std::string line_of(const Language& tr, const Message& message) {
   return element.empty() || text != message.text ? text : element + ": " + text;
 }
 
-/// The errors, the first few in full.
+/// The errors, one line a kind, the first few kinds.
 std::string list_of_errors(const Language& tr, const OpenedFile& opened) {
   constexpr std::size_t most = 4;
   std::string list;
   std::size_t count = 0;
-  for (const Message& message : opened.messages) {
-    if (message.severity != Severity::error) continue;
-    if (++count <= most) list += "\n\u2022 " + line_of(tr, message);
+  for (const MessageSummary& summary : summarised(opened.messages)) {
+    if (summary.first.severity != Severity::error) continue;
+    if (++count > most) continue;
+    list += "\n\u2022 " + line_of(tr, summary.first);
+    if (summary.count > 1)
+      list += " " + fill(tr("({0} in all: {1})"), {std::to_string(summary.count), summary.list()});
   }
   if (count > most) list += "\n" + fill(tr("and {0} more"), {std::to_string(count - most)});
   return list;
@@ -50,7 +54,7 @@ void ask_about_broken_mesh(Editor& editor, Workbench& workbench, const std::file
                            const std::shared_ptr<const OpenedFile>& opened,
                            std::function<void(const Document&, const std::string& note)> accept) {
   const Language& tr = editor.language;
-  const std::string name = printable(path.filename().string(), 200);
+  const std::string name = shortened(path.filename().string(), 200);
   if (!opened->repaired && !opened->reference) {
     Message error = *opened->error();
     error.text = name + ": " + line_of(tr, error);

@@ -9,6 +9,7 @@
 #include "core/base/printable.hpp"
 #include "core/base/temporary_files.hpp"
 #include "core/document/file.hpp"
+#include "ui/panels/join_request.hpp"
 
 namespace hariko {
 
@@ -30,7 +31,7 @@ fs::path full_path(const fs::path& path) {
 }
 
 std::string name_of(const fs::path& path) {
-  return printable(path.filename().string(), 200);
+  return shortened(path.filename().string(), 200);
 }
 
 /// "ada on studio-3", as far as the lock says.
@@ -79,12 +80,12 @@ DocumentSession::DocumentSession(Editor& editor, Workbench& workbench, const Xdg
 
 // Opening.
 
-void DocumentSession::open(const fs::path& given) {
+void DocumentSession::open(const fs::path& given, const JoinChoice& join) {
   const fs::path path = full_path(given);
   background_.run_cancellable(
       fill(translatable("Opening {0}"), {name_of(path)}),
-      [path, samples = samples_, own = lock_.held() ? lock_.path() : fs::path()](const CancelToken& cancel,
-                                                                                 const Progress& progress) {
+      [path, join, samples = samples_, own = lock_.held() ? lock_.path() : fs::path()](
+          const CancelToken& cancel, const Progress& progress) {
         auto opened = std::make_shared<Opened>();
         opened->path = path;
         std::error_code unknown;  // where one of them does not exist they are not the same
@@ -92,16 +93,17 @@ void DocumentSession::open(const fs::path& given) {
         // The stamp first: a change while reading must count as one.
         (void)remove_stale_temporaries(path.parent_path());
         opened->stamp = stamp_of(path);
-        opened->file = open_file(path, cancel, progress);
+        opened->file = open_file(path, cancel, progress, join);
         if (!opened->file.native || !opened->file.document || opened->sample) return opened;
         const fs::path lock = lock_path_of(path);
         opened->own_lock = lock == own;
         if (!opened->own_lock) opened->attempt = FileLock::try_lock(lock, unix_seconds());
         return opened;
       },
-      [this](const std::shared_ptr<Opened>& opened) {
+      [this, join](const std::shared_ptr<Opened>& opened) {
         if (opened->file.broken_mesh) return ask_about_mesh(opened);
         if (!opened->file.document) return editor_.notify(*opened->file.error());
+        if (opened->file.cleaned.near > 0 && !join.near) return ask_about_corners(opened);
         if (opened->attempt.outcome == Outcome::taken) return ask_about_lock(opened);
         install(opened, opened->sample ? Mode::copy : Mode::normal);
       });
@@ -117,6 +119,14 @@ void DocumentSession::ask_about_mesh(const std::shared_ptr<Opened>& opened) {
                           install(opened, Mode::normal);
                           editor_.notify(Notice::Kind::info, note);
                         });
+}
+
+void DocumentSession::ask_about_corners(const std::shared_ptr<Opened>& opened) {
+  hooks_.log("near_corners", opened->path);
+  workbench_.ask(join_request(
+      editor_.language, name_of(opened->path), opened->file.cleaned, opened->file.document->unit,
+      [this, path = opened->path](const JoinChoice& chosen) { open(path, chosen); },
+      [this, opened] { install(opened, Mode::normal); }));
 }
 
 void DocumentSession::ask_about_lock(const std::shared_ptr<Opened>& opened) {
@@ -154,7 +164,7 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   if (file && mode == Mode::normal && !opened->own_lock &&
       (opened->attempt.outcome == Outcome::unavailable || !opened->attempt.certain))
     warn_about_lock(opened->path, opened->attempt);
-  constexpr std::size_t most_warnings = 2;
+  constexpr std::size_t most_warnings = 6;
   for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
     editor_.notify(opened->file.messages[i]);
   if (!opened->sample) used(opened->path);

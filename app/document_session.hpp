@@ -38,7 +38,9 @@ class DocumentSession {
   /// Looks for what earlier sessions left, and for recent files; the workbench's offers follow.
   void find_offers(Pictures& pictures);
 
-  void open(const std::filesystem::path& path);
+  /// Asks first where a mesh is broken, or has corners nearly at the same place, unless `join` says what
+  /// becomes of these.
+  void open(const std::filesystem::path& path, const JoinChoice& join = {});
   void save(const std::filesystem::path& path, std::function<void()> then);
   void save_copy(const std::filesystem::path& path);
   /// Brings the file's content back as a step that can be undone.
@@ -74,6 +76,7 @@ class DocumentSession {
   void ask_about_lock(const std::shared_ptr<Opened>& opened);
   void warn_about_lock(const std::filesystem::path& path, const FileLock::Attempt& attempt);
   void ask_about_mesh(const std::shared_ptr<Opened>& opened);
+  void ask_about_corners(const std::shared_ptr<Opened>& opened);
   void start_save(const std::filesystem::path& path, std::function<void()> then, bool overwrite);
   void finish_save(Saved& saved, const std::function<void()>& then);
   void ask_about_change(const std::filesystem::path& path, std::function<void()> then);

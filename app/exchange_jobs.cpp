@@ -13,22 +13,32 @@
 #include "core/document/convert_unit.hpp"
 #include "core/document/edit_objects.hpp"
 #include "ui/export_text.hpp"
+#include "ui/panels/join_request.hpp"
 #include "ui/panels/selected_items.hpp"
 
 namespace hariko {
 
 void ExchangeJobs::warn(const std::vector<Message>& warnings) {
-  constexpr std::size_t most = 2;
+  constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < std::min(most, warnings.size()); ++i) editor_.notify(warnings[i]);
 }
 
-void ExchangeJobs::import_file(const std::filesystem::path& path) {
+void ExchangeJobs::import_file(const std::filesystem::path& path, const JoinChoice& join) {
   work_.run_cancellable(
       fill(translatable("Importing {0}"), {path.filename().string()}),
-      [path](const CancelToken& cancel, const Progress& progress) {
-        return open_file(path, cancel, progress);
+      [path, join](const CancelToken& cancel, const Progress& progress) {
+        return open_file(path, cancel, progress, join);
       },
-      [this, path](const OpenedFile& opened) {
+      [this, path, join](const OpenedFile& opened) {
+        if (opened.document && opened.cleaned.near > 0 && !join.near) {
+          log_("near_corners", path);
+          const auto add = [this, path, opened] {
+            add_imported(path, *opened.document, opened.says_unit, opened.messages);
+          };
+          return workbench_.ask(join_request(
+              editor_.language, path.filename().string(), opened.cleaned, opened.document->unit,
+              [this, path](const JoinChoice& chosen) { import_file(path, chosen); }, add));
+        }
         if (opened.document) return add_imported(path, *opened.document, opened.says_unit, opened.messages);
         if (!opened.broken_mesh) return editor_.notify(*opened.error());
         log_("broken", path);

@@ -26,8 +26,9 @@ class ExchangeJobs {
   ExchangeJobs(const ExchangeJobs&) = delete;
   ExchangeJobs& operator=(const ExchangeJobs&) = delete;
 
-  /// Adds the objects of a file to the document, as one step; asks first whether a broken mesh is repaired.
-  void import_file(const std::filesystem::path& path);
+  /// Adds the objects of a file to the document, as one step; asks first whether a broken mesh is repaired,
+  /// or corners that are nearly at the same place are joined, unless `join` says it.
+  void import_file(const std::filesystem::path& path, const JoinChoice& join = {});
   /// Counts the triangles or faces that an export would write, for the dialogs; a count that is on its way
   /// is cancelled, and nothing is heard of it any more.
   void count_export(const std::filesystem::path& path, const ExportSettings& settings);

@@ -11,7 +11,7 @@ namespace hariko {
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hariko-replay-XXXXXX").native();
+    std::string name = (std::filesystem::temp_directory_path() / "hariko-XXXXXX").native();
     if (::mkdtemp(name.data())) path_ = name;
   }
   ~ScratchFolder() {

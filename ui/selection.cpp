@@ -6,6 +6,7 @@
 #include "core/modeling/select_convert.hpp"
 #include "core/modeling/select_region.hpp"
 #include "ui/language.hpp"
+#include "ui/skin_view.hpp"
 
 namespace hariko {
 
@@ -27,7 +28,7 @@ void keep_existing(std::set<Id>& set, const Polyhedron& polyhedron) {
 /// Of a skin points of sections can be selected, and those of the path, which have the highest numbers.
 void keep_existing(ElementSelection& elements, const Skin& skin) {
   std::erase_if(elements.vertices, [&](VertexId id) {
-    return id.value < 0x80000000U &&
+    return !is_path_point(id.value) &&
            std::none_of(skin.sections.begin(), skin.sections.end(),
                         [&](const SkinSection& section) { return find_point(section, id.value) >= 0; });
   });
@@ -52,6 +53,19 @@ ElementSelection all_points(const OutlineSource& source) {
   ElementSelection out;
   for (Index i = 0; i < source.outline->point_count(); ++i)
     out.vertices.insert(out.vertices.end(), VertexId{i});
+  return out;
+}
+
+/// The points of all sections and those of the path and of the second rail.
+ElementSelection all_points(const Skin& skin) {
+  ElementSelection out;
+  for (const SkinSection& section : skin.sections)
+    for (const SectionPoint& point : section.points) out.vertices.insert(VertexId{point.id});
+  const auto add_path = [&](const SubdivisionCurve& path, std::uint32_t ids) {
+    for (int i = 0; i < path.size(); ++i) out.vertices.insert(VertexId{ids + std::uint32_t(i)});
+  };
+  add_path(skin.path, path_point_ids);
+  if (skin.second_rail) add_path(*skin.second_rail, rail_point_ids);
   return out;
 }
 
@@ -158,6 +172,8 @@ void Selection::select_all(const Object& object, ElementMode mode) {
     set(object.id, hariko::select_all(*cage, kind_of(mode)));
   else if (object.solids())
     set(object.id, all_solids(object));
+  else if (object.skin())
+    set(object.id, all_points(*object.skin()->skin));
 }
 
 void Selection::prune(const Document& document) {
@@ -203,6 +219,8 @@ Selection converted(const Selection& selection, const Document& document, Elemen
         result.set(id, all_solids(*object));
       else if (object && object->outline() && to == ElementMode::vertex)
         result.set(id, all_points(*object->outline()));
+      else if (object && object->skin() && to == ElementMode::vertex)
+        result.set(id, all_points(*object->skin()->skin));
     return result;
   }
   for (const auto& [id, elements] : selection.elements()) {

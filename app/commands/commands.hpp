@@ -12,6 +12,7 @@
 #include "core/document/cad_choices.hpp"
 #include "core/document/display.hpp"
 #include "core/document/file_choices.hpp"
+#include "core/exchange/clean_part.hpp"
 #include "core/gaussmap/outline_settings.hpp"
 #include "core/network/shaping.hpp"
 #include "core/unfolding/unfolding.hpp"
@@ -31,12 +32,21 @@ struct OutlineConstruction {
   friend bool operator==(const OutlineConstruction&, const OutlineConstruction&) = default;
 };
 
-/// How surfaces are made, instead of what the document says.
+/// How meshes of other programs are read.
+struct Reading {
+  JoinChoice join = {};
+  bool repair = false;     ///< those that make no polyhedron are changed until they do
+  bool reference = false;  ///< or kept as facets, where they cannot be repaired or need not be
+  friend bool operator==(const Reading&, const Reading&) = default;
+};
+
+/// How surfaces are made, instead of what the document says, and from what.
 struct Construction {
   std::optional<Mode> mode;           ///< of polyhedra; of outlines, where it is `fair` or `g2`
   bool round = false;                 ///< of polyhedra: turns it on; never off
   std::optional<Frames> frames = {};  ///< of polyhedra
   OutlineConstruction outlines = {};
+  Reading reading = {};
   friend bool operator==(const Construction&, const Construction&) = default;
 };
 

@@ -1,7 +1,11 @@
 #include "app/commands/console.hpp"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdio>
+
+#include "core/polyhedron/message_summary.hpp"
 
 namespace hariko {
 
@@ -21,6 +25,41 @@ void report(std::string_view file, const Message& message) {
   line += to_string(message);
   line += '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void report(std::string_view file, std::span<const Message> messages) {
+  for (const MessageSummary& summary : summarised(messages)) report(file, one_message(summary));
+}
+
+ProgressLine::ProgressLine(std::string what) : what_(std::move(what)) {
+  if (::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this] { show(); });
+}
+
+ProgressLine::~ProgressLine() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  ends_.notify_one();
+  thread_.join();
+}
+
+/// Ten times a second; short work shows nothing.
+void ProgressLine::show() {
+  constexpr std::chrono::milliseconds beat{100};
+  constexpr const char* clear_line = "\r\033[K";
+  std::unique_lock lock(mutex_);
+  bool shown = false;
+  while (!ends_.wait_for(lock, beat, [this] { return ended_; })) {
+    const double fraction = progress_.fraction();
+    std::string line = clear_line + what_;
+    if (fraction >= 0) line += " " + std::to_string(static_cast<int>(100 * fraction)) + " %";
+    std::fputs(line.c_str(), stderr);
+    std::fflush(stderr);
+    shown = true;
+  }
+  if (shown) std::fputs(clear_line, stderr);
 }
 
 bool print(std::string_view text) {

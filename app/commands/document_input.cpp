@@ -8,6 +8,23 @@ namespace hariko {
 namespace {
 
 constexpr Code e_no_such_object{"E_NO_SUCH_OBJECT"};
+constexpr Code w_repaired{"W_REPAIRED"};
+constexpr Code w_kept_as_facets{"W_KEPT_AS_FACETS"};
+constexpr Code w_can_be_opened{"W_CAN_BE_OPENED"};
+
+/// "vertices merged: 12, faces turned: 3".
+std::string repair_text(const RepairReport& report) {
+  std::string out;
+  const auto part = [&](const char* what, std::size_t count) {
+    if (count > 0) out += (out.empty() ? "" : ", ") + std::string(what) + ": " + std::to_string(count);
+  };
+  part("vertices merged", report.merged_vertices);
+  part("faces turned", report.turned_faces);
+  part("faces dropped", report.dropped_faces);
+  part("vertices added where it was cut apart", report.split_vertices);
+  part("unused vertices removed", report.removed_vertices);
+  return out;
+}
 
 void choose(OutlineSettings& settings, const Construction& construction) {
   const OutlineConstruction& chosen = construction.outlines;
@@ -22,10 +39,35 @@ void choose(OutlineSettings& settings, const Construction& construction) {
 
 }  // namespace
 
+OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading,
+                         const Progress& progress) {
+  OpenedFile opened = open_file(file, {}, progress, reading.join);
+  if (opened.document || !opened.broken_mesh) return opened;
+  const bool repairs = reading.repair && opened.repaired;
+  if (repairs || (reading.reference && opened.reference)) {
+    std::erase_if(opened.messages,
+                  [](const Message& message) { return message.severity == Severity::error; });
+    opened.messages.push_back(
+        repairs ? make_warning(w_repaired, "The mesh made no polyhedron and was repaired: " +
+                                               repair_text(opened.repair) + ".")
+                : make_warning(w_kept_as_facets,
+                               "The mesh makes no polyhedron and was kept as facets, without a surface."));
+    opened.document = repairs ? opened.repaired : opened.reference;
+    return opened;
+  }
+  const std::string repair = opened.repaired ? "--repair mends it (" + repair_text(opened.repair) + ")" : "",
+                    reference = opened.reference ? "--reference keeps its facets" : "";
+  if (!repair.empty() || !reference.empty())
+    opened.messages.push_back(make_warning(
+        w_can_be_opened, "The mesh can be opened: " + repair +
+                             (repair.empty() || reference.empty() ? "" : ", ") + reference + "."));
+  return opened;
+}
+
 std::optional<Document> read_document_or_report(const std::filesystem::path& file,
                                                 const Construction& construction) {
-  OpenedFile opened = open_file(file);
-  for (const Message& message : opened.messages) report(file.string(), message);
+  OpenedFile opened = open_as_asked(file, construction.reading);
+  report(file.string(), opened.messages);
   if (!opened.document) return std::nullopt;
   return with_construction(*std::move(opened.document), construction);
 }

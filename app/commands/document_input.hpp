@@ -8,6 +8,11 @@
 
 namespace hariko {
 
+/// Opens a file; a mesh that makes no polyhedron is repaired or kept as facets where that is asked for, which
+/// a warning then tells in the place of the errors; else a warning tells that it can be.
+OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& reading,
+                         const Progress& progress = {});
+
 /// Opens the file of a subcommand; reports all messages on the error stream and gives nothing on an error.
 std::optional<Document> read_document_or_report(const std::filesystem::path& file,
                                                 const Construction& construction = {});

@@ -1,44 +1,92 @@
-#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
 #include "app/commands/document_input.hpp"
 #include "app/commands/object_info.hpp"
+#include "core/base/printable.hpp"
 
 namespace hariko {
 
+namespace {
+
+/// Describes the objects one after the other; text is printed as soon as an object is done.
+class Describer {
+ public:
+  Describer(const InfoArguments& arguments, const OpenedFile& input, double reading)
+      : arguments_(arguments), input_(input), reading_(reading) {
+    const std::size_t count = input.document ? input.document->objects.size() : input.broken_mesh ? 1 : 0;
+    alone_ = count == 1;
+  }
+
+  /// False where the output cannot be written.
+  bool describe_all(const Document* against) {
+    if (!alone_) report(arguments_.file.string(), input_.messages);
+    if (!input_.document) return !input_.broken_mesh || take(inspect_broken(input_));
+    std::size_t number = 0;
+    for (const auto& object : input_.document->objects) {
+      const std::string place =
+          alone_ ? ""
+                 : std::to_string(++number) + "/" + std::to_string(input_.document->objects.size()) + " ";
+      // What is known at once stands there while the rest is measured.
+      const std::string head = arguments_.json ? "" : info_head(inspect_at_once(*object));
+      if (!head.empty() && !print((objects_.empty() ? "" : "\n") + head)) return false;
+      std::optional<ObjectInfo> info;
+      {
+        const ProgressLine line(place + printable(object->name, 60) + ": measuring");
+        info = inspect(*input_.document, *object, against);
+      }
+      if (!take(*std::move(info), head)) return false;
+    }
+    return true;
+  }
+  bool failed() const { return failed_; }
+  const std::vector<ObjectInfo>& objects() const { return objects_; }
+
+ private:
+  /// `head`: was printed already.
+  bool take(ObjectInfo info, const std::string& head = {}) {
+    // What concerns the file as a whole stands with its one object; with several, or none, it goes to the
+    // error stream.
+    if (alone_) info.messages.insert(info.messages.begin(), input_.messages.begin(), input_.messages.end());
+    info.milliseconds.insert(info.milliseconds.begin(), {"read", reading_});
+    failed_ = failed_ || info.failed();
+    std::string text = arguments_.json ? std::string() : info_text({info});
+    if (!head.empty() && text.starts_with(head)) text.erase(0, head.size());
+    objects_.push_back(std::move(info));
+    return arguments_.json || print(text);
+  }
+
+  const InfoArguments& arguments_;
+  const OpenedFile& input_;
+  double reading_;
+  bool alone_ = false, failed_ = false;
+  std::vector<ObjectInfo> objects_;
+};
+
+}  // namespace
+
 int run_info(const InfoArguments& arguments) {
   Stopwatch watch;
-  OpenedFile input = open_file(arguments.file);
+  OpenedFile input = [&] {
+    const ProgressLine line(arguments.file.filename().string() + ": reading");
+    return open_as_asked(arguments.file, arguments.construction.reading, line.progress());
+  }();
   if (input.document) input.document = with_construction(*std::move(input.document), arguments.construction);
   std::optional<Document> against;
   if (arguments.against) {
     against = read_document_or_report(*arguments.against, arguments.construction);
     if (!against) return exit_failed;
   }
-  const double reading = watch.lap();
-  std::vector<ObjectInfo> objects;
-  if (input.document)
-    for (const auto& object : input.document->objects)
-      objects.push_back(inspect(*input.document, *object, against ? &*against : nullptr));
-  else if (input.broken_mesh)
-    objects.push_back(inspect_broken(input));
-
-  // What concerns the file as a whole stands with its one object; with several, or none, it goes to the error
-  // stream.
-  if (objects.size() == 1)
-    objects[0].messages.insert(objects[0].messages.begin(), input.messages.begin(), input.messages.end());
-  else
-    for (const Message& message : input.messages) report(arguments.file.string(), message);
-  for (ObjectInfo& object : objects)
-    object.milliseconds.insert(object.milliseconds.begin(), {"read", reading});
-
+  Describer describer(arguments, input, watch.lap());
+  if (!describer.describe_all(against ? &*against : nullptr)) return exit_failed;
   const bool nothing = !input.document && !input.broken_mesh;
-  if (!nothing || arguments.json)
-    if (!print(arguments.json ? info_json(objects) : info_text(objects))) return exit_failed;
-  const bool failed = nothing || std::any_of(objects.begin(), objects.end(),
-                                             [](const ObjectInfo& object) { return object.failed(); });
-  return failed ? exit_failed : exit_fine;
+  if (arguments.json ? !print(info_json(describer.objects()))
+                     : !nothing && describer.objects().empty() && !print(info_text({})))
+    return exit_failed;
+  return nothing || describer.failed() ? exit_failed : exit_fine;
 }
 
 }  // namespace hariko

@@ -243,13 +243,18 @@ bool ObjectInfo::failed() const {
                      [](const Message& message) { return message.severity == Severity::error; });
 }
 
-ObjectInfo inspect(const Document& document, const Object& object, const Document* against) {
+ObjectInfo inspect_at_once(const Object& object) {
   ObjectInfo info;
-  if (against) info.against.emplace();
   info.name = object.name;
   info.kind = kind_of(object.source);
-  const double scale = object.transform.scale;
   if (const Polyhedron* cage = object.cage()) count_topology(cage->topology(), info);
+  return info;
+}
+
+ObjectInfo inspect(const Document& document, const Object& object, const Document* against) {
+  ObjectInfo info = inspect_at_once(object);
+  if (against) info.against.emplace();
+  const double scale = object.transform.scale;
   if (const OutlineSource* outline = object.outline()) inspect_outline(*outline, scale, info);
   if (object.has_surface()) {
     inspect_surface(document, object, against, info);

@@ -71,6 +71,8 @@ struct ObjectInfo {
 
 /// `against`: the document whose object of the same id it is compared with, or null.
 ObjectInfo inspect(const Document& document, const Object& object, const Document* against = nullptr);
+/// What is known without measuring: the name, the kind, and the counts of polyhedra and nets.
+ObjectInfo inspect_at_once(const Object& object);
 /// Of a mesh file that makes no polyhedron.
 ObjectInfo inspect_broken(const OpenedFile& input);
 
@@ -78,5 +80,7 @@ ObjectInfo inspect_broken(const OpenedFile& input);
 std::string info_json(const std::vector<ObjectInfo>& objects);
 /// The same for people, one line a value.
 std::string info_text(const std::vector<ObjectInfo>& objects);
+/// The first lines of that for an object, up to what is not known.
+std::string info_head(const ObjectInfo& object);
 
 }  // namespace hariko

@@ -8,6 +8,7 @@
 
 #include "app/commands/object_info.hpp"
 #include "core/base/json_writer.hpp"
+#include "core/polyhedron/message_summary.hpp"
 
 namespace hariko {
 
@@ -224,13 +225,22 @@ std::string info_json(const std::vector<ObjectInfo>& objects) {
   return json.take() + "\n";
 }
 
+std::string info_head(const ObjectInfo& object) {
+  std::string out;
+  for (const InfoMember& member : members_of(object)) {
+    if (std::holds_alternative<std::monostate>(member.value.state)) break;
+    out += line(member);
+  }
+  return out;
+}
+
 std::string info_text(const std::vector<ObjectInfo>& objects) {
   std::string out;
   for (const ObjectInfo& info : objects) {
     if (!out.empty()) out += "\n";
     for (const InfoMember& member : members_of(info)) out += line(member);
     out += line({"milliseconds", times_of(info)});
-    for (const Message& message : info.messages) out += text_of(message);
+    for (const MessageSummary& summary : summarised(info.messages)) out += text_of(one_message(summary));
   }
   return out.empty() ? "The document has no objects.\n" : out;
 }

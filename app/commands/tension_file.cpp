@@ -25,7 +25,7 @@ class Reader {
       else if (key == "corner" || key == "smooth")
         failed = read_tags(key, value);
       else
-        failed = error("The tension file has the unknown member \"" + printable(key, 60) + "\".");
+        failed = error("The tension file has the unknown member \"" + shortened(key, 120) + "\".");
       if (failed) return failed;
     }
     return std::nullopt;
@@ -53,7 +53,7 @@ class Reader {
   std::optional<Message> read_numbers(const std::string& member, const nlohmann::json& values) {
     if (!values.is_object()) return error("\"" + member + "\" of the tension file is not an object.");
     for (const auto& [key, value] : values.items()) {
-      const std::string name = "\"" + member + "\": {\"" + printable(key, 60) + "\"} of the tension file";
+      const std::string name = "\"" + member + "\": {\"" + shortened(key, 120) + "\"} of the tension file";
       if (!value.is_number()) return error(name + " is not a number.");
       if (member == "alpha") {
         const auto id = parse_vertex(key);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "app/files/open_cad.hpp"
@@ -33,15 +34,32 @@ Result<PolyhedronSource> imported(const PolygonMesh& mesh) {
   return as_new(*std::move(source));
 }
 
+/// A patch whose control points can be edited, where it is alone and does not close on itself; else all of
+/// them as one surface.
+Result<Source> source_of(const std::vector<BezierPatch>& patches) {
+  if (patches.size() == 1 && is_editable(patches[0])) {
+    const auto alone = weld_patches(Vector3::Zero(), patches);
+    if (!alone.ok()) return alone.error();
+    if (alone->seams().empty()) {
+      auto single = PatchSource::from_net(BicubicNet{1, 1, patches[0].points});
+      return single.ok() ? Result<Source>(std::move(single).value()) : single.error();
+    }
+  }
+  auto welded = BezierSource::from_patches(patches);
+  return welded.ok() ? Result<Source>(std::move(welded).value()) : welded.error();
+}
+
 /// The objects of a mesh file, each as it came, repaired, and as reference facets where it makes no
 /// polyhedron.
 class MeshObjects {
  public:
   explicit MeshObjects(OpenedFile& opened) : opened_(opened) {}
 
-  void add(PolygonMesh mesh, const std::string& name, bool alone) {
+  void add(ImportedPart part, const std::string& name, bool alone) {
+    PolygonMesh& mesh = part.mesh;
     auto polyhedron = imported(mesh);
     if (polyhedron.ok()) {
+      polyhedron.value().shaping = shaping_of(part, polyhedron->polyhedron);
       for (auto* document : {&whole_, &repaired_, &reference_}) put(*document, name, polyhedron);
       return;
     }
@@ -55,6 +73,12 @@ class MeshObjects {
     if (opened_.broken_mesh) return;
     opened_.broken_mesh = std::move(mesh);
     opened_.name = name;
+  }
+
+  void add(const NamedPatches& patches, const std::string& name) {
+    const auto source = source_of(patches.patches);
+    if (!source.ok()) opened_.messages.push_back(source.error());
+    for (auto* document : {&whole_, &repaired_, &reference_}) put(*document, name, source);
   }
 
   /// `metres_per_unit` is nothing where the file does not say it.
@@ -72,6 +96,20 @@ class MeshObjects {
   }
 
  private:
+  /// The part made a polyhedron: its vertices have their numbers as ids.
+  static Shaping shaping_of(const ImportedPart& part, const Polyhedron& polyhedron) {
+    std::set<EdgeId> creases;
+    for (const auto& [a, b] : part.creases)
+      if (const EdgeId edge = EdgeId::of(VertexId{a}, VertexId{b}); polyhedron.find(edge) != no_index)
+        creases.insert(edge);
+    const std::set<Index> corners(part.corners.begin(), part.corners.end());
+    Shaping out;  // ascending: quick
+    for (const EdgeId edge : creases) out.crease.set(edge, true);
+    for (const Index v : corners)
+      if (polyhedron.find(VertexId{v}) != no_index) out.tag.set(VertexId{v}, VertexTag::corner);
+    return out;
+  }
+
   void count_repair(const RepairReport& report) {
     opened_.repair.merged_vertices += report.merged_vertices;
     opened_.repair.dropped_faces += report.dropped_faces;
@@ -108,7 +146,7 @@ class MeshObjects {
 };
 
 void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress,
-               OpenedFile& opened) {
+               const JoinChoice& join, OpenedFile& opened) {
   ReadLimits limits;
   limits.cancel = cancel;
   limits.progress = progress.part(0, 0.8);
@@ -119,15 +157,21 @@ void open_mesh(const std::filesystem::path& file, const CancelToken& cancel, con
   }
   ImportedScene scene = std::move(imported).value();
   opened.messages = std::move(scene.warnings);
-  const bool alone = scene.parts.size() == 1;
+  const std::size_t warnings = opened.messages.size();
+  const bool alone = scene.parts.size() + scene.patches.size() == 1;
   MeshObjects objects(opened);
   for (ImportedPart& part : scene.parts) {
     if (cancel.cancelled()) return;
     const std::string own = printable(part.name, Object::max_name_length);
     const std::string name = check_name(own).ok() ? own : opened.name;
     if (alone) opened.name = name;
-    objects.add(std::move(part.mesh), name, alone);
+    clean(part, join, opened.cleaned);
+    objects.add(std::move(part), name, alone);
   }
+  const auto told = opened.cleaned.messages();
+  opened.messages.insert(opened.messages.begin() + std::ptrdiff_t(warnings), told.begin(), told.end());
+  for (const NamedPatches& patches : scene.patches)
+    objects.add(patches, check_name(patches.name).ok() ? patches.name : opened.name);
   objects.finish(scene.metres_per_unit);
 }
 
@@ -171,21 +215,6 @@ OpenedFile cancelled_file() {
 
 bool has_ending(const std::filesystem::path& file, std::string_view ending) {
   return lower_ending(file) == ending;
-}
-
-/// A patch whose control points can be edited, where it is alone and does not close on itself; else all of
-/// them as one surface.
-Result<Source> source_of(const std::vector<BezierPatch>& patches) {
-  if (patches.size() == 1 && is_editable(patches[0])) {
-    const auto alone = weld_patches(Vector3::Zero(), patches);
-    if (!alone.ok()) return alone.error();
-    if (alone->seams().empty()) {
-      auto single = PatchSource::from_net(BicubicNet{1, 1, patches[0].points});
-      return single.ok() ? Result<Source>(std::move(single).value()) : single.error();
-    }
-  }
-  auto welded = BezierSource::from_patches(patches);
-  return welded.ok() ? Result<Source>(std::move(welded).value()) : welded.error();
 }
 
 /// One object for each name.
@@ -238,12 +267,13 @@ const Message* OpenedFile::error() const {
   return found == messages.end() ? nullptr : &*found;
 }
 
-OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress) {
+OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel, const Progress& progress,
+                     const JoinChoice& join) {
   OpenedFile opened;
   opened.name = printable(file.stem().string(), Object::max_name_length);
   if (!check_name(opened.name).ok()) opened.name = "mesh";
   if (format_of_extension(file)) {
-    open_mesh(file, cancel, progress, opened);
+    open_mesh(file, cancel, progress, join, opened);
     return cancel.cancelled() ? cancelled_file() : std::move(opened);
   }
   if (cad_format_of(file)) {

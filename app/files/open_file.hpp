@@ -9,6 +9,7 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/document.hpp"
+#include "core/exchange/clean_part.hpp"
 #include "core/polyhedron/repair.hpp"
 
 namespace hariko {
@@ -22,6 +23,7 @@ struct OpenedFile {
   /// where it cannot be that.
   std::optional<Document> repaired, reference;
   RepairReport repair;  ///< how `repaired` was made
+  CleanReport cleaned;  ///< what was done to the meshes at once; the messages tell of it
   std::string name;     ///< of the object that a mesh file makes: as the file says, else after the file
   bool native = false;  ///< a *.hariko document, so that saving may go back to the same file
   /// The file says the unit of its lengths: the documents have it, or millimetres.
@@ -35,8 +37,9 @@ struct OpenedFile {
 /// parts of a CAD program, .bpt Bezier patches, .json what its content says, all else a document. Bezier
 /// patches become one object a name; a single one that `is_editable` can be edited at once. Messages are
 /// those of the readers, of `validate` and of making sources, E_FORMAT_UNKNOWN for kinds of JSON that are not
-/// opened; E_CANCELLED alone where it was cancelled.
+/// opened; E_CANCELLED alone where it was cancelled. Meshes are cleaned (`clean`), their corners joined as
+/// `join` says.
 OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cancel = {},
-                     const Progress& progress = {});
+                     const Progress& progress = {}, const JoinChoice& join = {});
 
 }  // namespace hariko

@@ -184,7 +184,7 @@ class Reader {
       if (text.is_string())
         value[key] = text.get<std::string>();
       else
-        refuse(name + ("." + printable(key, 60)));
+        refuse(name + ("." + shortened(key, 120)));
   }
   /// Of the formats that this version writes.
   void exports(ExportMemory& memory) {

@@ -55,6 +55,9 @@ void add_warnings(const MeshOptions& options, const BisectionResult& refined, Me
         "Ask for a smaller angle, or let the mesh be optimised."));
 }
 
+/// Share of the progress that balancing has; where it does not apply, the rest follows.
+constexpr double balancing_share = 0.5;
+
 }  // namespace
 
 Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions& options,
@@ -69,20 +72,21 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
   const auto cancelled = [] { return make_error(e_cancelled, "The meshing was cancelled."); };
   // What the optimiser leaves is good already but for the folds, which it only estimates.
   if (options.balanced) {
-    auto balanced = balanced_mesh(sampler, options, cancel, progress.part(0, 0.85));
+    auto balanced = balanced_mesh(sampler, options, cancel, progress.part(0, balancing_share));
     if (cancel.cancelled()) return cancelled();
     if (balanced) {
       MeshApproximation out =
-          mesh_report(sampler, errors, options, *balanced, {}, cancel, progress.part(0.85, 1));
+          mesh_report(sampler, errors, options, *balanced, {}, cancel, progress.part(balancing_share, 1));
       if (cancel.cancelled()) return cancelled();
       return out;
     }
   }
-  ParameterMesh mesh = options.optimise || options.balanced
-                           ? optimised_mesh(sampler, options, cancel, progress.part(0, 0.8))
-                           : start_mesh(sampler, options);
+  const bool optimised = options.optimise || options.balanced;
+  const double begun = options.balanced ? balancing_share : 0;
+  ParameterMesh mesh = optimised ? optimised_mesh(sampler, options, cancel, progress.part(begun, 0.8))
+                                 : start_mesh(sampler, options);
   const BisectionResult refined =
-      bisect(sampler, errors, options, mesh, cancel, progress.part(options.optimise ? 0.8 : 0, 0.85));
+      bisect(sampler, errors, options, mesh, cancel, progress.part(optimised ? 0.8 : 0, 0.85));
   if (refined.cancelled) return cancelled();
   MeshApproximation out =
       mesh_report(sampler, errors, options, mesh, refined, cancel, progress.part(0.85, 1));

@@ -12,4 +12,8 @@ namespace hariko {
 /// bytes, it is cut at a character boundary and ends in "...". O(min(size, limit)).
 std::string printable(std::string_view text, std::size_t limit = 1000);
 
+/// The same for names and tokens in messages: longer than `limit` bytes, its middle becomes "...", as names
+/// differ at their ends. O(limit).
+std::string shortened(std::string_view text, std::size_t limit);
+
 }  // namespace hariko

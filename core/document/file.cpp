@@ -27,7 +27,7 @@ Result<Document> load_document(const std::filesystem::path& path) {
   Result<Document> document = read_document(*text);
   if (document) return document;
   Message message = document.error();
-  message.text = printable(path.filename().string(), 200) + ": " + message.text;
+  message.text = shortened(path.filename().string(), 200) + ": " + message.text;
   return message;
 }
 

@@ -9,7 +9,7 @@ std::string JsonCursor::path() const {
   if (!parent_) return "the document";
   const std::string above = parent_->parent_ ? parent_->path() : std::string();
   if (!member_) return above + "[" + std::to_string(index_) + "]";
-  return above + (above.empty() ? "" : ".") + printable(member_->name, 80);
+  return above + (above.empty() ? "" : ".") + shortened(member_->name, 120);
 }
 
 void JsonReader::fail(const JsonCursor& at, const std::string& text) {

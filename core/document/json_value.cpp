@@ -98,9 +98,9 @@ class Builder final : public nlohmann::json_sax<Json> {
     const std::string where = line_and_column(text_, position, line);
     const bool at_end = position > text_.size();
     const std::string what = reason.id == number_overflow
-                                 ? "the number \"" + printable(token, 40) + "\" is too large"
+                                 ? "the number \"" + shortened(token, 120) + "\" is too large"
                              : at_end ? std::string("the text ends too early")
-                                      : "\"" + printable(token, 40) + "\" does not belong here";
+                                      : "\"" + shortened(token, 120) + "\" does not belong here";
     error_ = make_error(e_parse, "The file is not valid JSON: at " + where + " " + what + ".",
                         "Open an intact copy of the file, or repair that line in a text editor.",
                         {Element::Kind::line, line});
@@ -175,8 +175,9 @@ class Builder final : public nlohmann::json_sax<Json> {
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
     if (twice == names.end()) return true;
-    error_ = make_error(e_schema, "The member \"" + printable(*twice, 80) + "\" appears twice in one object.",
-                        "Remove one of the two in a text editor.");
+    error_ =
+        make_error(e_schema, "The member \"" + shortened(*twice, 120) + "\" appears twice in one object.",
+                   "Remove one of the two in a text editor.");
     return false;
   }
 

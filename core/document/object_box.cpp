@@ -36,9 +36,8 @@ void visit_points(const Object& object, Visit&& visit) {
       }
     }
   } else if (const SkinSource* skin = object.skin()) {
-    for (const SkinSection& section : skin->skin->sections)
-      for (const SectionPoint& point : section.points) visit(point.position);
-    for (const Vector3& point : skin->skin->path.points) visit(point);
+    Skin all = *skin->skin;
+    change_positions(all, [&](const Vector3& point) { visit(point); });
   } else if (const OutlineSource* outline = object.outline()) {
     for (const OutlineLoop& loop : outline->outline->loops)
       for (const Vector3& point : loop.points) visit(point);

@@ -67,7 +67,7 @@ class SolidsReader {
       if (const auto kind = solid_kind_named(name))
         out.kind = *kind;
       else
-        reader_.fail(member, "there is no solid \"" + printable(name, 40) + "\"");
+        reader_.fail(member, "there is no solid \"" + shortened(name, 120) + "\"");
     });
     out.id = no_index;
     reader_.if_member(at, "id",

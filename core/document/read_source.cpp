@@ -436,7 +436,7 @@ KeptMembers kept_members(const JsonCursor& at, Names known, std::string_view tex
 void refuse_unknown_members(JsonReader& reader, const JsonCursor& at, Names known) {
   for (const JsonMember& member : *at.value().object())
     if (!is_known(member.name, known))
-      reader.fail(at, "the member \"" + printable(member.name, 80) + "\" is unknown");
+      reader.fail(at, "the member \"" + shortened(member.name, 120) + "\" is unknown");
 }
 
 }  // namespace hariko::detail

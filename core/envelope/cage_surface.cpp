@@ -249,7 +249,8 @@ class Pusher {
       positions.push_back(input_.polyhedron.position(v) + move[v]);
     }
     auto next = input_.polyhedron.with_positions(vertices, positions);
-    if (next) input_.polyhedron = std::move(next).value();
+    if (!next) return false;  // a place that is not finite: the cage stays where it is
+    input_.polyhedron = std::move(next).value();
     return true;
   }
 

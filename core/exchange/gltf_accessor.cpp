@@ -44,6 +44,10 @@ double number_at(const GltfAccessor& accessor, std::size_t at) {
 
 }  // namespace
 
+double gltf_number(const GltfAccessor& accessor, std::uint64_t row, std::size_t column) {
+  return number_at(accessor, row * accessor.stride + column * gltf_size(accessor.component));
+}
+
 std::optional<GltfComponent> gltf_component(std::uint64_t code) {
   if (code < 5120 || code > 5126 || code == 5124) return {};
   return static_cast<GltfComponent>(code);
@@ -72,11 +76,10 @@ std::optional<Message> check_rows(const GltfAccessor& accessor, std::size_t numb
 }
 
 Result<std::vector<Vector3>> gltf_points(const GltfAccessor& accessor) {
-  const std::size_t size = gltf_size(accessor.component);
   std::vector<Vector3> points(accessor.count);
   for (std::size_t row = 0; row < points.size(); ++row) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      points[row][static_cast<int>(axis)] = number_at(accessor, row * accessor.stride + axis * size);
+      points[row][static_cast<int>(axis)] = gltf_number(accessor, row, axis);
     if (!points[row].allFinite())
       return make_error(e_parse, accessor.place + ": Position " + std::to_string(row) + " is not finite.",
                         remedy_correct);

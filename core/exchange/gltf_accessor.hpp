@@ -39,6 +39,8 @@ struct GltfAccessor {
 /// E_TRUNCATED where rows of so many numbers lie beyond the bytes; nothing is allocated before.
 std::optional<Message> check_rows(const GltfAccessor& accessor, std::size_t numbers_per_row);
 
+/// A number of a row that `check_rows` accepts. O(1).
+double gltf_number(const GltfAccessor& accessor, std::uint64_t row, std::size_t column);
 /// Points of an accessor that `check_rows` accepts. Errors: E_PARSE where one is not finite. O(count).
 Result<std::vector<Vector3>> gltf_points(const GltfAccessor& accessor);
 /// Numbers of vertices of an accessor of unsigned integers that `check_rows` accepts. Errors: E_INDEX_RANGE.

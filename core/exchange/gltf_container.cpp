@@ -114,18 +114,24 @@ Result<std::optional<std::string>> data_of_uri(std::string_view uri) {
   return std::optional(std::move(data).value());
 }
 
-Result<std::string> buffer_path(std::string_view uri) {
-  const auto text = without_escapes(uri);
-  const std::filesystem::path path = std::filesystem::path(text.value_or("")).lexically_normal();
-  // A scheme has at least two letters and comes before any slash.
-  const std::size_t colon = uri.find(':');
-  const bool elsewhere = colon != std::string_view::npos && colon >= 2 && uri.find('/') > colon;
-  if (path.empty() || text->find('\0') != std::string::npos || elsewhere || path.is_absolute() ||
-      *path.begin() == ".." || !path.has_filename() || path == ".")
+Result<std::vector<std::string>> buffer_paths(std::string_view uri) {
+  // Some programs write names as they are: "10%.bin" is no address, and "a%20b.bin" may be a name.
+  std::vector<std::string> out;
+  for (const auto& text : {without_escapes(uri), std::optional(std::string(uri))}) {
+    const std::filesystem::path path = std::filesystem::path(text.value_or("")).lexically_normal();
+    // A scheme has at least two letters and comes before any slash.
+    const std::size_t colon = uri.find(':');
+    const bool elsewhere = colon != std::string_view::npos && colon >= 2 && uri.find('/') > colon;
+    if (path.empty() || text->find('\0') != std::string::npos || elsewhere || path.is_absolute() ||
+        *path.begin() == ".." || !path.has_filename() || path == ".")
+      continue;
+    if (out.empty() || out.front() != path.native()) out.push_back(path.native());
+  }
+  if (out.empty())
     return make_error(e_file_open,
                       "The data of the file lie at " + quote(uri) + ", which is not in its folder.",
                       "Put all parts in one folder, or export the model as .glb.");
-  return path.native();
+  return out;
 }
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.hpp"
 
@@ -28,8 +29,9 @@ Result<GltfChunks> gltf_chunks(std::string_view bytes);
 /// The content of a `data:` address in base64 (RFC 2397); nothing for other addresses. Errors: E_PARSE.
 Result<std::optional<std::string>> data_of_uri(std::string_view uri);
 
-/// A relative address as a path that stays inside the file's folder, percent signs resolved. Errors:
-/// E_FILE_OPEN for addresses of other machines, absolute paths and those that leave the folder.
-Result<std::string> buffer_path(std::string_view uri);
+/// Paths that a relative address may mean, likeliest first: percent signs resolved, and as it is written. All
+/// stay inside the file's folder; there is at least one. Errors: E_FILE_OPEN for addresses of other machines,
+/// absolute paths and those that leave the folder.
+Result<std::vector<std::string>> buffer_paths(std::string_view uri);
 
 }  // namespace hariko

@@ -25,6 +25,8 @@ inline constexpr Code e_empty{"E_EMPTY"};  ///< a well-formed file without a sin
 inline constexpr Code w_unknown_statement{"W_UNKNOWN_STATEMENT"};
 inline constexpr Code w_trailing_data{"W_TRAILING_DATA"};
 inline constexpr Code w_degenerate_triangles{"W_DEGENERATE_TRIANGLES"};
+inline constexpr Code w_count_missing{"W_COUNT_MISSING"};  ///< the header promises nothing, but rows follow
+inline constexpr Code w_end_missing{"W_END_MISSING"};      ///< the last word of a text is not there
 // Indices out of range are E_INDEX_RANGE (validation.hpp), files above the limits E_LIMIT (file_io.hpp).
 
 /// A mesh as a file describes it: positions finite, indices in range, nothing else checked (`validate` does

@@ -14,6 +14,7 @@
 #include "core/exchange/read_off.hpp"
 #include "core/exchange/read_ply.hpp"
 #include "core/exchange/read_stl.hpp"
+#include "core/exchange/text_encoding.hpp"
 #include "core/exchange/text_scanner.hpp"
 
 namespace hariko {
@@ -173,9 +174,14 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
 
 Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, const ReadLimits& limits,
                                  const FileBeside& beside) {
+  std::optional<std::string> text;
+  const bool binary = format == MeshFormat::gltf || format == MeshFormat::three_mf ||
+                      (format == MeshFormat::stl && looks_like_stl(bytes));
+  if (!binary) text = from_utf16(bytes);
+  if (text) bytes = *text;
   switch (format) {
     case MeshFormat::obj:
-      return as_scene(read_obj(bytes, limits));
+      return read_obj_scene(bytes, limits);
     case MeshFormat::off:
       return as_scene(read_off(bytes, limits));
     case MeshFormat::ply:
@@ -192,6 +198,7 @@ Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, cons
 }
 
 Result<ImportedMesh> read_mesh(std::string_view bytes, MeshFormat format, const ReadLimits& limits) {
+  if (format == MeshFormat::obj) return read_obj(bytes, limits);
   auto scene = read_parts(bytes, format, limits);
   return scene ? Result<ImportedMesh>(merged(std::move(scene).value())) : scene.error();
 }
@@ -201,7 +208,7 @@ Result<ImportedScene> read_scene_file(const std::filesystem::path& path, const R
   const Result<std::string> bytes = read_file(path, size_limit);
   if (!bytes) return bytes.error();
   std::optional<MeshFormat> format = format_of_extension(path);
-  if (!format) format = format_of_content(*bytes);
+  if (!format) format = format_of_content(from_utf16(*bytes).value_or(*bytes));
   if (!format)
     return in_file(path, make_error(e_format_unknown, "This is not a mesh file that can be read.",
                                     "Export the model as OBJ, OFF, PLY, STL, glTF or 3MF."));
@@ -217,6 +224,8 @@ Result<ImportedScene> read_scene_file(const std::filesystem::path& path, const R
     ImportedScene scene = std::move(result).value();
     for (Message& warning : scene.warnings) warning = in_file(path, std::move(warning));
     const std::string own = printable(path.stem().native(), 200);
+    for (NamedPatches& patches : scene.patches)
+      if (patches.name.empty()) patches.name = own;
     for (std::size_t k = 0; k < scene.parts.size(); ++k)
       if (scene.parts[k].name.empty())
         scene.parts[k].name = scene.parts.size() == 1 ? own : own + " " + std::to_string(k + 1);
@@ -231,6 +240,9 @@ Result<ImportedMesh> read_mesh_file(const std::filesystem::path& path, const Rea
                                     std::uint64_t size_limit) {
   auto scene = read_scene_file(path, limits, size_limit);
   if (!scene) return scene.error();
+  if (scene->parts.empty())
+    return in_file(path, make_error(e_empty, "The file has surfaces only, and no polygons.",
+                                    "Open it and export its surfaces as triangles."));
   const double factor = scene->metres_per_unit.value_or(0.001) / 0.001;
   ImportedMesh mesh = merged(std::move(scene).value());
   if (factor != 1)

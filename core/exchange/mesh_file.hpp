@@ -22,8 +22,8 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path)
 /// Format that the first bytes speak for.
 std::optional<MeshFormat> format_of_content(std::string_view bytes);
 
-/// The objects of a file; OBJ, OFF, PLY and STL have one. `beside` gives the buffers of glTF that lie in
-/// files of their own. Errors: those of the reader.
+/// The objects of a file; OFF, PLY and STL have one. Text may be UTF-8 or UTF-16. `beside` gives the buffers
+/// of glTF that lie in files of their own. Errors: those of the reader.
 Result<ImportedScene> read_parts(std::string_view bytes, MeshFormat format, const ReadLimits& limits = {},
                                  const FileBeside& beside = {});
 /// The same with all objects in one mesh.

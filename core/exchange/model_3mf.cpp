@@ -66,6 +66,20 @@ Tag tag_in(Tag parent, std::string_view name) {
   return Tag::other;
 }
 
+/// "beamlattice" (http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02): the word that matters
+/// stands before the date.
+std::string extension_name(const std::string& uri) {
+  std::string_view rest = uri;
+  for (;;) {
+    const std::size_t slash = rest.rfind('/');
+    if (slash == std::string_view::npos || slash + 1 == rest.size()) return quote(uri);
+    const std::string_view word = rest.substr(slash + 1);
+    if (word.find_first_not_of("0123456789") != std::string_view::npos)
+      return quote(word) + " (" + shortened(uri, 200) + ")";
+    rest = rest.substr(0, slash);
+  }
+}
+
 std::vector<std::string_view> words_of(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   std::vector<std::string_view> out;
@@ -127,7 +141,7 @@ class ModelParser3mf::Handler final : public XmlTarget {
       if (!known)
         return xml_.refuse(e_format_unknown,
                            "The model needs the extension " +
-                               quote(uri == prefixes_.end() ? std::string(prefix) : uri->second) +
+                               extension_name(uri == prefixes_.end() ? std::string(prefix) : uri->second) +
                                ", which is not read.",
                            "Export the model as plain triangles.");
     }

@@ -177,11 +177,12 @@ std::optional<Message> HeaderReader::check() const {
           return wrong_element("The vertices have no number named " + std::string(axis) + ".");
       }
     }
-    if (element.name == "face" && element.count > 0) {
+    if ((element.name == "face" || element.name == "tristrips") && element.count > 0) {
       const std::size_t at = ply_index_list(element);
       if (at == element.properties.size() || !element.properties[at].is_list ||
           !is_integer(element.properties[at].type))
-        return wrong_element("The faces have no integer list named vertex_indices or vertex_index.");
+        return wrong_element((element.name == "face" ? "The faces" : "The strips") +
+                             std::string(" have no integer list named vertex_indices or vertex_index."));
     }
   }
   return {};

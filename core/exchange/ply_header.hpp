@@ -44,11 +44,11 @@ struct PlyHeader {
   std::size_t line_count = 0;
 };
 
-/// Reads and checks the header: `vertex` has scalar x, y, z and `face` an integer list of vertices where they
-/// exist.
+/// Reads and checks the header: `vertex` has scalar x, y, z and `face` and `tristrips` an integer list of
+/// vertices where they exist.
 Result<PlyHeader> read_ply_header(std::string_view bytes);
 
-/// The list of vertices of element `face`; the number of properties when there is none.
+/// The list of vertices of element `face` or `tristrips`; the number of properties when there is none.
 std::size_t ply_index_list(const PlyElement& face);
 
 }  // namespace hariko

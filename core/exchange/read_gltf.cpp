@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/exchange/gltf_accessor.hpp"
+#include "core/exchange/gltf_buffers.hpp"
 #include "core/exchange/gltf_container.hpp"
 #include "core/exchange/gltf_fields.hpp"
+#include "core/exchange/gltf_instances.hpp"
+#include "core/exchange/gltf_skin.hpp"
 #include "core/exchange/point_welder.hpp"
 #include "core/exchange/remedies.hpp"
 #include "core/exchange/scene_collector.hpp"
@@ -22,19 +24,26 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double millimetres_per_metre = 1000;
+constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 
 // A value takes at least two characters and about fifty times its text in memory.
 constexpr std::size_t max_values = 5'000'000;
 constexpr int max_depth = 64;
 
-/// Extensions that a file may require and that no shape depends on, by how their names begin. Quantized
-/// positions are read like others.
-constexpr std::array harmless_extensions{"KHR_materials_", "KHR_texture_",   "EXT_texture_",
-                                         "MSFT_texture_",  "KHR_lights_",    "EXT_lights_",
-                                         "KHR_xmp",        "KHR_animation_", "KHR_mesh_quantization"};
+/// Extensions that a file may require, by how their names begin: no shape depends on them, or they are read.
+/// Quantized positions are read like others.
+constexpr std::array harmless_extensions{
+    "KHR_materials_", "KHR_texture_",          "EXT_texture_",      "MSFT_texture_",
+    "KHR_lights_",    "EXT_lights_",           "KHR_xmp",           "KHR_animation_",
+    "KHR_audio",      "KHR_mesh_quantization", "KHR_node_hover",    "KHR_node_select",
+    "EXT_mesh_feat",  "EXT_structural_",       "EXT_instance_feat", instancing};
+/// Extensions beside which a file that does not require them has plain triangles, too.
+constexpr std::array compressions{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                  "KHR_meshopt_compression"};
 
-bool is_harmless(const std::string& extension) {
-  return std::any_of(harmless_extensions.begin(), harmless_extensions.end(),
+template <class Names>
+bool is_among(const Names& names, const std::string& extension) {
+  return std::any_of(names.begin(), names.end(),
                      [&](const char* start) { return extension.starts_with(start); });
 }
 
@@ -73,19 +82,13 @@ class GltfReader {
   Result<ImportedScene> read() {
     if (!parse()) return *fields_.error();
     if (!check_header()) return *fields_.error();
-    count_uses();
     const std::vector<std::uint64_t> first = roots();
     if (fields_.error()) return *fields_.error();
     for (const std::uint64_t node : first)
       if (!visit(node)) return *fields_.error();
-    if (left_out_ > 0)
-      collector_.warn(make_warning(
-          w_left_out, left_out_ == 1
-                          ? std::string("A set of points or lines was left out.")
-                          : std::to_string(left_out_) + " sets of points or lines were left out."));
-    if (posed_)
-      collector_.warn(
-          make_warning(w_left_out, "Poses and shape keys were left out: the objects are as they rest."));
+    for (const std::uint64_t node : with_mesh_)
+      if (!add_node(node)) return *fields_.error();
+    tell_what_is_left_out();
     auto scene = collector_.finish();
     if (scene) scene.value().metres_per_unit = 1 / millimetres_per_metre;
     return scene;
@@ -100,40 +103,42 @@ class GltfReader {
   // All give false, or a value that does not count, after noting why.
   bool parse();
   bool check_header();
-  void count_uses();
   std::vector<std::uint64_t> roots();
 
   bool visit(std::uint64_t root);
   Placement placement_of(const Json& node, const std::string& place);
+  bool add_node(std::uint64_t number);
   bool add_mesh(std::uint64_t number, const Placement& placement, const std::string& name);
-  PolygonMesh read_mesh(const Json& mesh, const std::string& place);
-  bool add_primitive(const Json& primitive, const std::string& place, PointWelder& welder, PolygonMesh& mesh);
-
-  GltfAccessor accessor(std::uint64_t number, const char* type);
-  std::string_view view_bytes(std::uint64_t number, std::uint64_t& stride);
-  std::string_view buffer_bytes(std::uint64_t number);
-  const std::string* buffer_content(std::uint64_t number, Json& buffer, const std::string& place);
+  bool add_skinned(std::uint64_t mesh, const Json& node, std::uint64_t skin, const std::string& name);
+  std::vector<double> weights_of(const Json* node, const Json& mesh, const std::string& place);
+  PolygonMesh read_mesh(const Json& mesh, const std::string& place, const std::vector<double>& weights,
+                        const GltfSkin* skin);
+  bool add_primitive(const Json& primitive, const std::string& place, const std::vector<double>& weights,
+                     const GltfSkin* skin, PointWelder& welder, PolygonMesh& mesh);
+  bool add_shape_keys(const Json& primitive, const std::string& place, const std::vector<double>& weights,
+                      std::vector<Vector3>& points);
+  bool add_triangles(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Vector3>& points,
+                     bool count_degenerate, PointWelder& welder, PolygonMesh& mesh);
+  void tell_what_is_left_out();
 
   std::string_view bytes_;
   const ReadLimits& limits_;
   const FileBeside& beside_;
   SceneCollector collector_;
   GltfFields fields_;
-  GltfChunks chunks_;
   Json root_;
-  std::map<std::uint64_t, std::string> inside_;  ///< buffers that were written as text
-  std::map<std::string, std::string> files_;     ///< buffers beside, by their paths
-  std::map<std::uint64_t, std::size_t> uses_;    ///< of meshes by nodes
-  std::map<std::uint64_t, PolygonMesh> kept_;    ///< meshes that are used again
-  std::set<std::uint64_t> visited_;
+  std::optional<GltfBuffers> buffers_;         ///< once the description is there
+  std::map<std::uint64_t, std::size_t> uses_;  ///< of meshes, where no skin bends them
+  std::map<std::uint64_t, PolygonMesh> kept_;  ///< meshes that are used again
+  std::map<std::uint64_t, Placement> places_;  ///< of the nodes that were reached
+  std::vector<std::uint64_t> with_mesh_;       ///< of them, in their order
   std::size_t left_out_ = 0;
-  bool posed_ = false;
+  bool shape_keys_ = false;
 };
 
 bool GltfReader::parse() {
   const auto chunks = gltf_chunks(bytes_);
   if (!chunks) return fields_.fail(chunks.error());
-  chunks_ = *chunks;
   // What is too deep or too much is not kept while the text is read.
   std::size_t values = 0;
   bool too_large = false;
@@ -142,7 +147,7 @@ bool GltfReader::parse() {
     return !too_large;
   };
   try {
-    root_ = Json::parse(chunks_.json, keep);
+    root_ = Json::parse(chunks->json, keep);
   } catch (const Json::parse_error& error) {
     return fields_.fail(make_error(
         e_parse,
@@ -156,6 +161,7 @@ bool GltfReader::parse() {
                                    "The description of the file is nested too deep or has too many values.",
                                    "Reduce the model before importing it."));
   if (!root_.is_object()) return fields_.fail("The description", "It should be an object.");
+  buffers_.emplace(root_, chunks->binary, fields_, collector_, beside_);
   return true;
 }
 
@@ -173,20 +179,13 @@ bool GltfReader::check_header() {
   const Json* required = find(root_, "extensionsRequired");
   if (!required || !required->is_array()) return true;
   for (const Json& extension : *required)
-    if (!extension.is_string() || !is_harmless(extension.get<std::string>()))
+    if (!extension.is_string() || !is_among(harmless_extensions, extension.get<std::string>()))
       return fields_.fail(make_error(e_format_unknown,
                                      "The file needs the extension " +
                                          quote(extension.is_string() ? extension.get<std::string>() : "?") +
                                          ", which is not read.",
                                      "Export the model without compression and without that extension."));
   return true;
-}
-
-void GltfReader::count_uses() {
-  for (std::size_t n = 0; n < size_of(root_, "nodes"); ++n) {
-    const Json* mesh = find(root_["nodes"][n], "mesh");
-    if (mesh && mesh->is_number_unsigned()) ++uses_[mesh->get<std::uint64_t>()];
-  }
 }
 
 /// Nodes of the default scene; where there are no scenes, those that are nobody's children.
@@ -215,14 +214,13 @@ bool GltfReader::visit(std::uint64_t root) {
     const std::string place = numbered("nodes", at.number);
     const Json* node = fields_.entry(root_, "nodes", at.number);
     if (!node) return false;
-    limits_.progress.report(static_cast<double>(visited_.size() + 1) /
-                            static_cast<double>(size_of(root_, "nodes")));
-    if (!visited_.insert(at.number).second)
+    if (places_.contains(at.number))
       return fields_.fail(place, "It is reached twice, or is its own ancestor.");
     const Placement placement = at.above.after(placement_of(*node, place));
+    places_.emplace(at.number, placement);
     if (const auto mesh = fields_.whole(*node, "mesh", place)) {
-      posed_ = posed_ || find(*node, "skin");
-      if (!add_mesh(*mesh, placement, text_of(*node, "name"))) return false;
+      with_mesh_.push_back(at.number);
+      if (!find(*node, "skin")) uses_[*mesh] += find(*node, "extensions") ? 2 : 1;  // instances
     }
     std::vector<std::uint64_t> children = fields_.wholes(*node, "children", place);
     for (auto child = children.rbegin(); child != children.rend(); ++child)
@@ -254,6 +252,27 @@ Placement GltfReader::placement_of(const Json& node, const std::string& place) {
   return out;
 }
 
+/// The mesh of a node that was reached: once, as a skin bends it, or at all its instances.
+bool GltfReader::add_node(std::uint64_t number) {
+  const Json& node = root_["nodes"][number];
+  const std::string place = numbered("nodes", number), name = text_of(node, "name");
+  limits_.progress.report(double(number + 1) / double(size_of(root_, "nodes")));
+  const auto mesh = fields_.whole(node, "mesh", place);
+  if (!mesh) return false;
+  const auto skin = fields_.whole(node, "skin", place);
+  if (fields_.error()) return false;
+  if (skin) return add_skinned(*mesh, node, *skin, name);
+  const Placement& at = places_.at(number);
+  const Json* extensions = find(node, "extensions");
+  const Json* instances = extensions ? find(*extensions, instancing) : nullptr;
+  if (!instances) return add_mesh(*mesh, at, name);
+  const auto copies = gltf_instances(*instances, place, *buffers_, fields_, collector_);
+  if (!copies) return false;
+  for (const Placement& copy : *copies)
+    if (!add_mesh(*mesh, at.after(copy), name)) return false;
+  return true;
+}
+
 bool GltfReader::add_mesh(std::uint64_t number, const Placement& placement, const std::string& name) {
   const Json* mesh = fields_.entry(root_, "meshes", number);
   if (!mesh) return false;
@@ -264,7 +283,8 @@ bool GltfReader::add_mesh(std::uint64_t number, const Placement& placement, cons
     if (const auto error = collector_.reserve(polygons.positions.size(), polygons.face_vertices.size()))
       return fields_.fail(*error);
   } else {
-    polygons = read_mesh(*mesh, numbered("meshes", number));
+    const std::string place = numbered("meshes", number);
+    polygons = read_mesh(*mesh, place, weights_of(nullptr, *mesh, place), nullptr);
     if (fields_.error()) return false;
     if (uses_[number] > 1) kept_.emplace(number, polygons);
   }
@@ -273,18 +293,45 @@ bool GltfReader::add_mesh(std::uint64_t number, const Placement& placement, cons
   return true;
 }
 
-PolygonMesh GltfReader::read_mesh(const Json& mesh, const std::string& place) {
+/// The joints place a mesh with a skin; the place of its node does not count (section 3.7.3.3).
+bool GltfReader::add_skinned(std::uint64_t number, const Json& node, std::uint64_t skin_number,
+                             const std::string& name) {
+  const Json* mesh = fields_.entry(root_, "meshes", number);
+  const Json* skin = fields_.entry(root_, "skins", skin_number);
+  if (!mesh || !skin) return false;
+  const auto bones =
+      gltf_skin(*skin, numbered("skins", skin_number), places_, *buffers_, fields_, collector_);
+  if (!bones) return false;
+  const std::string place = numbered("meshes", number);
+  PolygonMesh polygons = read_mesh(*mesh, place, weights_of(&node, *mesh, place), &*bones);
+  if (fields_.error()) return false;
+  if (bones->mirrors()) turn_over(polygons);
+  if (const auto error =
+          collector_.add(std::move(polygons), {}, name.empty() ? text_of(*mesh, "name") : name))
+    return fields_.fail(*error);
+  return true;
+}
+
+/// Shares of the shape keys at rest: the node's, else the mesh's.
+std::vector<double> GltfReader::weights_of(const Json* node, const Json& mesh, const std::string& place) {
+  const Json& owner = node && find(*node, "weights") ? *node : mesh;
+  return fields_.reals(owner, "weights", size_of(owner, "weights"), place);
+}
+
+PolygonMesh GltfReader::read_mesh(const Json& mesh, const std::string& place,
+                                  const std::vector<double>& weights, const GltfSkin* skin) {
   PolygonMesh out;
   const std::size_t count = size_of(mesh, "primitives");
   if (count == 0) fields_.fail(place, "\"primitives\" are missing.");
   PointWelder welder(0);
   for (std::size_t p = 0; p < count && !fields_.error(); ++p)
-    add_primitive(mesh["primitives"][p], place + "." + numbered("primitives", p), welder, out);
+    add_primitive(mesh["primitives"][p], place + "." + numbered("primitives", p), weights, skin, welder, out);
   out.positions = welder.take_positions();
   return out;
 }
 
-bool GltfReader::add_primitive(const Json& primitive, const std::string& place, PointWelder& welder,
+bool GltfReader::add_primitive(const Json& primitive, const std::string& place,
+                               const std::vector<double>& weights, const GltfSkin* skin, PointWelder& welder,
                                PolygonMesh& mesh) {
   const std::uint64_t mode = fields_.whole(primitive, "mode", place).value_or(4);
   if (mode > 6) fields_.fail(place, "\"mode\" is none of the format's.");
@@ -295,11 +342,10 @@ bool GltfReader::add_primitive(const Json& primitive, const std::string& place, 
     ++left_out_;
     return true;
   }
-  posed_ = posed_ || find(primitive, "targets");
-  const GltfAccessor points = accessor(*position, "VEC3");
+  const GltfAccessor points = buffers_->accessor(*position, "VEC3");
   std::optional<GltfAccessor> corners;
   if (const auto indices = fields_.whole(primitive, "indices", place)) {
-    corners = accessor(*indices, "SCALAR");
+    corners = buffers_->accessor(*indices, "SCALAR");
     const GltfComponent type = corners->component;
     if (type != GltfComponent::uint8 && type != GltfComponent::uint16 && type != GltfComponent::uint32)
       fields_.fail(corners->place, "Corners are unsigned whole numbers.");
@@ -310,8 +356,11 @@ bool GltfReader::add_primitive(const Json& primitive, const std::string& place, 
   const std::uint64_t corner_count = corners ? corners->count : points.count;
   if (const auto error = collector_.reserve(points.count, mode == 4 ? corner_count : 3 * corner_count))
     return fields_.fail(*error);
-  const auto positions = gltf_points(points);
+  auto positions = gltf_points(points);
   if (!positions) return fields_.fail(positions.error());
+  std::vector<Vector3> placed = std::move(positions).value();
+  if (!add_shape_keys(primitive, place, weights, placed)) return false;
+  if (skin && !skin->bend(*attributes, place, *buffers_, fields_, placed)) return false;
   std::vector<Index> order;
   if (corners) {
     auto indices = gltf_indices(*corners, points.count);
@@ -321,129 +370,70 @@ bool GltfReader::add_primitive(const Json& primitive, const std::string& place, 
     order.resize(points.count);
     for (std::size_t v = 0; v < order.size(); ++v) order[v] = static_cast<Index>(v);
   }
+  // Strips turn corners by triangles without area.
+  return add_triangles(triangles_of(order, mode), placed, mode == 4, welder, mesh);
+}
+
+bool GltfReader::add_shape_keys(const Json& primitive, const std::string& place,
+                                const std::vector<double>& weights, std::vector<Vector3>& points) {
+  const std::size_t count = size_of(primitive, "targets");
+  shape_keys_ = shape_keys_ || count > 0;
+  for (std::size_t k = 0; k < std::min(count, weights.size()); ++k) {
+    if (weights[k] == 0) continue;
+    const std::string here = place + "." + numbered("targets", k);
+    const auto moves = fields_.whole(primitive["targets"][k], "POSITION", here);
+    if (fields_.error()) return false;
+    if (!moves) continue;  // it may change normals only
+    const GltfAccessor target = buffers_->accessor(*moves, "VEC3");
+    if (!fields_.error() && target.count != points.size())
+      fields_.fail(here, "It has another number of positions than the mesh.");
+    if (fields_.error()) return false;
+    if (const auto error = collector_.reserve(target.count, 0)) return fields_.fail(*error);
+    const auto offsets = gltf_points(target);
+    if (!offsets) return fields_.fail(offsets.error());
+    for (std::size_t v = 0; v < points.size(); ++v) points[v] += weights[k] * (*offsets)[v];
+  }
+  return true;
+}
+
+bool GltfReader::add_triangles(const std::vector<std::array<Index, 3>>& triangles,
+                               const std::vector<Vector3>& points, bool count_degenerate, PointWelder& welder,
+                               PolygonMesh& mesh) {
   std::size_t degenerate = 0;
-  const auto triangles = triangles_of(order, mode);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (t % 65536 == 0)
       if (const auto cancelled = collector_.reserve(0, 0)) return fields_.fail(*cancelled);
     Index at[3];
-    for (std::size_t k = 0; k < 3; ++k) at[k] = welder.add((*positions)[triangles[t][k]]);
+    for (std::size_t k = 0; k < 3; ++k) at[k] = welder.add(points[triangles[t][k]]);
     if (at[0] == at[1] || at[1] == at[2] || at[2] == at[0])
       ++degenerate;
     else
       mesh.add_face({at[0], at[1], at[2]});
   }
-  collector_.note_degenerate(mode == 4 ? degenerate : 0);  // strips turn corners by such triangles
+  if (count_degenerate) collector_.note_degenerate(degenerate);
   return true;
 }
 
-GltfAccessor GltfReader::accessor(std::uint64_t number, const char* type) {
-  GltfAccessor out;
-  out.place = numbered("accessors", number);
-  const Json* found = fields_.entry(root_, "accessors", number);
-  if (!found) return out;
-  if (find(*found, "sparse")) {
-    fields_.fail(make_error(e_format_unknown, out.place + ": Sparse accessors are not read.",
-                            "Export the model without shape keys, or as .glb from another program."));
-    return out;
+void GltfReader::tell_what_is_left_out() {
+  if (left_out_ > 0)
+    collector_.warn(make_warning(
+        w_left_out, left_out_ == 1 ? std::string("A set of points or lines was left out.")
+                                   : std::to_string(left_out_) + " sets of points or lines were left out."));
+  if (shape_keys_ || size_of(root_, "animations") > 0)
+    collector_.warn(make_warning(
+        w_left_out, "Animations and shape keys were left out: the objects are as they stand in the file."));
+  std::string names;
+  for (std::size_t k = 0; k < size_of(root_, "extensionsUsed"); ++k) {
+    const Json& extension = root_["extensionsUsed"][k];
+    if (!extension.is_string()) continue;
+    const auto name = extension.get<std::string>();
+    if (is_among(harmless_extensions, name) || is_among(compressions, name)) continue;
+    names += (names.empty() ? "" : ", ") + quote(name);
   }
-  if (text_of(*found, "type") != type) fields_.fail(out.place, "Its type should be " + quote(type) + ".");
-  const auto component = gltf_component(fields_.needed(*found, "componentType", out.place));
-  if (!component) fields_.fail(out.place, "\"componentType\" is none of the format's.");
-  out.component = component.value_or(GltfComponent::float32);
-  out.count = fields_.needed(*found, "count", out.place);
-  const Json* normalised = find(*found, "normalized");
-  out.normalised = normalised && normalised->is_boolean() && normalised->get<bool>();
-  const std::uint64_t view = fields_.needed(*found, "bufferView", out.place);
-  const std::uint64_t offset = fields_.whole(*found, "byteOffset", out.place).value_or(0);
-  if (fields_.error()) return out;
-  out.bytes = view_bytes(view, out.stride);
-  if (fields_.error()) return out;
-  const std::size_t numbers = std::string_view(type) == "VEC3" ? 3 : 1;
-  const std::size_t row = numbers * gltf_size(out.component);
-  if (out.stride == 0) out.stride = row;
-  if (out.stride < row) fields_.fail(out.place, "Its rows overlap.");
-  out.bytes.remove_prefix(std::min<std::uint64_t>(offset, out.bytes.size()));
-  if (const auto error = check_rows(out, numbers)) fields_.fail(*error);
-  return out;
-}
-
-/// Sets `stride` to 0 where the file does not say it.
-std::string_view GltfReader::view_bytes(std::uint64_t number, std::uint64_t& stride) {
-  const std::string place = numbered("bufferViews", number);
-  const Json* view = fields_.entry(root_, "bufferViews", number);
-  if (!view) return {};
-  const std::uint64_t buffer = fields_.needed(*view, "buffer", place),
-                      length = fields_.needed(*view, "byteLength", place);
-  const std::uint64_t offset = fields_.whole(*view, "byteOffset", place).value_or(0);
-  stride = fields_.whole(*view, "byteStride", place).value_or(0);
-  if (stride > 65536) fields_.fail(place, "\"byteStride\" is too large.");
-  if (fields_.error()) return {};
-  const std::string_view bytes = buffer_bytes(buffer);
-  if (fields_.error()) return {};
-  if (offset <= bytes.size() && length <= bytes.size() - offset) return bytes.substr(offset, length);
-  fields_.fail(make_error(
-      e_truncated, place + ": It ends behind the " + std::to_string(bytes.size()) + " bytes of its buffer.",
-      "The file was cut off: copy or export it again."));
-  return {};
-}
-
-std::string_view GltfReader::buffer_bytes(std::uint64_t number) {
-  const std::string place = numbered("buffers", number);
-  if (!fields_.entry(root_, "buffers", number)) return {};
-  Json& buffer = root_["buffers"][number];
-  const std::uint64_t length = fields_.needed(buffer, "byteLength", place);
-  std::string_view bytes;
-  if (find(buffer, "uri")) {
-    const std::string* content = buffer_content(number, buffer, place);
-    if (content) bytes = *content;
-  } else if (number == 0 && chunks_.binary) {
-    bytes = *chunks_.binary;
-  } else {
-    fields_.fail(place, "It has no data.");
-  }
-  if (fields_.error()) return {};
-  if (length <= bytes.size()) return bytes.substr(0, length);
-  fields_.fail(make_error(e_truncated,
-                          place + ": " + std::to_string(length) + " bytes are promised, but only " +
-                              std::to_string(bytes.size()) + " are there.",
-                          "The file was cut off: copy or export it again."));
-  return {};
-}
-
-const std::string* GltfReader::buffer_content(std::uint64_t number, Json& buffer, const std::string& place) {
-  if (const auto found = inside_.find(number); found != inside_.end()) return &found->second;
-  if (!buffer["uri"].is_string()) {
-    fields_.fail(place, "\"uri\" should be text.");
-    return nullptr;
-  }
-  std::string& uri = buffer["uri"].get_ref<std::string&>();
-  auto data = data_of_uri(uri);
-  if (!data) {
-    fields_.fail(data.error());
-    return nullptr;
-  }
-  if (*data) {
-    uri.clear();  // it may be most of the file
-    uri.shrink_to_fit();
-    return &inside_.emplace(number, *std::move(data).value()).first->second;
-  }
-  const auto path = buffer_path(uri);
-  if (!path) {
-    fields_.fail(path.error());
-    return nullptr;
-  }
-  if (const auto found = files_.find(*path); found != files_.end()) return &found->second;
-  auto content = beside_ ? beside_(*path)
-                         : Result<std::string>(make_error(
-                               e_file_open, "The data of the file lie beside it, in " + quote(*path) + ".",
-                               "Export the model as .glb."));
-  if (!content) {
-    fields_.fail(content.error());
-    return nullptr;
-  }
-  collector_.add_bytes(content->size());
-  return &files_.emplace(*path, std::move(content).value()).first->second;
+  if (!names.empty())
+    collector_.warn(make_warning(
+        w_left_out, "The file uses what is not read, and shapes may depend on it: " + names + ".",
+        "Compare the objects with those in the program that wrote the file."));
 }
 
 }  // namespace

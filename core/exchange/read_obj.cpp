@@ -5,36 +5,41 @@
 #include <limits>
 #include <optional>
 
-#include "core/base/printable.hpp"
 #include "core/exchange/number_text.hpp"
+#include "core/exchange/obj_parts.hpp"
+#include "core/exchange/obj_surfaces.hpp"
+#include "core/exchange/obj_tags.hpp"
+#include "core/exchange/remedies.hpp"
+#include "core/exchange/text_encoding.hpp"
 #include "core/exchange/text_scanner.hpp"
 
 namespace hariko {
 namespace {
 
-/// Statements of the OBJ specification, and the tags of subdivision surfaces (t), that say nothing about
-/// polygons.
-constexpr std::array<std::string_view, 43> ignored_statements{
-    "bevel",     "bmat",   "bsp",    "bzp",        "c_interp", "call",     "cdc",  "cdp",  "con",
-    "csh",       "cstype", "ctech",  "curv",       "curv2",    "d_interp", "deg",  "end",  "g",
-    "hole",      "l",      "lod",    "maplib",     "mg",       "mtllib",   "o",    "p",    "parm",
-    "res",       "s",      "scrv",   "shadow_obj", "sp",       "stech",    "step", "surf", "t",
-    "trace_obj", "trim",   "usemap", "usemtl",     "vn",       "vp",       "vt"};
+/// Statements of the OBJ specification that say nothing about polygons and patches.
+constexpr std::array<std::string_view, 35> ignored_statements{
+    "bevel", "bmat",   "bsp",        "bzp",    "c_interp",  "call", "cdc", "cdp",   "con",
+    "csh",   "ctech",  "curv",       "curv2",  "d_interp",  "hole", "l",   "lod",   "maplib",
+    "mg",    "mtllib", "p",          "res",    "s",         "scrv", "sp",  "stech", "step",
+    "trim",  "usemap", "shadow_obj", "usemtl", "trace_obj", "vn",   "vp",  "vt"};
 
 class ObjReader {
  public:
   ObjReader(std::string_view bytes, const ReadLimits& limits)
       : scanner_(bytes, {.comments = true, .continuation = true}), limits_(limits) {}
 
-  Result<ImportedMesh> read() {
+  /// Reads all statements. An error, or nothing.
+  std::optional<Message> read() {
     const std::size_t size = scanner_.remaining();
     while (scanner_.find_content()) {
-      if (auto error = limits_.row(scanner_.remaining(), size)) return *error;
-      if (auto error = read_statement()) return *error;
+      if (auto error = limits_.row(scanner_.remaining(), size)) return error;
+      if (auto error = read_statement()) return error;
       scanner_.next_line();
     }
-    return finish();
+    return check();
   }
+  Result<ImportedMesh> mesh();
+  Result<ImportedScene> scene();
 
  private:
   std::optional<Message> read_statement();
@@ -42,13 +47,17 @@ class ObjReader {
   std::optional<Message> read_face();
   std::optional<Message> add_corner(std::string_view token);
   std::optional<Message> add_index(std::string_view token, std::int64_t index);
-  void read_name(std::string& name);
-  Result<ImportedMesh> finish();
+  std::optional<Message> check() const;
+  std::optional<Message> no_faces() const;
+  void warn();
 
   TextScanner scanner_;
   const ReadLimits& limits_;
   ImportedMesh out_;
-  std::string object_name_, group_name_;
+  std::vector<double> weights_;  ///< of the vertices, once one has another than 1
+  ObjParts parts_;
+  ObjTags tags_;
+  ObjSurfaces surfaces_;
   // A face may name a vertex that comes later. The largest such index stands for all of them.
   std::uint64_t largest_forward_ = 0;
   std::size_t largest_forward_line_ = 0;
@@ -60,8 +69,20 @@ std::optional<Message> ObjReader::read_statement() {
   const std::string_view keyword = scanner_.token();
   if (keyword == "v") return read_vertex();
   if (keyword == "f" || keyword == "fo") return read_face();  // fo is the older spelling
-  if (keyword == "o") read_name(object_name_);
-  if (keyword == "g") read_name(group_name_);
+  if (keyword == "o") {
+    parts_.begin_object(scanner_.rest_of_line(), out_.mesh.face_count());
+    return {};
+  }
+  if (keyword == "g") {
+    parts_.begin_group(scanner_.rest_of_line(), out_.mesh.face_count());
+    return {};
+  }
+  if (keyword == "t") {
+    tags_.read(scanner_);
+    return {};
+  }
+  if (ObjSurfaces::knows(keyword))
+    return surfaces_.read(keyword, scanner_, out_.mesh.positions.size(), parts_.current_name());
   if (std::find(ignored_statements.begin(), ignored_statements.end(), keyword) == ignored_statements.end()) {
     if (unknown_count_++ == 0) {
       unknown_ = quote(keyword);
@@ -71,17 +92,18 @@ std::optional<Message> ObjReader::read_statement() {
   return {};
 }
 
-void ObjReader::read_name(std::string& name) {
-  if (name.empty()) name = printable(scanner_.rest_of_line(), 200);
-}
-
 std::optional<Message> ObjReader::read_vertex() {
   Vector3 point;
   if (auto error = scanner_.read_point("coordinate", point)) return error;
   // A weight or a colour may follow.
+  std::size_t extras = 0;
+  double weight = 1;
   for (std::string_view extra = scanner_.token(); !extra.empty(); extra = scanner_.token()) {
-    double ignored = 0;
-    if (parse_real(extra, ignored) == NumberStatus::malformed)
+    double number = 0;
+    const NumberStatus status = parse_real(extra, number);
+    if (status == NumberStatus::ok && extras == 0) weight = number;
+    ++extras;
+    if (status == NumberStatus::malformed)
       return scanner_.error_here(e_parse,
                                  "After a vertex come only numbers, but here is " + quote(extra) + ".",
                                  "Correct the line, or export the file again.");
@@ -91,6 +113,8 @@ std::optional<Message> ObjReader::read_vertex() {
                                "The file has more than " + std::to_string(limits_.vertices) + " vertices.",
                                "Reduce the model before importing it.");
   out_.mesh.positions.push_back(point);
+  if (extras == 1 && weight != 1) weights_.resize(out_.mesh.positions.size() - 1, 1.0);
+  if (extras == 1 && (weight != 1 || !weights_.empty())) weights_.push_back(weight);
   return {};
 }
 
@@ -151,22 +175,29 @@ std::optional<Message> ObjReader::add_index(std::string_view token, std::int64_t
   return {};
 }
 
-Result<ImportedMesh> ObjReader::finish() {
+std::optional<Message> ObjReader::check() const {
   const std::size_t vertex_count = out_.mesh.positions.size();
   if (largest_forward_ > vertex_count)
     return TextScanner::error_at_line(e_index_range, largest_forward_line_,
                                       "The face names vertex " + std::to_string(largest_forward_) +
                                           ", but the file has " + std::to_string(vertex_count) + " vertices.",
-                                      "Correct the line, or export the file again.");
+                                      remedy_correct);
   if (out_.mesh.face_count() == 0 && vertex_count == 0 && unknown_count_ > 0)
     return TextScanner::error_at_line(e_format_unknown, unknown_line_,
                                       unknown_ + " is not a statement of an OBJ file, and no vertex follows.",
                                       "Check that the file is a mesh in OBJ format.");
-  if (out_.mesh.face_count() == 0)
-    return TextScanner::error_at_line(
-        e_empty, scanner_.line(),
-        "The file ends with " + std::to_string(vertex_count) + " vertices and without a single face.",
-        "Export polygons, not points or curves.");
+  return {};
+}
+
+std::optional<Message> ObjReader::no_faces() const {
+  if (out_.mesh.face_count() > 0) return {};
+  return TextScanner::error_at_line(e_empty, scanner_.line(),
+                                    "The file ends with " + std::to_string(out_.mesh.positions.size()) +
+                                        " vertices and without a single face.",
+                                    "Export polygons, not points or curves.");
+}
+
+void ObjReader::warn() {
   if (unknown_count_ > 0)
     out_.warnings.push_back(make_warning(
         w_unknown_statement,
@@ -175,14 +206,53 @@ Result<ImportedMesh> ObjReader::finish() {
                  ? "it was ignored."
                  : "it and " + std::to_string(unknown_count_ - 1) + " more unknown statements were ignored."),
         {}, {Element::Kind::line, unknown_line_}));
-  out_.name = object_name_.empty() ? group_name_ : object_name_;
+  if (const std::size_t count = surfaces_.left_out(); count > 0)
+    out_.warnings.push_back(make_warning(
+        w_left_out,
+        (count == 1
+             ? "A free-form surface that is no Bezier surface was left out."
+             : std::to_string(count) + " free-form surfaces that are no Bezier surfaces were left out."),
+        "Export them as Bezier surfaces, as STEP, or as polygons."));
+  tags_.warn(out_.mesh.positions.size(), out_.warnings);
+}
+
+Result<ImportedMesh> ObjReader::mesh() {
+  if (auto error = no_faces()) return *error;
+  warn();
+  out_.name = parts_.first_name();
   return std::move(out_);
+}
+
+Result<ImportedScene> ObjReader::scene() {
+  if (surfaces_.empty())
+    if (auto error = no_faces()) return *error;
+  auto patches = surfaces_.patches(out_.mesh.positions, weights_);
+  if (!patches) return patches.error();
+  warn();
+  ImportedScene out;
+  out.patches = std::move(patches).value();
+  if (out_.mesh.face_count() > 0) {
+    const std::size_t vertices = out_.mesh.positions.size();
+    out.parts = parts_.split(std::move(out_.mesh), tags_.creases(vertices), tags_.corners(vertices));
+  }
+  out.warnings = std::move(out_.warnings);
+  return out;
 }
 
 }  // namespace
 
 Result<ImportedMesh> read_obj(std::string_view bytes, const ReadLimits& limits) {
-  return ObjReader(bytes, limits).read();
+  const auto text = from_utf16(bytes);
+  ObjReader reader(text ? std::string_view(*text) : bytes, limits);
+  if (auto error = reader.read()) return *error;
+  return reader.mesh();
+}
+
+Result<ImportedScene> read_obj_scene(std::string_view bytes, const ReadLimits& limits) {
+  const auto text = from_utf16(bytes);
+  ObjReader reader(text ? std::string_view(*text) : bytes, limits);
+  if (auto error = reader.read()) return *error;
+  return reader.scene();
 }
 
 }  // namespace hariko

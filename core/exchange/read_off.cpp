@@ -18,6 +18,15 @@ bool is_keyword(std::string_view word) {
   return word.find_first_not_of("STCNn4") == std::string_view::npos && word.size() <= 6;
 }
 
+/// The keyword at the start of a word; numbers may be glued to it, as in "OFF8 6 12". Empty where it is none.
+std::string_view keyword_of(std::string_view word) {
+  const std::size_t end = word.find("OFF");
+  if (end == std::string_view::npos) return {};
+  const std::string_view keyword = word.substr(0, end + 3), rest = word.substr(end + 3);
+  if (!is_keyword(keyword) || rest.find_first_not_of("0123456789") != std::string_view::npos) return {};
+  return keyword;
+}
+
 class OffReader {
  public:
   OffReader(std::string_view bytes, const ReadLimits& limits)
@@ -63,15 +72,16 @@ std::optional<Message> OffReader::read_header() {
   std::int64_t ignored = 0;
   if (parse_integer(first, ignored) != NumberStatus::malformed)
     return read_counts(first);  // keyword left out
-  if (!is_keyword(first))
+  const std::string_view keyword = keyword_of(first), glued = first.substr(keyword.size());
+  if (keyword.empty())
     return scanner_.error_here(e_format_unknown,
                                "An OFF file starts with the word OFF, but here is " + quote(first) + ".",
                                "Check that the file is a mesh in OFF format.");
-  if (first.find_first_of("n4") != std::string_view::npos)
+  if (keyword.find_first_of("n4") != std::string_view::npos)
     return scanner_.error_here(e_format_unknown,
-                               quote(first) + " holds points that are not three-dimensional.",
+                               quote(keyword) + " holds points that are not three-dimensional.",
                                "Export plain OFF.");
-  first = scanner_.token();
+  first = glued.empty() ? scanner_.token() : glued;
   if (first == "BINARY")
     return scanner_.error_here(e_format_unknown, "Binary OFF is not read.", "Export OFF as text.");
   if (first.empty()) {
@@ -185,7 +195,7 @@ Result<ImportedMesh> read_off(std::string_view bytes, const ReadLimits& limits) 
 
 bool looks_like_off(std::string_view bytes) {
   TextScanner scanner(bytes, {.comments = true, .continuation = false});
-  return scanner.find_content() && is_keyword(scanner.token());
+  return scanner.find_content() && !keyword_of(scanner.token()).empty();
 }
 
 }  // namespace hariko

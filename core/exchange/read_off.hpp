@@ -9,9 +9,9 @@
 namespace hariko {
 
 /// Polygons of an OFF file. Each vertex and each face stands on one line; colours, normals and texture
-/// coordinates (COFF, NOFF, STOFF ...) are ignored. Homogeneous, n-dimensional and binary OFF give
-/// E_FORMAT_UNKNOWN. Other errors, each with its line: E_PARSE, E_INDEX_RANGE, E_TRUNCATED, E_LIMIT, E_EMPTY.
-/// O(bytes), whatever the header promises.
+/// coordinates (COFF, NOFF, STOFF ...) are ignored. The counts may be glued to the keyword. Homogeneous,
+/// n-dimensional and binary OFF give E_FORMAT_UNKNOWN. Other errors, each with its line: E_PARSE,
+/// E_INDEX_RANGE, E_TRUNCATED, E_LIMIT, E_EMPTY. O(bytes), whatever the header promises.
 Result<ImportedMesh> read_off(std::string_view bytes, const ReadLimits& limits = {});
 
 /// True when the first word of the file is a keyword of the OFF family.

@@ -8,17 +8,10 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/exchange/named_patches.hpp"
 #include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {
-
-/// Patches that belong together, loose: `weld_patches` joins them. Points are absolute.
-struct NamedPatches {
-  std::string name;  ///< printable; empty when the file gives none
-  std::vector<BezierPatch> patches;
-};
-
-inline constexpr std::size_t max_patches_of_file = 100'000;
 
 /// Text of either kind. The plain one: the number of patches; for each its degrees m n, then (m + 1)(n + 1)
 /// points, row by row. The indexed one: the number of bicubic patches; for each 16 numbers of points, from 1,

@@ -75,7 +75,7 @@ class PlyReader {
   Result<ImportedMesh> read();
 
  private:
-  enum class Role { skipped, x, y, z, index_list };
+  enum class Role { skipped, x, y, z, index_list, strip_list };
   /// What becomes of each property of an element.
   std::vector<Role> roles_of(const PlyElement& element) const;
   std::optional<Message> check_counts() const;
@@ -108,8 +108,22 @@ class PlyReader {
   std::string corner_sentence() const {
     return "The faces have more than " + std::to_string(limits_.corners) + " corners together.";
   }
-  bool in_range(std::int64_t index) const {
+  /// Strips begin again after -1.
+  bool in_range(Role role, std::int64_t index) const {
+    if (role == Role::strip_list && index == -1) return true;
     return index >= 0 && static_cast<std::uint64_t>(index) < vertex_count_;
+  }
+  /// A corner that is read. False above the limit.
+  bool add_corner(Role role, std::int64_t index) {
+    if (role == Role::strip_list) return add_to_strip(index);
+    if (out_.mesh.face_vertices.size() == limits_.corners) return false;
+    out_.mesh.face_vertices.push_back(static_cast<Index>(index));
+    return true;
+  }
+  bool add_to_strip(std::int64_t index);
+  void end_list(Role role) {
+    if (role == Role::index_list) end_face();
+    strip_.clear();
   }
   void end_face() { out_.mesh.face_offsets.push_back(static_cast<Index>(out_.mesh.face_vertices.size())); }
 
@@ -119,7 +133,25 @@ class PlyReader {
   ImportedMesh out_;
   std::uint64_t vertex_count_ = 0;
   Vector3 point_ = Vector3::Zero();
+  std::vector<Index> strip_;  ///< of the strip that is read, since its beginning or the last -1
 };
+
+/// Every second triangle of a strip runs the other way; those without area only turn it.
+bool PlyReader::add_to_strip(std::int64_t index) {
+  if (index == -1) {
+    strip_.clear();
+    return true;
+  }
+  strip_.push_back(static_cast<Index>(index));
+  if (strip_.size() < 3) return true;
+  Index a = strip_[strip_.size() - 3], b = strip_[strip_.size() - 2];
+  const Index c = strip_.back();
+  if (strip_.size() % 2 == 0) std::swap(a, b);
+  if (a == b || b == c || c == a) return true;
+  if (out_.mesh.face_vertices.size() + 3 > limits_.corners) return false;
+  out_.mesh.add_face({a, b, c});
+  return true;
+}
 
 std::vector<PlyReader::Role> PlyReader::roles_of(const PlyElement& element) const {
   std::vector<Role> roles(element.properties.size(), Role::skipped);
@@ -130,12 +162,13 @@ std::vector<PlyReader::Role> PlyReader::roles_of(const PlyElement& element) cons
     roles[element.find("z")] = Role::z;
   }
   if (element.name == "face") roles[ply_index_list(element)] = Role::index_list;
+  if (element.name == "tristrips") roles[ply_index_list(element)] = Role::strip_list;
   return roles;
 }
 
 std::optional<Message> PlyReader::check_counts() const {
   for (const PlyElement& element : header_.elements) {
-    const bool is_vertex = element.name == "vertex";
+    const bool is_vertex = element.name == "vertex";  // strips are bounded by their corners
     const std::size_t limit = is_vertex ? limits_.vertices : limits_.corners;
     if ((is_vertex || element.name == "face") && element.count > limit)
       return TextScanner::error_at_line(e_limit, element.line,
@@ -161,12 +194,11 @@ std::optional<Message> PlyReader::read_text_list(TextScanner& scanner, Role role
     }
     std::int64_t index = 0;
     if (auto error = scanner.read_integer("vertex of a corner", index)) return error;
-    if (!in_range(index)) return scanner.error_here(e_index_range, range_sentence(index), remedy_correct);
-    if (out_.mesh.face_vertices.size() == limits_.corners)
-      return scanner.error_here(e_limit, corner_sentence(), remedy_reduce);
-    out_.mesh.face_vertices.push_back(static_cast<Index>(index));
+    if (!in_range(role, index))
+      return scanner.error_here(e_index_range, range_sentence(index), remedy_correct);
+    if (!add_corner(role, index)) return scanner.error_here(e_limit, corner_sentence(), remedy_reduce);
   }
-  if (role == Role::index_list) end_face();
+  end_list(role);
   return {};
 }
 
@@ -236,16 +268,16 @@ std::optional<Message> PlyReader::read_binary_list(BinarySource& source, const P
     source.skip(static_cast<std::size_t>(count) * size);
     return {};
   }
-  if (static_cast<std::size_t>(count) > limits_.corners - out_.mesh.face_vertices.size())
-    return binary_error(e_limit, begin, corner_sentence(), remedy_reduce);
   for (std::int64_t i = 0; i < count; ++i) {
     const std::int64_t index = source.integer(property.type);
-    if (!in_range(index))
+    if (!in_range(role, index))
       return binary_error(e_index_range, source.position() - size,
-                          "In face " + std::to_string(row) + ": " + range_sentence(index), remedy_correct);
-    out_.mesh.face_vertices.push_back(static_cast<Index>(index));
+                          (role == Role::strip_list ? "In strip " : "In face ") + std::to_string(row) + ": " +
+                              range_sentence(index),
+                          remedy_correct);
+    if (!add_corner(role, index)) return binary_error(e_limit, begin, corner_sentence(), remedy_reduce);
   }
-  end_face();
+  end_list(role);
   return {};
 }
 

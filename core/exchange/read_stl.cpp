@@ -126,12 +126,16 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
         e_truncated,
         "Byte " + std::to_string(bytes.size()) + ": The file ends inside the header of a binary STL file.",
         remedy_cut);
-  const std::uint64_t count = little_endian_32(bytes.data() + header_size);
-  if (promised_size(bytes) > bytes.size())
+  // Programs that write while they compute leave the count out, as 0 or as all bits.
+  const std::uint64_t promised = little_endian_32(bytes.data() + header_size),
+                      there = (bytes.size() - header_size - 4) / facet_size;
+  const bool unknown = (promised == 0 || promised == 0xffffffffU) && there > 0;
+  const std::uint64_t count = unknown ? there : promised;
+  const std::uint64_t end = header_size + 4 + facet_size * count;
+  if (end > bytes.size())
     return make_error(e_truncated,
                       "Byte " + std::to_string(bytes.size()) + ": The file ends after " +
-                          std::to_string((bytes.size() - header_size - 4) / facet_size) + " of " +
-                          std::to_string(count) + " promised triangles.",
+                          std::to_string(there) + " of " + std::to_string(count) + " promised triangles.",
                       remedy_cut);
   TriangleCollector collector(std::min<std::size_t>(count, limits.corners / 3), limits);
   constexpr std::uint64_t row = 256, ahead = 8;  // triangles
@@ -161,10 +165,14 @@ Result<ImportedMesh> read_binary(std::string_view bytes, const ReadLimits& limit
     before = corners;
     std::copy(vertices, vertices + 3, known);
   }
-  if (promised_size(bytes) < bytes.size())
+  if (unknown)
     collector.out().warnings.push_back(
-        make_warning(w_trailing_data, "The last " + std::to_string(bytes.size() - promised_size(bytes)) +
-                                          " bytes of the file were ignored."));
+        make_warning(w_count_missing, "The header does not say how many triangles there are; all " +
+                                          std::to_string(count) + " that the file holds were read."));
+  if (end < bytes.size())
+    collector.out().warnings.push_back(
+        make_warning(w_trailing_data,
+                     "The last " + std::to_string(bytes.size() - end) + " bytes of the file were ignored."));
   return collector.finish({});
 }
 
@@ -190,6 +198,7 @@ class StlTextReader {
   const ReadLimits& limits_;
   std::size_t size_;
   TriangleCollector collector_;
+  std::size_t facets_ = 0;
   std::string name_;
 };
 
@@ -234,9 +243,20 @@ std::optional<Message> StlTextReader::read_solid() {
   for (;;) {
     const std::string_view word = next_word();
     if (equals_lower(word, "endsolid")) break;
+    if (word.empty() && facets_ > 0) {
+      collector_.out().warnings.push_back(
+          make_warning(w_end_missing, "The file ends without \"endsolid\": it may have been cut off.",
+                       "Compare the object with that in the program that wrote the file."));
+      return {};
+    }
+    if (equals_lower(word, "solid")) {  // the one before has no end
+      scanner_.next_line();
+      continue;
+    }
     if (!equals_lower(word, "facet")) return wrong_word(word, "facet");
     if (auto error = limits_.row(scanner_.remaining(), size_)) return error;
     if (auto error = read_facet()) return error;
+    ++facets_;
   }
   scanner_.next_line();  // the name may stand here again
   return {};

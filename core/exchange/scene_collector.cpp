@@ -7,6 +7,12 @@
 #include "core/base/printable.hpp"
 
 namespace hariko {
+void turn_over(PolygonMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    std::reverse(mesh.face_vertices.begin() + mesh.face_offsets[f],
+                 mesh.face_vertices.begin() + mesh.face_offsets[f + 1]);
+}
+
 namespace {
 
 constexpr std::uint64_t always_accepted = 20'000'000;
@@ -14,10 +20,7 @@ constexpr std::uint64_t always_accepted = 20'000'000;
 void place(PolygonMesh& mesh, const Placement& placement) {
   if (placement.is_same()) return;
   for (Vector3& position : mesh.positions) position = placement(position);
-  if (!placement.mirrors()) return;
-  for (std::size_t f = 0; f < mesh.face_count(); ++f)
-    std::reverse(mesh.face_vertices.begin() + mesh.face_offsets[f],
-                 mesh.face_vertices.begin() + mesh.face_offsets[f + 1]);
+  if (placement.mirrors()) turn_over(mesh);
 }
 
 std::string counted(std::size_t count, const char* one, const char* several) {
@@ -34,8 +37,8 @@ bool Placement::flattens() const {
 
 std::optional<Message> SceneCollector::reserve(std::uint64_t vertices, std::uint64_t corners) {
   if (limits_.cancel.cancelled()) return make_error(e_cancelled, "The import was cancelled.");
-  vertices_ += vertices;
-  corners_ += corners;
+  vertices_ += std::min<std::uint64_t>(vertices, limits_.vertices + 1);
+  corners_ += std::min<std::uint64_t>(corners, limits_.corners + 1);
   if (vertices_ > limits_.vertices || corners_ > limits_.corners)
     return make_error(e_limit,
                       "The file has more than " + std::to_string(limits_.vertices) + " vertices or " +
@@ -63,7 +66,7 @@ std::optional<Message> SceneCollector::add(PolygonMesh mesh, const Placement& pl
                   [](const Vector3& position) { return !position.allFinite(); }))
     return make_error(e_parse,
                       name.empty() ? std::string("The transform of an object is too large.")
-                                   : "The transform of \"" + printable(name, 80) + "\" is too large.",
+                                   : "The transform of \"" + shortened(name, 200) + "\" is too large.",
                       "Correct the file, or export it again.");
   scene_.parts.push_back({std::move(mesh), printable(name, 200)});
   return {};

@@ -11,6 +11,9 @@
 
 namespace hariko {
 
+/// Makes the inside of the faces their outside.
+void turn_over(PolygonMesh& mesh);
+
 /// A file may place one mesh many times, so what it describes can be much larger than the file. Beside the
 /// limits of all readers, vertices and corners together are at most 4 for each byte read and 20 million: a
 /// file without copies is always below that.

@@ -29,7 +29,7 @@ std::string number_remedy(std::string_view token) {
 }  // namespace
 
 std::string quote(std::string_view text) {
-  return "\"" + printable(text, 40) + "\"";
+  return "\"" + shortened(text, 120) + "\"";
 }
 
 TextScanner::TextScanner(std::string_view text, Options options)

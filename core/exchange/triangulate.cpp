@@ -1,12 +1,17 @@
 #include "core/exchange/triangulate.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numeric>
 
 namespace hariko {
 namespace {
 
-constexpr std::size_t largest_for_ears = 1000;
+/// Up to this number of corners all are looked at for each ear. Above, those that bend inward are: of a
+/// simple polygon one of them is in every triangle that is no ear.
+constexpr std::size_t largest_for_all = 1000;
+/// Steps that a polygon may take; what is left then becomes a fan.
+constexpr std::size_t most_steps = 400'000'000;
 
 /// The corners in a plane in which the polygon runs counter-clockwise.
 std::vector<Vector2> project(std::span<const Vector3> corners) {
@@ -38,6 +43,87 @@ bool is_ear(const std::vector<Vector2>& points, const std::vector<Index>& ring, 
   return true;
 }
 
+/// Ears of a polygon of few corners. What is left in `ring` has no ear.
+void cut_ears(const std::vector<Vector2>& points, std::vector<Index>& ring,
+              std::vector<std::array<Index, 3>>& out) {
+  std::size_t i = 0, failures = 0;
+  while (ring.size() > 3 && failures < ring.size()) {
+    i %= ring.size();
+    if (!is_ear(points, ring, i)) {
+      ++i;
+      ++failures;
+      continue;
+    }
+    const std::size_t n = ring.size();
+    out.push_back({ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]});
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+    ++i;  // a neighbour of the cut is left for later, which gives better triangles
+    failures = 0;
+  }
+}
+
+/// The same for many corners, in a linked ring. O(corners * corners that bend inward).
+class LongPolygon {
+ public:
+  explicit LongPolygon(const std::vector<Vector2>& points)
+      : points_(points), next_(points.size()), before_(points.size()), left_(points.size()) {
+    const auto n = static_cast<Index>(points.size());
+    for (Index i = 0; i < n; ++i) {
+      next_[i] = (i + 1) % n;
+      before_[i] = (i + n - 1) % n;
+    }
+    for (Index i = 0; i < n; ++i)
+      if (!bends_outward(i)) inward_.push_back(i);
+  }
+
+  void cut(std::vector<std::array<Index, 3>>& out) {
+    std::size_t failures = 0;
+    Index at = 0;
+    while (left_ > 3 && failures < left_ && steps_ < most_steps) {
+      if (!is_free(at)) {
+        at = next_[at];
+        ++failures;
+        continue;
+      }
+      out.push_back({before_[at], at, next_[at]});
+      next_[before_[at]] = next_[at];
+      before_[next_[at]] = before_[at];
+      --left_;
+      // A neighbour may bend outward now, which it does for good.
+      std::erase_if(inward_, [&](Index i) {
+        return i == at || ((i == before_[at] || i == next_[at]) && bends_outward(i));
+      });
+      at = next_[next_[at]];
+      failures = 0;
+    }
+    first_ = before_[next_[at]];
+  }
+  std::vector<Index> ring() const {
+    std::vector<Index> out;
+    Index at = first_;
+    for (std::size_t k = 0; k < left_; ++k, at = next_[at]) out.push_back(at);
+    return out;
+  }
+
+ private:
+  bool bends_outward(Index i) const { return area(points_[before_[i]], points_[i], points_[next_[i]]) > 0; }
+  bool is_free(Index i) {
+    if (!bends_outward(i)) return false;
+    steps_ += 1 + inward_.size();
+    const Vector2 &a = points_[before_[i]], &b = points_[i], &c = points_[next_[i]];
+    return std::none_of(inward_.begin(), inward_.end(), [&](Index k) {
+      const Vector2& p = points_[k];
+      return k != before_[i] && k != next_[i] && area(a, b, p) >= 0 && area(b, c, p) >= 0 &&
+             area(c, a, p) >= 0;
+    });
+  }
+
+  const std::vector<Vector2>& points_;
+  std::vector<Index> next_, before_, inward_;
+  std::size_t left_, steps_ = 0;
+  Index first_ = 0;
+};
+
 }  // namespace
 
 std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> corners) {
@@ -45,22 +131,13 @@ std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> c
   if (corners.size() < 3) return out;
   std::vector<Index> ring(corners.size());
   std::iota(ring.begin(), ring.end(), Index{0});
-  if (ring.size() > 3 && ring.size() <= largest_for_ears) {
+  if (ring.size() > largest_for_all) {
     const std::vector<Vector2> points = project(corners);
-    std::size_t i = 0, failures = 0;
-    while (ring.size() > 3 && failures < ring.size()) {
-      i %= ring.size();
-      if (!is_ear(points, ring, i)) {
-        ++i;
-        ++failures;
-        continue;
-      }
-      const std::size_t n = ring.size();
-      out.push_back({ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]});
-      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
-      ++i;  // a neighbour of the cut is left for later, which gives better triangles
-      failures = 0;
-    }
+    LongPolygon polygon(points);
+    polygon.cut(out);
+    ring = polygon.ring();
+  } else if (ring.size() > 3) {
+    cut_ears(project(corners), ring, out);
   }
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) out.push_back({ring[0], ring[i], ring[i + 1]});
   return out;

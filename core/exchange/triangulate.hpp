@@ -13,8 +13,8 @@ namespace hariko {
 
 /// Triangles over the polygon's own corners (numbers into `corners`), same orientation: ears cut off in the
 /// projection along the polygon's mean normal, so concave faces are right when that projection does not cross
-/// itself. Always corners - 2 triangles. O(n^2); polygons above 1000 corners, and what has no ear left, are
-/// cut as a fan.
+/// itself. Always corners - 2 triangles. O(n^2), above 1000 corners O(n * corners that bend inward); what has
+/// no ear left is cut as a fan.
 std::vector<std::array<Index, 3>> triangulate_polygon(std::span<const Vector3> corners);
 
 /// All faces of a mesh as triangles, and the face that each is of. Faces with fewer than three corners have

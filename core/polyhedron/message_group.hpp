@@ -2,13 +2,25 @@
 
 // MessageGroup: messages of one code, of which only the first few are written out.
 
+#include <cstdlib>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/base/message.hpp"
 
 namespace hariko {
+
+inline constexpr const char* more_begins = " (";
+inline constexpr std::string_view more_ends = " more like this.)";
+
+/// The text of a last message without what says how many more there were, and that number.
+inline std::pair<std::string, std::size_t> without_more(const std::string& text) {
+  const std::size_t begin = text.rfind(more_begins);
+  if (!text.ends_with(more_ends) || begin == std::string::npos) return {text, 0};
+  return {text.substr(0, begin), std::strtoull(text.c_str() + begin + 2, nullptr, 10)};
+}
 
 /// Appends to `out`. When it goes out of scope its last message says how many more there were.
 class MessageGroup {
@@ -19,7 +31,7 @@ class MessageGroup {
   MessageGroup& operator=(const MessageGroup&) = delete;
   ~MessageGroup() {
     if (count_ > limit_ && limit_ > 0)
-      out_.back().text += " (" + std::to_string(count_ - limit_) + " more like this.)";
+      out_.back().text += more_begins + std::to_string(count_ - limit_) + std::string(more_ends);
   }
 
   /// text() is called only for messages within the limit.

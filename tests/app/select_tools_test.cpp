@@ -1,7 +1,9 @@
 // Selecting by boxes, lassos, clicks and double clicks.
 
+#include "tests/app/skin_rig.hpp"
 #include "tests/app/tool_rig.hpp"
 #include "ui/tools/region_tool.hpp"
+#include "ui/tools/transform_tool.hpp"
 
 namespace hariko {
 namespace {
@@ -66,6 +68,90 @@ TEST(RegionTool, LassoTakesWhatItEnclosesAndEscRestores) {
   EXPECT_EQ(rig.editor.selection.of_active().vertices.size(), 15U) << "the triangle below the diagonal";
   rig.escape();
   EXPECT_TRUE(rig.editor.selection.no_elements());
+}
+
+/// What a box from one pixel to another selects of the active object, as vertices.
+std::set<VertexId> boxed(Rig& rig, const Vector2& from, const Vector2& to) {
+  rig.start(make_region_tool(false), from);
+  rig.move(to);
+  rig.send(PointerEvent::Kind::release, to);
+  return rig.editor.selection.of_active().vertices;
+}
+
+TEST(RegionTool, SolidsAreTakenByTheirBodies) {
+  EnvelopeInput input;
+  for (const std::uint32_t id : {4U, 7U}) {
+    Solid solid;
+    solid.id = id;
+    solid.position = {id == 4 ? -2.0 : 2.0, 0, 0};
+    input.solids.push_back(solid);
+  }
+  Rig rig(add_object({}, "solids", SolidsSource{input, {}}).value().document);
+  Camera top = Camera::standard(StandardView::top);
+  top.distance = 20;
+  top.orthographic = true;
+  rig.editor.set_camera(top);
+  rig.editor.selection.active = rig.editor.document().objects[0]->id;
+  rig.editor.mode = ElementMode::vertex;
+  rig.scene.update(rig.editor);
+  // Round the first one and half of the other.
+  const Vector2 a = rig.pixel({-3, 1, 0}), b = rig.pixel({2, -1, 0});
+  EXPECT_EQ(boxed(rig, a, b), (std::set<VertexId>{VertexId{4}}));
+  EXPECT_EQ(boxed(rig, b, a), (std::set<VertexId>{VertexId{4}, VertexId{7}})) << "crossing";
+  EXPECT_EQ(boxed(rig, {1, 1}, {2, 2}), std::set<VertexId>());
+  rig.editor.selection.select_all(*rig.editor.active_object(), ElementMode::vertex);
+  EXPECT_EQ(rig.editor.selection.of_active().vertices.size(), 2U);
+}
+
+TEST(RegionTool, SkinsAreTakenByTheirPointsAndWholeByTheirCurves) {
+  Skin skin;
+  for (int i = 0; i < 4; ++i) skin.path.points.push_back(Vector3(0, 0, i));
+  std::uint32_t id = 0;
+  for (int k = 0; k < 3; ++k) {
+    SkinSection section;
+    section.id = std::uint32_t(k);
+    section.v = k / 2.0;
+    section.closed = true;
+    for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}})
+      section.points.push_back({id++, Vector3(x, y, 1.5 * k), false});
+    skin.sections.push_back(section);
+  }
+  test::SkinRig rig(skin, StandardView::front);
+  Editor& editor = rig.editor;
+  editor.selection.active = rig.object().id;
+  editor.selection.select_all(rig.object(), ElementMode::vertex);
+  EXPECT_EQ(editor.selection.of_active().vertices.size(), 12U + 4U) << "points of sections and of the path";
+  // Together they move as one.
+  editor.mode = ElementMode::vertex;
+  rig.start(make_transform_tool(TransformKind::move));
+  rig.key(GLFW_KEY_X);
+  rig.type("3");
+  rig.enter();
+  EXPECT_EQ(rig.skin().path.points[2], Vector3(3, 0, 2));
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_EQ(rig.skin().sections[k].points[i].position,
+                Vector3(skin.sections[k].points[i].position + Vector3(3, 0, 0)));
+  editor.undo();
+  editor.selection.clear_elements();
+  editor.selecting.through = true;
+  rig.update();
+  EXPECT_EQ(boxed(rig, {1, 1}, {799, 599}).size(), 16U);
+  // The lowest section, of which the path's first point lies in the middle.
+  const Vector2 low = rig.pixel({-1.3, 0, -0.4}), high = rig.pixel({1.3, 0, 0.4});
+  EXPECT_EQ(boxed(rig, {low.x(), high.y()}, {high.x(), low.y()}).size(), 5U);
+  editor.selecting.through = false;
+  rig.update();
+  const auto seen = boxed(rig, {1, 1}, {799, 599}).size();
+  EXPECT_LT(seen, 16U) << "points behind the surface stay";
+  EXPECT_GT(seen, 4U);
+  editor.mode = ElementMode::object;
+  editor.selection.clear_objects();
+  rig.update();
+  boxed(rig, {1, 1}, {799, 599});
+  EXPECT_TRUE(editor.selection.objects().contains(rig.object().id));
+  boxed(rig, {1, 1}, {3, 3});
+  EXPECT_FALSE(editor.selection.objects().contains(rig.object().id));
 }
 
 TEST(SelectTool, DoubleClickTakesTheLoopAndRepeatedClicksWhatLiesBehind) {

@@ -261,6 +261,35 @@ TEST(TransformTool, SoftSelectionFallsOffWithTheDistance) {
   EXPECT_EQ(rig.place({40}).z(), 3);
 }
 
+TEST(TransformTool, SoftSelectionFollowsAlongOutlines) {
+  // A square loop with sides of four steps of length 1.
+  OutlineLoop loop;
+  for (int side = 0; side < 4; ++side)
+    for (int k = 0; k < 4; ++k) {
+      const Vector3 from(side == 1 || side == 2 ? 4 : 0, side >= 2 ? 4 : 0, 0);
+      const Vector3 along[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+      loop.points.push_back(from + k * along[side]);
+      loop.normals.push_back(Vector3::UnitZ());
+    }
+  Rig rig(add_object({}, "outline", OutlineSource{Outline{{loop}}, {}, {}}).value().document);
+  rig.choose({2});
+  rig.editor.transform.soft = {true, 3, Falloff::linear};
+  rig.start(make_transform_tool(TransformKind::move));
+  rig.key(GLFW_KEY_Z);
+  rig.type("3");
+  rig.enter();
+  const auto height = [&](std::size_t point) {
+    return rig.editor.document().objects[0]->outline()->outline->loops[0].points[point].z();
+  };
+  EXPECT_NEAR(height(2), 3, 1e-12);
+  EXPECT_NEAR(height(1), 2, 1e-12);
+  EXPECT_NEAR(height(3), 2, 1e-12);
+  EXPECT_NEAR(height(4), 1, 1e-12) << "by the distance along the loop";
+  EXPECT_NEAR(height(0), 1, 1e-12);
+  EXPECT_EQ(height(5), 0);
+  EXPECT_EQ(height(10), 0);
+}
+
 TEST(TransformTool, WholeObjectsKeepTheirShapeUnlessStretched) {
   Rig rig;
   const ObjectId id = rig.editor.document().objects[0]->id;

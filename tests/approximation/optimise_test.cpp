@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numbers>
+#include <thread>
 
 #include "core/approximation/approximate.hpp"
 #include "tests/approximation/checker.hpp"
@@ -146,6 +148,32 @@ TEST(BalancedMesh, OnlyWhereTheSurfaceBendsOneWay) {
   ASSERT_TRUE(made.ok());
   EXPECT_FALSE(made->warnings.empty());
   EXPECT_LE(made->normal_angle.largest, 0.3);
+}
+
+TEST(BalancedMesh, ProgressNeverRunsBackwards) {
+  for (const char* name : {"saddle", "dome"}) {
+    MeshOptions options;
+    options.criteria.distance = 0.08;
+    options.balanced = true;
+    const Progress progress = Progress::make();
+    std::atomic<bool> done = false;
+    double reached = -1;
+    bool backwards = false;
+    std::thread watcher([&] {
+      while (!done) {
+        const double now = progress.fraction();
+        backwards = backwards || now < reached;
+        reached = now;
+        std::this_thread::yield();
+      }
+    });
+    const auto made = approximate(golden_surface(name), options, {}, progress);
+    done = true;
+    watcher.join();
+    ASSERT_TRUE(made.ok());
+    EXPECT_FALSE(backwards) << name;
+    EXPECT_GT(progress.fraction(), 0.8);
+  }
 }
 
 TEST(OptimisedMesh, CanBeCancelled) {

@@ -65,14 +65,15 @@ class ProgramTest : public ::testing::Test {
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   /// `arguments` as a shell would split them. Runs without a display, with a log of its own.
-  Outcome run(const std::string& arguments) const {
+  /// `input`: file that is its standard input.
+  Outcome run(const std::string& arguments, const std::string& input = "/dev/null") const {
     // Threads of the graphics driver end while the leak checker looks at their stacks, which stops the
     // checker.
     const bool draws = arguments.starts_with("render ");
     const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY XDG_STATE_HOME='" + path("state") + "' " +
                                 std::string(draws ? "ASAN_OPTIONS=detect_leaks=0 " : "") + "'" +
                                 program_path() + "' " + arguments + " >'" + path("stdout.txt") + "' 2>'" +
-                                path("stderr.txt") + "' </dev/null";
+                                path("stderr.txt") + "' <'" + input + "'";
     const int status = std::system(command.c_str());
     Outcome out;
     out.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -9,6 +9,7 @@
 #include "core/exchange/mesh_file.hpp"
 #include "core/exchange/placement.hpp"
 #include "core/polyhedron/polyhedron.hpp"
+#include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/gltf_text.hpp"
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -153,6 +154,14 @@ TEST(Read3mf, FilesOfAnotherProgramWithComponentsAreTheSame) {
     for (Vector3& p : found.positions) p -= outer(inner(Vector3::Zero()));
     EXPECT_NEAR(test::volume_of(found), volume, 1e-3 * volume + 1e-2);
   });
+}
+
+TEST(Read3mf, ExtensionsThatAreNeededAreNamedToTheirEnd) {
+  const auto read = read_scene_file(test::case_file("3mf_needs_beamlattice.3mf"));
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().code, e_format_unknown);
+  EXPECT_NE(read.error().text.find("\"beamlattice\""), std::string::npos) << read.error().text;
+  EXPECT_NE(read.error().text.find("3dmanufacturing/beamlattice/2017/02)"), std::string::npos);
 }
 
 TEST(Read3mf, ItemsAndComponentsPlaceObjects) {

@@ -4,6 +4,7 @@
 
 #include "core/exchange/mesh_file.hpp"
 #include "core/polyhedron/polyhedron.hpp"
+#include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/gltf_text.hpp"
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/random_polyhedra.hpp"
@@ -170,7 +171,8 @@ TEST(ReadGltf, NodesPlaceMeshesAndMirrorsKeepTheirOutside) {
 
 TEST(ReadGltf, WhatHasNoTrianglesIsLeftOutWithAWarning) {
   GltfLayout layout = gltf_tetrahedron();
-  layout.nodes = R"([{"children": [1, 2]}, {"mesh": 0, "skin": 0}, {"mesh": 0, "scale": [1, 0, 1]}])";
+  layout.nodes = R"([{"children": [1, 2]}, {"mesh": 0}, {"mesh": 0, "scale": [1, 0, 1]}])";
+  layout.extra = R"("animations": [{}], )";
   auto read = read_gltf(layout.text());
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->parts.size(), 1U);
@@ -216,7 +218,13 @@ TEST(ReadGltf, EachRefusalHasItsReason) {
                 "E_FORMAT_UNKNOWN"},
            Case{"\"scene\": 0,", "\"extensionsRequired\": [7],", "E_FORMAT_UNKNOWN"},
            Case{"\"scene\": 0,", "\"extensionsRequired\": [\"KHR_materials_unlit\"],", "ok"},
-           Case{"\"byteOffset\": 0}", "\"byteOffset\": 0, \"sparse\": {}}", "E_FORMAT_UNKNOWN"},
+           Case{"\"byteOffset\": 0}", "\"byteOffset\": 0, \"sparse\": {}}", "E_PARSE"},
+           Case{"\"mesh\": 0", "\"mesh\": 0, \"skin\": 0", "E_PARSE"},
+           Case{"\"name\": \"part\"", "\"extensions\": {\"EXT_mesh_gpu_instancing\": {}}", "E_PARSE"},
+           Case{"\"name\": \"part\"", "\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\": {}}}",
+                "E_PARSE"},
+           Case{"\"name\": \"part\"",
+                "\"extensions\": {\"EXT_mesh_gpu_instancing\": {\"attributes\": {\"SCALE\": 1}}}", "E_PARSE"},
            Case{"\"scene\": 0,", "\"scene\": 5,", "E_PARSE"},
            Case{"\"scene\": 0,", "\"scene\": -1,", "E_PARSE"},
            Case{"\"nodes\": [0]", "\"nodes\": [1]", "E_PARSE"},
@@ -325,7 +333,9 @@ TEST(ReadGltf, BuffersBesideAreReadFromTheFolder) {
     test::spill(folder.path() / "a.gltf", layout.json(uri));
     return read_scene_file(folder.path() / "a.gltf");
   };
-  for (const char* uri : {"a%20b.bin", "a b.bin", "./in/../a%20b.bin", "in/c.bin"}) {
+  test::spill(folder.path() / "10%.bin", layout.binary());
+  test::spill(folder.path() / "c%41d.bin", layout.binary());
+  for (const char* uri : {"a%20b.bin", "a b.bin", "./in/../a%20b.bin", "in/c.bin", "10%.bin", "c%41d.bin"}) {
     const auto scene = read(uri);
     ASSERT_TRUE(scene.ok()) << to_string(scene.error());
     EXPECT_EQ(scene->parts[0].mesh.face_count(), 4U);
@@ -341,6 +351,125 @@ TEST(ReadGltf, BuffersBesideAreReadFromTheFolder) {
   EXPECT_EQ(gltf_code_of(read("a%20b.bin")), "ok");
   EXPECT_EQ(gltf_code_of(read_scene_file(folder.path() / "a.gltf", {}, size + 50)), "E_LIMIT");
   EXPECT_EQ(gltf_code_of(read_gltf(layout.json("a%20b.bin"))), "E_FILE_OPEN");
+}
+
+TEST(ReadGltf, JointsPlaceAMeshWithASkinAndItsNodeDoesNot) {
+  const auto read = read_scene_file(test::case_file("gltf_skin_below_armature.glb"));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_TRUE(read->warnings.empty());
+  ASSERT_EQ(read->parts.size(), 1U);
+  const auto box = test::box_of(read->parts[0].mesh);
+  EXPECT_NEAR((box.min() - Vector3(0, 0, 0)).norm(), 0, 1e-3);
+  EXPECT_NEAR((box.max() - Vector3(1000, 1000, 1000)).norm(), 0, 1e-3);
+  EXPECT_NEAR(test::volume_of(read->parts[0].mesh), 1e9, 1e3);
+}
+
+TEST(ReadGltf, JointsBendByTheirWeights) {
+  // A triangle whose three corners hang on joints in three places, the last on two of them, half and half.
+  std::string binary;
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F})
+    test::put(binary, std::bit_cast<std::uint32_t>(x), 4);
+  for (const std::uint32_t joint : {0U, 0U, 0U, 0U, 1U, 0U, 0U, 0U, 0U, 1U, 0U, 0U})
+    test::put(binary, joint, 1);
+  for (const std::uint32_t weight : {255U, 0U, 0U, 0U, 255U, 0U, 0U, 0U, 100U, 100U, 0U, 0U})
+    test::put(binary, weight, 1);
+  const std::string json = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+    "nodes": [{"mesh": 0, "skin": 0, "translation": [50, 0, 0]}, {"translation": [0, 0, 2]},
+              {"scale": [-1, -1, -1]}],
+    "skins": [{"joints": [1, 2]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
+    "accessors": [{"bufferView": 0, "type": "VEC3", "count": 3, "componentType": 5126},
+                  {"bufferView": 1, "type": "VEC4", "count": 3, "componentType": 5121},
+                  {"bufferView": 2, "type": "VEC4", "count": 3, "componentType": 5121, "normalized": true}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 12},
+                    {"buffer": 0, "byteOffset": 48, "byteLength": 12}], "buffers": [{"byteLength": 60}]})";
+  const auto read = read_gltf(test::glb(json, binary));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto points = corner_points(read->parts.at(0).mesh);
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_NEAR((points[0] - from_file({0, 0, 2})).norm(), 0, 1e-9);
+  EXPECT_NEAR((points[1] - from_file({-1, 0, 0})).norm(), 0, 1e-9);
+  EXPECT_NEAR((points[2] - from_file({0, 0, 1})).norm(), 0, 1e-9) << "weights are shares of their sum";
+  for (const auto& [old, now] : {std::pair{"\"joints\": [1, 2]", "\"joints\": [1]"},
+                                 {"\"joints\": [1, 2]", "\"joints\": [1, 7]"},
+                                 {"\"nodes\": [0, 1, 2]", "\"nodes\": [0, 1]"},
+                                 {"\"JOINTS_0\": 1, ", ""},
+                                 {", \"WEIGHTS_0\": 2", ""}})
+    EXPECT_EQ(gltf_code_of(read_gltf(test::glb(with(json, old, now), binary))), "E_PARSE") << now;
+}
+
+TEST(ReadGltf, InstancesAreObjectsInTheirPlaces) {
+  const auto read = read_scene_file(test::case_file("gltf_gpu_instancing.glb"));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_TRUE(read->warnings.empty());
+  ASSERT_EQ(read->parts.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto box = test::box_of(read->parts[k].mesh);
+    EXPECT_NEAR((box.min() - Vector3(2000 * double(k), 0, 0)).norm(), 0, 1e-3);
+    EXPECT_NEAR((box.max() - Vector3(2000 * double(k) + 1000, 1000, 1000)).norm(), 0, 1e-3);
+    EXPECT_EQ(read->parts[k].name, "cube");
+  }
+}
+
+TEST(ReadGltf, SparseAccessorsAreFilledIn) {
+  const auto read = read_scene_file(test::case_file("gltf_sparse_positions.glb"));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  const auto box = test::box_of(read->parts.at(0).mesh);
+  EXPECT_NEAR((box.sizes() - Vector3(1000, 1000, 2000)).norm(), 0, 1e-3);
+  EXPECT_NEAR(test::volume_of(read->parts[0].mesh), 2e9, 1e3);
+  // Without a base all rows are zero but those that are given.
+  GltfLayout layout = gltf_tetrahedron();
+  const std::string whole = layout.text();
+  const std::string sparse =
+      with(whole, R"({"bufferView": 0, "type": "VEC3", "count": 4, "componentType": 5126, "byteOffset": 0})",
+           R"({"type": "VEC3", "count": 4, "componentType": 5126, "sparse": {"count": 3, )"
+           R"("indices": {"bufferView": 1, "byteOffset": 16, "componentType": 5125}, )"
+           R"("values": {"bufferView": 0, "byteOffset": 12}}})");
+  const auto filled = read_gltf(sparse);  // corners 4 to 6 of the file are 1, 3, 0
+  ASSERT_TRUE(filled.ok()) << to_string(filled.error());
+  const auto expect = [&](std::size_t corner, const Vector3& at) {
+    EXPECT_EQ(corner_points(filled->parts[0].mesh)[corner], from_file(at)) << corner;
+  };
+  // Rows 1, 3, 0 are now X, Y and Z; row 2 is zero.
+  expect(0, Vector3::UnitZ());
+  expect(1, Vector3::Zero());
+  expect(2, Vector3::UnitX());
+  EXPECT_EQ(gltf_code_of(read_gltf(with(sparse, "\"count\": 3,", "\"count\": 30,"))), "E_TRUNCATED");
+  EXPECT_EQ(gltf_code_of(read_gltf(with(sparse, "\"count\": 4,", "\"count\": 3,"))), "E_INDEX_RANGE");
+}
+
+TEST(ReadGltf, ShapeKeysCountWithTheirWeightsAtRest) {
+  GltfLayout layout = gltf_tetrahedron();
+  const std::string keyed =
+      with(with(layout.text(), "\"indices\": 1", "\"indices\": 1, \"targets\": [{\"POSITION\": 0}]"),
+           "{\"name\": \"mesh\"", "{\"weights\": [0.5], \"name\": \"mesh\"");
+  const auto read = read_gltf(keyed);
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_NEAR(test::volume_of(read->parts.at(0).mesh), 1e9 / 6 * 1.5 * 1.5 * 1.5, 1);
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].code, w_left_out);
+}
+
+TEST(ReadGltf, NamesWithPercentSignsAreFound) {
+  const auto read = read_scene_file(test::case_file("percent in name/example 10%.gltf"));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->parts.at(0).mesh.face_count(), 12U);
+}
+
+TEST(ReadGltf, ExtensionsThatAreNotReadAreTold) {
+  GltfLayout layout = gltf_tetrahedron();
+  layout.extra =
+      R"("extensionsUsed": ["KHR_materials_unlit", "KHR_draco_mesh_compression", "KHR_node_visibility",
+      "ACME_a_name_that_is_so_long_that_messages_would_like_to_cut_it_off_before_what_matters"],)";
+  const auto read = read_gltf(layout.text());
+  ASSERT_TRUE(read.ok());
+  ASSERT_EQ(read->warnings.size(), 1U);
+  const std::string& text = read->warnings[0].text;
+  EXPECT_EQ(read->warnings[0].code, w_left_out);
+  EXPECT_NE(text.find("KHR_node_visibility"), std::string::npos) << text;
+  EXPECT_NE(text.find("before_what_matters\""), std::string::npos) << text;
+  EXPECT_EQ(text.find("unlit"), std::string::npos) << text;
+  EXPECT_EQ(text.find("draco"), std::string::npos) << "plain triangles are there, too";
 }
 
 }  // namespace

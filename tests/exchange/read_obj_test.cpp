@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 
 #include "core/exchange/mesh_file.hpp"
+#include "core/exchange/write_control_mesh.hpp"
+#include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/mesh_text.hpp"
 #include "tests/support/places.hpp"
 
@@ -81,6 +84,125 @@ TEST(ReadObj, IgnoredStatementsAreSilentAndUnknownOnesGiveOneWarning) {
   EXPECT_EQ(result->warnings[0].element, (Element{Element::Kind::line, 14}));
   EXPECT_NE(result->warnings[0].text.find("\"foo\" is not"), std::string::npos) << result->warnings[0].text;
   EXPECT_NE(result->warnings[0].text.find("2 more"), std::string::npos) << result->warnings[0].text;
+}
+
+TEST(ReadObj, ObjectsAreApartAndSoAreGroupsThatMeetNowhere) {
+  const std::string far = "v 9 0 0\nv 10 0 0\nv 9 1 0\n";
+  auto scene = read_obj_scene("o one\n" + triangle + "f 1 2 3\no two\n" + far + "f 6 5 4\nf 3 2 1\n");
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  ASSERT_EQ(scene->parts.size(), 2U);
+  EXPECT_EQ(scene->parts[0].name, "one");
+  EXPECT_EQ(scene->parts[0].mesh.positions.size(), 3U);
+  EXPECT_EQ(scene->parts[1].name, "two");
+  EXPECT_EQ(scene->parts[1].mesh.positions.size(), 6U);
+  EXPECT_EQ(scene->parts[1].mesh.face_vertices, (std::vector<Index>{5, 4, 3, 2, 1, 0}));
+  scene = read_obj_scene("g one\n" + triangle + "f 1 2 3\ng two\n" + far + "f 6 5 4\ng one\nf 1 3 2\n");
+  ASSERT_EQ(scene->parts.size(), 2U);
+  EXPECT_EQ(scene->parts[0].mesh.face_count(), 2U) << "a group goes on";
+  EXPECT_EQ(scene->parts[1].name, "two");
+  // Groups of one surface share corners, or have corners of their own at the same places.
+  scene = read_obj_scene("g one\n" + triangle + "f 1 2 3\ng two\n" + triangle + "v 1 1 0\nf 5 7 6\n");
+  ASSERT_EQ(scene->parts.size(), 1U);
+  EXPECT_EQ(scene->parts[0].mesh.positions.size(), 7U);
+  EXPECT_EQ(scene->parts[0].name, "one");
+  EXPECT_EQ(read_obj("o a\n" + triangle + "f 1 2 3\no b\nf 3 2 1\n")->mesh.face_count(), 2U);
+}
+
+TEST(ReadObj, CreaseTagsOfOurOwnControlMeshesComeBack) {
+  ControlMesh first, second;
+  first.mesh = test::octahedron();
+  first.creases = {{0, 2, infinitely_sharp}, {2, 1, 0.5}};
+  first.corners = {{4, infinitely_sharp}};
+  second.mesh = test::torus(5, 4);
+  const Index a = second.mesh.face(3)[0], b = second.mesh.face(3)[1];
+  second.creases = {{a, b, infinitely_sharp}};
+  const std::array<NamedControlMesh, 2> named{{{"first", &first}, {"second", &second}}};
+  const auto scene = read_obj_scene(write_control_obj(named));
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  ASSERT_EQ(scene->parts.size(), 2U);
+  using Creases = std::vector<std::array<Index, 2>>;
+  EXPECT_EQ(scene->parts[0].creases, (Creases{{0, 2}, {1, 2}}));
+  EXPECT_EQ(scene->parts[0].corners, (std::vector<Index>{4}));
+  EXPECT_EQ(scene->parts[1].creases, (Creases{{std::min(a, b), std::max(a, b)}}));
+  EXPECT_TRUE(scene->parts[1].corners.empty());
+  ASSERT_EQ(scene->warnings.size(), 1U);
+  EXPECT_EQ(scene->warnings[0].code, w_soft_creases);
+  // Chains; tags that say nothing; and what cannot be read.
+  const auto tags = read_obj_scene(triangle +
+                                   "f 1 2 3\nt crease 3/1/0 0 1 2 10\nt crease 2/1/0 2 0 0\n"
+                                   "t interpolateboundary 1/0/0 1\nt crease 2/1/0 0 9 10\nt corner x\n");
+  ASSERT_TRUE(tags.ok());
+  EXPECT_EQ(tags->parts[0].creases, (Creases{{0, 1}, {1, 2}}));
+  ASSERT_EQ(tags->warnings.size(), 1U);
+  EXPECT_EQ(tags->warnings[0].code, w_unknown_statement);
+  EXPECT_TRUE(tags->warnings[0].text.starts_with("2 tags")) << tags->warnings[0].text;
+}
+
+TEST(ReadObj, Utf16IsRead) {
+  const std::string text = "o 張り𝄞\n" + triangle + "f 1 2 3\n";
+  const std::u16string wide = u"o 張り𝄞\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  ASSERT_EQ(triangle, "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  for (const bool big : {false, true})
+    for (const bool mark : {true, false}) {
+      std::string bytes = !mark ? "" : big ? "\xfe\xff" : "\xff\xfe";
+      for (const char16_t unit : mark ? wide : wide.substr(7)) {
+        const char low = char(unit & 0xff), high = char(unit >> 8);
+        bytes += big ? std::string{high, low} : std::string{low, high};
+      }
+      const auto read = read_obj(bytes);
+      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      if (mark) {
+        EXPECT_EQ(read->name, read_obj(text)->name);
+      }
+      EXPECT_EQ(read->mesh.positions, read_obj(text)->mesh.positions);
+    }
+}
+
+/// Points of a plane net of `columns` x `rows` control points, as statements.
+std::string net(int columns, int rows) {
+  std::string out;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      out += "v " + std::to_string(i) + " " + std::to_string(j) + " 0 " + (i == 1 ? "0.5\n" : "\n");
+  return out;
+}
+
+TEST(ReadObj, BezierSurfacesAreObjectsOfPatches) {
+  std::string numbers;
+  for (int k = 1; k <= 28; ++k) numbers += " " + std::to_string(k);
+  const std::string text = net(7, 4) + "o sheet\ncstype rat bezier\ndeg 3 3\nsurf 0 2 0 1" + numbers +
+                           "\nparm u 0 1 2\nparm v 0 1\nend\n";
+  const auto scene = read_obj_scene(text);
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  EXPECT_TRUE(scene->parts.empty());
+  ASSERT_EQ(scene->patches.size(), 1U);
+  EXPECT_EQ(scene->patches[0].name, "sheet");
+  ASSERT_EQ(scene->patches[0].patches.size(), 2U);
+  const BezierPatch& second = scene->patches[0].patches[1];
+  EXPECT_EQ(second.points[second.index(0, 0)], Vector3(3, 0, 0));
+  EXPECT_EQ(second.points[second.index(3, 2)], Vector3(6, 2, 0));
+  const BezierPatch& first = scene->patches[0].patches[0];
+  EXPECT_EQ(first.weights[first.index(1, 3)], 0.5);
+  EXPECT_EQ(first.weights[first.index(2, 3)], 1);
+  EXPECT_TRUE(read_obj_scene(test::with(text, "rat ", ""))->patches[0].patches[0].weights.empty());
+  // Both kinds in one file; and free forms of other kinds.
+  const auto both = read_obj_scene(text + "f 1 2 3\ncstype bspline\nsurf 0 1 0 1 1 2 3\nend\n");
+  ASSERT_TRUE(both.ok()) << to_string(both.error());
+  EXPECT_EQ(both->parts.size(), 1U);
+  EXPECT_EQ(both->patches.size(), 1U);
+  ASSERT_EQ(both->warnings.size(), 1U);
+  EXPECT_EQ(both->warnings[0].code, w_left_out);
+  const auto code = [](const std::string& changed) {
+    const auto read = read_obj_scene(changed);
+    return read.ok() ? std::string("ok") : std::string(read.error().code.name);
+  };
+  EXPECT_EQ(code(test::with(text, " 28\n", "\n")), "E_PARSE");
+  EXPECT_EQ(code(test::with(text, " 28\n", " 29\n")), "E_INDEX_RANGE");
+  EXPECT_EQ(code(test::with(text, " 28\n", " x\n")), "E_PARSE");
+  EXPECT_EQ(code(test::with(text, "deg 3 3", "deg 16 3")), "E_PATCH_DEGREE");
+  EXPECT_EQ(code(test::with(text, "0.5", "-1")), "E_PATCH_WEIGHTS");
+  EXPECT_EQ(code(test::with(text, "parm u 0 1 2", "parm u 0 1")), "E_PARSE");
+  EXPECT_EQ(code("cstype bspline\nv 0 0 0\nsurf 0 1 0 1 1\n"), "E_EMPTY");
 }
 
 struct Bad {

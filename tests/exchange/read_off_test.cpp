@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/mesh_text.hpp"
 
 namespace hariko {
@@ -23,6 +24,20 @@ TEST(ReadOff, HeadersOfAllKindsGiveTheSameMesh) {
     EXPECT_EQ(result->mesh.face_count(), 2U);
     EXPECT_TRUE(result->warnings.empty());
   }
+}
+
+TEST(ReadOff, CountsMayBeGluedToTheKeyword) {
+  const auto read = read_mesh_file(test::case_file("off_header_glued.off"));
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->mesh.positions.size(), 8U);
+  EXPECT_EQ(read->mesh.face_count(), 6U);
+  const std::string rest = " 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* start : {"OFF3", "COFF3", "OFF 3", "OFF\n3"}) {
+    EXPECT_EQ(outcome(read_off(start + rest)), "ok") << start;
+    EXPECT_TRUE(looks_like_off(start + rest));
+  }
+  for (const char* start : {"OFF3x", "OFFICE", "4OFF3"})
+    EXPECT_EQ(outcome(read_off(start + rest)), "E_FORMAT_UNKNOWN 1") << start;
 }
 
 TEST(ReadOff, ColoursAndNormalsOfVerticesAreIgnored) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -86,6 +87,38 @@ TEST(ReadPly, UnknownElementsAreSkipped) {
       "1 2 nan 4\r\n1 0\r\n0 255 0 0\r\n1 255 0 0\r\n0 255 1 0\r\n3 0 1 2 6 0 0 1 0 0 1\r\n");
   ASSERT_TRUE(result.ok()) << to_string(result.error());
   EXPECT_EQ(result->mesh.positions[2], Vector3(0, 1, 0));
+}
+
+TEST(ReadPly, StripsAreTrianglesInTurnAndBeginAgainAfterMinusOne) {
+  const std::string head =
+      "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}};
+  const std::vector<int> strip{0, 1, 2, 3, 4, -1, 0, 1, 1, 3};
+  std::string text = "ply\nformat ascii 1.0\n" + head;
+  for (const auto& p : points)
+    text += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  text += std::to_string(strip.size());
+  for (const int v : strip) text += " " + std::to_string(v);
+  text += "\n";
+  for (const bool big : {false, true}) {
+    Bytes bytes{big, {}};
+    for (const auto& p : points)
+      for (const double x : p) bytes.put("float", x);
+    bytes.put("int", double(strip.size()));
+    for (const int v : strip) bytes.put("int", v);
+    const auto read = read_ply(std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                               "_endian 1.0\n" + head + bytes.out);
+    ASSERT_TRUE(read.ok()) << to_string(read.error());
+    const auto same = read_ply(text);
+    ASSERT_TRUE(same.ok()) << to_string(same.error());
+    test::expect_same(read->mesh, same->mesh);
+    // All three look up; what has no area only turns the strip.
+    const std::vector<Index> expected{0, 1, 2, 2, 1, 3, 2, 3, 4};
+    EXPECT_EQ(read->mesh.face_vertices, expected);
+  }
+  EXPECT_EQ(outcome(read_ply(test::with(text, " -1 ", " -2 "))), "E_INDEX_RANGE 15");
+  EXPECT_EQ(outcome(read_ply(text, {.vertices = 9, .corners = 8})), "E_LIMIT 15");
 }
 
 TEST(ReadPly, BinaryDataMayStartWithALineFeed) {

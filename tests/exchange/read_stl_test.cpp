@@ -83,7 +83,7 @@ TEST(ReadStl, EveryMalformedTextHasItsCodeAndLine) {
       {"solid s\n", "E_TRUNCATED 2"},
       {"solid s\nendsolid s\n", "E_EMPTY 0"},
       {"solid s\n" + facet("0 0 0", "0 0 0", "0 1 0") + "endsolid s\n", "E_EMPTY 0"},
-      {"solid s\n" + one, "E_TRUNCATED 9"},
+      {"solid s\n" + one + "facet normal 0 0 1\n", "E_TRUNCATED 10"},
       {"solid s\n" + one + "endsolid s\nmore\n", "E_PARSE 10"},
       {"solid s\nface\n", "E_PARSE 2"},
       {broken("normal", "normals"), "E_PARSE 2"},
@@ -106,8 +106,8 @@ TEST(ReadStl, EveryMalformedBinaryFileHasItsCode) {
   EXPECT_EQ(outcome(read_stl("short")), "E_TRUNCATED 0");
   EXPECT_EQ(outcome(read_stl(binary("x", 0, {}))), "E_EMPTY 0");
   EXPECT_EQ(outcome(read_stl(two_binary_facets("x", 3))), "E_TRUNCATED 0");
-  EXPECT_EQ(outcome(read_stl(two_binary_facets("x", 0xffffffffU))), "E_TRUNCATED 0");
-  EXPECT_EQ(outcome(read_stl(two_binary_facets("solid", 0xffffffffU))), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_stl(two_binary_facets("x", 0xfffffffeU))), "E_TRUNCATED 0");
+  EXPECT_EQ(outcome(read_stl(two_binary_facets("solid", 0xfffffffeU))), "E_TRUNCATED 0");
   EXPECT_EQ(
       outcome(read_stl(binary("x", 1, {0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0}))),
       "E_PARSE 0");
@@ -119,6 +119,31 @@ TEST(ReadStl, EveryMalformedBinaryFileHasItsCode) {
   const auto longer = read_stl(good + "tail");
   ASSERT_TRUE(longer.ok());
   EXPECT_EQ(longer->warnings.at(0).code, w_trailing_data);
+}
+
+TEST(ReadStl, ACountThatIsLeftOutIsTheFilesOwn) {
+  for (const std::uint32_t count : {0U, 0xffffffffU})
+    for (const char* header : {"x", "solid"}) {
+      const auto read = read_stl(two_binary_facets(header, count) + "tail");
+      ASSERT_TRUE(read.ok()) << to_string(read.error());
+      EXPECT_EQ(read->mesh.face_count(), 2U);
+      ASSERT_EQ(read->warnings.size(), 2U);
+      EXPECT_EQ(read->warnings[0].code, w_count_missing);
+      EXPECT_EQ(read->warnings[1].code, w_trailing_data);
+    }
+}
+
+TEST(ReadStl, TextWithoutItsEndIsReadWithAWarning) {
+  const auto read = read_stl("solid s\n" + two_facets);
+  ASSERT_TRUE(read.ok()) << to_string(read.error());
+  EXPECT_EQ(read->mesh.face_count(), 2U);
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].code, w_end_missing);
+  // The solid before has no end: the next one begins.
+  const auto several = read_stl("solid a\n" + two_facets + "solid b\n" + two_facets + "endsolid b\n");
+  ASSERT_TRUE(several.ok()) << to_string(several.error());
+  EXPECT_EQ(several->mesh.face_count(), 4U);
+  EXPECT_EQ(several->name, "a");
 }
 
 TEST(ReadStl, TruncationAtEveryByteIsHandled) {

@@ -295,7 +295,7 @@ TEST(TriangulatePolygon, ConcavePolygonsKeepTheirArea) {
     // A star-shaped polygon in a random plane: simple, and concave nearly always.
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond(test::uniform(rng, -1, 1), test::uniform(rng, -1, 1), 0.3, 0.2).normalized();
-    const int n = test::uniform_int(rng, 3, 30);
+    const int n = test::chance(rng, 0.1) ? 3001 : test::uniform_int(rng, 3, 30);
     std::vector<Vector3> corners;
     double area = 0;
     std::vector<double> radii;
@@ -314,7 +314,7 @@ TEST(TriangulatePolygon, ConcavePolygonsKeepTheirArea) {
       EXPECT_GT(cross.dot(turn * Vector3::UnitZ()), 0);
       sum += 0.5 * cross.norm();
     }
-    EXPECT_NEAR(sum, area, 1e-12);
+    EXPECT_NEAR(sum, area, n > 1000 ? 1e-9 : 1e-12);
   });
 }
 

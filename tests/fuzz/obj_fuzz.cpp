@@ -1,5 +1,5 @@
 #include "core/exchange/read_obj.hpp"
-#include "tests/fuzz/check.hpp"
+#include "tests/fuzz/check_scene.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hariko;
@@ -7,5 +7,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto result = read({reinterpret_cast<const char*>(data), size});
   fuzz::check(result, size);
   fuzz::check_round_trip(result, read, [](auto meshes) { return write_obj(meshes); });
+  if (size < fuzz::small_limits().vertices)
+    fuzz::check(read_obj_scene({reinterpret_cast<const char*>(data), size}, fuzz::small_limits()), false);
   return 0;
 }

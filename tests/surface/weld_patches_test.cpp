@@ -91,5 +91,31 @@ TEST(WeldPatches, SidesInPartsMeetWholeOnesWhereverTheyBulge) {
   }
 }
 
+/// A square from (x, y) of these sizes.
+BezierPatch square(double x, double y, double width, double height) {
+  BezierPatch patch{1, 1, {}, {}};
+  for (const double t : {0.0, 1.0})
+    for (const double s : {0.0, 1.0}) patch.points.emplace_back(x + s * width, y + t * height, 0);
+  return patch;
+}
+
+TEST(WeldPatches, TJointsAreFoundHoweverManySidesAreFree) {
+  // Each group is a square beside two halves.
+  constexpr int groups = 800;
+  std::vector<BezierPatch> patches;
+  for (int k = 0; k < groups; ++k) {
+    const double x = 3 * (k % 30), y = 3 * (k / 30);
+    patches.push_back(square(x, y, 1, 1));
+    patches.push_back(square(x + 1, y, 1, 0.5));
+    patches.push_back(square(x + 1, y + 0.5, 1, 0.5));
+  }
+  const auto surface = weld_patches(Vector3::Zero(), patches);
+  ASSERT_TRUE(surface.ok());
+  EXPECT_EQ(surface->seams().size(), 3U * groups);
+  // The same groups one by one.
+  const auto one = weld_patches(Vector3::Zero(), {patches.begin(), patches.begin() + 3});
+  EXPECT_EQ(one->seams().size(), 3U);
+}
+
 }  // namespace
 }  // namespace hariko

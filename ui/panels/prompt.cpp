@@ -25,6 +25,7 @@ void Prompt::draw(PanelContext& context) {
   const Request request = requests_.back();
   text_in_lines(request.text, m.px(420));
   if (request.picture) request.picture();
+  if (request.fields) request.fields(context);
   ImGui::Dummy({0, m.px(8)});
   const Answer* chosen = nullptr;
   for (const Answer& answer : request.answers) {

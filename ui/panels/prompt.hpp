@@ -21,6 +21,7 @@ class Prompt {
     std::string title, text;             ///< already translated
     std::vector<Answer> answers;         ///< the first is the default (Enter); Esc does nothing but close
     std::function<void()> picture = {};  ///< draws something between text and buttons
+    std::function<void(PanelContext&)> fields = {};  ///< likewise: what is asked for beside the answers
   };
 
   /// Shows a question; one that is open waits behind it.

@@ -1,8 +1,12 @@
 #include "ui/tools/region_tool.hpp"
 
 #include <algorithm>
+#include <map>
 
+#include "core/document/edit_solids.hpp"
 #include "render/region_picking.hpp"
+#include "ui/skin_sight.hpp"
+#include "ui/skin_view.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 
 namespace hariko {
@@ -10,6 +14,71 @@ namespace hariko {
 namespace {
 
 using How = Selection::How;
+
+/// Points and lines as a polyhedron without faces, for regions.
+class RegionMarks {
+ public:
+  void point(const Vector3& at, VertexId id) {
+    if (out_->positions.empty()) out_->origin = at;
+    const Vector3 p = at - out_->origin;
+    out_->positions.push_back({float(p.x()), float(p.y()), float(p.z())});
+    out_->vertex_ids.push_back(id);
+    out_->box.extend(p);
+  }
+  void line(const std::vector<Vector3>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      point(points[i], VertexId{});
+      const auto end = Index(out_->positions.size() - 1);
+      if (i > 0) out_->edges.push_back({end - 1, end});
+    }
+  }
+  std::shared_ptr<const DisplayPolyhedron> finish() {
+    out_->edge_kinds.assign(out_->edges.size(), EdgeKind::plain);
+    return std::move(out_);
+  }
+
+ private:
+  std::shared_ptr<DisplayPolyhedron> out_ = std::make_shared<DisplayPolyhedron>();
+};
+
+/// The curves of a skin, which stand for it as a whole: its scene has no polyhedron.
+std::shared_ptr<const DisplayPolyhedron> curves_of(const Skin& skin) {
+  const SkinView view = view_of(skin, nullptr);
+  RegionMarks marks;
+  for (const SkinView::Section& section : view.sections) marks.line(section.curve);
+  for (const auto& path : view.paths) marks.line(path);
+  return marks.finish();
+}
+
+/// The points of a skin that can be taken hold of, as vertices with the ids of a selection.
+std::shared_ptr<const DisplayPolyhedron> points_of(const Editor& editor, const Object& object,
+                                                   const Projector& projector) {
+  const SkinView view = view_of(*object.skin()->skin, shown_surface(editor, object));
+  const auto hidden = SkinSight(editor, projector, view, object).hidden_points();
+  RegionMarks marks;
+  for (const SkinView::Handle& handle : view.handles) {
+    const bool own =
+        handle.kind == SkinView::Handle::Kind::control || handle.kind == SkinView::Handle::Kind::path;
+    if (own && !hidden.contains(handle.id)) marks.point(handle.position, VertexId{handle.id});
+  }
+  return marks.finish();
+}
+
+/// Ids of solids of which a region holds all points, or anything at all where it crosses.
+std::set<VertexId> solids_in(const DisplayPolyhedron& shown, const Highlights& held, bool crossing) {
+  std::set<VertexId> out;
+  if (crossing) {
+    for (const Index v : held.vertices) out.insert(shown.vertex_ids[v]);
+    for (const Index e : held.edges) out.insert(shown.vertex_ids[shown.edges[e][0]]);
+    for (const Index f : held.faces) out.insert(VertexId{shown.face_ids[f].value});
+    return out;
+  }
+  std::map<VertexId, std::size_t> missing;
+  for (const VertexId id : shown.vertex_ids) ++missing[id];
+  for (const Index v : held.vertices)
+    if (--missing[shown.vertex_ids[v]] == 0) out.insert(shown.vertex_ids[v]);
+  return out;
+}
 
 class RegionTool final : public Tool {
  public:
@@ -91,33 +160,59 @@ class RegionTool final : public Tool {
     editor.selection = selection;
   }
 
-  void take(const Editor& editor, Selection& selection, const SceneObject& shown, ObjectId id,
+  bool crosses() const { return !lasso_ && crossing(); }
+  Highlights held_of(const SceneObject& shown, const Projector& projector) const {
+    return lasso_ ? pick_lasso(shown, projector, path_)
+                  : pick_box(shown, projector, {path_.front(), at_}, crossing());
+  }
+
+  void take(const Editor& editor, Selection& selection, SceneObject shown, ObjectId id,
             const Projector& projector) const {
     const Object* object = editor.document().find(id);
-    if (!object || !shown.polyhedron) return;
-    Highlights held = lasso_ ? pick_lasso(shown, projector, path_)
-                             : pick_box(shown, projector, {path_.front(), at_}, crossing());
+    if (!object) return;
+    const bool whole = editor.mode == ElementMode::object;
+    if (object->skin() && !whole && object != shown_skin(editor)) return;  // its points are not shown
+    if (object->skin())
+      shown.polyhedron = whole ? curves_of(*object->skin()->skin) : points_of(editor, *object, projector);
+    if (!shown.polyhedron || shown.polyhedron->positions.empty()) return;
+    const Highlights held = held_of(shown, projector);
     const How how = how_ == How::remove ? How::remove : How::add;
-    if (editor.mode == ElementMode::object) {
+    if (whole) {
       const bool taken =
-          !lasso_ && crossing() ? !held.empty() : held.vertices.size() == shown.polyhedron->positions.size();
+          crosses() ? !held.empty() : held.vertices.size() == shown.polyhedron->positions.size();
       if (taken && !held.empty()) selection.select({id, element_of(id)}, how);
       return;
     }
-    if (!(object->cage() || object->outline()) || !shown.elements_pickable) return;
+    const ElementSelection elements = elements_of(editor, *object, shown, held);
+    if (elements.empty()) return;
+    selection.select(id, elements, how);
+    if (selection.of(selection.active).empty()) selection.active = id;
+  }
+
+  ElementSelection elements_of(const Editor& editor, const Object& object, const SceneObject& shown,
+                               Highlights held) const {
+    ElementSelection out;
+    if (object.solids()) {
+      // The surface round them does not hide them.
+      if (shown.show_polyhedron) out.vertices = solids_in(*shown.polyhedron, held, crosses());
+      std::erase_if(out.vertices, [&](VertexId solid) { return !find_solid(object, solid.value); });
+      return out;
+    }
+    if (object.skin()) {
+      for (const Index v : held.vertices) out.vertices.insert(shown.polyhedron->vertex_ids[v]);
+      return out;
+    }
+    if (!(object.cage() || object.outline()) || !shown.elements_pickable) return out;
     if (editor.mode != ElementMode::vertex) held.vertices.clear();
     if (editor.mode != ElementMode::edge) held.edges.clear();
     if (editor.mode != ElementMode::face) held.faces.clear();
     if (occlusion_) held = occlusion_->visible(held, shown);
-    ElementSelection elements;
-    for (const Index v : held.vertices) elements.vertices.insert(shown.polyhedron->vertex_ids[v]);
-    if (const Polyhedron* polyhedron = object->cage()) {
-      for (const Index e : held.edges) elements.edges.insert(polyhedron->edge_id(e));
-      for (const Index f : held.faces) elements.faces.insert(polyhedron->face_id(f));
+    for (const Index v : held.vertices) out.vertices.insert(shown.polyhedron->vertex_ids[v]);
+    if (const Polyhedron* polyhedron = object.cage()) {
+      for (const Index e : held.edges) out.edges.insert(polyhedron->edge_id(e));
+      for (const Index f : held.faces) out.faces.insert(polyhedron->face_id(f));
     }
-    if (elements.empty()) return;
-    selection.select(id, elements, how);
-    if (selection.of(selection.active).empty()) selection.active = id;
+    return out;
   }
 
   bool modal_, lasso_ = false, drawing_ = false;

@@ -13,7 +13,11 @@
 #include "core/modeling/edit_modeling.hpp"
 #include "core/modeling/local_edit.hpp"
 #include "core/modeling/transform_solid.hpp"
+#include "core/skinning/edit_path.hpp"
+#include "core/skinning/edit_section.hpp"
 #include "ui/outlines.hpp"
+#include "ui/skin_edits.hpp"
+#include "ui/skin_view.hpp"
 
 namespace hariko {
 
@@ -63,6 +67,21 @@ std::vector<std::size_t> islands(const std::vector<VertexId>& vertices, const Po
   return island;
 }
 
+/// Where a point of a section, of the path or of the second rail is, in the object's space; nothing where
+/// there is none with this id.
+std::optional<Vector3> point_of(const Skin& skin, std::uint32_t id) {
+  if (!is_path_point(id)) {
+    for (const SkinSection& section : skin.sections)
+      if (const int i = find_point(section, id); i >= 0) return section.points[std::size_t(i)].position;
+    return std::nullopt;
+  }
+  const bool rail = id >= rail_point_ids;
+  if (rail && !skin.second_rail) return std::nullopt;
+  const SubdivisionCurve& curve = rail ? *skin.second_rail : skin.path;
+  const std::size_t index = id - (rail ? rail_point_ids : path_point_ids);
+  return index < curve.points.size() ? std::optional(curve.points[index]) : std::nullopt;
+}
+
 std::string counted(std::size_t count, const char* one, const char* many) {
   return count == 1 ? std::string(one) : std::to_string(count) + " " + many;
 }
@@ -82,6 +101,7 @@ TransformTarget TransformTarget::of(const Editor& editor) {
       if (object && object->visible && object->cage()) target.add_elements(*object, elements);
       if (object && object->visible && object->solids()) target.add_solids(*object, elements);
       if (object && object->visible && object->outline()) target.add_points(*object, elements);
+      if (object && object->visible && object->skin()) target.add_skin_points(*object, elements);
     }
     const bool solids = std::all_of(target.parts_.begin(), target.parts_.end(),
                                     [](const Part& part) { return !part.solids.empty(); });
@@ -177,6 +197,23 @@ void TransformTarget::add_points(const Object& object, const ElementSelection& e
   parts_.push_back(std::move(part));
 }
 
+void TransformTarget::add_skin_points(const Object& object, const ElementSelection& elements) {
+  Part part;
+  part.object = object.id;
+  part.transform = object.transform;
+  part.skin = &*object.skin()->skin;
+  for (const VertexId id : elements.vertices)
+    if (const auto at = point_of(*part.skin, id.value)) {
+      part.vertices.push_back(id);
+      part.start.push_back(*at);
+      selected_.push_back(object.transform.apply(*at));
+    }
+  if (part.vertices.empty()) return;
+  part.selected = part.vertices.size();
+  part.weight.assign(part.selected, 1);
+  parts_.push_back(std::move(part));
+}
+
 void TransformTarget::choose_pivot(const Editor& editor) {
   const PivotMode mode = editor.transform.pivot;
   pivot_ = mean(selected_);
@@ -220,7 +257,8 @@ bool TransformTarget::stands(ObjectId object, VertexId vertex) const {
 
 void TransformTarget::follow(double radius, Falloff kind) {
   for (Part& part : parts_) {
-    if (part.whole || part.frozen || !part.polyhedron) continue;  // a local edit moves nothing else
+    if (part.whole || part.frozen) continue;          // a local edit moves nothing else
+    if (!part.polyhedron && !part.outline) continue;  // solids and points of skins move alone
     part.vertices.resize(part.selected);
     part.start.resize(part.selected);
     part.weight.resize(part.selected);
@@ -292,6 +330,10 @@ Result<Document> TransformTarget::apply(const Document& document,
       result = apply_to_solids(*result, part, local);
       continue;
     }
+    if (part.skin) {
+      result = apply_to_skin(*result, part, local);
+      continue;
+    }
     if (part.frozen || part.outline) {
       result = part.outline ? apply_to_points(*result, part, local) : apply_locally(*result, part, local);
       continue;
@@ -311,6 +353,28 @@ Result<Document> TransformTarget::apply_to_solids(const Document& document, cons
       for (Solid& solid : input.solids)
         if (solid.id == part.solids[i].id) solid = transformed(part.solids[i], local, part.pivots[i]);
   });
+}
+
+/// The path carries the sections; chosen points of these then go where they are transformed to.
+Result<Document> TransformTarget::apply_to_skin(const Document& document, const Part& part,
+                                                const Transformation& local) {
+  std::vector<MovedPathPoint> path;
+  std::vector<MovedPoint> points;
+  for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+    const Vector3 to = local.apply(part.start[i], part.pivots[i], part.weight[i]);
+    const std::uint32_t id = part.vertices[i].value;
+    if (!is_path_point(id)) {
+      points.push_back({id, to});
+      continue;
+    }
+    const bool rail = id >= rail_point_ids;
+    path.push_back({rail ? PathCurve::second_rail : PathCurve::path,
+                    static_cast<int>(id - (rail ? rail_point_ids : path_point_ids)), to});
+  }
+  if (path.empty()) return with_skin(document, part.object, move_section_points(*part.skin, points));
+  auto carried = move_path_points(*part.skin, path);
+  if (carried && !points.empty()) carried = move_section_points(carried->skin, points);
+  return with_skin(document, part.object, carried);
 }
 
 /// Moves points; their normals go along with the loop, and with a rotation.
@@ -360,6 +424,10 @@ std::optional<Vector3> place_of(const Document& document, const ElementRef& ref)
   }
   if (const Solid* solid = find_solid(*object, static_cast<std::uint32_t>(ref.element.id)))
     return object->transform.apply(solid->position);
+  if (object->skin() && ref.element.kind == Element::Kind::vertex) {
+    const auto at = point_of(*object->skin()->skin, static_cast<std::uint32_t>(ref.element.id));
+    return at ? std::optional<Vector3>(object->transform.apply(*at)) : std::nullopt;
+  }
   if (object->outline() && ref.element.kind == Element::Kind::vertex &&
       ref.element.id < object->outline()->outline->point_count())
     return place_of_point(*object, static_cast<Index>(ref.element.id)).point;

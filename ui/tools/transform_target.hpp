@@ -63,6 +63,7 @@ class TransformTarget {
     // All vertices of the object, for followers.
     const Polyhedron* polyhedron = nullptr;
     const Outline* outline = nullptr;  ///< in the place of the polyhedron: its points are the vertices
+    const Skin* skin = nullptr;        ///< likewise: points of its sections and of its path
     std::vector<double> distance;      ///< from the selection; empty until asked for
     /// In a local edit: the object with the tangents round the vertices fixed, or why they cannot be.
     std::optional<Result<PolyhedronSource>> frozen;
@@ -72,6 +73,7 @@ class TransformTarget {
   void add_elements(const Object& object, const ElementSelection& elements);
   void add_solids(const Object& object, const ElementSelection& elements);
   void add_points(const Object& object, const ElementSelection& elements);
+  void add_skin_points(const Object& object, const ElementSelection& elements);
   void choose_pivot(const Editor& editor);
   void choose_own_pivots(const Editor& editor);
   void freeze();
@@ -82,6 +84,8 @@ class TransformTarget {
   void follow_along(Part& part, double radius, Falloff kind);
   static Result<Document> apply_to_points(const Document& document, const Part& part,
                                           const Transformation& local);
+  static Result<Document> apply_to_skin(const Document& document, const Part& part,
+                                        const Transformation& local);
 
   Document document_;  ///< keeps the polyhedra alive
   std::vector<Part> parts_;

@@ -24,6 +24,7 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"equal", "metric"}));
   command.add_flag("--round", round_, "Mode g2 measures bending over the surface of mode fair");
   outlines_.add_to(command);
+  reading_.add_to(command);
 }
 
 Construction ConstructionCommandLine::construction() const {
@@ -32,6 +33,7 @@ Construction ConstructionCommandLine::construction() const {
   out.round = round_;
   if (!frames_.empty()) out.frames = frames_ == "metric" ? Frames::metric : Frames::equal;
   out.outlines = outlines_.construction();
+  out.reading = reading_.reading();
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands/command_line/outline_command_line.hpp"
+#include "app/commands/command_line/reading_command_line.hpp"
 
 namespace hariko {
 
@@ -18,6 +19,7 @@ class ConstructionCommandLine {
   std::string mode_, frames_;
   bool round_ = false;
   OutlineCommandLine outlines_;
+  ReadingCommandLine reading_;
 };
 
 }  // namespace hariko

@@ -9,6 +9,7 @@
 #include "app/commands/command_line/export_command_line.hpp"
 #include "app/commands/command_line/mesh_command_line.hpp"
 #include "app/commands/command_line/render_command_line.hpp"
+#include "app/commands/command_line/standard_streams.hpp"
 #include "app/commands/command_line/suggestions.hpp"
 #include "app/commands/command_line/unfold_command_line.hpp"
 #include "app/commands/command_line/window_command_line.hpp"
@@ -39,9 +40,13 @@ class CommandLine {
     add_sample_pictures();
     for (CLI::App* command : {info_, export_.command(), render_.command(), mesh_.command(), evaluate_})
       construction_.add_to(*command);
+    for (CLI::App* command :
+         {info_, export_.command(), render_.command(), mesh_.command(), evaluate_, unfold_.command()})
+      streams_.add_to(*command);
     app_.footer(
         "Files are Hariko documents (*.hariko), meshes (*.obj, *.off, *.ply, *.stl, *.glb, *.gltf, *.3mf), "
         "Bezier patches (*.bpt, *.json) or CAD files (*.step, *.stp, *.iges, *.igs).\n"
+        "- as FILE or OUT is the standard input or output.\n"
         "`hariko COMMAND --help` describes the options of a command.\n"
         "Exit codes: 0 fine, 1 the input or the job failed, 2 wrong usage.");
   }
@@ -59,10 +64,10 @@ class CommandLine {
     const Construction construction = construction_.construction();
     info_arguments_.construction = evaluate_arguments_.construction = construction;
     if (*info_) return run_info(info_arguments_);
-    if (*export_.command()) return run_export(export_.arguments(construction));
-    if (*render_.command()) return render_.run(construction);
-    if (*unfold_.command()) return run_unfold(unfold_.arguments());
-    if (*mesh_.command()) return run_mesh(mesh_.arguments(construction));
+    if (*export_.command()) return streams_.finish(run_export(export_.arguments(construction)));
+    if (*render_.command()) return streams_.finish(render_.run(construction));
+    if (*unfold_.command()) return streams_.finish(run_unfold(unfold_.arguments()));
+    if (*mesh_.command()) return streams_.finish(run_mesh(mesh_.arguments(construction)));
     if (*evaluate_) return run_evaluate(evaluate_arguments_);
     if (*pictures_) return run_sample_pictures(assets_, pictures_folder_);
     report_missing(window_.options());
@@ -107,6 +112,7 @@ class CommandLine {
   }
   void check_combinations() const {
     for (const CLI::App* command : app_.get_subcommands()) window_.check_nothing_said(*command);
+    streams_.check();
     if (*export_.command()) export_.check();
     if (*unfold_.command()) unfold_.check();
     if (*render_.command()) render_.check();
@@ -136,6 +142,7 @@ class CommandLine {
   RenderCommandLine render_;
   UnfoldCommandLine unfold_;
   ConstructionCommandLine construction_;
+  StandardStreams streams_;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ std::optional<std::string> unknown_command(const CLI::App& app, const std::strin
     if (command->get_name() == word) return std::nullopt;
     known.push_back(command->get_name());
   }
-  return "'" + printable(word, 60) + "' is neither a command nor a file." +
+  return "'" + shortened(word, 120) + "' is neither a command nor a file." +
          did_you_mean(nearest_word(word, known));
 }
 

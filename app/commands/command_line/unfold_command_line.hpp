@@ -16,7 +16,7 @@ namespace hariko {
 class UnfoldCommandLine {
  public:
   void add_to(CLI::App& app);
-  const CLI::App* command() const { return command_; }
+  CLI::App* command() const { return command_; }
   /// Throws CLI::ValidationError for what the parser itself cannot refuse.
   void check() const;
   /// After `check`.

@@ -1,0 +1,145 @@
+#include "app/commands/command_line/standard_streams.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/console.hpp"
+#include "core/base/file_io.hpp"
+#include "core/exchange/mesh_file.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr std::size_t piece_size = 65536;
+
+const std::vector<std::string> read_formats{"hariko", "obj", "off",  "ply",  "stl", "glb",  "gltf",
+                                            "3mf",    "bpt", "json", "step", "stp", "iges", "igs"};
+const std::vector<std::string> written_formats{"obj", "off",  "ply", "stl", "3mf", "glb", "gltf", "step",
+                                               "stp", "iges", "igs", "png", "svg", "pdf", "dxf",  "json"};
+
+/// The ending of a file with these bytes; nothing where they do not tell.
+std::optional<std::string> ending_of(std::string_view bytes) {
+  if (const auto mesh = format_of_content(bytes)) {
+    switch (*mesh) {
+      case MeshFormat::obj:
+        return "obj";
+      case MeshFormat::off:
+        return "off";
+      case MeshFormat::ply:
+        return "ply";
+      case MeshFormat::stl:
+        return "stl";
+      case MeshFormat::gltf:
+        return "glb";
+      case MeshFormat::three_mf:
+        return "3mf";
+    }
+  }
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  if (begin != std::string_view::npos && bytes[begin] == '{')
+    return bytes.find("\"asset\"") != std::string_view::npos    ? "gltf"
+           : bytes.find("\"hariko\"") != std::string_view::npos ? "hariko"
+                                                                : "json";
+  if (bytes.substr(0, 4096).find("ISO-10303-21") != std::string_view::npos) return "step";
+  if (bytes.size() > 73 && bytes[72] == 'S') return "iges";
+  return {};
+}
+
+std::string read_all_input() {
+  std::string out;
+  std::vector<char> piece(piece_size);
+  while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), stdin)) {
+    out.append(piece.data(), got);
+    if (out.size() > default_file_size_limit)
+      throw CLI::ValidationError("FILE", "the standard input is longer than files may be");
+  }
+  return out;
+}
+
+bool write_all(int file, const std::filesystem::path& from) {
+  std::ifstream in(from, std::ios::binary);
+  std::vector<char> piece(piece_size);
+  while (in.read(piece.data(), std::streamsize(piece.size())), in.gcount() > 0) {
+    const char* at = piece.data();
+    for (std::streamsize left = in.gcount(); left > 0;) {
+      const ssize_t written = ::write(file, at, std::size_t(left));
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return false;
+      at += written;
+      left -= written;
+    }
+  }
+  return in.eof();
+}
+
+}  // namespace
+
+StandardStreams::~StandardStreams() {
+  if (saved_output_ >= 0) ::close(saved_output_);
+}
+
+void StandardStreams::add_to(CLI::App& command) {
+  const auto* from =
+      command.add_option("--from", from_, "Format of FILE where that is -, the standard input")
+          ->check(CLI::IsMember(read_formats));
+  command.get_option("FILE")->transform(
+      [this, from](std::string name) { return name == "-" ? input(*from) : name; }, "");
+  CLI::Option* out = command.get_option_no_throw("OUT");
+  if (!out) return;
+  const auto* to = command.add_option("--to", to_, "Format of OUT where that is -, the standard output")
+                       ->check(CLI::IsMember(written_formats));
+  out->transform([this, to](std::string name) { return name == "-" ? output(*to) : name; }, "");
+}
+
+const std::filesystem::path& StandardStreams::folder() {
+  if (!folder_) folder_ = std::make_unique<ScratchFolder>();
+  if (folder_->path().empty()) throw CLI::ValidationError("-", "no temporary file can be made");
+  return folder_->path();
+}
+
+std::string StandardStreams::input(const CLI::Option& from) {
+  if (!in_.empty()) return in_.string();
+  const std::string bytes = read_all_input();
+  const auto ending = from.empty() ? ending_of(bytes) : std::optional(from.results().front());
+  if (!ending)
+    throw CLI::ValidationError("FILE", "the standard input does not tell its format; say it with --from");
+  in_ = folder() / ("input." + *ending);
+  if (!write_file_atomic(in_, bytes).ok())
+    throw CLI::ValidationError("FILE", "the standard input cannot be kept in a temporary file");
+  return in_.string();
+}
+
+std::string StandardStreams::output(const CLI::Option& to) {
+  if (to.empty()) throw CLI::ValidationError("OUT", "say with --to which format the standard output gets");
+  if (!out_.empty()) throw CLI::ValidationError("OUT", "only one file can go to the standard output");
+  out_ = folder() / ("output." + to.results().front());
+  // What the commands print goes to the error stream.
+  saved_output_ = ::dup(STDOUT_FILENO);
+  if (saved_output_ < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+    throw CLI::ValidationError("OUT", "the standard output cannot be written");
+  return out_.string();
+}
+
+void StandardStreams::check() const {
+  if (in_.empty() && !from_.empty()) throw CLI::ValidationError("--from", "is for - as FILE");
+  if (out_.empty() && !to_.empty()) throw CLI::ValidationError("--to", "is for - as OUT");
+}
+
+int StandardStreams::finish(int code) {
+  if (out_.empty() || code != exit_fine) return code;
+  if (write_all(saved_output_, out_)) return code;
+  report("", make_error(e_output, "The result could not be written to the standard output.",
+                        "Check that the disk is not full and that the reading program still runs."));
+  return exit_failed;
+}
+
+}  // namespace hariko

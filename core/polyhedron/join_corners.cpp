@@ -1,0 +1,135 @@
+#include "core/polyhedron/join_corners.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+
+#include "core/polyhedron/edge_table.hpp"
+#include "core/polyhedron/face_check.hpp"
+#include "core/polyhedron/mesh_errors.hpp"
+#include "core/polyhedron/near_vertices.hpp"
+#include "core/polyhedron/repair.hpp"
+
+namespace hariko {
+
+namespace {
+
+std::vector<Index> own_numbers(const PolygonMesh& mesh) {
+  std::vector<Index> out(mesh.positions.size());
+  std::iota(out.begin(), out.end(), Index{0});
+  return out;
+}
+
+bool is_sound(const PolygonMesh& mesh) {
+  return connectivity_errors(mesh, 1).empty();
+}
+
+/// 1 for vertices of edges that do not have exactly two faces which fit; 0 where faces close round a vertex.
+/// `loose` becomes whether every edge has one face only.
+std::vector<char> open_vertices(const PolygonMesh& mesh, bool& loose) {
+  std::vector<char> out(mesh.positions.size(), 0);
+  loose = true;
+  const std::vector<char> sound = sound_faces(mesh);
+  EdgeTable(mesh, sound).for_each_edge([&](Index low, Index high, std::span<const EdgeUse> uses) {
+    loose = loose && uses.size() == 1;
+    if (uses.size() != 2 || !is_manifold_edge(mesh, uses)) out[low] = out[high] = 1;
+  });
+  for (std::size_t f = 0; f < sound.size(); ++f)
+    for (const Index v : mesh.face(f))
+      if (!sound[f] && v < out.size()) out[v] = 1;
+  return out;
+}
+
+/// For each vertex the one that stands for it: among the open ones the first that is near.
+std::vector<Index> targets_of(const PolygonMesh& mesh, double distance, bool& loose) {
+  std::vector<Index> out = own_numbers(mesh);
+  const std::vector<Index> all = representatives(mesh.positions, distance);
+  if (all == out) return out;  // as most files are
+  const std::vector<char> open = open_vertices(mesh, loose);
+  std::vector<Index> numbers;
+  std::vector<Vector3> points;
+  for (Index v = 0; v < open.size(); ++v)
+    if (open[v] && mesh.positions[v].allFinite()) {
+      numbers.push_back(v);
+      points.push_back(mesh.positions[v]);
+    }
+  const std::vector<Index> near = representatives(points, distance);
+  for (std::size_t k = 0; k < near.size(); ++k) out[numbers[k]] = numbers[near[k]];
+  return out;
+}
+
+/// Without repeated corners, which neighbours that became one are. Empty where fewer than three are left.
+std::vector<Index> without_repeats(std::vector<Index> corners) {
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  if (corners.size() < 3) corners.clear();
+  return corners;
+}
+
+/// The mesh with all corners at their targets, and without the vertices that only stood there.
+TidyMesh moved_to(const PolygonMesh& mesh, const std::vector<Index>& target) {
+  TidyMesh out;
+  out.vertex_of.assign(target.size(), no_index);
+  for (Index v = 0; v < target.size(); ++v) {
+    if (target[v] == v) {
+      out.vertex_of[v] = static_cast<Index>(out.mesh.positions.size());
+      out.mesh.positions.push_back(mesh.positions[v]);
+      continue;
+    }
+    ++out.joined;
+    out.vertex_of[v] = out.vertex_of[target[v]];  // targets come first
+    out.farthest = std::max(out.farthest, (mesh.positions[v] - mesh.positions[target[v]]).norm());
+  }
+  std::vector<Index> corners;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    const bool in_range =
+        std::all_of(face.begin(), face.end(), [&](Index v) { return v < out.vertex_of.size(); });
+    corners.assign(face.begin(), face.end());
+    if (in_range && face.size() >= 3) {
+      for (Index& v : corners) v = out.vertex_of[v];
+      corners = without_repeats(std::move(corners));
+      if (corners.empty()) {
+        ++out.collapsed;
+        continue;
+      }
+    } else {  // for `validate`, which tells
+      for (Index& v : corners) v = v < out.vertex_of.size() ? out.vertex_of[v] : no_index;
+    }
+    out.mesh.add_face(corners);
+  }
+  return out;
+}
+
+}  // namespace
+
+double used_size(const PolygonMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Index v : mesh.face_vertices)
+    if (v < mesh.positions.size() && mesh.positions[v].allFinite()) box.extend(mesh.positions[v]);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+TidyMesh join_corners(const PolygonMesh& mesh, double distance) {
+  bool loose = false;
+  const std::vector<Index> itself = own_numbers(mesh), target = targets_of(mesh, distance, loose);
+  TidyMesh joined = moved_to(mesh, target);
+  if (joined.joined == 0 || is_sound(joined.mesh)) return joined;
+  TidyMesh apart = moved_to(mesh, itself);
+  if (!is_sound(apart.mesh)) return joined;
+  // Fans that touch in a point get their vertices back; it does not matter which of the equal ones.
+  PolygonMesh split = split_nonmanifold_vertices(joined.mesh);
+  if (is_sound(split)) {
+    joined.joined -= std::min(joined.joined, split.positions.size() - joined.mesh.positions.size());
+    joined.mesh = std::move(split);
+    return joined;
+  }
+  return loose ? joined : apart;
+}
+
+NearCorners near_corners(const PolygonMesh& mesh, double distance) {
+  const TidyMesh joined = join_corners(mesh, distance);
+  return {joined.joined, joined.farthest};
+}
+
+}  // namespace hariko

@@ -1,0 +1,73 @@
+#include "core/exchange/clean_part.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/polyhedron/polyhedron.hpp"
+#include "tests/exchange/fixture_files.hpp"
+
+namespace hariko {
+namespace {
+
+TEST(CleanPart, MarksGoAlongAndWhatIsLeftBehindGoes) {
+  ImportedPart part;
+  // Two triangles that share an edge only by place, one collapsed one, and a vertex that nothing uses.
+  part.mesh.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                         {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 5, 5}};
+  part.mesh.add_face({1, 2, 3});
+  part.mesh.add_face({4, 5, 6});
+  part.mesh.add_face({7, 7, 1});
+  part.creases = {{4, 6}, {2, 4}};
+  part.corners = {6};
+  CleanReport report;
+  clean(part, {}, report);
+  EXPECT_EQ(report.joined, 2U);
+  EXPECT_EQ(report.collapsed, 1U);
+  ASSERT_EQ(part.mesh.positions.size(), 5U);
+  EXPECT_EQ(part.mesh.positions[0], Vector3(9, 9, 9)) << "the file's own vertex stays";
+  EXPECT_EQ(part.mesh.face_count(), 2U);
+  ASSERT_EQ(part.creases.size(), 1U);
+  EXPECT_EQ(part.mesh.positions[part.creases[0][0]], Vector3(1, 0, 0));
+  EXPECT_EQ(part.mesh.positions[part.creases[0][1]], Vector3(0, 1, 0));
+  EXPECT_EQ(part.mesh.positions[part.corners[0]], Vector3(0, 1, 0));
+  std::vector<std::string> codes;
+  for (const Message& message : report.messages()) codes.emplace_back(message.code.name);
+  EXPECT_EQ(codes, (std::vector<std::string>{"W_CORNERS_JOINED", "W_DEGENERATE_TRIANGLES"}));
+}
+
+TEST(CleanPart, NearCornersAreToldOrJoined) {
+  ImportedPart part;
+  part.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1 + 1e-7, 0, 0}, {1, 1, 0}, {0, 1, 1e-7}};
+  part.mesh.add_face({0, 1, 2});
+  part.mesh.add_face({3, 4, 5});
+  ImportedPart joined = part;
+  CleanReport told, done;
+  clean(part, {}, told);
+  EXPECT_EQ(told.near, 2U);
+  EXPECT_NEAR(told.near_farthest, 1e-7, 1e-12);
+  EXPECT_EQ(part.mesh.positions.size(), 6U);
+  clean(joined, {.near = true}, done);
+  EXPECT_EQ(done.near_joined, 2U);
+  EXPECT_EQ(joined.mesh.positions.size(), 4U);
+  EXPECT_NEAR(done.farthest, 1e-7, 1e-12);
+  CleanReport strict;
+  clean(part, {.near = true, .distance = 1e-8}, strict);
+  EXPECT_EQ(strict.joined, 0U);
+}
+
+TEST(CleanPart, TheFlatAndTheCollapsedTriangleOfAnStlAreDropped) {
+  auto scene = read_scene_file(test::case_file("stl_one_flat_triangle.stl"));
+  ASSERT_TRUE(scene.ok()) << to_string(scene.error());
+  ImportedPart part = std::move(scene.value().parts.at(0));
+  CleanReport report;
+  clean(part, {}, report);
+  EXPECT_EQ(report.flat, 1U);
+  ASSERT_EQ(scene->warnings.size(), 1U);
+  EXPECT_EQ(scene->warnings[0].code, w_degenerate_triangles);
+  const auto built = Polyhedron::build(part.mesh);
+  ASSERT_TRUE(built.ok()) << to_string(built.error());
+  EXPECT_EQ(built->vertex_count(), 8U);
+  EXPECT_EQ(built->face_count(), 12U);
+}
+
+}  // namespace
+}  // namespace hariko
