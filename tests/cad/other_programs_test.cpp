@@ -37,7 +37,7 @@ Result<CadScene> read_fixture(const char* name) {
 }
 
 /// By the divergence theorem; nothing where an edge does not have one facet in each direction.
-std::optional<double> volume_of(const PolygonMesh& mesh) {
+std::optional<double> closed_volume_of(const PolygonMesh& mesh) {
   double volume = 0;
   std::map<std::pair<Index, Index>, int> balance;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -131,7 +131,7 @@ TEST(OtherPrograms, FacesThatLieEdgeToEdgeBecomeOneObject) {
     EXPECT_EQ(part.name.find("FACE"), std::string::npos);
     // Flat faces come as planes or as splines, as the kernel likes.
     if (part.patches.empty()) {
-      if (const auto volume = volume_of(part.mesh)) volumes.push_back(*volume);
+      if (const auto volume = closed_volume_of(part.mesh)) volumes.push_back(*volume);
     } else if (part.mesh.face_count() == 0) {
       const auto welded = weld_patches(Vector3::Zero(), part.patches);
       ASSERT_TRUE(welded.ok());
