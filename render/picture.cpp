@@ -37,7 +37,7 @@ Result<Image> PictureDrawer::draw(const Scene& scene, const Camera& camera, Pixe
   const int factor = doubled ? 2 : 1;
   Scene scaled = scene;
   scaled.pixel_scale *= factor;
-  const FrameOptions options{{size.width * factor, size.height * factor}, 4};
+  const DrawOptions options{{size.width * factor, size.height * factor}, 4};
   if (Result<Done> drawn = renderer_.draw(scaled, camera, options); !drawn) return drawn.error();
   return downsample(renderer_.read(), factor);
 }

@@ -330,7 +330,7 @@ Result<Renderer> Renderer::create() {
   return Renderer(std::make_unique<State>());
 }
 
-Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const FrameOptions& options) {
+Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const DrawOptions& options) {
   State& s = *state_;
   s.statistics = {};
   if (!s.painter)

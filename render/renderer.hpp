@@ -15,7 +15,7 @@ inline constexpr Code e_gl_version{"E_GL_VERSION"};
 inline constexpr Code e_gl_shader{"E_GL_SHADER"};
 inline constexpr Code e_gl_framebuffer{"E_GL_FRAMEBUFFER"};
 
-struct FrameOptions {
+struct DrawOptions {
   PixelSize size;
   int samples = 4;  ///< 1 (none, for moving views on slow machines) to 4; clamped to what GL offers
   int picture = 0;  ///< which of the pictures that the renderer keeps is drawn: 0 .. most_pictures - 1
@@ -44,7 +44,7 @@ class Renderer {
   ~Renderer();
 
   /// Draws; the picture is then in texture(options.picture). Errors: E_GL_FRAMEBUFFER, E_GL_SHADER.
-  Result<Done> draw(const Scene& scene, const Camera& camera, const FrameOptions& options);
+  Result<Done> draw(const Scene& scene, const Camera& camera, const DrawOptions& options);
 
   /// GL name of the RGBA8 texture with a picture; rows run upwards, as GL has them (ImGui: uv (0,1)..(1,0)).
   unsigned texture(int picture = 0) const;
