@@ -167,6 +167,15 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   constexpr std::size_t most_warnings = 6;
   for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
     editor_.notify(opened->file.messages[i]);
+  const auto& objects = opened->file.document->objects;
+  if (opened->file.native && std::any_of(objects.begin(), objects.end(), [](const auto& object) {
+        const PolyhedronSource* source = object->polyhedron();
+        return source && source->mode == hariko::Mode::fair && source->frames == Frames::equal;
+      }))
+    editor_.notify(
+        Notice::Kind::info,
+        editor_.language(translatable("Surfaces of this document are made by equal angles, as they were. "
+                                      "Shape > Surfaces by measure makes them even over uneven cages.")));
   if (!opened->sample) used(opened->path);
   hooks_.log("opened", opened->path);
 }

@@ -22,7 +22,7 @@ std::string name_of(VertexId id) {
 }  // namespace
 
 Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, const Shaping& shaping,
-                                              const FrameOptions& options) {
+                                              const VertexFrameOptions& options) {
   NetworkSystem system;
   system.mesh_ = polyhedron.shared_topology();
   if (auto failed = system.read_tensions(polyhedron, shaping)) return *failed;

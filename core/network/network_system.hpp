@@ -37,7 +37,7 @@ class NetworkSystem {
   /// E_SINGULAR_VERTEX. Settings of elements that the polyhedron does not have are ignored. Positions matter
   /// with frames by measure only. O(edges).
   static Result<NetworkSystem> assemble(const Polyhedron& polyhedron, const Shaping& shaping,
-                                        const FrameOptions& options = {});
+                                        const VertexFrameOptions& options = {});
 
   /// Replaces all conditions; each basis vector has at most one, and its vertex no pin. O(conditions).
   void set_conditions(std::span<const BasisCondition> conditions);

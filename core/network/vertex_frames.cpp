@@ -61,7 +61,7 @@ struct Sector {
 
 class FrameBuilder {
  public:
-  FrameBuilder(const Polyhedron& polyhedron, const Shaping& shaping, const FrameOptions& options)
+  FrameBuilder(const Polyhedron& polyhedron, const Shaping& shaping, const VertexFrameOptions& options)
       : polyhedron_(polyhedron), mesh_(polyhedron.topology()), shaping_(shaping), options_(options) {
     for (const FrameRequest& request : options.requests) requests_[request.vertex] = &request;
   }
@@ -379,7 +379,7 @@ class FrameBuilder {
   const Polyhedron& polyhedron_;
   const HalfEdgeMesh& mesh_;
   const Shaping& shaping_;
-  const FrameOptions& options_;
+  const VertexFrameOptions& options_;
   std::map<Index, const FrameRequest*> requests_;
   VertexFrames frames_;
   Fan fan_;
@@ -392,7 +392,7 @@ class FrameBuilder {
 }  // namespace
 
 Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping,
-                                         const FrameOptions& options) {
+                                         const VertexFrameOptions& options) {
   return FrameBuilder(polyhedron, shaping, options).build();
 }
 

@@ -57,7 +57,7 @@ struct FrameRequest {
   friend bool operator==(const FrameRequest&, const FrameRequest&) = default;
 };
 
-struct FrameOptions {
+struct VertexFrameOptions {
   Frames frames = Frames::equal;
   /// At border vertices where no crease ends, each at most once.
   std::span<const FrameRequest> requests = {};
@@ -68,6 +68,6 @@ struct FrameOptions {
 
 /// Error: E_CORNER_NEEDS_CREASE where an inner vertex tagged corner has fewer than two sharp edges.
 Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping,
-                                         const FrameOptions& options = {});
+                                         const VertexFrameOptions& options = {});
 
 }  // namespace hariko

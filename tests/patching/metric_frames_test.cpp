@@ -431,6 +431,42 @@ TEST(MetricFrames, AFinalSurfaceDoesNotDependOnDragsBefore) {
   EXPECT_EQ(largest_difference(patches_of(*last), patches_of(surface_of(metric_input(moved)))), 0);
 }
 
+TEST(MetricFrames, SmallObjectsDoNotJumpWhenADragEnds) {
+  for (const char* name : {"cube.obj", "fig2.obj", "car.obj"}) {
+    SCOPED_TRACE(name);
+    auto input = metric_input(golden_obj(name));
+    const Polyhedron start = input.polyhedron;
+    const double size = size_of(start);
+    PolyhedronSurfacer surfacer;
+    ASSERT_TRUE(surfacer.rebuild(input).ok());
+    std::vector<QuarticPatch> last;
+    for (int step = 1; step <= 5; ++step) {
+      const Vector3 to = start.position(0) + 0.05 * step * size * Vector3(0.5, -0.3, 0.8);
+      input.polyhedron = start.with_positions(std::vector<Index>{0}, std::vector<Vector3>{to}).value();
+      const auto frame = surfacer.rebuild(input, Quality::drag);
+      ASSERT_TRUE(frame.ok());
+      EXPECT_LE(*continuity(frame->surface).largest_normal_jump, 1e-10);
+      last = patches_of(*frame);
+    }
+    EXPECT_LT(largest_difference(last, patches_of(surface_of(input))), 1e-4 * size);
+  }
+}
+
+TEST(MetricFrames, LargeObjectsAreSmoothInADragAndExactAtItsEnd) {
+  auto input = metric_input(torus(24, 12));
+  const Polyhedron start = input.polyhedron;
+  PolyhedronSurfacer surfacer;
+  ASSERT_TRUE(surfacer.rebuild(input).ok());
+  const Vector3 to = start.position(7) + Vector3(0.1, 0.05, 0.1);
+  input.polyhedron = start.with_positions(std::vector<Index>{7}, std::vector<Vector3>{to}).value();
+  const auto frame = surfacer.rebuild(input, Quality::drag);
+  ASSERT_TRUE(frame.ok());
+  EXPECT_LE(*continuity(frame->surface).largest_normal_jump, 1e-7);
+  const auto last = surfacer.rebuild(input);
+  ASSERT_TRUE(last.ok());
+  EXPECT_EQ(largest_difference(patches_of(*last), patches_of(surface_of(input))), 0);
+}
+
 TEST(MetricFrames, BoxesWithALoopNearTheirEnd) {
   // Bending by the prototype at a tenth, and no folds to a fortieth of the edges.
   for (const double gap : {0.2, 0.1, 0.05}) {

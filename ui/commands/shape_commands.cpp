@@ -130,6 +130,43 @@ void add_tensions(CommandHost& host) {
              }});
 }
 
+/// Visible polyhedra whose surfaces know frames.
+template <class Visit>
+void for_framed(const Document& document, const Visit& visit) {
+  for (const auto& object : document.objects) {
+    const PolyhedronSource* source = object->polyhedron();
+    if (source && object->visible && !object->locked &&
+        (source->mode == Mode::fair || source->mode == Mode::target))
+      visit(*object, source->frames);
+  }
+}
+
+void switch_frames(Editor& editor) {
+  bool all = true;
+  for_framed(editor.history.current(),
+             [&](const Object&, Frames frames) { all = all && frames == Frames::metric; });
+  Result<Document> result = editor.history.current();
+  for_framed(editor.history.current(), [&](const Object& object, Frames) {
+    if (result.ok()) result = set_frames(*result, object.id, all ? Frames::equal : Frames::metric);
+  });
+  editor.commit(result, all ? "Surfaces by equal angles" : "Surfaces by measure");
+}
+
+void add_frames(CommandHost& host) {
+  Editor& editor = host.editor;
+  host.table.add(
+      {"shape.by_measure", "Shape", "Surfaces by measure",
+       "All visible surfaces follow the angles and lengths of their polyhedra, or equal angles again.", "",
+       "", true, false, [&editor] { switch_frames(editor); },
+       [&editor]() -> Reason {
+         if (auto reason = needs_document(editor)()) return reason;
+         bool any = false;
+         for_framed(editor.history.current(), [&](const Object&, Frames) { any = true; });
+         if (any) return {};
+         return translatable("No visible polyhedron has a surface of mode fair or target.");
+       }});
+}
+
 void add_tags(CommandHost& host) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
@@ -213,6 +250,7 @@ void add_tags(CommandHost& host) {
 void add_shape_commands(CommandHost& host) {
   add_tensions(host);
   add_tags(host);
+  add_frames(host);
 }
 
 }  // namespace hariko
