@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/files/model_facets.hpp"
+#include "core/unfolding/cut_large_faces.hpp"
 #include "core/unfolding/paper_document.hpp"
 #include "ui/paper_edits.hpp"
 
@@ -29,6 +30,39 @@ std::vector<std::array<Vector3, 2>> lines_of(const std::vector<Message>& faults,
   return out;
 }
 
+/// A corner of parts of cut facets: named by its number, which is the same on the same facets and paper.
+PaperVertex name_of_cut(std::size_t number) {
+  PaperVertex name;
+  name.object = ObjectId{no_index};
+  name.side = static_cast<std::uint32_t>(number);
+  return name;
+}
+
+/// The facets on this paper: `before` where they are cut as these settings have it.
+MadePaperMesh on_paper(std::shared_ptr<const PaperFacets> whole, const PaperSettings& settings,
+                       const std::shared_ptr<const PaperMesh>& before = nullptr) {
+  MadePaperMesh out;
+  out.mesh = before;
+  auto made = cut_large_faces(whole->mesh, settings);
+  // Without paper for them the facets are there nevertheless: the settings will be mended.
+  if (!made.ok()) out.fault.messages = {made.error()};
+  if (before && (!made.ok() || (before->cut == 0 && made->cut == 0))) return out;
+  const CutFaces cut = made.ok() ? std::move(made).value() : CutFaces{whole->mesh, 0};
+  auto graph = FacetGraph::build(cut.mesh);
+  if (!graph.ok()) {
+    out.fault.messages = {graph.error()};
+    return out;
+  }
+  if (before && graph->positions() == before->graph->positions()) return out;
+  std::vector<PaperVertex> names = whole->names;
+  for (std::size_t v = names.size(); v < cut.mesh.positions.size(); ++v)
+    names.push_back(name_of_cut(v - whole->names.size()));
+  out.mesh = std::make_shared<const PaperMesh>(
+      PaperMesh{std::make_shared<const FacetGraph>(std::move(graph).value()), std::move(names),
+                std::move(whole), cut.cut});
+  return out;
+}
+
 struct Laid {
   MadePaperMesh made;
   std::shared_ptr<const PaperLayout> layout;
@@ -38,6 +72,8 @@ Laid laid_out(MadePaperMesh made, const std::shared_ptr<const PaperModel>& paper
   Laid out;
   out.made = std::move(made);
   if (!out.made.mesh || !paper->unfolded()) return out;
+  out.made = on_paper(out.made.mesh->whole, paper->settings, out.made.mesh);
+  if (!out.made.fault.messages.empty()) return out;
   auto unfolding = restored(*paper, out.made.mesh->graph, out.made.mesh->names);
   if (unfolding.ok())
     out.layout = lay_out_paper(paper, out.made.mesh, std::move(unfolding).value());
@@ -65,15 +101,10 @@ MadePaperMesh make_paper_mesh(const Document& document, const PaperModel& paper,
     out.fault.messages = std::move(faults);
     return out;
   }
-  auto graph = FacetGraph::build(facets->mesh);
-  if (!graph.ok()) {
-    out.fault.messages = {graph.error()};
-    return out;
-  }
-  out.mesh = std::make_shared<const PaperMesh>(
-      PaperMesh{std::make_shared<const FacetGraph>(std::move(graph).value()), std::move(facets.value().names),
-                std::move(facets.value().warnings)});
-  return out;
+  ModelFacets& made = facets.value();
+  return on_paper(std::make_shared<const PaperFacets>(
+                      PaperFacets{std::move(made.mesh), std::move(made.names), std::move(made.warnings)}),
+                  paper.settings);
 }
 
 PaperEngine::PaperEngine(Editor& editor, BackgroundWork& searches, std::function<void()> wake)
@@ -208,7 +239,8 @@ void PaperEngine::search() {
       [document, paper, present](const CancelToken& cancel, const Progress& progress) {
         Found found;
         found.made = present.mesh ? present : make_paper_mesh(document, paper, cancel, progress.part(0, 0.1));
-        if (!found.made.mesh) return found;
+        if (found.made.mesh) found.made = on_paper(found.made.mesh->whole, paper.settings, found.made.mesh);
+        if (!found.made.mesh || !found.made.fault.messages.empty()) return found;
         const PaperMesh& mesh = *found.made.mesh;
         UnfoldOptions options;
         options.goal = paper.goal;

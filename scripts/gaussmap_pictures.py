@@ -30,7 +30,7 @@ def with_normals_alone(program, sample, path):
         "pin": [{"vertex": v, "kind": "normal", "vectors": [points["normals"][v]]} for v in range(count)],
     }
     with open(path, "w", encoding="utf-8") as file:
-        json.dump({"format": "hariko", "version": 1, "objects": [{"id": 1, "name": "Normals alone", "source": source}]},
+        json.dump({"format": "hariko", "version": 2, "objects": [{"id": 1, "name": "Normals alone", "source": source}]},
                   file)
 
 

@@ -300,9 +300,8 @@ def object_text(number_, name, source, cage=True):
 
 
 def document(*objects):
-    version = 2 if any('"frames": "metric"' in text for text in objects) else 1
     return (
-        f'{{\n  "format": "hariko",\n  "version": {version},\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": 2,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 

@@ -51,7 +51,7 @@ Document with_paper_settings(const Document& document, const std::function<void(
   const PaperSettings& next = paper.settings;
   const bool same_lengths = next.scale == old.scale && next.page == old.page && next.margin == old.margin &&
                             next.gap == old.gap && next.tab_height == old.tab_height &&
-                            next.strip_width == old.strip_width;
+                            next.least_tab == old.least_tab && next.strip_width == old.strip_width;
   if (!same_lengths) {
     paper.places.clear();
     paper.strip_places.clear();

@@ -41,7 +41,8 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const PaperLayout& layout,
     for (Index side = 0; side < 3; ++side) {
       const FacetEdge& edge = u.graph->edge(u.graph->edge_at(f, side));
       const bool folded = u.folds[u.graph->edge_at(f, side)] != 0;
-      if (folded && (edge.facets[0] != f || fold_kind(edge.fold_angle, u.settings) == FoldKind::flat))
+      if (folded &&
+          (edge.inner || edge.facets[0] != f || fold_kind(edge.fold_angle, u.settings) == FoldKind::flat))
         continue;
       out->edges.push_back({3 * f + side, 3 * f + (side + 1) % 3});
       out->edge_kinds.push_back(folded ? EdgeKind::plain : EdgeKind::boundary);
@@ -93,7 +94,8 @@ SceneObject scene_object_of(const PaperSolid& solid, const PaperState& state) {
     for (Index f = 0; f < count; ++f)
       if (u.piece_of[f] == u.piece_of[state.selected]) out.selected_patches.push_back(f);
   const PaperHover& hover = state.hovered;
-  if (hover.facet < count) out.hovered_patches.push_back(hover.facet);
+  for (Index f = 0; f < count && hover.facet < count; ++f)
+    if (u.graph->face(f) == u.graph->face(hover.facet)) out.hovered_patches.push_back(f);
   const Index edge = hover.joint < u.joints.size() ? u.joints[hover.joint].edge : hover.edge;
   if (edge >= u.graph->edge_count()) return out;
   // Both sides of a cut, or the fold.
@@ -133,8 +135,9 @@ PaperHover paper_under(const PaperSolid& solid, const Ray& ray, double reach) {
     const Vector3 along = (facet[(side + 1) % 3] - facet[side]).normalized();
     const Vector3 off = point - facet[side];
     const double distance = (off - off.dot(along) * along).norm();
-    const Index edge = solid.layout->unfolding.graph->edge_at(out.facet, side);
-    if (distance >= best || solid.layout->unfolding.graph->edge(edge).border()) continue;
+    const FacetGraph& graph = *solid.layout->unfolding.graph;
+    const Index edge = graph.edge_at(out.facet, side);
+    if (distance >= best || graph.edge(edge).border() || graph.edge(edge).inner) continue;
     best = distance;
     out.edge = edge;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/unfolding/cut_large_faces.hpp"
 #include "core/unfolding/edit_unfolding.hpp"
 
 namespace hariko {
@@ -28,6 +29,11 @@ std::shared_ptr<const PaperLayout> lay_out_paper(std::shared_ptr<const PaperMode
   out->off_page = pieces_off_page(u);
   out->fitting = fitting_factor(u);
   out->messages = unfolding_messages(u);
+  if (out->mesh->cut > 0) {
+    out->messages.push_back(cut_faces_message(out->mesh->cut));
+    out->fitting =
+        std::min(out->fitting, largest_uncut_scale(out->mesh->whole->mesh, u.settings) / u.settings.scale);
+  }
   return out;
 }
 

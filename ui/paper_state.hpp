@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/document/document.hpp"
+#include "core/polyhedron/polygon_mesh.hpp"
 #include "core/unfolding/sheet_drawing.hpp"
 #include "core/unfolding/unfolding.hpp"
 #include "render/camera.hpp"
@@ -17,11 +18,19 @@
 
 namespace hariko {
 
-/// The facets that are unfolded, in the document's space.
+/// The facets of the model, in the document's space, whatever the paper is.
+struct PaperFacets {
+  PolygonMesh mesh;
+  std::vector<PaperVertex> names;
+  std::vector<Message> warnings;
+};
+
+/// The facets that are unfolded: those larger than the page are cut.
 struct PaperMesh {
   std::shared_ptr<const FacetGraph> graph;
   std::vector<PaperVertex> names;
-  std::vector<Message> warnings;
+  std::shared_ptr<const PaperFacets> whole;
+  std::size_t cut = 0;  ///< facets that are cut
 };
 
 /// A paper model laid out. Immutable; made by workers, or at once after an edit.

@@ -120,6 +120,7 @@ struct UnfoldArguments {
   std::vector<std::filesystem::path> outs;
   FacetOptions facets;                 ///< of a document's surfaces
   std::optional<PaperModelSize> size;  ///< otherwise lengths are as in the file
+  bool fit = false;                    ///< the largest model of which no facet is larger than the page
   PaperSettings settings;              ///< but for the scale
   UnfoldOptions options;
   bool json = false;

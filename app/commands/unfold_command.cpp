@@ -6,6 +6,7 @@
 #include "app/files/model_facets.hpp"
 #include "app/files/sheet_file.hpp"
 #include "core/exchange/number_text.hpp"
+#include "core/unfolding/cut_large_faces.hpp"
 #include "core/unfolding/sheet_drawing.hpp"
 #include "core/unfolding/unfolding.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 /// Millimetres of paper for one unit of the mesh. Errors: E_PAPER_SETTING where the model has no extent
 /// there.
 Result<double> paper_scale(const UnfoldArguments& arguments, const PolygonMesh& mesh, double millimetres) {
+  // A little less: the packer turns pieces in steps.
+  if (arguments.fit) return 0.998 * largest_uncut_scale(mesh, arguments.settings);
   if (!arguments.size) return millimetres;
   double low = 1e300, high = -1e300;
   for (const Index v : mesh.face_vertices) {
@@ -31,7 +34,7 @@ Result<double> paper_scale(const UnfoldArguments& arguments, const PolygonMesh& 
 
 std::string summary_json(const Unfolding& unfolding, std::size_t overlaps) {
   std::string out = "{\"facets\":";
-  append_integer(out, unfolding.graph->facet_count());
+  append_integer(out, unfolding.graph->face_count());
   const auto number = [&](const char* name, std::size_t value) {
     out += std::string(",\"") + name + "\":";
     append_integer(out, value);
@@ -79,12 +82,15 @@ int run_unfold(const UnfoldArguments& arguments) {
     for (const Message& message : errors) report(file, message);
     return exit_failed;
   }
-  auto graph = FacetGraph::build(facets->mesh);
-  if (!graph.ok()) return fail(graph.error());
   PaperSettings settings = arguments.settings;
   const auto scale = paper_scale(arguments, facets->mesh, facets->millimetres_per_unit);
   if (!scale.ok()) return fail(scale.error());
   settings.scale = *scale;
+  const auto cut = cut_large_faces(facets->mesh, settings);
+  if (!cut.ok()) return fail(cut.error());
+  if (cut->cut > 0) report(file, cut_faces_message(cut->cut));
+  auto graph = FacetGraph::build(cut->mesh);
+  if (!graph.ok()) return fail(graph.error());
   const auto unfolded =
       unfold(std::make_shared<const FacetGraph>(std::move(graph).value()), settings, arguments.options);
   if (!unfolded.ok()) return fail(unfolded.error());

@@ -10,6 +10,7 @@
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/unfolding/facet_graph.hpp"
+#include "core/unfolding/join_corners.hpp"
 
 namespace hariko {
 
@@ -70,6 +71,13 @@ std::vector<PaperVertex> names_on(const Surface& surface, const MeshApproximatio
   return out;
 }
 
+/// Meshes of which every face has corners of its own hang together where these are equal.
+void append_mesh(ModelFacets& out, const Object& object, const MeshSource& source) {
+  PolygonMesh mesh = *source.mesh;
+  join_equal_corners(mesh);
+  append(out, mesh, source.origin, object.transform, numbered(object.id, mesh.positions.size()));
+}
+
 void append_polyhedron(ModelFacets& out, const Object& object) {
   const Polyhedron& polyhedron = object.polyhedron()->polyhedron;
   PolygonMesh mesh;
@@ -126,7 +134,7 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
     const Object* object = document.find(id);
     if (!object) continue;
     if (const MeshSource* mesh = object->mesh())
-      append(out, *mesh->mesh, mesh->origin, object->transform, numbered(id, mesh->mesh->positions.size()));
+      append_mesh(out, *object, *mesh);
     else if (options.of_polyhedra && object->polyhedron())
       append_polyhedron(out, *object);
     else if (object->has_surface())
@@ -150,6 +158,7 @@ Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetO
     ModelFacets out;
     out.names = numbered(ObjectId{0}, mesh->mesh.positions.size());
     out.mesh = std::move(mesh->mesh);
+    join_equal_corners(out.mesh);
     out.warnings = mesh->warnings;
     return out;
   }

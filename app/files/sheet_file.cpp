@@ -17,6 +17,29 @@ std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path) {
   return {};
 }
 
+std::vector<std::filesystem::path> sheet_files(const std::filesystem::path& path, Index page_count) {
+  std::vector<std::filesystem::path> out{path};
+  if (sheet_format_of(path) != SheetFormat::svg) return out;
+  for (Index page = 1; page < page_count; ++page) {
+    std::filesystem::path next = path;
+    next.replace_filename(path.stem().string() + "-" + std::to_string(page + 1) + path.extension().string());
+    out.push_back(std::move(next));
+  }
+  return out;
+}
+
+namespace {
+
+Result<Done> write_svg_pages(const std::filesystem::path& path, const SheetDrawing& drawing) {
+  Index page = 0;
+  for (const std::filesystem::path& file : sheet_files(path, drawing.page_count))
+    if (auto written = write_file_atomic(file, write_sheet_svg(drawing, page++)); !written.ok())
+      return written;
+  return Done{};
+}
+
+}  // namespace
+
 Result<Done> write_sheet_file(const std::filesystem::path& path, const SheetDrawing& drawing) {
   const auto format = sheet_format_of(path);
   HARIKO_ASSERT(format, "the name of a sheet file ends in its format");
@@ -24,7 +47,7 @@ Result<Done> write_sheet_file(const std::filesystem::path& path, const SheetDraw
     case SheetFormat::pdf:
       return write_file_atomic(path, write_sheet_pdf(drawing));
     case SheetFormat::svg:
-      return write_file_atomic(path, write_sheet_svg(drawing));
+      return write_svg_pages(path, drawing);
     case SheetFormat::dxf:
       return write_file_atomic(path, write_sheet_dxf(drawing));
     case SheetFormat::png:

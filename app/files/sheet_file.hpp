@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/unfolding/sheet_drawing.hpp"
@@ -14,8 +15,12 @@ enum class SheetFormat { pdf, svg, dxf, png, json };
 /// By the ending of the name, in any case of letters.
 std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path);
 
-/// The ending must name a format (asserted). The file is either the old or the whole new one. Errors: those
-/// of `write_file_atomic` and `write_png`.
+/// The files that pages become: SVG has one page a file, "model.svg", "model-2.svg", ...; all else is one
+/// file.
+std::vector<std::filesystem::path> sheet_files(const std::filesystem::path& path, Index page_count);
+
+/// The ending must name a format (asserted). Each of `sheet_files` is either the old or the whole new one.
+/// Errors: those of `write_file_atomic` and `write_png`.
 Result<Done> write_sheet_file(const std::filesystem::path& path, const SheetDrawing& drawing);
 
 }  // namespace hariko

@@ -14,8 +14,7 @@ inline constexpr Code e_schema{"E_SCHEMA"};
 inline constexpr Code e_format{"E_FORMAT"};
 inline constexpr Code e_version_newer{"E_VERSION_NEWER"};
 
-/// The highest version that `read_document` reads. `write_document` writes the lowest one that holds what the
-/// document has, so that older programs open what they would read rightly.
+/// Version that `write_document` writes and the highest that `read_document` reads.
 inline constexpr int format_version = 2;
 
 /// Limits on what is read, so that no file can exhaust memory or time.

@@ -85,9 +85,9 @@ inline constexpr std::array paper_members{"objects"sv,  "of_polyhedra"sv, "dista
                                           "settings"sv, "goal"sv,         "steps"sv,     "vertices"sv,
                                           "folds"sv,    "cuts"sv,         "own_folds"sv, "own_cuts"sv,
                                           "tabs"sv,     "strips"sv,       "places"sv,    "strip_places"sv};
-inline constexpr std::array paper_setting_members{"scale"sv,       "page"sv,        "margin"sv, "gap"sv,
-                                                  "tab_height"sv,  "strip_width"sv, "inside"sv, "flat_fold"sv,
-                                                  "merge_angle"sv, "fold_angles"sv};
+inline constexpr std::array paper_setting_members{
+    "scale"sv,       "page"sv,   "margin"sv,    "gap"sv,         "tab_height"sv, "least_tab"sv,
+    "strip_width"sv, "inside"sv, "flat_fold"sv, "merge_angle"sv, "fold_angles"sv};
 inline constexpr std::array goal_names{"fewest"sv, "balanced"sv, "easiest"sv};
 inline constexpr std::array element_names{"none"sv, "vertex"sv, "edge"sv, "face"sv, "object"sv};
 

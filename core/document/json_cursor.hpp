@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +41,10 @@ class JsonCursor {
 /// at the end of a step; loops over arrays stop by themselves.
 class JsonReader {
  public:
+  /// Of the document's format, which some members depend on; the newest unless set.
+  int version() const { return version_; }
+  void set_version(int version) { version_ = version; }
+
   bool failed() const { return error_.has_value(); }
   const Message& error() const { return *error_; }
   /// Keeps the first error only.
@@ -83,6 +88,7 @@ class JsonReader {
  private:
   const JsonMember* find(const JsonCursor& at, std::string_view name) const;
   std::optional<Message> error_;
+  int version_ = std::numeric_limits<int>::max();
 };
 
 }  // namespace hariko::detail

@@ -10,7 +10,8 @@ Result<Done> check_settings(const PaperSettings& settings, double longest_edge) 
   };
   const auto length = [](double value) { return std::isfinite(value) && value >= 0 && value <= 10'000; };
   if (!length(settings.page.width) || !length(settings.page.height) || !length(settings.margin) ||
-      !length(settings.gap) || !length(settings.tab_height) || !length(settings.strip_width))
+      !length(settings.gap) || !length(settings.tab_height) || !length(settings.least_tab) ||
+      !length(settings.strip_width))
     return refuse("A length of the page set-up is negative, or longer than 10 m.", "Enter lengths in mm.");
   if (!(settings.strip_width > 0))
     return refuse("Joint strips need a width.", "Enter a width in mm, such as 8.");

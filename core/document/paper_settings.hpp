@@ -26,6 +26,7 @@ struct PaperSettings {
   double margin = 10;      ///< round each page, free of pieces
   double gap = 2;          ///< between things on a page
   double tab_height = 5;   ///< of glue tabs with room
+  double least_tab = 2;    ///< of glue tabs; where there is no room for that a joint has a strip
   double strip_width = 8;  ///< of joint strips
   bool inside = false;     ///< what is printed comes to lie inside: mirrored, mountains and valleys swapped
   double flat_fold = 0.5 * std::numbers::pi / 180;  ///< smaller folds have no line

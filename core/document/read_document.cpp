@@ -179,6 +179,8 @@ void check_head(JsonReader& reader, const JsonCursor& root) {
                                  std::to_string(version) + ", this program reads versions up to " +
                                  std::to_string(format_version) + ".",
                              "Open it with a newer Hariko."));
+    else
+      reader.set_version(static_cast<int>(version));
   });
 }
 

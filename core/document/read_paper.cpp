@@ -97,6 +97,8 @@ class PaperReader {
     number("margin", s.margin, 10'000);
     number("gap", s.gap, 10'000);
     number("tab_height", s.tab_height, 10'000);
+    if (reader_.version() < 2) s.least_tab = 0;
+    number("least_tab", s.least_tab, 10'000);
     number("strip_width", s.strip_width, 10'000);
     number("flat_fold", s.flat_fold, std::numbers::pi);
     reader_.if_member(at, "inside", [&](const JsonCursor& m) { s.inside = reader_.boolean(m); });

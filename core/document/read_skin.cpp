@@ -81,6 +81,8 @@ class SkinReader {
     reader_.member(at, "v", [&](const JsonCursor& m) { section.v = reader_.number(m); });
     read_flag(at, "closed", section.closed);
     read_flag(at, "direction_chosen", section.direction_chosen);
+    section.start_chosen = section.closed && reader_.version() < 2;
+    read_flag(at, "start_chosen", section.start_chosen);
     reader_.if_member(at, "reference", [&](const JsonCursor& m) { section.reference = reader_.vector(m); });
     std::vector<Vector3> points;
     reader_.member(at, "points", [&](const JsonCursor& list) { points = read_points(reader_, list); });

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include "core/document/document_text.hpp"
@@ -299,14 +298,6 @@ void write_object(Writer& out, const Object& object) {
   out.close('}');
 }
 
-/// Version 2 knows frames by measure; whatever else was added could not be misread.
-int version_of(const Document& document) {
-  const bool metric = std::any_of(document.objects.begin(), document.objects.end(), [](const auto& object) {
-    return object->polyhedron() && object->polyhedron()->frames != Frames::equal;
-  });
-  return metric ? 2 : 1;
-}
-
 }  // namespace
 
 std::string write_document(const Document& document) {
@@ -315,7 +306,7 @@ std::string write_document(const Document& document) {
   out.key("format");
   out.string("hariko");
   out.key("version");
-  out.number(static_cast<std::uint32_t>(version_of(document)));
+  out.number(static_cast<std::uint32_t>(format_version));
   out.key("unit");
   out.string(detail::name_of(document.unit, detail::unit_names));
   out.key("next_object_id");

@@ -20,6 +20,7 @@ void write_settings(DocumentText& out, const PaperSettings& settings) {
   number("margin", settings.margin);
   number("gap", settings.gap);
   number("tab_height", settings.tab_height);
+  number("least_tab", settings.least_tab);
   number("strip_width", settings.strip_width);
   out.raw(", \"inside\": ");
   out.boolean(settings.inside);

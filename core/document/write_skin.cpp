@@ -34,6 +34,10 @@ void write_section(DocumentText& out, const SkinSection& section) {
     out.key("direction_chosen");
     out.boolean(true);
   }
+  if (section.start_chosen) {
+    out.key("start_chosen");
+    out.boolean(true);
+  }
   if (section.reference) {
     out.key("reference");
     out.vector(*section.reference);

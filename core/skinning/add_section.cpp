@@ -259,6 +259,7 @@ class Divider {
     section.v = place_.v;
     section.closed = plan_.closed_sections;
     section.direction_chosen = true;
+    section.start_chosen = section.closed && !strip_.start_found && (a_.start_chosen || b_.start_chosen);
     std::vector<Vector3> targets;
     std::vector<char> sharp;
     for (const Strand& strand : strands_) targets.push_back(strand.target), sharp.push_back(strand.sharp);
@@ -373,7 +374,8 @@ class Divider {
 
   /// Parameters on all sections of the point of the virtual surface that has parameter u on one.
   std::vector<double> place_along(const VirtualSurface& surface, int section, double u, bool closed) const {
-    double low = closed ? u - 1 : 0, high = closed ? u + 1 : 1;
+    const double about = u - plan_.starts[std::size_t(section)];
+    double low = closed ? about - 1 : 0, high = closed ? about + 1 : 1;
     for (int round = 0; round < 60; ++round) {
       const double middle = (low + high) / 2;
       (surface.parameter(section, middle) < u ? low : high) = middle;

@@ -17,7 +17,8 @@ std::vector<std::vector<double>> ColumnMemory::parameters(const std::vector<Sear
     const auto known = found_.find(searches[i].key);
     const bool serves = known != found_.end() && known->second.columns == columns &&
                         known->second.curves.front().closed == searches[i].curves.front().closed &&
-                        (work.moving || known->second.curves == searches[i].curves);
+                        (work.moving || (known->second.curves == searches[i].curves &&
+                                         known->second.starts == searches[i].starts));
     if (!serves) {
       open.push_back(i);
       continue;
@@ -29,12 +30,13 @@ std::vector<std::vector<double>> ColumnMemory::parameters(const std::vector<Sear
   const double steps = double(optimiser_seeds * open.size());
   parallel_for(open.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
-      out[open[k]] = optimised_parameters(searches[open[k]].curves, columns, work.cancel,
-                                          [&] { work.progress.report(double(++done) / steps); });
+      out[open[k]] = optimised_parameters(
+          searches[open[k]].curves, columns, work.cancel,
+          [&] { work.progress.report(double(++done) / steps); }, searches[open[k]].starts);
   });
   if (!work.cancel.cancelled())
     for (const std::size_t i : open)
-      kept.insert_or_assign(searches[i].key, Found{searches[i].curves, columns, out[i]});
+      kept.insert_or_assign(searches[i].key, Found{searches[i].curves, searches[i].starts, columns, out[i]});
   found_ = std::move(kept);
   return out;
 }

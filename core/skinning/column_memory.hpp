@@ -14,10 +14,12 @@ namespace hariko {
 /// Calls must not overlap.
 class ColumnMemory {
  public:
-  /// Curves that share their parameters, and a name by which these are found again.
+  /// Curves that share their parameters, counted from where each begins, and a name by which these are found
+  /// again.
   struct Search {
     std::uint32_t key = 0;
     std::vector<SubdivisionCurve> curves;
+    std::vector<double> starts = {};  ///< one a curve; empty: 0
   };
   /// `optimised_parameters` of each, from memory where the curves and the number of columns are those of the
   /// last call; when `work.moving` also where the curves have changed since. The others are found at the same
@@ -29,6 +31,7 @@ class ColumnMemory {
  private:
   struct Found {
     std::vector<SubdivisionCurve> curves;
+    std::vector<double> starts;
     int columns = 0;
     std::vector<double> parameters;
   };

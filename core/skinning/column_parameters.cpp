@@ -15,7 +15,9 @@ constexpr int max_evaluations = 60;
 constexpr double widest = 6;  ///< bound of the logarithms of widths
 
 /// Residuals of one section: vectors from it to the curve through its points at u, weighted by span widths.
-void add_residuals(const SubdivisionCurve& section, const std::vector<double>& u, std::vector<double>& out) {
+void add_residuals(const SubdivisionCurve& section, std::vector<double> u, double start,
+                   std::vector<double>& out) {
+  for (double& x : u) x += start;
   const bool closed = section.closed;
   const int n = int(u.size()), spans = closed ? n : n - 1;
   std::vector<Vector3> targets;
@@ -41,8 +43,11 @@ void add_residuals(const SubdivisionCurve& section, const std::vector<double>& u
 
 class Optimiser {
  public:
-  Optimiser(const std::vector<SubdivisionCurve>& sections, int columns)
-      : sections_(sections), closed_(sections[0].closed), spans_(closed_ ? columns : columns - 1) {}
+  Optimiser(const std::vector<SubdivisionCurve>& sections, const std::vector<double>& starts, int columns)
+      : sections_(sections),
+        starts_(starts),
+        closed_(sections[0].closed),
+        spans_(closed_ ? columns : columns - 1) {}
 
   /// Unknowns: the logarithm of each width, and where closed curves begin.
   int unknowns() const { return spans_ + (closed_ ? 1 : 0); }
@@ -62,7 +67,7 @@ class Optimiser {
   Eigen::VectorXd residuals(const Eigen::VectorXd& z) const {
     std::vector<double> out;
     const std::vector<double> u = parameters(z);
-    for (const SubdivisionCurve& section : sections_) add_residuals(section, u, out);
+    for (std::size_t s = 0; s < sections_.size(); ++s) add_residuals(sections_[s], u, starts_[s], out);
     return Eigen::Map<Eigen::VectorXd>(out.data(), Eigen::Index(out.size()));
   }
   /// The unknowns of parameters that begin at 0.
@@ -116,20 +121,22 @@ class Optimiser {
 
  private:
   const std::vector<SubdivisionCurve>& sections_;
+  const std::vector<double>& starts_;
   bool closed_;
   int spans_;
 };
 
 /// Parameters at equal shares of a density that is summed over the sections.
 template <class Density>
-std::vector<double> by_density(const std::vector<SubdivisionCurve>& sections, int columns,
-                               const Density& density) {
+std::vector<double> by_density(const std::vector<SubdivisionCurve>& sections,
+                               const std::vector<double>& starts, int columns, const Density& density) {
   constexpr int steps = 1024;
   const bool closed = sections[0].closed;
   std::vector<double> sum{0};
   for (int i = 0; i < steps; ++i) {
     double d = 0;
-    for (const SubdivisionCurve& section : sections) d += density(section, (i + 0.5) / steps);
+    for (std::size_t s = 0; s < sections.size(); ++s)
+      d += density(sections[s], (i + 0.5) / steps, (i + 0.5) / steps + starts[s]);
     sum.push_back(sum.back() + std::max(d, 1e-12) / steps);
   }
   const int spans = closed ? columns : columns - 1;
@@ -161,14 +168,20 @@ std::vector<double> uniform_parameters(int columns, bool closed) {
 }
 
 std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& sections, int columns,
-                                         const CancelToken& cancel, const std::function<void()>& step) {
-  const Optimiser optimiser(sections, columns);
+                                         const CancelToken& cancel, const std::function<void()>& step,
+                                         const std::vector<double>& given) {
+  std::vector<double> starts = given;
+  starts.resize(sections.size(), 0);
+  const Optimiser optimiser(sections, starts, columns);
   std::vector<double> lengths;
   for (const SubdivisionCurve& section : sections) lengths.push_back(std::max(length(section), 1e-300));
   const auto size = [&](const SubdivisionCurve& s) { return lengths[std::size_t(&s - sections.data())]; };
-  const auto arc = [&](const SubdivisionCurve& s, double u) { return evaluate(s, u).first.norm() / size(s); };
-  const auto bent = [&](const SubdivisionCurve& s, double u) {
-    const CurvePoint p = evaluate(s, u);
+  // At the share u of the columns, whose parameter on the section is x.
+  const auto arc = [&](const SubdivisionCurve& s, double, double x) {
+    return evaluate(s, x).first.norm() / size(s);
+  };
+  const auto bent = [&](const SubdivisionCurve& s, double, double x) {
+    const CurvePoint p = evaluate(s, x);
     const double speed = p.first.norm();
     const Vector3 cross(p.first.y() * p.second.z() - p.first.z() * p.second.y(),
                         p.first.z() * p.second.x() - p.first.x() * p.second.z(),
@@ -177,12 +190,12 @@ std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& se
     return speed * (1 + std::sqrt(curvature * size(s))) / size(s);
   };
   // The two are mirror images, so that sections may be turned round.
-  const auto first = [&](const SubdivisionCurve& s, double u) { return stepped(s, columns, u); };
-  const auto last = [&](const SubdivisionCurve& s, double u) { return stepped(s, columns, 1 - u); };
+  const auto first = [&](const SubdivisionCurve& s, double u, double) { return stepped(s, columns, u); };
+  const auto last = [&](const SubdivisionCurve& s, double u, double) { return stepped(s, columns, 1 - u); };
   const std::array<std::vector<double>, optimiser_seeds> seeds{
-      uniform_parameters(columns, sections[0].closed), by_density(sections, columns, arc),
-      by_density(sections, columns, bent), by_density(sections, columns, first),
-      by_density(sections, columns, last)};
+      uniform_parameters(columns, sections[0].closed), by_density(sections, starts, columns, arc),
+      by_density(sections, starts, columns, bent), by_density(sections, starts, columns, first),
+      by_density(sections, starts, columns, last)};
   std::vector<double> best = seeds[0];
   double least = -1;
   for (const auto& seed : seeds) {
@@ -196,7 +209,7 @@ std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& se
 
 double parameter_error(const std::vector<SubdivisionCurve>& sections, const std::vector<double>& parameters) {
   std::vector<double> out;
-  for (const SubdivisionCurve& section : sections) add_residuals(section, parameters, out);
+  for (const SubdivisionCurve& section : sections) add_residuals(section, parameters, 0, out);
   double sum = 0;
   for (const double r : out) sum += r * r;
   return std::sqrt(sum);

@@ -18,10 +18,12 @@ std::vector<double> uniform_parameters(int columns, bool closed);
 /// five seeds (uniform, arc length, curvature, and on control points of the sections, closer together at one
 /// end or at the other), at most 60 evaluations each; the best result wins. Curves have many optima: the
 /// first three seeds alone, which are the specification's, end in worse ones (docs/skinning.md). `step` is
-/// called after each of the `optimiser_seeds` seeds. Cancelled, it gives the best so far.
+/// called after each of the `optimiser_seeds` seeds. Cancelled, it gives the best so far. `starts`, one a
+/// section or none: parameters of closed sections that u counts from.
 std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& sections, int columns,
                                          const CancelToken& cancel = {},
-                                         const std::function<void()>& step = {});
+                                         const std::function<void()>& step = {},
+                                         const std::vector<double>& starts = {});
 inline constexpr std::size_t optimiser_seeds = 5;
 
 /// Root of the mean squared distance that is minimised.

@@ -10,8 +10,8 @@
 
 namespace hariko {
 
-PairCost parameter_cost(int n, int m, bool closed) {
-  return [n, m, closed](int a, int b) {
+PairCost parameter_cost(int n, int m, bool closed, double start) {
+  return [n, m, closed, start](int a, int b) {
     const auto parameter = [closed](int i, int count) {
       const int spans = closed ? count : count - 1;
       return spans > 0 ? double(i) / spans : 0.5;
@@ -19,7 +19,8 @@ PairCost parameter_cost(int n, int m, bool closed) {
     const double ua = parameter(a, n), ub = parameter(b, m);
     double d = std::abs(ua - ub);
     if (closed) {
-      d = std::min(d, 1 - d);
+      d = ua + start - ub;
+      d -= std::round(d);
       return d * d;
     }
     return d * d - 1e-9 * (ua - 0.5) * (ub - 0.5);

@@ -21,9 +21,10 @@ struct PointPair {
 using PairCost = std::function<double(int a, int b)>;
 
 /// (u_a - u_b)^2 less 1e-9 (u_a - 1/2)(u_b - 1/2), a small term that breaks ties in a way that mirror images
-/// share; the square of the cyclic difference for closed sections. `points_a`, `points_b`: numbers of points;
+/// share; for closed sections the square of the cyclic difference of u_a + start and u_b: `start` is the
+/// parameter of the second section that belongs to 0 of the first. `points_a`, `points_b`: numbers of points;
 /// one point is a tip.
-PairCost parameter_cost(int points_a, int points_b, bool closed);
+PairCost parameter_cost(int points_a, int points_b, bool closed, double start = 0);
 
 /// Lines in order. Open: from (0, 0) to the last points; closed: cyclically, winding once; from one to the
 /// next a, b or both go one further. Minimises the number of steps in which only one goes further, then the

@@ -169,7 +169,16 @@ Result<SkinEdit> move_seam(const Skin& skin, std::uint32_t point) {
   const int i = find_point(section, point);
   const double shift = section.curve().parameter(i);
   std::rotate(section.points.begin(), section.points.begin() + i, section.points.end());
+  section.start_chosen = true;
   map_anchors(edit.skin, k, [&](double u) { return u - shift; });
+  return accepted(skin, std::move(edit));
+}
+
+Result<SkinEdit> set_start_chosen(const Skin& skin, std::uint32_t id, bool chosen) {
+  const int k = skin.find_section(id);
+  if (k < 0) return no_such_section();
+  SkinEdit edit{skin, 0, {}, {}, {}};
+  edit.skin.sections[std::size_t(k)].start_chosen = chosen;
   return accepted(skin, std::move(edit));
 }
 

@@ -42,9 +42,12 @@ Result<SkinEdit> set_sharp(const Skin& skin, std::span<const std::uint32_t> poin
 /// closed section stays the first.
 Result<SkinEdit> flip_section(const Skin& skin, std::uint32_t section);
 
-/// The point becomes the first of its closed section: the default correspondence begins there. E_OPEN_CLOSED
-/// for open sections.
+/// The point becomes the first of its closed section, for good (`start_chosen`): it belongs to the first one
+/// of the section before. E_OPEN_CLOSED for open sections.
 Result<SkinEdit> move_seam(const Skin& skin, std::uint32_t point);
+
+/// Whether a closed section begins at its first point, or where it is nearest to the section before.
+Result<SkinEdit> set_start_chosen(const Skin& skin, std::uint32_t section, bool chosen);
 
 /// Whether sections with more than one point are closed.
 bool has_closed_sections(const Skin& skin);

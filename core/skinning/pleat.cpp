@@ -93,6 +93,8 @@ class PleatBuilder {
   Index add_vertex(const Vector3& position, const SkinVertex& meaning) {
     mesh().positions.push_back(position);
     out_.vertices.push_back(meaning);
+    bows_.push_back(Vector3::Zero());
+    end_bows_.push_back(Vector3::Zero());
     return Index(mesh().positions.size() - 1);
   }
 
@@ -117,6 +119,7 @@ class PleatBuilder {
   void add_strip_vertices(int s) {
     const PlannedStrip& strip = plan_.strips[std::size_t(s)];
     const StripRows& rows = rows_[std::size_t(s)];
+    const auto bows = line_bows(plan_, strip, rows);
     const int lines = int(strip.lines.size());
     auto& grid = out_.representative.emplace_back(rows.v.size(), std::vector<Index>(std::size_t(lines)));
     for (int p = 0; p < lines; ++p) {
@@ -136,8 +139,15 @@ class PleatBuilder {
           grid[std::size_t(q)][std::size_t(p)] = known->second;
           continue;
         }
-        const Vector3 at = base_[base] + axes * line_offset(plan_, strip, rows, p, q);
-        const Index v = add_vertex(at, {-1, -1, s, p, q});
+        Vector3 at = line_offset(plan_, strip, rows, p, q);
+        if (!bows.empty()) at += bows[std::size_t(p)].rows[std::size_t(q)];
+        const Index v = add_vertex(base_[base] + axes * at, {-1, -1, s, p, q});
+        if (!bows.empty()) {
+          const LineBow& bow = bows[std::size_t(p)];
+          bows_.back() = axes * bow.rows[std::size_t(q)];
+          if (q == 1) end_bows_.back() = axes * bow.first;
+          if (q == rows.last() - 1) end_bows_.back() = axes * bow.last;
+        }
         grid[std::size_t(q)][std::size_t(p)] = v;
         if (group >= 0) shared[group] = v;
       }
@@ -264,11 +274,13 @@ class PleatBuilder {
       regular_[v] = ring[v].quads && ((ring[v].edges == 4 && ring[v].faces == 4) ||
                                       (ring[v].edges == 3 && ring[v].faces == 2));
     for (int k = 0; k < skin_.section_count(); ++k) {
-      if (!interior(k)) continue;
       const auto& row = out_.section_rows[std::size_t(k)];
-      for (std::size_t i = 0; i < row.size(); ++i)
-        if (skin_.pleat.fit == SectionFit::none || !regular_[row[i]] || !neighbours(k, int(i)))
-          out_.inexact.emplace_back(k, int(i));
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const bool missed =
+            interior(k) ? skin_.pleat.fit == SectionFit::none || !regular_[row[i]] || !neighbours(k, int(i))
+                        : inside_surface(skin_, plan_, k) && !regular_[row[i]];
+        if (missed) out_.inexact.emplace_back(k, int(i));
+      }
     }
   }
   /// The vertices beside a section's point, where there is one on either side and not another section's.
@@ -346,12 +358,15 @@ class PleatBuilder {
     }
     std::vector<LineBend> out;
     for (std::size_t v = 0; v < sides.size(); ++v)
-      if (!sides[v].before.empty() && !sides[v].after.empty())
+      if (!sides[v].before.empty() && !sides[v].after.empty()) {
         out.push_back({Index(v),
                        {sides[v].before.begin(), sides[v].before.end()},
                        {sides[v].after.begin(), sides[v].after.end()},
                        sides[v].h1,
                        sides[v].h2});
+        // What is left is what straight lines from section to section would have.
+        out.back().own = second_difference(out.back(), out_.vertices[v].section < 0 ? bows_ : end_bows_);
+      }
     return out;
   }
 
@@ -361,6 +376,7 @@ class PleatBuilder {
   std::vector<StripRows> rows_;
   std::vector<int> first_row_;
   std::vector<Vector3> base_, rail_base_;
+  std::vector<Vector3> bows_, end_bows_;  ///< of each vertex, what twisted lines add to its place (LineBow)
   std::set<std::pair<Index, Index>> creased_;
   std::vector<char> regular_;
 };

@@ -4,16 +4,16 @@
 #include <cmath>
 
 #include "core/base/assert.hpp"
+#include "core/skinning/knot_shift.hpp"
 
 namespace hariko {
 
 namespace {
 
 constexpr int max_intervals = 10'000;
-
-bool interior(const Skin& skin, int section) {
-  return skin.path.closed || (section > 0 && section < skin.section_count() - 1);
-}
+/// Of strips whose lines twist: with so many an area is right to 2e-5 for twists of half a step between
+/// points.
+constexpr int twist_intervals = 4;
 
 /// Largest remainders: one more for the segment with the longest intervals, until all are given out.
 std::vector<int> shares(const std::vector<double>& breaks, std::vector<int> least, int total) {
@@ -85,10 +85,11 @@ class RowBuilder {
 
   void even_rows(const std::vector<double>& breaks) {
     const double wanted = (strip_.v1 - strip_.v0) * skin_.path.spans() * skin_.pleat.density;
-    int total = std::max(1, int(std::lround(std::min(wanted, double(max_intervals)))));
+    int total = std::max(strip_.twist == 0 ? 1 : twist_intervals,
+                         int(std::lround(std::min(wanted, double(max_intervals)))));
     std::vector<int> least(breaks.size() - 1, 1);
     if (collars()) {
-      const bool a = interior(skin_, strip_.a), b = interior(skin_, strip_.b);
+      const bool a = inside_surface(skin_, plan_, strip_.a), b = inside_surface(skin_, plan_, strip_.b);
       total = std::max(total, 1 + int(a) + int(b));
       // A collar and a merge need rows of their own.
       if (a && least.size() > 1) least.front() = 2;
@@ -173,7 +174,7 @@ class RowBuilder {
   /// Fans at an interior section meet on the row beside it, so that its own vertices stay regular.
   void add_collar(StripSide apex) {
     const bool a = apex == StripSide::a;
-    if (!interior(skin_, a ? strip_.a : strip_.b) || out_.last() < 2) return;
+    if (!inside_surface(skin_, plan_, a ? strip_.a : strip_.b) || out_.last() < 2) return;
     for (auto& fan : fans(strip_, apex, plan_.closed_sections)) {
       const auto& of = a ? out_.start_group : out_.end_group;
       if (std::any_of(fan.begin(), fan.end(), [&](int p) { return of[std::size_t(p)] >= 0; })) continue;
@@ -188,6 +189,12 @@ class RowBuilder {
 };
 
 }  // namespace
+
+bool inside_surface(const Skin& skin, const SkinPlan& plan, int section) {
+  const bool end = !skin.path.closed && (section == 0 || section == skin.section_count() - 1);
+  return !end ||
+         (skin.caps == Caps::dome && plan.closed_sections && skin.sections[std::size_t(section)].size() > 2);
+}
 
 int StripRows::shared(int p, int q) const {
   if (const int g = start_group[std::size_t(p)]; g >= 0 && q <= groups[std::size_t(g)].row) return g;
@@ -216,6 +223,35 @@ Vector3 line_offset(const SkinPlan& plan, const PlannedStrip& strip, const Strip
   station(rows.end_group[std::size_t(p)]);
   const double t = (rows.v[std::size_t(q)] - from) / (to - from);
   return (1 - t) * begin + t * end;
+}
+
+std::vector<LineBow> line_bows(const SkinPlan& plan, const PlannedStrip& strip, const StripRows& rows) {
+  if (strip.twist == 0) return {};
+  const auto &a = plan.offsets[std::size_t(strip.a)], &b = plan.offsets[std::size_t(strip.b)];
+  const KnotShift shift_a(a), shift_b(b);
+  const double back_a = strip.twist * double(a.size()), back_b = strip.twist * double(b.size());
+  const auto along = [&](int q) { return (rows.v[std::size_t(q)] - strip.v0) / (strip.v1 - strip.v0); };
+  std::vector<char> ends(rows.v.size(), 0);
+  ends.front() = ends.back() = 1;
+  const LimitSystem limits(ends, false);
+  std::vector<LineBow> out;
+  for (const PointPair& line : strip.lines) {
+    const Vector3 &begin = a[std::size_t(line.a)], &end = b[std::size_t(line.b)];
+    LineBow& bow = out.emplace_back();
+    bow.rows.assign(rows.v.size(), Vector3::Zero());
+    for (int q = 1; q < rows.last(); ++q) {
+      const double t = along(q);
+      // It leaves and meets the sections across them.
+      const double gone = t * t * (3 - 2 * t);
+      const Vector3 from = shift_a.at(line.a - gone * back_a), to = shift_b.at(line.b + (1 - gone) * back_b);
+      bow.rows[std::size_t(q)] = (1 - t) * (from - begin) + t * (to - end);
+    }
+    limits.solve(bow.rows.data());
+    const int last = rows.last() - 1;
+    bow.first = bow.rows[1] + along(1) * (end - shift_b.at(line.b + back_b));
+    bow.last = bow.rows[std::size_t(last)] + (1 - along(last)) * (begin - shift_a.at(line.a - back_a));
+  }
+  return out;
 }
 
 }  // namespace hariko

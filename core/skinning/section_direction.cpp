@@ -1,19 +1,15 @@
 #include "core/skinning/section_direction.hpp"
 
-#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
+#include <optional>
+
+#include "core/skinning/section_starts.hpp"
+#include "core/skinning/skin_frames.hpp"
 
 namespace hariko {
 
 namespace {
-
-Vector3 area_vector(const SkinSection& section) {
-  Vector3 sum = Vector3::Zero();
-  const Vector3 base = section.points[0].position;
-  for (std::size_t i = 1; i + 1 < section.points.size(); ++i)
-    sum += (section.points[i].position - base).cross(section.points[i + 1].position - base);
-  return sum;
-}
 
 /// Sum of squared distances at equal parameters, relative to the places on the path.
 double gap(const SkinSection& a, const Vector3& at_a, const SkinSection& b, const Vector3& at_b,
@@ -28,24 +24,43 @@ double gap(const SkinSection& a, const Vector3& at_a, const SkinSection& b, cons
   return sum;
 }
 
+/// Whether the closed section is nearer to the one before when it runs the other way, from wherever it is
+/// best.
+bool nearer_reversed(const SubdivisionCurve& before, const SubdivisionCurve& own) {
+  const StartMatch straight = nearest_start(before, own), turned = nearest_start(before, reversed(own));
+  return turned.displacement < straight.displacement - 1e-9 * straight.size;
+}
+
+/// About the path, in its frames; the path's own place and no turning where it has none.
+SubdivisionCurve offsets_of(const Skin& skin, const SkinSection& section, const SkinFrames* frames) {
+  SubdivisionCurve curve = section.curve();
+  const Vector3 place = evaluate(skin.path, section.v).position;
+  const Matrix3 inverse = frames ? Matrix3(frames->frame(section.v).inverse()) : Matrix3::Identity();
+  for (Vector3& p : curve.points) p = inverse * (p - place);
+  return curve;
+}
+
 }  // namespace
 
 Skin turn_sections(Skin skin) {
   if (skin.path.size() < (skin.path.closed ? 3 : 2)) return skin;
+  const bool closed = std::any_of(skin.sections.begin(), skin.sections.end(),
+                                  [](const SkinSection& s) { return s.closed && s.size() > 2; });
+  std::optional<SkinFrames> frames;
+  if (closed && skin.frame != FrameMode::two_rail)
+    if (auto made = SkinFrames::make(skin)) frames = *std::move(made);
   const SkinSection* before = nullptr;
-  double sign = 0;
   for (SkinSection& section : skin.sections) {
     if (section.size() < 2) continue;
     bool turn = false;
-    const CurvePoint place = evaluate(skin.path, section.v);
-    if (section.closed) {
-      const double own = area_vector(section).dot(place.first);
-      if (sign == 0) sign = own;
-      turn = own * sign < 0;
-    } else if (before) {
+    if (before && section.closed && before->closed && section.size() > 2) {
+      const SkinFrames* turning = frames ? &*frames : nullptr;
+      turn = nearer_reversed(offsets_of(skin, *before, turning), offsets_of(skin, section, turning));
+    } else if (before && !section.closed) {
+      const Vector3 at = evaluate(skin.path, section.v).position;
       const Vector3 at_before = evaluate(skin.path, before->v).position;
-      const double straight = gap(*before, at_before, section, place.position, false);
-      turn = gap(*before, at_before, section, place.position, true) < 0.99 * straight;
+      const double straight = gap(*before, at_before, section, at, false);
+      turn = gap(*before, at_before, section, at, true) < 0.99 * straight;
     }
     if (turn && !section.direction_chosen) std::reverse(section.points.begin(), section.points.end());
     before = &section;

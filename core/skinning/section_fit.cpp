@@ -82,6 +82,14 @@ class FairSystem {
 
 }  // namespace
 
+Vector3 second_difference(const LineBend& bend, const std::vector<Vector3>& positions) {
+  const double h1 = bend.before_distance, h2 = bend.after_distance, h = (h1 + h2) / 2;
+  Vector3 out = -(1 / h1 + 1 / h2) / h * positions[bend.vertex];
+  for (const Index v : bend.after) out += positions[v] / (h2 * h * double(bend.after.size()));
+  for (const Index v : bend.before) out += positions[v] / (h1 * h * double(bend.before.size()));
+  return out;
+}
+
 void fit_sections_locally(std::vector<Vector3>& positions, const std::vector<SectionEquation>& equations) {
   for (const SectionEquation& e : equations)
     positions[e.vertex] = (6 * e.target - positions[e.before] - positions[e.after]) / 4;
@@ -100,6 +108,7 @@ void fit_sections_fairly(std::vector<Vector3>& positions, const std::vector<Sect
     for (const Index v : bend.after) second.add(system.vertex(v), 1 / (h2 * h * double(bend.after.size())));
     for (const Index v : bend.before) second.add(system.vertex(v), 1 / (h1 * h * double(bend.before.size())));
     second.add(system.vertex(bend.vertex), -(1 / h1 + 1 / h2) / h);
+    second.constant -= bend.own;
     system.add(second, h);
   }
   system.solve(positions);

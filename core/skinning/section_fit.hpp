@@ -21,12 +21,16 @@ struct LineBend {
   Index vertex = 0;
   std::vector<Index> before, after;
   double before_distance = 1, after_distance = 1;
+  Vector3 own = Vector3::Zero();  ///< the difference that is meant to be there
 };
+
+/// V'' of a bend where the vertices lie at these places.
+Vector3 second_difference(const LineBend& bend, const std::vector<Vector3>& positions);
 
 /// V = (6 P - V- - V+) / 4 with the neighbours where they are. Exact; dense rows can dimple.
 void fit_sections_locally(std::vector<Vector3>& positions, const std::vector<SectionEquation>& equations);
 
-/// Minimises sum of h (tension |V - V0|^2 + |V''|^2) over all vertices under the equations, with `held`
+/// Minimises sum of h (tension |V - V0|^2 + |V'' - own|^2) over all vertices under the equations, with `held`
 /// vertices where they are; V0 are the positions given. No vertex of an equation may be the neighbour in
 /// another one. Sparse factorisation, about linear.
 void fit_sections_fairly(std::vector<Vector3>& positions, const std::vector<SectionEquation>& equations,

@@ -31,8 +31,6 @@ Result<Skin> skin_between(const SubdivisionCurve& path, const SubdivisionCurve& 
                           const SubdivisionCurve& last) {
   Skin skin;
   skin.path = path;
-  // Where tubes begin is nothing that a hand can draw: their shapes say what belongs together.
-  if (first.closed) skin.pleat.cost = MatchCost::shape;
   std::uint32_t next = 0;
   for (const SubdivisionCurve* curve : {&first, &last}) {
     SkinSection section;

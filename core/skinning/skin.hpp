@@ -29,6 +29,9 @@ struct SkinSection {
   std::optional<Vector3> reference;
   /// The designer chose the direction: it is never turned round for him.
   bool direction_chosen = false;
+  /// The designer chose where the closed section begins: its first point belongs to the first of the section
+  /// before. Otherwise what belongs together is found (section_starts.hpp).
+  bool start_chosen = false;
 
   int size() const { return int(points.size()); }
   SubdivisionCurve curve() const;

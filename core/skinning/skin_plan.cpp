@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -166,10 +167,16 @@ std::optional<PointPair> crossed(std::vector<PointPair> pairs) {
   return {};
 }
 
+/// Whether the designer says which points of a closed strip's sections are the first.
+bool start_chosen(const Skin& skin, const PlannedStrip& strip) {
+  return skin.sections[std::size_t(strip.b)].start_chosen ||
+         (strip.a == 0 && !skin.path.closed && skin.sections.front().start_chosen);
+}
+
 PairCost strip_cost(const Skin& skin, const SkinPlan& plan, const PlannedStrip& strip) {
   const int n = skin.sections[std::size_t(strip.a)].size(), m = skin.sections[std::size_t(strip.b)].size();
   if (skin.pleat.cost == MatchCost::parameter || n == 1 || m == 1)
-    return parameter_cost(n, m, plan.closed_sections);
+    return parameter_cost(n, m, plan.closed_sections, strip.match.start - strip.twist);
   const auto centred = [](std::vector<Vector3> points) {
     Vector3 centre = Vector3::Zero();
     for (const Vector3& p : points) centre += p / double(points.size());
@@ -196,6 +203,7 @@ class Planner {
       strip.v1 = skin_.sections[std::size_t(strip.b)].v + (strip.b <= k ? 1 : 0);
       plan_.strips.push_back(strip);
     }
+    find_starts();
     for (PlannedStrip& strip : plan_.strips)
       if (auto problem = match(strip)) return problem;
     if (skin_.method == SkinMethod::pleat)
@@ -208,6 +216,47 @@ class Planner {
   const SkinSection& section(int k) const { return skin_.sections[std::size_t(k)]; }
   bool of(const PlannedStrip& strip, std::uint32_t first, std::uint32_t second) const {
     return section(strip.a).id == first && section(strip.b).id == second;
+  }
+
+  void find_starts() {
+    std::vector<StartMatch> found;
+    std::vector<char> free;
+    for (PlannedStrip& strip : plan_.strips) {
+      const bool tip = section(strip.a).size() < 3 || section(strip.b).size() < 3;
+      if (plan_.closed_sections && !tip && !start_chosen(skin_, strip)) {
+        strip.match = nearest_start(plan_.offset_curve(skin_, strip.a), plan_.offset_curve(skin_, strip.b));
+        strip.start_found = true;
+        strip.twist = twist(strip);
+      }
+      found.push_back(strip.match);
+      free.push_back(strip.start_found);
+    }
+    plan_.starts = chained_starts(found, free, skin_.path.closed);
+  }
+  /// Of a strip whose start is found. Lines that the designer drew run straight, and so do those of sections
+  /// with corners, which are nowhere but at points.
+  double twist(const PlannedStrip& strip) const {
+    const auto drawn = [&](const auto& entry) { return of(strip, entry.first, entry.second); };
+    const auto sharp = [&](int k) {
+      return std::any_of(section(k).points.begin(), section(k).points.end(),
+                         [](const SectionPoint& p) { return p.sharp; });
+    };
+    if (sharp(strip.a) || sharp(strip.b) || std::any_of(skin_.links.begin(), skin_.links.end(), drawn) ||
+        std::any_of(skin_.merges.begin(), skin_.merges.end(), drawn))
+      return 0;
+    // Points meet points at multiples of one step.
+    const int n = section(strip.a).size(), m = section(strip.b).size();
+    const double steps = double(std::lcm(std::int64_t(n), std::int64_t(m)));
+    const double rest = strip.match.start - std::round(strip.match.start * steps) / steps;
+    return std::abs(rest) * std::max(n, m) < 1e-6 ? 0 : rest;
+  }
+  /// Matched by shape, lines may join other points than the nearest parameters do; then they run straight.
+  void keep_twist_of_nearest(PlannedStrip& strip) const {
+    const int n = section(strip.a).size(), m = section(strip.b).size();
+    for (const PointPair& line : strip.lines) {
+      const double gap = double(line.b) / m - double(line.a) / n - strip.match.start;
+      if (std::abs(gap - std::round(gap)) * std::max(n, m) > 1) strip.twist = 0;
+    }
   }
 
   Problem match(PlannedStrip& strip) {
@@ -230,6 +279,7 @@ class Planner {
       return error;
     }
     strip.lines = *std::move(lines);
+    if (skin_.pleat.cost == MatchCost::shape) keep_twist_of_nearest(strip);
     for (const PointPair& line : strip.lines)
       strip.origins.push_back(merged.contains(line)   ? LineOrigin::merge
                               : linked.contains(line) ? LineOrigin::link
@@ -292,6 +342,12 @@ Problem check_rails(const Skin& skin, const SkinPlan& plan) {
 
 }  // namespace
 
+SubdivisionCurve SkinPlan::offset_curve(const Skin& skin, int k) const {
+  SubdivisionCurve curve = skin.sections[std::size_t(k)].curve();
+  curve.points = offsets[std::size_t(k)];
+  return curve;
+}
+
 std::vector<PointPair> forced_pairs(const Skin& skin, const SkinLink& link) {
   const int ka = skin.find_section(link.first), kb = skin.find_section(link.second);
   if (ka < 0 || kb < 0) return {};
@@ -338,6 +394,7 @@ Result<SkinPlan> plan_skin(const Skin& skin) {
                          }())
                              .value(),
                 false,
+                {},
                 {},
                 {}};
   for (const SkinSection& section : skin.sections)

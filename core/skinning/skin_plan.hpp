@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/skinning/correspondence.hpp"
+#include "core/skinning/section_starts.hpp"
 #include "core/skinning/skin.hpp"
 #include "core/skinning/skin_frames.hpp"
 
@@ -25,6 +26,12 @@ enum class LineOrigin : std::uint8_t { matched, link, merge };
 struct PlannedStrip {
   int a = 0, b = 0;
   double v0 = 0, v1 = 1;
+  /// Closed sections: the parameter of b that belongs to parameter 0 of a.
+  StartMatch match;
+  bool start_found = false;  ///< not chosen by the designer
+  /// What of `match.start` lines from point to point leave over, since it lies between the points: while it
+  /// runs from a to b, a line goes back by so much along the sections. 0 where lines go straight.
+  double twist = 0;
   std::vector<PointPair> lines;
   std::vector<LineOrigin> origins;  ///< one a line
   std::vector<PlannedMerge> merges;
@@ -36,6 +43,10 @@ struct SkinPlan {
   std::vector<PlannedStrip> strips;
   /// F(v_k)^-1 (P_i - C(v_k)) of every point.
   std::vector<std::vector<Vector3>> offsets;
+  /// Parameters of the sections that belong together, that of the first being 0 (all 0 for open sections).
+  std::vector<double> starts;
+  /// Section k through its offsets.
+  SubdivisionCurve offset_curve(const Skin& skin, int k) const;
 };
 
 /// Checks in the order of skin_messages.hpp; the first error is given. For method `pleat` and `anchored`

@@ -49,11 +49,7 @@ VirtualSurface::VirtualSurface(const Skin& skin, const SkinPlan& plan,
     : plan_(plan),
       weights_(places_of(skin), skin.path.closed, skin.smooth.blend),
       closed_sections_(plan.closed_sections) {
-  for (std::size_t k = 0; k < skin.sections.size(); ++k) {
-    SubdivisionCurve curve = skin.sections[k].curve();
-    curve.points = plan.offsets[k];
-    offsets_.push_back(std::move(curve));
-  }
+  for (int k = 0; k < skin.section_count(); ++k) offsets_.push_back(plan.offset_curve(skin, k));
   if (anchors.empty()) return;
   for (const auto& row : anchors)
     places_.push_back(std::accumulate(row.begin(), row.end(), 0.0) / double(row.size()));
@@ -63,7 +59,8 @@ VirtualSurface::VirtualSurface(const Skin& skin, const SkinPlan& plan,
 }
 
 double VirtualSurface::parameter(int section, double u) const {
-  if (anchors_.empty()) return u;
+  const double start = plan_.starts[std::size_t(section)];
+  if (anchors_.empty()) return start + u;
   std::vector<double> x, y;
   const auto& own = anchors_[std::size_t(section)];
   if (closed_sections_) {
@@ -77,7 +74,7 @@ double VirtualSurface::parameter(int section, double u) const {
     x.insert(x.begin(), 0.0), y.insert(y.begin(), 0.0);
     x.push_back(1), y.push_back(1);
   }
-  return hermite(x, y, monotone_slopes(x, y), u);
+  return start + hermite(x, y, monotone_slopes(x, y), u);
 }
 
 Vector3 VirtualSurface::point(const std::vector<double>& u, double v) const {
@@ -99,7 +96,7 @@ namespace {
 /// Parameters of points that links tie together, one group a chain of links.
 class AnchorChains {
  public:
-  explicit AnchorChains(const Skin& skin) : skin_(skin) {
+  AnchorChains(const Skin& skin, const SkinPlan& plan) : skin_(skin), plan_(plan) {
     for (const SkinLink& link : skin.links) {
       const int a = skin.find_section(link.first), b = skin.find_section(link.second);
       const std::size_t x = node(a, link.a), y = node(b, link.b);
@@ -114,7 +111,13 @@ class AnchorChains {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       chains[find(i)][nodes_[i].first].push_back(nodes_[i].second);
     std::vector<std::vector<double>> out;
-    for (const auto& [root, sections] : chains) {
+    for (auto& [root, sections] : chains) {
+      // All on the turn of the chain's first parameter.
+      if (plan_.closed_sections) {
+        const double first = sections.begin()->second.front();
+        for (auto& [k, list] : sections)
+          for (double& u : list) u -= std::round(u - first);
+      }
       std::vector<std::pair<double, double>> known;  // v, u
       for (const auto& [k, u] : sections)
         known.emplace_back(skin_.sections[std::size_t(k)].v,
@@ -143,7 +146,7 @@ class AnchorChains {
     const SkinSection& s = skin_.sections[std::size_t(section)];
     double sum = 0;
     for (const std::uint32_t id : ids) sum += s.curve().parameter(find_point(s, id));
-    const std::pair<int, double> made{section, sum / double(ids.size())};
+    const std::pair<int, double> made{section, sum / double(ids.size()) - plan_.starts[std::size_t(section)]};
     const auto found = std::find(nodes_.begin(), nodes_.end(), made);
     if (found != nodes_.end()) return std::size_t(found - nodes_.begin());
     nodes_.push_back(made);
@@ -155,12 +158,30 @@ class AnchorChains {
     return i;
   }
   const Skin& skin_;
+  const SkinPlan& plan_;
   std::vector<std::pair<int, double>> nodes_;
   std::vector<std::size_t> parent_;
 };
 
-/// Corners inside of the sections, where all have the same number of them; one row a corner.
-std::vector<std::vector<double>> corner_rows(const Skin& skin) {
+/// Turned so that the sum of the differences from `first`, once round, is the least.
+void turn_to(const std::vector<double>& first, std::vector<double>& own) {
+  std::vector<double> best = own, turned = own;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t turn = 0; turn < own.size(); ++turn) {
+    double sum = 0;
+    for (std::size_t c = 0; c < own.size(); ++c) {
+      const double gap = turned[c] - first[c];
+      sum += (gap - std::round(gap)) * (gap - std::round(gap));
+    }
+    if (sum < least - 1e-12) least = sum, best = turned;
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+  }
+  own = std::move(best);
+}
+
+/// Corners inside of the sections, where all have the same number of them; one row a corner. Counted from
+/// where sections begin.
+std::vector<std::vector<double>> corner_rows(const Skin& skin, const SkinPlan& plan) {
   if (!skin.creases) return {};
   std::vector<std::vector<double>> rows;
   for (std::size_t k = 0; k < skin.sections.size(); ++k) {
@@ -168,9 +189,14 @@ std::vector<std::vector<double>> corner_rows(const Skin& skin) {
     std::vector<double> corners;
     for (int i = 0; i < curve.size(); ++i)
       if (curve.is_sharp(i) && (curve.closed || (i > 0 && i + 1 < curve.size())))
-        corners.push_back(curve.parameter(i));
+        corners.push_back(curve.parameter(i) - plan.starts[k]);
     if (k == 0) rows.resize(corners.size());
     if (corners.size() != rows.size()) return {};
+    if (k > 0 && plan.closed_sections) {
+      std::vector<double> first;
+      for (const auto& row : rows) first.push_back(row[0]);
+      turn_to(first, corners);
+    }
     for (std::size_t c = 0; c < corners.size(); ++c) rows[c].push_back(corners[c]);
   }
   return rows;
@@ -188,12 +214,14 @@ Result<std::vector<std::vector<double>>> skin_anchors(const Skin& skin, const Sk
   std::vector<std::vector<double>> rows;
   if (skin.method == SkinMethod::anchored) {
     rows = skin.smooth.anchors;
-    for (const auto& row : rows)
+    for (auto& row : rows) {
       if (row.size() != skin.sections.size())
         return make_error(e_skin_index, "An anchor needs one parameter for each section.", "Delete it.");
-    for (auto& row : AnchorChains(skin).rows()) rows.push_back(std::move(row));
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] -= plan.starts[k];
+    }
+    for (auto& row : AnchorChains(skin, plan).rows()) rows.push_back(std::move(row));
   }
-  for (auto& row : corner_rows(skin)) rows.push_back(std::move(row));
+  for (auto& row : corner_rows(skin, plan)) rows.push_back(std::move(row));
   if (!plan.closed_sections)
     std::erase_if(rows, [](const auto& row) {
       return std::all_of(row.begin(), row.end(), [](double u) { return u <= 0; }) ||
@@ -238,9 +266,12 @@ class SmoothBuilder {
     int most = 0;
     for (const SkinSection& section : skin_.sections) most = std::max(most, section.size());
     const int sections = skin_.section_count();
-    columns_ = skin_.smooth.columns > 0 ? skin_.smooth.columns : most + 2;
-    int rows =
-        skin_.smooth.rows > 0 ? skin_.smooth.rows : std::max(skin_.path.size(), 3 * (sections - 1) + 1);
+    // Columns that turn lie well on no section, so there are more of them.
+    const bool turning = columns_turn();
+    columns_ = skin_.smooth.columns > 0 ? skin_.smooth.columns : most + (turning ? 6 : 2);
+    const int strip_rows = turning ? 4 : 3;
+    int rows = skin_.smooth.rows > 0 ? skin_.smooth.rows
+                                     : std::max(skin_.path.size(), strip_rows * (sections - 1) + 1);
     const int anchors = int(surface_.anchor_places().size());
     if (rows < (skin_.path.closed ? std::max(3, sections) : std::max(2, sections)))
       return make_error(e_few_rows, "More rows than sections are needed.", "Raise the number of rows.");
@@ -259,6 +290,36 @@ class SmoothBuilder {
  private:
   int row_count() const { return int(v_.size()); }
 
+  /// The point of a closed section nearest to where it begins: columns are looked for from there, since they
+  /// lie well beside points.
+  double point_start(std::size_t k) const {
+    const int points = skin_.sections[k].size();
+    return std::round(plan_.starts[k] * points) / points;
+  }
+  /// Columns that lie well on one section do not on another, and go along the sections between them.
+  bool columns_turn() const {
+    if (skin_.smooth.parameters != ColumnParameters::per_section || !surface_.anchor_places().empty())
+      return false;
+    for (std::size_t k = 0; k < plan_.starts.size(); ++k)
+      if (std::abs(point_start(k) - plan_.starts[k]) > 1e-9) return true;
+    return false;
+  }
+  /// Weights of the sections for the places of columns. Columns that turn leave and meet sections across
+  /// them.
+  std::vector<double> column_weights(const std::vector<double>& blend, double v) const {
+    if (!columns_turn()) return blend;
+    std::vector<double> out(blend.size(), 0);
+    for (const PlannedStrip& strip : plan_.strips) {
+      const double x = v < strip.v0 ? v + 1 : v;
+      if (x < strip.v0 || x > strip.v1) continue;
+      const double t = (x - strip.v0) / (strip.v1 - strip.v0), gone = t * t * (3 - 2 * t);
+      out[std::size_t(strip.a)] += 1 - gone;
+      out[std::size_t(strip.b)] += gone;
+      break;
+    }
+    return out;
+  }
+
   void make_rows(int rows) {
     std::vector<double> breaks = places_of(skin_);
     if (skin_.path.closed) breaks.push_back(breaks[0] + 1);
@@ -274,18 +335,23 @@ class SmoothBuilder {
     ColumnMemory& memory = work.columns ? *work.columns : nothing;
     const std::vector<double> uniform = uniform_parameters(columns_, plan_.closed_sections);
     std::vector<ColumnMemory::Search> searches;
-    for (const SkinSection& section : skin_.sections)
-      if (optimised && section.size() > 1) searches.push_back({section.id, {section.curve()}});
+    for (std::size_t k = 0; k < skin_.sections.size(); ++k)
+      if (const SkinSection& section = skin_.sections[k]; optimised && section.size() > 1)
+        searches.push_back({section.id, {section.curve()}, {point_start(k)}});
     if (optimised && skin_.smooth.parameters == ColumnParameters::per_section) {
       auto found = memory.parameters(searches, columns_, work);
       std::size_t next = 0;
       for (const SkinSection& section : skin_.sections)
         out_.parameters.push_back(section.size() > 1 ? std::move(found[next++]) : uniform);
+      for (std::size_t k = 0; k < out_.parameters.size(); ++k)
+        for (double& u : out_.parameters[k]) u += point_start(k);
       section_parameters_ = out_.parameters;
       return;
     }
-    for (std::size_t i = 1; i < searches.size(); ++i)
+    for (std::size_t i = 1; i < searches.size(); ++i) {
       searches[0].curves.push_back(std::move(searches[i].curves[0]));
+      searches[0].starts.push_back(plan_.starts[i]);
+    }
     searches.resize(std::min<std::size_t>(searches.size(), 1));
     if (!searches.empty()) searches[0].key = shared_columns;
     std::vector<double> u = searches.empty() ? uniform : memory.parameters(searches, columns_, work)[0];
@@ -310,12 +376,12 @@ class SmoothBuilder {
   /// Columns that run through a corner of every section.
   std::vector<char> creased_columns() const {
     std::vector<char> out(std::size_t(columns_), 0);
-    if (!skin_.creases || corner_rows(skin_).empty()) return out;
-    for (const auto& row : corner_rows(skin_))
+    if (!skin_.creases) return out;
+    for (const auto& row : corner_rows(skin_, plan_))
       for (int c = 0; c < columns_; ++c) {
         bool all = true;
         for (std::size_t k = 0; k < row.size(); ++k) {
-          const double gap = section_parameters_[k][std::size_t(c)] - row[k];
+          const double gap = section_parameters_[k][std::size_t(c)] - plan_.starts[k] - row[k];
           all = all && std::abs(gap - (plan_.closed_sections ? std::round(gap) : 0)) < 1e-9;
         }
         if (all) out[std::size_t(c)] = 1;
@@ -328,13 +394,15 @@ class SmoothBuilder {
     std::vector<Vector3>& points = out_.control.mesh.positions;
     const std::size_t n = std::size_t(columns_);
     for (const double v : v_) {
-      const std::vector<double> weight = surface_.weights().at(v);
+      const std::vector<double> weight = surface_.weights().at(v), places = column_weights(weight, v);
       for (std::size_t c = 0; c < n; ++c) {
         std::vector<double> u;
         if (skin_.smooth.parameters == ColumnParameters::per_section && surface_.anchor_places().empty()) {
           double mixed = 0;
-          for (std::size_t k = 0; k < weight.size(); ++k) mixed += weight[k] * section_parameters_[k][c];
-          u.assign(weight.size(), plan_.closed_sections ? mixed : std::clamp(mixed, 0.0, 1.0));
+          for (std::size_t k = 0; k < weight.size(); ++k)
+            mixed += places[k] * (section_parameters_[k][c] - plan_.starts[k]);
+          if (!plan_.closed_sections) mixed = std::clamp(mixed, 0.0, 1.0);
+          for (std::size_t k = 0; k < weight.size(); ++k) u.push_back(mixed + plan_.starts[k]);
         } else {
           for (const auto& own : section_parameters_) u.push_back(own[c]);
         }

@@ -28,13 +28,14 @@ class BlendWeights {
 /// S(u, v) = C(v) + F(v) sum of w_k(v) d_k(phi_k(u)): through every section, which are the designer's.
 class VirtualSurface {
  public:
-  /// `anchors`: rows of parameters, one a section, increasing; phi_k takes their means to them.
+  /// `anchors`: rows of parameters, one a section, increasing, counted from where the sections begin
+  /// (`SkinPlan::starts`); phi_k takes their means to them.
   VirtualSurface(const Skin& skin, const SkinPlan& plan, std::vector<std::vector<double>> anchors = {});
 
   const BlendWeights& weights() const { return weights_; }
   /// Means of the anchors, increasing.
   const std::vector<double>& anchor_places() const { return places_; }
-  /// phi_k.
+  /// phi_k, from where the section begins.
   double parameter(int section, double u) const;
   /// The point whose parameter on section k is u[k].
   Vector3 point(const std::vector<double>& u, double v) const;
@@ -51,7 +52,8 @@ class VirtualSurface {
 };
 
 /// The anchors of a skin: its own rows, those of its links (method `anchored`), and corners where all
-/// sections have as many. Errors: E_LINK_CROSS where they are not in the same order on every section.
+/// sections have as many; counted from where sections begin. Errors: E_LINK_CROSS where they are not in the
+/// same order on every section.
 Result<std::vector<std::vector<double>>> skin_anchors(const Skin& skin, const SkinPlan& plan);
 
 /// Errors: E_FEW_ROWS, E_LINK_CROSS, E_SKIN_SIZE. O(rows x columns); optimised parameters take their time,

@@ -68,12 +68,14 @@ Result<std::vector<Folds>> search_cuts(const FacetGraph& graph, const std::vecto
 EdgeRules settled_rules(const FacetGraph& graph, const std::vector<FacetCorners>& shapes,
                         const EdgeRules& wishes, double merge_angle, std::optional<PaperSize> room) {
   EdgeRules out(graph.edge_count(), EdgeRule::free);
-  if (!wishes.empty())
-    std::transform(wishes.begin(), wishes.end(), out.begin(),
-                   [](EdgeRule wish) { return wish == EdgeRule::cut ? EdgeRule::cut : EdgeRule::free; });
-  const EdgeRules cuts = out;
-  FacetForest forest(graph, shapes, cuts, search_tolerance(graph, shapes), room);
-  for (Index f = 0; f < graph.facet_count(); ++f) forest.plant(f);
+  for (Index e = 0; e < wishes.size(); ++e)
+    if (wishes[e] == EdgeRule::cut && !graph.edge(e).inner) out[e] = EdgeRule::cut;
+  for (Index e = 0; e < graph.edge_count(); ++e)
+    if (graph.edge(e).inner) out[e] = EdgeRule::folded;
+  const EdgeRules given = out;
+  FacetForest forest(graph, shapes, given, search_tolerance(graph, shapes), room);
+  for (Index f = 0; f < graph.facet_count(); ++f)
+    if (!forest.placed(f)) forest.plant(f);
   const auto fold = [&](Index e) {
     const FacetEdge& edge = graph.edge(e);
     if (edge.border() || out[e] != EdgeRule::free ||

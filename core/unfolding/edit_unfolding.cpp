@@ -120,6 +120,9 @@ Result<Unfolding> split_at(const Unfolding& unfolding, Index e) {
   if (unfolding.graph->edge(e).border()) return border_error(unfolding, e);
   if (!unfolding.folds[e])
     return make_error(e_already_cut, "The edge is cut already.", "Choose a fold.", named_edge(unfolding, e));
+  if (unfolding.graph->edge(e).inner)
+    return make_error(e_inside_face, "The line lies within a flat face, which stays whole.",
+                      "Choose an edge of the face.", named_edge(unfolding, e));
   Folds folds = unfolding.folds;
   folds[e] = 0;
   EdgeRules wishes = unfolding.wishes;
@@ -184,7 +187,8 @@ Unfolding split_to_fit(const Unfolding& unfolding, Index piece) {
   for (Index e = 0; e < rules.size(); ++e) {
     if (!unfolding.folds[e]) continue;
     const bool inside = unfolding.piece_of[graph.edge(e).facets[0]] == piece;
-    rules[e] = inside && unfolding.wishes[e] != EdgeRule::folded ? EdgeRule::free : EdgeRule::folded;
+    const bool held = unfolding.wishes[e] == EdgeRule::folded || graph.edge(e).inner;
+    rules[e] = inside && !held ? EdgeRule::free : EdgeRule::folded;
   }
   const std::vector<FacetCorners> shapes = facet_shapes(graph, unfolding.settings.scale);
   const auto found = search_cuts(graph, shapes, rules, {unfolding.settings.piece_room(), 0});
@@ -198,7 +202,8 @@ Result<Unfolding> with_settings(const Unfolding& unfolding, const PaperSettings&
   const PaperSettings& old = unfolding.settings;
   const bool same_lengths = settings.scale == old.scale && settings.page == old.page &&
                             settings.margin == old.margin && settings.gap == old.gap &&
-                            settings.tab_height == old.tab_height && settings.strip_width == old.strip_width;
+                            settings.tab_height == old.tab_height && settings.least_tab == old.least_tab &&
+                            settings.strip_width == old.strip_width;
   return assemble(unfolding.graph, settings, unfolding.folds, unfolding.wishes, unfolding.tab_choices,
                   same_lengths ? places_in(unfolding) : KnownPlaces{});
 }

@@ -10,13 +10,15 @@ inline constexpr Code e_edge_on_border{"E_EDGE_ON_BORDER"};
 inline constexpr Code e_same_piece{"E_SAME_PIECE"};
 inline constexpr Code e_already_folded{"E_ALREADY_FOLDED"};
 inline constexpr Code e_already_cut{"E_ALREADY_CUT"};
+inline constexpr Code e_inside_face{"E_INSIDE_FACE"};
 
 /// The cut edge becomes a fold: the smaller piece moves to the larger one. It may overlap then;
 /// `overlaps_of` tells. Errors: E_EDGE_ON_BORDER, E_ALREADY_FOLDED, E_SAME_PIECE (a fold more would close a
 /// ring of facets). O(facets).
 Result<Unfolding> join_at(const Unfolding& unfolding, Index edge);
 
-/// The fold becomes a cut. Both parts stay where they are. Errors: E_EDGE_ON_BORDER, E_ALREADY_CUT.
+/// The fold becomes a cut. Both parts stay where they are. Errors: E_EDGE_ON_BORDER, E_ALREADY_CUT,
+/// E_INSIDE_FACE (flat faces stay whole).
 Result<Unfolding> split_at(const Unfolding& unfolding, Index edge);
 
 /// The piece, with its tabs, on this page, shifted by `shift` (mm).

@@ -11,6 +11,7 @@
 #include "core/polyhedron/mesh_errors.hpp"
 #include "core/polyhedron/message_group.hpp"
 #include "core/polyhedron/validation.hpp"
+#include "core/unfolding/face_triangles.hpp"
 
 namespace hariko {
 
@@ -22,12 +23,10 @@ Vector3 area_vector(const std::vector<Vector3>& positions, std::span<const Index
   return (positions[face[1]] - positions[face[0]]).cross(positions[face[2]] - positions[face[0]]);
 }
 
-/// Its height is nothing against its longest edge.
-bool degenerate(const std::vector<Vector3>& positions, std::span<const Index> face) {
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    longest = std::max(longest, (positions[face[(k + 1) % 3]] - positions[face[k]]).norm());
-  return !(area_vector(positions, face).norm() > 1e-12 * longest * longest);
+std::vector<std::array<Index, 3>> triangles_of(const PolygonMesh& mesh, std::size_t face) {
+  std::vector<Vector3> corners;
+  for (const Index v : mesh.face(face)) corners.push_back(mesh.positions[v]);
+  return face_triangles(corners);
 }
 
 std::string edge_text(Index low, Index high, std::span<const EdgeUse> uses) {
@@ -38,26 +37,18 @@ std::string edge_text(Index low, Index high, std::span<const EdgeUse> uses) {
          name + ".";
 }
 
-/// Errors of facets by themselves; 1 for every face whose edges can be judged.
-std::vector<char> report_facets(const PolygonMesh& mesh, std::size_t limit, std::vector<Message>& out) {
-  const std::vector<char> sound = sound_faces(mesh);
-  const auto name = [](std::size_t f) { return element_of(FaceId{static_cast<Index>(f)}); };
-  MessageGroup sides(out, Severity::error, e_facet_not_triangular,
-                     "Triangulate the mesh before it is unfolded.", limit);
-  for (std::size_t f = 0; f < sound.size(); ++f)
-    if (sound[f] && mesh.face(f).size() != 3)
-      sides.add(name(f), [&] { return refusal + ("facet " + std::to_string(f)) + " is not triangular."; });
-  return sound;
-}
-
 void report_degenerate(const PolygonMesh& mesh, const std::vector<char>& sound, std::size_t limit,
                        std::vector<Message>& out) {
   MessageGroup group(out, Severity::error, e_facet_degenerate,
                      "Remove the facet, or merge the vertices that lie on one line.", limit);
-  for (std::size_t f = 0; f < sound.size(); ++f)
-    if (sound[f] && mesh.face(f).size() == 3 && degenerate(mesh.positions, mesh.face(f)))
-      group.add(element_of(FaceId{static_cast<Index>(f)}),
-                [&] { return refusal + ("degenerate facet " + std::to_string(f)) + " has zero area."; });
+  for (std::size_t f = 0; f < sound.size(); ++f) {
+    if (!sound[f] || !triangles_of(mesh, f).empty()) continue;
+    const std::string name = std::to_string(f);
+    group.add(element_of(FaceId{static_cast<Index>(f)}), [&] {
+      return mesh.face(f).size() == 3 ? refusal + ("degenerate facet " + name) + " has zero area."
+                                      : refusal + ("facet " + name) + " has no area, or crosses itself.";
+    });
+  }
 }
 
 void report_edges(const PolygonMesh& mesh, const std::vector<char>& sound, std::size_t limit,
@@ -88,7 +79,7 @@ std::vector<Message> unfolding_errors(const PolygonMesh& mesh, std::size_t limit
   std::vector<Message> out = position_errors(mesh, limit);
   if (!out.empty()) return out;
   report_polygons(mesh, limit, out);
-  const std::vector<char> sound = report_facets(mesh, limit, out);
+  const std::vector<char> sound = sound_faces(mesh);
   report_degenerate(mesh, sound, limit, out);
   report_edges(mesh, sound, limit, out);
   return out;
@@ -98,33 +89,87 @@ Result<FacetGraph> FacetGraph::build(const PolygonMesh& mesh) {
   if (auto errors = unfolding_errors(mesh, 1); !errors.empty()) return std::move(errors.front());
   FacetGraph out;
   out.positions_ = mesh.positions;
-  out.triangles_.resize(mesh.face_count());
-  out.edges_of_.resize(mesh.face_count());
-  out.areas_.resize(mesh.face_count());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    std::copy_n(mesh.face(f).begin(), 3, out.triangles_[f].begin());
-    out.areas_[f] = 0.5 * area_vector(out.positions_, out.triangles_[f]).norm();
-  }
+  out.add_facets(mesh);
+  // Sides of faces: corner k of the mesh's list begins one.
   EdgeTable(mesh).for_each_edge([&](Index low, Index high, std::span<const EdgeUse> uses) {
     FacetEdge edge{low, high};
-    edge.length = (out.positions_[high] - out.positions_[low]).norm();
     for (std::size_t k = 0; k < uses.size(); ++k) {
-      edge.facets[k] = uses[k].corner / 3;
-      edge.sides[k] = uses[k].corner % 3;
-      out.edges_of_[edge.facets[k]][edge.sides[k]] = static_cast<Index>(out.edges_.size());
+      edge.facets[k] = out.corners_[uses[k].corner].facet;
+      edge.sides[k] = out.corners_[uses[k].corner].corner;
     }
-    if (!edge.border()) {
-      const auto& corners = out.triangles_[edge.facets[0]];
-      const Vector3 along =
-          out.positions_[corners[(edge.sides[0] + 1) % 3]] - out.positions_[corners[edge.sides[0]]];
-      edge.fold_angle =
-          signed_fold_angle(out.normal(edge.facets[0]), out.normal(edge.facets[1]), along / edge.length);
-    }
-    out.longest_edge_ = std::max(out.longest_edge_, edge.length);
-    out.edges_.push_back(edge);
+    out.add_edge(edge);
   });
+  out.add_inner_edges();
+  out.sort_edges();
   out.find_components();
   return out;
+}
+
+void FacetGraph::add_facets(const PolygonMesh& mesh) {
+  corners_.resize(mesh.face_vertices.size());
+  face_corners_ = mesh.face_offsets;
+  face_facets_ = {0};
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (const auto& triangle : triangles_of(mesh, f)) {
+      const auto facet = static_cast<Index>(triangles_.size());
+      triangles_.push_back({face[triangle[0]], face[triangle[1]], face[triangle[2]]});
+      areas_.push_back(0.5 * area_vector(positions_, triangles_.back()).norm());
+      face_of_.push_back(static_cast<Index>(f));
+      for (Index k = 0; k < 3; ++k)
+        if (triangle[(k + 1) % 3] == (triangle[k] + 1) % face.size())
+          corners_[mesh.face_offsets[f] + triangle[k]] = {facet, k};
+    }
+    face_facets_.push_back(static_cast<Index>(triangles_.size()));
+  }
+  edges_of_.assign(triangles_.size(), {no_index, no_index, no_index});
+}
+
+void FacetGraph::add_edge(FacetEdge edge) {
+  // The lower facet first.
+  if (edge.facets[1] < edge.facets[0]) {
+    std::swap(edge.facets[0], edge.facets[1]);
+    std::swap(edge.sides[0], edge.sides[1]);
+  }
+  edge.length = (positions_[edge.high] - positions_[edge.low]).norm();
+  if (!edge.border()) {
+    const auto& corners = triangles_[edge.facets[0]];
+    const Vector3 along = positions_[corners[(edge.sides[0] + 1) % 3]] - positions_[corners[edge.sides[0]]];
+    edge.fold_angle = signed_fold_angle(normal(edge.facets[0]), normal(edge.facets[1]), along / edge.length);
+  }
+  for (std::size_t k = 0; k < 2; ++k)
+    if (edge.facets[k] != no_index)
+      edges_of_[edge.facets[k]][edge.sides[k]] = static_cast<Index>(edges_.size());
+  longest_edge_ = std::max(longest_edge_, edge.length);
+  edges_.push_back(edge);
+}
+
+/// Edges between the facets of one face.
+void FacetGraph::add_inner_edges() {
+  for (Index f = 0; f < face_count(); ++f) {
+    const std::size_t before = edges_.size();
+    double bend = 0;
+    for (Index a = face_facets_[f]; a < face_facets_[f + 1]; ++a)
+      for (Index side = 0; side < 3; ++side) {
+        if (edges_of_[a][side] != no_index) continue;
+        const Index from = triangles_[a][side], to = triangles_[a][(side + 1) % 3];
+        for (Index b = a + 1; b < face_facets_[f + 1]; ++b)
+          for (Index other = 0; other < 3; ++other)
+            if (triangles_[b][other] == to && triangles_[b][(other + 1) % 3] == from)
+              add_edge({std::min(from, to), std::max(from, to), {a, b}, {side, other}});
+        bend = std::max(bend, std::abs(edges_.back().fold_angle));
+      }
+    for (std::size_t e = before; e < edges_.size(); ++e) edges_[e].inner = bend <= flat_face_angle;
+  }
+}
+
+void FacetGraph::sort_edges() {
+  std::stable_sort(edges_.begin(), edges_.end(), [](const FacetEdge& a, const FacetEdge& b) {
+    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+  });
+  for (Index e = 0; e < edges_.size(); ++e)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (edges_[e].facets[k] != no_index) edges_of_[edges_[e].facets[k]][edges_[e].sides[k]] = e;
 }
 
 void FacetGraph::find_components() {

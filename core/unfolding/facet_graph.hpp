@@ -1,8 +1,10 @@
 #pragma once
 
-// FacetGraph: a triangle mesh that can be unfolded, with the edges between its facets.
+// FacetGraph: a mesh that can be unfolded, as triangles with the edges between them.
 
 #include <array>
+#include <numbers>
+#include <span>
 #include <vector>
 
 #include "core/base/message.hpp"
@@ -13,7 +15,6 @@
 
 namespace hariko {
 
-inline constexpr Code e_facet_not_triangular{"E_FACET_NOT_TRIANGULAR"};
 inline constexpr Code e_facet_degenerate{"E_FACET_DEGENERATE"};
 
 /// An edge of the mesh and the one or two facets at it. Side s of a facet runs from its corner s to the next.
@@ -23,18 +24,37 @@ struct FacetEdge {
   std::array<Index, 2> sides = {0, 0};
   double length = 0;      ///< in the mesh's unit
   double fold_angle = 0;  ///< radians between the normals; > 0 convex (mountain), < 0 concave (valley)
+  bool inner = false;     ///< within one flat face of the mesh: never cut, never drawn
 
   bool border() const { return facets[1] == no_index; }
   /// The facet on the other side of the edge; no_index on a border.
   Index across(Index facet) const { return facets[0] == facet ? facets[1] : facets[0]; }
 };
 
+/// Faces whose triangles are folded no more than this lie in one plane.
+inline constexpr double flat_face_angle = 0.5 * std::numbers::pi / 180;
+
 /// Immutable. Every facet is a triangle with an area; every edge has one facet, or two that run along it in
-/// opposite directions. Facets may touch in single vertices, and there may be several components.
+/// opposite directions. Facets may touch in single vertices, and there may be several components. Faces of
+/// the mesh with more than three sides are several facets; where they are flat, edges between these are inner
+/// ones, and elsewhere the face is folded there.
 class FacetGraph {
  public:
-  /// Errors: the first of `unfolding_errors`. O(facets log facets).
+  /// Facets in the order of the faces. Errors: the first of `unfolding_errors`. O(facets log facets).
   static Result<FacetGraph> build(const PolygonMesh& mesh);
+
+  /// Faces of the mesh that it was built from.
+  std::size_t face_count() const { return face_facets_.size() - 1; }
+  Index face(Index facet) const { return face_of_[facet]; }
+  /// Facets of a face: from this one up to that of the next face.
+  Index first_facet(Index face) const { return face_facets_[face]; }
+  /// The corners of a face in order, each as a facet that has it and which corner of that it is.
+  struct FaceCorner {
+    Index facet = 0, corner = 0;
+  };
+  std::span<const FaceCorner> face_corners(Index face) const {
+    return {corners_.data() + face_corners_[face], corners_.data() + face_corners_[face + 1]};
+  }
 
   std::size_t facet_count() const { return triangles_.size(); }
   std::size_t edge_count() const { return edges_.size(); }
@@ -42,7 +62,8 @@ class FacetGraph {
   const std::vector<Vector3>& positions() const { return positions_; }
   const std::array<Index, 3>& triangle(Index facet) const { return triangles_[facet]; }
   const FacetEdge& edge(Index e) const { return edges_[e]; }
-  const std::vector<FacetEdge>& edges() const { return edges_; }  ///< ascending by (low, high)
+  /// Ascending by (low, high); few have the same vertices, two faces' inner edges.
+  const std::vector<FacetEdge>& edges() const { return edges_; }
   Index edge_at(Index facet, Index side) const { return edges_of_[facet][side]; }
   Index neighbour(Index facet, Index side) const { return edges_[edges_of_[facet][side]].across(facet); }
   /// The side of the neighbour that meets this side.
@@ -58,8 +79,15 @@ class FacetGraph {
   Vector3 normal(Index facet) const;
 
  private:
+  void add_facets(const PolygonMesh& mesh);
+  void add_edge(FacetEdge edge);
+  void add_inner_edges();
+  void sort_edges();
   void find_components();
   std::vector<Vector3> positions_;
+  std::vector<Index> face_of_;                     ///< of each facet
+  std::vector<Index> face_facets_, face_corners_;  ///< of each face, where its facets and corners begin
+  std::vector<FaceCorner> corners_;
   std::vector<std::array<Index, 3>> triangles_, edges_of_;
   std::vector<FacetEdge> edges_;
   std::vector<Index> component_of_;
@@ -69,8 +97,8 @@ class FacetGraph {
 };
 
 /// Why a mesh cannot be unfolded: E_NONFINITE, E_NO_FACES, E_INDEX_RANGE, E_FACE_TOO_SMALL,
-/// E_FACE_REPEATED_VERTEX, E_FACET_NOT_TRIANGULAR, E_FACET_DEGENERATE (a height below 1e-12 of its base),
-/// E_EDGE_NONMANIFOLD_OR_FLIPPED; at most `limit` of each. Elements are dense indices.
+/// E_FACE_REPEATED_VERTEX, E_FACET_DEGENERATE (no area, with a height below 1e-12 of its base, or crossing
+/// itself), E_EDGE_NONMANIFOLD_OR_FLIPPED; at most `limit` of each. Elements are dense indices.
 std::vector<Message> unfolding_errors(const PolygonMesh& mesh, std::size_t limit = 100);
 
 /// The same triangles as polygons with absolute positions.

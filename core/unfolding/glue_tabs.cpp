@@ -59,7 +59,8 @@ class TabRoom {
 }  // namespace
 
 std::vector<Joint> find_joints(const FacetGraph& graph, const Folds& folds, const FlatLayout& layout,
-                               const std::vector<TabChoice>& choices, double height) {
+                               const std::vector<TabChoice>& choices, const PaperSettings& settings) {
+  const double height = settings.tab_height, least = std::min(settings.least_tab, height);
   std::vector<Joint> joints;
   for (Index e = 0; e < graph.edge_count(); ++e)
     if (!folds[e] && !graph.edge(e).border()) joints.push_back({e, {}});
@@ -86,7 +87,7 @@ std::vector<Joint> find_joints(const FacetGraph& graph, const Folds& folds, cons
         const double own = std::min(part * height, 0.4 * (b - a).norm());
         const auto quad = trapezoid(a, b, own);
         const Index piece = layout.piece_of[edge.facets[k]];
-        if (!(own > 0) || !room.is_free(piece, quad)) continue;
+        if (!(own > 0) || own < least || !room.is_free(piece, quad)) continue;
         room.add(piece, j, quad);
         joints[j].tab = GlueTab{edge.facets[k], edge.sides[k], own, quad};
         return;

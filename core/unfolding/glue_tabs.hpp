@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/document/paper_settings.hpp"
 #include "core/unfolding/facet_layout.hpp"
 #include "core/unfolding/sheet_overlaps.hpp"
 
@@ -32,9 +33,10 @@ struct Joint {
 };
 
 /// One joint for each cut edge with two facets, ascending by edge. Tabs are trapezoids with flanks of 45
-/// degrees and 1, 0.7, 0.45 or 0.25 of `height`, the highest that overlaps no facet and no other tab of its
-/// piece; longest edges choose first. `choices` is empty or has one for each edge. O(facets) expected.
+/// degrees and 1, 0.7, 0.45 or 0.25 of the height of tabs, but at most 0.4 of the edge: the highest that
+/// overlaps no facet and no other tab of its piece, or none where that is below the least height. Longest
+/// edges choose first. `choices` is empty or has one for each edge. O(facets) expected.
 std::vector<Joint> find_joints(const FacetGraph& graph, const Folds& folds, const FlatLayout& layout,
-                               const std::vector<TabChoice>& choices, double height);
+                               const std::vector<TabChoice>& choices, const PaperSettings& settings);
 
 }  // namespace hariko

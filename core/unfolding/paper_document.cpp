@@ -160,12 +160,15 @@ EdgeRules rules_of(const PaperModel& paper, const FacetGraph& graph, const Finde
   EdgeRules rules(graph.edge_count(), EdgeRule::free);
   finder.for_each(paper.cuts, [&](Index e) { rules[e] = EdgeRule::cut; });
   DisjointSets groups(graph.facet_count());
-  finder.for_each(paper.folds, [&](Index e) {
+  const auto fold = [&](Index e) {
     const auto& [a, b] = graph.edge(e).facets;
     if (groups.find(a) == groups.find(b)) return;
     rules[e] = EdgeRule::folded;
     groups.join(a, b);
-  });
+  };
+  for (Index e = 0; e < graph.edge_count(); ++e)
+    if (graph.edge(e).inner) fold(e);
+  finder.for_each(paper.folds, fold);
   return rules;
 }
 

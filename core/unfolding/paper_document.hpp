@@ -15,10 +15,10 @@ namespace hariko {
 PaperModel kept_of(const Unfolding& unfolding, std::span<const PaperVertex> names, const PaperModel& before);
 
 /// The layout of a paper model on a mesh, which may have changed since: edges that are still there are folded
-/// and cut as they were, and facets that are still there lie where they lay. Facets that are new are joined
-/// to what is there where that overlaps nothing, and what has no place is packed. A layout that was kept on
-/// the same mesh comes back: folds and corners bit for bit. Errors: those of `check_settings`.
-/// O(facets log facets).
+/// and cut as they were, flat faces are whole, and facets that are still there lie where they lay. Facets
+/// that are new are joined to what is there where that overlaps nothing, and what has no place is packed. A
+/// layout that was kept on the same mesh comes back: folds and corners bit for bit. Errors: those of
+/// `check_settings`. O(facets log facets).
 Result<Unfolding> restored(const PaperModel& paper, std::shared_ptr<const FacetGraph> graph,
                            std::span<const PaperVertex> names);
 

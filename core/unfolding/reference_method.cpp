@@ -85,7 +85,7 @@ std::vector<std::uint8_t> initial_cuts(const FacetGraph& graph) {
     Index sharpest = no_index;
     for (Index side = 0; side < 3; ++side) {
       const Index e = graph.edge_at(facet, side);
-      if (graph.edge(e).border()) continue;
+      if (graph.edge(e).border() || graph.edge(e).inner) continue;
       if (sharpest == no_index ||
           std::abs(graph.edge(e).fold_angle) > std::abs(graph.edge(sharpest).fold_angle))
         sharpest = e;
@@ -102,15 +102,28 @@ Folds unfold_over(const FacetGraph& graph, const std::vector<std::uint8_t>& cuts
   std::vector<Index> queue;
   for (Index root = 0; root < graph.facet_count(); ++root) {
     if (placed[root]) continue;
-    placed[root] = 1;
-    queue.assign(1, root);
+    queue.clear();
+    // With the rest of its flat face.
+    const auto place = [&](Index facet) {
+      std::size_t next = queue.size();
+      placed[facet] = 1;
+      queue.push_back(facet);
+      for (; next < queue.size(); ++next)
+        for (Index side = 0; side < 3; ++side) {
+          const Index e = graph.edge_at(queue[next], side), other = graph.neighbour(queue[next], side);
+          if (!graph.edge(e).inner || placed[other]) continue;
+          placed[other] = 1;
+          folds[e] = 1;
+          queue.push_back(other);
+        }
+    };
+    place(root);
     for (std::size_t k = 0; k < queue.size(); ++k)
       for (Index side = 0; side < 3; ++side) {
         const Index e = graph.edge_at(queue[k], side), next = graph.neighbour(queue[k], side);
         if (cuts[e] || placed[next]) continue;
-        placed[next] = 1;
         folds[e] = 1;
-        queue.push_back(next);
+        place(next);
       }
   }
   return folds;

@@ -29,6 +29,7 @@ class Draftsman {
   SheetDrawing draw() {
     for (Index f = 0; f < graph_.facet_count(); ++f)
       out_.facets.push_back({f, u_.piece_of[f], u_.page_of(f), u_.corners[f]});
+    for (Index f = 0; f < graph_.face_count(); ++f) face(f);
     for (Index e = 0; e < graph_.edge_count(); ++e) {
       if (u_.folds[e])
         fold(e);
@@ -62,6 +63,29 @@ class Draftsman {
     out_.texts.push_back({page, centre, upright(angle), height, std::move(words)});
   }
 
+  /// Whole where its facets lie together, else facet by facet.
+  void face(Index f) {
+    bool whole = true;
+    const Index begin = graph_.first_facet(f), end = graph_.first_facet(f + 1);
+    for (Index facet = begin; facet < end; ++facet)
+      for (Index side = 0; side < 3; ++side) {
+        const Index e = graph_.edge_at(facet, side);
+        whole = whole && (u_.folds[e] || graph_.neighbour(facet, side) == no_index ||
+                          graph_.face(graph_.neighbour(facet, side)) != f);
+      }
+    const auto add = [&](Index facet, std::vector<Vector2> corners) {
+      out_.faces.push_back({f, u_.piece_of[facet], u_.page_of(facet), std::move(corners)});
+    };
+    if (!whole) {
+      for (Index facet = begin; facet < end; ++facet)
+        add(facet, {u_.corners[facet].begin(), u_.corners[facet].end()});
+      return;
+    }
+    std::vector<Vector2> corners;
+    for (const auto& [facet, corner] : graph_.face_corners(f)) corners.push_back(u_.corners[facet][corner]);
+    add(begin, std::move(corners));
+  }
+
   void fold_line(FoldKind kind, Index page, const Vector2& from, const Vector2& to, bool inner) {
     if (kind == FoldKind::flat) return;
     line(kind == FoldKind::mountain ? SheetLayer::fold_mountain : SheetLayer::fold_valley, page, from, to);
@@ -70,9 +94,15 @@ class Draftsman {
 
   void fold(Index e) {
     const FacetEdge& edge = graph_.edge(e);
+    if (edge.inner) return;
     const Side at = side(e, 0);
     const FoldKind kind = fold_kind(edge.fold_angle, u_.settings);
-    out_.folds.push_back({kind, at.page, edge.facets, at.from, at.to, edge.fold_angle});
+    out_.folds.push_back({kind,
+                          at.page,
+                          {graph_.face(edge.facets[0]), graph_.face(edge.facets[1])},
+                          at.from,
+                          at.to,
+                          edge.fold_angle});
     fold_line(kind, at.page, at.from, at.to, true);
     if (!u_.settings.fold_angles || kind == FoldKind::flat) return;
     const double length = (at.to - at.from).norm(), height = label_height(length);
@@ -178,6 +208,8 @@ class Draftsman {
     const auto flip = [&](Vector2& p) { p.x() = out_.page.width - p.x(); };
     for (DrawnFacet& facet : out_.facets)
       for (Vector2& corner : facet.corners) flip(corner);
+    for (DrawnFace& face : out_.faces)
+      for (Vector2& corner : face.corners) flip(corner);
     for (DrawnLine& each : out_.lines) {
       flip(each.from);
       flip(each.to);

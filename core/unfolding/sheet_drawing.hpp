@@ -28,11 +28,11 @@ struct DrawnLine {
 /// Mountains are solid lines and fold away from the reader, valleys are dashed and fold towards the reader.
 enum class FoldKind : std::uint8_t { mountain, valley, flat };
 
-/// A fold between two facets of a piece.
+/// A fold between two faces of a piece, or within one that is not flat.
 struct DrawnFold {
   FoldKind kind = FoldKind::flat;  ///< flat ones have no line
   Index page = 0;
-  std::array<Index, 2> facets;
+  std::array<Index, 2> faces;  ///< of the mesh
   Vector2 from, to;
   double angle = 0;  ///< radians, as the kind's sign says: > 0 mountain
 };
@@ -40,6 +40,12 @@ struct DrawnFold {
 struct DrawnFacet {
   Index facet = 0, piece = 0, page = 0;
   FacetCorners corners;  ///< counter-clockwise, clockwise where the print is inside
+};
+
+/// A face of the mesh, or a part of one that was cut up.
+struct DrawnFace {
+  Index face = 0, piece = 0, page = 0;
+  std::vector<Vector2> corners;  ///< in the mesh's order, turned as those of facets are
 };
 
 /// Reads along `angle`, its middle at `centre`. ASCII.
@@ -56,6 +62,7 @@ struct SheetDrawing {
   Index page_count = 0;
   double scale = 1;  ///< mm for one unit of the mesh
   std::vector<DrawnFacet> facets;
+  std::vector<DrawnFace> faces;  ///< ascending
   std::vector<DrawnFold> folds;
   std::vector<DrawnLine> lines;  ///< visible folds are among them
   std::vector<DrawnText> texts;

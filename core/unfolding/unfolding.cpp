@@ -130,7 +130,7 @@ struct Candidate {
 Candidate judged(const FacetGraph& graph, const PaperSettings& settings,
                  const std::vector<FacetCorners>& shapes, Folds folds, const CancelToken& cancel) {
   const FlatLayout layout = lay_out(graph, shapes, folds);
-  const std::vector<Joint> joints = find_joints(graph, folds, layout, {}, settings.tab_height);
+  const std::vector<Joint> joints = find_joints(graph, folds, layout, {}, settings);
   Candidate out;
   out.pieces = layout.pieces.size();
   out.strips = static_cast<std::size_t>(
@@ -209,6 +209,27 @@ void report_too_large(const Unfolding& unfolding, const std::vector<char>& off, 
     });
 }
 
+/// How long the finished model is, mm.
+double largest_extent(const Unfolding& unfolding) {
+  const FacetGraph& graph = *unfolding.graph;
+  Vector3 low = Vector3::Constant(1e300), high = -low;
+  for (Index f = 0; f < graph.facet_count(); ++f)
+    for (const Index v : graph.triangle(f)) {
+      low = low.cwiseMin(graph.positions()[v]);
+      high = high.cwiseMax(graph.positions()[v]);
+    }
+  return unfolding.settings.scale * (high - low).maxCoeff();
+}
+
+void report_size(const Unfolding& unfolding, std::vector<Message>& out) {
+  const double extent = largest_extent(unfolding);
+  if (extent >= smallest_paper_model && extent <= largest_paper_model) return;
+  const std::string size = extent < 1000 ? rounded(extent, 2) + " mm" : rounded(extent / 1000, 2) + " m";
+  out.push_back(make_warning(w_paper_size,
+                             "The finished model is " + size + (extent < 1000 ? " small." : " large."),
+                             "Give its height, width or depth in mm, or check the unit of the file."));
+}
+
 bool within_margins(const Unfolding& unfolding, std::span<const Vector2> polygon) {
   const PaperSettings& s = unfolding.settings;
   return std::all_of(polygon.begin(), polygon.end(), [&](const Vector2& p) {
@@ -284,7 +305,7 @@ Unfolding assemble(std::shared_ptr<const FacetGraph> graph, const PaperSettings&
   out.wishes.resize(out.graph->edge_count(), EdgeRule::free);
   out.tab_choices.resize(out.graph->edge_count(), TabChoice::automatic);
   FlatLayout layout = lay_out(*out.graph, facet_shapes(*out.graph, settings.scale), out.folds);
-  out.joints = find_joints(*out.graph, out.folds, layout, out.tab_choices, settings.tab_height);
+  out.joints = find_joints(*out.graph, out.folds, layout, out.tab_choices, settings);
   out.strips.resize(out.joints.size());
   out.piece_of = layout.piece_of;
   out.pieces.resize(layout.pieces.size());
@@ -330,6 +351,7 @@ std::vector<Message> unfolding_messages(const Unfolding& unfolding) {
   std::vector<char> off(unfolding.pieces.size(), 0);
   for (Index f = 0; f < unfolding.corners.size(); ++f)
     if (!within_margins(unfolding, polygons[f].span())) off[unfolding.piece_of[f]] = 1;
+  report_size(unfolding, out);
   report_too_large(unfolding, off, out);
   const auto pairs = overlapping_pairs(polygons, paper_tolerance(unfolding));
   if (!pairs.empty())

@@ -22,6 +22,9 @@ namespace hariko {
 
 inline constexpr Code e_piece_too_large{"E_PIECE_TOO_LARGE"};
 inline constexpr Code w_unfolding_overlaps{"W_UNFOLDING_OVERLAPS"};
+inline constexpr Code w_paper_size{"W_PAPER_SIZE"};
+/// Longest extents of paper models that are likely to be meant, mm.
+inline constexpr double smallest_paper_model = 10, largest_paper_model = 2000;
 
 struct PaperPiece {
   std::vector<Index> facets;  ///< the root, which is the lowest, first; parents before children
@@ -87,7 +90,8 @@ Result<Unfolding> unfold(std::shared_ptr<const FacetGraph> graph, const PaperSet
                          const UnfoldOptions& options, const CancelToken& cancel = {},
                          const Progress& progress = {});
 
-/// What should be known before it is printed: E_PIECE_TOO_LARGE for pieces that no turn puts between the
+/// What should be known before it is printed: W_PAPER_SIZE for a model smaller than 10 mm or larger than 2 m;
+/// E_PIECE_TOO_LARGE for pieces that no turn puts between the
 /// margins, with the scale that would; W_UNFOLDING_OVERLAPS.
 std::vector<Message> unfolding_messages(const Unfolding& unfolding);
 

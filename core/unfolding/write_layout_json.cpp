@@ -25,27 +25,27 @@ std::string write_layout_json(const SheetDrawing& drawing) {
   out += "],\"pages\":";
   append_integer(out, drawing.page_count);
   out += ",\n\"faces\":[";
-  for (std::size_t k = 0; k < drawing.facets.size(); ++k) {
-    const DrawnFacet& facet = drawing.facets[k];
+  for (std::size_t k = 0; k < drawing.faces.size(); ++k) {
+    const DrawnFace& face = drawing.faces[k];
     out += k ? ",\n{\"id\":" : "\n{\"id\":";
-    append_integer(out, facet.facet);
+    append_integer(out, face.face);
     out += ",\"piece\":";
-    append_integer(out, facet.piece);
+    append_integer(out, face.piece);
     out += ",\"page\":";
-    append_integer(out, facet.page);
+    append_integer(out, face.page);
     out += ",\"xy\":[";
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < face.corners.size(); ++c) {
       if (c) out += ',';
-      append_point(out, facet.corners[c]);
+      append_point(out, face.corners[c]);
     }
     out += "]}";
   }
   out += "],\n\"folds\":[";
   for (std::size_t k = 0; k < drawing.folds.size(); ++k) {
     out += k ? ",[" : "[";
-    append_integer(out, drawing.folds[k].facets[0]);
+    append_integer(out, drawing.folds[k].faces[0]);
     out += ',';
-    append_integer(out, drawing.folds[k].facets[1]);
+    append_integer(out, drawing.folds[k].faces[1]);
     out += ']';
   }
   return out + "]}\n";

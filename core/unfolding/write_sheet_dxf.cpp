@@ -62,6 +62,10 @@ class DxfWriter {
     pair(2, "HEADER");
     pair(9, "$ACADVER");
     pair(1, "AC1009");
+    pair(9, "$INSUNITS");
+    pair(70, "4");  // millimetres
+    pair(9, "$MEASUREMENT");
+    pair(70, "1");
     pair(9, "$EXTMIN");
     point(10, 0, {0, 0});
     pair(9, "$EXTMAX");

@@ -9,11 +9,11 @@ namespace {
 
 class SvgWriter {
  public:
-  explicit SvgWriter(const SheetDrawing& drawing) : drawing_(drawing) {}
+  SvgWriter(const SheetDrawing& drawing, Index page) : drawing_(drawing), page_(page) {}
 
   std::string write() {
     head();
-    facets();
+    faces();
     for (const SheetLayer layer : sheet_layers) {
       open_layer(to_string(layer));
       if (layer == SheetLayer::fold_mountain) folds(FoldKind::mountain);
@@ -28,7 +28,6 @@ class SvgWriter {
   }
 
  private:
-  double page_x(Index page) const { return page * (drawing_.page.width + page_spacing); }
   void attribute(const char* name, double value) {
     out_ += ' ';
     out_ += name;
@@ -43,16 +42,15 @@ class SvgWriter {
     append_integer(out_, value);
     out_ += '"';
   }
-  void ends(Index page, const Vector2& from, const Vector2& to) {
-    attribute("x1", page_x(page) + from.x());
+  void ends(const Vector2& from, const Vector2& to) {
+    attribute("x1", from.x());
     attribute("y1", drawing_.page.height - from.y());
-    attribute("x2", page_x(page) + to.x());
+    attribute("x2", to.x());
     attribute("y2", drawing_.page.height - to.y());
   }
 
   void head() {
-    const Index pages = std::max<Index>(1, drawing_.page_count);
-    const double width = pages * drawing_.page.width + (pages - 1) * page_spacing;
+    const double width = drawing_.page.width;
     out_ +=
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"";
@@ -65,6 +63,7 @@ class SvgWriter {
     append_real(out_, drawing_.page.height);
     out_ += '"';
     attribute("data-scale", drawing_.scale);
+    attribute("data-page", std::uint64_t{page_});
     attribute("data-pages", std::uint64_t{drawing_.page_count});
     out_ +=
         ">\n<style>\n"
@@ -75,30 +74,26 @@ class SvgWriter {
         "#fold-flat line{stroke:none}\n#tab line,#strip line{stroke:#777}\n"
         "#label line{stroke:#444}\n"
         "text{font-family:Helvetica,Arial,sans-serif;text-anchor:middle;fill:#222}\n</style>\n";
-    out_ += "<g id=\"pages\">\n";
-    for (Index page = 0; page < drawing_.page_count; ++page) {
-      out_ += "<rect class=\"page\"";
-      attribute("x", page_x(page));
-      attribute("width", drawing_.page.width);
-      attribute("height", drawing_.page.height);
-      out_ += "/>\n";
-    }
-    out_ += "</g>\n";
+    out_ += "<rect class=\"page\"";
+    attribute("width", drawing_.page.width);
+    attribute("height", drawing_.page.height);
+    out_ += "/>\n";
   }
 
-  void facets() {
+  void faces() {
     out_ += "<g id=\"facets\">\n";
-    for (const DrawnFacet& facet : drawing_.facets) {
+    for (const DrawnFace& face : drawing_.faces) {
+      if (face.page != page_) continue;
       out_ += "<polygon class=\"face\"";
-      attribute("data-face", std::uint64_t{facet.facet});
-      attribute("data-piece", std::uint64_t{facet.piece});
-      attribute("data-page", std::uint64_t{facet.page});
+      attribute("data-face", std::uint64_t{face.face});
+      attribute("data-piece", std::uint64_t{face.piece});
+      attribute("data-page", std::uint64_t{face.page});
       out_ += " points=\"";
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < face.corners.size(); ++k) {
         if (k) out_ += ' ';
-        append_real(out_, page_x(facet.page) + facet.corners[k].x());
+        append_real(out_, face.corners[k].x());
         out_ += ',';
-        append_real(out_, drawing_.page.height - facet.corners[k].y());
+        append_real(out_, drawing_.page.height - face.corners[k].y());
       }
       out_ += "\"/>\n";
     }
@@ -116,36 +111,37 @@ class SvgWriter {
   void folds(FoldKind kind) {
     const char* words[] = {"mountain", "valley", "flat"};
     for (const DrawnFold& fold : drawing_.folds) {
-      if (fold.kind != kind) continue;
+      if (fold.kind != kind || fold.page != page_) continue;
       out_ += "<line class=\"fold ";
       out_ += words[static_cast<std::size_t>(kind)];
       out_ += "\" data-faces=\"";
-      append_integer(out_, fold.facets[0]);
+      append_integer(out_, fold.faces[0]);
       out_ += ',';
-      append_integer(out_, fold.facets[1]);
+      append_integer(out_, fold.faces[1]);
       out_ += '"';
       attribute("data-angle", fold.angle * 180 / std::numbers::pi);
-      ends(fold.page, fold.from, fold.to);
+      ends(fold.from, fold.to);
       out_ += "/>\n";
     }
   }
 
   void lines(SheetLayer layer) {
     for (const DrawnLine& line : drawing_.lines) {
-      if (line.layer != layer || line.inner_fold) continue;
+      if (line.layer != layer || line.inner_fold || line.page != page_) continue;
       out_ += "<line";
-      ends(line.page, line.from, line.to);
+      ends(line.from, line.to);
       out_ += "/>\n";
     }
   }
 
   void texts() {
     for (const DrawnText& text : drawing_.texts) {
+      if (text.page != page_) continue;
       const double size = text.height / helvetica_capital_height;
       out_ += "<text";
       attribute("font-size", size);
       out_ += " transform=\"translate(";
-      append_real(out_, page_x(text.page) + text.centre.x());
+      append_real(out_, text.centre.x());
       out_ += ' ';
       append_real(out_, drawing_.page.height - text.centre.y());
       out_ += ") rotate(";
@@ -157,13 +153,14 @@ class SvgWriter {
   }
 
   const SheetDrawing& drawing_;
+  Index page_;
   std::string out_;
 };
 
 }  // namespace
 
-std::string write_sheet_svg(const SheetDrawing& drawing) {
-  return SvgWriter(drawing).write();
+std::string write_sheet_svg(const SheetDrawing& drawing, Index page) {
+  return SvgWriter(drawing, page).write();
 }
 
 }  // namespace hariko

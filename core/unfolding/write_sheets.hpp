@@ -13,14 +13,16 @@ inline constexpr double page_spacing = 20;
 /// Of Helvetica and its like, for a font size of 1.
 inline constexpr double helvetica_capital_height = 0.718;
 
-/// The layout for programs (approximation.md 9): every facet once with its corners in the mesh's order, and
-/// all folds, also those without a line. Coordinates are exact: they read back as the same doubles.
+/// The layout for programs (approximation.md 9): every face of the mesh once with its corners in the mesh's
+/// order (faces that were cut up: each part), and all folds between them, also those without a line.
+/// Coordinates are exact: they read back as the same doubles.
 std::string write_layout_json(const SheetDrawing& drawing);
 
-/// SVG in mm, pages side by side. Layers are groups with their names; facets are polygons of class `face`
-/// with data-face, data-piece and data-page; folds are lines of class `fold mountain`, `fold valley` or `fold
-/// flat` (not visible) with data-faces and data-angle in degrees.
-std::string write_sheet_svg(const SheetDrawing& drawing);
+/// One page as SVG in mm; a drawing without pages has an empty first one. Layers are groups with their names;
+/// faces of the mesh are polygons of class `face` with data-face, data-piece and data-page; folds are lines
+/// of class `fold mountain`, `fold valley` or `fold flat` (not visible) with data-faces and data-angle in
+/// degrees.
+std::string write_sheet_svg(const SheetDrawing& drawing, Index page);
 
 /// DXF R12 (AC1009) in mm, pages side by side, a layer for each kind of line.
 std::string write_sheet_dxf(const SheetDrawing& drawing);

@@ -60,15 +60,90 @@ TEST_F(Unfold, FaultsOfMeshesAreNamed) {
       << result.error;
   EXPECT_NE(result.error.find("degenerate facet 3 has zero area"), std::string::npos) << result.error;
   EXPECT_FALSE(std::filesystem::exists(path("o.svg")));
-  const Outcome quads = run("unfold " + golden("cube.obj") + " " + path("o.svg"));
-  EXPECT_EQ(quads.exit_code, 1);
-  EXPECT_NE(quads.error.find("facet 0 is not triangular"), std::string::npos) << quads.error;
 }
 
-TEST_F(Unfold, TooLargePiecesAndWrongUsageAreRefused) {
-  const Outcome large = run("unfold " + facets("wave_opt") + " " + path("o.svg") + " --width 9000 --steps 0");
+TEST_F(Unfold, FacesOfAnyNumberOfSidesStayWhole) {
+  const Outcome cube = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " " + path("c.json") +
+                           " --height 50 --json");
+  ASSERT_EQ(cube.exit_code, 0) << cube.error;
+  EXPECT_EQ(cube.json()["facets"], 6);
+  EXPECT_EQ(cube.json()["pieces"], 1);
+  EXPECT_EQ(cube.json()["joints"], 7);
+  const Json layout = Json::parse(read_text(path("c.json")));
+  ASSERT_EQ(layout["faces"].size(), 6U);
+  for (const Json& face : layout["faces"]) EXPECT_EQ(face["xy"].size(), 4U);
+  EXPECT_EQ(layout["folds"].size(), 5U);
+
+  const Outcome twelve =
+      run("unfold " + facets("dodecahedron_pentagons") + " " + path("d.svg") + " --height 100 --json");
+  ASSERT_EQ(twelve.exit_code, 0) << twelve.error;
+  EXPECT_EQ(twelve.json()["facets"], 12);
+  EXPECT_LE(twelve.json()["pieces"], 2);
+  EXPECT_EQ(twelve.json()["overlaps"], 0);
+  // No line across a pentagon: 30 edges, each a fold or a joint.
+  EXPECT_EQ(twelve.json()["joints"].get<int>() + 12 - twelve.json()["pieces"].get<int>(), 30);
+}
+
+TEST_F(Unfold, TrianglesWithCornersOfTheirOwnHangTogether) {
+  const Outcome cube = run("unfold " + facets("cube_unwelded_triangles") + " " + path("c.pdf") + " --json");
+  ASSERT_EQ(cube.exit_code, 0) << cube.error;
+  EXPECT_EQ(cube.json()["components"], 1);
+  EXPECT_EQ(cube.json()["pieces"], 1);
+  EXPECT_EQ(cube.json()["joints"], 7);
+  EXPECT_EQ(cube.json()["overlaps"], 0);
+}
+
+TEST_F(Unfold, FacetsLargerThanThePageAreCutOrTheModelFits) {
+  const Outcome cut = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 400 --json");
+  ASSERT_EQ(cut.exit_code, 0) << cut.error;
+  EXPECT_NE(cut.error.find("6 facets are larger than the page"), std::string::npos) << cut.error;
+  EXPECT_GT(cut.json()["facets"], 6);
+  EXPECT_EQ(cut.json()["overlaps"], 0);
+  EXPECT_NEAR(cut.json()["scale"].get<double>(), 200, 1e-9);
+  // One file a page.
+  const int pages = cut.json()["pages"];
+  EXPECT_TRUE(std::filesystem::exists(path("c.svg")));
+  for (int page = 2; page <= pages; ++page)
+    EXPECT_TRUE(std::filesystem::exists(path("c-" + std::to_string(page) + ".svg"))) << page;
+  EXPECT_FALSE(std::filesystem::exists(path("c-" + std::to_string(pages + 1) + ".svg")));
+
+  const Outcome fit = run("unfold " + golden("cube.obj") + " " + path("f.svg") + " --fit --json");
+  ASSERT_EQ(fit.exit_code, 0) << fit.error;
+  EXPECT_EQ(fit.json()["facets"], 6);
+  // A4 less margins and tabs is 180 mm wide.
+  EXPECT_NEAR(2 * fit.json()["scale"].get<double>(), 180, 2);
+  EXPECT_EQ(run("unfold " + golden("cube.obj") + " " + path("f.svg") + " --fit --height 3").exit_code, 2);
+}
+
+TEST_F(Unfold, SizesThatAreHardlyMeantAreTold) {
+  const Outcome small = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 9");
+  EXPECT_EQ(small.exit_code, 0) << small.error;
+  EXPECT_NE(small.error.find("9.00 mm small"), std::string::npos) << small.error;
+  const Outcome large =
+      run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 2100 --page 3000x3000");
+  EXPECT_EQ(large.exit_code, 0) << large.error;
+  EXPECT_NE(large.error.find("2.10 m large"), std::string::npos) << large.error;
+  const Outcome usual = run("unfold " + golden("cube.obj") + " " + path("c.svg") + " --height 60");
+  EXPECT_EQ(usual.error, "");
+}
+
+TEST_F(Unfold, NoTabIsLowerThanTheLeastHeight) {
+  const std::string wave =
+      "unfold " + facets("wave_opt") + " " + path("w.json") + " --steps 0 --width 120 --json";
+  const Outcome few = run(wave + " --least-tab 4"), some = run(wave), all = run(wave + " --least-tab 0");
+  ASSERT_EQ(few.exit_code, 0) << few.error;
+  EXPECT_LT(few.json()["tabs"], some.json()["tabs"]);
+  EXPECT_LT(some.json()["tabs"], all.json()["tabs"]);
+  for (const Outcome* outcome : {&few, &some, &all})
+    EXPECT_EQ(outcome->json()["joints"],
+              outcome->json()["tabs"].get<int>() + outcome->json()["strips"].get<int>());
+}
+
+TEST_F(Unfold, TooManyPagesAndWrongUsageAreRefused) {
+  const Outcome large =
+      run("unfold " + facets("wave_opt") + " " + path("o.svg") + " --width 90000 --steps 0");
   EXPECT_EQ(large.exit_code, 1);
-  EXPECT_NE(large.error.find("does not fit on the page at this scale"), std::string::npos) << large.error;
+  EXPECT_NE(large.error.find("more than 2000 pages"), std::string::npos) << large.error;
   for (const std::string wrong : {"o.bmp", "o.svg --page B9", "o.svg --distance 0", "o.svg --goal none",
                                   "o.svg --height 10 --width 10", "o.svg --height -3"})
     EXPECT_EQ(run("unfold " + facets("wave_opt") + " " + wrong).exit_code, 2) << wrong;

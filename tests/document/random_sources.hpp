@@ -82,6 +82,7 @@ inline SkinSection any_section(std::mt19937_64& rng, std::uint32_t id) {
   section.v = uniform(rng, 0, 1);
   section.closed = chance(rng, 0.5);
   section.direction_chosen = chance(rng, 0.3);
+  section.start_chosen = chance(rng, 0.3);
   if (chance(rng, 0.3)) section.reference = random_vector(rng);
   std::uint32_t point = 100 * id;
   for (const Vector3& position : any_points(rng, 8))

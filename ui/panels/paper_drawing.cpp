@@ -94,7 +94,10 @@ class Artist {
     if (layout_.overlapping[each.facet]) fill3(p, with_alpha(wrong_red, 0.55F));
     if (off) fill3(p, with_alpha(wrong_red, 0.22F));
     if (selected) fill3(p, with_alpha(hover_blue, 0.16F));
-    if (each.facet == state_.hovered.facet && state_.hovered.joint == no_index)
+    const FacetGraph& graph = *layout_.unfolding.graph;
+    const Index hovered = state_.hovered.facet;
+    if (hovered < graph.facet_count() && graph.face(each.facet) == graph.face(hovered) &&
+        state_.hovered.joint == no_index)
       fill3(p, with_alpha(hover_blue, 0.28F));
   }
   /// Without ImGui's soft edges, which would show between neighbours.

@@ -229,7 +229,7 @@ PaperHover PaperPanel::under(const PaperLayout& layout, const Vector2& pixel, do
     if (inside) out.facet = facet.facet;
     for (Index side = 0; side < 3; ++side) {
       const Index edge = u.graph->edge_at(facet.facet, side);
-      if (u.graph->edge(edge).border()) continue;
+      if (u.graph->edge(edge).border() || u.graph->edge(edge).inner) continue;
       const double distance = distance_to(facet.corners[side], facet.corners[(side + 1) % 3], p);
       if (distance >= nearest) continue;
       nearest = distance;
@@ -418,7 +418,7 @@ void PaperPanel::mark(Marks& marks, const PaperLayout& layout, const PanelRect& 
   if (u.graph->edge_count() > most_edges) return;
   for (Index e = 0; e < u.graph->edge_count(); ++e) {
     const FacetEdge& edge = u.graph->edge(e);
-    if (edge.border()) continue;
+    if (edge.border() || edge.inner) continue;
     const FacetCorners& corners = u.corners[edge.facets[0]];
     const Vector2 middle = 0.5 * (corners[edge.sides[0]] + corners[(edge.sides[0] + 1) % 3]);
     point((u.folds[e] ? "paper.folded." : "paper.cut.") + std::to_string(e), u.page_of(edge.facets[0]),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/unfolding/cut_large_faces.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/value_fields.hpp"
 #include "ui/paper_edits.hpp"
@@ -45,7 +46,7 @@ constexpr std::array goal_choices{
 };
 constexpr std::array facet_choices{
     Choice{"Surfaces", "Surfaces cut into triangles within the tolerance"},
-    Choice{"Polyhedra", "The faces of polyhedra as they are: they must be triangles"},
+    Choice{"Polyhedra", "The faces of polyhedra as they are: flat ones stay whole"},
 };
 constexpr std::array side_choices{
     Choice{"Outside", "What is printed is seen on the finished model"},
@@ -160,6 +161,11 @@ void page_rows(PanelContext& context) {
               translatable("Height of tabs"), millimetres(1, 20, 5)},
              [](PaperModel& paper) -> double& { return paper.settings.tab_height; });
   number_row(context,
+             {"paper_least_tab", translatable("Least tab"),
+              translatable("Where there is no room for a tab of this height there is a strip"),
+              translatable("Least height of tabs"), millimetres(0, 20, 2)},
+             [](PaperModel& paper) -> double& { return paper.settings.least_tab; });
+  number_row(context,
              {"paper_strip", translatable("Strips"),
               translatable("Width of joint strips, where a slit has no room for tabs"),
               translatable("Width of strips"), millimetres(2, 60, 8)},
@@ -245,23 +251,25 @@ void result_rows(PanelContext& context) {
   const std::size_t strips = strip_count(u);
   const auto count = [](std::size_t n) { return std::to_string(n); };
   text_in_lines(fill(tr("facets: {0}   pieces: {1}   pages: {2}"),
-                     {count(u.graph->facet_count()), count(u.pieces.size()), count(u.page_count)}));
+                     {count(u.graph->face_count()), count(u.pieces.size()), count(u.page_count)}));
   text_in_lines(fill(tr("tabs: {0}   strips: {1}   paper used: {2} %"),
                      {count(u.joints.size() - strips), count(strips),
                       count(static_cast<std::size_t>(std::lround(100 * paper_use(u))))}));
-  bool large = false;
+  bool large = false, cut = false;
   for (const Message& message : layout->messages) {
     const TextColour colour(message.severity == Severity::error ? palette().error : palette().warning);
     text_in_lines(tr.text_of(message));
     large = large || message.code == e_piece_too_large;
+    cut = cut || message.code == w_facet_cut;
   }
-  if (!large) return;
+  if (!large && !cut) return;
   const double percent = std::floor(1000 * 0.998 * layout->fitting) / 10;
   if (ImGui::Button(
           (fill(tr("Scale to {0} %"), {format_quantity(plain_quantity(1, 1), percent)}) + "##fit").c_str(),
           {-1, 0}))
     context.run("paper.scale_to_fit");
   context.marks.item("paper.scale_to_fit");
+  if (!large) return;
   if (ImGui::Button(tr("Split what is too large"), {-1, 0})) context.run("paper.split_to_fit");
   context.marks.item("paper.split_to_fit");
 }

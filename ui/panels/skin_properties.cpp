@@ -203,7 +203,15 @@ void point_section(PanelContext& context, const Object& object) {
                                 "The section has a corner here, and the surface a crease", sharp))
     commit_skin(context.editor, object.id, set_sharp(skin, with_mirrored(skin, ids), *on),
                 *on ? "Corner" : "Smooth point");
-  if (!selected_section(context.editor)) return;
+  const SkinSection* section = selected_section(context.editor);
+  if (!section) return;
+  if (section->closed && section->size() > 2)
+    if (const auto on = check_row(context, "skin_start", "Own start",
+                                  "The first point belongs to the first point of the section before; "
+                                  "otherwise the section begins where the two are nearest",
+                                  section->start_chosen))
+      commit_skin(context.editor, object.id, set_start_chosen(skin, section->id, *on),
+                  *on ? "Own start of the section" : "Nearest start of the section");
   if (button(context, "skin_turn", "Turn section round", "Swaps the ends of the section."))
     context.run("skin.flip_section");
 }

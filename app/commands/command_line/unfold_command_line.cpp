@@ -38,7 +38,7 @@ std::optional<PaperSize> parse_paper(std::string text) {
 void UnfoldCommandLine::add_to(CLI::App& app) {
   PaperSettings& settings = arguments_.settings;
   command_ = app.add_subcommand("unfold", "Makes a paper model: pages to print, cut out and glue");
-  command_->add_option("FILE", file_, "Mesh of triangles, or document")->required();
+  command_->add_option("FILE", file_, "Mesh or document")->required();
   command_->add_option("OUT", outs_, "Files to write: *.pdf, *.svg, *.dxf, *.png, *.json")->required();
   command_->add_option("--page", page_, "A4, A3, Letter, or WxH in mm")->capture_default_str();
   command_->add_option("--margin", settings.margin, "Round each page, mm")->capture_default_str();
@@ -48,6 +48,12 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   auto* depth = command_->add_option("--depth", depth_, "Of the model (y), mm")->check(CLI::PositiveNumber);
   height->excludes(width)->excludes(depth);
   width->excludes(depth);
+  command_
+      ->add_flag("--fit", arguments_.fit,
+                 "The largest model of which no facet is larger than the page (otherwise such are cut)")
+      ->excludes(height)
+      ->excludes(width)
+      ->excludes(depth);
   command_->add_option("--goal", goal_, "What matters most")
       ->check(CLI::IsMember({"fewest", "balanced", "easiest"}))
       ->capture_default_str();
@@ -64,6 +70,10 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   command_->add_option("--merge", merge_degrees_, "Facets that fold less than this are one polygon, degrees")
       ->check(CLI::Range(0.0, 180.0));
   command_->add_option("--tab", settings.tab_height, "Height of glue tabs, mm")->capture_default_str();
+  command_
+      ->add_option("--least-tab", settings.least_tab,
+                   "Where there is no room for a tab of this height there is a strip, mm")
+      ->capture_default_str();
   command_->add_flag("--fold-angles", settings.fold_angles, "Write the angle beside each fold");
   command_
       ->add_option("--distance", distance_,
