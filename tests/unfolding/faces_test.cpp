@@ -180,7 +180,7 @@ TEST(JoinCorners, SolidsThatTouchStayTwo) {
 }
 
 TEST(CutLargeFaces, EveryPartFitsThePageAndNothingIsLost) {
-  for_random(3103, 30, [](std::mt19937_64& rng) {
+  for_random(3103, 5, [](std::mt19937_64& rng) {
     PolygonMesh mesh = box(Vector3(uniform(rng, 50, 700), uniform(rng, 50, 700), uniform(rng, 50, 700)));
     if (chance(rng, 0.3)) {
       mesh = icosphere(0);
