@@ -108,9 +108,9 @@ class GltfReader {
   bool visit(std::uint64_t root);
   Placement placement_of(const Json& node, const std::string& place);
   bool add_node(std::uint64_t number);
-  bool add_mesh(std::uint64_t number, const Placement& placement, const std::string& name);
+  bool add_mesh(std::uint64_t number, const Json& node, const Placement& placement, const std::string& name);
   bool add_skinned(std::uint64_t mesh, const Json& node, std::uint64_t skin, const std::string& name);
-  std::vector<double> weights_of(const Json* node, const Json& mesh, const std::string& place);
+  std::vector<double> weights_of(const Json& node, const Json& mesh, const std::string& place);
   PolygonMesh read_mesh(const Json& mesh, const std::string& place, const std::vector<double>& weights,
                         const GltfSkin* skin);
   bool add_primitive(const Json& primitive, const std::string& place, const std::vector<double>& weights,
@@ -265,28 +265,30 @@ bool GltfReader::add_node(std::uint64_t number) {
   const Placement& at = places_.at(number);
   const Json* extensions = find(node, "extensions");
   const Json* instances = extensions ? find(*extensions, instancing) : nullptr;
-  if (!instances) return add_mesh(*mesh, at, name);
+  if (!instances) return add_mesh(*mesh, node, at, name);
   const auto copies = gltf_instances(*instances, place, *buffers_, fields_, collector_);
   if (!copies) return false;
   for (const Placement& copy : *copies)
-    if (!add_mesh(*mesh, at.after(copy), name)) return false;
+    if (!add_mesh(*mesh, node, at.after(copy), name)) return false;
   return true;
 }
 
-bool GltfReader::add_mesh(std::uint64_t number, const Placement& placement, const std::string& name) {
+bool GltfReader::add_mesh(std::uint64_t number, const Json& node, const Placement& placement,
+                          const std::string& name) {
   const Json* mesh = fields_.entry(root_, "meshes", number);
   if (!mesh) return false;
   const std::string own = text_of(*mesh, "name");
   PolygonMesh polygons;
-  if (const auto kept = kept_.find(number); kept != kept_.end()) {
+  const bool own_shape = find(node, "weights");  // of its shape keys
+  if (const auto kept = kept_.find(number); kept != kept_.end() && !own_shape) {
     polygons = kept->second;
     if (const auto error = collector_.reserve(polygons.positions.size(), polygons.face_vertices.size()))
       return fields_.fail(*error);
   } else {
     const std::string place = numbered("meshes", number);
-    polygons = read_mesh(*mesh, place, weights_of(nullptr, *mesh, place), nullptr);
+    polygons = read_mesh(*mesh, place, weights_of(node, *mesh, place), nullptr);
     if (fields_.error()) return false;
-    if (uses_[number] > 1) kept_.emplace(number, polygons);
+    if (uses_[number] > 1 && !own_shape) kept_.emplace(number, polygons);
   }
   if (const auto error = collector_.add(std::move(polygons), placement, name.empty() ? own : name))
     return fields_.fail(*error);
@@ -303,7 +305,7 @@ bool GltfReader::add_skinned(std::uint64_t number, const Json& node, std::uint64
       gltf_skin(*skin, numbered("skins", skin_number), places_, *buffers_, fields_, collector_);
   if (!bones) return false;
   const std::string place = numbered("meshes", number);
-  PolygonMesh polygons = read_mesh(*mesh, place, weights_of(&node, *mesh, place), &*bones);
+  PolygonMesh polygons = read_mesh(*mesh, place, weights_of(node, *mesh, place), &*bones);
   if (fields_.error()) return false;
   if (bones->mirrors()) turn_over(polygons);
   if (const auto error =
@@ -313,8 +315,8 @@ bool GltfReader::add_skinned(std::uint64_t number, const Json& node, std::uint64
 }
 
 /// Shares of the shape keys at rest: the node's, else the mesh's.
-std::vector<double> GltfReader::weights_of(const Json* node, const Json& mesh, const std::string& place) {
-  const Json& owner = node && find(*node, "weights") ? *node : mesh;
+std::vector<double> GltfReader::weights_of(const Json& node, const Json& mesh, const std::string& place) {
+  const Json& owner = find(node, "weights") ? node : mesh;
   return fields_.reals(owner, "weights", size_of(owner, "weights"), place);
 }
 

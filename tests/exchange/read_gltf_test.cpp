@@ -446,6 +446,9 @@ TEST(ReadGltf, ShapeKeysCountWithTheirWeightsAtRest) {
   const auto read = read_gltf(keyed);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_NEAR(test::volume_of(read->parts.at(0).mesh), 1e9 / 6 * 1.5 * 1.5 * 1.5, 1);
+  const auto own = read_gltf(with(keyed, "\"mesh\": 0", "\"mesh\": 0, \"weights\": [1]"));
+  ASSERT_TRUE(own.ok()) << to_string(own.error());
+  EXPECT_NEAR(test::volume_of(own->parts.at(0).mesh), 1e9 / 6 * 8, 1) << "the node's own";
   ASSERT_EQ(read->warnings.size(), 1U);
   EXPECT_EQ(read->warnings[0].code, w_left_out);
 }
