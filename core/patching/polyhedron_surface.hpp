@@ -34,7 +34,8 @@ struct SolveReport {
 /// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where
 /// vertices moved by shares of one common displacement since the last `final` result, it differs from `final`
 /// by less than 1e-6 of the displacement (mode G2: 1e-9 of the object's size, with a reference as it was) and
-/// touches only the patches that feel it.
+/// touches only the patches that feel it. Frames by measure that rest (see `frames`) add what they would have
+/// changed.
 enum class Quality { drag, final };
 
 /// Mode FAIR keeps a dense matrix of (4n)^2 numbers for an n-sided face; more sides than this are refused.
@@ -54,8 +55,8 @@ struct PolyhedronSurfaceInput {
   /// Mode G2: measure bending over the surface of mode FAIR (g2.md section 8). Done anyway where some alpha
   /// is above zero. While dragging, the reference is that of the last `final` result.
   bool round = false;
-  /// Modes TARGET and FAIR; the others keep equal frames. While dragging, frames by measure are those of the
-  /// last `final` result.
+  /// Modes TARGET and FAIR; the others keep equal frames. While a large object is dragged, frames by measure
+  /// are those of the last `final` result.
   Frames frames = Frames::equal;
 };
 
