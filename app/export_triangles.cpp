@@ -102,7 +102,7 @@ Result<ExportCount> count_triangles(const Document& document, const std::filesys
   if (!checked.ok()) return checked.error();
   ExportCount count;
   for (std::size_t i = 0; i < named.size(); ++i) {
-    count.triangles += named[i].mesh->triangles.size() - checked->rounding[i].collapsed;
+    count.triangles += named[i].mesh->triangles.size() - checked->rounding[i].left_out;
     count.rounding = std::max(count.rounding, checked->rounding[i].distance);
   }
   count.certain = true;
@@ -130,7 +130,7 @@ Result<ExportReport> export_triangles(const Document& document, const std::files
   auto written = write_mesh_file(path, named, write_options(document, settings.choices, cancel));
   if (!written.ok()) return written.error();
   ExportReport report = report_of(named, settings.choices.scale, path);
-  for (const FileRounding& rounding : written->rounding) report.triangles -= rounding.collapsed;
+  for (const FileRounding& rounding : written->rounding) report.triangles -= rounding.left_out;
   report.moved = written->moved;
   report.warnings = left_out_of_triangles(document);
   const std::vector<Message>& own = written->warnings;

@@ -84,7 +84,7 @@ std::string report_json(const std::vector<MeshedObject>& objects, const WrittenM
                         double meshing, double writing) {
   std::size_t facets = 0;
   for (const MeshedObject& object : objects) facets += object.result.mesh.triangles.size();
-  for (const FileRounding& rounding : written.rounding) facets -= rounding.collapsed;
+  for (const FileRounding& rounding : written.rounding) facets -= rounding.left_out;
   double farthest = 0;
   for (const FileRounding& rounding : written.rounding) farthest = std::max(farthest, rounding.distance);
   JsonWriter json(2);

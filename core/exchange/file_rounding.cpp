@@ -25,19 +25,34 @@ constexpr const char* way_out =
     "PLY, "
     "3MF or glTF.";
 
+/// Positions as they are in the file, relative to the origin as they were.
+std::vector<Vector3> rounded_positions(const std::vector<Vector3>& positions, const Vector3& origin,
+                                       const FileNumbers& numbers) {
+  // The origin of local floats is written as it is.
+  const Vector3 from = numbers.kind == FileNumbers::Kind::floats ? origin : Vector3(Vector3::Zero());
+  std::vector<Vector3> out;
+  out.reserve(positions.size());
+  for (const Vector3& position : positions) {
+    const Vector3 whole = from + position;
+    out.push_back(whole.unaryExpr([&](double x) { return numbers.rounded(x); }) - from);
+  }
+  return out;
+}
+
+/// Two corners of the facet become the same.
+bool collapses(const std::vector<Vector3>& rounded, const std::vector<Vector3>& positions, Index a, Index b) {
+  return rounded[a] == rounded[b] && positions[a] != positions[b];
+}
+bool collapses(const std::vector<Vector3>& rounded, const std::vector<Vector3>& positions, Index a, Index b,
+               Index c) {
+  return collapses(rounded, positions, a, b) || collapses(rounded, positions, b, c) ||
+         collapses(rounded, positions, c, a);
+}
+
 class Measure {
  public:
   Measure(const std::vector<Vector3>& positions, const Vector3& origin, const FileNumbers& numbers)
-      : positions_(positions), origin_(origin), numbers_(numbers) {
-    // The origin of local floats is written as it is.
-    const bool absolute = numbers.kind == FileNumbers::Kind::floats;
-    rounded_.reserve(positions.size());
-    for (const Vector3& position : positions) {
-      const Vector3 whole = absolute ? Vector3(origin + position) : position;
-      rounded_.push_back(whole.unaryExpr([&](double x) { return numbers_.rounded(x); }));
-      if (absolute) rounded_.back() -= origin;
-    }
-  }
+      : positions_(positions), rounded_(rounded_positions(positions, origin, numbers)) {}
 
   void take(Index a, Index b, Index c) {
     const std::array corners{a, b, c};
@@ -52,6 +67,7 @@ class Measure {
     const double longest = std::max({(positions_[b] - positions_[a]).squaredNorm(),
                                      (positions_[c] - positions_[b]).squaredNorm(),
                                      (positions_[a] - positions_[c]).squaredNorm()});
+    if (collapses(rounded_, positions_, a, b, c)) ++out_.left_out;
     if (!(was.norm() > needle * longest)) return;
     if (!(is.norm() > 0))
       ++out_.collapsed;
@@ -66,9 +82,7 @@ class Measure {
 
  private:
   const std::vector<Vector3>& positions_;
-  const Vector3 origin_;
-  const FileNumbers numbers_;
-  std::vector<Vector3> rounded_;  ///< relative to the origin as the positions are
+  const std::vector<Vector3> rounded_;
   Eigen::AlignedBox3d box_;
   FileRounding out_;
 };
@@ -104,6 +118,20 @@ FileRounding rounding_of(const PolygonMesh& mesh, const FileNumbers& numbers) {
     for (std::size_t k = 2; k < face.size(); ++k) measure.take(face[0], face[k - 1], face[k]);
   }
   return measure.done();
+}
+
+TriangleMesh without_collapsed(const TriangleMesh& mesh, const FileNumbers& numbers) {
+  const std::vector<Vector3> rounded = rounded_positions(mesh.positions, mesh.origin, numbers);
+  TriangleMesh out = mesh;
+  out.triangles.clear();
+  out.normal_triangles.clear();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (collapses(rounded, mesh.positions, a, b, c)) continue;
+    out.triangles.push_back(mesh.triangles[t]);
+    if (!mesh.normal_triangles.empty()) out.normal_triangles.push_back(mesh.normal_triangles[t]);
+  }
+  return out;
 }
 
 double largest_rounding(const Eigen::AlignedBox3d& box, const FileNumbers& numbers) {

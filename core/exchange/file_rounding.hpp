@@ -36,12 +36,17 @@ struct FileRounding {
   double distance = 0;        ///< farthest that a vertex moves, in the unit of the mesh
   double turn = 0;            ///< largest angle that a facet turns by, radians; collapsed ones apart
   std::size_t collapsed = 0;  ///< facets with an area that have none any more
+  std::size_t left_out = 0;   ///< those of them that two corners of become the same, which are not written
   double size = 0;            ///< diagonal of the mesh's box
 };
 
 /// Takes all vertices that facets have. O(size).
 FileRounding rounding_of(const TriangleMesh& mesh, const FileNumbers& numbers);
 FileRounding rounding_of(const PolygonMesh& mesh, const FileNumbers& numbers);
+
+/// The mesh without facets two corners of which the numbers make the same although they are not: neighbours
+/// meet where they were, so what is closed stays closed. O(size).
+TriangleMesh without_collapsed(const TriangleMesh& mesh, const FileNumbers& numbers);
 
 /// The farthest that any point of the box can move; for local floats any point of a mesh that is as large.
 double largest_rounding(const Eigen::AlignedBox3d& box, const FileNumbers& numbers);

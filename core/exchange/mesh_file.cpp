@@ -115,13 +115,15 @@ Result<Prepared<Mesh>> prepare(const std::filesystem::path& path, std::span<cons
       mesh.mesh = &out.moved.emplace_back(in_space(plan.space, *mesh.mesh, out.report.moved));
   FileNumbers numbers = file_numbers(path, options);
   numbers.scale /= plan.space.factor;
-  for (const Mesh& mesh : out.named) {
+  for (Mesh& mesh : out.named) {
     FileRounding rounding = rounding_of(*mesh.mesh, numbers);
     rounding.distance /= plan.space.factor;
     rounding.size /= plan.space.factor;
     const double* allowed = mesh.most_rounding ? &*mesh.most_rounding : nullptr;
     if (ruins(rounding, allowed)) return digits_error(rounding, mesh.name);
     if (coarse(rounding, allowed)) out.report.warnings.push_back(digits_warning(rounding, mesh.name));
+    if constexpr (std::is_same_v<Mesh, NamedTriangles>)
+      if (rounding.left_out > 0) mesh.mesh = &out.moved.emplace_back(without_collapsed(*mesh.mesh, numbers));
     out.report.rounding.push_back(rounding);
   }
   return out;

@@ -48,10 +48,9 @@ std::string write_ply(std::span<const NamedTriangles> meshes, MeshEncoding encod
 std::string write_ply(std::span<const NamedPolygons> meshes, MeshEncoding encoding);
 
 /// STL: binary with all meshes as one, text with a solid for each. Equal positions stay equal when rounded to
-/// float, so closed meshes stay closed; triangles
-/// two corners of which become the same are left out; polygons are triangulated. Text has the floats that
-/// binary has, as the shortest text that reads back as the same. Fails with E_LIMIT beyond the range of
-/// floats, binary also above 2^32 - 1 triangles. O(size).
+/// float, so closed meshes stay closed; polygons are triangulated. Text has the floats that binary has, as
+/// the shortest text that reads back as the same. Fails with E_LIMIT beyond the range of floats, binary also
+/// above 2^32 - 1 triangles. O(size).
 Result<std::string> write_stl(std::span<const NamedTriangles> meshes,
                               MeshEncoding encoding = MeshEncoding::binary);
 Result<std::string> write_stl(std::span<const NamedPolygons> meshes,

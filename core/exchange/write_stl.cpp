@@ -80,8 +80,6 @@ class StlWriter {
     const Facet facet{normal.cast<float>(), (origin + a).cast<float>(), (origin + b).cast<float>(),
                       (origin + c).cast<float>()};
     for (const Eigen::Vector3f& vector : facet) in_range_ = in_range_ && vector.allFinite();
-    // Its neighbours at the other sides meet where it was.
-    if (facet[1] == facet[2] || facet[2] == facet[3] || facet[3] == facet[1]) return;
     ascii_ ? append_ascii(out_, facet) : append_binary(out_, facet);
     ++count_;
   }

@@ -35,7 +35,7 @@ double farthest(const ImportedMesh& file, const TriangleMesh& mesh, const Vector
 TEST(FileRounding, WhatIsReportedIsTrueOfTheFile) {
   const test::TemporaryFolder folder;
   for (const double scale : {1e-3, 1.0, 1e6})
-    for (const double away : {0.0, 3.3, 4321.1})
+    for (const double away : {0.0, 3.3, 321.1})
       for (const MeshEncoding encoding : {MeshEncoding::binary, MeshEncoding::ascii})
         for (const char* name : {"a.stl", "a.obj", "a.glb", "a.ply"}) {
           SCOPED_TRACE(std::string(name) + " " + std::to_string(scale) + " " + std::to_string(away));
@@ -48,7 +48,9 @@ TEST(FileRounding, WhatIsReportedIsTrueOfTheFile) {
           auto file = read_mesh_file(folder.path() / name);
           ASSERT_TRUE(file.ok());
           const double is = farthest(*file, mesh, Vector3::Zero());
-          EXPECT_NEAR(said, is, 1e-9 * scale + 1e-3 * is + 1e-15 * scale * away);
+          // Text is read as doubles, which may be nearer than the floats that it stands for.
+          EXPECT_LE(is, said * 1.001 + 1e-15 * scale * (1 + away));
+          if (encoding == MeshEncoding::binary) EXPECT_GE(is, said * 0.999 - 1e-15 * scale * (1 + away));
           if (std::string(name) == "a.obj" || std::string(name) == "a.ply") EXPECT_EQ(said, 0);
           const Eigen::AlignedBox3d box(mesh.origin, Vector3(mesh.origin + Vector3::Constant(0.7 * scale)));
           EXPECT_LE(said, largest_rounding(box, file_numbers(folder.path() / name, {})));
@@ -82,7 +84,7 @@ TEST(FileRounding, WhatRuinsAShapeIsAnErrorWithTheWayOut) {
 
 TEST(FileRounding, APromisedDistanceDecides) {
   const test::TemporaryFolder folder;
-  const TriangleMesh mesh = corner({1000.3, 0, 0}, 10);  // floats are 6e-5 apart there
+  const TriangleMesh mesh = corner({4000.3, 0, 0}, 10);  // floats are 2.4e-4 apart there
   NamedTriangles named{"a", &mesh, usual_mesh_colour, 1e-3};
   EXPECT_TRUE(write_mesh_file(folder.path() / "a.stl", std::span(&named, 1)).ok());
   named.most_rounding = 1e-7;
@@ -109,6 +111,7 @@ TEST(FileRounding, FacetsThatAreTooSmallAreLeftOutWithACountAndNoHole) {
   const auto written = write_mesh_file(folder.path() / "a.stl", std::span(&named, 1));
   ASSERT_TRUE(written.ok()) << to_string(written.error());
   EXPECT_EQ(written->rounding[0].collapsed, 2U);
+  EXPECT_EQ(written->rounding[0].left_out, 2U);
   ASSERT_EQ(written->warnings.size(), 1U);
   EXPECT_NE(written->warnings[0].text.find("2 facets"), std::string::npos) << written->warnings[0].text;
   const auto read = read_mesh_file(folder.path() / "a.stl");
