@@ -17,6 +17,8 @@ namespace hariko {
 
 namespace {
 
+constexpr int most_halvings = 64;  ///< far more than `most_pages` allows
+
 using Corners = std::vector<Index>;
 using Side = std::pair<Index, Index>;
 
@@ -85,7 +87,7 @@ class FaceCutter {
   CutFaces cut() {
     // Parts come behind, and are looked at in their turn.
     for (std::size_t f = 0; f < faces_.size(); ++f)
-      while (!fits(f)) divide(f);
+      for (int halvings = 0; halvings < most_halvings && !fits(f); ++halvings) divide(f);
     CutFaces out;
     std::vector<Index> parts;
     for (const std::size_t face : origin_) {
