@@ -14,7 +14,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double per_radian = 180 / std::numbers::pi;
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 constexpr std::array mode_choices{
     Choice{"Curvature",
@@ -167,7 +167,7 @@ void tilt_row(PanelContext& context, const Object& object, const std::set<Index>
   std::optional<double> value;
   bool same = true;
   for (const Index number : points) {
-    const double tilt = tilt_of(outline, axis, outline_point(outline, number)) * per_radian;
+    const double tilt = tilt_of(outline, axis, outline_point(outline, number)) * degrees_per_radian;
     same = same && (!value || std::abs(*value - tilt) < 0.05);
     value = value.value_or(tilt);
   }
@@ -184,8 +184,8 @@ void tilt_row(PanelContext& context, const Object& object, const std::set<Index>
               return edit_outline(document, id, [&](const Outline& old) -> Result<Outline> {
                 Outline out = old;
                 for (const Index number : points) {
-                  const double before = tilt_of(old, axis, outline_point(old, number)) * per_radian;
-                  out = tilted(out, {number}, (change.apply(angle, before) - before) / per_radian);
+                  const double before = tilt_of(old, axis, outline_point(old, number)) * degrees_per_radian;
+                  out = tilted(out, {number}, (change.apply(angle, before) - before) / degrees_per_radian);
                 }
                 return out;
               });
