@@ -36,7 +36,10 @@ TEST(FileWork, ACancelledExportLeavesTheOldFileOrNone) {
         const Progress progress = Progress::make();
         if (at < 0) cancel.cancel();
         Result<Done> result = Done{};
-        std::thread worker([&] { result = export_surfaces(document, file, 64, {}, cancel, progress); });
+        std::thread worker([&] {
+          const auto written = export_surfaces(document, file, 64, {}, cancel, progress);
+          if (!written.ok()) result = written.error();
+        });
         while (at >= 0 && progress.fraction() < at) std::this_thread::yield();
         cancel.cancel();
         worker.join();
