@@ -7,7 +7,7 @@
 namespace hariko::test {
 namespace {
 
-std::string case_file(const std::string& name) {
+std::string import_case(const std::string& name) {
   return "'" + source_folder() + "/tests/exchange/fixtures/cases/" + name + "'";
 }
 
@@ -62,7 +62,7 @@ TEST_F(ImportTest, NearCornersAreJoinedWhereItIsAskedFor) {
 }
 
 TEST_F(ImportTest, TrianglesWithoutAreaAlongAnEdgeAreDroppedWithACount) {
-  const std::string stl = case_file("stl_one_flat_triangle.stl");
+  const std::string stl = import_case("stl_one_flat_triangle.stl");
   const Outcome done = run("export " + stl + " " + path("o.stl"));
   EXPECT_EQ(done.exit_code, 0) << done.error;
   EXPECT_NE(done.error.find("W_FLAT_TRIANGLES: 1 flat triangle along an edge"), std::string::npos)
@@ -101,7 +101,7 @@ TEST_F(ImportTest, BrokenMeshesAreRepairedOrKeptAsFacetsWhereItIsAskedFor) {
 }
 
 TEST_F(ImportTest, CreaseTagsOfObjAreCreases) {
-  const Json creased = run("info --json " + case_file("obj_crease_tags.obj")).object();
+  const Json creased = run("info --json " + import_case("obj_crease_tags.obj")).object();
   std::string plain = read_text(source_folder() + "/tests/exchange/fixtures/cases/obj_crease_tags.obj");
   plain.resize(plain.find("t crease"));
   write_text(path("plain.obj"), plain);
@@ -109,7 +109,7 @@ TEST_F(ImportTest, CreaseTagsOfObjAreCreases) {
   EXPECT_TRUE(codes_of(creased).empty()) << creased;
   EXPECT_GT(std::abs(creased["area"].get<double>() - round["area"].get<double>()), 1);
   // The sharp upper rim is flat and no farther out than its corners.
-  EXPECT_EQ(run("export " + case_file("obj_crease_tags.obj") + " " + path("o.obj")).exit_code, 0);
+  EXPECT_EQ(run("export " + import_case("obj_crease_tags.obj") + " " + path("o.obj")).exit_code, 0);
 }
 
 TEST_F(ImportTest, ObjBezierSurfacesAreSurfaces) {

@@ -39,16 +39,21 @@ Document sample(const std::string& name) {
   return load_document(test::source_folder() + "/assets/samples/" + name + ".hariko").value();
 }
 
+/// Without what was reported.
+template <class Report>
+Result<Done> done(const Result<Report>& written) {
+  return written.ok() ? Result<Done>(Done{}) : Result<Done>(written.error());
+}
+
 std::vector<Kind> kinds() {
   std::vector<Kind> out;
   const auto document = std::make_shared<const Document>(one_patch());
   for (const char* ending : {".obj", ".off", ".ply", ".stl", ".3mf", ".glb", ".gltf"})
-    out.push_back({ending, [=](const fs::path& path) { return export_surfaces(*document, path, 3); }});
+    out.push_back({ending, [=](const fs::path& path) { return done(export_surfaces(*document, path, 3)); }});
   if (!why_no_cad_files())
     for (const char* ending : {".step", ".iges"})
-      out.push_back({ending, [=](const fs::path& path) -> Result<Done> {
-                       const auto done = export_cad(*document, path, {}, "2026-11-22T12:00:00");
-                       return done.ok() ? Result<Done>(Done{}) : Result<Done>(done.error());
+      out.push_back({ending, [=](const fs::path& path) {
+                       return done(export_cad(*document, path, {}, "2026-11-22T12:00:00"));
                      }});
   const auto skin = std::make_shared<const Document>(sample("skin_smooth"));
   out.push_back({" control.obj", [=](const fs::path& path) { return export_control_meshes(*skin, path); }});
