@@ -6,10 +6,6 @@
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
-#include <IGESData_IGESWriter.hxx>
-#include <IGESData_Protocol.hxx>
-#include <IGESSelect_WorkLibrary.hxx>
-#include <Interface_FloatWriter.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Writer.hxx>
@@ -90,13 +86,6 @@ Handle(TCollection_HAsciiString) text(const std::string& value) {
   return new TCollection_HAsciiString(value.c_str());
 }
 
-/// Numbers come back as they were but for a unit of their last place: the kernel's own 13 (STEP) and 11
-/// (IGES) digits leave gaps between the faces of what is far from zero.
-void take_all_digits(Interface_FloatWriter& numbers) {
-  numbers.SetFormat("%.15E");
-  numbers.SetZeroSuppress(true);
-}
-
 Result<std::string> step_text(const KernelDocument& document, const CadFileOptions& options) {
   Interface_Static::SetCVal("write.step.schema",
                             options.format == CadFormat::step_ap242 ? "AP242DIS" : "AP214IS");
@@ -116,7 +105,6 @@ Result<std::string> step_text(const KernelDocument& document, const CadFileOptio
   const Handle(StepData_Protocol) protocol =
       Handle(StepData_Protocol)::DownCast(writer.ChangeWriter().WS()->Protocol());
   StepData_StepWriter lines(model);
-  take_all_digits(lines.FloatWriter());
   lines.SendModel(protocol);
   std::ostringstream stream;
   if (!lines.Print(stream)) return not_written("the text of the STEP file could not be made");
@@ -142,11 +130,8 @@ Result<std::string> iges_text(const KernelDocument& document, const CadFileOptio
   global.SetLastChangeDate(text(time));
   global.SetFileName(text("hariko"));
   writer.Model()->SetGlobalSection(global);
-  IGESData_IGESWriter lines(writer.Model());
-  take_all_digits(lines.FloatWriter());
-  lines.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
   std::ostringstream stream;
-  if (!lines.Print(stream)) return not_written("the text of the IGES file could not be made");
+  if (!writer.Write(stream)) return not_written("the text of the IGES file could not be made");
   return std::move(stream).str();
 }
 
