@@ -8,7 +8,7 @@ namespace hariko::test {
 namespace {
 
 std::string import_case(const std::string& name) {
-  return "'" + source_folder() + "/tests/exchange/fixtures/cases/" + name + "'";
+  return "'" + source_folder() + "/tests/cases/" + name + "'";
 }
 
 std::set<std::string> codes_of(const Json& object) {
@@ -102,7 +102,7 @@ TEST_F(ImportTest, BrokenMeshesAreRepairedOrKeptAsFacetsWhereItIsAskedFor) {
 
 TEST_F(ImportTest, CreaseTagsOfObjAreCreases) {
   const Json creased = run("info --json " + import_case("obj_crease_tags.obj")).object();
-  std::string plain = read_text(source_folder() + "/tests/exchange/fixtures/cases/obj_crease_tags.obj");
+  std::string plain = read_text(source_folder() + "/tests/cases/obj_crease_tags.obj");
   plain.resize(plain.find("t crease"));
   write_text(path("plain.obj"), plain);
   const Json round = run("info --json " + path("plain.obj")).object();
