@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/analysis/measures.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
+#include "core/surface/weld_patches.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -118,6 +120,20 @@ CadPart only_part(const fs::path& path, std::size_t mixed_warnings) {
   return std::move(read).value().parts[0];
 }
 
+/// Every face is a whole spline, as the kernel's rounding has it at some scales: then the patches close.
+bool whole(const fs::path& path, double volume) {
+  const auto read = read_cad_file(path);
+  if (!read.ok() || read->parts.size() != 1 || read->parts[0].mesh.face_count() > 0) return false;
+  const auto surface = weld_patches(Vector3::Zero(), read->parts[0].patches);
+  if (!surface.ok()) {
+    ADD_FAILURE() << to_string(surface.error());
+    return true;
+  }
+  EXPECT_TRUE(surface->boundary_sides().empty()) << surface->boundary_sides().size() << " open sides";
+  EXPECT_NEAR(std::abs(measure(*surface).volume.value_or(0)), volume, 0.01 * volume);
+  return true;
+}
+
 TEST(MixedSolids, FacesThatShareCurvedEdgesShareTheirPoints) {
   const std::map<std::string, std::function<TopoDS_Shape()>> shapes{
       {"box with three fillets", [] { return filleted_box(false); }},
@@ -137,6 +153,7 @@ TEST(MixedSolids, FacesThatShareCurvedEdgesShareTheirPoints) {
         STEPControl_Writer writer;
         ASSERT_EQ(writer.Transfer(shape, STEPControl_AsIs), IFSelect_RetDone);
         ASSERT_EQ(writer.Write((folder.path() / "a.step").c_str()), IFSelect_RetDone);
+        if (splines && whole(folder.path() / "a.step", volume)) continue;
         const CadPart part = only_part(folder.path() / "a.step", splines ? 1 : 0);
         EXPECT_TRUE(part.patches.empty());
         EXPECT_EQ(part.also_exact.empty(), !splines);

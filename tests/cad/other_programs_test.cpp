@@ -79,7 +79,7 @@ TEST(OtherPrograms, TextBehindTheEndOfIgesIsNoReasonToRefuseIt) {
   const auto read = read_fixture("text_behind_end.igs");
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   ASSERT_EQ(read->parts.size(), 1U);
-  EXPECT_EQ(read->parts[0].patches.size(), 1U);
+  EXPECT_EQ(read->parts[0].patches.size(), 2U);
   ASSERT_EQ(read->warnings.size(), 1U);
   EXPECT_EQ(read->warnings[0].code, w_cad_behind);
 }

@@ -153,7 +153,7 @@ TEST(ReadStl, TruncationAtEveryByteIsHandled) {
       const auto read = read_stl(std::string(bytes, 0, size));
       if (!read.ok()) continue;
       // Text that ends behind a facet says so; a count tells what is missing.
-      EXPECT_EQ(bytes.find("facet"), 8U) << size;
+      EXPECT_NE(bytes.find("facet"), std::string::npos) << size;
       EXPECT_EQ(read->warnings.at(0).code, w_end_missing) << size;
     }
 }

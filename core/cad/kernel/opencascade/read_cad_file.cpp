@@ -4,6 +4,7 @@
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <Interface_Static.hxx>
@@ -38,6 +39,7 @@
 #include "core/cad/kernel/opencascade/sew_faces.hpp"
 #include "core/cad/kernel/opencascade/triangulated.hpp"
 #include "core/cad/kernel/opencascade/whole_splines.hpp"
+#include "core/surface/weld_patches.hpp"
 
 namespace hariko {
 
@@ -189,9 +191,8 @@ class SceneMaker {
     if (mixed_ > 0)
       out_.warnings.push_back(
           make_warning(w_cad_mixed,
-                       "Spline faces that share edges with faces of other kinds became facets with them, so "
-                       "that shapes stay "
-                       "closed (faces: " +
+                       "Spline faces that share edges with faces of other kinds, or meet others with other "
+                       "parameters, became facets, so that shapes stay closed (faces: " +
                            std::to_string(mixed_) + "). Their exact patches are in hidden objects.",
                        "Show the objects called \"(patches)\" to analyse them, or to export them for CAD."));
     if (out_.parts.empty()) return failed("The file holds no faces.");
@@ -222,7 +223,8 @@ class SceneMaker {
     BRep_Builder builder;
     builder.MakeCompound(others);
     bool empty = true;
-    const std::vector<bool> mixed = beside_others(leaf.shape, whole_faces(leaf.shape));
+    std::vector<bool> mixed = beside_others(leaf.shape, whole_faces(leaf.shape));
+    if (leaves_gaps(leaf.shape, mixed)) mixed.assign(mixed.size(), true);
     std::size_t own = 0;
     for (TopExp_Explorer face(leaf.shape, TopAbs_FACE); face.More(); face.Next(), ++face_, ++own) {
       if (face_ < splines_.size() && !splines_[face_].empty()) {
@@ -244,6 +246,22 @@ class SceneMaker {
       triangles_ += part.mesh.face_count();
     }
     if (!part.patches.empty() || part.mesh.face_count() > 0) out_.parts.push_back(std::move(part));
+  }
+
+  /// The next leaf is closed, but not by the patches of its splines alone: they meet with other parameters
+  /// along some edge.
+  bool leaves_gaps(const TopoDS_Shape& shape, const std::vector<bool>& mixed) const {
+    if (face_ + mixed.size() > splines_.size() || std::find(mixed.begin(), mixed.end(), true) != mixed.end())
+      return false;
+    TopExp_Explorer shell(shape, TopAbs_SHELL);
+    if (!shell.More() || TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SHELL).More()) return false;
+    for (; shell.More(); shell.Next())
+      if (!BRep_Tool::IsClosed(shell.Current())) return false;
+    std::vector<BezierPatch> patches;
+    for (std::size_t k = face_; k < face_ + mixed.size(); ++k)
+      patches.insert(patches.end(), splines_[k].begin(), splines_[k].end());
+    const auto welded = weld_patches(Vector3::Zero(), std::move(patches));
+    return !welded.ok() || !welded->boundary_sides().empty();
   }
 
   /// One flag a face of the leaf that comes next: it is a whole spline.
