@@ -54,6 +54,7 @@ void SkinJobs::make_section() {
         [this, object](const Result<SkinEdit>& edit) {
           made_ = MadeSection{object, edit};
         });
+    adding_ = editor_.jobs.back();
     return;
   }
 }
@@ -64,7 +65,8 @@ void SkinJobs::settle() {
   const MadeSection made = *std::move(made_);
   made_.reset();
   wanted_.pop_front();
-  if (!made.edit.ok() && made.edit.error().code == e_cancelled)
+  // It may have been ready when it was cancelled.
+  if (adding_->cancel.cancelled() || (!made.edit.ok() && made.edit.error().code == e_cancelled))
     wanted_.clear();
   else
     take(made);

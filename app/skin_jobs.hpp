@@ -59,6 +59,7 @@ class SkinJobs {
   BackgroundWork &files_, &edits_;
   Log log_;
   std::shared_ptr<const Job> converting_;
+  std::shared_ptr<const Job> adding_;   ///< the section that is made
   int conversions_ = 0;                 ///< asked for
   std::deque<WantedSection> wanted_;    ///< the first one is being made
   std::optional<MadeSection> made_;     ///< waits for `settle`

@@ -9,9 +9,9 @@
 
 namespace hariko::test {
 
-/// `name` in tests/exchange/fixtures/cases.
+/// `name` in tests/cases.
 inline std::filesystem::path case_file(const std::string& name) {
-  return std::filesystem::path(source_folder()) / "tests/exchange/fixtures/cases" / name;
+  return std::filesystem::path(source_folder()) / "tests/cases" / name;
 }
 
 /// Least and greatest coordinates of the vertices.
