@@ -30,7 +30,7 @@ class Describer {
       const std::string place =
           alone_ ? ""
                  : std::to_string(++number) + "/" + std::to_string(input_.document->objects.size()) + " ";
-      // What is known at once stands there while the rest is measured.
+      // Counts stand there at once, while the rest is measured.
       const std::string head = arguments_.json ? "" : info_head(inspect_at_once(*object));
       if (!head.empty() && !print((objects_.empty() ? "" : "\n") + head)) return false;
       std::optional<ObjectInfo> info;
@@ -48,7 +48,7 @@ class Describer {
  private:
   /// `head`: was printed already.
   bool take(ObjectInfo info, const std::string& head = {}) {
-    // What concerns the file as a whole stands with its one object; with several, or none, it goes to the
+    // Messages about the file as a whole stand with its one object; with several, or none, they go to the
     // error stream.
     if (alone_) info.messages.insert(info.messages.begin(), input_.messages.begin(), input_.messages.end());
     info.milliseconds.insert(info.milliseconds.begin(), {"read", reading_});

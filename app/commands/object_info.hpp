@@ -71,7 +71,7 @@ struct ObjectInfo {
 
 /// `against`: the document whose object of the same id it is compared with, or null.
 ObjectInfo inspect(const Document& document, const Object& object, const Document* against = nullptr);
-/// What is known without measuring: the name, the kind, and the counts of polyhedra and nets.
+/// Information that needs no measuring: the name, the kind, and the counts of polyhedra and nets.
 ObjectInfo inspect_at_once(const Object& object);
 /// Of a mesh file that makes no polyhedron.
 ObjectInfo inspect_broken(const OpenedFile& input);

@@ -33,13 +33,14 @@ struct CadCell {
 struct CadPiece {
   std::vector<double> s{0, 1}, t{0, 1};
   std::vector<CadCell> cells;
-  /// Of each side: the breaks at which its curve is more than one polynomial, with both ends. None: all.
+  /// Knots of each side: the breaks at which its curve is more than one polynomial, with both ends. None:
+  /// all.
   std::array<std::vector<double>, 4> side_knots;
 
   Index columns() const { return Index(s.size() - 1); }
   Index rows() const { return Index(t.size() - 1); }
   Index cell_count(int side) const { return side % 2 == 0 ? columns() : rows(); }
-  /// Where a side ends in its own parameter, which begins at 0.
+  /// Length of a side in its own parameter, which begins at 0.
   double length(int side) const { return side % 2 == 0 ? s.back() : t.back(); }
   /// The breaks along a side, counter-clockwise.
   std::vector<double> breaks(int side) const;
@@ -64,8 +65,8 @@ std::optional<int> bezier_degree(const BezierPatchSet& patches);
 /// Point of a piece with derivatives by s and t.
 PatchPoint evaluate(const Surface& surface, const CadPiece& piece, double s, double t);
 
-/// Of squares: rectangles of patches that are pieces of one spline (cad_pieces): bicubic ones, and Bezier
-/// patches of the degree that `bezier_degree` gives, whose knots may be at uneven distances.
+/// Splines of squares: rectangles of patches that are pieces of one spline (cad_pieces): bicubic ones, and
+/// Bezier patches of the degree that `bezier_degree` gives, whose knots may be at uneven distances.
 std::vector<CadPiece> merged_squares(const Surface& surface);
 
 }  // namespace hariko

@@ -41,7 +41,7 @@ class JsonCursor {
 /// at the end of a step; loops over arrays stop by themselves.
 class JsonReader {
  public:
-  /// Of the document's format, which some members depend on; the newest unless set.
+  /// Version of the document's format, which some members depend on; the newest unless set.
   int version() const { return version_; }
   void set_version(int version) { version_ = version; }
 

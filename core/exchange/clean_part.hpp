@@ -23,7 +23,7 @@ struct JoinChoice {
   friend bool operator==(const JoinChoice&, const JoinChoice&) = default;
 };
 
-/// What was done to all meshes of a file together, and what could be done.
+/// Repairs of all meshes of a file together, done and possible.
 struct CleanReport {
   std::size_t joined = 0;       ///< corners
   std::size_t near_joined = 0;  ///< of them, those that were not at the same place

@@ -57,7 +57,7 @@ bool GltfSkin::bend(const Json& attributes, const std::string& place, GltfBuffer
         sum[v] += weight;
       }
   }
-  // What no joint holds goes with the first one.
+  // Points that no joint holds go with the first one.
   for (std::size_t v = 0; v < points.size(); ++v)
     points[v] = sum[v] > 0 ? Vector3(moved[v] / sum[v]) : joints_.front()(points[v]);
   return true;

@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// Of the mean length: keeps the charts of faces without any size above zero.
+/// Share of the mean length that keeps the charts of faces without any size above zero.
 constexpr double least_chart_size = 1e-6;
 /// A rectangle 4000 times as long as wide; narrower faces count as flattened ones. With twice as much, the
 /// sides of a prism of 128 sides and height 100 would.

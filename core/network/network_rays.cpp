@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t face_grain = 512;
 constexpr double least_share = 1e-3;
-/// Of the mean length: shorter edges count as ones of about this length.
+/// Share of the mean length: shorter edges count as ones of about this length.
 constexpr double least_length = 1e-6;
 
 /// Angle between half-edge h and the split edge of the corner at its origin, in the vertex's fan.

@@ -30,7 +30,7 @@ class NetworkRays {
 
   bool empty() const { return rays_.empty(); }
 
-  /// What a solve works in.
+  /// Room for a solve.
   struct Workspace {
     std::vector<Index> faces;          ///< round the vertices that take part, ascending
     std::vector<Vector3> tangent;      ///< per half-edge: of the split edge at its origin

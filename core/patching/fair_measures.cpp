@@ -11,8 +11,8 @@ namespace {
 /// Bends of patches count with area^(3 - p)/2 and those of edges alike, with p = 1/2 between long edges that
 /// win (p = 0) and short ones (p = 3, true bending).
 constexpr double area_power = 1.25;
-/// Of the height of a patch to that of the one across its side: lower ones are measured as if they were
-/// higher.
+/// Least height of a patch relative to that of the one across its side: lower ones are measured as if they
+/// were higher.
 constexpr double least_ratio = 0.05;
 
 /// Jump over an edge of this length between triangles of these areas: (L / h^3) (h L)^(5/4), 1/h the sum of
@@ -36,7 +36,7 @@ double stretch(const HalfEdgeMesh& mesh, const PatchConstants& constants, Index 
 ChartTriangle stretched(const ChartTriangle& t, double factor) {
   if (factor == 1) return t;
   const double side = t.pp - 2 * t.pq + t.qq;  // squared
-  // What the squared height gains: determinant = height x side.
+  // Gain of the squared height: determinant = height x side.
   const double gain = (factor * factor - 1) * t.determinant * t.determinant / side;
   return {t.pp + gain, t.pq + gain, t.qq + gain, factor * t.determinant};
 }

@@ -364,7 +364,7 @@ class PleatBuilder {
                        {sides[v].after.begin(), sides[v].after.end()},
                        sides[v].h1,
                        sides[v].h2});
-        // What is left is what straight lines from section to section would have.
+        // The rest is that of straight lines from section to section.
         out.back().own = second_difference(out.back(), out_.vertices[v].section < 0 ? bows_ : end_bows_);
       }
     return out;

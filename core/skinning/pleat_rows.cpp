@@ -11,7 +11,7 @@ namespace hariko {
 namespace {
 
 constexpr int max_intervals = 10'000;
-/// Of strips whose lines twist: with so many an area is right to 2e-5 for twists of half a step between
+/// Rows of strips whose lines twist: with so many an area is right to 2e-5 for twists of half a step between
 /// points.
 constexpr int twist_intervals = 4;
 

@@ -36,7 +36,7 @@ StripRows strip_rows(const Skin& skin, const SkinPlan& plan, int strip);
 /// Offset of line p on row q, 0 < q < last, where lines run straight.
 Vector3 line_offset(const SkinPlan& plan, const PlannedStrip& strip, const StripRows& rows, int p, int q);
 
-/// What a line that twists adds to its offsets.
+/// Addition of a line that twists to its offsets.
 struct LineBow {
   std::vector<Vector3> rows;  ///< on each row, beside the straight line between its points
   /// On the first and the last row inside, beside the straight line from the line's point there to what
@@ -44,7 +44,7 @@ struct LineBow {
   Vector3 first = Vector3::Zero(), last = Vector3::Zero();
 };
 
-/// Of each line: its places on the blend of the two sections, solved so that limits lie there. Empty where
+/// Each line's places on the blend of the two sections, solved so that limits lie there. Empty where
 /// lines run straight. O(lines x rows).
 std::vector<LineBow> line_bows(const SkinPlan& plan, const PlannedStrip& strip, const StripRows& rows);
 

@@ -233,8 +233,8 @@ class Planner {
     }
     plan_.starts = chained_starts(found, free, skin_.path.closed);
   }
-  /// Of a strip whose start is found. Lines that the designer drew run straight, and so do those of sections
-  /// with corners, which are nowhere but at points.
+  /// Lines of a strip whose start is found. Lines that the designer drew run straight, and so do those of
+  /// sections with corners, which are nowhere but at points.
   double twist(const PlannedStrip& strip) const {
     const auto drawn = [&](const auto& entry) { return of(strip, entry.first, entry.second); };
     const auto sharp = [&](int k) {

@@ -29,8 +29,8 @@ struct PlannedStrip {
   /// Closed sections: the parameter of b that belongs to parameter 0 of a.
   StartMatch match;
   bool start_found = false;  ///< not chosen by the designer
-  /// What of `match.start` lines from point to point leave over, since it lies between the points: while it
-  /// runs from a to b, a line goes back by so much along the sections. 0 where lines go straight.
+  /// Rest of `match.start` that lines from point to point leave over, since it lies between the points: while
+  /// it runs from a to b, a line goes back by so much along the sections. 0 where lines go straight.
   double twist = 0;
   std::vector<PointPair> lines;
   std::vector<LineOrigin> origins;  ///< one a line

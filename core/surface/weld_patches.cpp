@@ -15,7 +15,7 @@ namespace {
 
 constexpr double weld_tolerance = 1e-9;  ///< of the whole's size
 constexpr double smooth_angle = 1e-6;
-/// Of a number in a file, which rounds what is far from zero.
+/// Rounding of a number in a file, relative to its distance from zero.
 constexpr double number_rounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr int samples = 16;  ///< intervals at which sides are compared
 /// Parameters that are nearer than this to a multiple of 1 / `halvings` are that: sides are mostly halved.

@@ -23,9 +23,9 @@ Result<std::vector<Folds>> search_cuts(const FacetGraph& graph, const std::vecto
                                        const EdgeRules& rules, const CutSearch& search,
                                        const CancelToken& cancel = {}, const Progress& progress = {});
 
-/// What a search must keep: flat faces of the mesh, the designer's cuts and folds, and facets that lie in one
-/// plane up to `merge_angle` (radians), which are one polygon. `wishes` is empty or has one rule for each
-/// edge. A fold that would close a cycle, overlap or not fit is free instead; the designer's come first.
+/// Rules that a search must keep: flat faces of the mesh, the designer's cuts and folds, and facets that lie
+/// in one plane up to `merge_angle` (radians), which are one polygon. `wishes` is empty or has one rule for
+/// each edge. A fold that would close a cycle, overlap or not fit is free instead; the designer's come first.
 EdgeRules settled_rules(const FacetGraph& graph, const std::vector<FacetCorners>& shapes,
                         const EdgeRules& wishes, double merge_angle, std::optional<PaperSize> room);
 

@@ -90,7 +90,7 @@ Result<Unfolding> unfold(std::shared_ptr<const FacetGraph> graph, const PaperSet
                          const UnfoldOptions& options, const CancelToken& cancel = {},
                          const Progress& progress = {});
 
-/// What should be known before it is printed: W_PAPER_SIZE for a model smaller than 10 mm or larger than 2 m;
+/// Messages to read before it is printed: W_PAPER_SIZE for a model smaller than 10 mm or larger than 2 m;
 /// E_PIECE_TOO_LARGE for pieces that no turn puts between the
 /// margins, with the scale that would; W_UNFOLDING_OVERLAPS.
 std::vector<Message> unfolding_messages(const Unfolding& unfolding);

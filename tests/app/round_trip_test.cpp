@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of all objects of a document together, in millimetres.
+/// Measures of all objects of a document together, in millimetres.
 struct Whole {
   std::size_t objects = 0, closed = 0;
   double volume = 0, area = 0;  ///< volume of the closed ones
@@ -111,7 +111,7 @@ Whole surfaces_of(const Document& document) {
   return out;
 }
 
-/// What has been opened: surfaces of Bezier patches, facets of all else.
+/// Measures of an opened document: surfaces of Bezier patches, facets of all else.
 Whole opened(const Document& document) {
   Whole out;
   for (const auto& object : document.objects) {
@@ -213,7 +213,7 @@ TEST(RoundTrip, SamplesComeBackAsTheyWent) {
   }
 }
 
-/// What is opened from a STEP file and exported again is as it was: its splines are found in their pieces.
+/// A file that is opened and exported again is as it was: its splines are found in their pieces.
 void again(const std::string& name, const Document& document, const char* ending) {
   SCOPED_TRACE(name + ending);
   const TemporaryFolder folder;

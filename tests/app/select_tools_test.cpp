@@ -70,7 +70,7 @@ TEST(RegionTool, LassoTakesWhatItEnclosesAndEscRestores) {
   EXPECT_TRUE(rig.editor.selection.no_elements());
 }
 
-/// What a box from one pixel to another selects of the active object, as vertices.
+/// Vertices of the active object that a box from one pixel to another selects.
 std::set<VertexId> boxed(Rig& rig, const Vector2& from, const Vector2& to) {
   rig.start(make_region_tool(false), from);
   rig.move(to);

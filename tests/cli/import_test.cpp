@@ -96,7 +96,7 @@ TEST_F(ImportTest, BrokenMeshesAreRepairedOrKeptAsFacetsWhereItIsAskedFor) {
   EXPECT_EQ(facets["kind"], "mesh");
   EXPECT_EQ(facets["faces"], 6);
   EXPECT_TRUE(codes_of(facets).count("W_KEPT_AS_FACETS"));
-  // What is sound stays as it is.
+  // A sound mesh stays as it is.
   EXPECT_EQ(run("info --json --repair --reference " + golden("cube.obj")).object()["messages"].size(), 0U);
 }
 

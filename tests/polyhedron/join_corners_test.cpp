@@ -103,7 +103,7 @@ TEST(JoinCorners, FacesThatLoseTheirCornersAreDroppedAndOthersShrink) {
   ASSERT_EQ(tidy.mesh.face_count(), 1U);
   EXPECT_EQ(tidy.mesh.face(0).size(), 4U);
   EXPECT_EQ(tidy.collapsed, 2U);
-  // What validation is to tell stays.
+  // Faults that validation is to tell stay.
   mesh.add_face({0, 9, 1});
   mesh.add_face({0, 1});
   EXPECT_FALSE(is_sound(join_corners(mesh, 0).mesh));

@@ -99,7 +99,7 @@ TEST(SectionStarts, SectionsThatRunTheOtherWayAreTurned) {
     for (const std::size_t k : {std::size_t(1), std::size_t(2)})
       std::reverse(skin.sections[k].points.begin(), skin.sections[k].points.end());
     EXPECT_NEAR(area_of(turn_sections(skin)), 2400.8, 0.1);
-    // What the designer turned stays.
+    // Sections that the designer turned stay.
     skin.sections[1].direction_chosen = true;
     EXPECT_EQ(turn_sections(skin).sections[1], skin.sections[1]);
   }

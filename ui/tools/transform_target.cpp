@@ -67,7 +67,7 @@ std::vector<std::size_t> islands(const std::vector<VertexId>& vertices, const Po
   return island;
 }
 
-/// Where a point of a section, of the path or of the second rail is, in the object's space; nothing where
+/// Place of a point of a section, of the path or of the second rail, in the object's space; nothing where
 /// there is none with this id.
 std::optional<Vector3> point_of(const Skin& skin, std::uint32_t id) {
   if (!is_path_point(id)) {

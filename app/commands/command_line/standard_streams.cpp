@@ -122,7 +122,7 @@ std::string StandardStreams::output(const CLI::Option& to) {
   if (to.empty()) throw CLI::ValidationError("OUT", "say with --to which format the standard output gets");
   if (!out_.empty()) throw CLI::ValidationError("OUT", "only one file can go to the standard output");
   out_ = folder() / ("output." + to.results().front());
-  // What the commands print goes to the error stream.
+  // Reports of the commands go to the error stream.
   saved_output_ = ::dup(STDOUT_FILENO);
   if (saved_output_ < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
     throw CLI::ValidationError("OUT", "the standard output cannot be written");

@@ -15,7 +15,7 @@ class Option;
 
 namespace hariko {
 
-/// What is read is a file in a folder of its own until the program ends, and what is written becomes one
+/// Input is a file in a folder of its own until the program ends, and output becomes one
 /// first, so that nothing is written where a job fails. While a file goes to the standard output, reports go
 /// to the standard error stream.
 class StandardStreams {

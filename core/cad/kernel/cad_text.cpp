@@ -127,7 +127,7 @@ Message behind(const char* format) {
                       "What it says is not read; export the model again if something is missing.");
 }
 
-/// What was done to the text before it was checked.
+/// Warnings of changes to the text before it was checked.
 std::vector<Message> warnings_of(const DecodedText& decoded, const char* format) {
   std::vector<Message> out;
   if (decoded.marked)

@@ -34,7 +34,7 @@ struct CadReadOptions {
 inline constexpr double usual_cad_mesh_tolerance = 5e-4;  ///< of the part's diagonal
 inline constexpr std::uint64_t max_cad_file_bytes = std::uint64_t{1} << 29;
 inline constexpr std::size_t max_cad_parts = 10'000;
-/// Of a file, as many as one object may have; with more all of it is triangles.
+/// Most patches of a file, as many as one object may have; with more all of it is triangles.
 inline constexpr std::size_t max_cad_patches = 100'000;
 inline constexpr std::size_t max_cad_triangles = 20'000'000;
 

@@ -316,13 +316,13 @@ std::optional<Message> load_step(CadText text, KernelDocument& document, const M
       reader, [&](auto& r) { return r.ChangeReader().ReadStream("file", stream); }, document, range);
 }
 
-/// What is known of a file's text once the kernel has read it.
+/// Facts about a file's text that last once the kernel has read it.
 struct LoadedText {
   std::vector<Message> warnings;
   bool own = false;  ///< written by this program
 };
 
-/// What this program writes says so within its first lines.
+/// A file that this program wrote says so within its first lines.
 bool is_own(std::string_view text) {
   const std::string_view head = text.substr(0, 4096);
   return head.find("6Hhariko,") != std::string_view::npos || head.find("'Hariko'") != std::string_view::npos;
@@ -356,7 +356,7 @@ Result<CadScene> read(const std::filesystem::path& path, CadFormat format, const
     if (!text.ok()) return text.error();
     const auto leaves = Collector(document.handle()).run();
     if (!leaves.ok()) return leaves.error();
-    // What this program writes has its edges in common already.
+    // Files of this program have their edges in common already.
     const std::vector<CadLeaf> whole = text->own ? *leaves : sewn(*leaves, format == CadFormat::iges);
     auto made = SceneMaker(options).run(whole, scope.Next());
     if (made.ok()) {

@@ -68,7 +68,7 @@ std::optional<Sewn> sew(const TopoDS_Shape& shape) {
   return out;
 }
 
-/// Of several shells or faces that may have borders.
+/// Consists of several shells or faces that may have borders.
 bool is_in_pieces(const TopoDS_Shape& shape) {
   return count(shape, TopAbs_SOLID) == 0 &&
          count(shape, TopAbs_SHELL) + count(shape, TopAbs_FACE, TopAbs_SHELL) > 1;
