@@ -1,6 +1,6 @@
 #pragma once
 
-// What is done to every mesh of a file before it becomes an object: corners are joined, and triangles without
+// Tidying of every mesh of a file before it becomes an object: corners are joined, and triangles without
 // area are dropped.
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What files of other programs leave undone: corners of neighbouring faces that are not joined, and triangles
-// without area.
+// Faults of files of other programs: corners of neighbouring faces that are not joined, and triangles without
+// area.
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where closed sections begin: found, so that neighbours are as near to each other as they can be.
+// Starts of closed sections, found so that neighbours are as near to each other as they can be.
 
 #include <vector>
 

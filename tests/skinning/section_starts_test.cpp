@@ -1,4 +1,4 @@
-// Where closed sections begin.
+// Starts of closed sections.
 
 #include "core/skinning/section_starts.hpp"
 
