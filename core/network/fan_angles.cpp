@@ -10,7 +10,7 @@ namespace hariko {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double least_step = 2 * degree;
+constexpr double least_step = 0.1 * degree;
 /// Above its limit less this a step approaches the limit smoothly.
 constexpr double soft_range = 4 * degree;
 constexpr int limit_rounds = 30;

@@ -13,8 +13,8 @@ namespace hariko {
 /// Angle of each corner in its face's chart, 0 .. 2 pi, per half-edge.
 double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner);
 
-/// The steps of a sector with these corner angles, adding up to `total`; each at least 2 degrees and below a
-/// half turn. `closed`: all round the vertex, where opposite edges of an even number come near to one line.
+/// The steps of a sector with these corner angles, adding up to `total`; each at least 0.1 degrees and below
+/// a half turn. `closed`: all round the vertex, where opposite edges of an even number come near to one line.
 /// Continuous in the angles.
 std::vector<double> fan_steps(std::span<const double> angles, double total, bool closed);
 

@@ -60,7 +60,8 @@ NetworkWeights network_weights(const HalfEdgeMesh& mesh, const VertexFrames& fra
 }
 
 NetworkRays::NetworkRays(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
-                         std::span<const double> alpha, std::span<const double> weight)
+                         std::span<const double> alpha, std::span<const double> weight,
+                         const BalancedPulls& balanced)
     : mesh_(std::move(mesh)), rays_(mesh_->half_edge_count()), inverse_(mesh_->face_count()) {
   for (Index f = 0; f < mesh_->face_count(); ++f) {
     RayMatrix matrix;
@@ -68,6 +69,7 @@ NetworkRays::NetworkRays(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexF
       Ray& ray = rays_[h];
       const Vector2& p = frames.charts.corner[h];
       ray.weight = weight[h];
+      ray.coupling = balanced.of_split_edge(h);
       ray.alpha = alpha[mesh_->origin(h)];
       ray.place = Vector3(1, p.y(), p.x());
       matrix.add(p, ray.weight);
@@ -107,7 +109,8 @@ void NetworkRays::add_diagonal(Index v, Index first, Eigen::MatrixXd& block) con
   for_rays(v, [&](Index h, const Ray& ray) {
     if (ray.known()) return;
     const double answer = ray.place.dot(inverse_[mesh_->face(h)] * ray.place);
-    const double weight = ray.weight * (2 * (1 + ray.alpha) - ray.weight * answer);
+    const double weight =
+        ray.weight * (2 * (1 + ray.alpha) - ray.coupling * ray.coupling * ray.weight * answer);
     const TangentCoefficients& t = ray.tangent;
     for (std::size_t a = 0; a < 2; ++a)
       for (std::size_t b = 0; b < 2; ++b)
@@ -130,7 +133,7 @@ void NetworkRays::answer(std::size_t begin, std::size_t end, Workspace& work) co
     const Index f = work.faces[k];
     Matrix3 sum = Matrix3::Zero();
     for (Index h = mesh_->face_begin(f); h < mesh_->face_end(f); ++h)
-      sum += (rays_[h].weight * rays_[h].place) * work.tangent[h].transpose();
+      sum += (rays_[h].coupling * rays_[h].weight * rays_[h].place) * work.tangent[h].transpose();
     work.split_point[f] = inverse_[f] * sum;
   }
 }
@@ -139,7 +142,7 @@ void NetworkRays::add_product(Index v, const Workspace& work, std::vector<Vector
   for_rays(v, [&](Index h, const Ray& ray) {
     if (ray.known()) return;
     const Vector3 end = work.split_point[mesh_->face(h)].transpose() * ray.place;
-    const Vector3 gradient = ray.weight * (2 * (1 + ray.alpha) * work.tangent[h] - end);
+    const Vector3 gradient = ray.weight * (2 * (1 + ray.alpha) * work.tangent[h] - ray.coupling * end);
     y[ray.tangent.basis[0]] += ray.tangent.c[0] * gradient;
     if (ray.tangent.basis[1] != no_index) y[ray.tangent.basis[1]] += ray.tangent.c[1] * gradient;
   });
@@ -173,8 +176,10 @@ void NetworkRays::add_right_side(std::span<const Index> vertices, std::span<cons
     for_rays(v, [&](Index h, const Ray& ray) {
       if (ray.known()) return;
       const Index f = mesh_->face(h);
+      const Vector3 reach = middle[f] - positions[v];
       const Vector3 pull =
-          ray.weight * (work.split_point[f].transpose() * ray.place - (positions[v] - middle[f]));
+          ray.weight * (ray.coupling * (work.split_point[f].transpose() * ray.place + reach) +
+                        (1 - ray.coupling) * 2 / 3 * reach);
       b[ray.tangent.basis[0]] += ray.tangent.c[0] * pull;
       if (ray.tangent.basis[1] != no_index) b[ray.tangent.basis[1]] += ray.tangent.c[1] * pull;
     });

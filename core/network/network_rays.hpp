@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "core/network/balanced_pulls.hpp"
 #include "core/network/vertex_frames.hpp"
 
 namespace hariko {
@@ -26,7 +27,7 @@ class NetworkRays {
   NetworkRays() = default;
   /// `alpha`: per vertex. The frames must be by measure.
   NetworkRays(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
-              std::span<const double> alpha, std::span<const double> weight);
+              std::span<const double> alpha, std::span<const double> weight, const BalancedPulls& balanced);
 
   bool empty() const { return rays_.empty(); }
 
@@ -53,7 +54,8 @@ class NetworkRays {
   struct Ray {
     TangentCoefficients tangent;  ///< none where the corner is a half turn: it points to the face's middle
     double weight = 0, alpha = 0;
-    Vector3 place;  ///< O + Y is place . (O, Ys, Yc)
+    double coupling = 1;  ///< to the split point, 0 .. 1 (BalancedPulls)
+    Vector3 place;        ///< O + Y is place . (O, Ys, Yc)
     bool known() const { return tangent.basis[0] == no_index; }
   };
   template <class Body>

@@ -52,9 +52,11 @@ Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, cons
     system.incident_ends_[cursor[mesh.target(h)]++] = 2 * e + 1;
   }
   NetworkWeights weights = network_weights(mesh, system.frames_);
+  if (!weights.ray.empty())
+    system.balanced_ = BalancedPulls(mesh, system.frames_, weights, system.beta_, polyhedron.positions());
   system.edge_weight_ = std::move(weights.edge);
   if (!weights.ray.empty())
-    system.rays_ = NetworkRays(system.mesh_, system.frames_, system.alpha_, weights.ray);
+    system.rays_ = NetworkRays(system.mesh_, system.frames_, system.alpha_, weights.ray, system.balanced_);
   if (auto failed = system.read_pins(polyhedron, shaping)) return *failed;
   if (auto failed = system.factor_blocks(polyhedron)) return *failed;
   return system;
@@ -230,8 +232,9 @@ void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vec
         const Index at = incident_ends_[i];
         const TangentCoefficients& tangent = edge_ends_[at];
         const double beta = beta_[at / 2];
-        const Vector3 gradient = edge_weight_[at / 2] * (2 * (beta + alpha_[v]) * work.end_tangents[at] -
-                                                         beta * work.end_tangents[at ^ 1U]);
+        const Vector3 gradient =
+            edge_weight_[at / 2] * (2 * (beta + alpha_[v]) * work.end_tangents[at] -
+                                    balanced_.of_edge(at / 2) * beta * work.end_tangents[at ^ 1U]);
         y[tangent.basis[0]] += tangent.c[0] * gradient;
         if (tangent.basis[1] != no_index) y[tangent.basis[1]] += tangent.c[1] * gradient;
       }
@@ -293,12 +296,15 @@ std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
     for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
       const Index at = incident_ends_[i], h = mesh_->half_edge_of_edge(at / 2);
       const Index other = at & 1U ? mesh_->origin(h) : mesh_->target(h);
-      const Vector3 pull = edge_weight_[at / 2] * beta_[at / 2] * (positions[other] - positions[v]);
+      // D counts as much as both tangents of a straight edge together.
+      const double share = (2 + balanced_.of_edge(at / 2)) / 3;
+      const Vector3 pull = edge_weight_[at / 2] * beta_[at / 2] * share * (positions[other] - positions[v]);
       const TangentCoefficients& tangent = edge_ends_[at];
       b[tangent.basis[0]] += tangent.c[0] * pull;
       if (tangent.basis[1] != no_index) b[tangent.basis[1]] += tangent.c[1] * pull;
     }
   rays_.add_right_side(vertices, positions, b);
+  balanced_.add_right_side(*mesh_, vertices, positions, b);
   return b;
 }
 

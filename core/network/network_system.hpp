@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "core/network/balanced_pulls.hpp"
 #include "core/network/network.hpp"
 #include "core/network/network_rays.hpp"
 #include "core/network/vertex_frames.hpp"
@@ -104,7 +105,8 @@ class NetworkSystem {
   VertexFrames frames_;
   std::vector<double> beta_, alpha_;
   std::vector<double> edge_weight_;  ///< per edge, 1 in equal frames
-  NetworkRays rays_;                 ///< none in equal frames
+  BalancedPulls balanced_;
+  NetworkRays rays_;  ///< none in equal frames
   std::vector<Index> all_vertices_;
   std::vector<TangentCoefficients>
       edge_ends_;  ///< end 2e: origin of the edge's first half-edge; 2e + 1: its target
