@@ -14,6 +14,8 @@ constexpr double least_step = 0.1 * degree;
 /// Above its limit less this a step approaches the limit smoothly.
 constexpr double soft_range = 4 * degree;
 constexpr int limit_rounds = 30;
+/// Numbers of sides: rims of fewer have corners, those of more are round as they are.
+constexpr double rim_factor = 4, first_rim = 6, full_rim = 12, last_full_rim = 16, last_rim = 32;
 
 double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -37,6 +39,43 @@ void straighten(std::vector<double>& steps) {
     steps[k] += share * (mean - steps[k]);
     steps[k + half] += share * (mean - steps[k + half]);
   }
+}
+
+double smooth_step(double x, double from, double to) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Factor by which the turn of a face's rim at its corners is drawn smaller.
+double rim_factor_of(Index sides) {
+  const double n = double(sides);
+  return 1 + (rim_factor - 1) * smooth_step(n, first_rim, full_rim) *
+                 (1 - smooth_step(n, last_full_rim, last_rim));
+}
+
+/// The rim of a face of many sides is a flow line, to which the corners of other faces give way. It does not
+/// go straight altogether: the split vector moves along the edge by the ratio of the polygon's turn and the
+/// fan's.
+void straighten_rims(std::vector<double>& steps, std::span<const double> angles,
+                     std::span<const Index> sides) {
+  constexpr double half_turn = 180 * degree;
+  double gained = 0, rest = 0;  // rest: corners of other faces, which give
+  std::vector<double> gain(steps.size(), 0.0);
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const double factor = rim_factor_of(sides[k]);
+    if (factor == 1)
+      rest += steps[k];
+    else
+      gain[k] = std::max(0.0, half_turn - std::max(0.0, half_turn - angles[k]) / factor - steps[k]);
+    gained += gain[k];
+  }
+  if (gained == 0) return;
+  const double part = std::min(1.0, rest / (2 * gained));
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (rim_factor_of(sides[k]) > 1)
+      steps[k] += part * gain[k];
+    else
+      steps[k] *= 1 - part * gained / rest;
 }
 
 /// The largest step of a corner with this angle in its face. It is lower for reflex corners, whose split
@@ -79,11 +118,13 @@ double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index co
          angle_between(-p, charts.corner[mesh.previous(corner)] - p);
 }
 
-std::vector<double> fan_steps(std::span<const double> angles, double total, bool closed) {
+std::vector<double> fan_steps(std::span<const double> angles, std::span<const Index> sides, double total,
+                              bool closed) {
   std::vector<double> steps(angles.begin(), angles.end());
   const double scale = total / sum_of(steps);
   for (double& a : steps) a *= scale;
   if (closed && steps.size() >= 4 && steps.size() % 2 == 0) straighten(steps);
+  if (closed) straighten_rims(steps, angles, sides);
   keep_in_limits(steps, angles, total);
   return steps;
 }

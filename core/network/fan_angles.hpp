@@ -14,8 +14,10 @@ namespace hariko {
 double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner);
 
 /// The steps of a sector with these corner angles, adding up to `total`; each at least 0.1 degrees and below
-/// a half turn. `closed`: all round the vertex, where opposite edges of an even number come near to one line.
-/// Continuous in the angles.
-std::vector<double> fan_steps(std::span<const double> angles, double total, bool closed);
+/// a half turn. `sides`: of each corner's face. `closed`: all round the vertex, where opposite edges of an
+/// even number come near to one line, and so do the two edges at the rim of a face of many sides. Continuous
+/// in the angles.
+std::vector<double> fan_steps(std::span<const double> angles, std::span<const Index> sides, double total,
+                              bool closed);
 
 }  // namespace hariko

@@ -237,12 +237,15 @@ class FrameBuilder {
 
   std::vector<double> metric_angles(Sector& sector) const {
     std::vector<double> seen(sector.corners);
-    for (std::size_t j = 0; j < sector.corners; ++j)
+    std::vector<Index> sides(sector.corners);
+    for (std::size_t j = 0; j < sector.corners; ++j) {
       seen[j] = corner_angle(mesh_, frames_.charts, corner(sector, j));
+      sides[j] = mesh_.side_count(mesh_.face(corner(sector, j)));
+    }
     if (sector.image == Sector::Image::corner)
       sector.opening = std::clamp(std::accumulate(seen.begin(), seen.end(), 0.0), pi / 6, 2 * pi / 3);
     const bool closed = sector.image == Sector::Image::smooth;
-    const std::vector<double> steps = fan_steps(seen, sector.opening, closed);
+    const std::vector<double> steps = fan_steps(seen, sides, sector.opening, closed);
     std::vector<double> angles(sector.corners + 1, 0.0);
     std::partial_sum(steps.begin(), steps.end(), angles.begin() + 1);
     angles.back() = sector.opening;

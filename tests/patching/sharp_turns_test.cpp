@@ -1,5 +1,6 @@
 // Networks by measure at sharp turns (kuriyama.md section 12.4): thin rims and deep grooves do not fold.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -80,6 +81,18 @@ TEST(SharpTurns, ARimIsSquareToItsBisector) {
     const Vector3 disc(-1, 0, 0), cone = (mesh.positions[below] - mesh.positions[rim]).normalized();
     EXPECT_GT(tangent.dot((cone - disc).normalized()), 0.99) << size;
   }
+}
+
+TEST(SharpTurns, TheRimOfADiscOfTwelveSidesIsRound) {
+  const PolygonMesh mesh = lathe(12, {{1, 0}, {1.05, 0.1}, {0.35, 0.2}, {0.35, 0.9}, {1.05, 1}, {1, 1.1}});
+  const PolyhedronSurface made = surface_of(mesh);
+  const Polyhedron polyhedron = Polyhedron::build(mesh).value();
+  const HalfEdgeMesh& topology = polyhedron.topology();
+  const Index rim = 5 * 12;
+  const Vector3 after = made.network->start[topology.find_half_edge(rim, rim + 1)].normalized();
+  const Vector3 before = made.network->start[topology.find_half_edge(rim, rim + 11)].normalized();
+  const double turn = std::numbers::pi - std::acos(std::clamp(after.dot(before), -1.0, 1.0));
+  EXPECT_LT(turn * 180 / std::numbers::pi, 9);  // the polygon turns by 30 degrees
 }
 
 }  // namespace
