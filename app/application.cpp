@@ -287,7 +287,8 @@ class Application {
     Recompute& recompute = editor_.recompute;
     if (std::exchange(recompute.wants_cancel, false)) engine_.cancel_all();
     if (std::exchange(recompute.wants_now, false)) engine_.recompute_outdated();
-    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, recompute.policy);
+    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, recompute.policy,
+                 editor_.view.map);
     meshes_.sync();
     gauss_.sync();
     const auto layout_before = editor_.paper.layout;

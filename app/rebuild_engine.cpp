@@ -45,12 +45,28 @@ RebuildEngine::RebuildEngine(MakeBuilder make_builder, std::function<void()> wak
       on_published_(std::move(on_published)),
       lane_(std::move(wake)) {}
 
-void RebuildEngine::sync(const Document& document, bool in_gesture, double now, RecomputePolicy policy) {
+/// The object as the view shows it; the same pointer as long as neither changes.
+std::shared_ptr<const Object> RebuildEngine::with_map(Track& track,
+                                                      const std::shared_ptr<const Object>& object,
+                                                      const ViewMap& map) {
+  if (!follows_view(map, *object)) return object;
+  const DisplaySettings display = shown_display(map, *object);
+  if (track.given == object && track.looked_at && track.looked_at->display == display) return track.looked_at;
+  auto shown = std::make_shared<Object>(*object);
+  shown->display = display;
+  track.given = object;
+  track.looked_at = std::move(shown);
+  return track.looked_at;
+}
+
+void RebuildEngine::sync(const Document& document, bool in_gesture, double now, RecomputePolicy policy,
+                         const ViewMap& map) {
   const bool paused =
       policy == RecomputePolicy::manual || (policy == RecomputePolicy::on_release && in_gesture);
-  for (const auto& object : document.objects) {
-    if (!object->visible || !is_drawn(*object)) continue;
-    Track& track = tracks_[object->id];
+  for (const auto& given : document.objects) {
+    if (!given->visible || !is_drawn(*given)) continue;
+    Track& track = tracks_[given->id];
+    const auto object = with_map(track, given, map);
     ObjectPointers neighbours = neighbours_of(document, object->id);
     const bool changed = !track.requested ||
                          (track.requested != object && !same_view(*track.requested, *object)) ||

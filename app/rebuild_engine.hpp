@@ -11,6 +11,7 @@
 #include "core/modeling/attached.hpp"
 #include "ui/recompute.hpp"
 #include "ui/surface_view.hpp"
+#include "ui/view_map.hpp"
 
 namespace hariko {
 
@@ -39,9 +40,10 @@ class RebuildEngine {
 
   /// Asks for what changed since the last call. In a gesture objects are rebuilt at quality `drag`; `final`
   /// follows when the gesture ends or rests for `rest_seconds`. `now` is any steady clock in seconds.
-  /// The policy may let changes wait; the first surface of an object never does.
+  /// The policy may let changes wait; the first surface of an object never does. The view's map is computed
+  /// as if it were each object's own: `SurfaceView::object` has it then.
   void sync(const Document& document, bool in_gesture, double now,
-            RecomputePolicy policy = RecomputePolicy::live);
+            RecomputePolicy policy = RecomputePolicy::live, const ViewMap& map = {});
   static constexpr double rest_seconds = 0.4;
 
   /// Stops rebuilding what is on its way; the last surfaces stay, and count as outdated until the object
@@ -73,11 +75,14 @@ class RebuildEngine {
   struct Track {
     std::shared_ptr<ViewBuilder> builder;
     std::shared_ptr<const Object> requested;
+    std::shared_ptr<const Object> given, looked_at;  ///< of the document, and with the view's map
     ObjectPointers neighbours;
     Quality quality = Quality::final;
     double requested_at = 0, stale_since = 0;
     bool pending = false, outdated = false, forced = false;
   };
+  static std::shared_ptr<const Object> with_map(Track& track, const std::shared_ptr<const Object>& object,
+                                                const ViewMap& map);
   void request(Track& track, const std::shared_ptr<const Object>& object, ObjectPointers neighbours,
                Quality quality, double now);
   void take(ObjectId id, SurfaceView view);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "render/grid_plane.hpp"
+
 namespace hariko::gl {
 
 namespace {
@@ -120,7 +122,7 @@ Result<Painter> Painter::create() {
     return "#define DASHED " + std::to_string(dashed) + "\n#define COMB " + std::to_string(comb) + "\n";
   };
   const std::string plain = surface_defines(0, Material::clay, false, false);
-  const std::array<std::tuple<Program*, const char*, std::string>, 10> all{
+  const std::array<std::tuple<Program*, const char*, std::string>, 11> all{
       {{&programs.background, "background", {}},
        {&programs.grid, "grid", {}},
        {&programs.line, "line", line_defines(0, 0)},
@@ -130,6 +132,7 @@ Result<Painter> Painter::create() {
        {&programs.colored_point, "point", "#define COLORED 1\n"},
        {&programs.fill, "fill", {}},
        {&programs.body, "body", {}},
+       {&programs.silhouette, "silhouette", {}},
        {&programs.surface[plain], "surface", plain}}};
   for (const auto& [program, name, defines] : all)
     if (Result<Done> done = load(*program, name, defines); !done) return done.error();
@@ -202,31 +205,37 @@ void Painter::background(const Style& style, Background background) {
 
 void Painter::grid(const Frame& frame, const GridSettings& grid, const Style& style) {
   const double height = frame.camera.view_height();
-  // Fine lines between 1/100 and 1/10 of the view; they fade out as the view grows towards the next power.
-  const double level = std::log10(height) - 1.35;
-  const double power = std::floor(level);
-  const double spacing = grid.spacing > 0 ? grid.spacing : std::pow(10.0, power);
-  const double weight = grid.spacing > 0 ? 1 : 1 - (level - power);
+  const auto [spacing, weight] = grid_lines(grid, height);
   const Vector3& target = frame.camera.target;
-  const double coarse = 10 * spacing;
-  const Vector3 centre(std::round(target.x() / coarse) * coarse, std::round(target.y() / coarse) * coarse,
-                       grid.height);
+  const double coarse = grid_cells * spacing;
+  const auto side = side_plane(frame.camera);
+  const SidePlane plane = side.value_or(SidePlane{0, 1});
+  Vector3 centre = Vector3::Zero();
+  for (const int axis : {plane.across, plane.up}) centre[axis] = std::round(target[axis] / coarse) * coarse;
+  // In parallel projection only what it is drawn before and after says what it is behind.
+  centre[plane.normal()] = side ? target[plane.normal()] : grid.height;
   Matrix4 model = Matrix4::Identity();
+  model.col(0).head<3>() = Vector3::Unit(plane.across);
+  model.col(1).head<3>() = Vector3::Unit(plane.up);
+  model.col(2).head<3>() = Vector3::Unit(plane.normal());
   model.topRightCorner<3, 1>() = centre;
+  const std::array axis_colors{rgb(style.axis_x), rgb(style.axis_y), rgb(style.axis_z)};
   const Program& program = programs_.grid;
   set_frame(program, frame, model, 0);
   program.set("radius", grid_reach * height * std::max(1.0, frame.size.aspect()) * 0.5);
   program.set("spacing", spacing);
   program.set("fine_weight", weight);
-  program.set("axes", glm::vec2(static_cast<float>(-centre.y()), static_cast<float>(-centre.x())));
+  program.set("axes",
+              glm::vec2(static_cast<float>(-centre[plane.up]), static_cast<float>(-centre[plane.across])));
   program.set("line_color", rgb(style.grid));
-  program.set("x_color", rgb(style.axis_x));
-  program.set("y_color", rgb(style.axis_y));
+  program.set("x_color", axis_colors[std::size_t(plane.across)]);
+  program.set("y_color", axis_colors[std::size_t(plane.up)]);
   program.set("strength", style.grid_strength);
   program.set("line_width", frame.pixel_scale);
-  program.set("normal_in_eye", to_float(Vector3(frame.view.topLeftCorner<3, 3>() * Vector3::UnitZ())));
+  program.set("normal_in_eye",
+              to_float(Vector3(frame.view.topLeftCorner<3, 3>() * Vector3::Unit(plane.normal()))));
   glEnable(GL_BLEND);
-  set_depth(Depth::visible);
+  set_depth(side ? Depth::any : Depth::visible);
   glBindVertexArray(empty_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   count();
@@ -350,9 +359,15 @@ void Painter::some_edges(const Frame& frame, const Matrix4& model, const Display
     if (e < polyhedron.edges.size())
       segments.push_back(
           {{polyhedron.edges[e][0], polyhedron.edges[e][0], polyhedron.edges[e][1], polyhedron.edges[e][1]}});
+  this->segments(frame, model, buffers.positions(), 3, segments, style, depth, opacity);
+}
+
+void Painter::segments(const Frame& frame, const Matrix4& model, const TexturedBuffer& coordinates,
+                       int stride, std::span<const CurveSegment> segments, const LineStyle& style,
+                       Depth depth, float opacity) {
   if (segments.empty()) return;
-  upload_stream(segments.size() * sizeof(CurveSegment), segments.data());
-  lines(frame, model, {&buffers.positions(), 3, stream_lines_.name(), static_cast<GLsizei>(segments.size())},
+  upload_stream(segments.size_bytes(), segments.data());
+  lines(frame, model, {&coordinates, stride, stream_lines_.name(), static_cast<GLsizei>(segments.size())},
         style, depth, opacity);
 }
 

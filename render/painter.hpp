@@ -55,6 +55,8 @@ class Painter {
   static Result<Painter> create();
 
   void background(const Style& style, Background background);
+  /// The ground; or, where a camera in parallel projection looks along an axis, the plane across it, as a
+  /// backdrop that is to be drawn before everything else.
   void grid(const Frame& frame, const GridSettings& grid, const Style& style);
   /// Whether what follows is cut by the section plane.
   void cut(const Frame& frame, bool on);
@@ -75,6 +77,9 @@ class Painter {
   void some_edges(const Frame& frame, const Matrix4& model, const DisplayPolyhedron& polyhedron,
                   const PolyhedronBuffers& buffers, std::span<const Index> edges, const LineStyle& style,
                   Depth depth, float opacity);
+  /// Pieces of curves over any coordinates.
+  void segments(const Frame& frame, const Matrix4& model, const TexturedBuffer& coordinates, int stride,
+                std::span<const CurveSegment> segments, const LineStyle& style, Depth depth, float opacity);
   /// All points of a polyhedron, or some. `tensions`: in the colours of their tensions.
   void points(const Frame& frame, const Matrix4& model, const PolyhedronBuffers& buffers,
               const PointStyle& style, Depth depth, float opacity, bool tensions = false);
@@ -86,12 +91,16 @@ class Painter {
   void bodies(const Frame& frame, const Matrix4& model, const BodyBuffers& buffers,
               std::span<const Index> faces, const BodyStyle& style, float opacity);
   void overlay(const Frame& frame, std::span<const OverlayLine> lines);
+  /// The area that a mesh covers in one colour, nearest first, into a mask.
+  void silhouette(const Frame& frame, const Matrix4& model, const MeshBuffers& mesh, const Color& paint);
+  /// Lines round the areas of such a mask.
+  void silhouette_lines(const Frame& frame, GLuint mask, const Style& style);
 
   void reset(FrameStatistics* statistics) { statistics_ = statistics; }
 
  private:
   struct Programs {
-    Program background, grid, line, dashed_line, comb_line, point, colored_point, fill, body;
+    Program background, grid, line, dashed_line, comb_line, point, colored_point, fill, body, silhouette;
     /// By what is defined: software drivers execute every branch of a shader, so each look has a program of
     /// its own.
     std::map<std::string, Program> surface;

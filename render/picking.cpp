@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "render/ray_cast.hpp"
 
@@ -12,9 +13,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double tie_pixels = 0.5;  // design pixels, as below
-// Elements of an interpolated polyhedron lie on the surface; so many pixels' length in front of them do not
-// hide them.
-constexpr double hiding_slack_pixels = 5;
 
 struct FaceHit {
   Index face = no_index;
@@ -54,10 +52,6 @@ FaceHit hit_faces(const SceneObject& object, const Ray& ray, const Section& sect
     }
   }
   return best;
-}
-
-bool shows_surface(const SceneObject& object) {
-  return object.mesh && object.show_surface && object.mesh->patch_count() > 0;
 }
 
 std::optional<SurfaceHit> hit_surface(const SceneObject& object, const Ray& ray, double limit,
@@ -108,7 +102,7 @@ std::optional<SurfaceHit> hit_surface(const SceneObject& object, const Ray& ray,
 double opaque_at(const Scene& scene, const Ray& ray, bool use_surface) {
   double best = infinity;
   for (const SceneObject& object : scene.objects) {
-    if (use_surface && shows_surface(object)) {
+    if (use_surface && object.draws_surface()) {
       if (const auto hit = hit_surface(object, ray, best, scene.section)) best = hit->t;
     } else if (object.polyhedron) {
       best = std::min(best, hit_faces(object, ray, scene.section).t);
@@ -153,6 +147,19 @@ std::optional<ScreenEdge> screen_edge(const SceneObject& object, const Projector
   return out;
 }
 
+/// Whether a curve runs from the edge's first vertex to its second or the other way; nothing where it does
+/// not join them, as the image of an edge does.
+std::optional<bool> direction_of_curve(const SceneObject& object, Index edge, const Vector3& begin,
+                                       std::span<const CurveSegment> segments) {
+  const Vector3 end = object.mesh_vertex(segments.back().vertices[2]);
+  const Vector3 first = world_position(object, object.polyhedron->edges[edge][0]);
+  const Vector3 last = world_position(object, object.polyhedron->edges[edge][1]);
+  const double close = 1e-3 * ((last - first).norm() + (end - begin).norm());
+  if ((begin - first).norm() <= close && (end - last).norm() <= close) return true;
+  if ((begin - last).norm() <= close && (end - first).norm() <= close) return false;
+  return std::nullopt;
+}
+
 /// Everything that one pick needs, and the hits so far.
 class Search {
  public:
@@ -164,14 +171,19 @@ class Search {
   std::vector<PickHit> faces();
 
  private:
+  PickHit* add_if_near(std::size_t o, Index e, const ScreenEdge& edge, std::vector<PickHit>& hits) const;
+  void add_curves(std::size_t o, std::vector<PickHit>& hits) const;
   bool visible(const PickHit& hit) const {
     if (!options_.visible_only) return true;
+    // A straight line inside of the surface is not seen where the curve stands for the edge.
+    const bool surface_hides =
+        hit.kind == Element::Kind::edge && scene_.objects[hit.object].curves_pickable();
     const auto at = projector_.project(hit.point);
     if (!at) return false;
     const Ray ray = projector_.ray(at->head<2>());
     const double reach = (hit.point - ray.origin).norm();
     const double slack = hiding_slack_pixels * scene_.pixel_scale * projector_.pixel_length_at(hit.point);
-    return opaque_at(scene_, ray, options_.use_surface) >= reach - slack;
+    return opaque_at(scene_, ray, options_.use_surface || surface_hides) >= reach - slack;
   }
   /// Nearest to the cursor first, then nearest to the eye; hidden ones dropped.
   std::vector<PickHit> sorted(std::vector<PickHit> hits) const {
@@ -213,25 +225,73 @@ std::vector<PickHit> Search::edges() {
   for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
     const SceneObject& object = scene_.objects[o];
     if (!object.polyhedron || !object.elements_pickable) continue;
+    if (object.curves_pickable()) add_curves(o, hits);
     const std::vector<Vector3> pixels = project_vertices(object, projector_);
-    for (Index e = 0; e < object.polyhedron->edges.size(); ++e) {
-      const auto edge = screen_edge(object, projector_, pixels, e);
-      if (!edge) continue;
-      const Vector2 a = edge->a.head<2>(), along = edge->b.head<2>() - a;
-      const double length2 = along.squaredNorm();
-      const double x = length2 > 0 ? std::clamp((pixel_ - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-      const double distance = (a + x * along - pixel_).norm();
-      if (distance > options_.edge_radius * scene_.pixel_scale) continue;
-      // Equal steps on the screen are not equal steps in space: weigh by depth.
-      const double da = edge->a.z(), db = edge->b.z();
-      const double y = projector_.camera().orthographic ? x : x * da / (x * da + (1 - x) * db);
-      const Vector3 point = edge->world_a + y * (edge->world_b - edge->world_a);
-      if (cut_away(scene_.section, point)) continue;
-      hits.push_back({o, Element::Kind::edge, e, element_of(object.polyhedron->edge_id(e)), point, distance,
-                      da + y * (db - da)});
-    }
+    for (Index e = 0; e < object.polyhedron->edges.size(); ++e)
+      if (object.line_pickable(e))
+        if (const auto edge = screen_edge(object, projector_, pixels, e)) add_if_near(o, e, *edge, hits);
   }
   return sorted(std::move(hits));
+}
+
+/// Adds a piece of an edge where the pixel is near it; null where it is not.
+PickHit* Search::add_if_near(std::size_t o, Index e, const ScreenEdge& edge,
+                             std::vector<PickHit>& hits) const {
+  const Vector2 a = edge.a.head<2>(), along = edge.b.head<2>() - a;
+  const double length2 = along.squaredNorm();
+  const double x = length2 > 0 ? std::clamp((pixel_ - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  const double distance = (a + x * along - pixel_).norm();
+  if (distance > options_.edge_radius * scene_.pixel_scale) return nullptr;
+  // Equal steps on the screen are not equal steps in space: weigh by depth.
+  const double da = edge.a.z(), db = edge.b.z();
+  const double y = projector_.camera().orthographic ? x : x * da / (x * da + (1 - x) * db);
+  const Vector3 point = edge.world_a + y * (edge.world_b - edge.world_a);
+  if (cut_away(scene_.section, point)) return nullptr;
+  const DisplayPolyhedron& polyhedron = *scene_.objects[o].polyhedron;
+  PickHit hit{o,        Element::Kind::edge, e, element_of(polyhedron.edge_id(e)), point,
+              distance, da + y * (db - da)};
+  const Vector3 first = world_position(scene_.objects[o], polyhedron.edges[e][0]);
+  const Vector3 last = world_position(scene_.objects[o], polyhedron.edges[e][1]);
+  const Vector3 way = last - first;
+  if (way.squaredNorm() > 0) hit.share = std::clamp((point - first).dot(way) / way.squaredNorm(), 0.0, 1.0);
+  hits.push_back(hit);
+  return &hits.back();
+}
+
+/// The nearest place of each curve.
+void Search::add_curves(std::size_t o, std::vector<PickHit>& hits) const {
+  const SceneObject& object = scene_.objects[o];
+  const EdgeCurves& curves = *object.edge_curves;
+  std::vector<PickHit> near;
+  for (Index e = 0; e < object.polyhedron->edges.size(); ++e)
+    for (const EdgeCurves::Run& run : curves.of(e)) {
+      near.clear();
+      const auto segments = curves.segments(run);
+      const Vector3 begin = object.mesh_vertex(segments.front().vertices[1]);
+      const double step = 1.0 / static_cast<double>(segments.size());
+      Vector3 last = begin;
+      auto last_pixel = projector_.project(last);
+      for (std::size_t i = 0; i < segments.size(); ++i) {
+        const Vector3 here = object.mesh_vertex(segments[i].vertices[2]);
+        const auto pixel = projector_.project(here);
+        PickHit* hit =
+            last_pixel && pixel ? add_if_near(o, e, {*last_pixel, *pixel, last, here}, near) : nullptr;
+        if (hit) {
+          const double within = (here - last).norm();
+          hit->on_curve = true;
+          hit->share = step * (double(i) + (within > 0 ? (hit->point - last).norm() / within : 0.0));
+        }
+        last = here;
+        last_pixel = pixel;
+      }
+      const auto best = std::min_element(near.begin(), near.end(), [](const PickHit& a, const PickHit& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.depth < b.depth;
+      });
+      if (best == near.end()) continue;
+      const auto forward = direction_of_curve(object, e, begin, segments);
+      best->share = forward ? std::optional(*forward ? *best->share : 1 - *best->share) : std::nullopt;
+      hits.push_back(*best);
+    }
 }
 
 std::vector<PickHit> Search::faces() {
@@ -242,7 +302,7 @@ std::vector<PickHit> Search::faces() {
     const SceneObject& object = scene_.objects[o];
     PickHit hit{o, Element::Kind::face, no_index, {}, {}, 0, infinity};
     double t = infinity;
-    if (options_.use_surface && shows_surface(object)) {
+    if (options_.use_surface && object.draws_surface()) {
       if (const auto at = hit_surface(object, ray, infinity, scene_.section)) {
         t = at->t;
         hit.element = object.mesh->provenance(at->patch).element;
@@ -268,28 +328,6 @@ std::vector<PickHit> Search::faces() {
   return hits;
 }
 
-struct Rectangle {
-  Vector2 low, high;
-  bool holds(const Vector2& p) const {
-    return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
-  }
-  /// Liang and Barsky: does any part of the segment lie inside?
-  bool touches(const Vector2& a, const Vector2& b) const {
-    double first = 0, last = 1;
-    const Vector2 d = b - a;
-    for (int i = 0; i < 2; ++i) {
-      if (d[i] == 0) {
-        if (a[i] < low[i] || a[i] > high[i]) return false;
-        continue;
-      }
-      const double x = (low[i] - a[i]) / d[i], y = (high[i] - a[i]) / d[i];
-      first = std::max(first, std::min(x, y));
-      last = std::min(last, std::max(x, y));
-    }
-    return first <= last;
-  }
-};
-
 }  // namespace
 
 std::vector<PickHit> pick_all(const Scene& scene, const Projector& projector, const Vector2& pixel,
@@ -311,47 +349,13 @@ std::optional<PickHit> pick(const Scene& scene, const Projector& projector, cons
 std::optional<SurfaceHit> pick_surface(const Scene& scene, const Ray& ray) {
   std::optional<SurfaceHit> best;
   for (std::size_t o = 0; o < scene.objects.size(); ++o) {
-    if (!shows_surface(scene.objects[o])) continue;
+    if (!scene.objects[o].draws_surface()) continue;
     if (auto hit = hit_surface(scene.objects[o], ray, best ? best->t : infinity, scene.section)) {
       hit->object = o;
       best = hit;
     }
   }
   return best;
-}
-
-Highlights pick_box(const SceneObject& object, const Projector& projector, const PixelBox& box,
-                    bool crossing) {
-  Highlights out;
-  if (!object.polyhedron) return out;
-  const DisplayPolyhedron& polyhedron = *object.polyhedron;
-  const Rectangle area{box.first.cwiseMin(box.second), box.first.cwiseMax(box.second)};
-  const std::vector<Vector3> pixels = project_vertices(object, projector);
-  std::vector<char> inside(pixels.size(), 0);
-  for (std::size_t v = 0; v < pixels.size(); ++v) {
-    inside[v] = !std::isnan(pixels[v].z()) && area.holds(pixels[v].head<2>());
-    if (inside[v]) out.vertices.push_back(static_cast<Index>(v));
-  }
-  const auto edge_touches = [&](Index a, Index b) {
-    if (std::isnan(pixels[a].z()) || std::isnan(pixels[b].z())) return inside[a] != 0 || inside[b] != 0;
-    return area.touches(pixels[a].head<2>(), pixels[b].head<2>());
-  };
-  for (Index e = 0; e < polyhedron.edges.size(); ++e) {
-    const auto [a, b] = polyhedron.edges[e];
-    if (crossing ? edge_touches(a, b) : (inside[a] && inside[b])) out.edges.push_back(e);
-  }
-  for (std::size_t f = 0; f < polyhedron.face_count(); ++f) {
-    const auto vertices = polyhedron.face(f);
-    bool taken = !crossing;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      if (crossing)
-        taken = taken || edge_touches(vertices[i], vertices[(i + 1) % vertices.size()]);
-      else
-        taken = taken && inside[vertices[i]];
-    }
-    if (taken) out.faces.push_back(static_cast<Index>(f));
-  }
-  return out;
 }
 
 }  // namespace hariko

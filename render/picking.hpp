@@ -10,6 +10,10 @@
 
 namespace hariko {
 
+/// Elements of an interpolated polyhedron lie on the surface, and on the faces that they belong to: so many pixels'
+/// length in front of them do not hide them.
+inline constexpr double hiding_slack_pixels = 5;
+
 struct PickOptions {
   double vertex_radius = 9, edge_radius = 6;  ///< design pixels: the scene's `pixel_scale` makes them larger
   bool vertices = true, edges = true, faces = true;
@@ -28,10 +32,15 @@ struct PickHit {
   Vector3 point = Vector3::Zero();  ///< world point on the element nearest to the cursor
   double distance = 0;              ///< pixels from the cursor; 0 for faces
   double depth = 0;                 ///< from the eye's plane
+  bool on_curve = false;            ///< an edge that was found by its curve on the surface
+  /// Share of an edge from its first vertex; nothing for the image of an edge in a live mirror.
+  std::optional<double> share = std::nullopt;
 };
 
-/// What is under a pixel. Of two vertices (or edges) within the radius the nearer to the cursor wins, of
-/// equally near ones (within half a pixel) the nearer to the eye. O(elements).
+/// What is under a pixel. Edges are found where they are shown: by their curves on the surface, by the
+/// straight lines of the polyhedron, or both (see SceneObject). Of two vertices (or edges) within the radius
+/// the nearer to the cursor wins, of equally near ones (within half a pixel) the nearer to the eye.
+/// O(elements).
 std::optional<PickHit> pick(const Scene& scene, const Projector& projector, const Vector2& pixel,
                             const PickOptions& options = {});
 /// All hits of the best kind within the radius, nearest first: for cycling through overlapping elements.
@@ -48,14 +57,5 @@ struct SurfaceHit {
 };
 /// The front-most point of the shown surfaces on a ray: for the probe and for zooming to the cursor.
 std::optional<SurfaceHit> pick_surface(const Scene& scene, const Ray& ray);
-
-/// A rectangle in pixels, corners in any order.
-struct PixelBox {
-  Vector2 first, second;
-};
-/// Elements of one object in a rectangle: wholly inside, or also those that it touches (crossing). Faces
-/// touch when an edge of theirs does or a corner lies inside. Points behind the eye are outside.
-Highlights pick_box(const SceneObject& object, const Projector& projector, const PixelBox& box,
-                    bool crossing);
 
 }  // namespace hariko

@@ -9,9 +9,12 @@
 #include "core/base/assert.hpp"
 #include "render/buffer_cache.hpp"
 #include "render/frame_target.hpp"
+#include "render/grid_plane.hpp"
+#include "render/highlights.hpp"
 #include "render/painter.hpp"
 #include "render/patch_colors.hpp"
 #include "render/shader_source.hpp"
+#include "render/silhouettes.hpp"
 
 namespace hariko {
 
@@ -59,7 +62,7 @@ struct Renderer::State {
   void draw_overlays(const gl::Frame& frame, const Scene& scene, const gl::Style& style);
 
   struct Picture {
-    gl::FrameTarget target, kept;
+    gl::FrameTarget target, kept, mask;
     Background background = Background::dark;
   };
   /// Says that the picture in `bit` is drawn anew or goes: what it used and no other does is dropped at
@@ -234,18 +237,12 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
                    {&buffers.positions(), 3, buffers.edge_array(kind), buffers.edge_count(kind)}, line, depth,
                    opacity);
   };
-  const auto some = [&](const Highlights& elements, const gl::LineStyle& line) {
-    painter->some_edges(frame, model, *object.polyhedron, buffers, elements.edges, line, depth, opacity);
-  };
   if (object.show_polyhedron) {
     edges(EdgeKind::plain, style.polyhedron);
     edges(EdgeKind::boundary, style.boundary);
     edges(EdgeKind::crease, style.crease);
     if (object.show_tensions) draw_tensions(frame, object, buffers, style, depth, opacity);
   }
-  some(object.selected, style.selected_edge);
-  some(object.hovered, style.hovered_edge);
-  some(object.failed, style.failed_edge);
   const auto points = [&](const std::vector<Index>& vertices, const gl::PointStyle& point) {
     painter->some_points(frame, model, buffers, vertices, point, depth, opacity);
   };
@@ -256,9 +253,6 @@ void Renderer::State::draw_polyhedron(const gl::Frame& frame, const SceneObject&
     points(object.polyhedron->smooth, style.smooth);
     points(object.polyhedron->pinned, style.pinned);
   }
-  points(object.selected.vertices, style.selected_point);
-  points(object.hovered.vertices, style.hovered_point);
-  points(object.failed.vertices, style.failed_point);
 }
 
 /// Over the surface that the bodies are inside of: a map's colours are touched at their outlines only.
@@ -289,7 +283,7 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
       draw_bodies(frame, object, style);
       painter->cut(frame, false);
     }
-    if (object.mesh && object.show_surface && object.mesh->patch_count() > 0) {
+    if (object.draws_surface()) {
       painter->cut(frame, true);
       draw_facet_edges(frame, object, style);
       draw_curves(frame, object, style);
@@ -304,13 +298,17 @@ void Renderer::State::draw_overlays(const gl::Frame& frame, const Scene& scene, 
     if (!any) continue;
     const Matrix4 model = gl::at_origin(object.transform, object.polyhedron->origin);
     painter->cut(frame, true);
-    if (!object.show_bodies) {
+    // Faces on the surface are tinted with it.
+    if (!object.show_bodies && !object.elements_on_surface()) {
       painter->faces(frame, model, *object.polyhedron, object.selected.faces, style.selected_fill);
       painter->faces(frame, model, *object.polyhedron, object.hovered.faces, style.hovered_fill);
     }
     painter->faces(frame, model, *object.polyhedron, object.failed.faces, style.failed_fill);
     if (object.x_ray) draw_polyhedron(frame, object, style, gl::Depth::hidden, scene.hidden_opacity);
     draw_polyhedron(frame, object, style, gl::Depth::visible, 1);
+    gl::draw_highlights(*painter, frame, object,
+                        polyhedra.get(object.polyhedron, bit, statistics.uploaded_bytes),
+                        object.draws_surface() ? &mesh_buffers(*object.mesh) : nullptr, style);
     painter->cut(frame, false);
   }
   painter->overlay(frame, scene.lines);
@@ -356,18 +354,29 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Draw
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBlendEquation(GL_FUNC_ADD);
   s.painter->background(style, scene.background);
+  const bool backdrop = side_plane(camera).has_value();
+  if (scene.grid.visible && backdrop) s.painter->grid(frame, scene.grid, style);
   s.painter->cut(frame, true);
   Result<Done> drawn = Done{};
   for (const SceneObject& object : scene.objects) {
-    if (!object.mesh || !object.show_surface || object.mesh->patch_count() == 0) continue;
+    if (!object.draws_surface()) continue;
     gl::MeshBuffers& buffers = s.mesh_buffers(*object.mesh);
     buffers.set_patch_colors(patch_color_bytes(object), s.statistics.uploaded_bytes);
     if (Result<Done> done = s.painter->surface(frame, object, buffers, scene.zebra, style); !done)
       drawn = done;
   }
   s.painter->cut(frame, false);
-  if (scene.grid.visible) s.painter->grid(frame, scene.grid, style);
+  if (scene.grid.visible && !backdrop) s.painter->grid(frame, scene.grid, style);
   s.draw_overlays(frame, scene, style);
+  if (gl::has_silhouettes(scene)) {
+    const auto buffers_of = [&s](const DisplayMesh& mesh) -> const gl::MeshBuffers& {
+      return s.mesh_buffers(mesh);
+    };
+    if (Result<Done> done =
+            gl::draw_silhouettes(*s.painter, frame, scene, buffers_of, picture.mask, picture.target, style);
+        !done)
+      drawn = done;
+  }
 
   glBindVertexArray(0);
   glUseProgram(0);

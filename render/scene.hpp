@@ -13,6 +13,7 @@
 #include "render/color_map.hpp"
 #include "render/display_mesh.hpp"
 #include "render/display_polyhedron.hpp"
+#include "render/edge_curves.hpp"
 #include "render/surface_lines.hpp"
 
 namespace hariko {
@@ -52,7 +53,9 @@ Matrix4 matrix_of(const Similarity& transform);
 struct SceneObject {
   std::shared_ptr<const DisplayMesh> mesh;              ///< may be null: no surface yet
   std::shared_ptr<const DisplayPolyhedron> polyhedron;  ///< may be null
-  Matrix4 transform = Matrix4::Identity();              ///< object to world, a similarity
+  /// Where the polyhedron's edges lie on the surface; null where its elements are not those of the surface.
+  std::shared_ptr<const EdgeCurves> edge_curves;
+  Matrix4 transform = Matrix4::Identity();  ///< object to world, a similarity
 
   SurfaceMap map = SurfaceMap::shaded;
   ValueRange range;  ///< for maps with values
@@ -78,9 +81,30 @@ struct SceneObject {
 
   Highlights selected, hovered;
   Highlights failed;  ///< what the last rebuild complained about: outlined in red
+  /// The silhouette of the surface is drawn round: of objects that are selected, or hovered, as a whole.
+  bool outlined = false, outlined_as_hovered = false;
   /// Patches to tint, for instance those of selected faces; ascending.
   std::vector<Index> selected_patches, hovered_patches;
 
+  bool draws_surface() const { return mesh && show_surface && mesh->patch_count() > 0; }
+  /// The surface is drawn, and edges and faces of the polyhedron can be emphasised on it.
+  bool elements_on_surface() const {
+    return draws_surface() && edge_curves && edge_curves->curves == mesh->curves();
+  }
+  /// Pointing finds edges by their curves: where they are shown, or nothing else is that stands for edges.
+  bool curves_pickable() const { return elements_on_surface() && (show_network || !show_polyhedron); }
+  /// Pointing finds an edge by the straight line between its ends: where those are shown, or it has no curve.
+  bool line_pickable(Index edge) const {
+    return show_polyhedron || !curves_pickable() || !edge_curves->covers(edge);
+  }
+  /// A point relative to the mesh's or the polyhedron's origin in world axes.
+  Vector3 to_world(const Vector3& origin, const std::array<float, 3>& p) const {
+    const Vector3 local = origin + Vector3(double(p[0]), double(p[1]), double(p[2]));
+    return transform.topLeftCorner<3, 3>() * local + transform.topRightCorner<3, 1>();
+  }
+  Vector3 mesh_vertex(std::size_t number) const {
+    return to_world(mesh->origin(), mesh->vertex(number).position);
+  }
   /// Box in world axes, empty when there is nothing to show.
   Box3 world_box() const;
   /// Appends points whose hull is what is shown, in world axes: at most about `limit` of each part.

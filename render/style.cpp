@@ -13,7 +13,9 @@ Color with_alpha(Color color, float alpha) {
 
 Style style_of(Background background) {
   const bool light = background == Background::light;
-  const Color accent = color_from_hex("#f29e38"), secondary = color_from_hex("#4aa3df");
+  const Color accent = color_from_hex("#ffa51f"), secondary = color_from_hex("#4aa3df");
+  // Far from the selection's orange in hue and in lightness, for every kind of colour vision.
+  const Color fold = color_from_hex("#c2185b");
   const Color ink = color_from_hex("#17181a");
   Style s;
   s.top = color_from_hex(light ? "#f4f5f7" : "#3a3d42");
@@ -22,6 +24,7 @@ Style style_of(Background background) {
   s.grid_strength = light ? 0.26F : 0.20F;
   s.axis_x = color_from_hex("#e5484d");
   s.axis_y = color_from_hex("#46a758");
+  s.axis_z = color_from_hex("#3e82f7");
   s.inside = color_from_hex("#5f7f96");
   s.undefined = undefined_color;
   s.wire = with_alpha(ink, 0.38F);
@@ -32,11 +35,11 @@ Style style_of(Background background) {
   s.zebra_network = {with_alpha(secondary, 0.95F), 1.6F, {}, 0};  // readable on black and on white
   s.split = {with_alpha(color_from_hex("#22252a"), 0.34F), 1.0F, {}, 0};
   s.facet_edge = {with_alpha(ink, 0.55F), 1.0F, {}, 0};
-  s.crease = {color_from_hex("#ff5a2b"), 2.4F, with_alpha(ink, 0.30F), 0.6F};
+  s.crease = {fold, 2.4F, with_alpha(light ? ink : Color{1, 1, 1, 1}, 0.30F), 0.7F};
   s.boundary = {color_from_hex("#3dbb6c"), 2.0F, with_alpha(ink, 0.30F), 0.6F};
   s.continuity = {Color{1, 1, 1, 1}, 2.6F, with_alpha(ink, 0.55F), 0.9F};
-  s.selected_edge = {accent, 3.0F, with_alpha(ink, 0.55F), 1.0F};
-  s.hovered_edge = {secondary, 2.5F, with_alpha(ink, 0.55F), 1.0F};
+  s.selected_edge = {accent, 4.4F, with_alpha(ink, 0.70F), 1.2F};
+  s.hovered_edge = {secondary, 3.6F, with_alpha(ink, 0.60F), 1.0F};
   s.failed_edge = {color_from_hex("#ff3b30"), 3.4F, with_alpha(Color{1, 1, 1, 1}, 0.75F), 1.0F};
   s.tension = {Color{1, 1, 1, 1}, 3.0F, with_alpha(ink, 0.60F), 0.9F};
   s.tension_on_line = {Color{1, 1, 1, 1}, 1.5F, {}, 0};
@@ -51,7 +54,7 @@ Style style_of(Background background) {
   s.point = {color_from_hex("#f4f4f2"), with_alpha(ink, 0.90F), 7.0F, 1.25F};
   s.selected_point = {accent, with_alpha(ink, 0.95F), 10.0F, 1.5F};
   s.hovered_point = {secondary, with_alpha(ink, 0.95F), 9.0F, 1.5F};
-  s.corner = {color_from_hex("#ff5a2b"), with_alpha(ink, 0.95F), 11.0F, 1.5F, PointShape::square};
+  s.corner = {fold, with_alpha(ink, 0.95F), 11.0F, 1.5F, PointShape::square};
   s.smooth = {color_from_hex("#3dbb6c"), with_alpha(ink, 0.95F), 12.0F, 1.2F, PointShape::ring};
   s.pinned = {color_from_hex("#c58cff"), with_alpha(ink, 0.95F), 13.0F, 1.5F, PointShape::diamond};
   s.failed_point = {color_from_hex("#ff3b30"), with_alpha(Color{1, 1, 1, 1}, 0.95F), 12.0F, 2.0F};

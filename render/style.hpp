@@ -34,7 +34,7 @@ struct BodyStyle {
 
 struct Style {
   Color top, bottom;  ///< background
-  Color grid, axis_x, axis_y;
+  Color grid, axis_x, axis_y, axis_z;
   float grid_strength = 0.2F;
   Color inside, undefined, wire;
   LineStyle polyhedron, network, zebra_network, split, crease, boundary, continuity, selected_edge,
@@ -51,6 +51,7 @@ struct Style {
   struct Bodies {
     BodyStyle plain, selected, hovered;
   } bodies, bodies_over_map;
+  float outline_width = 2.2F;  ///< of lines round whole objects
   float dimming = 0.2F;
 };
 

@@ -52,6 +52,7 @@ void Editor::begin_recording() {
   transform = {};
   selecting = {};
   last_click.reset();
+  left_out.reset();
   kept_probe.reset();
   last_operation = {};
   recompute = {};

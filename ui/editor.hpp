@@ -29,6 +29,7 @@
 #include "ui/surface_view.hpp"
 #include "ui/transform_settings.hpp"
 #include "ui/view_layout.hpp"
+#include "ui/view_map.hpp"
 
 namespace hariko {
 
@@ -51,6 +52,9 @@ struct CursorNote {
 
 /// How the viewport shows things: not part of the document.
 struct ViewSettings {
+  ViewMap map;  ///< on all surfaces at once
+  bool surfaces_only =
+      false;  ///< for judging: no curves, points, polyhedra, handles or marks of the selection
   ZebraSettings zebra;
   ContinuityTolerance tolerance;  ///< of the marks of continuity
   struct Section {
@@ -68,7 +72,17 @@ struct ViewSettings {
 /// How pointing selects.
 struct SelectSettings {
   bool lasso = false;    ///< drags beside elements draw a lasso instead of a box
-  bool through = false;  ///< also what is hidden
+  bool through = false;  ///< clicks take also what is hidden, and in perspective boxes and lassos
+  /// Boxes and lassos take also what is hidden in views in parallel projection, where one draws round all
+  /// that lies behind each other.
+  bool through_parallel = true;
+  bool regions_through(bool parallel) const { return parallel ? through_parallel : through; }
+};
+
+/// What a box or a lasso did not take as it was hidden: to be told as long as the selection is what it made.
+struct LeftOut {
+  std::size_t count = 0;
+  Selection selection;
 };
 
 /// The last click on an element: one more at the same place takes what lies behind.
@@ -87,6 +101,7 @@ class Editor {
   TransformSettings transform;
   SelectSettings selecting;
   std::optional<LastClick> last_click;
+  std::optional<LeftOut> left_out;
   Settings settings;
   FrameTimes frame_times;
   Recompute recompute;

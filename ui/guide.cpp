@@ -48,8 +48,7 @@ bool fulfilled(GuideStep step, const GuideFacts& before, const GuideFacts& now) 
     case GuideStep::crease:
       return any_polyhedron(before.document, now.document, &creased);
     case GuideStep::zebra:
-      return std::any_of(objects.begin(), objects.end(),
-                         [](const auto& object) { return object->display.map == SurfaceMap::zebra; });
+      return now.zebra;
     case GuideStep::export_file:
       return now.exports > before.exports;
     case GuideStep::done:
@@ -93,9 +92,9 @@ const GuideText& text_of(GuideStep step) {
            "Press 2, click an edge, then press {0} or tick Crease on the right. The surface folds there."),
        "shape.crease"},
       {translatable("Judge it with zebra stripes"),
-       translatable("Under Display on the right choose the map Zebra. Stripes that run on without a kink "
-                    "mean a smooth surface."),
-       ""},
+       translatable("Press {0}. Stripes that run on without a kink mean a smooth surface; the same key takes "
+                    "them away."),
+       "analyse.zebra"},
       {translatable("Take it out"),
        translatable("Press {0}, type a name and export. What you have now is a mesh for any other program."),
        "file.export"},

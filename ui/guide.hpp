@@ -13,8 +13,9 @@ inline constexpr int guide_step_count = 6;
 
 /// What a step is recognised by.
 struct GuideFacts {
-  Document document;  ///< the committed one
-  int exports = 0;    ///< files exported since the program began
+  Document document;   ///< the committed one
+  int exports = 0;     ///< files exported since the program began
+  bool zebra = false;  ///< a surface shows zebra stripes, by its own map or by the view's
 };
 
 /// Whether what the step asks for has happened between the two.

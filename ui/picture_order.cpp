@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/picture.hpp"
+#include "ui/legend_source.hpp"
 
 namespace hariko {
 
@@ -38,16 +39,14 @@ Camera framing_all_turns(const Camera& camera, const Scene& scene, const Vector3
   return camera.frame(swept, size);
 }
 
-/// Of the active object, as the view shows it.
-std::optional<Legend> legend_of(const Editor& editor) {
-  const Object* object = editor.active_object();
-  if (!object || !object->visible || !object->has_surface() || !has_values(object->display.map)) return {};
-  const SurfaceView* view = editor.view_of(object->id);
-  if (!view || !view->object || view->object->display.map != object->display.map) return {};
+/// As the view shows it: of the active object's own map, else of the view's.
+std::optional<Legend> legend_of(const Editor& editor, const SceneBuilder& scene) {
+  const auto source = legend_source(editor, scene);
+  if (!source) return {};
   Legend legend;
-  legend.map = object->display.map;
-  legend.range = view->range;
-  legend.histogram = view->histogram;
+  legend.map = source->map;
+  legend.range = source->range;
+  legend.histogram = *source->histogram;
   legend.unit = unit_of(legend.map, to_string(editor.document().unit));
   legend.on_dark = editor.settings.theme != ThemeId::light;
   legend.colour_blind_safe = editor.settings.colour_blind_maps;
@@ -70,7 +69,9 @@ Result<PictureOrder> order(const Editor& editor, const SceneBuilder& builder,
   for (SceneObject& object : out.scene.objects) {
     object.hovered = {};
     object.hovered_patches.clear();
+    object.outlined_as_hovered = false;
     if (settings.selection) continue;
+    object.outlined = false;
     object.selected = {};
     object.selected_patches.clear();
   }
@@ -81,7 +82,7 @@ Result<PictureOrder> order(const Editor& editor, const SceneBuilder& builder,
                                 double(out.size.height) / editor.viewport.height) *
                        editor.pixel_scale;
   out.scene.pixel_scale = scale;
-  if (settings.legend) out.legend = legend_of(editor);
+  if (settings.legend) out.legend = legend_of(editor, builder);
   if (out.legend) out.legend->scale = scale;
   return out;
 }

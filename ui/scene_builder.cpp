@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/document/object_shape.hpp"
+#include "render/surface_maps.hpp"
 #include "ui/object_lines.hpp"
 #include "ui/solids_display.hpp"
 
@@ -16,8 +18,10 @@ bool same(const GridSettings& a, const GridSettings& b) {
 }
 
 bool same(const SceneObject& a, const SceneObject& b) {
-  return a.mesh == b.mesh && a.polyhedron == b.polyhedron && a.transform == b.transform && a.map == b.map &&
-         a.range == b.range && a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
+  return a.mesh == b.mesh && a.polyhedron == b.polyhedron && a.edge_curves == b.edge_curves &&
+         a.outlined == b.outlined && a.outlined_as_hovered == b.outlined_as_hovered &&
+         a.transform == b.transform && a.map == b.map && a.range == b.range &&
+         a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
          a.show_network == b.show_network && a.elements_pickable == b.elements_pickable && a.wire == b.wire &&
          a.material == b.material && a.color == b.color && a.show_tensions == b.show_tensions &&
          a.show_bodies == b.show_bodies && a.faint_bodies == b.faint_bodies && a.marks == b.marks &&
@@ -119,6 +123,23 @@ void add_symmetry_plane(const Object& object, std::vector<OverlayLine>& lines) {
   for (std::size_t i = 0; i < 4; ++i) lines.push_back({corners[i], corners[(i + 1) % 4], color, 1.6F, false});
 }
 
+/// An object that is chosen or pointed at as a whole: the outline of its surface, or all lines where it shows
+/// none.
+void mark_whole(const Editor& editor, const Object& object, SceneObject& out) {
+  const ElementRef whole{object.id, element_of(object.id)};
+  const bool selected = editor.selection.contains(whole), hovered = editor.hovered == whole;
+  if (out.draws_surface()) {
+    out.outlined = selected;
+    out.outlined_as_hovered = hovered;
+    return;
+  }
+  Highlights all;
+  for (Index e = 0; (selected || hovered) && out.polyhedron && e < out.polyhedron->edges.size(); ++e)
+    all.edges.push_back(e);
+  if (selected) out.selected = all;
+  if (hovered) out.hovered = all;
+}
+
 /// The element that an error names, to be outlined: faces by their edges too.
 Highlights failed_of(const Message& error, const Polyhedron& polyhedron) {
   const Element& element = error.element;
@@ -183,6 +204,7 @@ void SceneBuilder::update(const Editor& editor) {
     }
     ids_.push_back(object->id);
   }
+  colour_by_view(editor, next);
   std::erase_if(entries_, [&](const auto& entry) { return !editor.document().find(entry.first); });
   const bool compared = !compared_.empty();
   if (!same(next, scene_)) ++version_;
@@ -219,38 +241,29 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   SceneObject out;
   out.polyhedron = polyhedron_of(editor.document(), object);
   out.transform = matrix_of(object->transform);
-  const DisplaySettings& display = object->display;
+  const DisplaySettings display = shown_display(editor.view.map, *object);
+  const bool bare = editor.view.surfaces_only;
   out.show_surface = display.surface;
-  out.show_polyhedron = display.polyhedron;
-  out.show_network = display.network;
+  out.show_polyhedron = display.polyhedron && !bare;
+  out.show_network = display.network && !bare;
   out.elements_pickable = !(object->patches() || object->bezier()) || display.polyhedron;
   out.x_ray = editor.view.x_ray;
   out.material = display.material;
   out.color = color_of(display.colour);
-  out.wire = display.wire;
+  out.wire = bare ? PatchWire::none : display.wire;
   out.show_points = display.points;
   out.show_tensions = display.tensions;
   const Polyhedron* cage = object->cage();
   const SurfaceView* view = editor.view_of(object->id);
-  if (editor.mode == ElementMode::object) {
-    const ElementRef whole{object->id, element_of(object->id)};
-    const auto outline = [&](bool wanted) {
-      Highlights all;
-      for (Index e = 0; wanted && out.polyhedron && e < out.polyhedron->edges.size(); ++e)
-        all.edges.push_back(e);
-      return all;
-    };
-    out.selected = outline(editor.selection.contains(whole));
-    out.hovered = outline(editor.hovered == whole);
-  }
+  if (view) out.mesh = view->mesh;
+  if (editor.mode == ElementMode::object && !bare) mark_whole(editor, *object, out);
   if (!object->has_surface()) {
     out.show_points = false;
-    if (view) out.mesh = view->mesh;
-    out.map = has_values(display.map) ? SurfaceMap::shaded : display.map;
+    out.map = display.map;
     return out;
   }
   if (view) {
-    out.mesh = view->mesh;
+    if (view->mesh && out.polyhedron) out.edge_curves = edge_curves_of(*object, *view->mesh, *out.polyhedron);
     out.combs = display.combs.shown ? view->combs : nullptr;
     out.comb_scale = display.combs.scale;
     if (display.marks && view->continuity) out.marks = marks_of(object->id, *view, editor.view.tolerance);
@@ -269,6 +282,7 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   const auto stale = editor.stale_since.find(object->id);
   out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
                editor.recompute.outdated.contains(object->id);
+  if (bare) return out;
   if (const OutlineSource* outline = object->outline(); outline && editor.mode == ElementMode::vertex) {
     out.selected = points_of(editor.selection.of(object->id), *outline->outline);
     if (editor.hovered && editor.hovered->object == object->id) {
@@ -302,6 +316,57 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
     if (out.mesh) out.hovered_patches = patches_of(*out.mesh, hover.of(object->id).faces);
   }
   return out;
+}
+
+std::shared_ptr<const EdgeCurves> SceneBuilder::edge_curves_of(const Object& object, const DisplayMesh& mesh,
+                                                               const DisplayPolyhedron& polyhedron) {
+  if (!object.polyhedron()) return nullptr;
+  Entry& entry = entries_[object.id];
+  const auto topology = object.polyhedron()->polyhedron.shared_topology();
+  if (!entry.edge_curves || entry.edge_curves->curves != mesh.curves() || entry.curves_topology != topology) {
+    entry.edge_curves = edge_curves(mesh, polyhedron);
+    entry.curves_topology = topology;
+  }
+  return entry.edge_curves;
+}
+
+/// One range for all surfaces that show the view's map, so that their colours compare. In a gesture it rests.
+void SceneBuilder::colour_by_view(const Editor& editor, Scene& scene) {
+  const ViewMap& view = editor.view.map;
+  const auto slot = view.map ? range_slot(*view.map) : std::nullopt;
+  std::vector<std::shared_ptr<const DisplayMesh>> meshes;
+  std::vector<std::pair<SceneObject*, double>> followers;  // with what their values are divided by
+  for (std::size_t i = 0; slot && !paper_ && i < scene.objects.size(); ++i) {
+    SceneObject& shown = scene.objects[i];
+    const Object* object = editor.document().find(ids_[i]);
+    const SurfaceView* surface = editor.view_of(ids_[i]);
+    // Not where triangles or errors stand in the surface's place.
+    if (!object || !surface || shown.mesh != surface->mesh || shown.map != *view.map ||
+        !follows_view(view, *object))
+      continue;
+    followers.emplace_back(&shown, std::pow(object->transform.scale, scale_power(*view.map)));
+    meshes.push_back(shown.mesh);
+  }
+  if (followers.empty()) {
+    view_scale_.reset();
+    return;
+  }
+  const bool same_map = view_scale_ && view_scale_->map == *view.map;
+  const bool fresh = same_map && scaled_settings_ == view.ranges[*slot] &&
+                     (editor.history.in_gesture() || scaled_meshes_ == meshes);
+  if (!fresh) {
+    std::vector<float> values;
+    for (const auto& [shown, divisor] : followers)
+      for (const float value : values_of(*shown->mesh, *view.map))
+        values.push_back(static_cast<float>(double(value) / divisor));
+    constexpr int bins = 48;
+    const ValueRange range = value_range(*view.map, view.ranges[*slot], values);
+    view_scale_ = ViewScale{*view.map, range, histogram(values, range, bins)};
+    scaled_meshes_ = std::move(meshes);
+    scaled_settings_ = view.ranges[*slot];
+  }
+  for (const auto& [shown, divisor] : followers)
+    shown->range = {view_scale_->range.low * divisor, view_scale_->range.high * divisor};
 }
 
 std::shared_ptr<const EdgeMarks> SceneBuilder::marks_of(ObjectId id, const SurfaceView& view,

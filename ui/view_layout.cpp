@@ -11,9 +11,11 @@ constexpr int free_view = 0, top_view = 1, front_view = 2, right_view = 3;
 }  // namespace
 
 void ViewLayout::arrange(Arrangement arrangement) {
+  active_ = active();
   arrangement_ = arrangement;
   if (arrangement != Arrangement::one) several_ = arrangement;
   if (!shows(active_)) active_ = free_view;
+  pointed_.reset();
 }
 
 void ViewLayout::toggle_maximised() {
@@ -21,7 +23,9 @@ void ViewLayout::toggle_maximised() {
 }
 
 void ViewLayout::activate(int view) {
-  if (shows(view)) active_ = view;
+  if (!shows(view)) return;
+  active_ = view;
+  pointed_.reset();
 }
 
 std::vector<Pane> ViewLayout::panes() const {

@@ -3,6 +3,7 @@
 // ViewLayout: which views the window shows and where, and which of them the user works in. A value.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "ui/view.hpp"
@@ -35,11 +36,15 @@ class ViewLayout {
   /// The active view alone, or back to the arrangement of several before.
   void toggle_maximised();
 
-  int active() const { return active_; }
-  /// Does nothing for views that are not shown.
+  /// The view under the pointer, else the one that was worked in last.
+  int active() const { return pointed_ && shows(*pointed_) ? *pointed_ : active_; }
+  /// Something is done in a view: it stays active when the pointer leaves. Does nothing for views that are
+  /// not shown.
   void activate(int view);
-  View& active_view() { return views[static_cast<std::size_t>(active_)]; }
-  const View& active_view() const { return views[static_cast<std::size_t>(active_)]; }
+  /// The pointer is over a view, or, with nothing, has left them all: that alone lasts no longer.
+  void point_at(std::optional<int> view) { pointed_ = view; }
+  View& active_view() { return views[static_cast<std::size_t>(active())]; }
+  const View& active_view() const { return views[static_cast<std::size_t>(active())]; }
 
   /// Side by side from left to right and top to bottom; they cover the viewport.
   std::vector<Pane> panes() const;
@@ -50,6 +55,7 @@ class ViewLayout {
  private:
   Arrangement arrangement_ = Arrangement::one, several_ = Arrangement::four;
   int active_ = 0;
+  std::optional<int> pointed_;
 };
 
 }  // namespace hariko

@@ -80,7 +80,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
                                ImGuiButtonFlags_MouseButtonMiddle);
     context.marks.item("viewport");
     const bool hovered = ImGui::IsItemHovered();
-    activate_under_pointer();
+    activate_under_pointer(rect);
     scene_.update(editor_);  // hovering and clicking look at what is there now
     gizmo_.update(editor_, tool_ != nullptr);
     arrows_.update(editor_);
@@ -145,16 +145,24 @@ Vector2 Viewport::pixel_at(ImVec2 point) const {
   return {double((point.x - rect_.min.x) * scale.x), double((point.y - rect_.min.y) * scale.y)};
 }
 
-/// The view under the pointer is the active one, unless something is being dragged.
-void Viewport::activate_under_pointer() {
+/// The view under the pointer is the active one, unless something is being dragged. A pointer that only
+/// crosses a view on its way to a menu leaves the one active that was worked in.
+void Viewport::activate_under_pointer(const PanelRect& rect) {
+  bool pressed = false;
   if (tool_ || ImGui::IsAnyMouseDown()) {
     // The press itself comes with a pointer that may have jumped here since the last frame.
-    const bool pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+    pressed = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
     if (tool_ || !pressed) return;
   }
-  if (!ImGui::IsWindowHovered()) return;
-  for (const Place& place : places_)
-    if (holds(place.rect, ImGui::GetIO().MousePos)) editor_.layout.activate(place.view);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  ViewLayout& layout = editor_.layout;
+  if (!ImGui::IsWindowHovered() && holds(rect, mouse)) return;  // under a menu or a dialog
+  layout.point_at({});
+  for (const Place& place : places_) {
+    if (!holds(place.rect, mouse)) continue;
+    layout.point_at(place.view);
+    if (pressed) layout.activate(place.view);
+  }
   rect_ = active_place().rect;
   editor_.viewport = size_of(active_place());
 }
@@ -233,12 +241,15 @@ void Viewport::show(PanelContext& context, const Place& place) {
   picture(pictures_.texture(place.view), static_cast<float>(share));
   const bool active = place.view == editor_.layout.active();
   draw_scale_bar(context, camera, place.rect);
-  draw_tension_numbers(context, place.rect, camera, scene_.scene());
+  draw_grid_labels(context, camera, place.rect, scene_.scene().grid);
+  if (!editor_.view.surfaces_only) draw_tension_numbers(context, place.rect, camera, scene_.scene());
   const ToolOverlay overlay{list, place.rect.min, context.metrics};
   const bool free = active && !tool_ && holds(place.rect, ImGui::GetIO().MousePos);
-  skin_overlay_.draw(editor_, Projector(camera, size_of(place)), overlay,
-                     free ? std::optional(pixel_at(ImGui::GetIO().MousePos)) : std::nullopt,
-                     active ? &context.marks : nullptr);
+  const bool bare = editor_.view.surfaces_only;
+  if (!bare)
+    skin_overlay_.draw(editor_, Projector(camera, size_of(place)), overlay,
+                       free ? std::optional(pixel_at(ImGui::GetIO().MousePos)) : std::nullopt,
+                       active ? &context.marks : nullptr);
   if (gauss_)
     draw_gauss_overlay(editor_, *gauss_, Projector(camera, size_of(place)), list, place.rect.min,
                        context.metrics);
@@ -301,6 +312,7 @@ void Viewport::wheel(const PointerEvent& event) {
     tool_found_ = name_of_document(editor_);
     return;
   }
+  editor_.layout.activate(editor_.layout.active());
   constexpr double pause = 0.7;  // seconds that separate two steps to go back from
   turn_wheel(context, {steps, event.pixel, event.shift, event.control}, editor_.now - wheel_at_ > pause);
   wheel_at_ = editor_.now;
@@ -313,7 +325,7 @@ void Viewport::look_for_press(PointerEvent event) {
     if (event.clicks == 0) continue;
     event.button = buttons[i];
     if (scene_.paper() && event.button == PointerButton::left && editor_.paper.hovered.facet != no_index &&
-        !navigation_action(editor_.settings.navigation, event)) {
+        !navigation_of(editor_, event)) {
       editor_.paper.selected = editor_.paper.hovered.facet;
       return;
     }
@@ -327,7 +339,8 @@ void Viewport::look_for_press(PointerEvent event) {
                 : arrow   ? make_normal_tool(editor_.selection.active, *arrow)
                 : waist   ? make_waist_tool(editor_.selection.active, waists_.bridge(*waist))
                 : network ? make_network_tool(editor_.selection.active, network_.handle(*network))
-                          : skin_tool_at({editor_, scene_}, event);
+                : editor_.view.surfaces_only ? nullptr
+                                             : skin_tool_at({editor_, scene_}, event);
     if (!tool) tool = tool_for(editor_, event);
     if (tool) start(std::move(tool), event);
   }
@@ -374,8 +387,7 @@ bool Viewport::begin_navigation(PointerEvent event) {
   event.kind = PointerEvent::Kind::press;
   for (std::size_t i = 0; i < buttons.size(); ++i) {
     event.button = buttons[i];
-    if (!ImGui::IsMouseClicked(static_cast<int>(i)) || !navigation_action(editor_.settings.navigation, event))
-      continue;
+    if (!ImGui::IsMouseClicked(static_cast<int>(i)) || !navigation_of(editor_, event)) continue;
     navigation_press_ = event;
     navigation_ = tool_for(editor_, event);
     ToolContext context{editor_, scene_};
@@ -506,7 +518,8 @@ std::string Viewport::hint() const {
           ? fill(tr(objects == 1 ? "{0} object" : "{0} objects"), {std::to_string(objects)})
           : describe_in(editor_.has_document ? editor_.active_object() : nullptr,
                         editor_.selection.of_active(), editor_.language);
-  return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation));
+  const bool parallel = editor_.camera().orthographic;
+  return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation, parallel));
 }
 
 }  // namespace hariko

@@ -40,6 +40,7 @@ class Viewport {
   bool tool_key(const KeyPress& press);
   /// Ends the active tool as if it had never begun. False when there is none.
   bool cancel_tool();
+  /// What the pointer can do now, or what the running tool says.
   std::string hint() const;
   const SceneBuilder& scene() const { return scene_; }
   /// The point of a surface under the pointer, where no tool runs.
@@ -61,7 +62,7 @@ class Viewport {
   };
 
   void place_views(const PanelRect& rect);
-  void activate_under_pointer();
+  void activate_under_pointer(const PanelRect& rect);
   void drag_splitter(PanelContext& context, const PanelRect& rect);
   void gizmo_button(PanelContext& context, Place& place);
   void show(PanelContext& context, const Place& place);

@@ -11,6 +11,7 @@
 #include "ui/commands/skin_commands.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/beside.hpp"
+#include "ui/selection_text.hpp"
 
 namespace hariko {
 
@@ -20,6 +21,13 @@ namespace {
 /// once would miss the field.)
 bool text_field_active() {
   return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID;
+}
+
+bool shows_zebra(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+    return object->visible && shown_map(editor.view.map, *object) == SurfaceMap::zebra;
+  });
 }
 
 }  // namespace
@@ -133,7 +141,8 @@ void Workbench::frame() {
                        actions_.dismiss_crash,
                        actions_.show_log_folder};
   // What a gesture shows is not done yet.
-  if (!editor_.history.in_gesture()) editor_.guide.look({editor_.history.current(), editor_.exports});
+  if (!editor_.history.in_gesture())
+    editor_.guide.look({editor_.history.current(), editor_.exports, shows_zebra(editor_)});
   const float menu = draw_menu_bar(context);
   layout(context, menu);
   // A question about an offer takes the dialog's place until it is answered.
@@ -193,10 +202,27 @@ void Workbench::layout(PanelContext& context, float menu) {
   if (!viewport_.tool_active() && !paper_panel_.hint().empty()) context.tool_hint = paper_panel_.hint();
   if (!viewport_.tool_active() && gauss_.shown && !gauss_panel_.hint().empty())
     context.tool_hint = gauss_panel_.hint();
+  if (!viewport_.tool_active() && !editor_.hovered)
+    if (const std::string note = status_note(); !note.empty()) context.tool_hint = note;
+  status_ = context.tool_hint;
   draw_status_line(context, {{0, screen.y - status}, screen});
   draw_notices(context, view);
 
   drag_border({{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}});
+}
+
+/// What a designer should know of how things are shown and chosen, before the hints of pointing.
+std::string Workbench::status_note() const {
+  const auto keys = [&](const char* id) {
+    const Command* command = commands_.find(id);
+    return command ? command->keys : std::string();
+  };
+  if (const std::string left_out = left_out_text(editor_, keys("select.through")); !left_out.empty())
+    return left_out;
+  if (editor_.view.surfaces_only)
+    return fill(editor_.language("Surfaces only   {0}: show curves, points and polyhedra again"),
+                {keys("view.surfaces_only")});
+  return {};
 }
 
 void Workbench::drag_border(const PanelRect& border) {
@@ -234,6 +260,8 @@ void Workbench::key(const KeyPress& press) {
   // In the middle of a drag or a modal tool the view may change, and nothing else.
   if (viewport_.tool_active() && !command->menu.starts_with("View") && command->menu != "Help") return;
   if (editor_.history.in_gesture() && command->changes_document) return;
+  // What is told by a key is done in the view under the pointer.
+  editor_.layout.activate(editor_.layout.active());
   run_from_key(*command);
 }
 

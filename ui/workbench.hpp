@@ -44,6 +44,8 @@ class Workbench {
   const CommandTable& commands() const { return commands_; }
   const CommandLog& command_log() const { return command_log_; }
   const Viewport& viewport() const { return viewport_; }
+  /// What the status line says of the tool, the selection and the view.
+  const std::string& status() const { return status_; }
   const Marks& marks() const { return marks_; }
   /// The Gauss sphere: the application fills it while it is shown.
   GaussView& gauss() { return gauss_; }
@@ -91,6 +93,7 @@ class Workbench {
   /// Takes up the keys of the settings.
   void apply_keys();
   void layout(PanelContext& context, float menu);
+  std::string status_note() const;
   void drag_border(const PanelRect& border);
 
   Editor& editor_;
@@ -117,6 +120,7 @@ class Workbench {
   FileDialogs files_;
   OffersDialog offers_dialog_;
   Prompt prompt_;
+  std::string status_;
 };
 
 }  // namespace hariko

@@ -73,7 +73,7 @@ TEST_F(LooksTest, ASectionCutsAwayOneHalfAndDrawsItsCurve) {
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) count += image.rgba[i] > 200 ? 1 : 0;
     return count;
   };
-  const Color accent = color_from_hex("#f29e38");
+  const Color accent = color_from_hex("#ffa51f");
   const Image whole = draw(scene, camera, picture_size);
   EXPECT_EQ(count_near(whole, accent, 0.08F), 0);
   scene.section = SectionPlane{Vector3::UnitZ(), 0.3};

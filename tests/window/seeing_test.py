@@ -35,7 +35,14 @@ def session(program, source, output):
         choose("material", 1)
         step("Material")
         keep("porcelain")
+        # By its key on all surfaces, which is no step; as the object's own it is one.
+        before = window.last("document")["position"]
         window.key("alt+z")
+        window.rect("combo.lock")
+        check(window.last("document")["position"] == before, "a map of the view made a step")
+        window.key("alt+z")
+        window.wait(lambda: "combo.lock" not in rects(), "the view's zebra to go")
+        choose("map", 2)
         step("Map Zebra")
         choose("lock", 1)
         x, y = window.center("ball.stripes")
@@ -70,7 +77,8 @@ def session(program, source, output):
         check("field.range_low" not in rects(), "the fields of a typed range stayed")
 
         # Marks, combs and tensions by their keys; all are steps of the document.
-        window.key("alt+z")
+        choose("map", 2)
+        step("Map Zebra")
         for key, label, name in (("alt+e", "Edge continuity", "marks"), ("alt+c", "Curvature combs", "combs"),
                                  ("alt+t", "Show tensions", "tensions")):
             window.key(key)

@@ -65,7 +65,8 @@ class HeadlessWorkbench {
     ImGui::NewFrame();
     workbench_->frame();
     ImGui::Render();
-    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now);
+    engine_.sync(editor_.document(), editor_.history.in_gesture(), editor_.now, RecomputePolicy::live,
+                 editor_.view.map);
   }
 
   void key(const KeyChord& chord) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "core/document/edits.hpp"
 #include "ui/commands/command_host.hpp"
@@ -12,12 +14,33 @@ namespace {
 
 using Change = std::function<void(DisplaySettings&)>;
 
-void change_display(Editor& editor, const std::string& step, const Change& change) {
-  const Object* object = editor.active_object();
-  if (!object) return;
-  DisplaySettings display = object->display;
-  change(display);
-  editor.commit(set_display(editor.history.current(), object->id, display), step);
+/// The chosen objects in object mode, else the active one.
+std::vector<ObjectId> chosen_objects(const Editor& editor) {
+  const auto& chosen = editor.selection.objects();
+  if (editor.mode != ElementMode::object || chosen.empty()) return {editor.selection.active};
+  return {chosen.begin(), chosen.end()};
+}
+
+/// One step for all chosen objects. What the active one has changes; the others become like it.
+void change_display(Editor& editor, const std::string& step, const Change& change,
+                    const std::function<void(const DisplaySettings& from, DisplaySettings& to)>& copy) {
+  const Object* active = editor.active_object();
+  if (!active) return;
+  DisplaySettings model = active->display;
+  change(model);
+  Result<Document> result = editor.history.current();
+  for (const ObjectId id : chosen_objects(editor)) {
+    const Object* object = result->find(id);
+    if (!object) continue;
+    DisplaySettings display = object->display;
+    if (id == active->id)
+      display = model;
+    else
+      copy(model, display);
+    result = set_display(*result, id, display);
+    if (!result) break;
+  }
+  editor.commit(result, step);
 }
 
 template <class Get>
@@ -28,77 +51,114 @@ std::function<bool()> shows(const Editor& editor, Get get) {
   };
 }
 
-void add_maps(CommandHost& host, const WhyNot& why_not) {
+/// Why no surface could show a map.
+Reason nothing_shows(const Editor& editor, SurfaceMap map) {
+  const auto& objects = editor.document().objects;
+  if (std::any_of(objects.begin(), objects.end(),
+                  [&](const auto& object) { return object->visible && can_show(*object, map); }))
+    return {};
+  return translatable("No visible object has a surface with this map.");
+}
+
+/// Colours all surfaces; the map that is on goes off again.
+void show_map(Editor& editor, SurfaceMap map) {
+  std::optional<SurfaceMap>& shown = editor.view.map.map;
+  if (map == SurfaceMap::shaded || shown == map)
+    shown.reset();
+  else
+    shown = map;
+  std::size_t own = 0;
+  for (const auto& object : editor.document().objects)
+    own += object->visible && object->has_surface() && object->display.map != SurfaceMap::shaded ? 1 : 0;
+  const Language& tr = editor.language;
+  if (own > 0)
+    editor.notify(Notice::Kind::info,
+                  fill(tr(own == 1 ? "1 object keeps the map that its properties give it."
+                                   : "{0} objects keep the maps that their properties give them."),
+                       {std::to_string(own)}));
+}
+
+void add_maps(CommandHost& host) {
   struct Entry {
     const char *id, *label, *help, *keys;
     SurfaceMap map;
   };
   static const std::array<Entry, surface_map_count> entries{{
-      {"analyse.shaded", "Shaded", "Show the surface in its material.", "", SurfaceMap::shaded},
-      {"analyse.zebra", "Zebra", "Reflect stripes in the surface: kinks in them show jumps of curvature.",
+      {"analyse.shaded", "Shaded", "Show surfaces in their materials.", "", SurfaceMap::shaded},
+      {"analyse.zebra", "Zebra", "Reflect stripes in all surfaces: kinks in them show jumps of curvature.",
        "Alt+Z", SurfaceMap::zebra},
-      {"analyse.isophotes", "Isophotes", "Show bands of equal angle to a direction.", "",
+      {"analyse.isophotes", "Isophotes", "Show bands of equal angle to a direction on all surfaces.", "",
        SurfaceMap::isophotes},
-      {"analyse.gauss", "Gaussian curvature", "Colour the surface by its Gaussian curvature.", "",
+      {"analyse.gauss", "Gaussian curvature", "Colour all surfaces by their Gaussian curvature.", "",
        SurfaceMap::gaussian},
-      {"analyse.mean", "Mean curvature", "Colour the surface by its mean curvature.", "", SurfaceMap::mean},
-      {"analyse.k1", "Greatest curvature", "Colour the surface by its greatest curvature.", "",
+      {"analyse.mean", "Mean curvature", "Colour all surfaces by their mean curvature.", "",
+       SurfaceMap::mean},
+      {"analyse.k1", "Greatest curvature", "Colour all surfaces by their greatest curvature.", "",
        SurfaceMap::principal_max},
-      {"analyse.k2", "Least curvature", "Colour the surface by its least curvature.", "",
+      {"analyse.k2", "Least curvature", "Colour all surfaces by their least curvature.", "",
        SurfaceMap::principal_min},
-      {"analyse.continuity", "Continuity", "Colour the edges by how much curvature jumps across them.", "",
+      {"analyse.continuity", "Continuity", "Colour all edges by how much curvature jumps across them.", "",
        SurfaceMap::continuity},
-      {"analyse.patches", "Patches", "Give each patch a colour.", "", SurfaceMap::patches},
+      {"analyse.patches", "Patches", "Give each patch a colour, on all surfaces.", "", SurfaceMap::patches},
   }};
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
   for (const Entry& entry : entries) {
     const SurfaceMap map = entry.map;
-    host.table.add({entry.id, "Analyse", entry.label, entry.help, entry.keys, "", true, false,
-                    [&editor = host.editor, map, label = std::string(entry.label)] {
-                      change_display(editor, fill(translatable("Map {0}"), {label}),
-                                     [map](DisplaySettings& d) { d.map = map; });
+    host.table.add({entry.id, "Analyse", entry.label, entry.help, entry.keys, "", false, false,
+                    [&editor, map] { show_map(editor, map); },
+                    [&editor, document, map]() -> Reason {
+                      if (auto reason = document()) return reason;
+                      return nothing_shows(editor, map);
                     },
-                    why_not, shows(host.editor, [map](const DisplaySettings& d) { return d.map == map; })});
+                    [&editor, map] { return editor.view.map.map.value_or(SurfaceMap::shaded) == map; }});
   }
 }
 
-void add_switches(CommandHost& host, const WhyNot& why_not) {
+void add_switches(CommandHost& host) {
   Editor& editor = host.editor;
   const auto flag = [&](const char* id, const char* menu, const char* label, const char* help,
-                        const char* keys, const char* step, bool& (*get)(DisplaySettings&), bool first) {
+                        const char* keys, const char* step, bool& (*get)(DisplaySettings&),
+                        const WhyNot& why_not, bool first) {
     host.table.add({id, menu, label, help, keys, "", true, first,
                     [&editor, get, step] {
-                      change_display(editor, step, [get](DisplaySettings& d) { get(d) = !get(d); });
+                      change_display(
+                          editor, step, [get](DisplaySettings& d) { get(d) = !get(d); },
+                          [get](DisplaySettings from, DisplaySettings& to) { get(to) = get(from); });
                     },
                     why_not, shows(editor, [get](DisplaySettings d) { return get(d); })});
   };
+  const WhyNot surface = needs_shown_surface(editor), curves = needs_shown_surface(editor, true),
+               polyhedron = needs_polyhedron(editor);
   flag(
       "analyse.combs", "Analyse", "Curvature combs", "Show teeth as long as the network's curves are curved.",
-      "Alt+C", "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; }, true);
+      "Alt+C", "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; }, curves, true);
   flag(
       "analyse.marks", "Analyse", "Edge continuity", "Mark the edges by their continuity: G0, G1, G2.",
-      "Alt+E", "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; }, false);
+      "Alt+E", "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; }, curves, false);
   flag(
       "analyse.tensions", "Analyse", "Tensions", "Show tensions as colours and numbers.", "Alt+T",
-      "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; }, false);
+      "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; }, polyhedron, false);
   flag(
       "show.surface", "View/Show", "Surface", "Show the surface.", "", "Show surface",
-      [](DisplaySettings& d) -> bool& { return d.surface; }, false);
+      [](DisplaySettings& d) -> bool& { return d.surface; }, surface, false);
   flag(
-      "show.polyhedron", "View/Show", "Polyhedron", "Show the polyhedron.", "", "Show polyhedron",
-      [](DisplaySettings& d) -> bool& { return d.polyhedron; }, false);
+      "show.polyhedron", "View/Show", "Polyhedron",
+      "Show the polyhedron, or what else the surface is made from.", "", "Show polyhedron",
+      [](DisplaySettings& d) -> bool& { return d.polyhedron; }, surface, false);
   flag(
       "show.network", "View/Show", "Network", "Show the curves over the edges.", "", "Show network",
-      [](DisplaySettings& d) -> bool& { return d.network; }, false);
+      [](DisplaySettings& d) -> bool& { return d.network; }, curves, false);
   flag(
       "show.points", "View/Show", "Points", "Show the vertices.", "", "Show points",
-      [](DisplaySettings& d) -> bool& { return d.points; }, false);
+      [](DisplaySettings& d) -> bool& { return d.points; }, polyhedron, false);
 }
 
 void add_combs(CommandHost& host) {
   Editor& editor = host.editor;
-  const WhyNot polyhedron = needs_polyhedron(editor);
-  const WhyNot why_not = [&editor, polyhedron]() -> Reason {
-    if (auto reason = polyhedron()) return reason;
+  const WhyNot curves = needs_shown_surface(editor, true);
+  const WhyNot why_not = [&editor, curves]() -> Reason {
+    if (auto reason = curves()) return reason;
     if (!editor.active_object()->display.combs.shown)
       return translatable("The curvature combs are not shown.");
     return {};
@@ -106,14 +166,17 @@ void add_combs(CommandHost& host) {
   const auto add = [&](const char* id, const char* label, const char* help, double scale, int density) {
     host.table.add({id, "Analyse/Combs", label, help, "", "", true, false,
                     [&editor, scale, density] {
-                      change_display(editor, "Curvature combs", [scale, density](DisplaySettings& d) {
-                        d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale,
-                                                   CombSettings::max_scale);
-                        const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
-                        if (density != 0)
-                          d.combs.density =
-                              std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
-                      });
+                      change_display(
+                          editor, "Curvature combs",
+                          [scale, density](DisplaySettings& d) {
+                            d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale,
+                                                       CombSettings::max_scale);
+                            const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
+                            if (density != 0)
+                              d.combs.density =
+                                  std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
+                          },
+                          [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
                     },
                     why_not});
   };
@@ -123,7 +186,8 @@ void add_combs(CommandHost& host) {
   add("analyse.combs_sparser", "Fewer teeth", "Halve the number of teeth.", 1, -1);
 }
 
-void add_materials(CommandHost& host, const WhyNot& why_not) {
+void add_materials(CommandHost& host) {
+  const WhyNot why_not = needs_shown_surface(host.editor);
   struct Entry {
     const char *id, *label;
     Material material;
@@ -141,10 +205,12 @@ void add_materials(CommandHost& host, const WhyNot& why_not) {
     host.table.add(
         {entry.id, "View/Material", entry.label, "Show the surface in this material.", "", "", true, false,
          [&editor = host.editor, material] {
-           change_display(editor, "Material", [material](DisplaySettings& d) {
+           const auto dress = [material](DisplaySettings& d) {
              d = with_material(d, material);
              d.map = SurfaceMap::shaded;
-           });
+           };
+           change_display(editor, "Material", dress,
+                          [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
          },
          why_not,
          shows(host.editor, [material](const DisplaySettings& d) { return d.material == material; })});
@@ -228,12 +294,11 @@ void add_meshing(CommandHost& host) {
 }  // namespace
 
 void add_analyse_commands(CommandHost& host) {
-  const WhyNot why_not = needs_polyhedron(host.editor);
-  add_maps(host, why_not);
-  add_switches(host, why_not);
+  add_maps(host);
+  add_switches(host);
   add_combs(host);
   add_view_switches(host);
-  add_materials(host, why_not);
+  add_materials(host);
   add_meshing(host);
 }
 

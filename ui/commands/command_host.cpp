@@ -1,5 +1,9 @@
 #include "ui/commands/command_host.hpp"
 
+#include <algorithm>
+
+#include "core/document/object_shape.hpp"
+
 namespace hariko {
 
 namespace {
@@ -22,7 +26,25 @@ Reason no_polyhedron(const Editor& editor) {
   return {};
 }
 
+Reason no_surface(const Editor& editor, bool curves) {
+  if (auto reason = no_object(editor)) return reason;
+  const Object& object = *editor.active_object();
+  if (!has_shape(object) || (curves && !object.has_surface()))
+    return translatable("The chosen object has no surface. Choose another in the list of objects.");
+  const SurfaceView* view = curves ? editor.view_of(object.id) : nullptr;
+  if (!view || !view->mesh) return {};
+  const auto& all = view->mesh->curves()->curves;
+  if (std::none_of(all.begin(), all.end(),
+                   [](const DisplayCurve& curve) { return curve.source.kind == Element::Kind::edge; }))
+    return translatable("The surface of the chosen object has no curves over edges.");
+  return {};
+}
+
 }  // namespace
+
+WhyNot needs_shown_surface(const Editor& editor, bool curves) {
+  return [&editor, curves] { return no_surface(editor, curves); };
+}
 
 WhyNot needs_document(const Editor& editor) {
   return [&editor] { return no_document(editor); };

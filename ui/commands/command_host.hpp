@@ -34,6 +34,9 @@ using WhyNot = std::function<Reason()>;
 WhyNot needs_document(const Editor& editor);
 WhyNot needs_object(const Editor& editor);
 WhyNot needs_polyhedron(const Editor& editor);
+/// An active object that is drawn as a surface, of whatever kind; with `curves`, one whose surface has curves
+/// over edges.
+WhyNot needs_shown_surface(const Editor& editor, bool curves = false);
 /// The active polyhedron with something selected of the kinds asked for.
 struct NeededElements {
   bool vertices = false, edges = false, faces = false;

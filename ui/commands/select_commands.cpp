@@ -251,14 +251,19 @@ void add_pointing(CommandHost& host) {
   host.table.add({"select.through",
                   "Select",
                   "Select through",
-                  "Also select what is hidden.",
+                  "Also select what is hidden. In parallel views boxes and lassos do so from the start.",
                   "Shift+Q",
                   "",
                   false,
                   false,
-                  [&editor] { editor.selecting.through = !editor.selecting.through; },
+                  [&editor] {
+                    SelectSettings& selecting = editor.selecting;
+                    bool& through =
+                        editor.camera().orthographic ? selecting.through_parallel : selecting.through;
+                    through = !through;
+                  },
                   {},
-                  [&editor] { return editor.selecting.through; }});
+                  [&editor] { return editor.selecting.regions_through(editor.camera().orthographic); }});
 }
 
 }  // namespace

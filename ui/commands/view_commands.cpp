@@ -120,6 +120,15 @@ void add_view_commands(CommandHost& host) {
                   [&editor] { editor.view.x_ray = !editor.view.x_ray; },
                   {},
                   [&editor] { return editor.view.x_ray; }});
+  host.table.add(
+      {"view.surfaces_only", "View", "Surfaces only",
+       "Hide all curves, points, polyhedra and marks of the selection, for judging; again shows them.", "V",
+       "", false, false,
+       [&editor] {
+         editor.view.surfaces_only = !editor.view.surfaces_only;
+         editor.hovered.reset();
+       },
+       needs_document(editor), [&editor] { return editor.view.surfaces_only; }});
   host.table.add({"view.solids",
                   "View",
                   "Solids in the surface",
@@ -133,8 +142,8 @@ void add_view_commands(CommandHost& host) {
                   [&editor] { return editor.view.bodies; }});
   host.table.add({"view.grid",
                   "View",
-                  "Ground grid",
-                  "Show the ground.",
+                  "Grid",
+                  "Show the ground, and behind side views a grid with numbers.",
                   "Shift+G",
                   "",
                   false,

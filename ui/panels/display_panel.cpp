@@ -13,7 +13,9 @@ namespace hariko {
 namespace {
 
 constexpr std::array map_choices{
-    Choice{translatable("Shaded"), translatable("A material in studio light")},
+    Choice{
+        translatable("As the view"),
+        translatable("The map that the menu Analyse shows on all surfaces, or a material in studio light")},
     Choice{translatable("Patches"), translatable("One colour for each patch")},
     Choice{translatable("Zebra"),
            translatable("Reflected stripes: a kink in a stripe shows a jump of curvature")},
@@ -346,17 +348,17 @@ void x_ray_row(PanelContext& context) {
 void draw_display(PanelContext& context, const Object& object) {
   heading(context, context.tr("Display"));
   const DisplaySettings& display = object.display;
-  if (const auto chosen = choose(context, "map", "Map", "What colours the surface", map_choices,
-                                 static_cast<int>(display.map))) {
+  const SurfaceMap shown = shown_map(context.editor.view.map, object);
+  if (const auto chosen = choose(context, "map", "Map", "What colours this surface, whatever the view shows",
+                                 map_choices, static_cast<int>(display.map))) {
     DisplaySettings changed = display;
     changed.map = static_cast<SurfaceMap>(*chosen);
     commit(context, object, changed,
            fill(translatable("Map {0}"), {map_choices[static_cast<std::size_t>(*chosen)].label}));
   }
-  if (display.map == SurfaceMap::zebra || display.map == SurfaceMap::isophotes) stripe_rows(context);
+  if (shown == SurfaceMap::zebra || shown == SurfaceMap::isophotes) stripe_rows(context);
   if (has_values(display.map)) range_rows(context, object);
-  if (display.map == SurfaceMap::shaded || display.map == SurfaceMap::isophotes)
-    material_rows(context, object);
+  if (shown == SurfaceMap::shaded || shown == SurfaceMap::isophotes) material_rows(context, object);
   show_rows(context, object);
   if (const auto chosen = choose(context, "wire", "Lines", "Lines over the surface", wire_choices,
                                  static_cast<int>(display.wire))) {
@@ -364,9 +366,11 @@ void draw_display(PanelContext& context, const Object& object) {
     changed.wire = static_cast<PatchWire>(*chosen);
     commit(context, object, changed, "Lines over the surface");
   }
-  if (object.polyhedron()) {
+  if (object.has_surface()) {
     mark_rows(context, object);
     comb_rows(context, object);
+  }
+  if (object.polyhedron()) {
     const Quantity density =
         whole_quantity(DisplaySettings::min_density, DisplaySettings::max_density, DisplaySettings().density);
     slider_row(

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/document/edits.hpp"
 #include "render/region_picking.hpp"
 #include "render/tension_colors.hpp"
+#include "ui/legend_source.hpp"
 
 namespace hariko {
 
@@ -18,15 +18,9 @@ constexpr float color_bar_height = 150, bar_width = 14, histogram_width = 36;
 constexpr std::array mode_names{translatable("Symmetric"), translatable("Percentile"), translatable("Full"),
                                 translatable("Typed")};
 
-void set_range(PanelContext& context, const Object& object, const MapRange& range) {
-  DisplaySettings display = object.display;
-  range_of(display, display.map) = range;
-  context.editor.commit(set_display(context.editor.history.current(), object.id, display),
-                        "Range of the map");
-}
-
 /// An end of the range: a label that a click turns into a field.
-void range_end(PanelContext& context, const Object& object, const ValueRange& shown, bool high) {
+void range_end(PanelContext& context, const LegendSource& source, bool high) {
+  const ValueRange shown = source.range;
   ImGuiStorage& storage = *ImGui::GetStateStorage();
   const ImGuiID editing = ImGui::GetID(high ? "edit_high" : "edit_low");
   const double value = high ? shown.high : shown.low;
@@ -50,7 +44,7 @@ void range_end(PanelContext& context, const Object& object, const ValueRange& sh
       if (ImGui::IsItemDeactivatedAfterEdit()) {
         MapRange range{RangeMode::manual, shown.low, shown.high};
         (high ? range.high : range.low) = context.state.typed;
-        set_range(context, object, range);
+        set_range(context.editor, source, range);
       }
       storage.SetInt(editing, 0);
     } else if (!waiting && !active) {
@@ -71,17 +65,17 @@ void range_end(PanelContext& context, const Object& object, const ValueRange& sh
   ImGui::GetWindowDrawList()->AddText(at, hovered ? palette().secondary : palette().text, label.c_str());
 }
 
-void draw_bar(PanelContext& context, SurfaceMap map, const SurfaceView& view) {
+void draw_bar(PanelContext& context, const LegendSource& source) {
   const Metrics& m = context.metrics;
-  const ColorScale scale = scale_for(map, view.range, context.editor.settings.colour_blind_maps);
+  const ColorScale scale = scale_for(source.map, source.range, context.editor.settings.colour_blind_maps);
   const float height = m.px(color_bar_height), width = m.px(bar_width);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::Dummy({m.px(150), height});
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const auto y_of = [&](double fraction) { return low.y + height * static_cast<float>(1 - fraction); };
   const auto colour = [&](double fraction) {
-    const double value = view.range.low + fraction * (view.range.high - view.range.low);
-    return to_imgui(color_at(scale, scale_fraction(scale, view.range, value)));
+    const double value = source.range.low + fraction * (source.range.high - source.range.low);
+    return to_imgui(color_at(scale, scale_fraction(scale, source.range, value)));
   };
   constexpr int parts = 64;
   for (int i = 0; i < parts; ++i) {
@@ -89,15 +83,15 @@ void draw_bar(PanelContext& context, SurfaceMap map, const SurfaceView& view) {
     draw.AddRectFilledMultiColor({low.x, y_of(b)}, {low.x + width, y_of(a)}, colour(b), colour(b), colour(a),
                                  colour(a));
   }
-  const std::size_t bins = view.histogram.size();
+  const std::size_t bins = source.histogram->size();
   const ImU32 grey = with_alpha(palette().text, 0.32F);
   for (std::size_t i = 0; i < bins; ++i)
-    draw.AddRectFilled(
-        {low.x + width + m.px(4), y_of(double(i + 1) / double(bins))},
-        {low.x + width + m.px(4) + view.histogram[i] * m.px(histogram_width), y_of(double(i) / double(bins))},
-        grey);
+    draw.AddRectFilled({low.x + width + m.px(4), y_of(double(i + 1) / double(bins))},
+                       {low.x + width + m.px(4) + (*source.histogram)[i] * m.px(histogram_width),
+                        y_of(double(i) / double(bins))},
+                       grey);
   const float half = ImGui::GetTextLineHeight() / 2;
-  for (const Tick& tick : legend_ticks(view.range)) {
+  for (const Tick& tick : legend_ticks(source.range)) {
     const float y = y_of(tick.fraction);
     draw.AddLine({low.x + width - m.px(4), y}, {low.x + width, y}, IM_COL32(0, 0, 0, 160));
     if (tick.fraction < 0.06 || tick.fraction > 0.94) continue;  // the ends have their own numbers
@@ -105,8 +99,8 @@ void draw_bar(PanelContext& context, SurfaceMap map, const SurfaceView& view) {
   }
 }
 
-void range_menu(PanelContext& context, const Object& object) {
-  const MapRange& range = range_of(object.display, object.display.map);
+void range_menu(PanelContext& context, const LegendSource& source) {
+  const MapRange range = range_settings(context.editor, source);
   const std::string label =
       std::string(context.tr(mode_names[static_cast<std::size_t>(range.mode)])) + "##mode";
   if (ImGui::SmallButton(label.c_str())) ImGui::OpenPopup("range_modes");
@@ -116,28 +110,27 @@ void range_menu(PanelContext& context, const Object& object) {
     if (ImGui::MenuItem(context.tr(mode_names[i]), nullptr, i == static_cast<std::size_t>(range.mode))) {
       MapRange changed = range;
       changed.mode = static_cast<RangeMode>(i);
-      set_range(context, object, changed);
+      set_range(context.editor, source, changed);
     }
     context.marks.item("legend.mode." + std::to_string(i));
   }
   ImGui::EndPopup();
 }
 
-void map_section(PanelContext& context, const Object& object, const SurfaceView& view) {
-  const SurfaceMap map = object.display.map;
-  std::string title = context.tr(std::string(title_of(map)));
-  const std::string unit = unit_of(map, to_string(context.editor.document().unit));
+void map_section(PanelContext& context, const LegendSource& source) {
+  std::string title = context.tr(std::string(title_of(source.map)));
+  const std::string unit = unit_of(source.map, to_string(context.editor.document().unit));
   if (!unit.empty()) title += "  " + unit;
   ImGui::TextUnformatted(title.c_str());
-  range_end(context, object, view.range, true);
-  draw_bar(context, map, view);
-  range_end(context, object, view.range, false);
-  range_menu(context, object);
+  range_end(context, source, true);
+  draw_bar(context, source);
+  range_end(context, source, false);
+  range_menu(context, source);
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
       ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    MapRange reset = range_of(object.display, map);
+    MapRange reset = range_settings(context.editor, source);
     reset.mode = RangeMode::symmetric;
-    set_range(context, object, reset);
+    set_range(context.editor, source, reset);
   }
 }
 
@@ -272,18 +265,16 @@ ImU32 to_imgui(const Color& c) {
 }
 
 void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBuilder& scene) {
-  const Object* found = context.editor.active_object();
-  const SurfaceView* view = found ? context.editor.view_of(found->id) : nullptr;
-  if (!view || !view->mesh || !found->visible || !found->polyhedron()) return;
-  // Edits replace the document while the legend draws itself.
-  const auto object = context.editor.document().find_shared(found->id);
-  const DisplaySettings& display = object->display;
-  const bool map = has_values(display.map) && view->object->display.map == display.map;
-  const bool combs = display.combs.shown && view->combs;
+  const auto map = legend_source(context.editor, scene);
+  const Object* object = context.editor.active_object();
+  const SurfaceView* view = object && object->visible ? context.editor.view_of(object->id) : nullptr;
+  if (view && !view->mesh) view = nullptr;
+  const DisplaySettings display = view ? object->display : DisplaySettings();
+  const auto combs = display.combs.shown ? view->combs : nullptr;
   if (!map && !combs && !display.marks && !display.tensions) return;
-  const EdgeMarks* marks = nullptr;
-  for (std::size_t i = 0; i < scene.scene().objects.size(); ++i)
-    if (scene.object_id(i) == object->id) marks = scene.scene().objects[i].marks.get();
+  std::shared_ptr<const EdgeMarks> marks;
+  for (std::size_t i = 0; view && i < scene.scene().objects.size(); ++i)
+    if (scene.object_id(i) == object->id) marks = scene.scene().objects[i].marks;
 
   const Metrics& m = context.metrics;
   ImGui::SetNextWindowPos({viewport.min.x + m.px(8), viewport.max.y - m.px(8)}, ImGuiCond_Always, {0, 1});
@@ -303,9 +294,9 @@ void draw_legend(PanelContext& context, const PanelRect& viewport, const SceneBu
     draw();
   };
   section(display.tensions, [&] { tensions_section(context); });
-  section(combs, [&] { combs_section(context, *view->combs); });
-  section(display.marks, [&] { marks_section(context, marks); });
-  section(map, [&] { map_section(context, *object, *view); });
+  section(combs != nullptr, [&] { combs_section(context, *combs); });
+  section(display.marks, [&] { marks_section(context, marks.get()); });
+  section(map.has_value(), [&] { map_section(context, *map); });
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

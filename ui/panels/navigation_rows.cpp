@@ -32,12 +32,19 @@ std::vector<std::pair<std::string, std::string>> navigation_rows(const Language&
         press.control = (modifiers & 2) != 0;
         press.shift = (modifiers & 1) != 0;
         // Where Alt makes no difference it need not be pressed.
-        const auto action = navigation_action(preset, press);
         PointerEvent plain = press;
         plain.alt = false;
-        if (action != motion || (press.alt && navigation_action(preset, plain) == action)) continue;
-        add(std::string(press.control ? "Ctrl + " : "") + (press.alt ? "Alt + " : "") +
-            (press.shift ? "Shift + " : "") + tr(drag));
+        const auto moves = [&, wanted = motion](bool parallel) {
+          const auto action = navigation_action(preset, press, parallel);
+          return action == wanted && !(press.alt && navigation_action(preset, plain, parallel) == action);
+        };
+        const bool perspective = moves(false), parallel = moves(true);
+        if (!perspective && !parallel) continue;
+        const std::string keys = std::string(press.control ? "Ctrl + " : "") + (press.alt ? "Alt + " : "") +
+                                 (press.shift ? "Shift + " : "") + tr(drag);
+        add(perspective == parallel
+                ? keys
+                : fill(tr(perspective ? "{0} (perspective)" : "{0} (parallel views)"), {keys}));
       }
     for (const bool control : {false, true})
       for (const bool shift : {false, true}) {

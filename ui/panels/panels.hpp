@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/command_table.hpp"
+#include "ui/continuity_text.hpp"
 #include "ui/editor.hpp"
 #include "ui/marks.hpp"
 #include "ui/panels/offers.hpp"
@@ -38,6 +39,10 @@ struct PanelState {
   OutlinerState outliner;
   bool history_open = false;
   std::uint64_t history_shown = 0;  ///< serial of the state that the list of steps has scrolled to
+  /// The continuity that the status line told last, and what it was found from.
+  std::shared_ptr<const ContinuityReport> reached_from;
+  ContinuityTolerance reached_tolerance;
+  ReachedContinuity reached;
   std::shared_ptr<const MeasuredSections> measured_sections;  ///< of the skin that was shown last
 };
 

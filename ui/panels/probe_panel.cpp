@@ -24,12 +24,16 @@ std::vector<Row> rows_of(const PanelContext& context, const SurfacePoint& point,
   const std::string unit(to_string(context.editor.document().unit));
   std::vector<Row> rows;
   const Object* object = context.editor.document().find(point.object);
-  const SurfaceMap map = object ? object->display.map : SurfaceMap::shaded;
+  const ViewMap& view = context.editor.view.map;
+  const SurfaceMap map = object ? shown_map(view, *object) : SurfaceMap::shaded;
   if (has_values(map)) {
     const std::string of_map = unit_of(map, unit);
-    rows.push_back({tr(std::string(title_of(map))), std::isfinite(point.value)
-                                                        ? format_number(point.value, 4) + " " + of_map
-                                                        : std::string(tr("undefined"))});
+    // The view's colours are those of the world, where a scaled object is curved less.
+    const double divisor =
+        follows_view(view, *object) ? std::pow(object->transform.scale, scale_power(map)) : 1.0;
+    rows.push_back({tr(std::string(title_of(map))),
+                    std::isfinite(point.value) ? format_number(point.value / divisor, 4) + " " + of_map
+                                               : std::string(tr("undefined"))});
   }
   if (reading.curvature) {
     const Curvature& c = *reading.curvature;
@@ -93,7 +97,7 @@ void draw_probe(PanelContext& context, const Camera& camera, PixelSize size, con
   }
   if (!under_pointer) return;
   const Object* object = editor.document().find(under_pointer->object);
-  if (!object || object->display.map == SurfaceMap::shaded) return;
+  if (!object || shown_map(editor.view.map, *object) == SurfaceMap::shaded) return;
   if (const auto reading = read_probe(editor, *under_pointer)) {
     const float top = draw_rows(context, rows_of(context, *under_pointer, *reading), corner);
     context.marks.rect("probe", {corner.x - m.px(10), top}, corner);

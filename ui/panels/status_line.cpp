@@ -114,6 +114,20 @@ void draw_job(PanelContext& context, float& right) {
   if (draw_work(context, row, right)) context.run("file.cancel_job");
 }
 
+/// What continuity the surface reaches; empty until that is measured, and for facets.
+std::string continuity_of(PanelContext& context, const Object& object, const SurfaceView& view) {
+  if (object.mesh() || !view.continuity || view.continuity->seams.size() != view.surface.seams().size())
+    return {};
+  PanelState& state = context.state;
+  const ContinuityTolerance& tolerance = context.editor.view.tolerance;
+  if (state.reached_from != view.continuity || !(state.reached_tolerance == tolerance)) {
+    state.reached = reached_continuity(view.surface, *view.continuity, tolerance);
+    state.reached_from = view.continuity;
+    state.reached_tolerance = tolerance;
+  }
+  return text_of(state.reached, context.tr);
+}
+
 }  // namespace
 
 void draw_status_line(PanelContext& context, const PanelRect& rect) {
@@ -141,11 +155,8 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
         colour = palette().error;
       } else if (view) {
         right += (right.empty() ? "" : "   \u00b7   ") + duration_text(view->milliseconds);
-        if (view->largest_normal_jump)
-          right += *view->largest_normal_jump < 1e-9
-                       ? std::string("   \u00b7   ") + context.tr("tangent-continuous")
-                       : "   \u00b7   " + fill(context.tr("largest kink {0}\u00b0"),
-                                               {format_number(*view->largest_normal_jump * 57.29577951, 3)});
+        if (const std::string reached = continuity_of(context, *object, *view); !reached.empty())
+          right += "   \u00b7   " + reached;
       }
     }
     constexpr float least_hint = 120;  // points

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "render/color_map.hpp"
+#include "render/grid_plane.hpp"
 #include "ui/icons.hpp"
+#include "ui/tools/overlay_drawing.hpp"
 
 namespace hariko {
 
@@ -130,6 +132,31 @@ double scale_bar_length(double longest) {
   for (const double digit : {5.0, 2.0})
     if (digit * power <= longest) return digit * power;
   return power;
+}
+
+void draw_grid_labels(const PanelContext& context, const Camera& camera, const PanelRect& pane,
+                      const GridSettings& grid) {
+  const Metrics& m = context.metrics;
+  const PixelSize size{std::max(1, static_cast<int>(pane.width())),
+                       std::max(1, static_cast<int>(pane.height()))};
+  int decimals = 0;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float line = ImGui::GetTextLineHeight();
+  for (const GridLabel& label : grid_labels(camera, size, grid, double(m.px(64)), decimals)) {
+    const std::string text = fixed_text(label.value, decimals);
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+    const auto along = static_cast<float>(label.pixel);
+    const ImVec2 at = label.upright ? ImVec2(pane.min.x + along + m.px(3), pane.max.y - line - m.px(2))
+                                    : ImVec2(pane.min.x + m.px(4), pane.min.y + along - line - m.px(1));
+    // The title, the corner that both borders share, and the scale bar keep their places.
+    const bool free = label.upright ? at.x > pane.min.x + m.px(48) && at.x + extent.x < pane.max.x - m.px(150)
+                                    : at.y > pane.min.y + m.px(40) && at.y < pane.max.y - m.px(28);
+    if (!free) continue;
+    list.AddText({at.x + m.px(1), at.y + m.px(1)}, with_alpha(palette().window, 0.7F), text.c_str());
+    list.AddText(at, palette().dim_text, text.c_str());
+    context.marks.rect(std::string("grid.") + (label.upright ? "across." : "up.") + text, at,
+                       {at.x + extent.x, at.y + extent.y});
+  }
 }
 
 void draw_scale_bar(const PanelContext& context, const Camera& camera, const PanelRect& pane) {

@@ -18,6 +18,9 @@ void draw_view_title(PanelContext& context, int view, const PanelRect& pane, boo
 
 /// A length that reads well (1, 2 or 5 times a power of ten) and is at most `longest`, which is > 0.
 double scale_bar_length(double longest);
+/// Numbers at the lower and left borders of a side view's grid, in the document's unit.
+void draw_grid_labels(const PanelContext& context, const Camera& camera, const PanelRect& pane,
+                      const GridSettings& grid);
 /// At the lower right, for lengths in the plane of the camera's target.
 void draw_scale_bar(const PanelContext& context, const Camera& camera, const PanelRect& pane);
 

@@ -49,7 +49,9 @@ void Gizmo::update(const Editor& editor, bool busy) {
   shapes_.clear();
   plane_.clear();
   plane_axes_.clear();
-  if (busy || !editor.transform.gizmo || !editor.has_document || editor.history.in_gesture()) return;
+  if (busy || editor.view.surfaces_only || !editor.transform.gizmo || !editor.has_document ||
+      editor.history.in_gesture())
+    return;
   const Document& document = editor.document();
   const bool same = known_ && document == document_ && editor.selection == selection_ &&
                     editor.mode == mode_ && editor.transform.pivot == pivot_mode_ &&

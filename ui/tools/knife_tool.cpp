@@ -23,6 +23,7 @@ struct Place {
   enum class Kind { vertex, edge, middle, point };
   Kind kind = Kind::vertex;
   CutPoint point;
+  std::optional<Vector3> shown = std::nullopt;  ///< where the pointer is on the curve of the edge
 };
 
 bool same(const CutPoint& a, const CutPoint& b) {
@@ -130,8 +131,10 @@ class KnifeTool final : public Tool {
       const ObjectId id = context.scene.object_id(hit.object);
       const Object* object = context.editor.document().find(id);
       if (!object || !object->polyhedron() || (!legs_.empty() && id != object_)) continue;
+      if (hit.kind == Element::Kind::edge && !hit.share) continue;  // the image of an edge cannot be cut
       object_ = id;
       place_ = place_of(context, *object, hit, middles);
+      if (hit.on_curve && place_->kind == Place::Kind::edge) place_->shown = hit.point;
       break;
     }
     if (place_ && !legs_.empty()) look_ahead(context);
@@ -150,8 +153,9 @@ class KnifeTool final : public Tool {
       if (at && (*at - pointer_).norm() < point_radius * context.editor.pixel_scale)
         return {Place::Kind::point, point};
     }
-    const Vector3 low = world(object, edge.low), high = world(object, edge.high);
-    const double share = (hit.point - low).dot(high - low) / (high - low).squaredNorm();
+    const auto& ends = context.scene.scene().objects[hit.object].polyhedron;
+    const bool forward = ends->vertex_ids[ends->edges[hit.index][0]] == edge.low;
+    const double share = forward ? *hit.share : 1 - *hit.share;
     if (!(share > least_share)) return {Place::Kind::vertex, edge.low};
     if (share > 1 - least_share) return {Place::Kind::vertex, edge.high};
     return {Place::Kind::edge, EdgePoint{edge, share}};
@@ -238,7 +242,9 @@ class KnifeTool final : public Tool {
 
   /// What the point would snap to: a square round vertices and points, a triangle on middles, a circle else.
   void draw_place(const ToolContext& context, const ToolOverlay& overlay, const Object& object) const {
-    const auto at = pixel_of(context, object, place_->point);
+    auto at = pixel_of(context, object, place_->point);
+    if (place_->shown)
+      if (const auto shown = context.projector().project(*place_->shown)) at = shown->head<2>();
     if (!at) return;
     const ImVec2 p = on_screen(overlay, *at);
     const float r = overlay.metrics.px(7), thick = overlay.metrics.px(1.8F);

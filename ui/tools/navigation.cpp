@@ -21,7 +21,8 @@ Action by_modifiers(const PointerEvent& press) {
 
 }  // namespace
 
-std::optional<NavigationAction> navigation_action(NavigationPreset preset, const PointerEvent& press) {
+std::optional<NavigationAction> navigation_action(NavigationPreset preset, const PointerEvent& press,
+                                                  bool parallel) {
   const bool left = press.button == PointerButton::left, middle = press.button == PointerButton::middle;
   const bool right = press.button == PointerButton::right;
   switch (preset) {
@@ -33,9 +34,14 @@ std::optional<NavigationAction> navigation_action(NavigationPreset preset, const
       return middle && !press.alt ? by_modifiers(press) : Action();
     case NavigationPreset::maya:
       if (!press.alt || press.control || press.shift) return {};
+      // Orthographic cameras are locked against tumbling there.
+      if (left && parallel) return NavigationAction::pan;
       return left ? NavigationAction::orbit : middle ? NavigationAction::pan : NavigationAction::zoom;
     case NavigationPreset::rhino:
-      return right && !press.alt ? by_modifiers(press) : Action();
+      if (!right || press.alt) return {};
+      if (!parallel) return by_modifiers(press);
+      if (press.shift && press.control) return NavigationAction::orbit;
+      return press.control ? NavigationAction::zoom : NavigationAction::pan;
     case NavigationPreset::trackpad:
       if (left) return press.alt ? by_modifiers(press) : Action();
       return middle ? by_modifiers(press) : Action();
@@ -49,15 +55,21 @@ NavigationAction wheel_action(NavigationPreset preset, bool shift, bool control)
   return shift ? NavigationAction::pan : NavigationAction::zoom;
 }
 
-const char* navigation_hint(NavigationPreset preset) {
+std::optional<NavigationAction> navigation_of(const Editor& editor, const PointerEvent& press) {
+  return navigation_action(editor.settings.navigation, press, editor.camera().orthographic);
+}
+
+const char* navigation_hint(NavigationPreset preset, bool parallel) {
   switch (preset) {
     case NavigationPreset::hariko:
       return translatable("Middle or right drag orbits   Shift pans   wheel zooms");
     case NavigationPreset::blender:
       return translatable("Middle drag orbits   Shift pans   wheel zooms");
     case NavigationPreset::maya:
+      if (parallel) return translatable("Alt+left or Alt+middle drag pans   wheel zooms");
       return translatable("Alt+left drag orbits   Alt+middle pans   wheel zooms");
     case NavigationPreset::rhino:
+      if (parallel) return translatable("Right drag pans   Ctrl+Shift orbits   wheel zooms");
       return translatable("Right drag orbits   Shift pans   wheel zooms");
     case NavigationPreset::trackpad:
       return translatable("Two fingers or Alt+drag orbit   Shift pans   Ctrl zooms");
@@ -66,7 +78,7 @@ const char* navigation_hint(NavigationPreset preset) {
 }
 
 std::unique_ptr<Tool> tool_for(const Editor& editor, const PointerEvent& press) {
-  if (auto action = navigation_action(editor.settings.navigation, press)) {
+  if (auto action = navigation_of(editor, press)) {
     // Plans keep their direction.
     if (*action == NavigationAction::orbit && !editor.layout.active_view().turns)
       action = NavigationAction::pan;

@@ -11,15 +11,19 @@ namespace hariko {
 
 enum class NavigationAction { orbit, pan, zoom };
 
-/// What a press that drags does to the view; nothing when it belongs to other tools.
-std::optional<NavigationAction> navigation_action(NavigationPreset preset, const PointerEvent& press);
+/// What a press that drags does to a view in perspective or in parallel projection; nothing when it belongs
+/// to other tools.
+std::optional<NavigationAction> navigation_action(NavigationPreset preset, const PointerEvent& press,
+                                                  bool parallel = false);
+/// The same by the settings, in the active view.
+std::optional<NavigationAction> navigation_of(const Editor& editor, const PointerEvent& press);
 
 /// What the wheel does. On the trackpad preset two fingers orbit, with Shift they pan and with Ctrl they
 /// zoom.
 NavigationAction wheel_action(NavigationPreset preset, bool shift, bool control);
 
 /// Which drags do what, for the status line: "Middle drag orbits   Shift pans   Ctrl or wheel zooms".
-const char* navigation_hint(NavigationPreset preset);
+const char* navigation_hint(NavigationPreset preset, bool parallel = false);
 
 /// The tool that carries it out.
 std::unique_ptr<Tool> make_navigation_tool(NavigationAction action);

@@ -32,8 +32,8 @@ std::string text_of(const NetworkVertexKey& key) {
 void NetworkHandles::update(const Editor& editor) {
   handles_.clear();
   const Object* object = editor.has_document ? editor.active_object() : nullptr;
-  if (!editor.view.network_handles || !object || !object->solids() || !object->visible || object->locked ||
-      editor.mode == ElementMode::object || editor.paper.covers_model())
+  if (!editor.view.network_handles || editor.view.surfaces_only || !object || !object->solids() ||
+      !object->visible || object->locked || editor.mode == ElementMode::object || editor.paper.covers_model())
     return;
   const SurfaceView* view = editor.view_of(object->id);
   if (!view || !view->mesh || view->error) return;

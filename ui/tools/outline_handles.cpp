@@ -20,7 +20,9 @@ constexpr double least_arrow = 12;
 void OutlineHandles::update(const Editor& editor) {
   arrows_.clear();
   const Object* object = active_outline(editor);
-  if (!object || !object->visible || !object->display.polyhedron || editor.paper.covers_model()) return;
+  if (!object || !object->visible || !object->display.polyhedron || editor.view.surfaces_only ||
+      editor.paper.covers_model())
+    return;
   const std::size_t count = object->outline()->outline->point_count();
   if (count > most_arrows) return;
   const Projector projector(editor.camera(), editor.viewport);

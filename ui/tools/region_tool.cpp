@@ -50,16 +50,25 @@ std::shared_ptr<const DisplayPolyhedron> curves_of(const Skin& skin) {
   return marks.finish();
 }
 
-/// The points of a skin that can be taken hold of, as vertices with the ids of a selection.
-std::shared_ptr<const DisplayPolyhedron> points_of(const Editor& editor, const Object& object,
-                                                   const Projector& projector) {
+/// Boxes and lassos take what is hidden, too.
+bool takes_hidden(const Editor& editor) {
+  return editor.view.x_ray || editor.selecting.regions_through(editor.camera().orthographic);
+}
+
+std::set<std::uint32_t> hidden_points_of(const Editor& editor, const Object& object,
+                                         const Projector& projector) {
   const SkinView view = view_of(*object.skin()->skin, shown_surface(editor, object));
-  const auto hidden = SkinSight(editor, projector, view, object).hidden_points();
+  return SkinSight(editor, projector, view, object).hidden_points();
+}
+
+/// The points of a skin, as vertices with the ids of a selection.
+std::shared_ptr<const DisplayPolyhedron> points_of(const Editor& editor, const Object& object) {
+  const SkinView view = view_of(*object.skin()->skin, shown_surface(editor, object));
   RegionMarks marks;
   for (const SkinView::Handle& handle : view.handles) {
     const bool own =
         handle.kind == SkinView::Handle::Kind::control || handle.kind == SkinView::Handle::Kind::path;
-    if (own && !hidden.contains(handle.id)) marks.point(handle.position, VertexId{handle.id});
+    if (own) marks.point(handle.position, VertexId{handle.id});
   }
   return marks.finish();
 }
@@ -98,7 +107,10 @@ class RegionTool final : public Tool {
     if (!drawing_) return ToolState::stay;
     if (lasso_ && (path_.back() - at_).norm() > 2 * context.editor.pixel_scale) path_.push_back(at_);
     choose(context);
-    return event.kind == PointerEvent::Kind::release ? ToolState::commit : ToolState::stay;
+    if (event.kind != PointerEvent::Kind::release) return ToolState::stay;
+    context.editor.left_out.reset();
+    if (left_out_ > 0) context.editor.left_out = LeftOut{left_out_, context.editor.selection};
+    return ToolState::commit;
   }
 
   void cancel(ToolContext& context) override { context.editor.selection = before_; }
@@ -145,8 +157,7 @@ class RegionTool final : public Tool {
     path_ = {press.pixel};
     how_ = press.control ? How::remove : press.shift ? How::add : How::replace;
     const Editor& editor = context.editor;
-    if (!editor.view.x_ray && !editor.selecting.through)
-      occlusion_.emplace(context.scene.scene(), context.projector());
+    if (!takes_hidden(editor)) sight_.emplace(context.scene.scene(), context.projector());
   }
 
   void choose(ToolContext& context) {
@@ -155,27 +166,34 @@ class RegionTool final : public Tool {
     if (how_ == How::replace && editor.mode == ElementMode::object) selection.clear_objects();
     if (how_ == How::replace && editor.mode != ElementMode::object) selection.clear_elements();
     const Scene& scene = context.scene.scene();
+    left_out_ = 0;
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
       take(editor, selection, scene.objects[i], context.scene.object_id(i), context.projector());
     editor.selection = selection;
   }
 
   bool crosses() const { return !lasso_ && crossing(); }
-  Highlights held_of(const SceneObject& shown, const Projector& projector) const {
-    return lasso_ ? pick_lasso(shown, projector, path_)
-                  : pick_box(shown, projector, {path_.front(), at_}, crossing());
+  Highlights held_of(const SceneObject& shown, const Projector& projector, const ElementKinds& kinds) const {
+    return lasso_ ? pick_lasso(shown, projector, path_, kinds)
+                  : pick_box(shown, projector, {path_.front(), at_}, crossing(), kinds);
   }
 
   void take(const Editor& editor, Selection& selection, SceneObject shown, ObjectId id,
-            const Projector& projector) const {
+            const Projector& projector) {
     const Object* object = editor.document().find(id);
-    if (!object) return;
+    if (!object || (editor.view.surfaces_only && editor.mode != ElementMode::object)) return;
     const bool whole = editor.mode == ElementMode::object;
     if (object->skin() && !whole && object != shown_skin(editor)) return;  // its points are not shown
     if (object->skin())
-      shown.polyhedron = whole ? curves_of(*object->skin()->skin) : points_of(editor, *object, projector);
+      shown.polyhedron = whole ? curves_of(*object->skin()->skin) : points_of(editor, *object);
+    if (object->skin() && !whole && !takes_hidden(editor) && !hidden_points_.contains(id))
+      hidden_points_[id] = hidden_points_of(editor, *object, projector);
     if (!shown.polyhedron || shown.polyhedron->positions.empty()) return;
-    const Highlights held = held_of(shown, projector);
+    ElementKinds kinds;
+    if (!whole && object->cage())
+      kinds = {editor.mode == ElementMode::vertex, editor.mode == ElementMode::edge,
+               editor.mode == ElementMode::face};
+    const Highlights held = held_of(shown, projector, kinds);
     const How how = how_ == How::remove ? How::remove : How::add;
     if (whole) {
       const bool taken =
@@ -190,7 +208,7 @@ class RegionTool final : public Tool {
   }
 
   ElementSelection elements_of(const Editor& editor, const Object& object, const SceneObject& shown,
-                               Highlights held) const {
+                               Highlights held) {
     ElementSelection out;
     if (object.solids()) {
       // The surface round them does not hide them.
@@ -199,14 +217,28 @@ class RegionTool final : public Tool {
       return out;
     }
     if (object.skin()) {
-      for (const Index v : held.vertices) out.vertices.insert(shown.polyhedron->vertex_ids[v]);
+      std::set<VertexId> left;
+      const auto hidden = hidden_points_.find(object.id);
+      for (const Index v : held.vertices) {
+        const VertexId point = shown.polyhedron->vertex_ids[v];
+        const bool seen = hidden == hidden_points_.end() || !hidden->second.contains(point.value);
+        (seen ? out.vertices : left).insert(point);
+      }
+      left_out_ += left.size();
       return out;
     }
     if (!(object.cage() || object.outline()) || !shown.elements_pickable) return out;
     if (editor.mode != ElementMode::vertex) held.vertices.clear();
     if (editor.mode != ElementMode::edge) held.edges.clear();
     if (editor.mode != ElementMode::face) held.faces.clear();
-    if (occlusion_) held = occlusion_->visible(held, shown);
+    if (sight_) {
+      const auto count = [](const Highlights& h) {
+        return h.vertices.size() + h.edges.size() + h.faces.size();
+      };
+      const Highlights seen = sight_->visible(held, shown);
+      left_out_ += count(held) - count(seen);
+      held = seen;
+    }
     for (const Index v : held.vertices) out.vertices.insert(shown.polyhedron->vertex_ids[v]);
     if (const Polyhedron* polyhedron = object.cage()) {
       for (const Index e : held.edges) out.edges.insert(polyhedron->edge_id(e));
@@ -220,7 +252,9 @@ class RegionTool final : public Tool {
   Selection before_;
   std::vector<Vector2> path_;  ///< the box's first corner, or the lasso
   Vector2 at_ = Vector2::Zero();
-  std::optional<Occlusion> occlusion_;
+  std::optional<RegionSight> sight_;  ///< nothing where hidden elements are taken, too
+  std::map<ObjectId, std::set<std::uint32_t>> hidden_points_;  ///< of skins, as the region began
+  std::size_t left_out_ = 0;
 };
 
 }  // namespace

@@ -24,6 +24,7 @@ class SelectTool final : public Tool {
   void begin(ToolContext& context, const PointerEvent& press) override {
     press_ = press;
     before_ = context.editor.selection;
+    context.editor.left_out.reset();
     under_ = elements_under(context, press.pixel);
   }
 

@@ -21,7 +21,7 @@ void WaistHandles::update(const Editor& editor) {
   handles_.clear();
   const Object* object = editor.has_document ? editor.active_object() : nullptr;
   if (!object || !object->solids() || !object->visible || object->locked || !object->display.polyhedron ||
-      editor.mode == ElementMode::object || editor.paper.covers_model())
+      editor.view.surfaces_only || editor.mode == ElementMode::object || editor.paper.covers_model())
     return;
   const SurfaceView* view = editor.view_of(object->id);
   if (!view || !view->mesh || view->error) return;

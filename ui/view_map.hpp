@@ -1,0 +1,33 @@
+#pragma once
+
+// ViewMap: a map that a view shows on all surfaces at once, without an edit; and what is shown of an object
+// then.
+
+#include <array>
+#include <optional>
+
+#include "core/document/document.hpp"
+
+namespace hariko {
+
+/// A map of an object's own, any but `shaded`, goes before that of the view.
+struct ViewMap {
+  std::optional<SurfaceMap> map;
+  /// As `DisplaySettings::ranges`: of the maps with values, common to all objects that show the view's.
+  std::array<MapRange, 5> ranges{};
+  friend bool operator==(const ViewMap&, const ViewMap&) = default;
+};
+
+/// Whether an object has a map: reference facets have no curvature, nor edges that could be continuous.
+bool can_show(const Object& object, SurfaceMap map);
+/// Whether the view's map colours an object.
+bool follows_view(const ViewMap& view, const Object& object);
+/// The map that colours an object: its own, else the view's where it has it.
+SurfaceMap shown_map(const ViewMap& view, const Object& object);
+/// The display settings with the map and its range as they are shown.
+DisplaySettings shown_display(const ViewMap& view, const Object& object);
+
+/// By what a map's values in an object's space are divided in the world: 0, 1 or 2 times the object's scale.
+int scale_power(SurfaceMap map);
+
+}  // namespace hariko
