@@ -43,7 +43,8 @@ struct CadSettings {
   friend bool operator==(const CadSettings&, const CadSettings&) = default;
   /// True when both give the same faces, however their numbers are written.
   bool same_faces(const CadSettings& other) const {
-    return choices.tolerance == other.choices.tolerance && choices.scale == other.choices.scale &&
+    return choices.tolerance == other.choices.tolerance && choices.angle == other.choices.angle &&
+           choices.exact == other.choices.exact && choices.scale == other.choices.scale &&
            only_selected == other.only_selected;
   }
 };

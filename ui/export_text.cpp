@@ -1,5 +1,6 @@
 #include "ui/export_text.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "ui/panels/quantity.hpp"
@@ -47,9 +48,11 @@ std::string export_text(const Language& tr, const std::filesystem::path& path, c
 
 std::string cad_count_text(const Language& tr, const CadTotals& count, Unit document_unit) {
   const std::string faces = std::to_string(count.faces), gap = "   \u00b7   ";
+  const std::string points = gap + fill(tr("control points: {0}"), {std::to_string(count.control_points)});
   std::string text = count.all_exact()
                          ? fill(tr("faces: {0}, all of them exact"), {faces})
                          : fill(tr("faces: {0}, {1} of them exact"), {faces, std::to_string(count.exact)});
+  text += points;
   if (count.unreached > 0) text += gap + std::string(tr("the tolerance is not reached everywhere"));
   if (count.left_out > 0)
     text += gap + fill(tr("objects of reference facets left out: {0}"), {std::to_string(count.left_out)});
@@ -57,7 +60,11 @@ std::string cad_count_text(const Language& tr, const CadTotals& count, Unit docu
   if (!count.all_exact())
     text +=
         fill(tr("off by {0} at the most, by samples"), {length_text(document_unit, count.distance)}) + gap;
-  return text + fill(tr("normals jump by {0} at the most"), {angle_text(count.normal_jump)});
+  text += fill(tr("normals jump by {0} at the most"), {angle_text(count.normal_jump)});
+  if (count.curvature)
+    text +=
+        gap + fill(tr("curvature by {0}"), {std::to_string(std::lround(100 * count.curvature_jump)) + " %"});
+  return text;
 }
 
 std::string cad_export_text(const Language& tr, const std::filesystem::path& path, const CadTotals& written,

@@ -17,12 +17,16 @@ std::string text_of(const CadExportReport& report, Unit unit) {
   std::string out;
   for (const CadObjectReport& object : report.objects) {
     out += object.name + ": " + std::to_string(object.faces) + " faces, " + std::to_string(object.exact) +
-           " of them exact, " + std::to_string(object.edges) + " edges, " +
-           (object.closed ? "closed" : "open") + "\n  distance: largest " + number(object.distance) + length +
-           ", tolerance " + number(object.tolerance) + length;
+           " of them exact, " + std::to_string(object.control_points) + " control points, " +
+           std::to_string(object.edges) + " edges, " + (object.closed ? "closed" : "open") +
+           "\n  distance: largest " + number(object.distance) + length + ", tolerance " +
+           number(object.tolerance) + length;
     if (object.unreached > 0) out += ", not kept by " + std::to_string(object.unreached) + " faces";
     out += "\n  normal jump across smooth edges: " + number(object.normal_jump * 180 / std::numbers::pi) +
-           " degrees\n";
+           " degrees, asked for " + number(object.angle * 180 / std::numbers::pi) + " degrees\n";
+    if (object.curvature)
+      out += "  curvature jump across smooth edges: " + number(100 * object.curvature_jump) +
+             " % of the curvature there\n";
   }
   out += "file: " + std::to_string(report.file.solids) + " solids, " +
          std::to_string(report.file.open_shells) + " open shells, " +

@@ -50,6 +50,18 @@ void place(CadModel& model, const Similarity& transform, double factor) {
     for (Vector3& p : face.surface.points) move(p);
 }
 
+/// For an object that is `scale` times as large in the file.
+CadModelOptions options_of(const CadChoices& choices, double scale, double unit) {
+  const CadGrade grade = grade_of(choices.quality);
+  CadModelOptions out;
+  const bool own = choices.tolerance > 0;
+  out.tolerance = (own ? choices.tolerance : grade.millimetres / unit) / scale;
+  out.share = own ? 0 : grade.share;
+  out.angle = choices.angle > 0 ? choices.angle : grade.angle;
+  out.exact = choices.exact;
+  return out;
+}
+
 struct MadeObject {
   CadModel model;
   CadObjectReport report;
@@ -67,15 +79,15 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   if (!built.ok()) return built.error();
   progress.report(0.2);
   const double own_scale = object.transform.scale;
-  CadModelOptions options;
-  options.tolerance = choices.tolerance / (own_scale * choices.scale);
+  const CadModelOptions options =
+      options_of(choices, own_scale * choices.scale, millimetres_per(document.unit));
   auto model = make_cad_model(built->surface, options, cancel, progress.part(0.2, 0.8));
   if (!model.ok()) return model.error();
   MadeObject out{std::move(model).value(), {}, colour_of(object)};
   const CadMeasure measure = measure_cad(built->surface, out.model, samples, cancel);
   if (cancel.cancelled()) return cancelled();
   const double scale = own_scale * choices.scale;
-  const double tolerance = options.tolerance > 0 ? options.tolerance : usual_cad_tolerance * out.model.size;
+  const double tolerance = std::max(options.tolerance, options.share * out.model.size);
   CadObjectReport& report = out.report;
   report.name = object.name;
   report.faces = out.model.faces.size();
@@ -85,7 +97,10 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   report.closed = out.model.closed();
   report.distance = scale * measure.largest;
   report.tolerance = scale * tolerance;
+  report.angle = options.angle;
   report.normal_jump = measure.normal_jump;
+  report.curvature = out.model.curvature;
+  report.curvature_jump = measure.curvature_jump;
   report.unreached = std::size_t(std::count_if(measure.distances.begin(), measure.distances.end(),
                                                [&](double distance) { return distance > tolerance; }));
   place(out.model, object.transform, choices.scale * millimetres_per(document.unit));
@@ -192,19 +207,27 @@ CadTotals totals(std::span<const CadObjectReport> objects) {
     out.unreached += object.unreached;
     out.distance = std::max(out.distance, object.distance);
     out.normal_jump = std::max(out.normal_jump, object.normal_jump);
+    out.control_points += object.control_points;
+    out.curvature = out.curvature || object.curvature;
+    out.curvature_jump = std::max(out.curvature_jump, object.curvature_jump);
   }
   return out;
 }
 
 std::vector<Message> warnings_of(const CadExportReport& report) {
   std::vector<Message> out;
-  for (const CadObjectReport& object : report.objects)
+  for (const CadObjectReport& object : report.objects) {
     if (object.unreached > 0)
       out.push_back(
           make_warning(w_cad_tolerance,
                        object.name + ": " + std::to_string(object.unreached) +
                            " faces are farther from the surface than the tolerance.",
                        "Look for folds and needle-like patches there, or choose a larger tolerance."));
+    if (object.normal_jump > object.angle && object.exact < object.faces)
+      out.push_back(make_warning(
+          w_cad_angle, object.name + ": Along smooth edges normals jump by more than was asked for.",
+          "Look for folds and needle-like patches there, or choose a larger angle."));
+  }
   if (!report.file.valid)
     out.push_back(make_warning(w_cad_invalid, "OpenCASCADE's own check does not accept the written shape.",
                                "Look for folds in the surface, or choose a smaller tolerance."));

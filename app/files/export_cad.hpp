@@ -16,6 +16,7 @@
 namespace hariko {
 
 inline constexpr Code w_cad_tolerance{"W_CAD_TOLERANCE"};
+inline constexpr Code w_cad_angle{"W_CAD_ANGLE"};
 inline constexpr Code w_cad_invalid{"W_CAD_INVALID"};
 inline constexpr Code w_cad_names{"W_CAD_NAMES"};
 
@@ -26,7 +27,10 @@ struct CadObjectReport {
   bool closed = false;
   double distance = 0;        ///< largest measured between the surface and its faces
   double tolerance = 0;       ///< that was asked for
+  double angle = 0;           ///< that was asked for, radians
   double normal_jump = 0;     ///< largest across smooth edges, radians
+  bool curvature = false;     ///< the model is meant to have continuous curvature
+  double curvature_jump = 0;  ///< then the largest across the same edges, relative to the curvature there
   std::size_t unreached = 0;  ///< faces that do not keep the tolerance
 };
 
@@ -51,8 +55,8 @@ CadTotals totals(std::span<const CadObjectReport> objects);
 Result<CadTotals> count_cad(const Document& document, const CadChoices& choices,
                             const CancelToken& cancel = {});
 
-/// W_CAD_TOLERANCE for objects with faces that do not keep it; W_CAD_INVALID where the kernel objects;
-/// W_CAD_NAMES where names lost letters.
+/// W_CAD_TOLERANCE for objects with faces that do not keep it, and W_CAD_ANGLE likewise; W_CAD_INVALID where
+/// the kernel objects; W_CAD_NAMES where names lost letters.
 std::vector<Message> warnings_of(const CadExportReport& report);
 
 /// The local time as headers want it: 2026-11-22T12:00:00.

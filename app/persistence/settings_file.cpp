@@ -84,6 +84,12 @@ template <class AnyChoices, class Visitor>
 void visit_cad(AnyChoices& c, Visitor& visitor) {
   constexpr double longest = 1e300;
   visitor.number("tolerance", c.tolerance, 0, longest);
+  visitor.number("angle", c.angle, 0, 1);
+  visitor.choice(
+      "quality", c.quality,
+      Names<CadQuality>{
+          {"light", CadQuality::light}, {"balanced", CadQuality::balanced}, {"fine", CadQuality::fine}});
+  visitor.flag("exact", c.exact);
   visitor.choice(
       "unit", c.unit,
       Names<Unit>{

@@ -3,13 +3,30 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.hpp"
-#include "core/cad/spline_fit.hpp"
+#include "core/cad/cad_edges.hpp"
+#include "core/cad/face_fit.hpp"
 
 namespace hariko {
 
 namespace {
+
+/// Breaks of an edge and of its faces along it.
+SplineSpace edge_space(const CadModel& model, const CadEdge& edge) {
+  SplineSpace out = edge.curve.space;
+  for (int u = 0; u < edge.use_count; ++u) {
+    const CadUse& use = edge.uses[std::size_t(u)];
+    const SplineSurface& face = model.faces[use.piece].surface;
+    const SplineSpace& along = use.side % 2 == 0 ? face.s : face.t;
+    for (const double b : (use.side < 2 ? along : along.reversed()).breaks) {
+      const double f = (b - use.begin) / (use.end - use.begin);
+      if (f > 0 && f < 1) insert_break(out.breaks, (u == 0 ? f : 1 - f) * edge.curve.space.end());
+    }
+  }
+  return out;
+}
 
 /// Every break, and places between that are no Greville places of a single span: there every spline is right.
 std::vector<double> places(const SplineSpace& space, int samples) {
@@ -22,35 +39,79 @@ std::vector<double> places(const SplineSpace& space, int samples) {
   return out;
 }
 
+/// From a point to the surface, at the foot of the perpendicular near (s, t), by Newton's steps. Each place
+/// of the surface is at least as far away as the nearest.
+double distance_near(const Surface& surface, const CadPiece& piece, double s, double t, const Vector3& from) {
+  double nearest = std::numeric_limits<double>::infinity();
+  constexpr int steps = 4;
+  for (int step = 0; step < steps; ++step) {
+    const PatchPoint point = evaluate(surface, piece, s, t);
+    const Vector3 miss = from - point.position;
+    const double e = point.ds.squaredNorm(), f = point.ds.dot(point.dt), g = point.dt.squaredNorm();
+    const double area = e * g - f * f, a = point.ds.dot(miss), b = point.dt.dot(miss);
+    const double before = nearest;
+    nearest = std::min(nearest, miss.norm());
+    if (nearest == 0 || !(nearest < 0.9 * before) || !(area > 1e-10 * e * g)) break;
+    s = std::clamp(s + (g * a - f * b) / area, 0.0, piece.s.back());
+    t = std::clamp(t + (e * b - f * a) / area, 0.0, piece.t.back());
+  }
+  return nearest;
+}
+
 double face_distance(const Surface& surface, const CadModel& model, Index face, int samples) {
   const SplineSurface& spline = model.faces[face].surface;
   const SplineEvaluator evaluator(spline);
   double largest = 0;
   for (const double t : places(spline.t, samples))
     for (const double s : places(spline.s, samples)) {
-      const Vector3 miss = evaluate(surface, model.pieces[face], s, t).position - evaluator.at(s, t).position;
-      largest = std::max(largest, miss.norm());
+      largest =
+          std::max(largest, distance_near(surface, model.pieces[face], s, t, evaluator.at(s, t).position));
     }
   return largest;
 }
 
-/// Angle between the tangent planes of the two faces of an edge.
-double jump(const CadModel& model, const CadEdge& edge, int samples) {
+struct Jump {
+  double normal = 0, curvature = 0;
+};
+
+/// Normal curvature in a direction of the tangent plane, and the largest of all directions.
+struct Bend {
+  double across = 0, largest = 0;
+};
+Bend bend_of(const PatchPoint& point, const Vector3& direction) {
+  const Vector3 normal = unit_normal(point);
+  const double e = point.ds.squaredNorm(), f = point.ds.dot(point.dt), g = point.dt.squaredNorm(),
+               area = e * g - f * f;
+  const double l = normal.dot(point.dss), m = normal.dot(point.dst), n = normal.dot(point.dtt);
+  const double a = (g * point.ds.dot(direction) - f * point.dt.dot(direction)) / area,
+               b = (e * point.dt.dot(direction) - f * point.ds.dot(direction)) / area;
+  const double mean = (e * n - 2 * f * m + g * l) / (2 * area), gauss = (l * n - m * m) / area;
+  return {a * a * l + 2 * a * b * m + b * b * n,
+          std::abs(mean) + std::sqrt(std::max(0.0, mean * mean - gauss))};
+}
+
+/// Between the two faces of an edge.
+Jump jump(const CadModel& model, const CadEdge& edge, int samples) {
   const SplineEvaluator first(model.faces[edge.uses[0].piece].surface),
       second(model.faces[edge.uses[1].piece].surface);
   const double span = edge.curve.space.end();
-  double largest = 0;
-  for (const double x : places(edge.curve.space, samples)) {
-    const auto normal = [&](const SplineEvaluator& face, const CadUse& use, double f) {
+  Jump out;
+  for (const double x : places(edge_space(model, edge), samples)) {
+    const auto point = [&](const SplineEvaluator& face, const CadUse& use, double f) {
       const Vector2 at = model.pieces[use.piece].parameter(use.side, use.begin + f * (use.end - use.begin));
-      const PatchPoint point = face.at(at.x(), at.y());
-      return has_normal(point) ? unit_normal(point) : Vector3(Vector3::Zero());
+      return face.at(at.x(), at.y(), model.curvature ? Order::second : Order::first);
     };
-    const Vector3 a = normal(first, edge.uses[0], x / span), b = normal(second, edge.uses[1], 1 - x / span);
-    if (a.isZero(0) || b.isZero(0)) continue;
-    largest = std::max(largest, std::atan2(a.cross(b).norm(), a.dot(b)));
+    const PatchPoint p = point(first, edge.uses[0], x / span), q = point(second, edge.uses[1], 1 - x / span);
+    if (!has_normal(p) || !has_normal(q)) continue;
+    const Vector3 a = unit_normal(p), b = unit_normal(q);
+    out.normal = std::max(out.normal, std::atan2(a.cross(b).norm(), a.dot(b)));
+    if (!model.curvature) continue;
+    const Vector3 across = a.cross(evaluate(edge.curve, x).derivative).stableNormalized();
+    const Bend one = bend_of(p, across), other = bend_of(q, across);
+    const double whole = std::max({one.largest, other.largest, 1 / model.size});
+    out.curvature = std::max(out.curvature, std::abs(one.across - other.across) / whole);
   }
-  return largest;
+  return out;
 }
 
 }  // namespace
@@ -63,7 +124,7 @@ CadMeasure measure_cad(const Surface& surface, const CadModel& model, int sample
     for (std::size_t f = begin; f < end && !cancel.cancelled(); ++f)
       out.distances[f] = face_distance(surface, model, Index(f), samples);
   });
-  std::vector<double> jumps(model.edges.size(), 0);
+  std::vector<Jump> jumps(model.edges.size());
   parallel_for(model.edges.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end && !cancel.cancelled(); ++e)
       if (model.edges[e].use_count == 2 && model.edges[e].smooth)
@@ -76,8 +137,9 @@ CadMeasure measure_cad(const Surface& surface, const CadModel& model, int sample
   }
   for (std::size_t e = 0; e < jumps.size(); ++e) {
     out.edge_deviation = std::max(out.edge_deviation, model.edges[e].deviation);
-    if (!(jumps[e] > out.normal_jump)) continue;
-    out.normal_jump = jumps[e];
+    out.curvature_jump = std::max(out.curvature_jump, jumps[e].curvature);
+    if (!(jumps[e].normal > out.normal_jump)) continue;
+    out.normal_jump = jumps[e].normal;
     out.jump_edge = Index(e);
   }
   return out;

@@ -3,6 +3,7 @@
 // CadModel: a surface as CAD programs want it: vertices, edges and faces with B-splines, every edge shared by
 // the faces that meet there. What makes files of it is in core/cad/kernel.
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -41,20 +42,28 @@ struct CadModel {
   std::vector<CadFace> faces;
   std::vector<CadPiece> pieces;  ///< one a face: what it stands for
 
+  /// The surface is meant to have continuous curvature across smooth edges.
+  bool curvature = false;
+
   /// Every edge has two faces.
   bool closed() const;
 };
 
+inline constexpr double usual_cad_tolerance = 1e-4;  ///< of the diagonal
+inline constexpr double usual_cad_angle = 0.1 * std::numbers::pi / 180;
+
 struct CadModelOptions {
-  double tolerance = 0;  ///< of faces that cannot be exact, length; 0: `usual_cad_tolerance` of the size
-  double normal_angle = 0.0005;  ///< likewise between normals, radians (0.03 degrees)
+  /// Between the surface and faces that cannot be exact: a length, and a share of the size; the larger holds.
+  double tolerance = 0, share = usual_cad_tolerance;
+  double angle = usual_cad_angle;  ///< likewise between faces along smooth edges, radians
+  bool exact =
+      false;  ///< faces that are splines are exact, also where others of less weight keep the tolerance
 };
-inline constexpr double usual_cad_tolerance = 1e-5;  ///< of the diagonal
 /// Of the diagonal: closer than this, a face is the surface.
 inline constexpr double exact_face = 1e-12;
 
-/// Errors: E_CANCELLED. What is not a spline of the degree in use is interpolated by splines whose knots are
-/// halved where the surface is farther away than the tolerance. O(patches) for a fixed tolerance.
+/// Errors: E_CANCELLED. What is not a spline of the degree in use, or weighs more than a fit would, is fitted
+/// by splines of degree 3 or 5, whichever has less control points. O(patches) for a fixed tolerance.
 Result<CadModel> make_cad_model(const Surface& surface, const CadModelOptions& options = {},
                                 const CancelToken& cancel = {}, const Progress& progress = {});
 

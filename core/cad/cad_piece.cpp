@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "core/base/assert.hpp"
 #include "core/g2/g2_patch_set.hpp"
@@ -41,8 +43,9 @@ CellSide inside(Index number, bool forward) {
   return {{}, forward ? 0.0 : 1.0, forward ? 1.0 : 0.0, number};
 }
 
-/// Three quads of a triangle: corner, middle of the side, centre, middle of the side before.
-void add_thirds(Index patch, std::vector<CadPiece>& out) {
+/// Three quads of a triangle: corner, middle of the side, centre, middle of the side before. `inner`: number
+/// of the first curve inside.
+void add_thirds(Index patch, Index inner, std::vector<CadPiece>& out) {
   const Vector2 centre(1.0 / 3, 1.0 / 3);
   for (int k = 0; k < 3; ++k) {
     const int before = (k + 2) % 3;
@@ -50,14 +53,37 @@ void add_thirds(Index patch, std::vector<CadPiece>& out) {
     cell.patch = patch;
     cell.corners = {corner_parameter(Domain::triangle, k), side_parameter(Domain::triangle, k, 0.5), centre,
                     side_parameter(Domain::triangle, before, 0.5)};
-    cell.sides = {on(patch, k, 0, 0.5), inside(3 * patch + Index(k), true),
-                  inside(3 * patch + Index(before), false), on(patch, before, 0.5, 1)};
+    cell.sides = {on(patch, k, 0, 0.5), inside(inner + Index(k), true), inside(inner + Index(before), false),
+                  on(patch, before, 0.5, 1)};
     out.push_back({{0, 1}, {0, 1}, {cell}, {}});
   }
 }
 
-/// Quads of the faces of mode G2, which are smooth across the patches' inner sides: corner, middle of the
-/// side, centre, middle of the side before.
+/// A face as a polygon over triangles round its middle, whose side 1 is the face's: corner 0 is the middle. A
+/// square is one piece; others are cut into quads: corner, middle of the side, centre, middle of the side
+/// before.
+void add_polygon(const std::vector<Index>& patches, const std::vector<Vector2>& vertices, const CadCell& kind,
+                 Index inner, std::vector<CadPiece>& out) {
+  const std::size_t n = patches.size();
+  CadCell cell = kind;
+  if (n == 4) {
+    for (std::size_t k = 0; k < n; ++k) {
+      cell.corners[k] = vertices[k];
+      cell.sides[k] = on(patches[k], 1, 0, 1);
+    }
+    out.push_back({{0, 1}, {0, 1}, {cell}, {}});
+    return;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t before = (k + n - 1) % n, after = (k + 1) % n;
+    cell.corners = {vertices[k], 0.5 * (vertices[k] + vertices[after]), Vector2::Zero(),
+                    0.5 * (vertices[before] + vertices[k])};
+    cell.sides = {on(patches[k], 1, 0, 0.5), inside(inner + Index(k), true),
+                  inside(inner + Index(before), false), on(patches[before], 1, 0.5, 1)};
+    out.push_back({{0, 1}, {0, 1}, {cell}, {}});
+  }
+}
+
 std::vector<CadPiece> chart_pieces(const G2PatchSet& patches) {
   const G2Atlas& atlas = *patches.atlas();
   std::vector<std::vector<Index>> of_face(atlas.chart.size());
@@ -67,26 +93,99 @@ std::vector<CadPiece> chart_pieces(const G2PatchSet& patches) {
     list[std::size_t(atlas.side[p])] = p;
   }
   std::vector<CadPiece> out;
-  Index first_inner = 0;
+  Index inner = 0;
   for (Index f = 0; f < of_face.size(); ++f) {
-    const FaceChart& chart = *atlas.chart[f];
-    const auto n = Index(chart.sides());
-    const auto vertex = [&](Index k) -> Vector2 { return chart.vertex(int(k % n)); };
-    for (Index k = 0; k < n; ++k) {
-      const Index before = (k + n - 1) % n;
-      CadCell cell;
-      cell.patch = f;
-      cell.chart = true;
-      cell.corners = {vertex(k), 0.5 * (vertex(k) + vertex(k + 1)), Vector2::Zero(),
-                      0.5 * (vertex(before) + vertex(k))};
-      // Side 1 of a patch is the face's: corner 0 is the centre.
-      cell.sides = {on(of_face[f][k], 1, 0, 0.5), inside(first_inner + k, true),
-                    inside(first_inner + before, false), on(of_face[f][before], 1, 0.5, 1)};
-      out.push_back({{0, 1}, {0, 1}, {cell}, {}});
-    }
-    first_inner += n;
+    CadCell cell;
+    cell.patch = f;
+    cell.chart = true;
+    std::vector<Vector2> vertices;
+    for (int k = 0; k < atlas.chart[f]->sides(); ++k) vertices.push_back(atlas.chart[f]->vertex(k));
+    add_polygon(of_face[f], vertices, cell, inner, out);
+    inner += Index(of_face[f].size());
   }
   return out;
+}
+
+Vector2 fan_vertex(std::size_t k, std::size_t n) {
+  const double turn = 2 * std::numbers::pi * double(k % n) / double(n);
+  return {std::cos(turn), std::sin(turn)};
+}
+
+/// Triangles of one face, in order, that meet smoothly round their first corners; each other triangle alone.
+std::vector<std::vector<Index>> fans_of(const Surface& surface) {
+  // The triangle beyond side 2 of each, where it meets that one's side 0.
+  std::vector<Index> next(surface.patch_count(), no_index);
+  for (const Seam& seam : surface.seams()) {
+    const bool whole =
+        seam.first_begin == 0 && seam.first_end == 1 && seam.second_begin == 1 && seam.second_end == 0;
+    if (!whole || seam.intended == Continuity::g0) continue;
+    if (seam.first.side == 2 && seam.second.side == 0) next[seam.first.patch] = seam.second.patch;
+    if (seam.first.side == 0 && seam.second.side == 2) next[seam.second.patch] = seam.first.patch;
+  }
+  std::vector<std::vector<Index>> out;
+  std::vector<char> taken(surface.patch_count(), 0);
+  for (Index p = 0; p < surface.patch_count(); ++p) {
+    if (taken[p]) continue;
+    std::vector<Index> fan;
+    Index at = p;
+    do {
+      fan.push_back(at);
+      at = next[at];
+    } while (at != no_index && at != p && !taken[at] && fan.size() <= surface.patch_count());
+    if (at != p || fan.size() < 3) fan = {p};
+    for (const Index patch : fan) taken[patch] = 1;
+    out.push_back(std::move(fan));
+  }
+  return out;
+}
+
+std::vector<CadPiece> fan_pieces(const Surface& surface) {
+  std::vector<CadPiece> out;
+  Index inner = 0;
+  for (const std::vector<Index>& fan : fans_of(surface)) {
+    if (fan.size() == 1) {
+      add_thirds(fan.front(), inner, out);
+      inner += 3;
+      continue;
+    }
+    CadCell cell;
+    cell.patch = fan.front();
+    cell.fan = fan;
+    std::vector<Vector2> vertices;
+    for (std::size_t k = 0; k < fan.size(); ++k) vertices.push_back(fan_vertex(k, fan.size()));
+    add_polygon(fan, vertices, cell, inner, out);
+    inner += Index(fan.size());
+  }
+  return out;
+}
+
+/// Point of a fan by its polygon's coordinates, with derivatives by them.
+PatchPoint fan_point(const Surface& surface, const std::vector<Index>& fan, const Vector2& at) {
+  const std::size_t n = fan.size();
+  const auto cross = [](const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); };
+  std::size_t k = 0;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double inside = std::min(cross(fan_vertex(i, n), at), cross(at, fan_vertex(i + 1, n)));
+    if (inside > deepest) deepest = inside, k = i;
+  }
+  const Vector2 a = fan_vertex(k, n), b = fan_vertex(k + 1, n);
+  const double area = cross(a, b);
+  Vector2 parameter(cross(at, b) / area, cross(a, at) / area);
+  parameter = parameter.cwiseMax(0.0);
+  if (parameter.sum() > 1) parameter /= parameter.sum();
+  PatchPoint point = surface.patches().evaluate(fan[k], parameter, Order::first);
+  const Vector3 by_x = (b.y() * point.ds - a.y() * point.dt) / area,
+                by_y = (a.x() * point.dt - b.x() * point.ds) / area;
+  point.ds = by_x;
+  point.dt = by_y;
+  return point;
+}
+
+PatchPoint cell_surface(const Surface& surface, const CadCell& cell, const Vector2& at) {
+  if (!cell.fan.empty()) return fan_point(surface, cell.fan, at);
+  return cell.chart ? g2_patches(surface)->evaluate_chart(cell.patch, at, Order::first)
+                    : surface.patches().evaluate(cell.patch, at, Order::first);
 }
 
 }  // namespace
@@ -125,12 +224,13 @@ Vector2 CadPiece::parameter(int side, double x) const {
   }
 }
 
-std::vector<CadPiece> cad_pieces(const Surface& surface) {
+std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which) {
   if (surface.patch_count() == 0) return {};
   if (const G2PatchSet* g2 = g2_patches(surface)) return chart_pieces(*g2);
   if (surface.domain() == Domain::square) return merged_squares(surface);
+  if (which == CadPieces::faces) return fan_pieces(surface);
   std::vector<CadPiece> out;
-  for (Index p = 0; p < surface.patch_count(); ++p) add_thirds(p, out);
+  for (Index p = 0; p < surface.patch_count(); ++p) add_thirds(p, 3 * p, out);
   return out;
 }
 
@@ -139,8 +239,7 @@ PatchPoint evaluate(const Surface& surface, const CadPiece& piece, double s, dou
   const CadCell& cell = piece.cells[row * piece.columns() + column];
   const double width = piece.s[column + 1] - piece.s[column], height = piece.t[row + 1] - piece.t[row];
   const CellPoint at = cell_point(cell, (s - piece.s[column]) / width, (t - piece.t[row]) / height);
-  PatchPoint point = cell.chart ? g2_patches(surface)->evaluate_chart(cell.patch, at.at, Order::first)
-                                : surface.patches().evaluate(cell.patch, at.at, Order::first);
+  PatchPoint point = cell_surface(surface, cell, at.at);
   const Vector3 by_s = (at.by_s.x() * point.ds + at.by_s.y() * point.dt) / width;
   const Vector3 by_t = (at.by_t.x() * point.ds + at.by_t.y() * point.dt) / height;
   point.ds = by_s;

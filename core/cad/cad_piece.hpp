@@ -20,10 +20,12 @@ struct CellSide {
   Index inner = no_index;
 };
 
-/// The unit square as a bilinear image in a patch's parameters; `chart`: in those of a face of mode G2.
+/// The unit square as a bilinear image in a patch's parameters; `chart`: in those of a face of mode G2;
+/// `fan`: in those of a regular polygon of radius 1 round the split point of a face, over these triangles.
 struct CadCell {
   Index patch = no_index;
   bool chart = false;
+  std::vector<Index> fan;
   std::array<Vector2, 4> corners;  ///< of (0, 0), (1, 0), (1, 1), (0, 1)
   std::array<CellSide, 4> sides;   ///< counter-clockwise, as sides of squares
 };
@@ -54,10 +56,16 @@ struct CadPiece {
   Vector2 parameter(int side, double x) const;
 };
 
-/// Pieces that cover a surface once. Squares become faces as they are, or rectangles of faces where they are
-/// pieces of one spline; triangles three squares each, round their corners, which have no degenerate
-/// sides; faces of mode G2 as many squares as they have corners. No piece meets itself. O(patches).
-std::vector<CadPiece> cad_pieces(const Surface& surface);
+/// How pieces are made.
+enum class CadPieces {
+  patches,  ///< squares that are one spline in rectangles; triangles three squares each, round their corners
+  faces     ///< the same, but triangles round the split points of faces together
+};
+
+/// Pieces that cover a surface once, without degenerate sides. Faces of triangles round a split point, and of
+/// mode G2, are one square where they have four sides, and as many as they have corners otherwise. No piece
+/// meets itself. O(patches).
+std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which = CadPieces::faces);
 
 /// The largest degree of the patches, by s or t, where splines can hold all of them: none is rational.
 std::optional<int> bezier_degree(const BezierPatchSet& patches);

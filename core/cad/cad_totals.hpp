@@ -12,7 +12,10 @@ struct CadTotals {
   std::size_t unreached = 0;  ///< faces that do not keep the tolerance
   double distance = 0;        ///< largest measured between a surface and its faces, length
   double normal_jump = 0;     ///< largest across smooth edges, radians
-  std::size_t left_out = 0;   ///< visible objects of reference facets, which such files do not hold
+  double curvature_jump = 0;  ///< largest, relative, of models with continuous curvature
+  bool curvature = false;     ///< there are such models
+  std::size_t control_points = 0;
+  std::size_t left_out = 0;  ///< visible objects of reference facets, which such files do not hold
 
   bool all_exact() const { return exact == faces; }
 };

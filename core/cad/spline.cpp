@@ -46,11 +46,12 @@ SplineBasis spline_basis(const SplineSpace& space, const std::vector<double>& kn
   out.first = space.span(x);
   const auto p = std::size_t(space.degree);
   const std::size_t at = out.first + p;  // knots[at] <= x < knots[at + 1]
-  std::array<double, max_spline_degree + 1> left{}, right{}, lower{};
+  std::array<double, max_spline_degree + 1> left{}, right{}, lower{}, lowest{};
   out.value[0] = 1;
   for (std::size_t d = 1; d <= p; ++d) {
     left[d] = x - knots[at + 1 - d];
     right[d] = knots[at + d] - x;
+    lowest = lower;
     lower = out.value;
     double saved = 0;
     for (std::size_t r = 0; r < d; ++r) {
@@ -60,11 +61,17 @@ SplineBasis spline_basis(const SplineSpace& space, const std::vector<double>& kn
     }
     out.value[d] = saved;
   }
-  // `lower` holds the functions of degree p - 1 now.
+  // `lower` holds the functions of degree p - 1 now, and `lowest` those of degree p - 2.
+  const auto derivative = [&](const auto& functions, std::size_t d, std::size_t r) {
+    const double below = r > 0 ? functions[r - 1] / (knots[at + r] - knots[at + r - d]) : 0;
+    const double above = r < d ? functions[r] / (knots[at + r + 1] - knots[at + r + 1 - d]) : 0;
+    return double(d) * (below - above);
+  };
+  std::array<double, max_spline_degree + 1> slope{};
+  for (std::size_t r = 0; r < p && p > 1; ++r) slope[r] = derivative(lowest, p - 1, r);
   for (std::size_t r = 0; r <= p && p > 0; ++r) {
-    const double below = r > 0 ? lower[r - 1] / (knots[at + r] - knots[at + r - p]) : 0;
-    const double above = r < p ? lower[r] / (knots[at + r + 1] - knots[at + r + 1 - p]) : 0;
-    out.derivative[r] = double(p) * (below - above);
+    out.derivative[r] = derivative(lower, p, r);
+    if (p > 1) out.second[r] = derivative(slope, p, r);
   }
   return out;
 }
@@ -86,19 +93,24 @@ SplineCurve reversed(const SplineCurve& curve) {
 SplineEvaluator::SplineEvaluator(const SplineSurface& surface)
     : surface_(surface), knots_s_(surface.s.knots()), knots_t_(surface.t.knots()) {}
 
-PatchPoint SplineEvaluator::at(double s, double t) const {
+PatchPoint SplineEvaluator::at(double s, double t, Order order) const {
   const SplineBasis a = spline_basis(surface_.s, knots_s_, s), b = spline_basis(surface_.t, knots_t_, t);
   PatchPoint out;
   for (std::size_t j = 0; j <= std::size_t(surface_.t.degree); ++j) {
-    Vector3 row = Vector3::Zero(), row_s = Vector3::Zero();
+    Vector3 row = Vector3::Zero(), row_s = Vector3::Zero(), row_ss = Vector3::Zero();
     for (std::size_t i = 0; i <= std::size_t(surface_.s.degree); ++i) {
       const Vector3& p = surface_.points[surface_.index(a.first + i, b.first + j)];
       row += a.value[i] * p;
       row_s += a.derivative[i] * p;
+      if (order == Order::second) row_ss += a.second[i] * p;
     }
     out.position += b.value[j] * row;
     out.ds += b.value[j] * row_s;
     out.dt += b.derivative[j] * row;
+    if (order == Order::first) continue;
+    out.dss += b.value[j] * row_ss;
+    out.dst += b.derivative[j] * row_s;
+    out.dtt += b.second[j] * row;
   }
   return out;
 }

@@ -34,11 +34,11 @@ struct SplineSpace {
   friend bool operator==(const SplineSpace&, const SplineSpace&) = default;
 };
 
-/// The degree + 1 functions that are not zero on a span, with first derivatives. The first of them belongs to
-/// control point `first`.
+/// The degree + 1 functions that are not zero on a span, with first and second derivatives. The first of them
+/// belongs to control point `first`.
 struct SplineBasis {
   std::size_t first = 0;
-  std::array<double, max_spline_degree + 1> value{}, derivative{};
+  std::array<double, max_spline_degree + 1> value{}, derivative{}, second{};
 };
 SplineBasis spline_basis(const SplineSpace& space, const std::vector<double>& knots, double x);
 
@@ -63,8 +63,8 @@ struct SplineSurface {
 class SplineEvaluator {
  public:
   explicit SplineEvaluator(const SplineSurface& surface);
-  /// Position and first derivatives.
-  PatchPoint at(double s, double t) const;
+  /// Position and derivatives; where `order` is first, second ones are zero.
+  PatchPoint at(double s, double t, Order order = Order::first) const;
 
  private:
   const SplineSurface& surface_;

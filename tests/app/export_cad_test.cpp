@@ -68,13 +68,18 @@ TEST(ExportCad, ExactFormsAreCalledExact) {
   const CadTotals exact = count(saddle(), {tolerance});
   EXPECT_TRUE(exact.all_exact());
   EXPECT_EQ(cad_count_text(english, exact, Unit::millimetre),
-            "faces: 1, all of them exact\nnormals jump by 0\u00b0 at the most");
+            "faces: 1, all of them exact   \u00b7   control points: 9\nnormals jump by 0\u00b0 at the most");
   EXPECT_EQ(cad_export_text(english, "a.step", exact, 61'000, Unit::millimetre),
             "Exported a.step: 1 faces, all of them exact; turned by 0\u00b0 at the most; 61 kB.");
-  const CadTotals fitted{12, 4, 1, 0.00031, 0.001};
+  const CadTotals fitted{.faces = 12,
+                         .exact = 4,
+                         .unreached = 1,
+                         .distance = 0.00031,
+                         .normal_jump = 0.001,
+                         .control_points = 250};
   const std::string told = cad_count_text(english, fitted, Unit::millimetre);
-  for (const char* part :
-       {"12, 4 of them exact", "off by 0.00031 mm", "0.057\u00b0", "not reached everywhere"})
+  for (const char* part : {"12, 4 of them exact", "control points: 250", "off by 0.00031 mm", "0.057\u00b0",
+                           "not reached everywhere"})
     EXPECT_NE(told.find(part), std::string::npos) << told;
 }
 

@@ -71,7 +71,7 @@ TEST(CadModel, KeepsTheToleranceAndStaysSmooth) {
     ASSERT_TRUE(model.ok());
     const CadMeasure measure = measure_cad(surface, *model);
     EXPECT_LE(measure.largest, usual_cad_tolerance * model->size);
-    EXPECT_LE(measure.normal_jump, 0.1 * degree) << "edge " << measure.jump_edge;
+    EXPECT_LE(measure.normal_jump, usual_cad_angle) << "edge " << measure.jump_edge;
   });
 }
 
@@ -79,14 +79,54 @@ TEST(CadModel, TighterTolerancesGiveNearerFaces) {
   const auto produced = surfaces_of({"fig2_open"});
   ASSERT_EQ(produced.size(), 1U);
   std::size_t before = 0;
-  for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
-    const auto model = make_cad_model(produced[0].surface, {tolerance, 0.1});
+  for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
+    const auto model =
+        make_cad_model(produced[0].surface, {.tolerance = tolerance, .share = 0, .angle = 0.1});
     ASSERT_TRUE(model.ok());
     const CadMeasure measure = measure_cad(produced[0].surface, *model);
     EXPECT_LE(measure.largest, tolerance);
     EXPECT_GT(measure.control_points, before);
     before = measure.control_points;
   }
+}
+
+TEST(CadModel, FacesOfFourSidesAreOneFaceEach) {
+  for (const WantedSample& wanted : {WantedSample{"cube", Mode::g2}, WantedSample{"cube"}}) {
+    const auto produced = surfaces_of(wanted);
+    ASSERT_EQ(produced.size(), 1U);
+    const auto model = make_cad_model(produced[0].surface);
+    ASSERT_TRUE(model.ok());
+    EXPECT_EQ(model->faces.size(), 6U);
+    EXPECT_EQ(model->edges.size(), 12U);
+    EXPECT_EQ(model->vertices.size(), 8U);
+    EXPECT_TRUE(model->closed());
+  }
+}
+
+TEST(CadModel, AnglesAreMetAndCostKnots) {
+  const auto produced = surfaces_of({"cube", Mode::g2});
+  ASSERT_EQ(produced.size(), 1U);
+  std::size_t before = 0;
+  for (const double angle : {1.0, 0.2, 0.02}) {
+    const auto model =
+        make_cad_model(produced[0].surface, {.tolerance = 0.05, .share = 0, .angle = angle * degree});
+    ASSERT_TRUE(model.ok());
+    const CadMeasure measure = measure_cad(produced[0].surface, *model);
+    EXPECT_LE(measure.normal_jump, angle * degree);
+    EXPECT_GE(measure.control_points, before);
+    before = measure.control_points;
+  }
+}
+
+TEST(CadModel, ExactFacesStayWhereTheyAreAskedFor) {
+  const auto produced = surfaces_of({"cube", Mode::paper});
+  ASSERT_EQ(produced.size(), 1U);
+  const auto fitted = make_cad_model(produced[0].surface),
+             exact = make_cad_model(produced[0].surface, {.exact = true});
+  ASSERT_TRUE(fitted.ok() && exact.ok());
+  EXPECT_EQ(measure_cad(produced[0].surface, *exact).exact, exact->faces.size());
+  EXPECT_LE(measure_cad(produced[0].surface, *fitted).control_points,
+            measure_cad(produced[0].surface, *exact).control_points);
 }
 
 TEST(CadModel, PolynomialPatchesAreExact) {

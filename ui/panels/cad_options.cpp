@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "core/cad/kernel/cad_file.hpp"
 #include "ui/export_text.hpp"
@@ -13,8 +14,13 @@ namespace hariko {
 
 namespace {
 
-/// Of the size: what CAD programs take for smooth, and the finest and coarsest that make sense to ask for.
-constexpr double usual = 1e-5, finest = 1e-9, coarsest = 1e-2;
+/// Of the size: the finest and coarsest that make sense to ask for.
+constexpr double finest = 1e-9, coarsest = 1e-2;
+constexpr double degree = std::numbers::pi / 180;
+constexpr std::array qualities{CadQuality::light, CadQuality::balanced, CadQuality::fine};
+constexpr std::array<const char*, 3> quality_ids{"light", "balanced", "fine"};
+constexpr std::array<const char*, 3> quality_names{translatable("light"), translatable("balanced"),
+                                                   translatable("fine")};
 
 }  // namespace
 
@@ -25,9 +31,46 @@ void CadOptions::begin(const Editor& editor) {
   size_ = box.isEmpty() ? 1 : std::max(box.diagonal().norm(), 1e-9);
   double& tolerance = settings_.choices.tolerance;
   const bool suits = tolerance >= finest * size() && tolerance <= coarsest * size();
-  if (!suits) tolerance = one_digit(usual * size());
-  tolerance_text_ = scale_text_ = {};
+  const Unit unit = editor.document().unit;
+  if (!suits) take_quality(settings_.choices.quality, unit);
+  if (settings_.choices.angle == 0) settings_.choices.angle = grade_of(settings_.choices.quality).angle;
+  tolerance_text_ = angle_text_ = scale_text_ = {};
   count_.reset();
+}
+
+double CadOptions::tolerance_of(CadQuality quality, Unit unit) const {
+  const CadGrade grade = grade_of(quality);
+  return one_digit(std::max(grade.millimetres / millimetres_per(unit), grade.share * size()));
+}
+
+void CadOptions::take_quality(CadQuality quality, Unit unit) {
+  settings_.choices.quality = quality;
+  settings_.choices.tolerance = std::clamp(tolerance_of(quality, unit), finest * size(), coarsest * size());
+  settings_.choices.angle = grade_of(quality).angle;
+  tolerance_text_ = angle_text_ = {};
+}
+
+void CadOptions::quality_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
+  const Language& tr = editor.language;
+  const Unit unit = editor.document().unit;
+  const auto chosen = [&](CadQuality quality) {
+    return settings_.choices.angle == grade_of(quality).angle &&
+           settings_.choices.tolerance ==
+               std::clamp(tolerance_of(quality, unit), finest * size(), coarsest * size());
+  };
+  option_label(tr, metrics, translatable("Quality"));
+  for (std::size_t i = 0; i < qualities.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (ImGui::RadioButton((std::string(tr(quality_names[i])) + "##cad_quality").c_str(),
+                           chosen(qualities[i])))
+      take_quality(qualities[i], unit);
+    marks.item(std::string("export.cad_quality.") + quality_ids[i]);
+  }
+  ImGui::SameLine(0, metrics.px(16));
+  ImGui::Checkbox((std::string(tr("exact splines")) + "##cad_exact").c_str(), &settings_.choices.exact);
+  marks.item("export.cad_exact");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", tr("What is a spline stays it, also where fewer control points would do"));
 }
 
 void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
@@ -40,6 +83,21 @@ void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics
                tr("The farthest that faces may be from the surface where they cannot be the surface itself"),
                marks, metrics.px(110), length, tolerance_text_, settings_.choices.tolerance);
   ImGui::SameLine(0, metrics.px(16));
+  ImGui::TextUnformatted(tr("Angle"));
+  ImGui::SameLine();
+  Quantity turn = angle_quantity();
+  turn.decimals = 3;
+  turn.low = 0.001;
+  turn.high = 10;
+  turn.step = 0.01;
+  double degrees = settings_.choices.angle / degree;
+  if (option_field("cad_angle", tr("The most that normals may jump between faces along smooth edges"), marks,
+                   metrics.px(80), turn, angle_text_, degrees))
+    settings_.choices.angle = degrees * degree;
+}
+
+void CadOptions::selected_row(const Language& tr, Marks& marks, const Metrics& metrics) {
+  option_label(tr, metrics, translatable("Objects"));
   ImGui::Checkbox((std::string(tr("selected objects only")) + "##cad_selected").c_str(),
                   &settings_.only_selected);
   marks.item("export.cad_selected");
@@ -108,7 +166,9 @@ void CadOptions::result_rows(const Editor& editor, Marks& marks) const {
 bool CadOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics,
                       const std::filesystem::path& name) {
   const CadSettings before = settings_;
+  quality_row(editor, marks, metrics);
   tolerance_row(editor, marks, metrics);
+  selected_row(editor.language, marks, metrics);
   unit_row(editor, marks, metrics);
   schema_row(editor.language, marks, metrics, name);
   result_rows(editor, marks);

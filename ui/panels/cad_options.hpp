@@ -16,7 +16,7 @@ namespace hariko {
 
 class CadOptions {
  public:
-  static constexpr int rows = 5;
+  static constexpr int rows = 7;
 
   /// For the document in the editor: a tolerance in proportion to what is visible, the first time or when the
   /// one chosen before does not suit it.
@@ -31,17 +31,22 @@ class CadOptions {
   void remember(const CadChoices& choices) { settings_.choices = choices; }
 
  private:
+  void quality_row(const Editor& editor, Marks& marks, const Metrics& metrics);
   void tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics);
+  void selected_row(const Language& tr, Marks& marks, const Metrics& metrics);
   void unit_row(const Editor& editor, Marks& marks, const Metrics& metrics);
   void schema_row(const Language& tr, Marks& marks, const Metrics& metrics,
                   const std::filesystem::path& name);
   void result_rows(const Editor& editor, Marks& marks) const;
   /// Of what is visible, as it is written.
   double size() const { return settings_.choices.scale * size_; }
+  /// Distance of a quality, in the document's unit.
+  double tolerance_of(CadQuality quality, Unit unit) const;
+  void take_quality(CadQuality quality, Unit unit);
 
   CadSettings settings_;
   double size_ = 0;  ///< diagonal of what is visible
-  std::string tolerance_text_, scale_text_;
+  std::string tolerance_text_, angle_text_, scale_text_;
   std::optional<Result<CadTotals>> count_;  ///< of `settings_`; nothing while it is being found
 };
 

@@ -1,6 +1,7 @@
 #include "app/commands/command_line/export_command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <numbers>
 
 #include "app/commands/command_line/distinct_files.hpp"
 #include "core/base/file_ending.hpp"
@@ -26,8 +27,22 @@ void ExportCommandLine::add_to(CLI::App& app) {
       command_
           ->add_option("--tolerance", arguments_.cad.tolerance,
                        "Of STEP and IGES: between the surface and faces that cannot be exact, in the "
-                       "document's unit; 1e-5 of each object's diagonal otherwise")
+                       "document's unit; as --quality says otherwise")
           ->check(CLI::PositiveNumber),
+      command_
+          ->add_option(
+              "--angle", angle_,
+              "Of STEP and IGES: between faces along smooth edges, degrees; as --quality says otherwise")
+          ->check(CLI::Range(0.001, 10.0)),
+      command_
+          ->add_option(
+              "--quality", quality_,
+              "Of STEP and IGES: light (0.05 mm, 0.2 degrees), balanced (0.01 mm, 0.1 degrees) or fine "
+              "(0.001 mm, 0.02 degrees); more where an object is larger than 100 mm")
+          ->check(CLI::IsMember({"light", "balanced", "fine"})),
+      command_->add_flag(
+          "--exact", arguments_.cad.exact,
+          "Of STEP and IGES: what is a spline stays it, also where fewer control points would do"),
       command_->add_flag("--ap242", arguments_.cad.ap242, "STEP in the newer schema AP242, not AP214")};
   command_->add_flag("--control", arguments_.control,
                      "Writes the control meshes of skins, with creases, as OBJ instead");
@@ -53,6 +68,10 @@ void ExportCommandLine::check() const {
 
 ExportArguments ExportCommandLine::arguments(const Construction& construction) const {
   ExportArguments out = arguments_;
+  out.cad.quality = quality_ == "light"  ? CadQuality::light
+                    : quality_ == "fine" ? CadQuality::fine
+                                         : CadQuality::balanced;
+  out.cad.angle = angle_ * std::numbers::pi / 180;
   out.file_arguments = file_options_.arguments();
   out.construction = construction;
   return out;

@@ -28,6 +28,8 @@ class ExportCommandLine {
   CLI::Option* density_ = nullptr;         ///< of triangles only
   std::vector<CLI::Option*> cad_options_;  ///< of STEP and IGES only
   ExportArguments arguments_;
+  double angle_ = 0;  ///< degrees
+  std::string quality_ = "balanced";
   FileOptions file_options_;
 };
 

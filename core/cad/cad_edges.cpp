@@ -1,0 +1,175 @@
+#include "core/cad/cad_edges.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+#include "core/cad/face_fit.hpp"
+
+namespace hariko {
+
+void insert_break(std::vector<double>& breaks, double at) {
+  const auto above = std::lower_bound(breaks.begin(), breaks.end(), at - 1e-9);
+  if (above != breaks.end() && *above <= at + 1e-9) return;
+  breaks.insert(above, at);
+}
+
+CadEdges::CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken& cancel)
+    : task_(task), sides_(plan.sides) {
+  task_.limits.distance *= curve_share;
+  take(plan);
+  fit_divided_sides(cancel);
+  parallel_for(edges_.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end && !cancel.cancelled(); ++e) fit(edges_[e]);
+  });
+  take_vertices(plan.vertex_count);
+}
+
+CurvePoint CadEdges::side_point(Index number, int side, double x, bool smooth) const {
+  const CadPiece& own = (*task_.pieces)[number];
+  const Vector2 at = own.parameter(side, x);
+  const PatchPoint p = evaluate(*task_.surface, own, at.x(), at.y());
+  const Vector3 along = side % 2 == 0 ? p.ds : p.dt;
+  return {p.position, side < 2 ? along : Vector3(-along),
+          smooth && has_normal(p) ? unit_normal(p) : Vector3(Vector3::Zero())};
+}
+
+/// `spline`: the space of the curve where the surface is a spline there; else the fit begins with `start`.
+FittedCurve CadEdges::curve(const SplineSpace& spline, const SplineSpace& start, Index number, int side,
+                            bool smooth) const {
+  const auto function = [&](double x) { return side_point(number, side, x, smooth); };
+  if (auto equal = equal_curve(spline, function, 0.25 * exact_face * task_.size))
+    return {std::move(*equal), true};
+  return fit_curve(start, function, task_.limits);
+}
+
+void CadEdges::take(const CadPlan& plan) {
+  for (const PlannedEdge& planned : plan.edges) {
+    CadEdge edge;
+    edge.begin = planned.begin;
+    edge.end = planned.end;
+    edge.uses = planned.uses;
+    edge.use_count = planned.use_count;
+    edge.smooth = planned.smooth;
+    edges_.push_back(std::move(edge));
+  }
+}
+
+/// Sides with several edges have curves of their own, of which the edges take parts.
+void CadEdges::fit_divided_sides(const CancelToken& cancel) {
+  divided_.resize(sides_.size());
+  parallel_for(sides_.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end && !cancel.cancelled(); ++p)
+      for (int side = 0; side < 4; ++side) {
+        const auto& list = sides_[p][std::size_t(side)];
+        if (list.size() < 2) continue;
+        const bool smooth = std::all_of(list.begin(), list.end(), [&](Index e) { return edges_[e].smooth; });
+        const SplineSpace space{task_.degree, (*task_.pieces)[p].knots(side)};
+        divided_[p][std::size_t(side)] = curve(space, space, Index(p), side, smooth).curve;
+      }
+  });
+}
+
+void CadEdges::fit(CadEdge& edge) const {
+  const CadUse &first = edge.uses[0], &second = edge.uses[1];
+  const bool two = edge.use_count == 2;
+  const double span = first.end - first.begin;
+  if (!whole(first)) {
+    edge.curve = part(first);
+  } else if (two && !whole(second)) {
+    edge.curve = reversed(part(second));
+    for (double& b : edge.curve.space.breaks) b *= span / (second.end - second.begin);
+  } else {
+    SplineSpace start{task_.degree, piece(first).knots(first.side)};
+    if (two) {
+      const SplineSpace other{task_.degree, piece(second).knots(second.side)};
+      for (const double b : other.reversed().breaks) insert_break(start.breaks, b * span / length(second));
+    }
+    edge.curve = curve(start, start, first.piece, first.side, two && edge.smooth).curve;
+  }
+  edge.curve.space.breaks.back() = span;
+}
+
+/// Part of a divided side, from 0 on.
+SplineCurve CadEdges::part(const CadUse& use) const {
+  const SplineCurve& all = divided_[use.piece][std::size_t(use.side)];
+  SplineSpace space{task_.degree, {0}};
+  for (const double b : all.space.breaks)
+    if (b > use.begin && b < use.end) space.breaks.push_back(b - use.begin);
+  space.breaks.push_back(use.end - use.begin);
+  const SplineInterpolation interpolation(space);
+  SplineCurve out{space, {}};
+  for (const double x : interpolation.places()) out.points.push_back(evaluate(all, use.begin + x).position);
+  interpolation.solve(out.points, 1, 1, 0);
+  return out;
+}
+
+/// Vertices lie at the ends of parts of divided sides, else where the first edge ends; all curves get them.
+void CadEdges::take_vertices(Index count) {
+  vertices_.resize(count);
+  std::vector<char> known(count, 0);
+  const auto take = [&](Index vertex, const Vector3& position) {
+    if (known[vertex]) return;
+    known[vertex] = 1;
+    vertices_[vertex] = position;
+  };
+  for (const bool parts : {true, false})
+    for (const CadEdge& edge : edges_) {
+      const bool is_part = !whole(edge.uses[0]) || (edge.use_count == 2 && !whole(edge.uses[1]));
+      if (is_part != parts || edge.curve.points.empty()) continue;
+      take(edge.begin, edge.curve.points.front());
+      take(edge.end, edge.curve.points.back());
+    }
+  for (CadEdge& edge : edges_) {
+    if (edge.curve.points.empty()) continue;  // cancelled
+    edge.curve.points.front() = vertices_[edge.begin];
+    edge.curve.points.back() = vertices_[edge.end];
+    const auto shrunk = [&](const Vector3& p) {
+      return (p - edge.curve.points.front()).norm() <= 1e-9 * task_.size;
+    };
+    edge.degenerate =
+        edge.use_count == 1 && std::all_of(edge.curve.points.begin(), edge.curve.points.end(), shrunk);
+  }
+}
+
+SplineCurve CadEdges::along(const CadEdge& edge, Index number, int side) const {
+  const bool first = is_first(edge, number, side);
+  const CadUse& use = edge.uses[first ? 0 : 1];
+  SplineCurve out = first ? edge.curve : reversed(edge.curve);
+  const double scale = (use.end - use.begin) / (edge.uses[0].end - edge.uses[0].begin);
+  if (scale != 1)
+    for (double& b : out.space.breaks) b *= scale;
+  return out;
+}
+
+SplineCurve CadEdges::side_curve(Index number, int side) const {
+  const auto& list = sides_[number][std::size_t(side)];
+  if (list.size() == 1) return along(edges_[list.front()], number, side);
+  SplineCurve out = divided_[number][std::size_t(side)];
+  const auto vertex = [&](Index e, bool end) {
+    return vertices_[end == is_first(edges_[e], number, side) ? edges_[e].end : edges_[e].begin];
+  };
+  out.points.front() = vertex(list.front(), false);
+  out.points.back() = vertex(list.back(), true);
+  return out;
+}
+
+std::vector<Vector3> CadEdges::boundary(Index number, int side, const SplineSpace& space) const {
+  const SplineCurve curve = side_curve(number, side);
+  const bool against = side >= 2;  // counter-clockwise is against s and t there
+  const auto& list = sides_[number][std::size_t(side)];
+  const bool turned = list.size() == 1 && !is_first(edges_[list.front()], number, side);
+  const SplineSpace counter_clockwise = against ? space.reversed() : space;
+  SplineCurve solved = turned ? reversed(in_space(reversed(curve), counter_clockwise.reversed()))
+                              : in_space(curve, counter_clockwise);
+  if (against) std::reverse(solved.points.begin(), solved.points.end());
+  return std::move(solved.points);
+}
+
+std::vector<double> CadEdges::breaks(Index number, int side) const {
+  const SplineSpace space = side_curve(number, side).space;
+  return side < 2 ? space.breaks : space.reversed().breaks;
+}
+
+}  // namespace hariko

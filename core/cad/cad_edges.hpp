@@ -1,0 +1,70 @@
+#pragma once
+
+// Curves of the edges of a CAD model, common to the faces that meet there.
+
+#include "core/base/cancellation.hpp"
+#include "core/cad/cad_model.hpp"
+#include "core/cad/curve_fit.hpp"
+#include "core/surface/surface.hpp"
+
+namespace hariko {
+
+/// What the edges of a model are made of.
+struct EdgeTask {
+  const Surface* surface = nullptr;
+  const std::vector<CadPiece>* pieces = nullptr;
+  int degree = 3;
+  FitLimits limits;
+  double size = 0;
+};
+
+/// Edges, vertices, and what faces take from them.
+class CadEdges {
+ public:
+  /// What is there after `cancel` is cancelled is of no use. O(pieces).
+  CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken& cancel);
+
+  const std::vector<CadEdge>& edges() const { return edges_; }
+  const std::vector<Vector3>& vertices() const { return vertices_; }
+  /// Edges of the four sides of a piece.
+  const std::array<std::vector<Index>, 4>& sides(Index piece) const { return sides_[piece]; }
+  /// The curve along a side of a piece, counter-clockwise, in the side's parameter from 0 on.
+  SplineCurve side_curve(Index piece, int side) const;
+  /// Control points along a side in the direction of growing s or t, in a space that holds the side's curve.
+  /// Solved for in the direction of the edge, so that both of its faces get the same bits from the same
+  /// knots.
+  std::vector<Vector3> boundary(Index piece, int side, const SplineSpace& space) const;
+  /// Breaks of the curve along a side, in the direction of growing s or t.
+  std::vector<double> breaks(Index piece, int side) const;
+
+ private:
+  const CadPiece& piece(const CadUse& use) const { return (*task_.pieces)[use.piece]; }
+  double length(const CadUse& use) const { return piece(use).length(use.side); }
+  bool whole(const CadUse& use) const { return use.begin == 0 && use.end == length(use); }
+  bool is_first(const CadEdge& edge, Index piece, int side) const {
+    return edge.uses[0].piece == piece && edge.uses[0].side == side;
+  }
+  CurvePoint side_point(Index piece, int side, double x, bool smooth) const;
+  FittedCurve curve(const SplineSpace& spline, const SplineSpace& start, Index piece, int side,
+                    bool smooth) const;
+  void take(const CadPlan& plan);
+  void fit_divided_sides(const CancelToken& cancel);
+  void fit(CadEdge& edge) const;
+  SplineCurve part(const CadUse& use) const;
+  void take_vertices(Index count);
+  SplineCurve along(const CadEdge& edge, Index piece, int side) const;
+
+  EdgeTask task_;
+  std::vector<CadEdge> edges_;
+  std::vector<Vector3> vertices_;
+  std::vector<std::array<std::vector<Index>, 4>> sides_;  ///< edges of each piece
+  std::vector<std::array<SplineCurve, 4>> divided_;       ///< curves of sides with several edges
+};
+
+/// Of the distance: what curves between faces may take.
+inline constexpr double curve_share = 0.4;
+
+/// Adds a break, but for rounding, where there is none yet.
+void insert_break(std::vector<double>& breaks, double at);
+
+}  // namespace hariko

@@ -1,0 +1,208 @@
+#include "core/cad/curve_fit.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/banded_cholesky.hpp"
+
+namespace hariko {
+
+namespace {
+
+SpanPlaces gauss_places(int count) {
+  SpanPlaces out;
+  for (int k = 1; k <= count; ++k) {
+    double x = std::cos(std::numbers::pi * (k - 0.25) / (count + 0.5)), slope = 1;
+    for (int round = 0; round < 20; ++round) {  // Newton's, for a zero of Legendre's polynomial
+      double before = 1, value = x;
+      for (int n = 2; n <= count; ++n) {
+        const double next = ((2 * n - 1) * x * value - (n - 1) * before) / n;
+        before = value;
+        value = next;
+      }
+      slope = count * (x * value - before) / (x * x - 1);
+      x -= value / slope;
+    }
+    out.at.push_back(0.5 * (1 - x));
+    out.weight.push_back(1 / ((1 - x * x) * slope * slope));
+  }
+  return out;
+}
+
+/// The direction in an end, unit; zero where there is none. Points of patches may have derivatives there that
+/// are not those along the side, where two sides run on straight: the limit from inside decides then.
+Vector3 end_direction(const std::function<CurvePoint(double)>& function, double end, double inward) {
+  const auto direction = [&](double x) -> Vector3 {
+    return (inward > 0 ? 1 : -1) * function(x).derivative.stableNormalized();
+  };
+  const Vector3 at_end = direction(end), near = direction(end + 1e-3 * inward);
+  const Vector3 limit = (2 * near - direction(end + 2e-3 * inward)).stableNormalized();
+  return (at_end - limit).norm() < 1e-4 ? at_end : limit;
+}
+
+/// Which number moves which control point where.
+struct Unknown {
+  std::size_t point = 0;
+  Vector3 direction;
+};
+
+/// The curve of a space by least squares; the ends are given, and directions in them where they are known.
+class CurveSolver {
+ public:
+  CurveSolver(const SplineSpace& space, const std::function<CurvePoint(double)>& function)
+      : space_(space), knots_(space.knots()), function_(function) {
+    const CurvePoint begin = function(space.begin()), end = function(space.end());
+    points_.assign(space.size(), Vector3::Zero());
+    points_.front() = begin.position;
+    points_.back() = end.position;
+    const std::size_t last = space.size() - 1;
+    for (std::size_t k = 1; k < last; ++k) {
+      const bool near_begin = k == 1, near_end = k + 1 == last;
+      const double length = space.end() - space.begin();
+      const Vector3 tangent = near_begin ? end_direction(function, space.begin(), length)
+                              : near_end ? end_direction(function, space.end(), -length)
+                                         : Vector3(Vector3::Zero());
+      if (near_begin || near_end) points_[k] = near_begin ? begin.position : end.position;
+      if (!(near_begin && near_end) && !tangent.isZero(0)) {
+        unknowns_.push_back({k, tangent});
+        continue;
+      }
+      for (int axis = 0; axis < 3; ++axis) unknowns_.push_back({k, Vector3::Unit(axis)});
+    }
+  }
+
+  SplineCurve run() const {
+    SplineCurve out{space_, points_};
+    if (unknowns_.empty()) return out;
+    BandedCholesky matrix(unknowns_.size(), std::size_t(3 * space_.degree + 2));
+    std::vector<double> right(unknowns_.size(), 0);
+    const SpanPlaces& places = span_places(space_.degree + 2);
+    for (std::size_t span = 0; span < space_.span_count(); ++span)
+      for (std::size_t g = 0; g < places.at.size(); ++g)
+        add(span, places.at[g], places.weight[g], matrix, right);
+    if (!matrix.factor()) return out;
+    matrix.solve(right);
+    for (std::size_t u = 0; u < unknowns_.size(); ++u)
+      out.points[unknowns_[u].point] += right[u] * unknowns_[u].direction;
+    return out;
+  }
+
+ private:
+  void add(std::size_t span, double fraction, double weight, BandedCholesky& matrix,
+           std::vector<double>& right) const {
+    const double width = space_.breaks[span + 1] - space_.breaks[span];
+    const double x = space_.breaks[span] + fraction * width;
+    const CurvePoint want = function_(x);
+    const SplineBasis basis = spline_basis(space_, knots_, x);
+    const std::size_t end = basis.first + std::size_t(space_.degree);
+    Vector3 miss = want.position;
+    for (std::size_t k = basis.first; k <= end; ++k) miss -= basis.value[k - basis.first] * points_[k];
+    const Vector3 tangent = want.derivative.stableNormalized();
+    const auto weighted = [&](const Vector3& v) -> Vector3 {
+      return width * weight * (v - (1 - along_share * along_share) * v.dot(tangent) * tangent);
+    };
+    const auto from = std::lower_bound(unknowns_.begin(), unknowns_.end(), basis.first,
+                                       [](const Unknown& u, std::size_t k) { return u.point < k; });
+    for (auto u = from; u != unknowns_.end() && u->point <= end; ++u) {
+      const Vector3 row = basis.value[u->point - basis.first] * weighted(u->direction);
+      const auto i = std::size_t(u - unknowns_.begin());
+      right[i] += row.dot(miss);
+      for (auto v = from; v <= u; ++v)
+        matrix.entry(i, std::size_t(v - unknowns_.begin())) +=
+            basis.value[v->point - basis.first] * row.dot(v->direction);
+    }
+  }
+
+  const SplineSpace& space_;
+  std::vector<double> knots_;
+  const std::function<CurvePoint(double)>& function_;
+  std::vector<Vector3> points_;
+  std::vector<Unknown> unknowns_;  ///< by points, ascending
+};
+
+/// How many times the limits a curve misses another in a place.
+double miss_at(const SplineCurve& curve, double x, const CurvePoint& want, const FitLimits& limits) {
+  const SplinePoint got = evaluate(curve, x);
+  const Vector3 tangent = want.derivative.stableNormalized(), miss = want.position - got.position;
+  const double along = miss.dot(tangent);
+  double out = std::max((miss - along * tangent).norm(), along_share * std::abs(along)) / limits.distance;
+  const double length = got.derivative.norm() * (curve.space.end() - curve.space.begin());
+  if (length > limits.distance)
+    out = std::max(out, std::abs(got.derivative.dot(want.normal)) / (got.derivative.norm() * limits.turn));
+  return out;
+}
+
+}  // namespace
+
+bool halve(SplineSpace& space, const std::vector<char>& marked) {
+  const double least = 1.5 * narrowest_span * (space.end() - space.begin()) / 1;
+  std::vector<double> out;
+  for (std::size_t i = 0; i < space.span_count(); ++i) {
+    out.push_back(space.breaks[i]);
+    const double width = space.breaks[i + 1] - space.breaks[i];
+    if (marked[i] && width > least) out.push_back(space.breaks[i] + 0.5 * width);
+  }
+  out.push_back(space.end());
+  const bool some = out.size() > space.breaks.size();
+  space.breaks = std::move(out);
+  return some;
+}
+
+const SpanPlaces& span_places(int count) {
+  static const std::array<SpanPlaces, 17> all = [] {
+    std::array<SpanPlaces, 17> out;
+    for (int k = 1; k <= 16; ++k) out[std::size_t(k)] = gauss_places(k);
+    return out;
+  }();
+  return all[std::size_t(count)];
+}
+
+std::optional<SplineCurve> equal_curve(const SplineSpace& space,
+                                       const std::function<CurvePoint(double)>& function, double rounding) {
+  const SplineInterpolation interpolation(space);
+  SplineCurve curve{space, {}};
+  for (const double x : interpolation.places()) curve.points.push_back(function(x).position);
+  interpolation.solve(curve.points, 1, 1, 0);
+  for (std::size_t i = 0; i < space.span_count(); ++i)
+    for (const double f : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const double x = space.breaks[i] + f * (space.breaks[i + 1] - space.breaks[i]);
+      if ((function(x).position - evaluate(curve, x).position).norm() > rounding) return {};
+    }
+  return curve;
+}
+
+FittedCurve fit_curve(const SplineSpace& start, const std::function<CurvePoint(double)>& function,
+                      const FitLimits& limits) {
+  SplineSpace space = start;
+  for (;;) {
+    FittedCurve out{CurveSolver(space, function).run(), true};
+    std::vector<double> misses(space.span_count(), 0);
+    for (std::size_t i = 0; i < misses.size(); ++i)
+      for (const double f : {0.04, 0.13, 0.26, 0.4, 0.5, 0.6, 0.74, 0.87, 0.96}) {
+        const double x = space.breaks[i] + f * (space.breaks[i + 1] - space.breaks[i]);
+        misses[i] = std::max(misses[i], miss_at(out.curve, x, function(x), limits));
+      }
+    const double worst = *std::max_element(misses.begin(), misses.end());
+    if (!(worst > 1)) return out;
+    std::vector<char> marked;
+    for (const double miss : misses) marked.push_back(miss > std::max(1.0, 0.25 * worst));
+    out.reached = false;
+    if (!halve(space, marked)) return out;
+  }
+}
+
+SplineCurve in_space(const SplineCurve& curve, const SplineSpace& space) {
+  if (curve.space == space) return curve;
+  const SplineInterpolation interpolation(space);
+  std::vector<Vector3> points;
+  for (const double x : interpolation.places()) points.push_back(evaluate(curve, x).position);
+  interpolation.solve(points, 1, 1, 0);
+  points.front() = curve.points.front();
+  points.back() = curve.points.back();
+  return {space, std::move(points)};
+}
+
+}  // namespace hariko
