@@ -132,7 +132,7 @@ void merge_near(Editor& editor) {
           return merge_by_distance(s, ids, n[0].value);
         });
         if (!done) return done.error();
-        return OperationResult{std::move(done).value().document, object};
+        return OperationResult{std::move(done->document), object, std::move(done->selection)};
       });
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/document/angles.hpp"
 #include "core/document/convert_unit.hpp"
+#include "ui/object_size.hpp"
 #include "ui/panels/attachment_rows.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/display_panel.hpp"
@@ -18,6 +19,7 @@
 #include "ui/panels/selected_items.hpp"
 #include "ui/panels/skin_properties.hpp"
 #include "ui/panels/solids_properties.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -122,8 +124,6 @@ void object_name(PanelContext& context, const Object& object) {
   context.marks.item("field.name");
 }
 
-using Objects = std::vector<std::shared_ptr<const Object>>;
-
 /// Changes the transforms of all objects, one after the other.
 Result<Document> edit_transforms(const Document& document, const Objects& objects,
                                  const std::function<void(Similarity&)>& change) {
@@ -192,6 +192,36 @@ void transform_rows(PanelContext& context, const Objects& objects) {
             });
 }
 
+/// How large the surfaces are along the objects' own axes.
+void size_rows(PanelContext& context, const Objects& objects) {
+  Editor& editor = context.editor;
+  const Quantity length = length_quantity(editor.document().unit, model_size(editor));
+  const auto sizes = [&](const Object& object) -> Vector3 {
+    const Box3 box = own_box(editor, object);
+    return box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.sizes() * object.transform.scale);
+  };
+  vector_row(context, "Size", "Of the surface, along the object's own axes",
+             axis_specs({"size.x", "size.y", "size.z"}, "Size of object", length),
+             common_axes(objects, sizes),
+             [&editor, objects, length](const Document& document, int axis, const ValueChange& change) {
+               Result<Document> result = document;
+               for (const auto& object : objects) {
+                 const Box3 box = own_box(editor, *object);
+                 const double now = box.isEmpty() ? 0 : box.sizes()[axis] * object->transform.scale;
+                 if (result)
+                   result = with_size(*result, object->id, box, shown_density(editor, *object), axis,
+                                      change.apply(length, now), editor.transform.proportional_size);
+               }
+               return result;
+             });
+  if (std::none_of(objects.begin(), objects.end(), [](const auto& object) { return stretches(*object); }))
+    return;
+  if (const auto on =
+          check_row(context, "proportional", "Proportional",
+                    "A typed size scales the object along all its axes", editor.transform.proportional_size))
+    editor.transform.proportional_size = *on;
+}
+
 void mode_row(PanelContext& context, const Objects& objects) {
   Objects polyhedra;
   for (const auto& object : objects)
@@ -209,23 +239,47 @@ void mode_row(PanelContext& context, const Objects& objects) {
   context.editor.commit(result, mode_steps[static_cast<std::size_t>(*chosen)]);
 }
 
-/// The live mirror of one object: its plane, and making the image the object's own.
-void mirror_row(PanelContext& context, const Object& object) {
-  const PolyhedronSource* source = object.polyhedron();
-  if (!source || context.editor.selection.active != object.id) return;
-  constexpr std::array commands{"mirror.live_x", "mirror.live_y", "mirror.live_z"};
-  const int current = source->mirror ? static_cast<int>(source->mirror->axis) + 1 : 0;
+/// The live mirror: its plane, and making the image the object's own.
+void mirror_row(PanelContext& context, const Objects& objects) {
+  Objects polyhedra;
+  for (const auto& object : objects)
+    if (object->polyhedron()) polyhedra.push_back(object);
+  if (polyhedra.empty()) return;
+  Editor& editor = context.editor;
+  const auto axis = common<int>(polyhedra, [](const auto& object) {
+    const auto& mirror = object->polyhedron()->mirror;
+    return mirror ? static_cast<int>(mirror->axis) + 1 : 0;
+  });
   const auto chosen =
       choose(context, "mirror", "Mirror", "Model one half; its image completes the object at once.",
-             mirror_choices, current);
-  // The command of the present axis ends the mirror.
-  if (chosen && *chosen != current)
-    context.run(commands[static_cast<std::size_t>(*chosen == 0 ? current : *chosen) - 1]);
-  if (current == 0) return;
+             mirror_choices, axis.value_or(-1));
+  // Commands act on the active object: on each in its turn.
+  const auto each = [&](const auto& run) {
+    const ObjectId active = editor.selection.active;
+    for (const auto& object : polyhedra) {
+      editor.selection.active = object->id;
+      run(*object);
+    }
+    editor.selection.active = active;
+  };
+  constexpr std::array commands{"mirror.live_x", "mirror.live_y", "mirror.live_z"};
+  if (chosen && chosen != axis)
+    each([&](const Object& object) {
+      const auto& mirror = object.polyhedron()->mirror;
+      const int current = mirror ? static_cast<int>(mirror->axis) + 1 : 0;
+      // The command of the present axis ends the mirror.
+      if (*chosen != current)
+        context.run(commands[static_cast<std::size_t>(*chosen == 0 ? current : *chosen) - 1]);
+    });
+  if (std::none_of(polyhedra.begin(), polyhedra.end(),
+                   [](const auto& object) { return object->polyhedron()->mirror.has_value(); }))
+    return;
   row_label(context, "", "");
   if (ImGui::Button((std::string(context.tr("Apply live mirror")) + "###apply_mirror").c_str(), {-1, 0}))
-    context.run("mirror.apply");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr("Make both halves the object's own."));
+    each([&](const Object& object) {
+      if (object.polyhedron()->mirror) context.run("mirror.apply");
+    });
+  if (ImGui::IsItemHovered()) show_tip(context.tr("Make both halves the object's own."));
   context.marks.item("button.apply_mirror");
 }
 
@@ -311,12 +365,13 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
 void object_section(PanelContext& context, const Objects& objects) {
   counted_heading(context, "Object", "{0} objects", objects.size());
   if (objects.size() == 1) object_name(context, *objects.front());
+  size_rows(context, objects);
   if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->locked; }))
     hint_text(context, "Locked: unlock it in the list above to change it.");
   mode_row(context, objects);
   frames_row(context, objects);
   round_row(context, objects);
-  if (objects.size() == 1) mirror_row(context, *objects.front());
+  mirror_row(context, objects);
   preparation_rows(context, objects);
   if (objects.size() == 1) patch_section(context, *objects.front());
   if (ImGui::TreeNodeEx("##place",
@@ -328,7 +383,7 @@ void object_section(PanelContext& context, const Objects& objects) {
   } else {
     context.marks.item("section.placement");
   }
-  if (objects.size() == 1) draw_display(context, *objects.front());
+  draw_display(context, objects);
 }
 
 // Elements.
@@ -449,6 +504,9 @@ void face_section(PanelContext& context, const SelectedIds<FaceId>& selected) {
 void draw_properties(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Properties", rect, palette().panel, {m.px(12), m.px(8)})) {
+    PanelState& state = context.state;
+    state.typing_row.clear();
+    state.steady.begin();
     // Edits replace the document under the panel: what is drawn is this frame's value.
     draw_last_operation(context);
     if (context.editor.paper.shown) draw_paper_properties(context);
@@ -479,6 +537,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       draw_message_list(context, *objects.front());
     }
     document_section(context);
+    state.steady.end(context.marks, state.typing_row);
   }
   ImGui::End();
 }
