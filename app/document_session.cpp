@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/broken_mesh.hpp"
+#include "app/files/file_names.hpp"
 #include "app/files/prepare_meshes.hpp"
 #include "core/base/printable.hpp"
 #include "core/base/temporary_files.hpp"
@@ -22,17 +23,6 @@ namespace {
 std::int64_t unix_seconds() {
   using namespace std::chrono;
   return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
-}
-
-/// Recovery copies, recent files and locks must not depend on the working folder.
-fs::path full_path(const fs::path& path) {
-  std::error_code error;
-  fs::path full = fs::absolute(path, error);
-  return error ? path : full.lexically_normal();
-}
-
-std::string name_of(const fs::path& path) {
-  return shortened(path.filename().string(), 200);
 }
 
 /// "ada on studio-3", as far as the lock says.
@@ -133,13 +123,11 @@ void DocumentSession::ask_about_corners(const std::shared_ptr<Opened>& opened) {
 }
 
 void DocumentSession::ask_about_density(const std::shared_ptr<Opened>& opened) {
-  if (opened->file.dense_faces > 0) hooks_.log("dense", opened->path);
-  ask_about_dense_mesh(editor_, workbench_, opened->path,
-                       std::shared_ptr<const OpenedFile>(opened, &opened->file),
-                       [this, opened](const Document& document) {
-                         opened->file.document = Document(document);
-                         install(opened, Mode::normal);
-                       });
+  const auto take = [this, opened](const Document& document) {
+    opened->file.document = Document(document);
+    install(opened, Mode::normal);
+  };
+  ask_about_dense_mesh(editor_, workbench_, opened->path, {opened, &opened->file}, take);
 }
 
 void DocumentSession::ask_about_lock(const std::shared_ptr<Opened>& opened) {
@@ -361,7 +349,7 @@ void DocumentSession::end() {
 
 void DocumentSession::find_offers(Pictures& pictures) {
   pictures_ = &pictures;
-  // Their place is there before they are: reading them takes time, and nothing is to move under the pointer.
+  // Reading them takes time, and nothing is to move under the pointer then.
   workbench_.offers().recovery_places = recovery_.candidates(unix_seconds());
   background_.run(
       {}, [this](const CancelToken&) { return recovery_.leftovers(unix_seconds()); },

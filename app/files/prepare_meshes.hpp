@@ -3,7 +3,7 @@
 // What an opened mesh file becomes by the designer's choice.
 
 #include "app/files/open_file.hpp"
-#include "ui/mesh_import.hpp"
+#include "core/exchange/mesh_import.hpp"
 
 namespace hariko {
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -142,7 +143,7 @@ TEST(FolderList, PlacesAreThoseOfTheDesktopOnce) {
 OpenedFile opened(const PolygonMesh& mesh) {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "mesh.obj";
-  EXPECT_TRUE(write_mesh_file(file, mesh).ok());
+  EXPECT_TRUE(write_mesh_file(file, std::array{NamedPolygons{"mesh", &mesh}}).ok());
   return open_file(file);
 }
 

@@ -279,7 +279,7 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
       {.edges = true, .faces = true}, Context::edge | Context::face,
       [](const PolyhedronSource& source, const ElementSet& set) { return bridged(source, set); });
   menu.add_operation("mesh.fill_hole", "Fill hole", "Close the hole that a selected edge lies on by a face.",
-                     "Alt+F", {.vertices = true, .edges = true}, Context::edge,
+                     "Shift+F", {.vertices = true, .edges = true}, Context::edge,
                      [](const PolyhedronSource& source, const ElementSet& set) {
                        return fill_holes(source, list_of(to_edges(source.polyhedron, set).edges));
                      });

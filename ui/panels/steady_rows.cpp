@@ -66,7 +66,12 @@ void SteadyRows::end(const Marks& marks, const std::string& typed) {
     const float wanted = std::max(-start, 0.0F);
     above_ = std::max(start, 0.0F);
     below_ = std::max(0.0F, wanted + panel.GetHeight() - contents - above_);
-    ImGui::SetScrollY(wanted);
+    scroll_ = wanted;
+    waits_ = 2;
+  }
+  if (waits_ > 0) {
+    ImGui::SetScrollY(scroll_);
+    --waits_;
   }
   // What is typed into stays although the pointer rests elsewhere, and so does what opened a list.
   const bool same = (popup || (held && held_ == GImGui->ActiveId)) && !row_.empty();
