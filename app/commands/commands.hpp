@@ -32,6 +32,14 @@ struct OutlineConstruction {
   friend bool operator==(const OutlineConstruction&, const OutlineConstruction&) = default;
 };
 
+/// What is chosen for all surfaces round solids, instead of what the document says (`EnvelopeSettings`).
+struct SolidsConstruction {
+  std::optional<EnvelopeMethod> method;
+  std::optional<double> ball_radius;  ///< infinite: the hull
+  std::optional<double> rounding;
+  friend bool operator==(const SolidsConstruction&, const SolidsConstruction&) = default;
+};
+
 /// How surfaces are made, instead of what the document says, and from what.
 struct Construction {
   std::optional<Mode> mode;                 ///< of polyhedra; of outlines, where it is `fair` or `g2`
@@ -39,6 +47,7 @@ struct Construction {
   std::optional<Frames> frames = {};        ///< of polyhedra
   std::optional<bool> merge_coplanar = {};  ///< of polyhedra: faces in one plane
   OutlineConstruction outlines = {};
+  SolidsConstruction solids = {};
   Reading reading = {};
   friend bool operator==(const Construction&, const Construction&) = default;
 };

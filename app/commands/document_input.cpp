@@ -1,7 +1,10 @@
 #include "app/commands/document_input.hpp"
 
+#include <cmath>
+
 #include "app/commands/console.hpp"
 #include "core/document/edit_objects.hpp"
+#include "core/envelope/ball/tightness.hpp"
 
 namespace hariko {
 
@@ -19,6 +22,17 @@ void choose(OutlineSettings& settings, const Construction& construction) {
   if (chosen.gap) settings.gap = chosen.gap;
   if (construction.mode == Mode::fair || construction.mode == Mode::g2)
     settings.curvature_continuous = construction.mode == Mode::g2;
+}
+
+void choose(SolidsSource& source, const SolidsConstruction& chosen) {
+  EnvelopeInput input = *source.input;
+  EnvelopeSettings& settings = input.settings;
+  if (chosen.method == EnvelopeMethod::ball && !(settings.rounding > 0)) choose_ball(input);
+  settings.method = chosen.method.value_or(settings.method);
+  settings.rounding = chosen.rounding.value_or(settings.rounding);
+  if (chosen.ball_radius) settings.ball_radius = chosen.ball_radius;
+  if (settings.ball_radius && std::isinf(*settings.ball_radius)) settings.ball_radius.reset();
+  source.input = std::move(input);
 }
 
 }  // namespace
@@ -58,7 +72,7 @@ std::optional<Document> read_document_or_report(const std::filesystem::path& fil
 Document with_construction(Document document, const Construction& construction) {
   if (construction == Construction()) return document;
   for (auto& object : document.objects) {
-    if (!object->polyhedron() && !object->outline()) continue;
+    if (!object->polyhedron() && !object->outline() && !object->solids()) continue;
     auto changed = std::make_shared<Object>(*object);
     if (auto* polyhedron = std::get_if<PolyhedronSource>(&changed->source)) {
       polyhedron->mode = construction.mode.value_or(polyhedron->mode);
@@ -66,6 +80,8 @@ Document with_construction(Document document, const Construction& construction) 
       polyhedron->frames = construction.frames.value_or(polyhedron->frames);
       bool& merges = polyhedron->preparation.merge_coplanar;
       merges = construction.merge_coplanar.value_or(merges);
+    } else if (auto* solids = std::get_if<SolidsSource>(&changed->source)) {
+      choose(*solids, construction.solids);
     } else {
       choose(std::get<OutlineSource>(changed->source).settings, construction);
     }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/document/edit_solids.hpp"
+#include "core/envelope/ball/tightness.hpp"
 #include "core/modeling/primitives.hpp"
 #include "ui/commands/new_object.hpp"
 
@@ -136,6 +137,7 @@ bool add_new_solid(Editor& editor, const NewSolid& shape, std::vector<OperationN
   const bool first = document.objects.empty();
   EnvelopeInput input;
   input.solids.push_back(solid);
+  choose_ball(input);
   if (const auto checked = check_envelope(input); !checked) return editor.notify(checked.error()), false;
   auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
                           SolidsSource{std::move(input), {}}, place);
@@ -151,6 +153,7 @@ Result<Document> with_new_solid(const Editor& editor, const Solid& solid) {
   if (const Object* object = active_solids(editor)) return add_solid(document, object->id, solid);
   EnvelopeInput input;
   input.solids.push_back(solid);
+  choose_ball(input);
   if (const auto checked = check_envelope(input); !checked) return checked.error();
   auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
                           SolidsSource{std::move(input), {}});

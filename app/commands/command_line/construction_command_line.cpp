@@ -28,6 +28,7 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"on", "off"}));
   command.add_flag("--round", round_, "Mode g2 measures bending over the surface of mode fair");
   outlines_.add_to(command);
+  solids_.add_to(command);
   reading_.add_to(command);
 }
 
@@ -38,6 +39,7 @@ Construction ConstructionCommandLine::construction() const {
   if (!frames_.empty()) out.frames = frames_ == "metric" ? Frames::metric : Frames::equal;
   if (!merge_coplanar_.empty()) out.merge_coplanar = merge_coplanar_ == "on";
   out.outlines = outlines_.construction();
+  out.solids = solids_.construction();
   out.reading = reading_.reading();
   return out;
 }
