@@ -19,8 +19,8 @@ namespace hariko {
 namespace {
 
 constexpr int cubic = 3, quartic_degree = 4, quintic = 5;
-/// Of the angle between faces: how far normals may turn away from the surface's.
-constexpr double turn_share = 20;
+/// How far normals may turn away from the surface's, of the angle between faces and at least.
+constexpr double turn_share = 20, least_turn = 2 * std::numbers::pi / 180;
 
 /// The patches may be ordinary quartics: their inner points coincide in pairs, nearly.
 bool may_be_quartics(const Surface& surface, double size) {
@@ -99,7 +99,7 @@ class Maker {
     size_ = box.isEmpty() ? 0 : box.diagonal().norm();
     limits_.distance = std::max(options.tolerance, options.share * size_);
     limits_.angle = options.angle;
-    limits_.turn = turn_share * options.angle;
+    limits_.turn = std::max(turn_share * options.angle, least_turn);
   }
 
   double size() const { return size_; }
