@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "app/files/model_facets.hpp"
+#include "app/files/reading.hpp"
 #include "core/approximation/mesh_options.hpp"
 #include "core/document/cad_choices.hpp"
 #include "core/document/display.hpp"
 #include "core/document/file_choices.hpp"
-#include "core/exchange/clean_part.hpp"
 #include "core/gaussmap/outline_settings.hpp"
 #include "core/network/shaping.hpp"
 #include "core/unfolding/unfolding.hpp"
@@ -30,14 +30,6 @@ struct OutlineConstruction {
   std::optional<double> radius, gap;
   std::optional<Index> most_points;
   friend bool operator==(const OutlineConstruction&, const OutlineConstruction&) = default;
-};
-
-/// How meshes of other programs are read.
-struct Reading {
-  JoinChoice join = {};
-  bool repair = false;     ///< those that make no polyhedron are changed until they do
-  bool reference = false;  ///< or kept as facets, where they cannot be repaired or need not be
-  friend bool operator==(const Reading&, const Reading&) = default;
 };
 
 /// How surfaces are made, instead of what the document says, and from what.
@@ -118,7 +110,8 @@ struct PaperModelSize {
 struct UnfoldArguments {
   std::filesystem::path file;
   std::vector<std::filesystem::path> outs;
-  FacetOptions facets;                 ///< of a document's surfaces
+  FacetOptions facets;  ///< of a document's surfaces
+  Reading reading;
   std::optional<PaperModelSize> size;  ///< otherwise lengths are as in the file
   bool fit = false;                    ///< the largest model of which no facet is larger than the page
   PaperSettings settings;              ///< but for the scale

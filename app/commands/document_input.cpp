@@ -8,23 +8,7 @@ namespace hariko {
 namespace {
 
 constexpr Code e_no_such_object{"E_NO_SUCH_OBJECT"};
-constexpr Code w_repaired{"W_REPAIRED"};
 constexpr Code w_kept_as_facets{"W_KEPT_AS_FACETS"};
-constexpr Code w_can_be_opened{"W_CAN_BE_OPENED"};
-
-/// "vertices merged: 12, faces turned: 3".
-std::string repair_text(const RepairReport& report) {
-  std::string out;
-  const auto part = [&](const char* what, std::size_t count) {
-    if (count > 0) out += (out.empty() ? "" : ", ") + std::string(what) + ": " + std::to_string(count);
-  };
-  part("vertices merged", report.merged_vertices);
-  part("faces turned", report.turned_faces);
-  part("faces dropped", report.dropped_faces);
-  part("vertices added where it was cut apart", report.split_vertices);
-  part("unused vertices removed", report.removed_vertices);
-  return out;
-}
 
 void choose(OutlineSettings& settings, const Construction& construction) {
   const OutlineConstruction& chosen = construction.outlines;
@@ -48,8 +32,7 @@ OpenedFile open_as_asked(const std::filesystem::path& file, const Reading& readi
     std::erase_if(opened.messages,
                   [](const Message& message) { return message.severity == Severity::error; });
     opened.messages.push_back(
-        repairs ? make_warning(w_repaired, "The mesh made no polyhedron and was repaired: " +
-                                               repair_text(opened.repair) + ".")
+        repairs ? repaired_message(opened.repair)
                 : make_warning(w_kept_as_facets,
                                "The mesh makes no polyhedron and was kept as facets, without a surface."));
     opened.document = repairs ? opened.repaired : opened.reference;

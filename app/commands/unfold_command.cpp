@@ -75,7 +75,7 @@ int run_unfold(const UnfoldArguments& arguments) {
     report(file, message);
     return exit_failed;
   };
-  auto facets = model_facets(arguments.file, arguments.facets);
+  auto facets = model_facets(arguments.file, arguments.facets, arguments.reading);
   if (!facets.ok()) return fail(facets.error());
   for (const Message& message : facets->warnings) report(file, message);
   if (const auto errors = unfolding_errors(facets->mesh); !errors.empty()) {

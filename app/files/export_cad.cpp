@@ -1,7 +1,11 @@
 #include "app/files/export_cad.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <ctime>
+#include <optional>
 
 #include "app/files/export_surfaces.hpp"
 #include "app/files/left_out.hpp"
@@ -88,6 +92,31 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   return out;
 }
 
+/// Half of the last of the eleven digits that the kernel writes into IGES, of the largest coordinate, mm.
+double iges_rounding(const CadModel& model, Unit unit) {
+  double largest = 0;
+  for (const CadFace& face : model.faces)
+    for (const Vector3& p : face.surface.points)
+      largest = std::max(largest, (model.origin + p).cwiseAbs().maxCoeff());
+  if (!(largest > 0)) return 0;
+  const double millimetres = millimetres_per(unit);
+  return 0.5 * std::pow(10, std::floor(std::log10(largest / millimetres)) - 10) * millimetres;
+}
+
+/// E_FILE_DIGITS where points in the file would be farther off than faces may be.
+std::optional<Message> check_iges_digits(const MadeObject& made, const Document& document,
+                                         const CadChoices& choices) {
+  const double rounding = iges_rounding(made.model, choices.unit);
+  if (rounding <= made.report.tolerance * millimetres_per(document.unit)) return {};
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), rounding, std::chars_format::general, 3);
+  return make_error(e_file_digits,
+                    made.report.name + ": IGES holds eleven digits, which moves points by up to " +
+                        std::string(text.data(), end.ptr) + " mm so far from zero: more than the tolerance.",
+                    "Move the model to zero, write STEP, or choose a larger tolerance.");
+}
+
 /// All that is visible; at least one.
 Result<std::vector<MadeObject>> make_objects(const Document& document, const CadChoices& choices,
                                              const CancelToken& cancel, const Progress& progress) {
@@ -125,6 +154,9 @@ Result<CadExportReport> export_cad(const Document& document, const std::filesyst
   if (!format) return make_error(e_format_unknown, "The name must end in " + std::string(cad_endings) + ".");
   const auto made = make_objects(document, choices, cancel, progress.part(0, modelling));
   if (!made.ok()) return made.error();
+  if (*format == CadFormat::iges)
+    for (const MadeObject& one : *made)
+      if (auto wrong = check_iges_digits(one, document, choices)) return *wrong;
   std::vector<CadObject> objects;
   for (const MadeObject& one : *made) objects.push_back({one.report.name, &one.model, one.colour});
   CadFileOptions options;

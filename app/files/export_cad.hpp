@@ -37,7 +37,7 @@ struct CadExportReport {
 };
 
 /// Writes the surfaces of all visible objects, at quality `final`, atomically. `time` goes into the file's
-/// header. Errors: those of rebuilding (with the object's name) and of writing, E_NO_SURFACE,
+/// header. Errors: those of rebuilding (with the object's name) and of writing, E_NO_SURFACE, E_FILE_DIGITS,
 /// E_NO_CAD_KERNEL, E_CAD_KERNEL, E_FORMAT_UNKNOWN, E_CANCELLED; the file is as it was then.
 Result<CadExportReport> export_cad(const Document& document, const std::filesystem::path& path,
                                    const CadChoices& settings, const std::string& time,

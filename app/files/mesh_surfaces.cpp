@@ -28,6 +28,22 @@ std::optional<double> share_of_digits(const Object& object, const MeshRequest& r
   return request.digits ? std::min(request.digits(world_box(object)), 0.5 * *distance) : 0.0;
 }
 
+/// Part of a promised angle that is kept for the digits of the file.
+constexpr double share_of_turns = 0.01;
+
+/// The part of promised angles that the mesh leaves to the digits of the file. A fold turns with both facets.
+std::optional<double> left_for_turns(const MeshCriteria& promised, const MeshApproximation& made) {
+  std::optional<double> out;
+  const auto leave = [&](const std::optional<double>& angle, const CriterionErrors& errors, double facets) {
+    if (!angle || !errors.measured || errors.largest > *angle) return;
+    const double left = (*angle - errors.largest) / facets;
+    out = std::min(out.value_or(left), left);
+  };
+  leave(promised.normal_angle, made.normal_angle, 1);
+  leave(promised.fold_angle, made.fold_angle, 2);
+  return out;
+}
+
 void scale(ErrorField& field, double factor) {
   for (std::vector<float>* values : {&field.points, &field.facets})
     for (float& value : *values) value *= static_cast<float>(factor);
@@ -134,6 +150,10 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
     MeshRequest own = request;
     const std::optional<double> digits = share_of_digits(*object, request);
     if (digits) *own.options.criteria.distance -= *digits;
+    if (request.digits)
+      for (std::optional<double>* angle :
+           {&own.options.criteria.normal_angle, &own.options.criteria.fold_angle})
+        if (*angle) **angle *= 1 - share_of_turns;
     own.options = in_object_space(own.options, object->transform.scale);
     auto made = mesh_object(document, *object, own, cancel, part);
     if (!made.ok()) return made.error();
@@ -141,6 +161,7 @@ Result<std::vector<MeshedObject>> mesh_surfaces(const Document& document, const 
     out.push_back(std::move(made).value());
     out.back().colour = colour_of(*object);
     out.back().most_rounding = digits;
+    out.back().most_turn = left_for_turns(request.options.criteria, out.back().result);
   }
   if (out.empty())
     return make_error(e_no_surface, "There is nothing to approximate.", "Show an object or import one.");

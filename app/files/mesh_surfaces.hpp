@@ -23,8 +23,11 @@ struct MeshedObject {
   MeshColour colour = usual_mesh_colour;
   /// The part of the tolerance that was left for the file's digits; nothing where no distance was promised.
   std::optional<double> most_rounding = {};
+  /// The part of promised angles that is left for them, radians; nothing where none is promised, or where the
+  /// mesh itself does not keep them.
+  std::optional<double> most_turn = {};
 
-  NamedTriangles named() const { return {name, &result.mesh, colour, most_rounding}; }
+  NamedTriangles named() const { return {name, &result.mesh, colour, most_rounding, most_turn}; }
   /// Adds what the digits of the file did to what is known of the mesh.
   void add(const FileRounding& rounding);
 };
@@ -34,7 +37,7 @@ struct MeshRequest {
   bool errors = false;    ///< maps the errors too
   bool decimate = false;  ///< reference facets get fewer under the tolerances, else they stay as they are
   /// The digits of the file that the meshes are for: the distance holds for its numbers (at least half is
-  /// left for the mesh).
+  /// left for the mesh), and so do angles (99 % are left).
   FileDigits digits = {};
 };
 

@@ -7,6 +7,7 @@
 #include "app/files/open_file.hpp"
 #include "core/approximation/approximate.hpp"
 #include "core/document/edit_paper.hpp"
+#include "core/exchange/clean_part.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "core/modeling/attached.hpp"
 #include "core/unfolding/facet_graph.hpp"
@@ -119,6 +120,44 @@ Result<Done> append_surface(ModelFacets& out, const Document& document, const Ob
   return Done{};
 }
 
+/// Repairs what cannot be unfolded, or says that it can be repaired.
+void repair_parts(std::vector<ImportedPart>& parts, bool repair, std::vector<Message>& warnings) {
+  RepairReport done;
+  bool faulty = false, helps = true;
+  for (ImportedPart& part : parts) {
+    if (unfolding_errors(part.mesh, 1).empty()) continue;
+    faulty = true;
+    auto repaired = make_manifold(part.mesh);
+    helps = helps && repaired.ok() && unfolding_errors(repaired->mesh, 1).empty();
+    if (!repaired.ok()) continue;
+    add_counts(done, repaired->report);
+    if (repair) part.mesh = std::move(repaired).value().mesh;
+  }
+  if (!faulty) return;
+  if (repair)
+    warnings.push_back(repaired_message(done));
+  else if (helps)
+    warnings.push_back(make_warning(
+        w_can_be_opened, "The mesh can be unfolded: --repair mends it (" + repair_text(done) + ")."));
+}
+
+/// The polygons of a mesh file.
+ModelFacets polygons_of_file(ImportedScene scene, const Reading& reading) {
+  ModelFacets out;
+  out.warnings = std::move(scene.warnings);
+  CleanReport cleaned;
+  for (ImportedPart& part : scene.parts) clean(part, reading.join, cleaned);
+  for (Message& message : cleaned.messages()) out.warnings.push_back(std::move(message));
+  repair_parts(scene.parts, reading.repair, out.warnings);
+  const double factor = scene.metres_per_unit.value_or(0.001) / 0.001;
+  out.mesh = merged(std::move(scene)).mesh;
+  if (factor != 1)
+    for (Vector3& position : out.mesh.positions) position *= factor;
+  out.names = numbered(ObjectId{0}, out.mesh.positions.size());
+  join_equal_corners(out.mesh);
+  return out;
+}
+
 }  // namespace
 
 Result<ModelFacets> document_facets(const Document& document, std::span<const ObjectId> objects,
@@ -151,23 +190,27 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
 }
 
 Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetOptions& options,
-                                 const CancelToken& cancel) {
+                                 const Reading& reading, const CancelToken& cancel) {
+  FacetOptions meshing = options;
   if (format_of_extension(file)) {
-    auto mesh = read_mesh_file(file, {.cancel = cancel, .progress = {}});
-    if (!mesh.ok()) return mesh.error();
-    ModelFacets out;
-    out.names = numbered(ObjectId{0}, mesh->mesh.positions.size());
-    out.mesh = std::move(mesh->mesh);
-    join_equal_corners(out.mesh);
-    out.warnings = mesh->warnings;
-    return out;
+    auto scene = read_scene_file(file, {.cancel = cancel, .progress = {}});
+    if (!scene.ok()) return scene.error();
+    if (scene->patches.empty()) return polygons_of_file(std::move(scene).value(), reading);
+    meshing.of_polyhedra = true;  // polygons beside patches stay as they are
   }
-  OpenedFile opened = open_file(file, cancel);
-  if (!opened.document) {
+  OpenedFile opened = open_file(file, cancel, {}, reading.join);
+  const bool repairs = !opened.document && reading.repair && opened.repaired;
+  const auto& document = repairs ? opened.repaired : opened.document;
+  if (!document) {
     const Message* error = opened.error();
     return error ? *error : make_error(e_no_surface, "The file holds no document.");
   }
-  auto facets = document_facets(*opened.document, unfoldable_objects(*opened.document), options, cancel);
+  if (repairs) {
+    std::erase_if(opened.messages,
+                  [](const Message& message) { return message.severity == Severity::error; });
+    opened.messages.push_back(repaired_message(opened.repair));
+  }
+  auto facets = document_facets(*document, unfoldable_objects(*document), meshing, cancel);
   if (facets.ok())
     facets.value().warnings.insert(facets.value().warnings.begin(), opened.messages.begin(),
                                    opened.messages.end());

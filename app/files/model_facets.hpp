@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "app/files/reading.hpp"
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/document.hpp"
@@ -37,10 +38,12 @@ Result<ModelFacets> document_facets(const Document& document, std::span<const Ob
                                     const FacetOptions& options, const CancelToken& cancel = {},
                                     const Progress& progress = {});
 
-/// The ending of the name decides: mesh files (`open_file`) give their polygons as facets, all else is opened
-/// as a document (patch files become one), of which the visible objects count. Errors: also those of
-/// reading.
+/// The ending of the name decides: mesh files (`open_file`) give their polygons as facets, cleaned as
+/// wherever they open, and repaired where that is asked for and they cannot be unfolded otherwise; Bezier
+/// patches among them are meshed. All else is opened as a document (patch files become one), of which the
+/// visible objects count. Warnings: those of opening; W_REPAIRED; W_CAN_BE_OPENED where a repair would help.
+/// Errors: also those of reading.
 Result<ModelFacets> model_facets(const std::filesystem::path& file, const FacetOptions& options,
-                                 const CancelToken& cancel = {});
+                                 const Reading& reading = {}, const CancelToken& cancel = {});
 
 }  // namespace hariko

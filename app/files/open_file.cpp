@@ -5,7 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "app/files/foreign_format.hpp"
 #include "app/files/open_cad.hpp"
+#include "app/files/reading.hpp"
 #include "core/base/file_ending.hpp"
 #include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
@@ -66,7 +68,7 @@ class MeshObjects {
     if (whole_) repaired_ = reference_ = std::exchange(whole_, std::nullopt);
     note_errors(mesh, polyhedron.error(), alone ? "" : "\"" + name + "\": ");
     const auto repaired = make_manifold(mesh);
-    if (repaired.ok()) count_repair(repaired->report);
+    if (repaired.ok()) add_counts(opened_.repair, repaired->report);
     put(repaired_, name,
         repaired.ok() ? imported(repaired->mesh) : Result<PolyhedronSource>(repaired.error()));
     put(reference_, name, MeshSource::from_mesh(mesh));
@@ -108,14 +110,6 @@ class MeshObjects {
     for (const Index v : corners)
       if (polyhedron.find(VertexId{v}) != no_index) out.tag.set(VertexId{v}, VertexTag::corner);
     return out;
-  }
-
-  void count_repair(const RepairReport& report) {
-    opened_.repair.merged_vertices += report.merged_vertices;
-    opened_.repair.dropped_faces += report.dropped_faces;
-    opened_.repair.turned_faces += report.turned_faces;
-    opened_.repair.split_vertices += report.split_vertices;
-    opened_.repair.removed_vertices += report.removed_vertices;
   }
 
   template <class Made>
@@ -247,10 +241,22 @@ void take(Result<OpenedCad> cad, OpenedFile& opened) {
   opened.says_unit = true;
 }
 
+/// What is tried of a file whose ending says nothing.
+enum class Looks { document, mesh, foreign };
+
+Result<Looks> looks_of(const std::filesystem::path& file) {
+  if (has_foreign_ending(file) && std::filesystem::exists(file)) return Looks::foreign;
+  const auto bytes = read_file(file);
+  if (!bytes.ok()) return bytes.error();
+  const std::size_t first = bytes->find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (first != std::string::npos && (*bytes)[first] == '{') return Looks::document;
+  return format_of_content(*bytes) ? Looks::mesh : Looks::foreign;
+}
+
 /// What a file holds that is no mesh. Errors: those of `read_file` and `json_kind`; E_FORMAT_UNKNOWN.
 Result<JsonKind> content_of(const std::filesystem::path& file) {
   if (has_ending(file, ".bpt")) return JsonKind::patches;
-  if (!has_ending(file, ".json")) return JsonKind::document;
+  if (has_ending(file, ".hariko")) return JsonKind::document;
   const auto text = read_file(file);
   if (!text.ok()) return text.error();
   const auto kind = json_kind(*text);
@@ -279,6 +285,17 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
   if (cad_format_of(file)) {
     take(open_cad(file, opened.name, cancel, progress), opened);
     return cancel.cancelled() ? cancelled_file() : std::move(opened);
+  }
+  if (!has_ending(file, ".hariko") && !has_ending(file, ".json") && !has_ending(file, ".bpt")) {
+    const auto looks = looks_of(file);
+    if (looks.ok() && *looks == Looks::mesh) {
+      open_mesh(file, cancel, progress, join, opened);
+      return cancel.cancelled() ? cancelled_file() : std::move(opened);
+    }
+    if (!looks.ok() || *looks == Looks::foreign) {
+      opened.messages.push_back(looks.ok() ? foreign_format(file) : looks.error());
+      return opened;
+    }
   }
   const auto holds = content_of(file);
   if (!holds.ok()) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -157,6 +158,14 @@ Message digits_error(const FileRounding& rounding, std::string_view name) {
                     rounding.collapsed == 0
                         ? moves + " so far from zero."
                         : moves + " so far from zero, and flattens " + facet_count(rounding.collapsed) + ".",
+                    way_out);
+}
+
+Message turn_error(const FileRounding& rounding, std::string_view name) {
+  return make_error(e_file_digits,
+                    std::string(name) + ": this format holds 7 to 8 digits, which turns facets by up to " +
+                        three_digits(rounding.turn * 180 / std::numbers::pi) +
+                        " degrees: more than the angle that was asked for leaves.",
                     way_out);
 }
 

@@ -12,7 +12,7 @@
 
 namespace hariko {
 
-/// A promised distance is broken, or facets are ruined, by the digits of a format.
+/// A promised distance or angle is broken, or facets are ruined, by the digits of a format.
 inline constexpr Code e_file_digits{"E_FILE_DIGITS"};
 /// Coordinates that are rounded coarsely, or facets too small for the format, which are left out.
 inline constexpr Code w_file_digits{"W_FILE_DIGITS"};
@@ -56,6 +56,8 @@ double largest_rounding(const Eigen::AlignedBox3d& box, const FileNumbers& numbe
 /// size). `name`: of the mesh.
 bool ruins(const FileRounding& rounding, const double* allowed);
 Message digits_error(const FileRounding& rounding, std::string_view name);
+/// The format's digits turn facets by more than a promised angle leaves.
+Message turn_error(const FileRounding& rounding, std::string_view name);
 /// W_FILE_DIGITS where facets collapse or, with `allowed` not given, vertices move by more than 1e-6 of the
 /// size; nothing else.
 bool coarse(const FileRounding& rounding, const double* allowed);

@@ -121,6 +121,7 @@ Result<Prepared<Mesh>> prepare(const std::filesystem::path& path, std::span<cons
     rounding.size /= plan.space.factor;
     const double* allowed = mesh.most_rounding ? &*mesh.most_rounding : nullptr;
     if (ruins(rounding, allowed)) return digits_error(rounding, mesh.name);
+    if (mesh.most_turn && rounding.turn > *mesh.most_turn) return turn_error(rounding, mesh.name);
     if (coarse(rounding, allowed)) out.report.warnings.push_back(digits_warning(rounding, mesh.name));
     if constexpr (std::is_same_v<Mesh, NamedTriangles>)
       if (rounding.left_out > 0) mesh.mesh = &out.moved.emplace_back(without_collapsed(*mesh.mesh, numbers));
@@ -164,7 +165,9 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path)
   return {};
 }
 
-std::optional<MeshFormat> format_of_content(std::string_view bytes) {
+std::optional<MeshFormat> format_of_content(std::string_view given) {
+  const std::optional<std::string> text = from_utf16(given);
+  const std::string_view bytes = text ? *text : given;
   if (looks_like_glb(bytes)) return MeshFormat::gltf;
   if (looks_like_zip(bytes)) return MeshFormat::three_mf;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return MeshFormat::ply;
@@ -210,7 +213,7 @@ Result<ImportedScene> read_scene_file(const std::filesystem::path& path, const R
   const Result<std::string> bytes = read_file(path, size_limit);
   if (!bytes) return bytes.error();
   std::optional<MeshFormat> format = format_of_extension(path);
-  if (!format) format = format_of_content(from_utf16(*bytes).value_or(*bytes));
+  if (!format) format = format_of_content(*bytes);
   if (!format)
     return in_file(path, make_error(e_format_unknown, "This is not a mesh file that can be read.",
                                     "Export the model as OBJ, OFF, PLY, STL, glTF or 3MF."));

@@ -17,11 +17,11 @@ namespace hariko {
 namespace {
 
 /// Statements of the OBJ specification that say nothing about polygons and patches.
-constexpr std::array<std::string_view, 35> ignored_statements{
-    "bevel", "bmat",   "bsp",        "bzp",    "c_interp",  "call", "cdc", "cdp",   "con",
-    "csh",   "ctech",  "curv",       "curv2",  "d_interp",  "hole", "l",   "lod",   "maplib",
-    "mg",    "mtllib", "p",          "res",    "s",         "scrv", "sp",  "stech", "step",
-    "trim",  "usemap", "shadow_obj", "usemtl", "trace_obj", "vn",   "vp",  "vt"};
+constexpr std::array<std::string_view, 33> ignored_statements{
+    "bevel",      "bmat",   "bsp",       "bzp",   "c_interp", "call",  "cdc",  "cdp",    "con",
+    "csh",        "ctech",  "curv",      "curv2", "d_interp", "hole",  "lod",  "maplib", "mg",
+    "mtllib",     "res",    "s",         "scrv",  "sp",       "stech", "step", "trim",   "usemap",
+    "shadow_obj", "usemtl", "trace_obj", "vn",    "vp",       "vt"};
 
 class ObjReader {
  public:
@@ -61,7 +61,7 @@ class ObjReader {
   // A face may name a vertex that comes later. The largest such index stands for all of them.
   std::uint64_t largest_forward_ = 0;
   std::size_t largest_forward_line_ = 0;
-  std::size_t unknown_count_ = 0, unknown_line_ = 0;
+  std::size_t unknown_count_ = 0, unknown_line_ = 0, points_and_lines_ = 0;
   std::string unknown_;
 };
 
@@ -79,6 +79,10 @@ std::optional<Message> ObjReader::read_statement() {
   }
   if (keyword == "t") {
     tags_.read(scanner_);
+    return {};
+  }
+  if (keyword == "l" || keyword == "p") {
+    ++points_and_lines_;
     return {};
   }
   if (ObjSurfaces::knows(keyword))
@@ -206,6 +210,11 @@ void ObjReader::warn() {
                  ? "it was ignored."
                  : "it and " + std::to_string(unknown_count_ - 1) + " more unknown statements were ignored."),
         {}, {Element::Kind::line, unknown_line_}));
+  if (points_and_lines_ > 0)
+    out_.warnings.push_back(make_warning(
+        w_left_out, points_and_lines_ == 1
+                        ? std::string("A set of points or lines was left out.")
+                        : std::to_string(points_and_lines_) + " sets of points or lines were left out."));
   if (const std::size_t count = surfaces_.left_out(); count > 0)
     out_.warnings.push_back(make_warning(
         w_left_out,

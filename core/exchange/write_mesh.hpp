@@ -26,12 +26,14 @@ struct NamedTriangles {
   MeshColour colour = usual_mesh_colour;
   /// Farthest that the file's digits may move a vertex, in the unit of the mesh; nothing: 1e-4 of its size.
   std::optional<double> most_rounding = {};
+  /// Largest angle that they may turn a facet by, radians; nothing: any.
+  std::optional<double> most_turn = {};
 };
 struct NamedPolygons {
   std::string name;
   const PolygonMesh* mesh = nullptr;
   MeshColour colour = usual_mesh_colour;
-  std::optional<double> most_rounding = {};
+  std::optional<double> most_rounding = {}, most_turn = {};
 };
 
 enum class MeshEncoding { ascii, binary };  ///< of PLY and STL; binary is little-endian

@@ -99,6 +99,26 @@ TEST(ExportCad, ReferenceFacetsAreLeftOutWithACount) {
   EXPECT_NE(alone.error().text.find("reference facets"), std::string::npos) << alone.error().text;
 }
 
+TEST(ExportCad, IgesIsRefusedWhereItsDigitsBreakTheTolerance) {
+  if (why_no_cad_files()) GTEST_SKIP() << "built without OpenCASCADE";
+  const test::TemporaryFolder folder;
+  for (const double place : {0.0, 1e4, 1e8}) {
+    Similarity far;
+    far.translation = {place, 0, 0};
+    const auto document = set_transform(saddle(), ObjectId{1}, far);
+    ASSERT_TRUE(document.ok());
+    const auto iges = export_cad(*document, folder.path() / "a.igs", {tolerance}, "2026-11-22T12:00:00");
+    // 1e8 has nine of the eleven digits before the point.
+    EXPECT_EQ(iges.ok(), place < 1e8);
+    if (!iges.ok()) {
+      EXPECT_EQ(iges.error().code, e_file_digits);
+      EXPECT_NE(iges.error().text.find("Saddle"), std::string::npos);
+    }
+    const auto step = export_cad(*document, folder.path() / "a.step", {tolerance}, "2026-11-22T12:00:00");
+    EXPECT_TRUE(step.ok()) << to_string(step.error());
+  }
+}
+
 TEST(ExportCad, CountsCanBeCancelledAndSayWhatIsMissing) {
   const CancelToken cancel = CancelToken::make();
   cancel.cancel();

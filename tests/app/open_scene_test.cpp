@@ -97,5 +97,37 @@ TEST(OpenScene, OneBrokenMeshIsSaidAsInOtherFormats) {
   EXPECT_EQ(texts[0], texts[1]);
 }
 
+TEST(OpenScene, FilesOfOtherProgramsAreRefusedWithAWord) {
+  const test::TemporaryFolder folder;
+  const std::pair<const char*, const char*> cases[] = {{"a.usdz", "USD"},
+                                                       {"b.FBX", "FBX"},
+                                                       {"c.sldprt", "CAD program"},
+                                                       {"d.dwg", "drawing"},
+                                                       {"e.xyz", "can be read"}};
+  for (const auto& [name, word] : cases) {
+    test::spill(folder.path() / name, "PK\x03\x04 whatever");
+    if (std::string(name) == "e.xyz") test::spill(folder.path() / name, "1 2 3\n4 5 6\n");
+    const OpenedFile opened = open_file(folder.path() / name);
+    ASSERT_TRUE(opened.error()) << name;
+    EXPECT_EQ(opened.error()->code, e_format_unknown);
+    EXPECT_NE(opened.error()->text.find(word), std::string::npos) << opened.error()->text;
+    EXPECT_FALSE(opened.error()->remedy.empty());
+  }
+  EXPECT_EQ(open_file(folder.path() / "gone.usdz").error()->code, e_file_open);
+}
+
+TEST(OpenScene, AnUnknownEndingIsNoReasonToRefuseAMesh) {
+  const test::TemporaryFolder folder;
+  test::spill(folder.path() / "scan.txt", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  test::spill(folder.path() / "part",
+              "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+              "vertex 0 1 0\nendloop\nendfacet\nendsolid x\n");
+  for (const char* name : {"scan.txt", "part"}) {
+    const OpenedFile opened = open_file(folder.path() / name);
+    ASSERT_TRUE(opened.document) << name;
+    EXPECT_EQ(opened.document->objects.size(), 1U);
+  }
+}
+
 }  // namespace
 }  // namespace hariko

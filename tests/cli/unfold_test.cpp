@@ -149,5 +149,69 @@ TEST_F(Unfold, TooManyPagesAndWrongUsageAreRefused) {
     EXPECT_EQ(run("unfold " + facets("wave_opt") + " " + wrong).exit_code, 2) << wrong;
 }
 
+/// A cube of 20 mm: every face has corners of its own, moved by up to `off`.
+std::string loose_cube(double off) {
+  const double c[8][3] = {{0, 0, 0},  {20, 0, 0},  {20, 20, 0},  {0, 20, 0},
+                          {0, 0, 20}, {20, 0, 20}, {20, 20, 20}, {0, 20, 20}};
+  const int faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                           {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  std::string vertices, rows;
+  int number = 0;
+  for (const auto& face : faces) {
+    rows += "f";
+    for (const int v : face) {
+      vertices += "v";
+      for (const double x : c[v]) vertices += " " + std::to_string(x + off * (number % 3));
+      vertices += "\n";
+      rows += " " + std::to_string(++number);
+    }
+    rows += "\n";
+  }
+  return vertices + rows;
+}
+
+TEST_F(Unfold, CornersThatAreNearlyEqualAreJoinedWhereThatIsAsked) {
+  write_text(path("near.obj"), loose_cube(1e-3));
+  const std::string unfold = "unfold " + path("near.obj") + " " + path("o.svg") + " --json";
+  const Outcome loose = run(unfold);
+  ASSERT_EQ(loose.exit_code, 0) << loose.error;
+  EXPECT_EQ(loose.json()["components"], 6);
+  const Outcome joined = run(unfold + " --weld 0.01");
+  ASSERT_EQ(joined.exit_code, 0) << joined.error;
+  EXPECT_EQ(joined.json()["components"], 1);
+  EXPECT_EQ(joined.json()["pieces"], 1);
+  EXPECT_EQ(joined.json()["joints"], 7);
+  EXPECT_NE(joined.error.find("W_CORNERS_JOINED"), std::string::npos) << joined.error;
+}
+
+TEST_F(Unfold, MeshesThatAreNotManifoldAreRepairedWhereThatIsAsked) {
+  // The last face is turned over.
+  write_text(
+      path("turned.obj"),
+      "v 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 0\nv 10 10 20\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 1 4 5\n");
+  const std::string unfold = "unfold " + path("turned.obj") + " " + path("o.svg") + " --json";
+  const Outcome refused = run(unfold);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.error.find("W_CAN_BE_OPENED"), std::string::npos) << refused.error;
+  EXPECT_NE(refused.error.find("--repair"), std::string::npos) << refused.error;
+  EXPECT_EQ(run(unfold + " --reference").exit_code, 1);
+  const Outcome repaired = run(unfold + " --repair");
+  ASSERT_EQ(repaired.exit_code, 0) << repaired.error;
+  EXPECT_NE(repaired.error.find("faces turned: 1"), std::string::npos) << repaired.error;
+  EXPECT_EQ(repaired.json()["facets"], 5);
+  EXPECT_EQ(repaired.json()["pieces"], 1);
+}
+
+TEST_F(Unfold, BezierPatchesBesidePolygonsAreUnfoldedToo) {
+  write_text(
+      path("both.obj"),
+      "o plate\nv 0 0 0\nv 20 0 0\nv 20 20 0\nv 0 20 0\nf 1 2 3 4\no flag\nv 30 0 0\nv 50 0 0\nv 30 20 0\n"
+      "v 50 20 0\ncstype bezier\ndeg 1 1\nsurf 0 1 0 1 5 6 7 8\nparm u 0 1\nparm v 0 1\nend\n");
+  const Outcome result = run("unfold " + path("both.obj") + " " + path("o.svg") + " --json");
+  ASSERT_EQ(result.exit_code, 0) << result.error;
+  EXPECT_EQ(result.json()["components"], 2);
+  EXPECT_EQ(result.json()["pieces"], 2);
+}
+
 }  // namespace
 }  // namespace hariko::test

@@ -100,6 +100,26 @@ TEST(FileRounding, APromisedDistanceDecides) {
   EXPECT_EQ(told->warnings[0].code, w_file_digits);
 }
 
+TEST(FileRounding, APromisedAngleDecides) {
+  const test::TemporaryFolder folder;
+  // Facets of 10 whose corners move by 1e-4: they turn by about 1e-5.
+  TriangleMesh mesh = corner({4000.3, 4000.7, 4000.1}, 10);
+  mesh.positions = {{0, 0, 0}, {10.123, 0.37, 0.51}, {0.21, 9.87, 0.33}, {0.77, 0.11, 10.3}};
+  const double turn = rounding_of(mesh, {FileNumbers::Kind::floats, 1}).turn;
+  ASSERT_GT(turn, 1e-7);
+  ASSERT_LT(turn, 1e-3);
+  NamedTriangles named{"a", &mesh, usual_mesh_colour, 1e-2, 2 * turn};
+  EXPECT_TRUE(write_mesh_file(folder.path() / "a.stl", std::span(&named, 1)).ok());
+  named.most_turn = 0.5 * turn;
+  const auto refused = write_mesh_file(folder.path() / "b.stl", std::span(&named, 1));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, e_file_digits);
+  EXPECT_NE(refused.error().text.find("degrees"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.stl"));
+  EXPECT_TRUE(write_mesh_file(folder.path() / "b.obj", std::span(&named, 1)).ok());
+  EXPECT_TRUE(write_mesh_file(folder.path() / "b.stl", std::span(&named, 1), {.to_zero = true}).ok());
+}
+
 TEST(FileRounding, FacetsThatAreTooSmallAreLeftOutWithACountAndNoHole) {
   const test::TemporaryFolder folder;
   // Round an edge of 1e-8 in one of the sides, whose ends become the same float.

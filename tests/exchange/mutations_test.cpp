@@ -7,6 +7,7 @@
 #include "core/exchange/read_patches.hpp"
 #include "tests/exchange/fixture_files.hpp"
 #include "tests/exchange/mesh_text.hpp"
+#include "tests/support/mutated.hpp"
 
 namespace hariko {
 namespace {
@@ -25,39 +26,6 @@ std::vector<std::string> files_of(const std::string& seeds, const std::vector<st
   std::vector<std::string> out;
   for (const fs::path& path : paths) out.push_back(test::slurp(path));
   return out;
-}
-
-/// One of the things that happen to files: bytes and bits change, parts are lost, come twice or change
-/// places, numbers grow.
-std::string mutated(std::mt19937_64& rng, std::string bytes) {
-  for (int k = test::uniform_int(rng, 1, 4); k > 0 && !bytes.empty(); --k) {
-    const auto at = [&] { return std::size_t(rng() % bytes.size()); };
-    const std::size_t begin = at(), length = 1 + rng() % std::min<std::size_t>(64, bytes.size() - begin);
-    switch (test::uniform_int(rng, 0, 6)) {
-      case 0:
-        bytes[begin] = char(rng());
-        break;
-      case 1:
-        bytes[begin] = char(bytes[begin] ^ (1 << rng() % 8));
-        break;
-      case 2:
-        bytes.erase(begin, length);
-        break;
-      case 3:
-        bytes.insert(at(), bytes.substr(begin, length));
-        break;
-      case 4:
-        bytes.resize(begin);
-        break;
-      case 5:
-        if (const std::size_t digit = bytes.find_first_of("0123456789", begin); digit != std::string::npos)
-          bytes.insert(digit, test::chance(rng, 0.5) ? "999999999" : "-");
-        break;
-      default:
-        bytes.replace(begin, length, std::string(length, test::chance(rng, 0.5) ? char(0xff) : char(0)));
-    }
-  }
-  return bytes;
 }
 
 ReadLimits small_limits() {
@@ -87,7 +55,8 @@ void expect_loads_or_is_refused(const Result<ImportedScene>& read) {
 template <class Read>
 void try_mutations(std::uint64_t seed, const std::vector<std::string>& files, Read&& read) {
   ASSERT_FALSE(files.empty());
-  test::for_random(seed, 100, [&](std::mt19937_64& rng) { read(mutated(rng, files[rng() % files.size()])); });
+  test::for_random(seed, 100,
+                   [&](std::mt19937_64& rng) { read(test::mutated(rng, files[rng() % files.size()])); });
 }
 
 void try_format(std::uint64_t seed, MeshFormat format, const std::string& seeds,

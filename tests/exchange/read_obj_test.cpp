@@ -77,11 +77,11 @@ TEST(ReadObj, NameIsTheFirstObjectElseTheFirstGroup) {
 TEST(ReadObj, IgnoredStatementsAreSilentAndUnknownOnesGiveOneWarning) {
   const auto result =
       read_obj("mtllib C:\\a\\b.mtl\n" + triangle +
-               "vt 0 0\nvn 0 0 1\nvp 0\ng a\ns off\nusemtl m\nl 1 2\np 1\nf 1 2 3\nfoo 1\nbar 2\nfoo 3\n");
+               "vt 0 0\nvn 0 0 1\nvp 0\ng a\ns off\nusemtl m\nf 1 2 3\nfoo 1\nbar 2\nfoo 3\n");
   ASSERT_TRUE(result.ok());
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_EQ(result->warnings[0].code, w_unknown_statement);
-  EXPECT_EQ(result->warnings[0].element, (Element{Element::Kind::line, 14}));
+  EXPECT_EQ(result->warnings[0].element, (Element{Element::Kind::line, 12}));
   EXPECT_NE(result->warnings[0].text.find("\"foo\" is not"), std::string::npos) << result->warnings[0].text;
   EXPECT_NE(result->warnings[0].text.find("2 more"), std::string::npos) << result->warnings[0].text;
 }
@@ -311,6 +311,14 @@ TEST(ReadObj, GoldenModels) {
     EXPECT_TRUE(validate(result->mesh).empty() || validate(result->mesh)[0].severity == Severity::warning);
   }
   EXPECT_GE(count, 9U);
+}
+
+TEST(ReadObj, PointsAndLinesAreLeftOutWithACount) {
+  const auto read = read_parts("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2 3\np 1\n", MeshFormat::obj);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->warnings.size(), 1U);
+  EXPECT_EQ(read->warnings[0].code, w_left_out);
+  EXPECT_EQ(read->warnings[0].text, "2 sets of points or lines were left out.");
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ void UnfoldCommandLine::add_to(CLI::App& app) {
   command_->add_flag("--polyhedra", arguments_.facets.of_polyhedra,
                      "The faces of a document's polyhedra as they are, not their surfaces");
   command_->add_flag("--json", arguments_.json, "Print the counts as JSON");
+  reading_.add_to(*command_);
 }
 
 void UnfoldCommandLine::check() const {
@@ -101,6 +102,7 @@ void UnfoldCommandLine::check() const {
 UnfoldArguments UnfoldCommandLine::arguments() const {
   constexpr double radians = std::numbers::pi / 180;
   UnfoldArguments out = arguments_;
+  out.reading = reading_.reading();
   out.file = file_;
   out.outs.assign(outs_.begin(), outs_.end());
   out.settings.page = *parse_paper(page_);

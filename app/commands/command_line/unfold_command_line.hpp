@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/command_line/reading_command_line.hpp"
 #include "app/commands/commands.hpp"
 
 namespace CLI {
@@ -29,6 +30,7 @@ class UnfoldCommandLine {
   double height_ = 0, width_ = 0, depth_ = 0, flat_degrees_ = 0.5, merge_degrees_ = -1, distance_ = 0,
          normal_degrees_ = 0;
   UnfoldArguments arguments_;
+  ReadingCommandLine reading_;
 };
 
 }  // namespace hariko
