@@ -125,11 +125,25 @@ TEST(CadText, ByteOrderMarksAreSkippedWithAWarning) {
 }
 
 TEST(CadText, LettersOfOldEncodingsLoseAtMostThemselves) {
-  const auto latin = decoded("Geh\xe4use \x80 5", StrayBytes::windows_1252);
+  const auto latin = decoded("Geh\xe4use \x80 5", StrayBytes::letters);
   EXPECT_EQ(latin.text, "Gehäuse € 5");
   EXPECT_EQ(latin.guessed, 2U);
   EXPECT_EQ(decoded("Geh\xe4use", StrayBytes::question_mark).text, "Geh?use");
-  const auto known = decoded("Gehäuse ホイール", StrayBytes::windows_1252);
+  // Western words whose letters would make characters of Shift-JIS, too.
+  for (const char* word : {"G\xe9n\xe9rique", "\xc9l\xe9ment", "\x93quoted\x94 \xe9l\xe8ve \xe0 c\xf4t\xe9"})
+    EXPECT_FALSE(decoded(word, StrayBytes::letters).japanese) << word;
+  const auto japanese = decoded(
+      "\x83z\x83"
+      "C\x81[\x83\x8b",
+      StrayBytes::letters);
+  EXPECT_EQ(japanese.text, "ホイール");
+  EXPECT_TRUE(japanese.japanese);
+  EXPECT_EQ(decoded("\x83z\x83"
+                    "C\x81[\x83\x8b",
+                    StrayBytes::question_mark)
+                .text,
+            "?z?C?[??");
+  const auto known = decoded("Gehäuse ホイール", StrayBytes::letters);
   EXPECT_EQ(known.text, "Gehäuse ホイール");
   EXPECT_EQ(known.guessed, 0U);
 }

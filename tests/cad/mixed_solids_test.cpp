@@ -13,19 +13,27 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepGProp.hxx>
+#include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <gp_Trsf.hxx>
 
 #include <BRepBuilderAPI_Transform.hxx>
@@ -174,6 +182,79 @@ TEST(MixedSolids, PlanesBesideASplineMakeABox) {
   EXPECT_EQ(planes.mesh.face_count(), 12U);
   EXPECT_TRUE(planes.also_exact.empty());
   EXPECT_NEAR(volume_of(planes.mesh), 6000, 1e-9);
+}
+
+/// A bilinear face over four corners. `uneven`: its first parameter runs faster at one end.
+TopoDS_Face spline_face(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp_Pnt& d, bool uneven) {
+  const auto between = [](const gp_Pnt& from, const gp_Pnt& to, double part) {
+    return gp_Pnt(from.XYZ() * (1 - part) + to.XYZ() * part);
+  };
+  TColgp_Array2OfPnt poles(1, uneven ? 3 : 2, 1, 2);
+  poles.SetValue(1, 1, a);
+  poles.SetValue(poles.UpperRow(), 1, b);
+  poles.SetValue(poles.UpperRow(), 2, c);
+  poles.SetValue(1, 2, d);
+  if (uneven) {
+    poles.SetValue(2, 1, between(a, b, 0.2));
+    poles.SetValue(2, 2, between(d, c, 0.2));
+  }
+  return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Face();
+}
+
+/// A box of spline faces. `uneven`: its top meets its neighbours with other parameters.
+TopoDS_Shape spline_box(double place, bool uneven) {
+  const auto at = [place](int x, int y, int z) { return gp_Pnt(place + 10 * x, 20 * y, 30 * z); };
+  BRepBuilderAPI_Sewing sewing(1e-4);
+  sewing.Add(spline_face(at(0, 0, 0), at(0, 1, 0), at(1, 1, 0), at(1, 0, 0), false));
+  sewing.Add(spline_face(at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1), uneven));
+  sewing.Add(spline_face(at(0, 0, 0), at(1, 0, 0), at(1, 0, 1), at(0, 0, 1), false));
+  sewing.Add(spline_face(at(1, 0, 0), at(1, 1, 0), at(1, 1, 1), at(1, 0, 1), false));
+  sewing.Add(spline_face(at(1, 1, 0), at(0, 1, 0), at(0, 1, 1), at(1, 1, 1), false));
+  sewing.Add(spline_face(at(0, 1, 0), at(0, 0, 0), at(0, 0, 1), at(0, 1, 1), false));
+  sewing.Perform();
+  TopExp_Explorer shell(sewing.SewedShape(), TopAbs_SHELL);
+  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell.Current())).Solid();
+  BRepLib::OrientClosedSolid(solid);
+  return solid;
+}
+
+TEST(MixedSolids, OneBodyOfAPartBecomesFacetsAndTheOtherKeepsItsPatches) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, spline_box(0, true));
+  builder.Add(both, spline_box(50, false));
+  const TemporaryFolder folder;
+  Interface_Static::SetIVal("write.step.assembly", 0);  // one product
+  STEPControl_Writer writer;
+  ASSERT_EQ(writer.Transfer(both, STEPControl_AsIs), IFSelect_RetDone);
+  ASSERT_EQ(writer.Write((folder.path() / "a.step").c_str()), IFSelect_RetDone);
+  const CadPart part = only_part(folder.path() / "a.step", 1);
+  EXPECT_EQ(part.also_exact.size(), 6U);
+  EXPECT_EQ(open_half_edges(part.mesh), 0U);
+  EXPECT_NEAR(volume_of(part.mesh), 6000, 1e-6);
+  ASSERT_EQ(part.patches.size(), 6U);
+  const auto surface = weld_patches(Vector3::Zero(), part.patches);
+  ASSERT_TRUE(surface.ok());
+  EXPECT_NEAR(std::abs(measure(*surface).volume.value_or(0)), 6000, 1e-6);
+}
+
+TEST(MixedSolids, MirroredBodiesLookOutward) {
+  gp_Trsf mirror;
+  mirror.SetMirror(gp_Ax2(gp_Pnt(3, 0, 0), gp_Dir(1, 0, 0)));
+  for (const bool copied : {false, true}) {
+    const TopoDS_Shape plate = drilled_plate();
+    const TopoDS_Shape mirrored = BRepBuilderAPI_Transform(plate, mirror, copied).Shape();
+    const TemporaryFolder folder;
+    STEPControl_Writer writer;
+    ASSERT_EQ(writer.Transfer(mirrored, STEPControl_AsIs), IFSelect_RetDone);
+    ASSERT_EQ(writer.Write((folder.path() / "a.step").c_str()), IFSelect_RetDone);
+    const CadPart part = only_part(folder.path() / "a.step", 0);
+    EXPECT_EQ(open_half_edges(part.mesh), 0U);
+    const double volume = volume_of(plate);
+    EXPECT_NEAR(volume_of(part.mesh), volume, 0.01 * volume);
+    for (const Vector3& p : part.mesh.positions) EXPECT_LE(p.x(), 6 + 1e-9);
+  }
 }
 
 }  // namespace

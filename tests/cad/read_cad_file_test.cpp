@@ -286,7 +286,7 @@ TEST(ReadCadFile, WorkThatComesToNoEndIsGivenUp) {
         for (std::atomic<unsigned> turn = 0;; ++turn) {
         }
       },
-      1, {}, {});
+      {.working = 1}, {}, {});
   EXPECT_FALSE(bytes);
 }
 

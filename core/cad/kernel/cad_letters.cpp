@@ -1,8 +1,10 @@
 #include "core/cad/kernel/cad_letters.hpp"
 
+#include <iconv.h>
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "core/base/assert.hpp"
@@ -69,8 +71,51 @@ std::string hexadecimal(std::uint32_t value, int digits) {
   return out;
 }
 
+/// The double byte at the beginning of a text, by its ranges in Shift-JIS.
+bool begins_shift_jis(std::string_view text) {
+  if (text.size() < 2) return false;
+  const auto first = static_cast<unsigned char>(text[0]), second = static_cast<unsigned char>(text[1]);
+  return ((first >= 0x81 && first <= 0x9f) || (first >= 0xe0 && first <= 0xfc)) && second >= 0x40 &&
+         second != 0x7f && second <= 0xfc;
+}
+
+/// Text as Shift-JIS, or nothing where it seems to be of another encoding. Kana and common kanji begin with
+/// 0x81 to 0x9f, where Windows-1252 has quotation marks and no letters of words.
+std::optional<std::string> of_shift_jis(std::string_view bytes) {
+  std::size_t common = 0, rare = 0;
+  for (std::string_view left = bytes; !left.empty();) {
+    const auto byte = static_cast<unsigned char>(left[0]);
+    const bool pair = byte >= 0x80 && begins_shift_jis(left), half_width = byte >= 0xa1 && byte <= 0xdf;
+    if (byte >= 0x80 && !pair && !half_width) return {};
+    if (byte >= 0x80) ++(pair && byte <= 0x9f ? common : rare);
+    left.remove_prefix(pair ? 2 : 1);
+  }
+  if (common <= rare) return {};
+  const iconv_t converter = ::iconv_open("UTF-8", "CP932");
+  if (converter == iconv_t(-1)) return {};  // the system has no such table
+  std::string in(bytes), out(3 * bytes.size(), '\0');
+  char *from = in.data(), *to = out.data();
+  std::size_t in_left = in.size(), out_left = out.size();
+  const bool whole = ::iconv(converter, &from, &in_left, &to, &out_left) != std::size_t(-1);
+  ::iconv_close(converter);
+  if (!whole) return {};
+  out.resize(out.size() - out_left);
+  return out;
+}
+
 bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+/// Bytes that belong to no sequence of UTF-8.
+std::size_t stray_count(std::string_view text) {
+  std::size_t out = 0;
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    out += length == 0;
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
 }
 
 }  // namespace
@@ -92,6 +137,13 @@ DecodedText decoded(std::string bytes, StrayBytes stray) {
     out.text = std::move(bytes);
     return out;
   }
+  if (stray == StrayBytes::letters && stray_count(bytes) > 0)
+    if (auto text = of_shift_jis(bytes)) {
+      out.guessed = stray_count(bytes);
+      out.japanese = true;
+      out.text = std::move(*text);
+      return out;
+    }
   for (std::string_view left = bytes; !left.empty();) {
     if (const std::size_t length = utf8_length(left); length > 0) {
       out.text += left.substr(0, length);

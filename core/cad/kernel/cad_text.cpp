@@ -136,11 +136,12 @@ std::vector<Message> warnings_of(const DecodedText& decoded, const char* format)
         std::string("The ") + format + " file begins with a byte order mark, which such files do not have.",
         "Save it as plain text where it was edited."));
   if (decoded.guessed > 0)
-    out.push_back(
-        make_warning(w_cad_letters,
-                     std::to_string(decoded.guessed) + " letters of the " + format +
-                         " file are in an old encoding that it does not name: names may have wrong letters.",
-                     "Check the names, or export the model in UTF-8."));
+    out.push_back(make_warning(w_cad_letters,
+                               std::to_string(decoded.guessed) + " letters of the " + format +
+                                   " file are in an old encoding that it does not name" +
+                                   (decoded.japanese ? " (taken for Shift-JIS)" : "") +
+                                   ": names may have wrong letters.",
+                               "Check the names, or export the model in UTF-8."));
   return out;
 }
 
@@ -207,7 +208,7 @@ Result<CadTextExtent> check_iges_text(std::string_view text) {
 }
 
 Result<CadText> step_text_of(std::string bytes) {
-  return prepared(decoded(std::move(bytes), StrayBytes::windows_1252), "STEP", check_step_text);
+  return prepared(decoded(std::move(bytes), StrayBytes::letters), "STEP", check_step_text);
 }
 
 Result<CadText> iges_text_of(std::string bytes) {

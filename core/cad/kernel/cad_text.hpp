@@ -36,7 +36,7 @@ struct CadText {
 };
 
 /// Whole text without byte order mark and without what stands behind the end, in UTF-8; bytes of older
-/// encodings become letters of Windows-1252 (STEP) or '?' (IGES). Errors: those of the checks.
+/// encodings become letters of Windows-1252 or Shift-JIS (STEP) or '?' (IGES). Errors: those of the checks.
 Result<CadText> step_text_of(std::string bytes);
 Result<CadText> iges_text_of(std::string bytes);
 

@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
@@ -57,12 +58,41 @@ class SharedFraction {
   ::_exit(whole ? 0 : 1);
 }
 
-/// Until the other end is closed; false where the work was cancelled.
-bool read_all(int descriptor, std::string& bytes, const SharedFraction& fraction, const CancelToken& cancel,
-              const Progress& progress) {
+double seconds_of(clockid_t clock) {
+  timespec time{};
+  return ::clock_gettime(clock, &time) == 0 ? double(time.tv_sec) + 1e-9 * double(time.tv_nsec) : 0;
+}
+
+/// Watches whether a process gets on: it uses a processor now and then.
+class Watch {
+ public:
+  Watch(pid_t process, double most_waiting) : most_waiting_(most_waiting) {
+    known_ = ::clock_getcpuclockid(process, &clock_) == 0;
+    since_ = seconds_of(CLOCK_MONOTONIC);
+  }
+  bool stuck() {
+    if (!known_) return false;
+    const double used = seconds_of(clock_), now = seconds_of(CLOCK_MONOTONIC);
+    constexpr double least = 1e-3;
+    if (used > used_ + least) {
+      used_ = used;
+      since_ = now;
+    }
+    return now - since_ > most_waiting_;
+  }
+
+ private:
+  double most_waiting_, used_ = 0, since_ = 0;
+  clockid_t clock_{};
+  bool known_ = false;
+};
+
+/// Until the other end is closed; false where the work was cancelled, or is stuck.
+bool read_all(int descriptor, std::string& bytes, const SharedFraction& fraction, Watch watch,
+              const CancelToken& cancel, const Progress& progress) {
   std::array<char, 65536> part{};
   for (;;) {
-    if (cancel.cancelled()) return false;
+    if (cancel.cancelled() || watch.stuck()) return false;
     progress.report(fraction.get()->load(std::memory_order_relaxed));
     pollfd waiting{descriptor, POLLIN, 0};
     if (::poll(&waiting, 1, look_milliseconds) <= 0) continue;
@@ -86,19 +116,20 @@ bool write_all(int descriptor, std::string_view bytes) {
 }
 
 std::optional<std::string> isolated(
-    const std::function<std::string(const std::function<void(double)>& report)>& work, double most_seconds,
-    const CancelToken& cancel, const Progress& progress) {
+    const std::function<std::string(const std::function<void(double)>& report)>& work,
+    const Patience& patience, const CancelToken& cancel, const Progress& progress) {
   const SharedFraction fraction;
   std::array<int, 2> ends{};
   if (!fraction.get() || ::pipe(ends.data()) != 0) return {};
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(ends[0]);
-    work_and_end(work, most_seconds, *fraction.get(), ends[1]);
+    work_and_end(work, patience.working, *fraction.get(), ends[1]);
   }
   ::close(ends[1]);
   std::string bytes;
-  const bool whole = child > 0 && read_all(ends[0], bytes, fraction, cancel, progress);
+  const bool whole =
+      child > 0 && read_all(ends[0], bytes, fraction, Watch(child, patience.waiting), cancel, progress);
   ::close(ends[0]);
   if (child < 0) return {};
   if (!whole) ::kill(child, SIGKILL);

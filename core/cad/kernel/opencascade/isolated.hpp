@@ -13,12 +13,20 @@
 
 namespace hariko {
 
-/// Runs `work` in a copy of this process and gives its bytes; nothing where it crashed, was cancelled (then
-/// it is killed), took more than `most_seconds` of a processor's time, or could not begin. `work` may lock
-/// nothing that another thread can hold, and tells its progress by the function that it is given.
+/// Limits of work, in seconds.
+struct Patience {
+  double working = 20;  ///< of a processor's time
+  /// Without any of it: the work waits for a lock that nobody frees, as a thread held it that the copy of the
+  /// process does not have.
+  double waiting = 60;
+};
+
+/// Runs `work` in a copy of this process and gives its bytes; nothing where it crashed, was cancelled or came
+/// to the end of a patience (then it is killed), or could not begin. `work` should lock nothing that another
+/// thread can hold, and tells its progress by the function that it is given.
 std::optional<std::string> isolated(
-    const std::function<std::string(const std::function<void(double)>& report)>& work, double most_seconds,
-    const CancelToken& cancel, const Progress& progress);
+    const std::function<std::string(const std::function<void(double)>& report)>& work,
+    const Patience& patience, const CancelToken& cancel, const Progress& progress);
 
 /// False where not all of the bytes can be written.
 bool write_all(int descriptor, std::string_view bytes);

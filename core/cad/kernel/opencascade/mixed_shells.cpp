@@ -1,19 +1,32 @@
 #include "core/cad/kernel/opencascade/mixed_shells.hpp"
 
+#include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
 
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
 
 namespace hariko {
 
-std::vector<bool> beside_others(const TopoDS_Shape& shape, const std::vector<bool>& whole) {
+namespace {
+
+/// Edges that bound nothing: shrunk to a point, or lying inside of a face.
+bool bounds(const TopoDS_Shape& edge) {
+  return !BRep_Tool::Degenerated(TopoDS::Edge(edge)) && edge.Orientation() != TopAbs_INTERNAL &&
+         edge.Orientation() != TopAbs_EXTERNAL;
+}
+
+}  // namespace
+
+ConnectedFaces connected_faces(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  // A face stands twice at an edge where it closes on itself.
   TopTools_IndexedDataMapOfShapeListOfShape around;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, around);
   DisjointSets sets(std::size_t(faces.Extent()) + 1);  // the kernel counts from 1
@@ -22,16 +35,30 @@ std::vector<bool> beside_others(const TopoDS_Shape& shape, const std::vector<boo
     for (TopTools_ListOfShape::Iterator face(own); face.More(); face.Next())
       sets.join(Index(faces.FindIndex(own.First())), Index(faces.FindIndex(face.Value())));
   }
-  std::vector<bool> mixed(sets.size(), false);
-  std::vector<Index> set_of_face;
+  ConnectedFaces out;
+  std::vector<Index> number(sets.size(), no_index);
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-    HARIKO_ASSERT(set_of_face.size() < whole.size(), "one flag a face");
-    const Index set = sets.find(Index(faces.FindIndex(face.Current())));
-    if (!whole[set_of_face.size()]) mixed[set] = true;
-    set_of_face.push_back(set);
+    Index& set = number[sets.find(Index(faces.FindIndex(face.Current())))];
+    if (set == no_index) {
+      set = Index(out.closed.size());
+      out.closed.push_back(true);
+    }
+    out.set_of_face.push_back(set);
   }
-  std::vector<bool> out;
-  for (const Index set : set_of_face) out.push_back(mixed[set]);
+  for (int e = 1; e <= around.Extent(); ++e) {
+    const TopTools_ListOfShape& own = around(e);
+    if (own.Extent() % 2 == 0 || !bounds(around.FindKey(e))) continue;
+    out.closed[number[sets.find(Index(faces.FindIndex(own.First())))]] = false;
+  }
+  return out;
+}
+
+std::vector<bool> beside_others(const ConnectedFaces& faces, const std::vector<bool>& whole) {
+  HARIKO_ASSERT(whole.size() == faces.set_of_face.size(), "one flag a face");
+  std::vector<bool> mixed(faces.closed.size(), false), out;
+  for (std::size_t k = 0; k < whole.size(); ++k)
+    if (!whole[k]) mixed[faces.set_of_face[k]] = true;
+  for (const Index set : faces.set_of_face) out.push_back(mixed[set]);
   return out;
 }
 

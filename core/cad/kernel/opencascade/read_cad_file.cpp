@@ -4,7 +4,6 @@
 #include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <Interface_Static.hxx>
@@ -223,8 +222,9 @@ class SceneMaker {
     BRep_Builder builder;
     builder.MakeCompound(others);
     bool empty = true;
-    std::vector<bool> mixed = beside_others(leaf.shape, whole_faces(leaf.shape));
-    if (leaves_gaps(leaf.shape, mixed)) mixed.assign(mixed.size(), true);
+    const ConnectedFaces connected = connected_faces(leaf.shape);
+    std::vector<bool> mixed = beside_others(connected, whole_faces(connected.set_of_face.size()));
+    mark_gaps(connected, mixed);
     std::size_t own = 0;
     for (TopExp_Explorer face(leaf.shape, TopAbs_FACE); face.More(); face.Next(), ++face_, ++own) {
       if (face_ < splines_.size() && !splines_[face_].empty()) {
@@ -248,29 +248,29 @@ class SceneMaker {
     if (!part.patches.empty() || part.mesh.face_count() > 0) out_.parts.push_back(std::move(part));
   }
 
-  /// The next leaf is closed, but not by the patches of its splines alone: they meet with other parameters
-  /// along some edge.
-  bool leaves_gaps(const TopoDS_Shape& shape, const std::vector<bool>& mixed) const {
-    if (face_ + mixed.size() > splines_.size() || std::find(mixed.begin(), mixed.end(), true) != mixed.end())
-      return false;
-    TopExp_Explorer shell(shape, TopAbs_SHELL);
-    if (!shell.More() || TopExp_Explorer(shape, TopAbs_FACE, TopAbs_SHELL).More()) return false;
-    for (; shell.More(); shell.Next())
-      if (!BRep_Tool::IsClosed(shell.Current())) return false;
-    std::vector<BezierPatch> patches;
-    for (std::size_t k = face_; k < face_ + mixed.size(); ++k)
-      patches.insert(patches.end(), splines_[k].begin(), splines_[k].end());
-    const auto welded = weld_patches(Vector3::Zero(), std::move(patches));
-    return !welded.ok() || !welded->boundary_sides().empty();
+  /// Marks the faces of bodies of the next leaf that are closed, but not by the patches of their splines
+  /// alone: these meet with other parameters along some edge.
+  void mark_gaps(const ConnectedFaces& faces, std::vector<bool>& mixed) const {
+    if (face_ + mixed.size() > splines_.size()) return;
+    std::vector<std::vector<std::size_t>> sets(faces.closed.size());
+    for (std::size_t k = 0; k < mixed.size(); ++k)
+      if (!mixed[k] && faces.closed[faces.set_of_face[k]]) sets[faces.set_of_face[k]].push_back(k);
+    for (const auto& set : sets) {
+      std::vector<BezierPatch> patches;
+      for (const std::size_t k : set)
+        patches.insert(patches.end(), splines_[face_ + k].begin(), splines_[face_ + k].end());
+      if (patches.empty()) continue;
+      const auto welded = weld_patches(Vector3::Zero(), std::move(patches));
+      if (welded.ok() && welded->boundary_sides().empty()) continue;
+      for (const std::size_t k : set) mixed[k] = true;
+    }
   }
 
   /// One flag a face of the leaf that comes next: it is a whole spline.
-  std::vector<bool> whole_faces(const TopoDS_Shape& shape) const {
+  std::vector<bool> whole_faces(std::size_t count) const {
     std::vector<bool> out;
-    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
-      const std::size_t number = face_ + out.size();
-      out.push_back(number < splines_.size() && !splines_[number].empty());
-    }
+    for (std::size_t k = face_; k < face_ + count; ++k)
+      out.push_back(k < splines_.size() && !splines_[k].empty());
     return out;
   }
 
@@ -388,7 +388,7 @@ Result<CadScene> by_opencascade::read_cad_file(const std::filesystem::path& path
       [&](const std::function<void(double)>& report) {
         return bytes_of(read(path, *format, options, report));
       },
-      least_patience + patience_a_megabyte * megabytes, cancel, progress);
+      Patience{.working = least_patience + patience_a_megabyte * megabytes}, cancel, progress);
   if (cancel.cancelled()) return cancelled();
   if (!bytes) return failed("OpenCASCADE cannot read this file: it broke off, or came to no end.");
   return scene_of(*bytes);
