@@ -7,7 +7,8 @@
 
 What must have an entry: every string given to tr(), language() or translatable(); whatever else looks like English in
 ui/ and app/ (labels, help and reasons of commands, labels of steps, hints); the code of every message, and its remedy
-where one is given. A literal that looks like English and is none for the eyes of users is put on ALLOWED."""
+where one is given; a sentence for every message that says a number, so that translations say it too. A literal that
+looks like English and is none for the eyes of users is put on ALLOWED."""
 
 import argparse
 import glob
@@ -178,12 +179,77 @@ def arguments_at(source, start):
     return [argument.strip() for argument in out]
 
 
+COUNTING = re.compile(r"to_string\(|counted\(|percent\(|number\(|length_text\(")
+
+
+def split_at(expression, separators):
+    """Parts of an expression between separators that stand in no brackets and no literal."""
+    depth, begin, out = 0, 0, []
+    for match in TOKEN.finditer(expression):
+        text = match.group()
+        if match.lastgroup != "other":
+            continue
+        depth += (text in "([{") - (text in ")]}")
+        if text in separators and depth == 0:
+            out.append(expression[begin:match.start()].strip())
+            begin = match.end()
+    return out + [expression[begin:].strip()]
+
+
+def sentences_of(expression):
+    """What an expression that puts a sentence together may give, with 7 for what is no literal."""
+    if match := re.fullmatch(r"\((.*)\)", expression, re.S):
+        if len(split_at(expression, "?+")) == 1:
+            return sentences_of(match.group(1).strip())
+    if len(chosen := split_at(expression, "?")) > 1:
+        return [s for part in split_at("?".join(chosen[1:]), ":") for s in sentences_of(part)]
+    out = [""]
+    for part in split_at(expression, "+"):
+        texts = [literal.text for literal in literals_of("", part)]
+        if part.startswith("("):
+            given = sentences_of(part)
+        elif re.match(r'"|(std::)?string\("', part):
+            given = texts
+        elif part.startswith("counted") and texts:
+            given = ["7" + text for text in texts]
+        else:
+            given = ["7"]
+        out = [before + text for before in out for text in given]
+    return out
+
+
+def counting_sentences(root):
+    """Of messages that say numbers or names: what they may be, and where."""
+    for path in source_files(root, "core", "render", "ui", "app"):
+        source = read(path)
+        for match in re.finditer(r"\bmake_(?:error|warning)\(\s*(\w+)", source):
+            given = arguments_at(source, match.end() - len(match.group(1)))
+            if len(given) > 1 and COUNTING.search(given[1]):
+                place = f"{os.path.relpath(path, root)}:{source.count(chr(10), 0, match.start()) + 1}"
+                for sentence in sentences_of(re.sub(r"\s+", " ", given[1])):
+                    yield sentence, place
+
+
+def sentence_patterns(catalogue):
+    """Entries that are whole sentences with places, as the program takes them for messages."""
+    return [re.compile(".+".join(re.escape(piece) for piece in PLACEHOLDER.split(entry)[::2]), re.S)
+            for entry in catalogue if PLACEHOLDER.search(entry) and entry[-1] in ".?!"]
+
+
+def has_sentence(sentence, patterns, catalogue):
+    """As Language::text_of looks for it: whole, or behind what it is about."""
+    parts = sentence.split(": ")
+    rests = [": ".join(parts[k:]) for k in range(len(parts))]
+    return any(rest in catalogue or rest.strip(".") == "7" or any(p.fullmatch(rest) for p in patterns) for rest in rests)
+
+
 class Check:
     def __init__(self, root):
         self.root = root
         self.required = {}  # entry -> where
         self.bare = []
         self.all_literals = []
+        self.counting = list(counting_sentences(root))
         for path in source_files(root, "core", "render", "ui", "app"):
             literals = literals_of(os.path.relpath(path, root), read(path))
             self.all_literals += [literal.text for literal in literals]
@@ -216,7 +282,9 @@ class Check:
             return True
         if entry.endswith(".remedy") and entry[:-7] in self.required:
             return True
-        if entry in self.texts:
+        if entry in self.texts or any(text.endswith(": " + entry) for text in self.texts):
+            return True
+        if any(has_sentence(sentence, sentence_patterns([entry]), {entry}) for sentence, _ in self.counting):
             return True
         # The sentence of a message that is put together of several literals.
         pieces = [piece for piece in PLACEHOLDER.split(entry)[::2] if piece.strip(" .,:")]
@@ -234,6 +302,9 @@ class Check:
                 out.append(f"empty: {shown}")
             if not re.match(r"^[EW]_", entry) and sorted(PLACEHOLDER.findall(entry)) != sorted(PLACEHOLDER.findall(translation)):
                 out.append(f"other placeholders: {shown} and {translation}")
+        patterns = sentence_patterns(catalogue)
+        out += [f"no sentence for what is counted: {json.dumps(sentence, ensure_ascii=False)}   ({place})"
+                for sentence, place in self.counting if not has_sentence(sentence, patterns, catalogue)]
         return out + self.bare
 
 

@@ -1,6 +1,7 @@
 #include "ui/language.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -122,17 +123,43 @@ std::optional<std::vector<std::string>> Language::match(const Pattern& pattern, 
   return arguments;
 }
 
-std::optional<std::string> Language::find_phrase(std::string_view english) const {
+std::optional<std::string> Language::find_phrase(std::string_view english, Entries entries) const {
   const auto it = translations_.find(english);
   if (it != translations_.end()) return it->second;
-  for (const Pattern& pattern : patterns_)
+  for (const Pattern& pattern : patterns_) {
+    const std::string& end = pattern.literals.back();
+    // Labels such as "{0} of {1}" are found in many sentences.
+    if (entries == Entries::sentences && (end.empty() || !std::strchr(".?!", end.back()))) continue;
     if (auto arguments = match(pattern, english)) {
       for (std::string& argument : *arguments)
         if (const auto known = translations_.find(argument); known != translations_.end())
           argument = known->second;
       return fill(pattern.translation, *arguments);
     }
+  }
   return {};
+}
+
+std::optional<std::string> Language::find_sentence(std::string_view english) const {
+  if (auto whole = find_phrase(english, Entries::sentences)) return whole;
+  for (std::size_t at = english.find(": "); at != std::string_view::npos; at = english.find(": ", at + 2)) {
+    const auto rest = find_phrase(english.substr(at + 2), Entries::sentences);
+    if (!rest) continue;
+    std::string about(english.substr(0, at));
+    // Of several parts only the last may be one that has an entry: a line or a byte of a file.
+    const std::size_t last = about.rfind(": ");
+    const std::size_t begin = last == std::string::npos ? 0 : last + 2;
+    return about.substr(0, begin) + numbered(about.substr(begin)) + ": " + *rest;
+  }
+  return {};
+}
+
+std::string Language::numbered(const std::string& english) const {
+  const std::size_t space = english.rfind(' ') + 1;  // 0 where there is none
+  const bool number = space > 0 && space < english.size() &&
+                      english.find_first_not_of("0123456789", space) == std::string::npos;
+  const auto it = number ? translations_.find(english.substr(0, space) + "{0}") : translations_.end();
+  return it == translations_.end() ? english : fill(it->second, {english.substr(space)});
 }
 
 std::string Language::phrase(std::string_view english) const {
@@ -161,7 +188,7 @@ bool Language::has(std::string_view english) const {
 }
 
 std::string Language::text_of(const Message& message) const {
-  if (auto sentence = find_phrase(message.text)) return *sentence;
+  if (auto sentence = find_sentence(message.text)) return *sentence;
   const auto it = translations_.find(message.code.name);
   if (it == translations_.end()) return message.text;
   if (message.element.kind == Element::Kind::none) return it->second;
@@ -172,7 +199,7 @@ std::string Language::text_of(const Message& message) const {
 
 std::string Language::remedy_of(const Message& message) const {
   if (message.remedy.empty()) return {};
-  if (auto sentence = find_phrase(message.remedy)) return *sentence;
+  if (auto sentence = find_phrase(message.remedy, Entries::sentences)) return *sentence;
   const auto it = translations_.find(std::string(message.code.name) + ".remedy");
   if (it != translations_.end()) return it->second;
   return message.remedy;

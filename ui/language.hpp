@@ -62,8 +62,8 @@ class Language {
   /// Every character that the translations need, ascending.
   std::u32string characters() const;
 
-  /// A message of the core: the translation of its sentence, else that of its code with the element it names,
-  /// else its own sentence.
+  /// A message of the core: the translation of its sentence, also behind what it is about ("a.ply": Line 3:
+  /// ), else that of its code with the element it names, else its own sentence.
   std::string text_of(const Message& message) const;
   std::string remedy_of(const Message& message) const;
 
@@ -81,7 +81,14 @@ class Language {
   static Pattern cut(const std::string& english, const std::string& translation);
   /// What stands in the places; nothing when the sentence is another one.
   static std::optional<std::vector<std::string>> match(const Pattern& pattern, std::string_view text);
-  std::optional<std::string> find_phrase(std::string_view english) const;
+  enum class Entries {
+    all,
+    sentences  ///< that end with a full stop, question mark or exclamation mark
+  };
+  std::optional<std::string> find_phrase(std::string_view english, Entries entries = Entries::all) const;
+  std::optional<std::string> find_sentence(std::string_view english) const;
+  /// "Line 3" by the entry "Line {0}"; everything else stays.
+  std::string numbered(const std::string& english) const;
 
   std::unordered_map<std::string, std::string, Hash, std::equal_to<>> translations_;
   std::vector<Pattern> patterns_;  ///< those with most literal text first

@@ -69,6 +69,17 @@ TEST(Language, translates_messages_by_sentence_then_by_code) {
   EXPECT_EQ(tr.text_of(make_error(Code{"E_OTHER"}, "Something else.")), "Something else.");
 }
 
+TEST(Language, finds_sentences_behind_what_they_are_about) {
+  const Language tr = language_of(R"({
+    "{0} of {1}": "{1}の{0}", "Line {0}": "{0} 行目", "{0} faces of the file are flat.": "{0} 枚の面が平らです。",
+    "What follows was ignored.": "続きを無視しました。", "W_X": "何かあります。"})");
+  const auto text = [&](const char* english) { return tr.text_of(make_warning(Code{"W_X"}, english)); };
+  EXPECT_EQ(text("\"a: b.ply\": 12 faces of the file are flat."), "\"a: b.ply\": 12 枚の面が平らです。");
+  EXPECT_EQ(text("\"a.ply\": Line 7: What follows was ignored."), "\"a.ply\": 7 行目: 続きを無視しました。");
+  EXPECT_EQ(text("Line of sight: What follows was ignored."), "Line of sight: 続きを無視しました。");
+  EXPECT_EQ(text("None of these is a label."), "何かあります。") << "labels are no sentences";
+}
+
 TEST(Language, knows_its_characters) {
   const std::u32string characters = language_of(R"({"Save": "保存", "Open": "開く"})").characters();
   EXPECT_EQ(characters, U"く保存開");

@@ -58,6 +58,12 @@ def main():
     expect(script, 'nothing uses: "Gone"', catalogue=dict(sorted({**CATALOGUE, "Gone": "無い"}.items())))
     expect(script, "other placeholders", catalogue={**CATALOGUE, "Move {0} things": "移動"})
     expect(script, "empty", catalogue={**CATALOGUE, "Shown": " "})
+    counted = 'return make_warning(w_odd, std::to_string(n) + (n == 1 ? " thing is odd." : " things are odd."));\n'
+    expect(script, "no sentence for what is counted: \"7 thing is odd.\"", {"core/more.cpp": counted})
+    sentences = {"{0} thing is odd.": "{0}個変", "{0} things are odd.": "{0}個変"}
+    expect(script, "no sentence for what is counted: \"7 thing is odd.\"", {"core/more.cpp": counted},
+           dict(sorted({**CATALOGUE, "{0} things are odd.": "{0}個変"}.items())))
+    expect(script, "", {"core/more.cpp": counted}, dict(sorted({**CATALOGUE, **sentences}.items())))
     expect(script, "not sorted", catalogue=dict(reversed(list(CATALOGUE.items()))))
     print("passed")
 
