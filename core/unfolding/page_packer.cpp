@@ -32,6 +32,51 @@ struct Bitmap {
   }
 };
 
+/// The lengths of the longest runs of equal cells in the rows of a bitmap. An item lies nowhere on a page
+/// that has fewer rows with long free runs than the item has rows with covered ones: most pages are passed
+/// over by that alone.
+class RowRuns {
+ public:
+  RowRuns(const Bitmap& cells, bool covered)
+      : covered_(covered), longest_(std::size_t(cells.height)), rows_with_(std::size_t(cells.width) + 2, 0) {
+    update(cells, 0, cells.height);
+  }
+  /// After the cells of rows from .. to - 1 have changed.
+  void update(const Bitmap& cells, int from, int to) {
+    for (int y = from; y < to; ++y) longest_[std::size_t(y)] = longest(cells, y);
+    std::fill(rows_with_.begin(), rows_with_.end(), 0);
+    for (const int length : longest_) ++rows_with_[std::size_t(length)];
+    for (std::size_t length = rows_with_.size() - 1; length-- > 0;)
+      rows_with_[length] += rows_with_[length + 1];
+  }
+  int operator[](int row) const { return longest_[std::size_t(row)]; }
+  bool has_room_for(const RowRuns& item) const {
+    for (std::size_t length = 1; length < item.rows_with_.size() && item.rows_with_[length] > 0; ++length)
+      if (length >= rows_with_.size() || item.rows_with_[length] > rows_with_[length]) return false;
+    return true;
+  }
+
+ private:
+  int longest(const Bitmap& cells, int y) const {
+    int best = 0, run = 0;
+    for (int x = 0; x < cells.width; ++x) {
+      const bool set = (cells.row(y)[x / 64] >> (x % 64)) & 1;
+      run = set == covered_ ? run + 1 : 0;
+      best = std::max(best, run);
+    }
+    return best;
+  }
+  bool covered_;
+  std::vector<int> longest_;
+  std::vector<int> rows_with_;  ///< [n]: number of rows with a run of n cells or more
+};
+
+struct Page {
+  Bitmap cells;
+  RowRuns free;
+  Page(int width, int height) : cells(width, height), free(cells, false) {}
+};
+
 struct Box {
   Vector2 low = Vector2::Constant(1e300), high = Vector2::Constant(-1e300);
   void add(const Vector2& p) {
@@ -46,6 +91,7 @@ struct Turned {
   Vector2 low;  ///< the lower left corner of the box lies half a gap inside of cell (0, 0)
   PaperSize size;
   Bitmap cells;
+  RowRuns runs;
   std::vector<int> rows;  ///< in the order in which they are compared: those with most cells first
 };
 
@@ -86,6 +132,7 @@ class Packer {
     pages_.clear();
     reached_.clear();
     for (const SheetPolygon& polygon : options_.occupied) block(polygon);
+    for (Page& page : pages_) page.free.update(page.cells, 0, page.cells.height);
     std::vector<Index> alone;
     for (const Index item : order) {
       if (cancel.cancelled()) return out;
@@ -178,12 +225,14 @@ class Packer {
     const int width = static_cast<int>(std::ceil((size.width + options_.gap) / cell_.x() - 1e-6));
     const int height = static_cast<int>(std::ceil((size.height + options_.gap) / cell_.y() - 1e-6));
     if (width > columns_ || height > rows_) return {};
-    Turned out{angle, box.low, size, Bitmap(std::max(1, width), std::max(1, height)), {}};
+    Bitmap cells(std::max(1, width), std::max(1, height));
     const double half = options_.gap / 2;
     for (auto& polygon : polygons) {
       for (Vector2& p : polygon) p += Vector2::Constant(half) - box.low;
-      mark(out.cells, polygon, half);
+      mark(cells, polygon, half);
     }
+    const RowRuns runs(cells, true);
+    Turned out{angle, box.low, size, std::move(cells), runs, {}};
     std::vector<int> count(static_cast<std::size_t>(out.cells.height), 0);
     for (int y = 0; y < out.cells.height; ++y)
       for (int w = 0; w < out.cells.words; ++w)
@@ -225,7 +274,8 @@ class Packer {
     return true;
   }
 
-  static void occupy(Bitmap& page, const Turned& item, int x, int y) {
+  static void occupy(Page& on, const Turned& item, int x, int y) {
+    Bitmap& page = on.cells;
     const int shift = x % 64, first = x / 64;
     for (int row = 0; row < item.cells.height; ++row)
       for (int w = 0; w < item.cells.words; ++w) {
@@ -233,6 +283,7 @@ class Packer {
         page.row(y + row)[first + w] |= own << shift;
         if (shift && first + w + 1 < page.words) page.row(y + row)[first + w + 1] |= own >> (64 - shift);
       }
+    on.free.update(page, y, y + item.cells.height);
   }
 
   /// What a polygon on a page covers is not free.
@@ -249,7 +300,7 @@ class Packer {
     if (box.high.x() + half < 0 || box.high.y() + half < 0 || box.low.x() - half > end.x() ||
         box.low.y() - half > end.y())
       return;
-    mark(pages_[polygon.sheet], corners, half);
+    mark(pages_[polygon.sheet].cells, corners, half);
   }
 
   struct Spot {
@@ -257,11 +308,19 @@ class Packer {
   };
 
   /// The lowest free place, from the left; tops that pass `limit` do not interest.
-  static std::optional<Spot> find_spot(const Bitmap& page, const Turned& item, int limit, Spot from) {
+  static std::optional<Spot> find_spot(const Page& on, const Turned& item, int limit, Spot from) {
+    const Bitmap& page = on.cells;
     const int top = std::min(limit, page.height) - item.cells.height;
-    for (int y = from.y; y <= top; ++y)
+    if (from.y > top || !on.free.has_room_for(item.runs)) return {};
+    const auto has_room_at = [&](int y) {
+      return std::all_of(item.rows.begin(), item.rows.end(),
+                         [&](int row) { return on.free[y + row] >= item.runs[row]; });
+    };
+    for (int y = from.y; y <= top; ++y) {
+      if (!has_room_at(y)) continue;
       for (int x = y == from.y ? from.x : 0; x + item.cells.width <= page.width; ++x)
         if (free_at(page, item, x, y)) return Spot{x, y};
+    }
     return {};
   }
 
@@ -309,7 +368,7 @@ class Packer {
   int columns_, rows_;
   Vector2 cell_;  ///< width and height of one
   std::vector<std::vector<Turned>> turned_;
-  std::vector<Bitmap> pages_;
+  std::vector<Page> pages_;
   std::map<std::tuple<std::size_t, int, int>, Spot> reached_;  ///< page and size of a strip
 };
 

@@ -128,12 +128,23 @@ class Draftsman {
     return out;
   }
 
+  /// Of several strips in a row one has the number, in the middle.
+  bool has_number(Index j) const {
+    if (u_.run_of[j] == no_index) return true;
+    const auto& joints = u_.strip_runs[u_.run_of[j]].joints;
+    return joints[joints.size() / 2] == j;
+  }
+  double number_length(Index j) const {
+    return u_.run_of[j] == no_index ? u_.settings.scale * graph_.edge(u_.joints[j].edge).length
+                                    : u_.strip_runs[u_.run_of[j]].length;
+  }
+
   void joint(Index j) {
     const Joint& joint = u_.joints[j];
-    const double length = u_.settings.scale * graph_.edge(joint.edge).length;
+    const double length = number_length(j);
     const double height = label_height(length);
-    const bool labelled = length >= 2 * height;
-    const std::string number = std::to_string(j + 1);
+    const bool labelled = length >= 2 * height && has_number(j);
+    const std::string number = std::to_string(numbered_as(u_, j) + 1);
     for (std::size_t k = 0; k < 2; ++k) {
       const Side at = side(joint.edge, k);
       const bool has_tab =
@@ -164,11 +175,18 @@ class Draftsman {
   void strip(Index j, const std::string& number, double height) {
     const auto c = strip_corners(u_, j);
     const Index page = u_.strips[j].page;
-    for (std::size_t k = 0; k < 4; ++k) line(SheetLayer::strip, page, c[k], c[(k + 1) % 4]);
+    const auto& run = u_.strip_runs[u_.run_of[j]].joints;
+    const std::size_t place = std::size_t(std::find(run.begin(), run.end(), j) - run.begin());
+    const bool goes_on = place + 1 < run.size() && follows(u_, j, run[place + 1]),
+               went_on = place > 0 && follows(u_, run[place - 1], j);
+    line(SheetLayer::strip, page, c[0], c[1]);
+    if (!goes_on) line(SheetLayer::strip, page, c[1], c[2]);
+    line(SheetLayer::strip, page, c[2], c[3]);
+    if (!went_on) line(SheetLayer::strip, page, c[3], c[0]);
     const Vector2 from = 0.5 * (c[3] + c[0]), to = 0.5 * (c[1] + c[2]);
     line(SheetLayer::strip, page, from, to);
     height = std::min(height, 0.3 * u_.settings.strip_width);
-    if ((to - from).norm() < height) return;
+    if (number_length(j) < height || !has_number(j)) return;
     for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
       text(page, 0.25 * (from + to + c[k] + c[k + 1]), angle_of(to - from), height, number);
   }

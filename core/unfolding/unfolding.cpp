@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "core/base/ids.hpp"
@@ -24,18 +25,36 @@ double strip_length(const FacetGraph& graph, const PaperSettings& settings, Inde
   return settings.scale * graph.edge(edge).length;
 }
 
-std::vector<PackItem> pack_items(const FacetGraph& graph, const PaperSettings& settings,
-                                 const FlatLayout& layout, const std::vector<Joint>& joints) {
+PackItem strip_item(double length, const PaperSettings& settings) {
+  return {{SheetPolygon(strip_shape(length, settings.strip_width), 0)}, false};
+}
+
+/// Runs of strips that fit on a page.
+std::vector<StripRun> runs_of(const FacetGraph& graph, const FlatLayout& layout,
+                              const std::vector<Joint>& joints, const PaperSettings& settings) {
+  const PaperSize room = settings.printable();
+  return strip_runs(graph, layout, joints, settings, std::max(room.width, room.height));
+}
+
+/// The strips of a run end to end.
+void lay_run(const StripRun& run, const PiecePlacement& place, Unfolding& out) {
+  double x = 0;
+  for (const Index j : run.joints) {
+    out.strips[j] = place;
+    out.strips[j].offset = place.apply(Vector2(x, 0));
+    x += strip_length(*out.graph, out.settings, out.joints[j].edge);
+  }
+}
+
+/// Pieces with their tabs, then runs of strips.
+std::vector<PackItem> pack_items(const PaperSettings& settings, const FlatLayout& layout,
+                                 const std::vector<Joint>& joints, const std::vector<StripRun>& runs) {
   std::vector<PackItem> items(layout.pieces.size());
   for (Index f = 0; f < layout.corners.size(); ++f)
     items[layout.piece_of[f]].polygons.emplace_back(layout.corners[f], 0);
   for (const Joint& joint : joints)
     if (joint.tab) items[layout.piece_of[joint.tab->facet]].polygons.emplace_back(joint.tab->corners, 0);
-  for (const Joint& joint : joints)
-    if (!joint.tab) {
-      const auto shape = strip_shape(strip_length(graph, settings, joint.edge), settings.strip_width);
-      items.push_back({{SheetPolygon(shape, 0)}, false});
-    }
+  for (const StripRun& run : runs) items.push_back(strip_item(run.length, settings));
   return items;
 }
 
@@ -43,6 +62,27 @@ PackOptions pack_options(const PaperSettings& settings, std::size_t pieces) {
   PackOptions out{settings.page, settings.margin, settings.gap};
   out.tries = pieces <= 60 ? 12 : (pieces <= 200 ? 3 : 1);
   return out;
+}
+
+/// Puts strips where they are known to lie, and tells of each. Gives those that lie nowhere: whole runs, or
+/// single ones of a run of which others lie somewhere.
+template <class Tell>
+std::vector<StripRun> keep_strips(Unfolding& out, const KnownPlaces& known, Tell&& tell) {
+  std::vector<StripRun> loose;
+  for (const StripRun& run : out.strip_runs) {
+    std::vector<StripRun> single;
+    for (const Index j : run.joints) {
+      if (const auto place = known.strip(out.graph->edge(out.joints[j].edge))) {
+        out.strips[j] = *place;
+        tell(j);
+      } else {
+        single.push_back({{j}, strip_length(*out.graph, out.settings, out.joints[j].edge)});
+      }
+    }
+    if (single.size() == run.joints.size()) single = {run};
+    loose.insert(loose.end(), single.begin(), single.end());
+  }
+  return loose;
 }
 
 /// Known places; the others are packed where there is room.
@@ -58,50 +98,50 @@ void keep_places(Unfolding& out, const FlatLayout& layout, const KnownPlaces& kn
       break;
     }
   }
-  const auto place_rest = [&](bool strips) {
-    std::vector<PackItem> items;
-    std::vector<Index> owners;
-    PackOptions options = pack_options(out.settings, out.pieces.size());
-    options.tries = 1;
-    const auto add = [&](bool has_place, Index owner, PackItem item, const PiecePlacement& placement) {
-      if (!has_place) {
-        items.push_back(std::move(item));
-        owners.push_back(owner);
-        return;
-      }
-      for (const SheetPolygon& polygon : item.polygons) {
-        SheetPolygon moved = polygon;
-        moved.corners = placement.apply(polygon.corners);
-        moved.sheet = placement.page;
-        options.occupied.push_back(moved);
-      }
-    };
-    const std::vector<PackItem> all = pack_items(*out.graph, out.settings, layout, out.joints);
-    for (Index p = 0; p < out.pieces.size(); ++p)
-      add(strips || placed[p], p, all[p], out.pieces[p].placement);
-    std::size_t next = out.pieces.size();
-    for (Index j = 0; j < out.joints.size(); ++j) {
-      if (out.joints[j].tab) continue;
-      const PackItem& item = all[next++];
-      const auto place = known.strip(out.graph->edge(out.joints[j].edge));
-      if (place) out.strips[j] = *place;
-      if (place || strips) add(place.has_value(), j, item, out.strips[j]);
+  const auto moved = [](const PackItem& item, const PiecePlacement& placement, PackOptions& options) {
+    for (const SheetPolygon& polygon : item.polygons) {
+      SheetPolygon there = polygon;
+      there.corners = placement.apply(polygon.corners);
+      there.sheet = placement.page;
+      options.occupied.push_back(there);
     }
-    const Packing packing = pack_pages(items, options);
-    for (std::size_t k = 0; k < items.size(); ++k)
-      (strips ? out.strips[owners[k]] : out.pieces[owners[k]].placement) = packing.placements[k];
   };
-  if (std::find(placed.begin(), placed.end(), 0) != placed.end()) place_rest(false);
-  place_rest(true);
+  const std::vector<PackItem> all = pack_items(out.settings, layout, out.joints, out.strip_runs);
+  PackOptions options = pack_options(out.settings, out.pieces.size());
+  options.tries = 1;
+  const std::vector<StripRun> loose = keep_strips(out, known, [&](Index j) {
+    moved(strip_item(strip_length(*out.graph, out.settings, out.joints[j].edge), out.settings), out.strips[j],
+          options);
+  });
+  std::vector<PackItem> items;
+  std::vector<Index> owners;
+  for (Index p = 0; p < out.pieces.size(); ++p) {
+    if (placed[p]) {
+      moved(all[p], out.pieces[p].placement, options);
+    } else {
+      items.push_back(all[p]);
+      owners.push_back(p);
+    }
+  }
+  if (!items.empty()) {
+    const Packing packing = pack_pages(items, options);
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      out.pieces[owners[k]].placement = packing.placements[k];
+      moved(items[k], packing.placements[k], options);
+    }
+  }
+  items.clear();
+  for (const StripRun& run : loose) items.push_back(strip_item(run.length, out.settings));
+  const Packing packing = pack_pages(items, options);
+  for (std::size_t k = 0; k < items.size(); ++k) lay_run(loose[k], packing.placements[k], out);
 }
 
 void pack_everything(Unfolding& out, const FlatLayout& layout, const CancelToken& cancel) {
-  const Packing packing = pack_pages(pack_items(*out.graph, out.settings, layout, out.joints),
+  const Packing packing = pack_pages(pack_items(out.settings, layout, out.joints, out.strip_runs),
                                      pack_options(out.settings, out.pieces.size()), cancel);
   std::size_t next = 0;
   for (PaperPiece& piece : out.pieces) piece.placement = packing.placements[next++];
-  for (Index j = 0; j < out.joints.size(); ++j)
-    if (!out.joints[j].tab) out.strips[j] = packing.placements[next++];
+  for (const StripRun& run : out.strip_runs) lay_run(run, packing.placements[next++], out);
 }
 
 /// Everything that follows from the placements.
@@ -137,7 +177,8 @@ Candidate judged(const FacetGraph& graph, const PaperSettings& settings,
       std::count_if(joints.begin(), joints.end(), [](const Joint& joint) { return !joint.tab; }));
   PackOptions options = pack_options(settings, out.pieces);
   options.tries = 1;
-  out.pages = pack_pages(pack_items(graph, settings, layout, joints), options, cancel).page_count;
+  const std::vector<StripRun> runs = runs_of(graph, layout, joints, settings);
+  out.pages = pack_pages(pack_items(settings, layout, joints, runs), options, cancel).page_count;
   out.folds = std::move(folds);
   return out;
 }
@@ -251,6 +292,21 @@ std::array<Vector2, 4> strip_corners(const Unfolding& unfolding, Index joint) {
   return unfolding.strips[joint].apply(strip_shape(length, unfolding.settings.strip_width));
 }
 
+Index numbered_as(const Unfolding& unfolding, Index joint) {
+  const Index run = unfolding.run_of[joint];
+  if (run == no_index) return joint;
+  const auto& joints = unfolding.strip_runs[run].joints;
+  return *std::min_element(joints.begin(), joints.end());
+}
+
+bool follows(const Unfolding& unfolding, Index first, Index second) {
+  const PiecePlacement &a = unfolding.strips[first], &b = unfolding.strips[second];
+  const double length = strip_length(*unfolding.graph, unfolding.settings, unfolding.joints[first].edge);
+  constexpr double touching = 1e-6;  // mm
+  return a.page == b.page && (a.apply(Vector2(length, 0)) - b.apply(Vector2(0, 0))).norm() < touching &&
+         std::abs(std::remainder(a.angle - b.angle, 2 * std::numbers::pi)) < 1e-9;
+}
+
 std::vector<SheetPolygon> printed_polygons(const Unfolding& unfolding) {
   std::vector<SheetPolygon> out;
   for (Index f = 0; f < unfolding.corners.size(); ++f)
@@ -307,6 +363,10 @@ Unfolding assemble(std::shared_ptr<const FacetGraph> graph, const PaperSettings&
   FlatLayout layout = lay_out(*out.graph, facet_shapes(*out.graph, settings.scale), out.folds);
   out.joints = find_joints(*out.graph, out.folds, layout, out.tab_choices, settings);
   out.strips.resize(out.joints.size());
+  out.strip_runs = runs_of(*out.graph, layout, out.joints, settings);
+  out.run_of.assign(out.joints.size(), no_index);
+  for (Index r = 0; r < out.strip_runs.size(); ++r)
+    for (const Index j : out.strip_runs[r].joints) out.run_of[j] = r;
   out.piece_of = layout.piece_of;
   out.pieces.resize(layout.pieces.size());
   for (std::size_t p = 0; p < out.pieces.size(); ++p)

@@ -17,6 +17,7 @@
 #include "core/unfolding/glue_tabs.hpp"
 #include "core/unfolding/page_packer.hpp"
 #include "core/unfolding/piece_placement.hpp"
+#include "core/unfolding/strip_runs.hpp"
 
 namespace hariko {
 
@@ -46,6 +47,8 @@ struct Unfolding {
   std::vector<Joint> joints;          ///< tabs: mm on the page of the facet's piece
   std::vector<PiecePlacement>
       strips;  ///< of each joint: where its strip lies; means nothing where it has a tab
+  std::vector<StripRun> strip_runs;  ///< strips of a run are packed end to end, as one
+  std::vector<Index> run_of;         ///< of each joint; no_index where it has a tab
   Index page_count = 0;
 
   Index page_of(Index facet) const { return pieces[piece_of[facet]].placement.page; }
@@ -69,6 +72,11 @@ std::string piece_name(Index piece);
 
 /// Area of all facets over the printable area of all pages; 0 without pages.
 double paper_use(const Unfolding& unfolding);
+/// The joint whose number stands at a joint: its own, or the first one of its run.
+Index numbered_as(const Unfolding& unfolding, Index joint);
+/// The strips of the two joints lie end to end, the second behind the first.
+bool follows(const Unfolding& unfolding, Index first, Index second);
+
 /// Number of joints without a tab.
 std::size_t strip_count(const Unfolding& unfolding);
 

@@ -2,6 +2,11 @@
 
 #include "core/unfolding/unfolding.hpp"
 
+#include <numbers>
+
+#include "core/unfolding/edit_unfolding.hpp"
+#include "core/unfolding/sheet_drawing.hpp"
+
 #include "tests/unfolding/paper.hpp"
 
 namespace hariko::test {
@@ -109,6 +114,53 @@ TEST(Unfolding, SettingsThatMakeNoPageAreRefused) {
   settings = {};
   settings.page.width = -3;
   EXPECT_EQ(unfold(graph, settings, {}).error().code, e_paper_setting);
+}
+
+/// A round can of many narrow sides, closed below, open above.
+PolygonMesh can(Index sides) {
+  PolygonMesh mesh;
+  for (Index k = 0; k < sides; ++k)
+    for (const double z : {0.0, 1.0}) {
+      const double angle = 2 * std::numbers::pi * k / sides;
+      mesh.positions.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  std::vector<Index> bottom;
+  for (Index k = 0; k < sides; ++k) {
+    const Index a = 2 * k, b = 2 * ((k + 1) % sides);
+    mesh.add_face({a, b, b + 1, a + 1});
+    bottom.insert(bottom.begin(), a);
+  }
+  mesh.add_face(bottom);
+  return mesh;
+}
+
+TEST(Unfolding, StripsInARowAreOneLongStrip) {
+  // Sides of 2 mm leave no room for tabs of 2 mm.
+  const PolygonMesh mesh = can(94);
+  PaperSettings settings;
+  settings.scale = 30;
+  const Unfolding model = unfolded(mesh, settings);
+  EXPECT_TRUE(unfolding_messages(model).empty());
+  const std::size_t strips = strip_count(model);
+  ASSERT_GT(strips, 80U);
+  std::size_t joints = 0;
+  for (const StripRun& run : model.strip_runs) {
+    joints += run.joints.size();
+    for (std::size_t k = 0; k + 1 < run.joints.size(); ++k)
+      EXPECT_TRUE(follows(model, run.joints[k], run.joints[k + 1]));
+    for (const Index j : run.joints) EXPECT_EQ(numbered_as(model, j), numbered_as(model, run.joints[0]));
+  }
+  EXPECT_EQ(joints, strips);
+  EXPECT_LT(model.strip_runs.size(), strips / 3);
+  // Printed as one: two long sides and a fold each, two ends a run, and its number.
+  const SheetDrawing drawing = draw_sheets(model);
+  const auto lines = std::count_if(drawing.lines.begin(), drawing.lines.end(),
+                                   [](const DrawnLine& line) { return line.layer == SheetLayer::strip; });
+  EXPECT_EQ(std::size_t(lines), 3 * strips + 2 * model.strip_runs.size());
+  // Kept by a document and by edits.
+  const auto again = with_settings(model, settings);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->strips, model.strips);
 }
 
 TEST(Unfolding, NamesOfPieces) {
