@@ -14,6 +14,8 @@ namespace {
 
 struct PatchMeasures {
   double area = 0, volume = 0, bending = 0;
+  Vector3 moment = Vector3::Zero();  ///< integral of the position over the area
+  Vector3 facing = Vector3::Zero();  ///< integral of the normal over the area
 };
 
 PatchMeasures measure_patch(const PatchSet& patches, Index patch, const DomainRule& rule) {
@@ -24,6 +26,8 @@ PatchMeasures measure_patch(const PatchSet& patches, Index patch, const DomainRu
     const double area = rule.weights[k] * cross.norm();
     sum.area += area;
     sum.volume += rule.weights[k] * point.position.dot(cross) / 3;
+    sum.moment += area * point.position;
+    sum.facing += rule.weights[k] * cross;
     if (const auto at = curvature(point)) sum.bending += area * (at->k1 * at->k1 + at->k2 * at->k2);
   }
   return sum;
@@ -44,11 +48,16 @@ Measures measure(const Surface& surface, const CancelToken& cancel) {
   if (cancel.cancelled()) return out;
 
   double volume = 0;
+  Vector3 moment = Vector3::Zero(), facing = Vector3::Zero();
   for (const PatchMeasures& patch : each) {
     out.area += patch.area;
     out.bending += patch.bending;
     volume += patch.volume;
+    moment += patch.moment;
+    facing += patch.facing;
   }
+  // About the middle: the normals of a closed surface sum to zero, but for what the rule is off.
+  if (out.area > 0) volume -= moment.dot(facing) / (3 * out.area);
   if (Adjacency(surface).closed()) out.volume = volume;
   return out;
 }

@@ -18,8 +18,8 @@ struct Measures {
 
 /// By 10 x 10 Gauss points a patch (`gauss_rule`). Area and volume are good to about 1e-6 of their value,
 /// bending to about 1e-3 on patches whose curvature depends on the direction at corners. Does not depend on
-/// the origin, nor on the number of threads. Points without a normal count nothing. All zero when cancelled.
-/// O(100 patches).
+/// the origin, nor on where the surface is, nor on the number of threads. Points without a normal count
+/// nothing. All zero when cancelled. O(100 patches).
 Measures measure(const Surface& surface, const CancelToken& cancel = {});
 
 }  // namespace hariko

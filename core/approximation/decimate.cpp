@@ -417,6 +417,8 @@ Result<MeshApproximation> decimate(const TriangleMesh& mesh, const MeshOptions& 
   measure(dense, Brightness(options.criteria.luminance_model), options.criteria.luminance.has_value(), out);
   measure_shapes(out);
   out.distance.certified = certified;
+  // Samples are no farther than the certain bound, but for the rounding of their own distances.
+  if (certified) out.distance.largest = std::min(out.distance.largest, bound);
   out.distance.bound = std::max(bound, out.distance.largest);
   for (CriterionErrors* errors : {&out.normal_angle, &out.fold_angle, &out.luminance})
     errors->bound = errors->largest;

@@ -173,10 +173,23 @@ bool start_chosen(const Skin& skin, const PlannedStrip& strip) {
          (strip.a == 0 && !skin.path.closed && skin.sections.front().start_chosen);
 }
 
+/// How far a start is from the nearest one at which points meet points: these are multiples of one step.
+double off_steps(double start, int n, int m) {
+  const double steps = double(std::lcm(std::int64_t(n), std::int64_t(m)));
+  return start - std::round(start * steps) / steps;
+}
+/// Starts that are no farther off are at a multiple, but for rounding.
+bool at_step(double off, int n, int m) {
+  return std::abs(off) * std::max(n, m) < 1e-6;
+}
+
 PairCost strip_cost(const Skin& skin, const SkinPlan& plan, const PlannedStrip& strip) {
   const int n = skin.sections[std::size_t(strip.a)].size(), m = skin.sections[std::size_t(strip.b)].size();
-  if (skin.pleat.cost == MatchCost::parameter || n == 1 || m == 1)
-    return parameter_cost(n, m, plan.closed_sections, strip.match.start - strip.twist);
+  if (skin.pleat.cost == MatchCost::parameter || n == 1 || m == 1) {
+    // Lines of equal cost stay so wherever the skin is.
+    const double start = strip.match.start - strip.twist, off = off_steps(start, n, m);
+    return parameter_cost(n, m, plan.closed_sections, at_step(off, n, m) ? start - off : start);
+  }
   const auto centred = [](std::vector<Vector3> points) {
     Vector3 centre = Vector3::Zero();
     for (const Vector3& p : points) centre += p / double(points.size());
@@ -187,7 +200,11 @@ PairCost strip_cost(const Skin& skin, const SkinPlan& plan, const PlannedStrip& 
     return points;
   };
   const auto a = centred(plan.offsets[std::size_t(strip.a)]), b = centred(plan.offsets[std::size_t(strip.b)]);
-  return [a, b](int i, int j) { return (a[std::size_t(i)] - b[std::size_t(j)]).squaredNorm(); };
+  // Costs that are equal but for the rounding of points far away stay equal.
+  constexpr double grain = 1e-8;
+  return [a, b](int i, int j) {
+    return grain * std::nearbyint((a[std::size_t(i)] - b[std::size_t(j)]).squaredNorm() / grain);
+  };
 }
 
 class Planner {
@@ -244,11 +261,9 @@ class Planner {
     if (sharp(strip.a) || sharp(strip.b) || std::any_of(skin_.links.begin(), skin_.links.end(), drawn) ||
         std::any_of(skin_.merges.begin(), skin_.merges.end(), drawn))
       return 0;
-    // Points meet points at multiples of one step.
     const int n = section(strip.a).size(), m = section(strip.b).size();
-    const double steps = double(std::lcm(std::int64_t(n), std::int64_t(m)));
-    const double rest = strip.match.start - std::round(strip.match.start * steps) / steps;
-    return std::abs(rest) * std::max(n, m) < 1e-6 ? 0 : rest;
+    const double off = off_steps(strip.match.start, n, m);
+    return at_step(off, n, m) ? 0 : off;
   }
   /// Matched by shape, lines may join other points than the nearest parameters do; then they run straight.
   void keep_twist_of_nearest(PlannedStrip& strip) const {
