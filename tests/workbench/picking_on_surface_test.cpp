@@ -113,9 +113,10 @@ TEST_F(PickingOnSurface, TheCurveIsTheEdge) {
   DisplaySettings display = editor.active_object()->display;
   display.surface = false;
   editor.commit(set_display(editor.history.current(), editor.selection.active, display), "Hide surface");
+  editor.selecting.through = true;  // faces of the polyhedron may lie before it
   bench.frame();
   click(line);
-  EXPECT_EQ(editor.selection.of_active().edges, std::set<EdgeId>{id});
+  EXPECT_TRUE(editor.selection.of_active().edges.contains(id));
 }
 
 TEST_F(PickingOnSurface, DoubleClicksAndBoxesActOnCurves) {

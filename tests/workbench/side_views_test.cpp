@@ -31,7 +31,7 @@ class SideViews : public ::testing::Test {
   std::size_t box_all() {
     run("select.box");
     const PanelRect rect = bench.workbench().viewport().rect();
-    bench.move(double(rect.min.x) + 60, double(rect.min.y) + 60);
+    bench.move(double(rect.min.x) + 10, double(rect.min.y) + 45);
     bench.press();
     bench.move(double(rect.max.x) - 5, double(rect.max.y) - 20);
     bench.release();
