@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
+#include <string_view>
 
 #include "core/document/edit_attachments.hpp"
 #include "core/document/edit_support.hpp"
@@ -187,7 +189,7 @@ Result<Added> duplicate_object(const Document& document, ObjectId object) {
   if (!has_room(document, 1)) return too_many_objects();
   Object copy = **original;
   copy.id = document.next_object_id;
-  copy.name = detail::name_with(copy.name, " copy");
+  copy.name = free_name(document, copy.name);
   copy.locked = false;
   if (copy.polyhedron()) copy.source = frozen_source(**original, document.objects);
   Added added{document, copy.id};
@@ -195,6 +197,19 @@ Result<Added> duplicate_object(const Document& document, ObjectId object) {
                                 std::make_shared<const Object>(std::move(copy)));
   ++added.document.next_object_id.value;
   return added;
+}
+
+std::string free_name(const Document& document, const std::string& name) {
+  std::set<std::string_view> taken;
+  for (const auto& object : document.objects) taken.insert(object->name);
+  if (!taken.contains(name)) return name;
+  const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+  const bool numbered = digits < name.size() && digits > 1 && name[digits - 1] == ' ';
+  const std::string base = numbered ? name.substr(0, digits - 1) : name;
+  for (std::size_t number = 2;; ++number) {
+    std::string candidate = detail::name_with(base, " " + std::to_string(number));
+    if (!taken.contains(candidate)) return candidate;
+  }
 }
 
 Result<Document> rename_object(const Document& document, ObjectId object, std::string name) {

@@ -40,6 +40,11 @@ Result<Document> reorder_objects(const Document& document, std::span<const Objec
 /// "<name> copy", and is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
 Result<Added> duplicate_object(const Document& document, ObjectId object);
 
+/// The name itself where no object has it, else it with the least number that is free: "Box", "Box 2", "Box
+/// 3". A number that it ends with counts as one: of "Box 2" the next is "Box 3". Not longer than
+/// Object::max_name_length. O(objects).
+std::string free_name(const Document& document, const std::string& name);
+
 /// Errors: E_UNKNOWN_OBJECT, E_NAME_EMPTY, E_NAME_INVALID.
 Result<Document> rename_object(const Document& document, ObjectId object, std::string name);
 
