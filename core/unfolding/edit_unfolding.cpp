@@ -61,13 +61,13 @@ Unfolding with_placement(const Unfolding& unfolding, Index piece, const PiecePla
   return out;
 }
 
-struct Box {
+struct PieceBox {
   Vector2 low = Vector2::Constant(1e300), high = Vector2::Constant(-1e300);
 };
 
-Box box_of(const Unfolding& unfolding, Index piece, double angle) {
+PieceBox box_of(const Unfolding& unfolding, Index piece, double angle) {
   const PiecePlacement turn{0, angle, Vector2::Zero()};
-  Box out;
+  PieceBox out;
   for (const Index facet : unfolding.pieces[piece].facets)
     for (const Vector2& corner : unfolding.corners[facet]) {
       const Vector2 p = turn.apply(corner);
@@ -131,6 +131,18 @@ Result<Unfolding> split_at(const Unfolding& unfolding, Index e) {
                   unfolding.tab_choices, places_in(unfolding));
 }
 
+Result<Unfolding> split_aside(const Unfolding& unfolding, Index e) {
+  auto split = split_at(unfolding, e);
+  if (!split) return split;
+  const FacetEdge& edge = unfolding.graph->edge(e);
+  const auto facets = [&](std::size_t k) {
+    return split->pieces[split->piece_of[edge.facets[k]]].facets.size();
+  };
+  const Index smaller = split->piece_of[edge.facets[facets(0) < facets(1) ? 0 : 1]];
+  return assemble(split->graph, split->settings, split->folds, split->wishes, split->tab_choices,
+                  places_in(*split, smaller));
+}
+
 Unfolding move_piece(const Unfolding& unfolding, Index piece, Index page, const Vector2& shift) {
   PiecePlacement placement = unfolding.pieces[piece].placement;
   placement.page = page;
@@ -139,7 +151,7 @@ Unfolding move_piece(const Unfolding& unfolding, Index piece, Index page, const 
 }
 
 Unfolding turn_piece(const Unfolding& unfolding, Index piece, double angle) {
-  const Box box = box_of(unfolding, piece, 0);
+  const PieceBox box = box_of(unfolding, piece, 0);
   return with_placement(unfolding, piece,
                         unfolding.pieces[piece].placement.turned(angle, 0.5 * (box.low + box.high)));
 }
@@ -150,7 +162,7 @@ Unfolding straighten_piece(const Unfolding& unfolding, Index piece) {
   double best_angle = 0, best_area = 1e300;
   const auto consider = [&](double angle) {
     angle = std::remainder(angle, pi / 2);
-    const Box box = box_of(unfolding, piece, angle);
+    const PieceBox box = box_of(unfolding, piece, angle);
     const double area = (box.high.x() - box.low.x()) * (box.high.y() - box.low.y());
     const bool better = area < best_area * (1 - 1e-9);
     if (!better && !(area <= best_area * (1 + 1e-9) && std::abs(angle) < std::abs(best_angle))) return;

@@ -21,6 +21,9 @@ Result<Unfolding> join_at(const Unfolding& unfolding, Index edge);
 /// E_INSIDE_FACE (flat faces stay whole).
 Result<Unfolding> split_at(const Unfolding& unfolding, Index edge);
 
+/// The same, and the smaller part goes where there is room for it. Errors: those of `split_at`.
+Result<Unfolding> split_aside(const Unfolding& unfolding, Index edge);
+
 /// The piece, with its tabs, on this page, shifted by `shift` (mm).
 Unfolding move_piece(const Unfolding& unfolding, Index piece, Index page, const Vector2& shift);
 /// Counter-clockwise by `angle` (radians) round the middle of its box.

@@ -32,7 +32,7 @@ struct Bitmap {
   }
 };
 
-struct Box {
+struct ItemBox {
   Vector2 low = Vector2::Constant(1e300), high = Vector2::Constant(-1e300);
   void add(const Vector2& p) {
     low = low.cwiseMin(p);
@@ -166,7 +166,7 @@ class Packer {
   std::optional<Turned> turn(const PackItem& item, double angle) const {
     const PiecePlacement rotation{0, angle, Vector2::Zero()};
     std::vector<std::vector<Vector2>> polygons;
-    Box box;
+    ItemBox box;
     for (const SheetPolygon& polygon : item.polygons) {
       polygons.emplace_back();
       for (const Vector2& p : polygon.span()) {
@@ -198,7 +198,7 @@ class Packer {
 
   /// Every cell that the polygon comes nearer than `reach` to, and some more.
   void mark(Bitmap& cells, const std::vector<Vector2>& polygon, double reach) const {
-    Box box;
+    ItemBox box;
     for (const Vector2& p : polygon) box.add(p);
     const auto column = [&](double x) {
       return std::clamp(static_cast<int>(std::floor(x / cell_.x())), 0, cells.width - 1);
@@ -240,7 +240,7 @@ class Packer {
     while (pages_.size() <= polygon.sheet) pages_.emplace_back(columns_, rows_);
     const double half = options_.gap / 2;
     std::vector<Vector2> corners;
-    Box box;
+    ItemBox box;
     for (const Vector2& p : polygon.span()) {
       corners.push_back(p + Vector2::Constant(half - options_.margin));
       box.add(corners.back());
@@ -296,7 +296,7 @@ class Packer {
   }
 
   PiecePlacement centred(Index item, Index page) const {
-    Box box;
+    ItemBox box;
     for (const SheetPolygon& polygon : items_[item].polygons)
       for (const Vector2& p : polygon.span()) box.add(p);
     const Vector2 centre(0.5 * options_.page.width, 0.5 * options_.page.height);

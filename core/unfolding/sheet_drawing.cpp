@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "core/unfolding/label_places.hpp"
 
 namespace hariko {
 
@@ -38,6 +41,8 @@ class Draftsman {
     }
     for (Index j = 0; j < u_.joints.size(); ++j) joint(j);
     for (Index p = 0; p < u_.pieces.size(); ++p) name(p);
+    for (DrawnText& label : place_labels(labels_, out_.texts))
+      text(label.page, label.centre, label.angle, label.height, std::move(label.text));
     for (Index page = 0; page < u_.page_count; ++page) furnish(page);
     if (u_.settings.inside) mirror();
     return std::move(out_);
@@ -61,6 +66,13 @@ class Draftsman {
   }
   void text(Index page, const Vector2& centre, double angle, double height, std::string words) {
     out_.texts.push_back({page, centre, upright(angle), height, std::move(words)});
+  }
+
+  void label(const Side& at, double inset, double height, std::string words, std::vector<Vector2> within) {
+    labels_.push_back({at.page, at.from, at.to, inset, height, std::move(words), std::move(within)});
+  }
+  std::vector<Vector2> polygon_of(Index facet) const {
+    return {u_.corners[facet].begin(), u_.corners[facet].end()};
   }
 
   /// Whole where its facets lie together, else facet by facet.
@@ -108,8 +120,7 @@ class Draftsman {
     const double length = (at.to - at.from).norm(), height = label_height(length);
     if (length < 6 * height) return;
     const auto degrees = std::lround(std::abs(edge.fold_angle) * 180 / pi);
-    text(at.page, 0.5 * (at.from + at.to) + 0.9 * height * at.inward(), angle_of(at.along()), 0.8 * height,
-         std::to_string(degrees));
+    label(at, 0.9 * height, 0.8 * height, std::to_string(degrees), polygon_of(at.facet));
   }
 
   void cut_side(Index e, std::size_t k) {
@@ -144,12 +155,11 @@ class Draftsman {
         line(SheetLayer::cut, at.page, at.from, at.to);
       // In a flat triangle the number stands where it is still wide.
       const double inset = std::min(0.9 * height, 0.33 * depth(at));
-      if (labelled)
-        text(at.page, 0.5 * (at.from + at.to) + inset * at.inward(), angle_of(at.along()), height, number);
+      if (labelled) label(at, inset, height, number, polygon_of(at.facet));
       if (labelled && has_tab) {
-        const double tab_text = std::min(height, 0.7 * joint.tab->height);
-        text(at.page, 0.5 * (at.from + at.to) - 0.5 * joint.tab->height * at.inward(), angle_of(at.along()),
-             tab_text, number);
+        const auto& c = joint.tab->corners;
+        label(at, -0.5 * joint.tab->height, std::min(height, 0.7 * joint.tab->height), number,
+              {c.begin(), c.end()});
       }
     }
     if (!joint.tab) strip(j, number, height);
@@ -169,8 +179,12 @@ class Draftsman {
     line(SheetLayer::strip, page, from, to);
     height = std::min(height, 0.3 * u_.settings.strip_width);
     if ((to - from).norm() < height) return;
-    for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
-      text(page, 0.25 * (from + to + c[k] + c[k + 1]), angle_of(to - from), height, number);
+    for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
+      const Side half{no_index, page, c[k], c[k + 1]};
+      const Vector2 inner = 0.5 * (from + to) - 0.5 * (c[k] + c[k + 1]);
+      const Vector2 &a = c[k], &b = c[k + 1];
+      label(half, 0.5 * inner.dot(half.inward()), height, number, {a, b, b + inner, a + inner});
+    }
   }
 
   void name(Index p) {
@@ -234,6 +248,7 @@ class Draftsman {
   const Unfolding& u_;
   const FacetGraph& graph_;
   SheetDrawing out_;
+  std::vector<SideLabel> labels_;
 };
 
 }  // namespace

@@ -10,9 +10,9 @@ namespace hariko {
 
 namespace {
 
-struct Box {
+struct PolygonBox {
   Vector2 low, high;
-  explicit Box(const SheetPolygon& polygon) : low(polygon.corners[0]), high(polygon.corners[0]) {
+  explicit PolygonBox(const SheetPolygon& polygon) : low(polygon.corners[0]), high(polygon.corners[0]) {
     for (const Vector2& corner : polygon.span()) {
       low = low.cwiseMin(corner);
       high = high.cwiseMax(corner);
@@ -24,7 +24,7 @@ struct Box {
 
 std::vector<std::pair<Index, Index>> overlapping_pairs(std::span<const SheetPolygon> polygons,
                                                        double tolerance) {
-  std::vector<Box> boxes;
+  std::vector<PolygonBox> boxes;
   boxes.reserve(polygons.size());
   for (const SheetPolygon& polygon : polygons) boxes.emplace_back(polygon);
   std::vector<Index> order(polygons.size());

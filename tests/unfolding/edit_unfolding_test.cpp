@@ -139,6 +139,30 @@ TEST(EditUnfolding, TheTabGoesWhereItIsWanted) {
   }
 }
 
+/// A part that was split off goes where it covers nothing, and the rest stays.
+TEST(EditUnfolding, SplitAsideLeavesNoOverlaps) {
+  for_random(52, 4, [&](std::mt19937_64& rng) {
+    Unfolding model = model_of(torus_facets(10, 6), 150);
+    ASSERT_TRUE(overlaps_of(model).empty());
+    for (int step = 0; step < 5; ++step) {
+      const Index e = some_edge(rng, model, true);
+      if (e == no_index) return;
+      const Unfolding before = model;
+      model = split_aside(model, e).value();
+      EXPECT_EQ(model.pieces.size(), before.pieces.size() + 1);
+      EXPECT_TRUE(overlaps_of(model).empty()) << step;
+      EXPECT_TRUE(pieces_off_page(model).empty()) << step;
+      const FacetEdge& edge = model.graph->edge(e);
+      const auto facets = [&](std::size_t k) {
+        return model.pieces[model.piece_of[edge.facets[k]]].facets.size();
+      };
+      const Index larger = edge.facets[facets(0) < facets(1) ? 1 : 0];
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_LT((model.corners[larger][k] - before.corners[larger][k]).norm(), 1e-9);
+    }
+  });
+}
+
 TEST(EditUnfolding, SplitToFitBreaksUpOnePiece) {
   PolygonMesh mesh = sheet_facets(
       10, [](double x, double) { return 0.1 * x * x; }, [](int, int, int) { return false; });

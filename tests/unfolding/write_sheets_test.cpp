@@ -1,6 +1,8 @@
 // What files say: layout, layers, words; and that other programs draw the page as we describe it.
 
 #include "core/unfolding/write_sheets.hpp"
+#include "core/unfolding/convex_overlap.hpp"
+#include "core/unfolding/label_places.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -87,6 +89,24 @@ TEST(WriteSheets, EveryJointIsNumberedOnBothSidesAndOnTheTab) {
   for (const DrawnText& text : drawing.texts) {
     if (text.text != "1") continue;
     EXPECT_TRUE(text.centre.x() > 0 && text.centre.x() < 210 && text.centre.y() > 0 && text.centre.y() < 297);
+  }
+}
+
+/// No number covers another one, however narrow the facets are.
+TEST(WriteSheets, NumbersNeverCollide) {
+  for (const double size : {60.0, 120.0, 250.0}) {
+    PaperSettings settings;
+    const PolygonMesh mesh = torus_facets(16, 8);
+    settings.scale = scale_for(mesh, 0, size);
+    settings.fold_angles = true;
+    const SheetDrawing drawing = draw_sheets(unfold(shared_graph(mesh), settings, {.steps = 2000}).value());
+    std::size_t collisions = 0;
+    for (std::size_t i = 0; i < drawing.texts.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const DrawnText &a = drawing.texts[i], &b = drawing.texts[k];
+        if (a.page == b.page && overlaps(box_of(a), box_of(b), 0)) ++collisions;
+      }
+    EXPECT_EQ(collisions, 0U) << size << ", of " << drawing.texts.size();
   }
 }
 
