@@ -50,6 +50,21 @@ std::string repair_text(const Language& tr, const RepairReport& report) {
   return text;
 }
 
+void ask_about_dense_mesh(Editor& editor, Workbench& workbench, const std::filesystem::path& path,
+                          const std::shared_ptr<const OpenedFile>& opened,
+                          std::function<void(const Document&)> accept) {
+  if (opened->dense_faces == 0 || !opened->reference) return accept(*opened->document);
+  const Language& tr = editor.language;
+  workbench.ask(
+      {tr("A mesh of many faces"),
+       fill(tr("{0} has {1} faces. Reference facets show at once, to be traced and measured. As a cage "
+               "each face becomes a curved patch, which takes long and is hard to edit."),
+            {shortened(path.filename().string(), 200), std::to_string(opened->dense_faces)}),
+       {{tr("Open as reference facets"), "reference", [opened, accept] { accept(*opened->reference); }},
+        {tr("Open as a cage"), "cage", [opened, accept] { accept(*opened->document); }},
+        {tr("Cancel"), "cancel", {}}}});
+}
+
 void ask_about_broken_mesh(Editor& editor, Workbench& workbench, const std::filesystem::path& path,
                            const std::shared_ptr<const OpenedFile>& opened,
                            std::function<void(const Document&, const std::string& note)> accept) {

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/broken_mesh.hpp"
+#include "app/files/file_names.hpp"
+#include "app/files/prepare_meshes.hpp"
 #include "core/base/printable.hpp"
 #include "core/base/temporary_files.hpp"
 #include "core/document/file.hpp"
@@ -21,17 +23,6 @@ namespace {
 std::int64_t unix_seconds() {
   using namespace std::chrono;
   return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
-}
-
-/// Recovery copies, recent files and locks must not depend on the working folder.
-fs::path full_path(const fs::path& path) {
-  std::error_code error;
-  fs::path full = fs::absolute(path, error);
-  return error ? path : full.lexically_normal();
-}
-
-std::string name_of(const fs::path& path) {
-  return shortened(path.filename().string(), 200);
 }
 
 /// "ada on studio-3", as far as the lock says.
@@ -84,8 +75,8 @@ void DocumentSession::open(const fs::path& given, const JoinChoice& join) {
   const fs::path path = full_path(given);
   background_.run_cancellable(
       fill(translatable("Opening {0}"), {name_of(path)}),
-      [path, join, samples = samples_, own = lock_.held() ? lock_.path() : fs::path()](
-          const CancelToken& cancel, const Progress& progress) {
+      [path, join, choice = editor_.mesh_import, samples = samples_,
+       own = lock_.held() ? lock_.path() : fs::path()](const CancelToken& cancel, const Progress& progress) {
         auto opened = std::make_shared<Opened>();
         opened->path = path;
         std::error_code unknown;  // where one of them does not exist they are not the same
@@ -94,6 +85,7 @@ void DocumentSession::open(const fs::path& given, const JoinChoice& join) {
         (void)remove_stale_temporaries(path.parent_path());
         opened->stamp = stamp_of(path);
         opened->file = open_file(path, cancel, progress, join);
+        prepare_meshes(opened->file, choice);
         if (!opened->file.native || !opened->file.document || opened->sample) return opened;
         const fs::path lock = lock_path_of(path);
         opened->own_lock = lock == own;
@@ -105,6 +97,7 @@ void DocumentSession::open(const fs::path& given, const JoinChoice& join) {
         if (!opened->file.document) return editor_.notify(*opened->file.error());
         if (opened->file.cleaned.near > 0 && !join.near) return ask_about_corners(opened);
         if (opened->attempt.outcome == Outcome::taken) return ask_about_lock(opened);
+        if (opened->file.dense_faces > 0) return ask_about_density(opened);
         install(opened, opened->sample ? Mode::copy : Mode::normal);
       });
 }
@@ -126,7 +119,15 @@ void DocumentSession::ask_about_corners(const std::shared_ptr<Opened>& opened) {
   workbench_.ask(join_request(
       editor_.language, name_of(opened->path), opened->file.cleaned, opened->file.document->unit,
       [this, path = opened->path](const JoinChoice& chosen) { open(path, chosen); },
-      [this, opened] { install(opened, Mode::normal); }));
+      [this, opened] { ask_about_density(opened); }));
+}
+
+void DocumentSession::ask_about_density(const std::shared_ptr<Opened>& opened) {
+  const auto take = [this, opened](const Document& document) {
+    opened->file.document = Document(document);
+    install(opened, Mode::normal);
+  };
+  ask_about_dense_mesh(editor_, workbench_, opened->path, {opened, &opened->file}, take);
 }
 
 void DocumentSession::ask_about_lock(const std::shared_ptr<Opened>& opened) {
@@ -348,17 +349,20 @@ void DocumentSession::end() {
 
 void DocumentSession::find_offers(Pictures& pictures) {
   pictures_ = &pictures;
-  background_.run(
-      {}, [this](const CancelToken&) { return recent_.load(); },
-      [this](const std::vector<RecentEntry>& entries) { show_recent(entries); });
+  // Reading them takes time, and nothing is to move under the pointer then.
+  workbench_.offers().recovery_places = recovery_.candidates(unix_seconds());
   background_.run(
       {}, [this](const CancelToken&) { return recovery_.leftovers(unix_seconds()); },
       [this](const std::vector<Leftover>& leftovers) { show_leftovers(leftovers); });
+  background_.run(
+      {}, [this](const CancelToken&) { return recent_.load(); },
+      [this](const std::vector<RecentEntry>& entries) { show_recent(entries); });
 }
 
 void DocumentSession::show_leftovers(const std::vector<Leftover>& leftovers) {
   auto& offers = workbench_.offers().recoveries;
   offers.clear();
+  workbench_.offers().recoveries_known = true;
   for (const Leftover& leftover : leftovers) {
     RecoveryOffer offer;
     offer.id = leftover.id;
@@ -447,6 +451,7 @@ void DocumentSession::finish_recovery(const std::string& id, Recovered& recovere
   autosaver_.adopt(std::move(*recovered.slot),
                    {recovered.copy->document, {document_, editor_.history.serial()}, note});
   std::erase_if(workbench_.offers().recoveries, [&](const RecoveryOffer& offer) { return offer.id == id; });
+  workbench_.offers().recovery_places = 0;
   if (in_use)
     editor_.notify(Notice::Kind::warning,
                    fill(tr("{0} is open in another window: the recovered work has no file yet."),

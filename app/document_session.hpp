@@ -76,6 +76,7 @@ class DocumentSession {
   void ask_about_lock(const std::shared_ptr<Opened>& opened);
   void warn_about_lock(const std::filesystem::path& path, const FileLock::Attempt& attempt);
   void ask_about_mesh(const std::shared_ptr<Opened>& opened);
+  void ask_about_density(const std::shared_ptr<Opened>& opened);
   void ask_about_corners(const std::shared_ptr<Opened>& opened);
   void start_save(const std::filesystem::path& path, std::function<void()> then, bool overwrite);
   void finish_save(Saved& saved, const std::function<void()>& then);

@@ -9,6 +9,7 @@
 #include "app/export_triangles.hpp"
 #include "app/files/export_cad.hpp"
 #include "app/files/left_out.hpp"
+#include "app/files/prepare_meshes.hpp"
 #include "app/files/sheet_file.hpp"
 #include "core/document/convert_unit.hpp"
 #include "core/document/edit_objects.hpp"
@@ -26,20 +27,25 @@ void ExchangeJobs::warn(const std::vector<Message>& warnings) {
 void ExchangeJobs::import_file(const std::filesystem::path& path, const JoinChoice& join) {
   work_.run_cancellable(
       fill(translatable("Importing {0}"), {path.filename().string()}),
-      [path, join](const CancelToken& cancel, const Progress& progress) {
-        return open_file(path, cancel, progress, join);
+      [path, join, choice = editor_.mesh_import](const CancelToken& cancel, const Progress& progress) {
+        OpenedFile opened = open_file(path, cancel, progress, join);
+        prepare_meshes(opened, choice);
+        return opened;
       },
       [this, path, join](const OpenedFile& opened) {
+        const auto take = [this, path, opened] {
+          ask_about_dense_mesh(editor_, workbench_, path, std::make_shared<const OpenedFile>(opened),
+                               [this, path, opened](const Document& document) {
+                                 add_imported(path, document, opened.says_unit, opened.messages);
+                               });
+        };
         if (opened.document && opened.cleaned.near > 0 && !join.near) {
           log_("near_corners", path);
-          const auto add = [this, path, opened] {
-            add_imported(path, *opened.document, opened.says_unit, opened.messages);
-          };
           return workbench_.ask(join_request(
               editor_.language, path.filename().string(), opened.cleaned, opened.document->unit,
-              [this, path](const JoinChoice& chosen) { import_file(path, chosen); }, add));
+              [this, path](const JoinChoice& chosen) { import_file(path, chosen); }, take));
         }
-        if (opened.document) return add_imported(path, *opened.document, opened.says_unit, opened.messages);
+        if (opened.document) return take();
         if (!opened.broken_mesh) return editor_.notify(*opened.error());
         log_("broken", path);
         ask_about_broken_mesh(

@@ -273,6 +273,7 @@ OpenedFile open_file(const std::filesystem::path& file, const CancelToken& cance
   opened.name = printable(file.stem().string(), Object::max_name_length);
   if (!check_name(opened.name).ok()) opened.name = "mesh";
   if (format_of_extension(file)) {
+    opened.meshes = true;
     open_mesh(file, cancel, progress, join, opened);
     return cancel.cancelled() ? cancelled_file() : std::move(opened);
   }

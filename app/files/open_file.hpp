@@ -25,7 +25,9 @@ struct OpenedFile {
   RepairReport repair;  ///< how `repaired` was made
   CleanReport cleaned;  ///< what was done to the meshes at once; the messages tell of it
   std::string name;     ///< of the object that a mesh file makes: as the file says, else after the file
-  bool native = false;  ///< a *.hariko document, so that saving may go back to the same file
+  bool meshes = false;  ///< a mesh file, whose polyhedra were not made here
+  std::size_t dense_faces = 0;  ///< of the densest mesh, where it is to be asked what it becomes; else 0
+  bool native = false;          ///< a *.hariko document, so that saving may go back to the same file
   /// The file says the unit of its lengths: the documents have it, or millimetres.
   bool says_unit = false;
 

@@ -1,0 +1,24 @@
+#pragma once
+
+// Names of files as sessions use and show them.
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/printable.hpp"
+
+namespace hariko {
+
+/// Recovery copies, recent files and locks must not depend on the working folder.
+inline std::filesystem::path full_path(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path full = std::filesystem::absolute(path, error);
+  return error ? path : full.lexically_normal();
+}
+
+/// For sentences.
+inline std::string name_of(const std::filesystem::path& path) {
+  return shortened(path.filename().string(), 200);
+}
+
+}  // namespace hariko
