@@ -42,6 +42,7 @@ void InterfaceText::collect_names(const Editor& editor, const Offers& offers) {
 void InterfaceText::update(Editor& editor, const Offers& offers, GlWindow& window) {
   choose(editor);
   collect_names(editor, offers);
+  of_names_.insert(editor.shown_characters().begin(), editor.shown_characters().end());
   for (const char32_t point : window.take_typed())
     if (needs_japanese_font(point)) of_names_.insert(point);
   FontRequest request;

@@ -121,6 +121,15 @@ Result<RecoverySlot> RecoveryStore::adopt(const std::string& id, std::int64_t no
   return RecoverySlot(folder, std::move(attempt.lock));
 }
 
+std::size_t RecoveryStore::candidates(std::int64_t now) const {
+  std::size_t count = 0;
+  std::error_code error;
+  for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error))
+    if (std::error_code unknown; it->is_directory(unknown) && adopt(it->path().filename().string(), now).ok())
+      ++count;
+  return count;
+}
+
 std::vector<Leftover> RecoveryStore::leftovers(std::int64_t now) const {
   std::vector<Leftover> found;
   std::vector<fs::path> folders;

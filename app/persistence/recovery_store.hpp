@@ -60,6 +60,8 @@ class RecoveryStore {
   /// What ended sessions left, latest first. Reads the copies, and removes those whose document is what the
   /// original file holds: nothing of them is lost.
   std::vector<Leftover> leftovers(std::int64_t now) const;
+  /// How many sessions may have left something: quick, as nothing is read.
+  std::size_t candidates(std::int64_t now) const;
   /// Takes over a leftover: it stays on disk until it is cleared. Errors: E_RECOVERY_TAKEN,
   /// E_RECOVERY_FOLDER, E_NO_RECOVERY when it is gone.
   Result<RecoverySlot> adopt(const std::string& id, std::int64_t now) const;

@@ -55,6 +55,7 @@ void visit(AnySettings& s, Visitor& visitor) {
   visitor.number("autosave_seconds", s.autosave_seconds, 1, Settings::most_autosave_seconds);
   visitor.texts("keys", s.keys);
   visitor.number("side_width", s.side_width, 100, 2000);
+  visitor.number("objects_height", s.objects_height, 0, 4000);
 }
 
 /// What the dialog that exports triangles keeps; lengths are the document's.

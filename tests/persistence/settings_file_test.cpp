@@ -31,6 +31,7 @@ Settings unusual() {
   settings.autosave_seconds = 7;
   settings.keys = {{"view.frame_all", "F9"}, {"edit.undo", ""}};
   settings.side_width = 401;
+  settings.objects_height = 333;
   return settings;
 }
 
