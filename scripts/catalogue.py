@@ -38,7 +38,7 @@ ALLOWED = {
 UNSEEN = {"app/main.cpp", "app/crash_report.cpp", "app/test_log.cpp", "app/replay.cpp", "ui/key_chord.cpp"}
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",
-          "begin_panel", "OpenPopup", "BeginPopup", "IsPopupOpen", "BeginChild"}
+          "begin_panel", "FindWindowByName", "OpenPopup", "BeginPopup", "IsPopupOpen", "BeginChild"}
 MARKING = {"tr", "language", "language_", "translatable", "phrase"}
 IMGUI_TEXT = re.compile(
     r"^(Text|TextUnformatted|TextDisabled|TextColored|TextWrapped|BulletText|LabelText|Button|SmallButton|Checkbox|"

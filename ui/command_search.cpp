@@ -9,13 +9,16 @@ namespace hariko {
 
 namespace {
 
-constexpr double of_menu = 0.6, of_help = 0.4, of_english = 0.95;
+constexpr double of_menu = 0.6, of_english = 0.95;
+/// Below all that a label gives.
+constexpr double in_help = 2;
 
 double score_in(const Command& command, std::string_view query, const std::string& label,
                 const std::string& path, const std::string& help) {
   // "view top": words of menu and label together.
   const double both = fuzzy_score(query, path + " " + label);
-  return std::max({fuzzy_score(query, label), both * of_menu, fuzzy_score(query, help) * of_help,
+  // A sentence has many letters: only whole words of it mean something.
+  return std::max({fuzzy_score(query, label), both * of_menu, holds_words(query, help) ? in_help : 0,
                    command.keys.empty() ? 0 : (query == command.keys ? 20.0 : 0.0)});
 }
 

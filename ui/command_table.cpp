@@ -62,6 +62,7 @@ void CommandTable::show_in(Context contexts, std::initializer_list<std::string_v
 std::vector<std::string> CommandTable::menus() const {
   std::vector<std::string> menus;
   for (const Command& command : commands_) {
+    if (!command.in_menu) continue;
     const std::string menu = command.menu.substr(0, command.menu.find('/'));
     if (!menu.empty() && std::find(menus.begin(), menus.end(), menu) == menus.end()) menus.push_back(menu);
   }

@@ -47,6 +47,8 @@ struct Command {
   std::function<bool()> checked = {};
   Context contexts = Context::none;  ///< the context menus it stands in
   std::string default_keys = {};     ///< filled in by the table
+  /// Whether it stands in a menu; otherwise `menu` tells the palette where what it is about stands.
+  bool in_menu = true;
 };
 
 /// An entry of a key file that could not be used as it stands.

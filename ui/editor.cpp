@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/edit_solids.hpp"
+#include "ui/fonts.hpp"
 #include "ui/outlines.hpp"
 #include "ui/skin_view.hpp"
 
@@ -134,6 +135,8 @@ void Editor::go_to_step(std::size_t position) {
 
 void Editor::show(Notice notice) {
   constexpr std::size_t most = 4;
+  show_text(notice.text);
+  show_text(notice.remedy);
   std::erase_if(notices_, [&](const Notice& shown) { return shown.text == notice.text; });
   notices_.push_back(std::move(notice));
   if (notices_.size() > most) notices_.pop_front();
@@ -153,6 +156,13 @@ void Editor::notify(const Message& message) {
   show({kind, language.text_of(message), language.remedy_of(message), now});
 }
 
+void Editor::show_text(std::string_view text) {
+  if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
+    return;
+  for (const char32_t point : code_points(text))
+    if (needs_japanese_font(point)) shown_characters_.insert(point);
+}
+
 bool Editor::notices_expire() const {
   return cursor_note.has_value() || std::any_of(notices_.begin(), notices_.end(), [](const Notice& notice) {
            return notice.kind == Notice::Kind::info;
@@ -160,13 +170,24 @@ bool Editor::notices_expire() const {
 }
 
 void Editor::frame_all(bool at_once) {
-  const Camera framed = layout.active_view().goal().frame(visible_box(), viewport);
+  const Camera framed = framed_all(layout.active_view().goal(), viewport);
   at_once ? set_camera(framed) : fly_to(framed);
 }
 
 void Editor::frame_at_once(int number, PixelSize size) {
   View& framed = layout.views[static_cast<std::size_t>(number)];
-  framed.set(framed.goal().frame(visible_box(), size));
+  framed.set(framed_all(framed.goal(), size));
+}
+
+Camera Editor::framed_all(const Camera& camera, PixelSize size) const {
+  const Box3 box = visible_box();
+  if (!box.isEmpty()) return camera.frame(box, size);
+  // Room for what a designer begins with.
+  constexpr double empty_height = 300;  // mm
+  Camera empty = camera;
+  empty.target.setZero();
+  empty.distance *= empty_height / millimetres_per(document().unit) / camera.view_height();
+  return empty;
 }
 
 Box3 Editor::selected_box() const {

@@ -8,11 +8,14 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "core/document/edits.hpp"
 #include "core/document/history.hpp"
 #include "core/document/object_box.hpp"
+#include "core/exchange/mesh_import.hpp"
 #include "render/scene.hpp"
 #include "ui/frame_times.hpp"
 #include "ui/guide.hpp"
@@ -94,6 +97,7 @@ class Editor {
   Language language;                       ///< the catalogue of settings.language
   LastOperation last_operation;
   Meshing meshing;
+  MeshImport mesh_import;
   PaperState paper;
 
   /// False while the start page shows.
@@ -153,6 +157,10 @@ class Editor {
   std::deque<Notice>& notices() { return notices_; }
   const std::deque<Notice>& notices() const { return notices_; }
   std::optional<CursorNote> cursor_note;
+  /// Takes up the characters of a text from elsewhere (names of files, of objects in messages): fonts are
+  /// loaded for what is shown, whatever the language of the interface.
+  void show_text(std::string_view text);
+  const std::set<char32_t>& shown_characters() const { return shown_characters_; }
   /// Whether a notice shows that goes away by itself.
   bool notices_expire() const;
 
@@ -173,6 +181,7 @@ class Editor {
 
  private:
   Box3 visible_box() const;
+  Camera framed_all(const Camera& camera, PixelSize size) const;
   void show(Notice notice);
   bool stepped(std::uint64_t left, const ChosenElements& chosen, bool changed);
 
@@ -180,6 +189,7 @@ class Editor {
   std::optional<History> before_recording_;
   std::uint64_t recorded_document_ = 0;  ///< `documents` when the recording began
   std::deque<Notice> notices_;
+  std::set<char32_t> shown_characters_;  ///< beyond Latin, Greek and Cyrillic
 };
 
 }  // namespace hariko

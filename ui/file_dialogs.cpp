@@ -6,6 +6,7 @@
 #include "core/base/file_io.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "ui/key_file.hpp"
+#include "ui/panels/mesh_options.hpp"
 #include "ui/viewport.hpp"
 
 namespace hariko {
@@ -140,10 +141,7 @@ void FileDialogs::picture(bool turntable) {
   request.action = translatable("Export");
   request.saving = true;
   request.extensions = {".png"};
-  if (!turntable) {
-    request.extensions.push_back(".svg");
-    request.formats = {translatable("PNG picture"), translatable("SVG line drawing")};
-  }
+  if (!turntable) request.extensions.push_back(".svg");
   request.proposal = proposal;
   request.accept = [this, turntable](const auto& path) { write_picture(path, turntable); };
   request.options = [this, turntable](const std::filesystem::path& name) {
@@ -163,13 +161,17 @@ void FileDialogs::picture(bool turntable) {
 
 void FileDialogs::open(std::function<void(const std::filesystem::path&)> accept) {
   dialog_.open({translatable("Open"), translatable("Open"), false, openable_endings(!why_no_cad_files()),
-                folder_proposal(), std::move(accept)});
+                folder_proposal(), std::move(accept),
+                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); },
+                [] { return mesh_option_rows; }});
 }
 
 void FileDialogs::import() {
   dialog_.open({translatable("Import"), translatable("Import"), false,
                 importable_endings(!why_no_cad_files()), folder_proposal(),
-                [this](const auto& path) { actions_.import_file(path); }});
+                [this](const auto& path) { actions_.import_file(path); },
+                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); },
+                [] { return mesh_option_rows; }});
 }
 
 void FileDialogs::export_keys() {

@@ -50,9 +50,11 @@ bool LastOperation::commit(Editor& editor, const Document& before, std::span<con
   }
   after_ = made->document;
   const ObjectId active = made->active;
+  const ElementSelection selected = made->selected;
   if (!editor.commit(Result<Document>(std::move(made).value().document), label_)) return false;
   editor.selection.clear_elements();
   editor.selection.active = active;
+  if (!selected.empty()) editor.selection.set(active, selected);
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/document/document.hpp"
+#include "ui/selection.hpp"
 
 namespace hariko {
 
@@ -22,10 +23,12 @@ struct OperationNumber {
   bool whole = false;  ///< a count; others are lengths in the document's unit
 };
 
-/// What an operation with these numbers makes of a document, and the object that is then active.
+/// What an operation with these numbers makes of a document, the object that is then active, and what of it
+/// is selected.
 struct OperationResult {
   Document document;
   ObjectId active;
+  ElementSelection selected = {};
 };
 using MakeOperation =
     std::function<Result<OperationResult>(const Document&, std::span<const OperationNumber>)>;

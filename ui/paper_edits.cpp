@@ -17,7 +17,9 @@ constexpr double least_size = 50, greatest_size = 500, usual_size = 200;  // mm
 PaperModel default_paper(const Document& document) {
   PaperModel paper;
   paper.objects = unfoldable_objects(document);
-  paper.distance = proposed_distance(document, paper.objects);
+  // As many facets as one builds in an evening, about a hundred, instead of as many as are near the surface.
+  constexpr double coarser = 4;
+  paper.distance = coarser * proposed_distance(document, paper.objects);
   paper.settings.scale = millimetres_per(document.unit);
   Box3 box;
   for (const ObjectId id : paper.objects) box.extend(world_box(*document.find(id)));
@@ -79,7 +81,7 @@ void toggle_edge(Editor& editor, Index edge) {
   const PaperLayout* layout = editor.paper.layout.get();
   if (!layout) return;
   if (layout->unfolding.folds[edge])
-    commit_paper(editor, split_at(layout->unfolding, edge), translatable("Split at an edge"));
+    commit_paper(editor, split_aside(layout->unfolding, edge), translatable("Split at an edge"));
   else
     commit_paper(editor, join_at(layout->unfolding, edge), translatable("Join at an edge"));
 }

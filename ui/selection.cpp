@@ -179,6 +179,8 @@ void Selection::select_all(const Object& object, ElementMode mode) {
 void Selection::prune(const Document& document) {
   for (auto it = elements_.begin(); it != elements_.end();) {
     const Object* object = document.find(it->first);
+    // What cannot be seen or changed is not selected.
+    if (object && (!object->visible || object->locked)) object = nullptr;
     const Polyhedron* cage = object ? object->cage() : nullptr;
     if (cage) {
       keep_existing(it->second.vertices, *cage);
@@ -195,7 +197,10 @@ void Selection::prune(const Document& document) {
     }
     it = it->second.empty() ? elements_.erase(it) : std::next(it);
   }
-  std::erase_if(objects_, [&](ObjectId id) { return !document.find(id); });
+  std::erase_if(objects_, [&](ObjectId id) {
+    const Object* object = document.find(id);
+    return !object || !object->visible || object->locked;
+  });
   if (last && !document.find(last->object)) last.reset();
   if (first && !contains(*first)) first.reset();
   if (!document.find(active)) active = document.objects.empty() ? ObjectId{} : document.objects.back()->id;

@@ -65,7 +65,8 @@ class Selection {
     first.reset();
   }
   void clear_objects() { objects_.clear(); }
-  /// Drops what the document does not have any more, and finds another active object when that one is gone.
+  /// Drops what the document does not have any more, hidden or locked objects and elements of these, and
+  /// finds another active object when that one is gone.
   void prune(const Document& document);
 
   friend bool operator==(const Selection&, const Selection&) = default;

@@ -33,6 +33,7 @@ struct Settings {
   double autosave_seconds = 20;             ///< 1 .. most_autosave_seconds
   std::map<std::string, std::string> keys;  ///< command id to keys that replace the default; "" for none
   float side_width = 312;                   ///< of the right panel, design pixels
+  float objects_height = 0;                 ///< of the list of objects, design pixels; 0: as its rows need
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

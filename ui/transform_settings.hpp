@@ -21,6 +21,7 @@ struct TransformSettings {
   /// Vertices are edited with the tangents round them fixed; turning and scaling change their tangent plane.
   bool local_edit = false;
   SoftSelection soft;
+  bool proportional_size = false;  ///< a typed size scales the object along all axes
 };
 
 }  // namespace hariko

@@ -60,6 +60,7 @@ void Workbench::add_commands() {
   add_start_commands(host_);
   add_language_commands(host_);
   add_help_commands(host_);
+  add_property_commands(host_);
   fill_context_menus(commands_);
   // A tool works on the document that it found: whatever changes it ends the tool first.
   commands_.before_run([this](const Command& command) {
@@ -136,6 +137,7 @@ void Workbench::frame() {
   if (!editor_.history.in_gesture()) editor_.guide.look({editor_.history.current(), editor_.exports});
   const float menu = draw_menu_bar(context);
   layout(context, menu);
+  for (const auto& step : std::exchange(panel_state_.steps, {})) step();
   // A question about an offer takes the dialog's place until it is answered.
   if (!prompt_.is_open()) offers_dialog_.draw(context);
   context_menu_.draw(context);
@@ -143,6 +145,13 @@ void Workbench::frame() {
   palette_.draw(context, menu);
   cheat_sheet_.draw(context, menu);
   draw_cursor_note(context);
+  // Of the next frame: arrows and Enter belong to the items only where the keyboard was given to them.
+  ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsMouseClicked(0)) leave_panel();
+  if (navigates())
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  else
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   // Shade at once: nothing is drawn again while nothing happens, so it cannot fade in.
   GImGui->DimBgRatio = 1;
   files_.draw(context);
@@ -166,9 +175,7 @@ void Workbench::layout(PanelContext& context, float menu) {
   const float left = tools + guide;
   if (meshing > 0) draw_meshing(context, {{left, menu}, {left + meshing, screen.y - status}});
   const PanelRect view{{left + meshing, menu}, {screen.x - side - line, screen.y - status}};
-  const float objects_height =
-      std::clamp(metrics_.px(48 + 32 * static_cast<float>(editor_.document().objects.size())),
-                 metrics_.px(96), metrics_.px(240));
+  const float list = objects_height(context, screen.y - menu - status);
   const float right = screen.x - side;
   draw_tool_column(context, {{0, menu}, {tools, screen.y - status}});
   const auto hovered = editor_.hovered;
@@ -184,10 +191,10 @@ void Workbench::layout(PanelContext& context, float menu) {
   viewport_.draw(context, model);
   editor_.paper.box = viewport_.scene().paper() ? viewport_.scene().paper()->box : Box3();
   context_menu_.watch(editor_, model, hovered, tool_ran);
-  draw_objects(context, {{right, menu}, {screen.x, menu + objects_height - line}});
+  draw_objects(context, {{right, menu}, {screen.x, menu + list - line}});
   const float bottom = screen.y - status;
   const float history = history_height(context, bottom - menu);
-  draw_properties(context, {{right, menu + objects_height}, {screen.x, bottom - history - line}});
+  draw_properties(context, {{right, menu + list}, {screen.x, bottom - history - line}});
   draw_history(context, {{right, bottom - history}, {screen.x, bottom}});
   context.tool_hint = viewport_.hint();
   if (!viewport_.tool_active() && !paper_panel_.hint().empty()) context.tool_hint = paper_panel_.hint();
@@ -197,6 +204,23 @@ void Workbench::layout(PanelContext& context, float menu) {
   draw_notices(context, view);
 
   drag_border({{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}});
+  drag_list_end(
+      {{right + metrics_.px(2), menu + list - metrics_.px(3)}, {screen.x, menu + list + metrics_.px(2)}},
+      menu);
+}
+
+void Workbench::drag_list_end(const PanelRect& border, float top) {
+  if (begin_panel("##list_end", border, 0, {0, 0}, ImGuiWindowFlags_NoBackground)) {
+    ImGui::InvisibleButton("drag", {border.width(), border.height()});
+    marks_.item("outliner.end");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    float& height = editor_.settings.objects_height;
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 1))
+      height = std::max(1.0F, (ImGui::GetIO().MousePos.y - top) / metrics_.scale);
+    // As its rows need again.
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) height = 0;
+  }
+  ImGui::End();
 }
 
 void Workbench::drag_border(const PanelRect& border) {
@@ -210,6 +234,86 @@ void Workbench::drag_border(const PanelRect& border) {
   ImGui::End();
 }
 
+bool Workbench::navigates() const {
+  const ImGuiWindow* window = GImGui->NavWindow;
+  return !keyboard_panel_.empty() || !GImGui->OpenPopupStack.empty() ||
+         (preferences_.is_open() && window &&
+          window->RootWindow == ImGui::FindWindowByName("###preferences"));
+}
+
+void Workbench::leave_panel() {
+  if (keyboard_panel_.empty()) return;
+  keyboard_panel_.clear();
+  GImGui->NavDisableHighlight = true;
+}
+
+void Workbench::next_panel(bool back) {
+  // From above, as they stand.
+  std::vector<std::string> panels;
+  for (const ImGuiWindow* window :
+       {ImGui::FindWindowByName("Objects"), ImGui::FindWindowByName("Properties"),
+        ImGui::FindWindowByName("History"), ImGui::FindWindowByName("Meshing"),
+        ImGui::FindWindowByName("Guide"), ImGui::FindWindowByName("Paper"), ImGui::FindWindowByName("Tools")})
+    if (window && window->WasActive) panels.emplace_back(window->Name);
+  const auto at = std::find(panels.begin(), panels.end(), keyboard_panel_);
+  const auto count = static_cast<std::ptrdiff_t>(panels.size());
+  std::ptrdiff_t next = at == panels.end() ? (back ? count - 1 : 0) : (at - panels.begin()) + (back ? -1 : 1);
+  if (next < 0 || next >= count) return leave_panel();
+  keyboard_panel_ = panels[static_cast<std::size_t>(next)];
+  ImGuiWindow* window = ImGui::FindWindowByName(keyboard_panel_.c_str());
+  ImGui::FocusWindow(window);
+  ImGui::NavInitWindow(window, true);
+  GImGui->NavDisableHighlight = false;
+  GImGui->NavDisableMouseHover = true;
+}
+
+bool Workbench::navigation_key(const KeyChord& chord) {
+  const bool plain = !chord.control && !chord.alt;
+  const bool busy = prompt_.is_open() || files_.is_open() || offers_dialog_.is_open() || palette_.is_open() ||
+                    cheat_sheet_.is_open() || viewport_.tool_active();
+  if (!busy && plain && chord.key == GLFW_KEY_F6 && editor_.has_document)
+    return next_panel(chord.shift), true;
+  const std::vector<std::string> menus = commands_.menus();
+  if (!busy && plain && !chord.shift && chord.key == GLFW_KEY_F10) {
+    ImGui::ClosePopupToLevel(0, false);
+    panel_state_.wanted_menu = menus.front();
+  } else if (!busy && chord.alt && !chord.control && !chord.shift && !commands_.find(chord)) {
+    const auto menu = std::find_if(menus.begin(), menus.end(), [&](const std::string& name) {
+      return static_cast<int>(name.front()) == chord.key;
+    });
+    if (menu == menus.end()) return false;
+    ImGui::ClosePopupToLevel(0, false);
+    panel_state_.wanted_menu = *menu;
+  }
+  if (!panel_state_.wanted_menu.empty()) {
+    GImGui->NavDisableHighlight = false;
+    GImGui->NavDisableMouseHover = true;
+    return true;
+  }
+  if (!navigates() || text_field_active() || chord.control || chord.alt) return false;
+  switch (chord.key) {
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+      // As the space bar does in every version of Dear ImGui.
+      GImGui->NavNextActivateId = GImGui->NavId;
+      GImGui->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+      return true;
+    case GLFW_KEY_UP:
+    case GLFW_KEY_DOWN:
+    case GLFW_KEY_LEFT:
+    case GLFW_KEY_RIGHT:
+    case GLFW_KEY_TAB:
+    case GLFW_KEY_SPACE:
+    case GLFW_KEY_HOME:
+    case GLFW_KEY_END:
+    case GLFW_KEY_PAGE_UP:
+    case GLFW_KEY_PAGE_DOWN:
+      return true;
+    default:
+      return false;
+  }
+}
+
 void Workbench::key(const KeyPress& press) {
   const KeyChord& chord = press.chord;
   editor_.cursor_note.reset();
@@ -221,6 +325,8 @@ void Workbench::key(const KeyPress& press) {
     if (closing && closing->id == "help.keys") cheat_sheet_.close();
     return;
   }
+  if (!text_field_active() && prompt_.key(chord)) return;
+  if (!prompt_.is_open() && navigation_key(chord)) return;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   // While a field takes text or a dialog is open the keys are theirs.
   if (text_field_active() || field_opening() || files_.is_open() || offers_dialog_.is_open() ||
@@ -238,6 +344,11 @@ void Workbench::key(const KeyPress& press) {
 }
 
 void Workbench::escape() {
+  // A list or menu over a dialog is what Esc closes first.
+  if (const auto& popups = GImGui->OpenPopupStack;
+      !popups.empty() && popups.back().Window && (popups.back().Window->Flags & ImGuiWindowFlags_Modal) == 0)
+    return ImGui::ClosePopupToLevel(popups.Size - 1, true);
+  if (!text_field_active() && !keyboard_panel_.empty()) return leave_panel();
   if (prompt_.is_open()) return prompt_.dismiss();
   if (files_.is_open()) return files_.close();
   if (offers_dialog_.is_open()) return offers_dialog_.close();

@@ -52,7 +52,11 @@ class Workbench {
   Offers& offers() { return offers_; }
 
   /// Asks something that cannot be undone.
-  void ask(Prompt::Request request) { prompt_.ask(std::move(request)); }
+  void ask(Prompt::Request request) {
+    editor_.show_text(request.title);
+    editor_.show_text(request.text);
+    prompt_.ask(std::move(request));
+  }
   /// What is being asked; null when nothing is.
   const Prompt::Request* question() const { return prompt_.question(); }
   /// Does something that replaces the document or ends the program, after asking about unsaved work.
@@ -71,6 +75,9 @@ class Workbench {
   void show_cheat_sheet() { cheat_sheet_.open(); }
   void show_context_menu() { context_menu_.open(editor_); }
   void show_preferences() { preferences_.open(); }
+  void show_preferences(Preferences::Page page) { preferences_.open(page); }
+  /// Brings a row of the properties into sight, and the keyboard to its field.
+  void show_property(std::string id) { panel_state_.wanted_row = std::move(id); }
   FileDialogs& files() { return files_; }
   void convert_skin(ObjectId object) { actions_.convert_skin(object); }
   void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
@@ -85,6 +92,14 @@ class Workbench {
  private:
   void add_commands();
   void escape();
+  /// Whether the keyboard goes from item to item: in menus, lists and dialogs, and in the panel that F6
+  /// chose.
+  bool navigates() const;
+  /// F6, F10 and Alt with a letter; keys that go from item to item. True when the key is taken.
+  bool navigation_key(const KeyChord& chord);
+  /// Gives the keyboard to the next panel (Shift: the one before), or back to the views.
+  void next_panel(bool back);
+  void leave_panel();
   /// A command chosen by its key: what it refuses is explained where the pointer is.
   void run_from_key(const Command& command);
   void explain_at_pointer(const std::string& text);
@@ -92,6 +107,8 @@ class Workbench {
   void apply_keys();
   void layout(PanelContext& context, float menu);
   void drag_border(const PanelRect& border);
+  /// Between the list of objects, which begins at `top`, and the properties.
+  void drag_list_end(const PanelRect& border, float top);
 
   Editor& editor_;
   Viewport viewport_;
@@ -114,6 +131,7 @@ class Workbench {
   float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
+  std::string keyboard_panel_;  ///< name of the window that has the keyboard; empty for the views
   FileDialogs files_;
   OffersDialog offers_dialog_;
   Prompt prompt_;

@@ -58,6 +58,7 @@ void add_paper_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
 void add_analyse_commands(CommandHost& host);
 void add_preferences_commands(CommandHost& host);
+void add_property_commands(CommandHost& host);
 void add_help_commands(CommandHost& host);
 /// After all commands are there.
 void fill_context_menus(CommandTable& table);

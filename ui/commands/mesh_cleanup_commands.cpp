@@ -132,7 +132,7 @@ void merge_near(Editor& editor) {
           return merge_by_distance(s, ids, n[0].value);
         });
         if (!done) return done.error();
-        return OperationResult{std::move(done).value().document, object};
+        return OperationResult{std::move(done->document), object, std::move(done->selection)};
       });
 }
 
@@ -279,7 +279,7 @@ void add_connecting(MeshMenu& menu, Editor& editor) {
       {.edges = true, .faces = true}, Context::edge | Context::face,
       [](const PolyhedronSource& source, const ElementSet& set) { return bridged(source, set); });
   menu.add_operation("mesh.fill_hole", "Fill hole", "Close the hole that a selected edge lies on by a face.",
-                     "Alt+F", {.vertices = true, .edges = true}, Context::edge,
+                     "Shift+F", {.vertices = true, .edges = true}, Context::edge,
                      [](const PolyhedronSource& source, const ElementSet& set) {
                        return fill_holes(source, list_of(to_edges(source.polyhedron, set).edges));
                      });

@@ -29,16 +29,12 @@ double new_object_radius(const Editor& editor) {
     if (object->visible) box.extend(world_box(*object));
   const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
   if (extent > 0 && std::isfinite(extent)) return nice_length(std::clamp(extent / 4, 1e-6, 1e6));
-  return nice_length(50 / millimetres_per(editor.document().unit));
+  return first_object_radius(editor.document().unit);
 }
 
-std::string free_name(const Document& document, const std::string& name) {
-  for (int i = 1;; ++i) {
-    std::string candidate = i == 1 ? name : name + " " + std::to_string(i);
-    if (std::none_of(document.objects.begin(), document.objects.end(),
-                     [&](const auto& object) { return object->name == candidate; }))
-      return candidate;
-  }
+double first_object_radius(Unit unit) {
+  constexpr double radius = 50;  // mm
+  return nice_length(radius / millimetres_per(unit));
 }
 
 }  // namespace hariko

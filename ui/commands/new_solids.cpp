@@ -123,33 +123,25 @@ void select_solids(Editor& editor, ObjectId object, std::span<const std::uint32_
 
 bool add_new_solid(Editor& editor, const NewSolid& shape, std::vector<OperationNumber> numbers,
                    std::function<Solid(Solid)> put, const Similarity& place) {
-  using Numbers = std::span<const OperationNumber>;
+  // Its numbers are those of the selected solid: they can be changed at any time, not only right afterwards.
+  const Document& document = editor.history.current();
+  const Solid solid = put(shape.make(numbers));
   if (const Object* object = active_solids(editor)) {
     const ObjectId target = object->id;
     const std::uint32_t id = next_solid_id(*object->solids()->input);
-    const auto add = [target, make = shape.make, put = std::move(put)](
-                         const Document& document, Numbers chosen) -> Result<OperationResult> {
-      auto added = add_solid(document, target, put(make(chosen)));
-      if (!added) return added.error();
-      return OperationResult{std::move(added).value(), target};
-    };
-    if (!editor.last_operation.run(editor, shape.step, std::move(numbers), add)) return false;
+    if (!editor.commit(add_solid(document, target, solid), shape.step)) return false;
     select_solids(editor, target, std::array{id});
     return true;
   }
-  const bool first = editor.document().objects.empty();
-  const auto add = [place, make = shape.make, put = std::move(put),
-                    name = free_name(editor.document(), editor.language(translatable("Solids")))](
-                       const Document& document, Numbers chosen) -> Result<OperationResult> {
-    EnvelopeInput input;
-    input.solids.push_back(put(make(chosen)));
-    if (const auto checked = check_envelope(input); !checked) return checked.error();
-    auto added = add_object(document, name, SolidsSource{std::move(input), {}}, place);
-    if (!added) return added.error();
-    return OperationResult{std::move(added).value().document, added->id};
-  };
-  if (!editor.last_operation.run(editor, shape.step, std::move(numbers), add)) return false;
-  select_solids(editor, editor.selection.active, std::array{std::uint32_t(0)});
+  const bool first = document.objects.empty();
+  EnvelopeInput input;
+  input.solids.push_back(solid);
+  if (const auto checked = check_envelope(input); !checked) return editor.notify(checked.error()), false;
+  auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
+                          SolidsSource{std::move(input), {}}, place);
+  if (!added) return editor.notify(added.error()), false;
+  if (!editor.commit(added->document, shape.step)) return false;
+  select_solids(editor, added->id, std::array{std::uint32_t(0)});
   if (first) editor.wants_framing = true;
   return true;
 }
@@ -160,8 +152,8 @@ Result<Document> with_new_solid(const Editor& editor, const Solid& solid) {
   EnvelopeInput input;
   input.solids.push_back(solid);
   if (const auto checked = check_envelope(input); !checked) return checked.error();
-  auto added =
-      add_object(document, editor.language(translatable("Solids")), SolidsSource{std::move(input), {}});
+  auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
+                          SolidsSource{std::move(input), {}});
   if (!added) return added.error();
   return std::move(added).value().document;
 }

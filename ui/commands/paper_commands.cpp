@@ -105,6 +105,31 @@ void add_piece_commands(CommandHost& host) {
 
 }  // namespace
 
+namespace {
+
+/// Asks first where the pages cannot be built as they are.
+void export_pages(Editor& editor, Workbench& workbench) {
+  const PaperLayout& layout = *editor.paper.layout;
+  if (layout.overlaps == 0 && layout.off_page.empty()) return workbench.files().export_pages();
+  const Language& tr = editor.language;
+  std::string text(tr("The pages cannot be built as they are."));
+  if (layout.overlaps > 0) text += "\n\u2022 " + fill(tr("overlaps: {0}"), {std::to_string(layout.overlaps)});
+  if (!layout.off_page.empty())
+    text +=
+        "\n\u2022 " + fill(tr("pieces that pass the margins: {0}"), {std::to_string(layout.off_page.size())});
+  workbench.ask({tr("Export pages"),
+                 text,
+                 {{tr("Go back"), "back"},
+                  {tr("Arrange"), "arrange",
+                   [&editor] {
+                     commit_paper(editor, rearrange(editor.paper.layout->unfolding),
+                                  translatable("Arrange the pages"));
+                   }},
+                  {tr("Export anyway"), "export", [&workbench] { workbench.files().export_pages(); }}}});
+}
+
+}  // namespace
+
 void add_paper_commands(CommandHost& host) {
   Editor& editor = host.editor;
   Workbench& workbench = host.workbench;
@@ -140,7 +165,7 @@ void add_paper_commands(CommandHost& host) {
                     return translatable("There are no pages yet. Unfold the model first.");
                   }});
   host.table.add({"paper.export", "Paper", "Export pages\u2026", "Write the pages as PDF, SVG, DXF or PNG.",
-                  "", "", false, true, [&workbench] { workbench.files().export_pages(); },
+                  "", "", false, true, [&editor, &workbench] { export_pages(editor, workbench); },
                   needs_pages(editor)});
 }
 

@@ -71,25 +71,26 @@ void duplicate_solids(Editor& editor) {
 void make_row(Editor& editor) {
   const ObjectId object = editor.selection.active;
   const std::vector<std::uint32_t> ids = selected_solids(editor);
-  const auto copies = std::make_shared<std::vector<std::uint32_t>>();
   const auto distance = [](const char* id, const char* label, double value) {
     return OperationNumber{id, label, value, -max_primitive_length, max_primitive_length, false};
   };
-  const auto make = [object, ids, copies](const Document& document,
-                                          std::span<const OperationNumber> n) -> Result<OperationResult> {
+  const auto make = [object, ids](const Document& document,
+                                  std::span<const OperationNumber> n) -> Result<OperationResult> {
+    std::vector<std::uint32_t> copies;
     auto made =
-        array_solids(document, object, ids, int(n[0].value), {n[1].value, n[2].value, n[3].value}, *copies);
+        array_solids(document, object, ids, int(n[0].value), {n[1].value, n[2].value, n[3].value}, copies);
     if (!made) return made.error();
-    return OperationResult{std::move(made).value(), object};
+    OperationResult result{std::move(made).value(), object};
+    for (const std::uint32_t id : copies) result.selected.vertices.insert(VertexId{id});
+    return result;
   };
   constexpr double usual_copies = 3, most_copies = max_solids - 1;
-  if (editor.last_operation.run(editor, translatable("Row of solids"),
-                                {{"copies", translatable("Copies"), usual_copies, 1, most_copies, true},
-                                 distance("row_x", "X", width_of(*editor.active_object(), ids)),
-                                 distance("row_y", "Y", 0),
-                                 distance("row_z", "Z", 0)},
-                                make))
-    select_solids(editor, object, *copies);
+  editor.last_operation.run(editor, translatable("Row of solids"),
+                            {{"copies", translatable("Copies"), usual_copies, 1, most_copies, true},
+                             distance("row_x", "X", width_of(*editor.active_object(), ids)),
+                             distance("row_y", "Y", 0),
+                             distance("row_z", "Z", 0)},
+                            make);
 }
 
 void convert(Editor& editor) {

@@ -1,5 +1,7 @@
 // Commands of the Transform menu: move, rotate, scale, and how they do it.
 
+#include <algorithm>
+
 #include "ui/commands/command_host.hpp"
 #include "ui/icons.hpp"
 #include "ui/tools/transform_tool.hpp"
@@ -11,14 +13,19 @@ namespace {
 
 Reason nothing_to_transform(const Editor& editor) {
   if (auto reason = needs_document(editor)()) return reason;
+  const auto changes = [&](ObjectId id) {
+    const Object* object = editor.document().find(id);
+    return object && object->visible && !object->locked;
+  };
+  const char* fixed = translatable("What is selected is hidden or locked.");
   if (editor.mode == ElementMode::object) {
-    if (!selected_objects(editor).empty()) return {};
-    return translatable("No object is selected. Click one.");
+    const auto objects = selected_objects(editor);
+    if (std::any_of(objects.begin(), objects.end(), changes)) return {};
+    return objects.empty() ? translatable("No object is selected. Click one.") : fixed;
   }
-  for (const auto& entry : editor.selection.elements()) {
-    const Object* object = editor.document().find(entry.first);
-    if (object && object->visible) return {};
-  }
+  for (const auto& entry : editor.selection.elements())
+    if (changes(entry.first)) return {};
+  if (!editor.selection.elements().empty()) return fixed;
   return translatable("Nothing is selected. Click a vertex, an edge or a face.");
 }
 

@@ -8,6 +8,7 @@
 #include "core/cad/kernel/cad_file.hpp"
 #include "ui/export_text.hpp"
 #include "ui/panels/option_fields.hpp"
+#include "ui/panels/tips.hpp"
 
 namespace hariko {
 
@@ -61,8 +62,7 @@ void CadOptions::unit_row(const Editor& editor, Marks& marks, const Metrics& met
     }
     ImGui::EndCombo();
   }
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", tr("Of the numbers in the file. Sizes stay what they are."));
+  if (ImGui::IsItemHovered()) show_tip(tr("Of the numbers in the file. Sizes stay what they are."));
   ImGui::SameLine(0, metrics.px(16));
   ImGui::TextUnformatted(tr("Scale"));
   ImGui::SameLine();

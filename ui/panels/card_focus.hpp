@@ -26,6 +26,8 @@ class CardFocus {
   bool item(const std::string& id, float rounding);
 
   const std::string& focused() const { return focused_; }
+  /// Puts the keyboard at an item.
+  void go_to(const std::string& id) { focused_ = id; }
 
  private:
   struct Placed {

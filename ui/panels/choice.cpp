@@ -1,5 +1,6 @@
 #include "ui/panels/choice.hpp"
 
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -14,12 +15,14 @@ std::optional<int> choose(PanelContext& context, const char* id, const char* lab
   const bool open = ImGui::BeginCombo(
       "##combo", current < 0 ? tr("mixed") : tr(choices[static_cast<std::size_t>(current)].label));
   context.marks.item(std::string("combo.") + id);
+  point_out(context, id);
   if (open) {
     for (int i = 0; i < static_cast<int>(choices.size()); ++i) {
       const Choice& choice = choices[static_cast<std::size_t>(i)];
       if (ImGui::Selectable(tr(choice.label), i == current)) chosen = i;
+      if (i == current) ImGui::SetItemDefaultFocus();
       context.marks.item("choice." + std::string(id) + "." + std::to_string(i));
-      if (*choice.help && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(choice.help));
+      if (*choice.help && ImGui::IsItemHovered()) show_tip(tr(choice.help));
     }
     ImGui::EndCombo();
   }

@@ -35,7 +35,7 @@ void CommandPalette::key(const KeyChord& chord) {
   if (chord.key == GLFW_KEY_DOWN) step_ = 1;
   if (chord.key == GLFW_KEY_PAGE_UP) step_ = -page;
   if (chord.key == GLFW_KEY_PAGE_DOWN) step_ = page;
-  if (chord.key == GLFW_KEY_ENTER) accept_ = true;
+  if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER) accept_ = true;
 }
 
 std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& context) const {

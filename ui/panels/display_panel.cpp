@@ -1,11 +1,16 @@
 #include "ui/panels/display_panel.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "core/document/edits.hpp"
 #include "ui/panels/choice.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -52,21 +57,50 @@ constexpr std::array wire_choices{
 };
 constexpr std::array axis_choices{Choice{"X", ""}, Choice{"Y", ""}, Choice{"Z", ""}};
 
-/// The edit of a number of the display settings of one object: how to read it and how to write it.
-template <class Read, class Write>
-EditValues display_values(ObjectId id, const Quantity& quantity, const Read& read, const Write& write) {
-  return [=](const Document& document, const ValueChange& change) -> Result<Document> {
-    const Object* found = document.find(id);
-    if (!found) return document;
+/// Changes how all objects are shown. Those that are gone by now are left out.
+Result<Document> edit_displays(const Document& document, const Objects& objects,
+                               const std::function<void(DisplaySettings&)>& change) {
+  Result<Document> result = document;
+  for (const auto& object : objects) {
+    const Object* found = result.ok() ? result->find(object->id) : nullptr;
+    if (!found) continue;
     DisplaySettings display = found->display;
-    write(display, change.apply(quantity, read(display)));
-    return set_display(document, id, display);
+    change(display);
+    result = set_display(*result, object->id, display);
+  }
+  return result;
+}
+
+/// The edit of a number of the display settings: how to read it and how to write it.
+template <class Read, class Write>
+EditValues display_values(const Objects& objects, const Quantity& quantity, const Read& read,
+                          const Write& write) {
+  return [=](const Document& document, const ValueChange& change) {
+    return edit_displays(document, objects, [&](DisplaySettings& display) {
+      write(display, change.apply(quantity, read(display)));
+    });
   };
 }
 
-void commit(PanelContext& context, const Object& object, const DisplaySettings& display,
-            const std::string& step) {
-  context.editor.commit(set_display(context.editor.history.current(), object.id, display), step);
+void commit(PanelContext& context, const Objects& objects, const std::string& step,
+            const std::function<void(DisplaySettings&)>& change) {
+  context.editor.commit(edit_displays(context.editor.history.current(), objects, change), step);
+}
+
+/// What all objects have in common; nothing where they differ.
+template <class T, class Get>
+std::optional<T> shown_alike(const Objects& objects, const Get& get) {
+  return common<T>(objects, [&](const auto& object) -> T { return get(object->display); });
+}
+
+template <class T>
+int number_of(const std::optional<T>& value) {
+  return value ? static_cast<int>(*value) : -1;
+}
+
+template <class Test>
+bool any_of(const Objects& objects, const Test& test) {
+  return std::any_of(objects.begin(), objects.end(), [&](const auto& object) { return test(*object); });
 }
 
 struct Flag {
@@ -88,14 +122,17 @@ constexpr Flag tensions_flag{translatable("tensions"), "tensions", translatable(
 constexpr Flag marks_flag{"G0 G1 G2", "marks", translatable("Show continuity of edges"),
                           translatable("Hide continuity of edges"), &DisplaySettings::marks};
 
-void show_flag(PanelContext& context, const Object& object, const Flag& flag) {
-  bool on = object.display.*flag.flag;
-  if (ImGui::Checkbox((std::string(context.tr(flag.label)) + "##" + flag.mark).c_str(), &on)) {
-    DisplaySettings display = object.display;
-    display.*flag.flag = on;
-    commit(context, object, display, on ? flag.show_step : flag.hide_step);
-  }
+void show_flag(PanelContext& context, const Objects& objects, const Flag& flag) {
+  const auto alike =
+      shown_alike<bool>(objects, [&](const DisplaySettings& display) { return display.*flag.flag; });
+  bool on = alike.value_or(false);
+  ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, !alike);
+  const bool pressed = ImGui::Checkbox((std::string(context.tr(flag.label)) + "##" + flag.mark).c_str(), &on);
+  ImGui::PopItemFlag();
   context.marks.item(std::string("check.") + flag.mark);
+  if (pressed)
+    commit(context, objects, on ? flag.show_step : flag.hide_step,
+           [&](DisplaySettings& display) { display.*flag.flag = on; });
 }
 
 /// Three buttons and a ball: the direction is a point of the ball's visible half, dragged.
@@ -145,86 +182,97 @@ void stripe_rows(PanelContext& context) {
   direction_row(context, zebra);
 }
 
-void range_rows(PanelContext& context, const Object& object) {
-  const SurfaceMap map = object.display.map;
-  const MapRange& range = range_of(object.display, map);
+void range_rows(PanelContext& context, const Objects& objects, SurfaceMap map) {
+  const auto mode = shown_alike<RangeMode>(
+      objects, [map](const DisplaySettings& display) { return range_of(display, map).mode; });
   if (const auto chosen =
           choose(context, "range", "Range", "Which values the colours span; kept for each map", range_choices,
-                 static_cast<int>(range.mode))) {
-    DisplaySettings display = object.display;
-    MapRange& changed = range_of(display, map);
-    changed.mode = static_cast<RangeMode>(*chosen);
+                 number_of(mode))) {
     // What is typed begins with what was seen.
-    const SurfaceView* view = context.editor.view_of(object.id);
-    if (changed.mode == RangeMode::manual && changed == MapRange{RangeMode::manual} && view &&
-        view->range.low < view->range.high) {
+    const SurfaceView* view = context.editor.view_of(objects.front()->id);
+    const bool seen = view && view->range.low < view->range.high;
+    commit(context, objects, "Range of the map", [&](DisplaySettings& display) {
+      MapRange& changed = range_of(display, map);
+      changed.mode = static_cast<RangeMode>(*chosen);
+      if (changed != MapRange{RangeMode::manual} || !seen) return;
       changed.low = view->range.low;
       changed.high = view->range.high;
-    }
-    commit(context, object, display, "Range of the map");
+    });
   }
-  if (range.mode != RangeMode::manual) return;
+  if (mode != RangeMode::manual) return;
   row_label(context, context.tr("From, to"), context.tr("Ends of the range, in the map's unit"));
   const float spacing = context.metrics.px(4);
   const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
-  const double span = std::max(std::abs(range.low), std::abs(range.high));
-  Quantity quantity = length_quantity(Unit::millimetre, span);
+  const MapRange& first = range_of(objects.front()->display, map);
+  Quantity quantity = length_quantity(Unit::millimetre, std::max(std::abs(first.low), std::abs(first.high)));
   quantity.unit.clear();
   quantity.factors.clear();
-  number_field(context,
-               {"range_low", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
-               range.low, width,
-               display_values(
-                   object.id, quantity, [map](DisplaySettings& d) { return range_of(d, map).low; },
-                   [map](DisplaySettings& d, double value) { range_of(d, map).low = value; }));
+  const auto end = [&](const char* id, double MapRange::*member) {
+    number_field(context, {id, "", "Ends of the range, in the map's unit", "Range of the map", quantity},
+                 shown_alike<double>(
+                     objects, [&](const DisplaySettings& display) { return range_of(display, map).*member; }),
+                 width,
+                 display_values(
+                     objects, quantity,
+                     [map, member](DisplaySettings& display) { return range_of(display, map).*member; },
+                     [map, member](DisplaySettings& display, double value) {
+                       range_of(display, map).*member = value;
+                     }));
+  };
+  end("range_low", &MapRange::low);
   ImGui::SameLine(0, spacing);
-  number_field(context,
-               {"range_high", "", "Ends of the range, in the map's unit", "Range of the map", quantity},
-               range.high, width,
-               display_values(
-                   object.id, quantity, [map](DisplaySettings& d) { return range_of(d, map).high; },
-                   [map](DisplaySettings& d, double value) { range_of(d, map).high = value; }));
+  end("range_high", &MapRange::high);
 }
 
-void colour_row(PanelContext& context, const Object& object) {
+void colour_row(PanelContext& context, const Objects& objects) {
   Editor& editor = context.editor;
   row_label(context, context.tr("Colour"), context.tr("Of the outside; the inside stays blue"));
-  const Color color = color_of(object.display.colour);
+  const bool alike = common<bool>(objects, [&](const auto& object) {
+                       return object->display.colour == objects.front()->display.colour;
+                     }).value_or(false);
+  const Color color = color_of(objects.front()->display.colour);
   std::array<float, 3> rgb{color.r, color.g, color.b};
+  if (!alike) {
+    ImGui::TextDisabled("%s", context.tr("mixed"));
+    ImGui::SameLine();
+  }
   ImGui::SetNextItemWidth(-1);
   if (ImGui::ColorEdit3("##colour", rgb.data(), ImGuiColorEditFlags_DisplayHex)) {
-    DisplaySettings display = object.display;
     const auto byte = [](float part) {
       return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0F, 1.0F)));
     };
-    display.colour = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
-    editor.preview(set_display(editor.history.current(), object.id, display));
+    editor.preview(edit_displays(editor.history.current(), objects, [&](DisplaySettings& display) {
+      display.colour = {byte(rgb[0]), byte(rgb[1]), byte(rgb[2])};
+    }));
   }
-  if (ImGui::IsItemDeactivatedAfterEdit()) editor.commit_preview("Colour of the object");
+  if (ImGui::IsItemDeactivatedAfterEdit())
+    editor.commit_preview(objects.size() == 1 ? "Colour of the object" : "Colour of objects");
   context.marks.item("field.colour");
 }
 
-void material_rows(PanelContext& context, const Object& object) {
-  if (object.display.map == SurfaceMap::shaded)
+void material_rows(PanelContext& context, const Objects& objects) {
+  if (any_of(objects, [](const Object& object) { return object.display.map == SurfaceMap::shaded; })) {
+    const auto material =
+        shown_alike<Material>(objects, [](const DisplaySettings& display) { return display.material; });
     if (const auto chosen = choose(context, "material", "Material", "How the surface takes the light",
-                                   material_choices, static_cast<int>(object.display.material)))
-      commit(context, object, with_material(object.display, static_cast<Material>(*chosen)), "Material");
-  colour_row(context, object);
+                                   material_choices, number_of(material)))
+      commit(context, objects, "Material", [&](DisplaySettings& display) {
+        display = with_material(display, static_cast<Material>(*chosen));
+      });
+  }
+  colour_row(context, objects);
 }
 
-void comb_rows(PanelContext& context, const Object& object) {
-  const CombSettings& combs = object.display.combs;
-  const auto change = [&](auto&& set) {
-    DisplaySettings display = object.display;
-    set(display.combs);
-    commit(context, object, display, "Curvature combs");
+void comb_rows(PanelContext& context, const Objects& objects) {
+  const auto change = [&](const std::function<void(CombSettings&)>& set) {
+    commit(context, objects, "Curvature combs", [&](DisplaySettings& display) { set(display.combs); });
   };
-  row_label(context, context.tr("Combs"),
-            context.tr("Teeth as long as the curves of the network are curved"));
-  bool shown = combs.shown;
-  if (ImGui::Checkbox("##combs", &shown)) change([&](CombSettings& c) { c.shown = shown; });
-  context.marks.item("check.combs");
-  if (!combs.shown) return;
+  const auto alike =
+      shown_alike<bool>(objects, [](const DisplaySettings& display) { return display.combs.shown; });
+  if (const auto on = check_row(context, "combs", "Combs",
+                                "Teeth as long as the curves of the network are curved", alike))
+    change([&](CombSettings& c) { c.shown = *on; });
+  if (alike != true) return;
   ImGui::SameLine();
   if (ImGui::Button("\u00f7 2"))
     change([](CombSettings& c) { c.scale = std::max(c.scale / 2, c.min_scale); });
@@ -234,21 +282,23 @@ void comb_rows(PanelContext& context, const Object& object) {
     change([](CombSettings& c) { c.scale = std::min(c.scale * 2, c.max_scale); });
   context.marks.item("combs.longer");
   ImGui::SameLine();
-  ImGui::TextDisabled("\u00d7 %s", format_number(combs.scale, 3).c_str());
+  const auto scale =
+      shown_alike<double>(objects, [](const DisplaySettings& display) { return display.combs.scale; });
+  ImGui::TextDisabled("%s", scale ? ("\u00d7 " + format_number(*scale, 3)).c_str() : context.tr("mixed"));
   const Quantity teeth =
       whole_quantity(CombSettings::min_density, CombSettings::max_density, CombSettings().density);
-  slider_row(
-      context, {"comb_density", "Teeth", "Intervals on each curve", "Curvature combs", teeth}, teeth.low,
-      teeth.high, true, combs.density,
-      display_values(
-          object.id, teeth, [](const DisplaySettings& d) { return static_cast<double>(d.combs.density); },
-          [](DisplaySettings& d, double value) { d.combs.density = static_cast<int>(value); }));
+  const auto density = [](const DisplaySettings& d) { return static_cast<double>(d.combs.density); };
+  slider_row(context, {"comb_density", "Teeth", "Intervals on each curve", "Curvature combs", teeth},
+             teeth.low, teeth.high, true, shown_alike<double>(objects, density),
+             display_values(objects, teeth, density, [](DisplaySettings& d, double value) {
+               d.combs.density = static_cast<int>(value);
+             }));
 }
 
-void mark_rows(PanelContext& context, const Object& object) {
+void mark_rows(PanelContext& context, const Objects& objects) {
   row_label(context, context.tr("Edges"), context.tr("Continuity across the edges within the tolerance"));
-  show_flag(context, object, marks_flag);
-  if (!object.display.marks) return;
+  show_flag(context, objects, marks_flag);
+  if (!any_of(objects, [](const Object& object) { return object.display.marks; })) return;
   ContinuityTolerance& tolerance = context.editor.view.tolerance;
   row_label(context, context.tr("Tolerance"),
             context.tr("Largest angle between normals, and largest jump of curvature relative to it"));
@@ -266,31 +316,33 @@ void mark_rows(PanelContext& context, const Object& object) {
   context.marks.item("field.tolerance_jump");
 }
 
-void show_rows(PanelContext& context, const Object& object) {
+/// A check box for what all kinds show, and those that polyhedra or solids have as well.
+void show_rows(PanelContext& context, const Objects& objects) {
   row_label(context, context.tr("Show"), "");
   const float start = ImGui::GetCursorPosX(), second = start + context.metrics.px(112);
-  show_flag(context, object, surface_flag);
-  if (!object.polyhedron()) {
-    ImGui::SameLine(second);
-    show_flag(context, object, edges_flag);
-    if (!object.solids()) return;
+  show_flag(context, objects, surface_flag);
+  ImGui::SameLine(second);
+  const bool polyhedra =
+      std::all_of(objects.begin(), objects.end(), [](const auto& object) { return object->polyhedron(); });
+  if (!polyhedra) {
+    show_flag(context, objects, edges_flag);
+    if (!any_of(objects, [](const Object& object) { return object.solids() != nullptr; })) return;
     ImGui::SetCursorPosX(start);
-    ImGui::BeginDisabled(!object.display.polyhedron);
+    ImGui::BeginDisabled(!any_of(objects, [](const Object& object) { return object.display.polyhedron; }));
     ImGui::Checkbox(context.tr("bodies"), &context.editor.view.bodies);
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s", context.tr("See the bodies of solids through the surface round them."));
+      show_tip(context.tr("See the bodies of solids through the surface round them."));
     context.marks.item("check.bodies");
     return;
   }
-  ImGui::SameLine(second);
-  show_flag(context, object, points_flag);
+  show_flag(context, objects, points_flag);
   ImGui::SetCursorPosX(start);
-  show_flag(context, object, polyhedron_flag);
+  show_flag(context, objects, polyhedron_flag);
   ImGui::SameLine(second);
-  show_flag(context, object, tensions_flag);
+  show_flag(context, objects, tensions_flag);
   ImGui::SetCursorPosX(start);
-  show_flag(context, object, network_flag);
+  show_flag(context, objects, network_flag);
 }
 
 /// World box of what is visible, for the offset's slider.
@@ -343,40 +395,44 @@ void x_ray_row(PanelContext& context) {
 
 }  // namespace
 
-void draw_display(PanelContext& context, const Object& object) {
+void draw_display(PanelContext& context, const Objects& objects) {
   heading(context, context.tr("Display"));
-  const DisplaySettings& display = object.display;
-  if (const auto chosen = choose(context, "map", "Map", "What colours the surface", map_choices,
-                                 static_cast<int>(display.map))) {
-    DisplaySettings changed = display;
-    changed.map = static_cast<SurfaceMap>(*chosen);
-    commit(context, object, changed,
-           fill(translatable("Map {0}"), {map_choices[static_cast<std::size_t>(*chosen)].label}));
-  }
-  if (display.map == SurfaceMap::zebra || display.map == SurfaceMap::isophotes) stripe_rows(context);
-  if (has_values(display.map)) range_rows(context, object);
-  if (display.map == SurfaceMap::shaded || display.map == SurfaceMap::isophotes)
-    material_rows(context, object);
-  show_rows(context, object);
-  if (const auto chosen = choose(context, "wire", "Lines", "Lines over the surface", wire_choices,
-                                 static_cast<int>(display.wire))) {
-    DisplaySettings changed = display;
-    changed.wire = static_cast<PatchWire>(*chosen);
-    commit(context, object, changed, "Lines over the surface");
-  }
-  if (object.polyhedron()) {
-    mark_rows(context, object);
-    comb_rows(context, object);
+  const auto map =
+      shown_alike<SurfaceMap>(objects, [](const DisplaySettings& display) { return display.map; });
+  if (const auto chosen =
+          choose(context, "map", "Map", "What colours the surface", map_choices, number_of(map)))
+    commit(context, objects,
+           fill(translatable("Map {0}"), {map_choices[static_cast<std::size_t>(*chosen)].label}),
+           [&](DisplaySettings& display) { display.map = static_cast<SurfaceMap>(*chosen); });
+  const auto shows = [&](SurfaceMap wanted) {
+    return any_of(objects, [&](const Object& object) { return object.display.map == wanted; });
+  };
+  if (shows(SurfaceMap::zebra) || shows(SurfaceMap::isophotes)) stripe_rows(context);
+  if (map && has_values(*map)) range_rows(context, objects, *map);
+  if (shows(SurfaceMap::shaded) || shows(SurfaceMap::isophotes)) material_rows(context, objects);
+  show_rows(context, objects);
+  const auto wire =
+      shown_alike<PatchWire>(objects, [](const DisplaySettings& display) { return display.wire; });
+  if (const auto chosen =
+          choose(context, "wire", "Lines", "Lines over the surface", wire_choices, number_of(wire)))
+    commit(context, objects, "Lines over the surface",
+           [&](DisplaySettings& display) { display.wire = static_cast<PatchWire>(*chosen); });
+  Objects polyhedra;
+  std::copy_if(objects.begin(), objects.end(), std::back_inserter(polyhedra),
+               [](const auto& object) { return object->polyhedron() != nullptr; });
+  if (!polyhedra.empty()) {
+    mark_rows(context, polyhedra);
+    comb_rows(context, polyhedra);
     const Quantity density =
         whole_quantity(DisplaySettings::min_density, DisplaySettings::max_density, DisplaySettings().density);
+    const auto now = [](const DisplaySettings& d) { return static_cast<double>(d.density); };
     slider_row(
         context,
         {"density", "Density", "Least intervals a patch side on the screen; small models are drawn finer",
          "Display density", density},
-        density.low, density.high, false, display.density,
-        display_values(
-            object.id, density, [](const DisplaySettings& d) { return static_cast<double>(d.density); },
-            [](DisplaySettings& d, double value) { d.density = static_cast<int>(value); }));
+        density.low, density.high, false, shown_alike<double>(polyhedra, now),
+        display_values(polyhedra, density, now,
+                       [](DisplaySettings& d, double value) { d.density = static_cast<int>(value); }));
   }
   section_rows(context);
   x_ray_row(context);

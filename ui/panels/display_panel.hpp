@@ -4,10 +4,12 @@
 // the document, how one looks at it (stripes, section, tolerances) to the view.
 
 #include "ui/panels/panels.hpp"
+#include "ui/panels/selected_items.hpp"
 
 namespace hariko {
 
-/// Draws the rows into the current panel. `object` is the active one.
-void draw_display(PanelContext& context, const Object& object);
+/// Draws the rows into the current panel: what all objects have in common, mixed where they differ.
+/// `objects`: at least one, the active one first.
+void draw_display(PanelContext& context, const Objects& objects);
 
 }  // namespace hariko

@@ -7,6 +7,7 @@
 
 #include "core/base/file_ending.hpp"
 #include "ui/panels/option_fields.hpp"
+#include "ui/panels/tips.hpp"
 
 namespace hariko {
 
@@ -73,7 +74,7 @@ void ExportOptions::tolerance_row(const Editor& editor, Marks& marks, const Metr
   ImGui::Checkbox((std::string(tr("fewest triangles")) + "##optimise").c_str(), &settings_.optimise);
   marks.item("export.optimise");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", tr("Looks for the smallest mesh within the tolerance. Takes many times longer."));
+    show_tip(tr("Looks for the smallest mesh within the tolerance. Takes many times longer."));
 }
 
 void ExportOptions::result_row(const Editor& editor, Marks& marks) const {
@@ -124,9 +125,9 @@ void ExportOptions::kind_row(const Editor& editor, Marks& marks, const Metrics& 
   ImGui::Checkbox((std::string(tr("move to zero")) + "##zero").c_str(), &settings_.choices.to_zero);
   marks.item("export.zero");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s",
-                      tr("The middle of all that is written comes to lie at zero, which keeps models far "
-                         "away precise in formats of few digits."));
+    show_tip(
+        tr("The middle of all that is written comes to lie at zero, which keeps models far "
+           "away precise in formats of few digits."));
 }
 
 void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& metrics,
@@ -171,8 +172,7 @@ void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& 
   ImGui::Checkbox((std::string(tr("as text")) + "##ascii").c_str(), &choices.ascii);
   marks.item("export.ascii");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip(
-        "%s", tr("ASCII instead of binary, for programs that read nothing else. The file gets larger."));
+    show_tip(tr("ASCII instead of binary, for programs that read nothing else. The file gets larger."));
 }
 
 bool ExportOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/folder_list.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace hariko {
@@ -27,8 +28,6 @@ class FileDialog {
     std::function<int()> option_rows = [] { return 1; };  ///< how many rows these take
     /// When saving, a file that accepting this name would replace; without it the file of that name itself.
     std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)> replaces = {};
-    /// What the extensions mean, one each, to be chosen from a list: "PNG picture", ...; empty for no list.
-    std::vector<std::string> formats = {};
   };
 
   void open(Request request);
@@ -37,23 +36,35 @@ class FileDialog {
   void draw(PanelContext& context);
 
  private:
-  struct Entry {
-    std::string name;
-    bool folder = false;
-    std::uintmax_t size = 0;
-  };
   void go_to(const std::filesystem::path& folder);
-  void list(PanelContext& context);
-  void format_row(PanelContext& context);
-  void footer(PanelContext& context);
+  void draw_places(PanelContext& context, float width, float height);
+  void draw_path(PanelContext& context);
+  void draw_header(PanelContext& context, float size_at, float date_at);
+  void draw_list(PanelContext& context, float below);
+  void draw_entry(PanelContext& context, std::size_t number, float size_at, float date_at);
+  void draw_format(PanelContext& context);
+  void draw_name(PanelContext& context);
+  void draw_footer(PanelContext& context);
+  void choose_format(std::size_t number);
+  void make_folder(PanelContext& context);
+  /// The entry that many rows further down becomes the name.
+  void step(int by);
   void submit(bool overwrite);
   bool matches(const std::filesystem::path& file) const;
   bool replaces_something(const std::filesystem::path& path);
 
   Request request_;
   bool open_ = false, appearing_ = false, ask_overwrite_ = false;
+  bool focus_name_ = false;          ///< the name gets the keyboard back
+  std::optional<std::size_t> only_;  ///< when opening: the one extension whose files are shown
+  FolderOrder order_ = FolderOrder::name;
+  bool descending_ = false;
+  std::optional<std::string> new_folder_;  ///< its name while it is typed
   std::filesystem::path folder_;
-  std::vector<Entry> entries_;
+  std::vector<FolderEntry> entries_;
+  std::optional<std::size_t> at_;  ///< the entry that the arrow keys are at
+  bool scroll_ = false;
+  std::vector<Place> places_;
   std::string name_, error_;
   std::string replaced_;  ///< what the question about replacing names
 };

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "ui/outlines.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -69,7 +70,7 @@ void GaussPanel::toolbar(PanelContext& context, GaussView& view, float width) {
   const auto box = [&](const char* label, const char* id, const char* help, bool& value) {
     ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &value);
     context.marks.item(id);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr(help));
+    if (ImGui::IsItemHovered()) show_tip(context.tr(help));
     ImGui::SameLine();
   };
   box(translatable("Cells"), "gauss.cells",
@@ -91,7 +92,7 @@ void GaussPanel::step_bar(PanelContext& context, GaussView& view, float width) {
   const auto arrow = [&](const char* id, ImGuiDir direction, int by, const char* help) {
     if (ImGui::ArrowButton(id, direction)) step = std::clamp(step + by, 0, all);
     context.marks.item(id);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr(help));
+    if (ImGui::IsItemHovered()) show_tip(context.tr(help));
     ImGui::SameLine();
   };
   arrow("gauss.back", ImGuiDir_Left, -1, translatable("One site less"));
@@ -102,7 +103,7 @@ void GaussPanel::step_bar(PanelContext& context, GaussView& view, float width) {
   ImGui::SliderInt("##gauss_step", &step, 0, all, "", ImGuiSliderFlags_NoInput);
   context.marks.item("gauss.step");
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-    ImGui::SetTooltip("%s", context.tr("Inserts the sites one by one, each where most room is"));
+    show_tip(context.tr("Inserts the sites one by one, each where most room is"));
   ImGui::SameLine();
   ImGui::TextUnformatted(text.c_str());
   if (step != before) view.step = step < all ? std::optional(Index(step)) : std::nullopt;

@@ -3,6 +3,7 @@
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -57,7 +58,7 @@ void draw_guide(PanelContext& context, const PanelRect& rect) {
     if (ImGui::Button(done ? context.tr("Close") : context.tr("Leave the guide"), {-1, 0})) guide.leave();
     context.marks.item("guide.leave");
     if (!done && ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s", context.tr("It goes on here later: Help, Your first model."));
+      show_tip(context.tr("It goes on here later: Help, Your first model."));
     context.marks.item("guide.leave");
   }
   ImGui::End();

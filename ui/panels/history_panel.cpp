@@ -2,6 +2,7 @@
 
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/tips.hpp"
 
 namespace hariko {
 
@@ -56,10 +57,8 @@ void draw_history(PanelContext& context, const PanelRect& rect) {
     ImGui::SameLine(rect.width() - ImGui::CalcTextSize(used.c_str()).x - m.px(14));
     ImGui::TextDisabled("%s", used.c_str());
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip(
-          "%s", fill(context.tr("Memory of all steps, of {0} at the most; the oldest are forgotten first."),
-                     {megabytes(editor.history.byte_limit())})
-                    .c_str());
+      show_tip(fill(context.tr("Memory of all steps, of {0} at the most; the oldest are forgotten first."),
+                    {megabytes(editor.history.byte_limit())}));
     if (open) {
       ImGui::BeginChild("steps");
       const std::vector<std::string> labels = editor.history.labels();

@@ -11,6 +11,7 @@
 #include "ui/panels/command_menu.hpp"
 #include "ui/panels/overlay_window.hpp"
 #include "ui/panels/preferences.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -28,7 +29,7 @@ bool KeyPage::key(Editor& editor, const CommandTable& commands, const KeyChord& 
     return true;
   }
   if (wanted_) {
-    if (chord.key == GLFW_KEY_ENTER) assign(editor, commands);
+    if (chord.key == GLFW_KEY_ENTER || chord.key == GLFW_KEY_KP_ENTER) assign(editor, commands);
     return true;
   }
   if (!chord.is_known()) return true;  // a modifier on its way to a chord
@@ -124,8 +125,7 @@ void KeyPage::draw_row(PanelContext& context, const Command& command) {
     const std::string text = here ? tr("Press a key\u2026") : keys[i].to_string();
     if (ImGui::Button((text + "###" + std::to_string(i)).c_str())) record(command, i);
     context.marks.item("preferences.key." + command.id + "." + std::to_string(i));
-    if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s", tr("Click and press another key. Right click removes this one."));
+    if (ImGui::IsItemHovered()) show_tip(tr("Click and press another key. Right click removes this one."));
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) removed = i;
     ImGui::SameLine();
   }

@@ -10,26 +10,22 @@ void draw_last_operation(PanelContext& context) {
   LastOperation& last = editor.last_operation;
   if (!last.can_adjust(editor) || last.numbers().empty()) return;
   heading(context, context.tr.phrase(last.label()).c_str());
-  // Adjusting replaces the list: what is drawn is this frame's.
-  const std::vector<OperationNumber> numbers = last.numbers();
+  const std::vector<OperationNumber>& numbers = last.numbers();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const OperationNumber& number = numbers[i];
     Quantity quantity =
         number.whole ? plain_quantity(0, 1) : length_quantity(editor.document().unit, number.value);
     quantity.whole = number.whole;
-    std::optional<double> wanted;
-    // The step is made again with the new number instead of a further step.
+    // The step is made again with the new number instead of a further step, when all rows are drawn.
     row_label(context, number.label, "");
     number_field(context, {number.id, number.label, "", last.label(), quantity}, number.value,
                  ImGui::GetContentRegionAvail().x,
                  [&](const Document& document, const ValueChange& change) -> Result<Document> {
-                   wanted = change.apply(quantity, number.value);
+                   context.state.steps.push_back([&editor, i, wanted = change.apply(quantity, number.value)] {
+                     editor.last_operation.adjust(editor, i, wanted);
+                   });
                    return document;
                  });
-    if (wanted && *wanted != number.value) {
-      last.adjust(editor, i, *wanted);
-      break;
-    }
   }
 }
 

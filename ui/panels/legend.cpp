@@ -1,4 +1,5 @@
 #include "ui/panels/legend.hpp"
+#include "ui/panels/tips.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +68,7 @@ void range_end(PanelContext& context, const Object& object, const ValueRange& sh
   }
   context.marks.item(mark);
   const bool hovered = ImGui::IsItemHovered();
-  if (hovered) ImGui::SetTooltip("%s", context.tr("Click to type; right click resets"));
+  if (hovered) show_tip(context.tr("Click to type; right click resets"));
   ImGui::GetWindowDrawList()->AddText(at, hovered ? palette().secondary : palette().text, label.c_str());
 }
 

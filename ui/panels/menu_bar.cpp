@@ -44,7 +44,12 @@ MenuBarFit fit_menu_bar(const PanelContext& context, const std::vector<std::stri
 }
 
 void draw_menu(PanelContext& context, const std::string& menu) {
-  const bool shown = ImGui::BeginMenu(menu_label(context, menu).c_str());
+  const std::string label = menu_label(context, menu);
+  if (context.state.wanted_menu == menu) {
+    context.state.wanted_menu.clear();
+    ImGui::OpenPopup(label.c_str());
+  }
+  const bool shown = ImGui::BeginMenu(label.c_str());
   context.marks.item("menu." + menu);
   if (!shown) return;
   draw_menu_nodes(context, menu_tree(context.commands, menu), "command.");

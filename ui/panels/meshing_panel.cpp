@@ -12,6 +12,7 @@
 #include "ui/panels/legend.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/quantity.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 #include "ui/text_lines.hpp"
 
@@ -77,7 +78,7 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
   ImGui::PushID(row.id);
   ImGui::Checkbox(tr(row.label), &own.on);
   context.marks.item(std::string("meshing.") + row.id + ".on");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(row.help));
+  if (ImGui::IsItemHovered()) show_tip(tr(row.help));
   ImGui::SameLine(context.metrics.px(value_column + 16));
   const double factor = row.length ? meshing.size : 1;
   const double low = row.low * factor, high = row.high * factor;
@@ -111,7 +112,7 @@ void way_rows(PanelContext& context, MeshingSettings& settings) {
   const auto check = [&](const char* id, const char* label, const char* help, bool& on) {
     ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &on);
     context.marks.item(std::string("meshing.") + id);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr(help));
+    if (ImGui::IsItemHovered()) show_tip(context.tr(help));
   };
   check("optimise", translatable("Fewest"),
         translatable("Looks for the smallest mesh within the tolerance. Takes many times longer."),
@@ -140,9 +141,8 @@ void error_line(PanelContext& context, MeshShown shown, const MeshErrors& errors
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(short_text(context, shown, errors.largest).c_str());
   if (errors.bound && ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", fill(tr("No point is off by more than {0}: this is proven, not sampled."),
-                                 {short_text(context, shown, *errors.bound)})
-                                .c_str());
+    show_tip(fill(tr("No point is off by more than {0}: this is proven, not sampled."),
+                  {short_text(context, shown, *errors.bound)}));
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(short_text(context, shown, errors.mean).c_str());
   ImGui::TableNextColumn();
@@ -332,9 +332,7 @@ void draw_meshing(PanelContext& context, const PanelRect& rect) {
       context.run("analyse.mesh_compare");
     context.marks.item("meshing.compare");
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip(
-          "%s",
-          tr("Meshes made by distance and by normal angle, each with both of its errors, side by side"));
+      show_tip(tr("Meshes made by distance and by normal angle, each with both of its errors, side by side"));
     if (ImGui::Button(tr("Export\u2026"), {-1, 0})) context.run("file.export");
     context.marks.item("meshing.export");
   }

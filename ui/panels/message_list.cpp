@@ -8,6 +8,7 @@
 #include "ui/icons.hpp"
 #include "ui/panels/outline_rows.hpp"
 #include "ui/panels/skin_properties.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -41,7 +42,7 @@ bool message_row(PanelContext& context, const Message& message, int number) {
                                       {right, ImGui::GetItemRectMax().y + context.metrics.px(2)},
                                       palette().secondary, context.metrics.px(4));
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  ImGui::SetTooltip("%s", context.tr("Click to select it and look at it."));
+  show_tip(context.tr("Click to select it and look at it."));
   return ImGui::IsMouseClicked(0);
 }
 

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/natural_order.hpp"
+#include "ui/fuzzy.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/selected_items.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -26,13 +29,13 @@ Element object_element(ObjectId id) {
 }
 
 /// Objects between two rows, both included, as Shift chooses them.
-void choose_range(Editor& editor, ObjectId from, ObjectId to) {
+void choose_range(Editor& editor, const std::vector<ObjectId>& rows, ObjectId from, ObjectId to) {
   bool inside = false;
   editor.selection.clear_objects();
   editor.selection.clear_elements();
-  for (const auto& object : editor.document().objects) {
-    const bool end = object->id == from || object->id == to;
-    if (end || inside) editor.selection.select({object->id, object_element(object->id)}, Selection::How::add);
+  for (const ObjectId id : rows) {
+    const bool end = id == from || id == to;
+    if (end || inside) editor.selection.select({id, object_element(id)}, Selection::How::add);
     if (end && from != to) inside = !inside;
   }
   editor.selection.active = to;
@@ -56,7 +59,17 @@ void click_row(PanelContext& context, ObjectId id, Modifiers modifiers = {}) {
   Editor& editor = context.editor;
   OutlinerState& state = context.state.outliner;
   using How = Selection::How;
-  if (modifiers.shift && editor.document().find(state.anchor)) return choose_range(editor, state.anchor, id);
+  const auto has_row = [&](ObjectId row) {
+    return std::find(state.shown.begin(), state.shown.end(), row) != state.shown.end();
+  };
+  // What was chosen in the view is an end of the range, too.
+  const ObjectId from =
+      has_row(state.anchor) && chosen(editor, state.anchor) ? state.anchor : editor.selection.active;
+  if (modifiers.shift && has_row(from)) {
+    choose_range(editor, state.shown, from, id);
+    state.anchor = from;
+    return;
+  }
   state.anchor = id;
   if (modifiers.control) {
     const bool on = editor.selection.objects().contains(id);
@@ -120,7 +133,7 @@ void badge(PanelContext& context, const SurfaceView* view, float x) {
   std::string text = context.tr.text_of(message);
   if (!view->error && view->warnings.size() > 1)
     text += "\n" + fill(context.tr("and {0} more"), {std::to_string(view->warnings.size() - 1)});
-  ImGui::SetTooltip("%s", text.c_str());
+  show_tip(text);
 }
 
 constexpr std::array mirror_names{translatable("Live mirror X"), translatable("Live mirror Y"),
@@ -136,8 +149,7 @@ void mirror_badge(PanelContext& context, const Object& object, float x) {
   }
   context.marks.item("mirror." + std::to_string(object.id.value));
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s",
-                      context.tr(mirror_names[static_cast<std::size_t>(object.polyhedron()->mirror->axis)]));
+    show_tip(context.tr(mirror_names[static_cast<std::size_t>(object.polyhedron()->mirror->axis)]));
 }
 
 void context_menu(PanelContext& context, const Object& object) {
@@ -157,7 +169,7 @@ void context_menu(PanelContext& context, const Object& object) {
       context.run(id);
     context.marks.item(std::string("outliner.") + id);
     if (reason && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-      ImGui::SetTooltip("%s", context.tr.phrase(*reason).c_str());
+      show_tip(context.tr.phrase(*reason));
   }
   ImGui::EndPopup();
 }
@@ -205,7 +217,9 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   context.marks.item("object." + std::to_string(object.id.value));
   const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::SetItemAllowOverlap();
-  drag_and_drop(context, object, index);
+  // Another order is for finding, and has no places to drop at.
+  if (state.order == OutlinerState::Order::document && state.search.empty())
+    drag_and_drop(context, object, index);
   context_menu(context, object);
   ImGui::SameLine(left + m.px(6));
   ImGui::AlignTextToFramePadding();
@@ -243,18 +257,86 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
 void arrow_keys(PanelContext& context) {
   Editor& editor = context.editor;
   if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::GetIO().WantTextInput) return;
+  // Then they go from item to item.
+  if ((ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0) return;
   const int by = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow)) -
                  ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_UpArrow));
-  const auto& objects = editor.document().objects;
-  const auto active = std::find_if(objects.begin(), objects.end(),
-                                   [&](const auto& object) { return object->id == editor.selection.active; });
-  if (by == 0 || active == objects.end()) return;
-  const auto next = (active - objects.begin()) + by;
-  if (next < 0 || next >= static_cast<std::ptrdiff_t>(objects.size())) return;
-  click_row(context, objects[static_cast<std::size_t>(next)]->id);
+  const std::vector<ObjectId>& rows = context.state.outliner.shown;
+  const auto active = std::find(rows.begin(), rows.end(), editor.selection.active);
+  if (by == 0 || active == rows.end()) return;
+  const auto next = (active - rows.begin()) + by;
+  if (next < 0 || next >= static_cast<std::ptrdiff_t>(rows.size())) return;
+  click_row(context, rows[static_cast<std::size_t>(next)], {ImGui::GetIO().KeyShift, false});
+}
+
+/// The rows that are shown, in their order: places in the document.
+std::vector<std::size_t> rows_of(const Document& document, const OutlinerState& state) {
+  using Order = OutlinerState::Order;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < document.objects.size(); ++i)
+    if (state.search.empty() || fuzzy_score(state.search, document.objects[i]->name) > 0) rows.push_back(i);
+  const auto before = [&](std::size_t a, std::size_t b) {
+    const Object &first = *document.objects[a], &second = *document.objects[b];
+    switch (state.order) {
+      case Order::name:
+        return natural_less(first.name, second.name);
+      case Order::kind:
+        return first.source.index() < second.source.index();
+      case Order::newest:
+        return first.id.value > second.id.value;
+      default:
+        return a < b;
+    }
+  };
+  std::stable_sort(rows.begin(), rows.end(), before);
+  return rows;
+}
+
+constexpr std::array order_names{translatable("In order"), translatable("By name"), translatable("By kind"),
+                                 translatable("Newest first")};
+/// From so many objects on the list can be searched and sorted.
+constexpr std::size_t many_objects = 8;
+
+/// A field to search in, and the order of the rows.
+void search_row(PanelContext& context) {
+  OutlinerState& state = context.state.outliner;
+  const float order = context.metrics.px(112);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - order - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::InputTextWithHint("##search", context.tr("Search objects"), &state.search,
+                           ImGuiInputTextFlags_AutoSelectAll);
+  context.marks.item("outliner.search");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(order);
+  const auto current = static_cast<std::size_t>(state.order);
+  const bool open = ImGui::BeginCombo("##order", context.tr(order_names[current]));
+  context.marks.item("outliner.order");
+  if (!open) return;
+  for (std::size_t i = 0; i < order_names.size(); ++i) {
+    if (ImGui::Selectable(context.tr(order_names[i]), i == current))
+      state.order = static_cast<OutlinerState::Order>(i);
+    context.marks.item("outliner.order." + std::to_string(i));
+  }
+  ImGui::EndCombo();
+}
+
+bool many(const Document& document) {
+  return document.objects.size() >= many_objects;
 }
 
 }  // namespace
+
+float objects_height(const PanelContext& context, float available) {
+  const Metrics& m = context.metrics;
+  constexpr float heading = 48, search = 34, row = 32, least = 96;  // design pixels
+  const float wanted = context.editor.settings.objects_height;
+  // Properties need their room: what is drawn by hand may take more of it.
+  constexpr float by_itself = 0.5F, by_hand = 0.75F;
+  if (wanted > 0) return std::clamp(m.px(wanted), m.px(least), std::max(m.px(least), by_hand * available));
+  const Document& document = context.editor.document();
+  const float rows =
+      m.px(heading + row * static_cast<float>(document.objects.size()) + (many(document) ? search : 0));
+  return std::clamp(rows, m.px(least), std::max(m.px(240), by_itself * available));
+}
 
 void draw_objects(PanelContext& context, const PanelRect& rect) {
   Editor& editor = context.editor;
@@ -264,30 +346,39 @@ void draw_objects(PanelContext& context, const PanelRect& rect) {
     heading(context, "Objects");
     // Edits replace the document under the panel: what is drawn is this frame's value.
     const Document document = editor.document();
+    if (many(document)) {
+      search_row(context);
+    } else {
+      state.search.clear();
+      state.order = OutlinerState::Order::document;
+    }
+    const std::vector<std::size_t> rows = rows_of(document, state);
+    state.shown.clear();
+    for (const std::size_t i : rows) state.shown.push_back(document.objects[i]->id);
     if (editor.rename_wanted) {
       editor.rename_wanted = false;
       if (const Object* object = document.find(editor.selection.active)) start_renaming(context, *object);
     }
     if (document.objects.empty())
       hint_text(context, "Nothing here yet. Add a shape, or drop a mesh on the window.");
+    else if (rows.empty())
+      hint_text(context, "Nothing is called like that.");
     ImGui::BeginChild("rows");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(4), m.px(2)));
     const float row = m.px(28);
-    const auto active =
-        std::find_if(document.objects.begin(), document.objects.end(),
-                     [&](const auto& object) { return object->id == editor.selection.active; });
+    const auto active = std::find(state.shown.begin(), state.shown.end(), editor.selection.active);
     // What was chosen in the view comes into sight here.
-    if (state.shown_active != editor.selection.active && active != document.objects.end()) {
-      const float y = row * static_cast<float>(active - document.objects.begin());
+    if (state.shown_active != editor.selection.active && active != state.shown.end()) {
+      const float y = row * static_cast<float>(active - state.shown.begin());
       if (y < ImGui::GetScrollY() || y + row > ImGui::GetScrollY() + ImGui::GetWindowHeight())
         ImGui::SetScrollY(y - ImGui::GetWindowHeight() / 2);
     }
     state.shown_active = editor.selection.active;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(document.objects.size()), row);
+    clipper.Begin(static_cast<int>(rows.size()), row);
     while (clipper.Step())
       for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const auto index = static_cast<std::size_t>(i);
+        const std::size_t index = rows[static_cast<std::size_t>(i)];
         object_row(context, *document.objects[index], index);
       }
     arrow_keys(context);

@@ -41,7 +41,10 @@ struct RecentFile {
 struct Offers {
   std::optional<CrashOffer> crash;        ///< until it is dismissed
   std::vector<RecoveryOffer> recoveries;  ///< latest first
-  std::vector<RecentFile> recent;         ///< latest first; files that are gone are left out
+  /// Cards that have their place from the first frame on, before it is known what they offer.
+  std::size_t recovery_places = 0;
+  bool recoveries_known = false;
+  std::vector<RecentFile> recent;  ///< latest first; files that are gone are left out
 };
 
 }  // namespace hariko

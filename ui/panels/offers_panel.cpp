@@ -8,10 +8,13 @@
 #include "ui/panels/card_focus.hpp"
 #include "ui/panels/crash_offer.hpp"
 #include "ui/panels/sample_cards.hpp"
+#include "ui/panels/tips.hpp"
 
 namespace hariko {
 
 namespace {
+
+constexpr float card_height = 108;  ///< design pixels, of work to recover
 
 /// Text that is cut with an ellipsis where it is wider than `width`.
 void fitted_text(ImVec2 at, float width, ImU32 colour, const std::string& text) {
@@ -45,7 +48,7 @@ bool by_key(PanelContext& context, const std::string& id) {
 void recovery_card(PanelContext& context, const RecoveryOffer& offer, float width) {
   const Metrics& m = context.metrics;
   const Language& tr = context.tr;
-  const float height = m.px(108), radius = m.px(6), picture_width = height * offer.aspect;
+  const float height = m.px(card_height), radius = m.px(6), picture_width = height * offer.aspect;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(at, {at.x + width, at.y + height}, palette().panel, radius);
@@ -91,7 +94,7 @@ bool recent_card(PanelContext& context, const RecentFile& file, ImVec2 size) {
   context.marks.item("recent." + file.path.filename().string());
   if (by_key(context, file.path.string())) clicked = true;
   const bool hovered = ImGui::IsItemHovered();
-  if (hovered) ImGui::SetTooltip("%s\n%s", file.path.c_str(), local_time_text(file.used_at).c_str());
+  if (hovered) show_tip(file.path.string() + "\n" + local_time_text(file.used_at));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float caption = m.px(34), radius = m.px(6);
   const ImVec2 end(at.x + size.x, at.y + size.y), picture_end(end.x, end.y - caption);
@@ -113,9 +116,23 @@ std::string local_time_text(std::int64_t unix_seconds) {
   return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M", &local)};
 }
 
+/// The place of a card whose offer is still being read, or was none.
+void empty_card(PanelContext& context, std::size_t number, float width) {
+  const Metrics& m = context.metrics;
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size(width, m.px(card_height));
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, palette().panel, m.px(6));
+  ImGui::Dummy(size);
+  context.marks.item("recovery.place." + std::to_string(number));
+  fitted_text({at.x + m.px(16), at.y + m.px(10)}, width - m.px(32), palette().dim_text,
+              context.offers.recoveries_known
+                  ? context.tr("What was left here is what its file holds: nothing is lost.")
+                  : context.tr("Looking for unsaved work\u2026"));
+}
+
 void draw_recovery_offers(PanelContext& context, float width) {
   const std::vector<RecoveryOffer> offers = context.offers.recoveries;  // a button may change the list
   for (const RecoveryOffer& offer : offers) recovery_card(context, offer, width);
+  for (std::size_t i = offers.size(); i < context.offers.recovery_places; ++i) empty_card(context, i, width);
 }
 
 bool draw_recent_files(PanelContext& context, float width, std::size_t most) {

@@ -1,4 +1,5 @@
 #include "ui/panels/option_fields.hpp"
+#include "ui/panels/tips.hpp"
 
 #include <imgui_stdlib.h>
 
@@ -19,7 +20,7 @@ bool option_field(const char* id, const char* help, Marks& marks, float width, c
   ImGui::SetNextItemWidth(width);
   ImGui::InputText((std::string("##") + id).c_str(), &text);
   marks.item(std::string("export.") + id);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+  if (ImGui::IsItemHovered()) show_tip(help);
   if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
   const double before = value;
   if (const auto change = parse_change(text, quantity)) value = change->apply(quantity, value);

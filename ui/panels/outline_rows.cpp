@@ -8,6 +8,7 @@
 #include "core/gaussmap/spread_normals.hpp"
 #include "ui/outlines.hpp"
 #include "ui/panels/choice.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -134,7 +135,7 @@ void density_rows(PanelContext& context, const Object& object) {
 void button(PanelContext& context, const char* label, const char* id) {
   if (ImGui::Button((std::string(context.tr(label)) + "###" + id).c_str(), {-1, 0})) context.run(id);
   if (const Command* command = context.commands.find(id); command && ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", context.tr(command->help.c_str()));
+    show_tip(context.tr(command->help.c_str()));
   context.marks.item(std::string("button.") + id);
 }
 

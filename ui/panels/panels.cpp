@@ -1,6 +1,7 @@
 #include "ui/panels/panels.hpp"
 
 #include "ui/icons.hpp"
+#include "ui/panels/tips.hpp"
 
 namespace hariko {
 
@@ -66,7 +67,7 @@ bool icon_button(const PanelContext& context, const char* icon, const char* id, 
                : hovered ? palette().text
                          : palette().dim_text,
                icon);
-  if (hovered && *tooltip) ImGui::SetTooltip("%s", context.tr(tooltip));
+  if (hovered && *tooltip) show_tip(context.tr(tooltip));
   ImGui::PopID();
   return pressed;
 }

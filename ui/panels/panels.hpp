@@ -12,6 +12,7 @@
 #include "ui/editor.hpp"
 #include "ui/marks.hpp"
 #include "ui/panels/offers.hpp"
+#include "ui/panels/steady_rows.hpp"
 #include "ui/samples.hpp"
 #include "ui/theme.hpp"
 
@@ -23,7 +24,11 @@ struct OutlinerState {
   std::string name;         ///< contents of that field
   bool focus_name = false;  ///< the field has just appeared
   ObjectId anchor;          ///< where a range chosen with Shift begins
-  ObjectId shown_active;    ///< the active object that the list has scrolled to
+  enum class Order { document, name, kind, newest };
+  Order order = Order::document;
+  std::string search;           ///< shows the objects whose names have it
+  std::vector<ObjectId> shown;  ///< the rows, from above
+  ObjectId shown_active;        ///< the active object that the list has scrolled to
 };
 
 struct MeasuredSections;
@@ -35,6 +40,15 @@ struct PanelState {
   std::string typed_from;      ///< what the number field held before
   unsigned typing = 0;         ///< ImGui id of the number field being edited, 0 for none
   bool field_opening = false;  ///< in this frame a field waits for the keyboard
+  std::string typing_row;      ///< mark of the number field that has the keyboard in this frame
+  SteadyRows steady;           ///< of the properties
+  /// Steps of fields of this frame, made when all panels are drawn: until then the rows stand as they stood,
+  /// and Tab finds the next one.
+  std::vector<std::function<void()>> steps;
+  std::string wanted_menu;   ///< the menu that a key opens, in English; empty for none
+  std::string wanted_row;    ///< id of the field or list that a command asked for
+  std::string pointed_row;   ///< the one that has a ring
+  double pointed_until = 0;  ///< by Editor::now
   OutlinerState outliner;
   bool history_open = false;
   std::uint64_t history_shown = 0;  ///< serial of the state that the list of steps has scrolled to
@@ -81,6 +95,8 @@ bool begin_panel(const char* name, const PanelRect& rect, ImU32 background, ImVe
 /// 1.90.1 finds no field in the scope of another window.
 void focus_next_field();
 
+/// How high the list of objects wants to be, of the `available` height of the side.
+float objects_height(const PanelContext& context, float available);
 float draw_menu_bar(PanelContext& context);  ///< returns its height
 /// How wide the column must be for all its buttons to show in this height.
 float tool_column_width(const Metrics& metrics, float height);

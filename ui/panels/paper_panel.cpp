@@ -6,6 +6,7 @@
 
 #include "core/unfolding/edit_unfolding.hpp"
 #include "ui/icons.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/paper_edits.hpp"
 #include "ui/text_lines.hpp"
 
@@ -53,8 +54,7 @@ void command_button(PanelContext& context, const char* id) {
   context.marks.item(id);
   if (blocked) ImGui::EndDisabled();
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-    ImGui::SetTooltip("%s",
-                      (blocked ? context.tr.phrase(*command.why_not()) : context.tr(command.help)).c_str());
+    show_tip((blocked ? context.tr.phrase(*command.why_not()) : context.tr(command.help)));
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ void PaperPanel::toolbar(PanelContext& context) {
   if (main_button(context.tr("Unfold"))) context.run("paper.unfold");
   context.marks.item("paper.unfold");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", context.tr("Look for the cuts anew. Edges that you cut or joined stay so."));
+    show_tip(context.tr("Look for the cuts anew. Edges that you cut or joined stay so."));
   if (!context.editor.paper.visible()) return;
   for (const char* id : {"paper.arrange", "paper.straighten", "paper.turn", "paper.export"})
     command_button(context, id);
@@ -393,14 +393,14 @@ void PaperPanel::fold_bar(PanelContext& context, const PanelRect& rect) {
   context.marks.item("paper.fold");
   if (ImGui::IsItemActive()) state.in_space = true;
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", context.tr("Folds the pages up to the solid, in the view of the model"));
+    show_tip(context.tr("Folds the pages up to the solid, in the view of the model"));
   ImGui::SameLine();
   ImGui::TextUnformatted(context.tr("Solid"));
   ImGui::SameLine();
   ImGui::Checkbox((std::string(context.tr("paper in the view")) + "##in_space").c_str(), &state.in_space);
   context.marks.item("paper.in_space");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", context.tr("The view of the model shows the paper instead of the objects"));
+    show_tip(context.tr("The view of the model shows the paper instead of the objects"));
 }
 
 /// Places for tests and guides: middles of folds, cuts, tabs and pieces, on models that are small enough.

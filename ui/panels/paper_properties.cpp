@@ -176,12 +176,34 @@ void page_rows(PanelContext& context) {
              [](PaperModel& paper) -> double& { return paper.settings.gap; });
 }
 
+/// How many facets there are. Asking for another number changes the tolerance: facets become fewer about as
+/// it grows.
+void count_row(PanelContext& context, const PaperModel& now) {
+  const auto& mesh = context.editor.paper.mesh;
+  const double count = mesh ? static_cast<double>(mesh->whole->mesh.face_count()) : 0;
+  if (!(count > 0)) return;
+  constexpr int least = 10, most = 5000, usual = 100;
+  const Quantity quantity = whole_quantity(least, most, usual);
+  slider_row(
+      context,
+      {"paper_count", translatable("How many"),
+       translatable("Facets of the paper model: fewer are quicker to build, more are nearer to the surface"),
+       translatable("Tolerance of the paper model"), quantity},
+      least, most, true, count,
+      [quantity, count, distance = now.distance](const Document& document, const ValueChange& change) {
+        return Result<Document>(with_paper_settings(document, [&](PaperModel& paper) {
+          paper.distance = distance * count / change.apply(quantity, count);
+        }));
+      });
+}
+
 void facet_rows(PanelContext& context) {
   const PaperModel now = paper_choices_of(context.editor.document());
   if (const auto chosen = choose(context, "paper_facets", "Facets", "What is cut and folded", facet_choices,
                                  now.of_polyhedra ? 1 : 0))
     set(context, "Facets of the paper model", [&](PaperModel& paper) { paper.of_polyhedra = *chosen == 1; });
   if (now.of_polyhedra) return;
+  count_row(context, now);
   Quantity length = length_quantity(context.editor.document().unit, now.distance);
   length.low = 1e-6 * now.distance;
   length.multiplies = true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -51,8 +52,7 @@ void patch_section(PanelContext& context, const Object& object) {
   if (ImGui::Button((std::string(context.tr("Separate patches")) + "###separate_patches").c_str(), {-1, 0}))
     context.run("shape.separate_patches");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s",
-                      context.tr("Control points are edited patch by patch; welding joins them again."));
+    show_tip(context.tr("Control points are edited patch by patch; welding joins them again."));
   context.marks.item("button.separate_patches");
 }
 

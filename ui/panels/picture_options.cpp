@@ -10,6 +10,7 @@
 #include "core/drawing/write_drawing_svg.hpp"
 #include "render/picture.hpp"
 #include "ui/panels/quantity.hpp"
+#include "ui/panels/tips.hpp"
 
 namespace hariko {
 
@@ -27,7 +28,7 @@ void check(const Language& tr, Marks& marks, const char* id, const char* text, c
            bool& value) {
   ImGui::Checkbox((std::string(tr(text)) + "##" + id).c_str(), &value);
   marks.item(std::string("picture.") + id);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tr(help));
+  if (ImGui::IsItemHovered()) show_tip(tr(help));
 }
 
 void whole_number(Marks& marks, const Metrics& metrics, const char* id, int& value, int most) {
@@ -78,8 +79,7 @@ void DrawingOptions::page_row(const Editor& editor, Marks& marks, const Metrics&
   ImGui::SetNextItemWidth(metrics.px(110));
   ImGui::InputText("##page_width", &width_text_);
   marks.item("picture.page_width");
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", tr("Of the page. Lines have the same widths on pages of all sizes."));
+  if (ImGui::IsItemHovered()) show_tip(tr("Of the page. Lines have the same widths on pages of all sizes."));
   if (ImGui::IsItemDeactivatedAfterEdit()) {
     if (const auto change = parse_change(width_text_, length))
       settings_.width = change->apply(length, settings_.width);

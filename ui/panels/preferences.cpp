@@ -1,5 +1,7 @@
 #include "ui/panels/preferences.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include "ui/fonts.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/navigation_rows.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -47,8 +50,7 @@ bool choice(PanelContext& context, const char* label, const std::string& mark, b
   context.marks.item("preferences." + mark);
   if (why_not) ImGui::EndDisabled();
   if (on) ImGui::PopStyleColor(2);
-  if (why_not && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-    ImGui::SetTooltip("%s", context.tr(why_not));
+  if (why_not && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) show_tip(context.tr(why_not));
   ImGui::SameLine(0, context.metrics.px(4));
   return chosen && !on;
 }
@@ -213,17 +215,25 @@ void Preferences::draw(PanelContext& context, float top) {
   const ImVec2 size(std::min(m.px(760), screen.x - m.px(32)), std::min(m.px(520), screen.y - top - m.px(32)));
   const ImVec2 most(screen.x - size.x, screen.y - size.y);
   ImGui::SetNextWindowSize(size);
-  ImGui::SetNextWindowPos({most.x / 2, (most.y + top) / 2}, ImGuiCond_Appearing);
+  const std::string name = std::string(context.tr("Preferences")) + "###preferences";
+  // Where it was put, as far as that is inside of the window, which may have become smaller, or the interface
+  // larger.
+  const ImGuiWindow* window = ImGui::FindWindowByName(name.c_str());
+  if (window && window->WasActive)
+    ImGui::SetNextWindowPos({std::clamp(window->Pos.x, 0.0F, std::max(0.0F, most.x)),
+                             std::clamp(window->Pos.y, top, std::max(top, most.y))});
+  else
+    ImGui::SetNextWindowPos({most.x / 2, (most.y + top) / 2});
   if (focus_) ImGui::SetNextWindowFocus();
   focus_ = false;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, m.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, m.px(1));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().popup);
   bool stays = true;
-  const bool drawn = ImGui::Begin((std::string(context.tr("Preferences")) + "###preferences").c_str(), &stays,
+  const bool drawn = ImGui::Begin(name.c_str(), &stays,
                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
+                                      ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
   context.marks.window("preferences");

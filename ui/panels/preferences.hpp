@@ -32,7 +32,13 @@ class KeyPage {
 
 class Preferences {
  public:
+  enum class Page { interface, navigation, units, files, colours, keys };
+
   void open() { open_ = focus_ = true; }
+  void open(Page page) {
+    page_ = page;
+    open();
+  }
   bool is_open() const { return open_; }
   void close();
   bool key(Editor& editor, const CommandTable& commands, const KeyChord& chord) {
@@ -41,7 +47,6 @@ class Preferences {
   void draw(PanelContext& context, float top);
 
  private:
-  enum class Page { interface, navigation, units, files, colours, keys };
   void draw_pages(PanelContext& context);
   void draw_page(PanelContext& context);
   void reset_page(Settings& settings) const;

@@ -1,13 +1,16 @@
 #include "ui/panels/prompt.hpp"
-#include "ui/text_lines.hpp"
-
 #include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/text_lines.hpp"
 
 namespace hariko {
 
 void Prompt::draw(PanelContext& context) {
   constexpr const char* id = "###prompt";
   const bool shown = ImGui::IsPopupOpen(id);
+  if (!is_open()) shown_ = 0;
   if (!is_open() && !shown) return;
   if (!shown) ImGui::OpenPopup(id);
   const Metrics& m = context.metrics;
@@ -23,18 +26,31 @@ void Prompt::draw(PanelContext& context) {
     return;
   }
   const Request request = requests_.back();
-  text_in_lines(request.text, m.px(420));
+  const float wide = std::min(m.px(420), screen.x - m.px(64));
+  text_in_lines(request.text, wide);
   if (request.picture) request.picture();
   if (request.fields) request.fields(context);
   ImGui::Dummy({0, m.px(8)});
   const Answer* chosen = nullptr;
+  focus_.begin();
+  // Enter takes the first answer until the keys go to another one.
+  if (shown_ != requests_.size() && !request.answers.empty()) focus_.go_to(request.answers.front().mark);
+  shown_ = requests_.size();
   for (const Answer& answer : request.answers) {
+    const bool first = &answer == &request.answers.front();
     const float width = std::max(m.px(110), ImGui::CalcTextSize(answer.label.c_str()).x + m.px(24));
-    if (ImGui::Button(answer.label.c_str(), {width, 0})) chosen = &answer;
+    // Below each other where the window is narrow.
+    if (!first) {
+      ImGui::SameLine();
+      if (ImGui::GetCursorPosX() + width > std::max(wide, ImGui::GetWindowWidth()) && screen.x < m.px(900))
+        ImGui::NewLine();
+    }
+    const bool pressed = first ? main_button(answer.label.c_str(), {width, 0})
+                               : ImGui::Button(answer.label.c_str(), {width, 0});
     context.marks.item("prompt." + answer.mark);
-    ImGui::SameLine();
+    if (focus_.item(answer.mark, m.px(4)) || pressed) chosen = &answer;
   }
-  ImGui::NewLine();
+  focus_.end();
   if (chosen) {
     requests_.pop_back();
     if (!is_open()) ImGui::CloseCurrentPopup();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/panels/card_focus.hpp"
 #include "ui/panels/panels.hpp"
 
 namespace hariko {
@@ -32,10 +33,15 @@ class Prompt {
   void dismiss() {
     if (is_open()) requests_.pop_back();
   }
+  /// Arrows and Tab go from answer to answer, Enter and the space bar choose. True when the key had an
+  /// effect.
+  bool key(const KeyChord& chord) { return is_open() && focus_.key(chord); }
   void draw(PanelContext& context);
 
  private:
   std::vector<Request> requests_;
+  CardFocus focus_;
+  std::size_t shown_ = 0;  ///< how many waited when the focus went to the default answer
 };
 
 }  // namespace hariko

@@ -3,14 +3,16 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include "core/document/angles.hpp"
 #include "core/document/convert_unit.hpp"
-#include "ui/panels/attachment_rows.hpp"
+#include "ui/object_size.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/display_panel.hpp"
+#include "ui/panels/element_rows.hpp"
 #include "ui/panels/message_list.hpp"
 #include "ui/panels/outline_rows.hpp"
 #include "ui/panels/paper_properties.hpp"
@@ -18,6 +20,7 @@
 #include "ui/panels/selected_items.hpp"
 #include "ui/panels/skin_properties.hpp"
 #include "ui/panels/solids_properties.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 
 namespace hariko {
@@ -32,11 +35,6 @@ constexpr std::array mode_choices{
 };
 constexpr std::array mode_steps{"Surface Fair", "Surface G2", "Surface Target", "Surface Paper"};
 constexpr std::array<Mode, 4> modes{Mode::fair, Mode::g2, Mode::target, Mode::paper};
-constexpr std::array tag_choices{
-    Choice{"Automatic", "A corner where creases or the border demand it"},
-    Choice{"Corner", "Every curve ends here with its own direction"},
-    Choice{"Smooth", "Creases and the border run smoothly through"},
-};
 constexpr std::array mirror_choices{
     Choice{"None", "All of the object is modelled"},
     Choice{"Across X", "The plane x = 0 of the object"},
@@ -49,31 +47,6 @@ constexpr std::array unit_choices{
     Choice{"Metres", ""},
     Choice{"Inches", ""},
 };
-constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
-
-/// "vertex" or "{0} vertices" filled.
-std::string counted(const char* one, const char* many, std::size_t count) {
-  return count == 1 ? one : fill(many, {std::to_string(count)});
-}
-
-/// The heading of a section about so many.
-void counted_heading(const PanelContext& context, const char* one, const char* many, std::size_t count) {
-  heading(context, count == 1 ? context.tr(one) : fill(context.tr(many), {std::to_string(count)}).c_str());
-}
-
-double model_size(const Editor& editor) {
-  Box3 box;
-  for (const auto& object : editor.document().objects) box.extend(world_box(*object));
-  return box.isEmpty() ? 1 : box.sizes().maxCoeff();
-}
-
-Quantity tension_quantity(double low, double high, double standard) {
-  Quantity quantity = plain_quantity(4, 0.1);
-  quantity.low = low;
-  quantity.high = high;
-  quantity.standard = standard;
-  return quantity;
-}
 
 // The document.
 
@@ -122,8 +95,6 @@ void object_name(PanelContext& context, const Object& object) {
   context.marks.item("field.name");
 }
 
-using Objects = std::vector<std::shared_ptr<const Object>>;
-
 /// Changes the transforms of all objects, one after the other.
 Result<Document> edit_transforms(const Document& document, const Objects& objects,
                                  const std::function<void(Similarity&)>& change) {
@@ -138,12 +109,6 @@ Result<Document> edit_transforms(const Document& document, const Objects& object
     result = std::move(changed).value();
   }
   return result;
-}
-
-std::array<FieldSpec, 3> axis_specs(const std::array<const char*, 3>& ids, const std::string& step,
-                                    const Quantity& quantity) {
-  return {FieldSpec{ids[0], "X", "", step, quantity}, FieldSpec{ids[1], "Y", "", step, quantity},
-          FieldSpec{ids[2], "Z", "", step, quantity}};
 }
 
 template <class Get>
@@ -192,6 +157,36 @@ void transform_rows(PanelContext& context, const Objects& objects) {
             });
 }
 
+/// How large the surfaces are along the objects' own axes.
+void size_rows(PanelContext& context, const Objects& objects) {
+  Editor& editor = context.editor;
+  const Quantity length = length_quantity(editor.document().unit, model_size(editor));
+  const auto sizes = [&](const Object& object) -> Vector3 {
+    const Box3 box = own_box(editor, object);
+    return box.isEmpty() ? Vector3(Vector3::Zero()) : Vector3(box.sizes() * object.transform.scale);
+  };
+  vector_row(context, "Size", "Of the surface, along the object's own axes",
+             axis_specs({"size.x", "size.y", "size.z"}, "Size of object", length),
+             common_axes(objects, sizes),
+             [&editor, objects, length](const Document& document, int axis, const ValueChange& change) {
+               Result<Document> result = document;
+               for (const auto& object : objects) {
+                 const Box3 box = own_box(editor, *object);
+                 const double now = box.isEmpty() ? 0 : box.sizes()[axis] * object->transform.scale;
+                 if (result)
+                   result = with_size(*result, object->id, box, shown_density(editor, *object), axis,
+                                      change.apply(length, now), editor.transform.proportional_size);
+               }
+               return result;
+             });
+  if (std::none_of(objects.begin(), objects.end(), [](const auto& object) { return stretches(*object); }))
+    return;
+  if (const auto on =
+          check_row(context, "proportional", "Proportional",
+                    "A typed size scales the object along all its axes", editor.transform.proportional_size))
+    editor.transform.proportional_size = *on;
+}
+
 void mode_row(PanelContext& context, const Objects& objects) {
   Objects polyhedra;
   for (const auto& object : objects)
@@ -209,23 +204,47 @@ void mode_row(PanelContext& context, const Objects& objects) {
   context.editor.commit(result, mode_steps[static_cast<std::size_t>(*chosen)]);
 }
 
-/// The live mirror of one object: its plane, and making the image the object's own.
-void mirror_row(PanelContext& context, const Object& object) {
-  const PolyhedronSource* source = object.polyhedron();
-  if (!source || context.editor.selection.active != object.id) return;
-  constexpr std::array commands{"mirror.live_x", "mirror.live_y", "mirror.live_z"};
-  const int current = source->mirror ? static_cast<int>(source->mirror->axis) + 1 : 0;
+/// The live mirror: its plane, and making the image the object's own.
+void mirror_row(PanelContext& context, const Objects& objects) {
+  Objects polyhedra;
+  for (const auto& object : objects)
+    if (object->polyhedron()) polyhedra.push_back(object);
+  if (polyhedra.empty()) return;
+  Editor& editor = context.editor;
+  const auto axis = common<int>(polyhedra, [](const auto& object) {
+    const auto& mirror = object->polyhedron()->mirror;
+    return mirror ? static_cast<int>(mirror->axis) + 1 : 0;
+  });
   const auto chosen =
       choose(context, "mirror", "Mirror", "Model one half; its image completes the object at once.",
-             mirror_choices, current);
-  // The command of the present axis ends the mirror.
-  if (chosen && *chosen != current)
-    context.run(commands[static_cast<std::size_t>(*chosen == 0 ? current : *chosen) - 1]);
-  if (current == 0) return;
+             mirror_choices, axis.value_or(-1));
+  // Commands act on the active object: on each in its turn.
+  const auto each = [&](const auto& run) {
+    const ObjectId active = editor.selection.active;
+    for (const auto& object : polyhedra) {
+      editor.selection.active = object->id;
+      run(*object);
+    }
+    editor.selection.active = active;
+  };
+  constexpr std::array commands{"mirror.live_x", "mirror.live_y", "mirror.live_z"};
+  if (chosen && chosen != axis)
+    each([&](const Object& object) {
+      const auto& mirror = object.polyhedron()->mirror;
+      const int current = mirror ? static_cast<int>(mirror->axis) + 1 : 0;
+      // The command of the present axis ends the mirror.
+      if (*chosen != current)
+        context.run(commands[static_cast<std::size_t>(*chosen == 0 ? current : *chosen) - 1]);
+    });
+  if (std::none_of(polyhedra.begin(), polyhedra.end(),
+                   [](const auto& object) { return object->polyhedron()->mirror.has_value(); }))
+    return;
   row_label(context, "", "");
   if (ImGui::Button((std::string(context.tr("Apply live mirror")) + "###apply_mirror").c_str(), {-1, 0}))
-    context.run("mirror.apply");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr("Make both halves the object's own."));
+    each([&](const Object& object) {
+      if (object.polyhedron()->mirror) context.run("mirror.apply");
+    });
+  if (ImGui::IsItemHovered()) show_tip(context.tr("Make both halves the object's own."));
   context.marks.item("button.apply_mirror");
 }
 
@@ -311,12 +330,13 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
 void object_section(PanelContext& context, const Objects& objects) {
   counted_heading(context, "Object", "{0} objects", objects.size());
   if (objects.size() == 1) object_name(context, *objects.front());
+  size_rows(context, objects);
   if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object->locked; }))
     hint_text(context, "Locked: unlock it in the list above to change it.");
   mode_row(context, objects);
   frames_row(context, objects);
   round_row(context, objects);
-  if (objects.size() == 1) mirror_row(context, *objects.front());
+  mirror_row(context, objects);
   preparation_rows(context, objects);
   if (objects.size() == 1) patch_section(context, *objects.front());
   if (ImGui::TreeNodeEx("##place",
@@ -328,120 +348,7 @@ void object_section(PanelContext& context, const Objects& objects) {
   } else {
     context.marks.item("section.placement");
   }
-  if (objects.size() == 1) draw_display(context, *objects.front());
-}
-
-// Elements.
-
-Vector3 position_of(const PolyhedronSource& source, VertexId id) {
-  return source.origin + source.polyhedron.position(source.polyhedron.find(id));
-}
-
-Result<Document> edit_positions(const Document& document, const SelectedIds<VertexId>& selected, int axis,
-                                const Quantity& quantity, const ValueChange& change) {
-  const Object* object = document.find(selected.object->id);
-  if (!object || !object->polyhedron()) return document;
-  const PolyhedronSource& source = *object->polyhedron();
-  std::vector<Vector3> positions;
-  for (const VertexId id : selected.ids) {
-    Vector3 position = position_of(source, id);
-    position[axis] = change.apply(quantity, position[axis]);
-    positions.push_back(position - source.origin);
-  }
-  return move_vertices(document, object->id, selected.ids, positions);
-}
-
-void position_rows(PanelContext& context, const SelectedIds<VertexId>& selected) {
-  const PolyhedronSource& source = *selected.object->polyhedron();
-  const Quantity length = length_quantity(context.editor.document().unit, model_size(context.editor));
-  std::array<std::optional<double>, 3> values;
-  for (int axis = 0; axis < 3; ++axis)
-    values[static_cast<std::size_t>(axis)] =
-        common<double>(selected.ids, [&](VertexId id) { return position_of(source, id)[axis]; });
-  vector_row(context, "Position", "Coordinates of the vertex, in the object's own axes",
-             axis_specs(axis_names, counted("Move vertex", "Move {0} vertices", selected.ids.size()), length),
-             values, [selected, length](const Document& document, int axis, const ValueChange& change) {
-               return edit_positions(document, selected, axis, length, change);
-             });
-}
-
-void pin_row(PanelContext& context, const SelectedIds<VertexId>& selected) {
-  const auto& pins = selected.object->polyhedron()->shaping->pin;
-  const auto pinned = static_cast<std::size_t>(std::count_if(selected.ids.begin(), selected.ids.end(),
-                                                             [&](VertexId id) { return pins.contains(id); }));
-  if (pinned == 0) return;
-  row_label(context, "Pin", "The tangent plane is fixed here");
-  const std::string label = pinned == 1 ? context.tr("Release pin")
-                                        : fill(context.tr("Release {0} pins"), {std::to_string(pinned)});
-  if (ImGui::Button((label + "###release").c_str(), {-1, 0}))
-    context.editor.commit(clear_pins(context.editor.history.current(), selected.object->id, selected.ids),
-                          counted("Release pin", "Release {0} pins", pinned));
-  context.marks.item("button.release_pin");
-}
-
-/// Every tension of the selected elements changed, in one edit.
-template <class Id, class Get, class Set>
-Result<Document> edit_tensions(const Document& document, const SelectedIds<Id>& selected,
-                               const Quantity& quantity, const ValueChange& change, const Get& get,
-                               const Set& set) {
-  const Object* object = document.find(selected.object->id);
-  if (!object || !object->polyhedron()) return document;
-  std::vector<double> values;
-  for (const Id& id : selected.ids)
-    values.push_back(change.apply(quantity, get(*object->polyhedron()->shaping, id)));
-  return set(document, object->id, selected.ids, values);
-}
-
-void vertex_section(PanelContext& context, const SelectedIds<VertexId>& selected) {
-  const Shaping& shaping = *selected.object->polyhedron()->shaping;
-  const auto& ids = selected.ids;
-  counted_heading(context, "Vertex", "{0} vertices", ids.size());
-  const auto alpha_of = [](const Shaping& of, VertexId id) { return of.alpha.get_or(id, 0); };
-  const Quantity quantity = tension_quantity(0, max_alpha, 0);
-  slider_row(context,
-             {"alpha", "Tension \u03b1", "Pulls the curves to the vertex: 0 is relaxed, 10 makes a point",
-              counted("Tension of vertex", "Tension of {0} vertices", ids.size()), quantity},
-             0, max_alpha, true, common<double>(ids, [&](VertexId id) { return alpha_of(shaping, id); }),
-             [selected, quantity, alpha_of](const Document& document, const ValueChange& change) {
-               return edit_tensions(document, selected, quantity, change, alpha_of, &set_alphas);
-             });
-  const auto tag =
-      common<VertexTag>(ids, [&](VertexId id) { return shaping.tag.get_or(id, VertexTag::automatic); });
-  if (const auto chosen = choose(context, "tag", "Corner", "How creases and the border pass the vertex",
-                                 tag_choices, tag ? static_cast<int>(*tag) : -1))
-    context.editor.commit(set_vertex_tag(context.editor.history.current(), selected.object->id, ids,
-                                         static_cast<VertexTag>(*chosen)),
-                          counted("Tag of vertex", "Tag of {0} vertices", ids.size()));
-  pin_row(context, selected);
-  position_rows(context, selected);
-}
-
-void edge_section(PanelContext& context, const SelectedIds<EdgeId>& selected) {
-  const Shaping& shaping = *selected.object->polyhedron()->shaping;
-  const auto& ids = selected.ids;
-  counted_heading(context, "Edge", "{0} edges", ids.size());
-  const auto beta_of = [](const Shaping& of, const EdgeId& id) { return of.beta.get_or(id, 1); };
-  Quantity quantity = tension_quantity(min_beta, max_beta, 1);
-  quantity.multiplies = true;
-  slider_row(
-      context,
-      {"beta", "Tension \u03b2", "Stretches the curve along the edge: 1 is neutral, 10 is nearly straight",
-       counted("Tension of edge", "Tension of {0} edges", ids.size()), quantity},
-      min_beta, max_beta, true, common<double>(ids, [&](const EdgeId& id) { return beta_of(shaping, id); }),
-      [selected, quantity, beta_of](const Document& document, const ValueChange& change) {
-        return edit_tensions(document, selected, quantity, change, beta_of, &set_betas);
-      });
-  const auto crease = common<bool>(ids, [&](const EdgeId& id) { return shaping.crease.contains(id); });
-  if (const auto on = check_row(context, "crease", "Crease", "The surface has a sharp edge here", crease))
-    context.editor.commit(set_crease(context.editor.history.current(), selected.object->id, ids, *on),
-                          *on ? counted("Crease of edge", "Crease of {0} edges", ids.size())
-                              : counted("Smooth of edge", "Smooth of {0} edges", ids.size()));
-  attachment_rows(context, selected);
-}
-
-void face_section(PanelContext& context, const SelectedIds<FaceId>& selected) {
-  counted_heading(context, "Face", "{0} faces", selected.ids.size());
-  hint_text(context, "Drag to move.");
+  draw_display(context, objects);
 }
 
 }  // namespace
@@ -449,6 +356,9 @@ void face_section(PanelContext& context, const SelectedIds<FaceId>& selected) {
 void draw_properties(PanelContext& context, const PanelRect& rect) {
   const Metrics& m = context.metrics;
   if (begin_panel("Properties", rect, palette().panel, {m.px(12), m.px(8)})) {
+    PanelState& state = context.state;
+    state.typing_row.clear();
+    state.steady.begin();
     // Edits replace the document under the panel: what is drawn is this frame's value.
     draw_last_operation(context);
     if (context.editor.paper.shown) draw_paper_properties(context);
@@ -460,18 +370,13 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
                     : translatable("Nothing is selected. Click an object here or in the view."));
     } else {
       // Elements first: they are what the hand is on.
-      const auto vertices = selected_vertices(context.editor);
-      const auto edges = selected_edges(context.editor);
-      const auto faces = selected_faces(context.editor);
-      if (!vertices.ids.empty()) vertex_section(context, vertices);
-      if (!edges.ids.empty()) edge_section(context, edges);
-      if (!faces.ids.empty()) face_section(context, faces);
+      const bool elements = draw_elements(context);
       draw_skin_properties(context);
       if (objects.front()->solids()) draw_solids(context, *objects.front());
       outline_point_section(context);
       if (objects.size() == 1) outline_section(context, *objects.front());
       object_section(context, objects);
-      if (vertices.ids.empty() && edges.ids.empty() && faces.ids.empty() && objects.front()->polyhedron()) {
+      if (!elements && objects.front()->polyhedron()) {
         heading(context, "Selection");
         hint_text(context,
                   "Click a vertex or an edge to set its tension. Keys 1 2 3 choose what a click takes.");
@@ -479,6 +384,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       draw_message_list(context, *objects.front());
     }
     document_section(context);
+    state.steady.end(context.marks, state.typing_row);
   }
   ImGui::End();
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ui/panels/card_focus.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/text_lines.hpp"
 
 namespace hariko {
@@ -35,7 +36,7 @@ bool draw_card(PanelContext& context, const Card& card, ImVec2 size, std::size_t
   const bool hovered = ImGui::IsItemHovered();
   const float radius = m.px(6);
   if (context.focus && context.focus->item(card.id, radius)) chosen = true;
-  if (hovered && !card.help.empty()) ImGui::SetTooltip("%s", card.help.c_str());
+  if (hovered && !card.help.empty()) show_tip(card.help.c_str());
   if (!ImGui::IsRectVisible(low, high)) return chosen;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRectFilled(low, high, hovered ? palette().field_hover : palette().panel, radius);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/skinning/section_deviation.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 #include "ui/skin_view.hpp"
 
@@ -87,8 +88,7 @@ void draw_row(PanelContext& context, const std::string& name, const std::string&
   row_label(context, name.c_str(), "");
   draw_value(context, value, fraction);
   context.marks.rect(mark, corner, end);
-  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end))
-    ImGui::SetTooltip("%s", help.c_str());
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, end)) show_tip(help.c_str());
 }
 
 }  // namespace

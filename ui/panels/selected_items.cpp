@@ -20,8 +20,8 @@ SelectedIds<Id> ids_of_active(const Editor& editor, std::set<Id> ElementSelectio
 
 }  // namespace
 
-std::vector<std::shared_ptr<const Object>> chosen_objects(const Editor& editor) {
-  std::vector<std::shared_ptr<const Object>> objects;
+Objects chosen_objects(const Editor& editor) {
+  Objects objects;
   if (auto active = editor.document().find_shared(editor.selection.active))
     objects.push_back(std::move(active));
   for (const ObjectId id : editor.selection.objects()) {

@@ -9,6 +9,8 @@
 
 namespace hariko {
 
+using Objects = std::vector<std::shared_ptr<const Object>>;
+
 template <class Id>
 struct SelectedIds {
   std::shared_ptr<const Object> object;  ///< a polyhedron; null when there are no ids
@@ -16,7 +18,7 @@ struct SelectedIds {
 };
 
 /// The chosen objects, the active one first; empty when there is none.
-std::vector<std::shared_ptr<const Object>> chosen_objects(const Editor& editor);
+Objects chosen_objects(const Editor& editor);
 
 /// Their ids.
 std::vector<ObjectId> chosen_ids(const Editor& editor);

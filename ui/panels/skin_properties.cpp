@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string_view>
 
 #include "core/document/edit_skin.hpp"
 #include "core/document/object_box.hpp"
@@ -14,6 +15,7 @@
 #include "core/skinning/symmetric_edit.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/section_rows.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/panels/value_fields.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/skin_view.hpp"
@@ -79,7 +81,7 @@ Result<Document> changed(const Document& document, ObjectId object,
 /// Over the rest of the row. Mark: "button.<id>".
 bool button(PanelContext& context, const std::string& id, const char* label, const char* help) {
   const bool pressed = ImGui::Button((context.tr(label) + ("###" + id)).c_str(), {-1, 0});
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", context.tr(help));
+  if (ImGui::IsItemHovered()) show_tip(context.tr(help));
   context.marks.item("button." + id);
   return pressed;
 }
@@ -212,8 +214,6 @@ void point_section(PanelContext& context, const Object& object) {
                                   section->start_chosen))
       commit_skin(context.editor, object.id, set_start_chosen(skin, section->id, *on),
                   *on ? "Own start of the section" : "Nearest start of the section");
-  if (button(context, "skin_turn", "Turn section round", "Swaps the ends of the section."))
-    context.run("skin.flip_section");
 }
 
 /// The section whose lines run round the path.
@@ -224,6 +224,61 @@ const SkinSection* twisted_section(const Skin& skin, const std::vector<Message>&
         return &section;
   return nullptr;
 }
+
+/// How pleated skins span their sections.
+void pleat_rows(Rows& rows, const Skin& skin) {
+  rows.slider("skin_density", "Density", "Rows for each span of the path", 0.25, 8, 1,
+              &PleatOptions::density);
+  rows.choice("skin_fit", "Fit sections", "Whether the surface goes through the sections between the ends",
+              fit_choices, int(skin.pleat.fit), "Fit of the skin",
+              [](Skin& s, int chosen) { s.pleat.fit = SectionFit(chosen); });
+  if (skin.pleat.fit == SectionFit::fair)
+    rows.slider("skin_tension", "Tension",
+                "Low flows like a spline, high runs straight from section to section", 5, 1e4, 200,
+                &PleatOptions::tension);
+  rows.choice("skin_match", "Match by", "How points find those of the next section where no line is drawn",
+              match_choices, int(skin.pleat.cost), "Matching of the skin",
+              [](Skin& s, int chosen) { s.pleat.cost = MatchCost(chosen); });
+  rows.check("skin_quads", "Quads in fans", "Pairs of triangles become quads: rounder where lines merge",
+             "Quads in fans", &PleatOptions::quad_fans);
+  rows.check("skin_collars", "Collars", "Rows of their own beside sections, so that these can be exact",
+             "Collars", &PleatOptions::collars);
+}
+
+/// How regular grids span them.
+void grid_rows(Rows& rows, const Skin& skin) {
+  rows.count("skin_columns", "Columns", "Control points across; 0: as many as the sections suggest",
+             &SmoothOptions::columns);
+  rows.count("skin_rows", "Rows", "Control points along; 0: as many as the path suggests",
+             &SmoothOptions::rows);
+  rows.choice("skin_blend", "Blend", "How one section becomes the next", blend_choices,
+              int(skin.smooth.blend), "Blend of the skin",
+              [](Skin& s, int chosen) { s.smooth.blend = Blend(chosen); });
+  if (skin.method == SkinMethod::smooth)
+    rows.choice("skin_placed", "Place columns", "Where the columns cross the sections", column_choices,
+                int(skin.smooth.parameters), "Place columns",
+                [](Skin& s, int chosen) { s.smooth.parameters = ColumnParameters(chosen); });
+}
+
+/// What is needed once, if ever.
+void more_rows(PanelContext& context, Rows& rows, const Object& object) {
+  const Skin& skin = *object.skin()->skin;
+  rows.mirror(object);
+  if (const auto on = check_row(context, "skin_closed_path", "Closed path",
+                                "The path runs back to its beginning", skin.path.closed))
+    commit_skin(context.editor, object.id, set_path_closed(skin, *on), "Close or open path");
+  skin.method == SkinMethod::pleat ? pleat_rows(rows, skin) : grid_rows(rows, skin);
+  rows.check("skin_creases", "Creases", "Corners of sections become sharp edges of the surface",
+             "Creases of the skin", &Skin::creases);
+  rows.check("skin_flip", "Inside out", "Swaps the outside and the inside", "Turn the skin inside out",
+             &Skin::flip_normals);
+  if (selected_section(context.editor) &&
+      button(context, "skin_turn", "Turn section round", "Swaps the ends of the section."))
+    context.run("skin.flip_section");
+}
+
+/// Rows of the skin that do not stand under "More".
+constexpr std::array<std::string_view, 4> first_rows{"skin_method", "skin_closed", "skin_caps", "skin_frame"};
 
 }  // namespace
 
@@ -240,55 +295,49 @@ void draw_skin_properties(PanelContext& context) {
   rows.choice("skin_method", "Method", "How the surface spans the sections", skin_method_choices,
               int(skin.method), "Method of the skin",
               [](Skin& s, int chosen) { s.method = SkinMethod(chosen); });
-  if (const auto chosen = choose(context, "skin_frame", "Frames", "How sections turn along the path",
-                                 frame_choices, int(skin.frame)))
-    set_frame(context.editor, shown, FrameMode(*chosen));
-  rows.mirror(shown);
-  if (skin.method == SkinMethod::pleat) {
-    rows.slider("skin_density", "Density", "Rows for each span of the path", 0.25, 8, 1,
-                &PleatOptions::density);
-    rows.choice("skin_fit", "Fit sections", "Whether the surface goes through the sections between the ends",
-                fit_choices, int(skin.pleat.fit), "Fit of the skin",
-                [](Skin& s, int chosen) { s.pleat.fit = SectionFit(chosen); });
-    if (skin.pleat.fit == SectionFit::fair)
-      rows.slider("skin_tension", "Tension",
-                  "Low flows like a spline, high runs straight from section to section", 5, 1e4, 200,
-                  &PleatOptions::tension);
-    rows.choice("skin_match", "Match by", "How points find those of the next section where no line is drawn",
-                match_choices, int(skin.pleat.cost), "Matching of the skin",
-                [](Skin& s, int chosen) { s.pleat.cost = MatchCost(chosen); });
-    rows.check("skin_quads", "Quads in fans", "Pairs of triangles become quads: rounder where lines merge",
-               "Quads in fans", &PleatOptions::quad_fans);
-    rows.check("skin_collars", "Collars", "Rows of their own beside sections, so that these can be exact",
-               "Collars", &PleatOptions::collars);
-  } else {
-    rows.count("skin_columns", "Columns", "Control points across; 0: as many as the sections suggest",
-               &SmoothOptions::columns);
-    rows.count("skin_rows", "Rows", "Control points along; 0: as many as the path suggests",
-               &SmoothOptions::rows);
-    rows.choice("skin_blend", "Blend", "How one section becomes the next", blend_choices,
-                int(skin.smooth.blend), "Blend of the skin",
-                [](Skin& s, int chosen) { s.smooth.blend = Blend(chosen); });
-    if (skin.method == SkinMethod::smooth)
-      rows.choice("skin_placed", "Place columns", "Where the columns cross the sections", column_choices,
-                  int(skin.smooth.parameters), "Place columns",
-                  [](Skin& s, int chosen) { s.smooth.parameters = ColumnParameters(chosen); });
-  }
   const bool closed = has_closed_sections(skin);
   if (const auto on = check_row(context, "skin_closed", "Tube",
                                 "Sections are closed curves and the skin is a tube", closed))
     commit_skin(context.editor, shown.id, set_closed(skin, *on), "Close or open sections");
-  if (const auto on = check_row(context, "skin_closed_path", "Closed path",
-                                "The path runs back to its beginning", skin.path.closed))
-    commit_skin(context.editor, shown.id, set_path_closed(skin, *on), "Close or open path");
   if (closed && !skin.path.closed)
     rows.choice("skin_caps", "Ends", "What closes a tube", cap_choices, int(skin.caps), "Ends of the skin",
                 [](Skin& s, int chosen) { s.caps = Caps(chosen); });
-  rows.check("skin_creases", "Creases", "Corners of sections become sharp edges of the surface",
-             "Creases of the skin", &Skin::creases);
-  rows.check("skin_flip", "Inside out", "Swaps the outside and the inside", "Turn the skin inside out",
-             &Skin::flip_normals);
+  if (const auto chosen = choose(context, "skin_frame", "Rails", "How sections turn along the path",
+                                 frame_choices, int(skin.frame)))
+    set_frame(context.editor, shown, FrameMode(*chosen));
+  const std::string& wanted = context.state.wanted_row;
+  if (wanted.starts_with("skin_") &&
+      std::find(first_rows.begin(), first_rows.end(), wanted) == first_rows.end())
+    ImGui::SetNextItemOpen(true);
+  const bool more = ImGui::TreeNodeEx("##skin_more",
+                                      ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen,
+                                      "%s", context.tr("More"));
+  context.marks.item("section.skin_more");
+  if (more) more_rows(context, rows, shown);
   draw_section_rows(context, shown);
+}
+
+std::vector<SkinChoice> skin_choices() {
+  std::vector<SkinChoice> out;
+  const auto list = [&](const char* id, const char* name, std::span<const Choice> choices,
+                        const auto& choose) {
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      out.push_back({std::string(id) + "." + std::to_string(i), name, choices[i].label, choices[i].help,
+                     [choose, i](Editor& editor, const Object& object) { choose(editor, object, int(i)); }});
+  };
+  list("skin_method", "Method", skin_method_choices, [](Editor& editor, const Object& object, int chosen) {
+    editor.commit(
+        changed(editor.history.current(), object.id, [&](Skin& skin) { skin.method = SkinMethod(chosen); }),
+        "Method of the skin");
+  });
+  list("skin_frame", "Rails", frame_choices, [](Editor& editor, const Object& object, int chosen) {
+    set_frame(editor, object, FrameMode(chosen));
+  });
+  list("skin_caps", "Ends", cap_choices, [](Editor& editor, const Object& object, int chosen) {
+    editor.commit(changed(editor.history.current(), object.id, [&](Skin& skin) { skin.caps = Caps(chosen); }),
+                  "Ends of the skin");
+  });
+  return out;
 }
 
 void draw_skin_fix(PanelContext& context, const Object& object, const SurfaceView& view) {

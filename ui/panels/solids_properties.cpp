@@ -95,32 +95,35 @@ void choice_rows(PanelContext& context, const Object& object) {
         [&](EnvelopeSettings& settings) { settings.symmetry = static_cast<SymmetryPlane>(*chosen); });
 }
 
-/// Whether the surface contains the solids, and whether it follows their notches.
+/// Whether the surface contains the solids, and whether it follows their notches. While it is being made the
+/// rows stay and say nothing, so that those below do not jump.
 void state_rows(PanelContext& context, const Object& object) {
   const SurfaceView* view = context.editor.view_of(object.id);
-  if (!view || !view->mesh || view->error || view->quality != Quality::final) return;
+  const bool known = view && view->mesh && !view->error && view->quality == Quality::final;
   const auto says = [&](Code code) {
     return std::any_of(view->warnings.begin(), view->warnings.end(),
                        [&](const Message& message) { return message.code == code; });
   };
-  row_label(context, "Contains", "Points of the solids are tested against the surface");
-  ImGui::TextUnformatted(context.tr(says(w_not_enclosed) ? translatable("Not all of the solids")
-                                                         : translatable("All of the solids")));
-  context.marks.item("solids.contains");
-  if (object.solids()->input->settings.symmetry != SymmetryPlane::none) {
-    row_label(context, "Symmetric", "Whether the surface is its own image in the plane");
-    ImGui::TextUnformatted(context.tr(says(w_not_symmetric)
-                                          ? translatable("No: its faces differ on both sides")
-                                          : translatable("On both sides of the plane")));
-    context.marks.item("solids.symmetric");
-  }
-  if (!(object.solids()->input->settings.tightness > 0)) return;
-  row_label(context, "Follows", "Notches between the solids");
-  ImGui::TextUnformatted(context.tr(says(w_tightness_reduced) ? translatable("Only the hull of the solids")
-                                    : says(w_tightness_loose)
-                                        ? translatable("The wide notches, at a distance")
-                                        : translatable("The notches, as tight as wanted")));
-  context.marks.item("solids.follows");
+  const auto state = [&](const char* label, const char* help, const char* mark, const auto& text) {
+    row_label(context, label, help);
+    ImGui::TextUnformatted(known ? context.tr(text()) : "\u2026");
+    context.marks.item(mark);
+  };
+  state("Contains", "Points of the solids are tested against the surface", "solids.contains", [&] {
+    return says(w_not_enclosed) ? translatable("Not all of the solids") : translatable("All of the solids");
+  });
+  const EnvelopeSettings& settings = object.solids()->input->settings;
+  if (settings.symmetry != SymmetryPlane::none)
+    state("Symmetric", "Whether the surface is its own image in the plane", "solids.symmetric", [&] {
+      return says(w_not_symmetric) ? translatable("No: its faces differ on both sides")
+                                   : translatable("On both sides of the plane");
+    });
+  if (!(settings.tightness > 0)) return;
+  state("Follows", "Notches between the solids", "solids.follows", [&] {
+    return says(w_tightness_reduced) ? translatable("Only the hull of the solids")
+           : says(w_tightness_loose) ? translatable("The wide notches, at a distance")
+                                     : translatable("The notches, as tight as wanted");
+  });
 }
 
 void surface_rows(PanelContext& context, const Object& object) {

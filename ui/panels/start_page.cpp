@@ -135,7 +135,7 @@ void earlier_work(PanelContext& context, float left, float width) {
     ImGui::EndGroup();
   };
   if (context.offers.crash) indented("Report of a crash", [&] { draw_crash_offer(context, width); });
-  if (!context.offers.recoveries.empty())
+  if (!context.offers.recoveries.empty() || context.offers.recovery_places > 0)
     indented("Unsaved work of an earlier session", [&] { draw_recovery_offers(context, width); });
   if (!context.offers.recent.empty())
     indented("Recent files",

@@ -6,6 +6,7 @@
 #include "ui/columns_job.hpp"
 #include "ui/icons.hpp"
 #include "ui/panels/overlay_window.hpp"
+#include "ui/panels/tips.hpp"
 
 namespace hariko {
 
@@ -104,6 +105,7 @@ void draw_job(PanelContext& context, float& right) {
   const Job& job = *jobs.front();
   WorkRow row;
   row.text = context.tr.phrase(job.text) + "\u2026";
+  context.editor.show_text(row.text);
   row.fraction = job.progress.fraction();
   if (row.fraction >= 0) row.text += "  " + std::to_string(percent_of(job)) + " %";
   if (jobs.size() > 1) row.text += "  (+" + std::to_string(jobs.size() - 1) + ")";
@@ -160,14 +162,14 @@ void draw_status_line(PanelContext& context, const PanelRect& rect) {
     const std::string shown = elided(hint, std::max(room, m.px(least_hint)));
     ImGui::TextUnformatted(shown.c_str());
     context.marks.item("status.left");
-    if (shown != hint && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
+    if (shown != hint && ImGui::IsItemHovered()) show_tip(hint);
     ImGui::SameLine(
         std::max(ImGui::GetItemRectMax().x - rect.min.x + m.px(16), rect.width() - width - m.px(12)));
     const TextColour text(colour);
     float left = ImGui::GetCursorPosX() - m.px(12);
     ImGui::TextUnformatted(state.c_str());
     context.marks.item("status.right");
-    if (state != right && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", right.c_str());
+    if (state != right && ImGui::IsItemHovered()) show_tip(right);
     draw_recompute(context, left);
     draw_job(context, left);
     draw_recording(context, left);

@@ -1,7 +1,9 @@
 #include "ui/panels/value_fields.hpp"
+#include "ui/panels/tips.hpp"
 #include "ui/text_lines.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <cmath>
@@ -22,12 +24,12 @@ void end_gesture(Editor& editor, const std::string& step) {
 }
 
 void tooltip(const PanelContext& context, const char* help) {
-  if (*help && ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s", context.tr(help));
+  if (*help && ImGui::IsItemHovered()) show_tip(context.tr(help));
 }
 
-/// What is done at once, without a gesture.
+/// What is done without a gesture, after all rows of this frame.
 void commit(PanelContext& context, const FieldSpec& spec, const ValueChange& change, const EditValues& edit) {
-  context.editor.commit(edit(context.editor.history.current(), change), spec.step);
+  later(context, edit(context.editor.history.current(), change), spec.step);
 }
 
 /// Right click on the last item: default, copy, paste.
@@ -55,7 +57,10 @@ void drag_label(PanelContext& context, const FieldSpec& spec, std::optional<doub
                 const EditValues& edit) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = context.metrics.px(label_width);
+  // For the pointer alone: keys type into the field.
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton("label", {width, ImGui::GetFrameHeight()});
+  ImGui::PopItemFlag();
   context.marks.item(std::string("label.") + spec.id);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -92,15 +97,36 @@ int arrow_keys(ImGuiInputTextCallbackData* data) {
 
 }  // namespace
 
+void later(PanelContext& context, Result<Document> result, std::string step) {
+  if (result.ok() && *result == context.editor.history.current()) return;
+  context.state.steps.push_back([&editor = context.editor, result = std::move(result),
+                                 step = std::move(step)] { editor.commit(result, step); });
+}
+
 void row_label(const PanelContext& context, const char* label, const char* help) {
   const TextColour colour(palette().dim_text);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(context.tr(label));
   if (*help && ImGui::IsItemHovered()) {
     const TextColour bright(palette().text);
-    ImGui::SetTooltip("%s", context.tr(help));
+    show_tip(context.tr(help));
   }
   ImGui::SameLine(context.metrics.px(label_width + 12));
+}
+
+void point_out(PanelContext& context, const char* id) {
+  constexpr double seconds = 2;
+  PanelState& state = context.state;
+  if (state.wanted_row == id) {
+    state.wanted_row.clear();
+    state.pointed_row = id;
+    state.pointed_until = context.editor.now + seconds;
+    ImGui::SetScrollHereY(0.4F);
+  }
+  if (state.pointed_row != id || context.editor.now > state.pointed_until) return;
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImGui::GetWindowDrawList()->AddRect(low, high, palette().secondary, ImGui::GetStyle().FrameRounding, 0,
+                                      context.metrics.px(2));
 }
 
 void hint_text(const PanelContext& context, const char* english) {
@@ -176,6 +202,8 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
   PanelState& state = context.state;
   std::string text = state.typing == id ? state.typed_text : shown;
   Quantity quantity = spec.quantity;
+  const bool asked = state.wanted_row == spec.id;
+  if (asked) focus_next_field();
   ImGui::InputTextWithHint("##number", context.tr("mixed"), &text,
                            ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackHistory,
                            &arrow_keys, &quantity);
@@ -183,7 +211,16 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
     state.typing = id;
     state.typed_from = shown;
   }
-  if (ImGui::IsItemActive()) state.typed_text = text;
+  // The keyboard comes a frame or two after it was asked for.
+  if (asked && !ImGui::IsItemActive()) state.field_opening = true;
+  if (asked && ImGui::IsItemActive()) {
+    state.wanted_row.clear();
+    ImGui::SetScrollHereY(0.4F);
+  }
+  if (ImGui::IsItemActive()) {
+    state.typed_text = text;
+    state.typing_row = std::string("field.") + spec.id;
+  }
   if (ImGui::IsItemDeactivated() && state.typing == id) {
     state.typing = 0;
     // Esc brings the text back, which has fewer digits than the value: only another text is an edit.
@@ -192,9 +229,10 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
       change.ok() ? commit(context, spec, *change, edit) : context.editor.notify(change.error());
     }
   }
-  if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-    ImGui::SetTooltip("%s\n%s", context.tr(spec.help),
-                      context.tr("Type a number, 1/4in or sqrt(2); +=, *= and /= change each value."));
+  if (ImGui::IsItemHovered()) {
+    const char* how = context.tr("Type a number, 1/4in or sqrt(2); +=, *= and /= change each value.");
+    show_tip(*spec.help ? std::string(context.tr(spec.help)) + "\n" + how : std::string(how));
+  }
   context.marks.item(std::string("field.") + spec.id);
   value_menu(context, spec, value, edit);
   ImGui::PopID();
@@ -205,8 +243,11 @@ std::optional<bool> check_row(PanelContext& context, const char* id, const char*
   row_label(context, label, help);
   ImGui::PushID(id);
   bool on = value.value_or(false);
+  ImGui::PushItemFlag(ImGuiItemFlags_MixedValue, !value);
   const bool changed = ImGui::Checkbox("##check", &on);
+  ImGui::PopItemFlag();
   context.marks.item(std::string("check.") + id);
+  point_out(context, id);
   tooltip(context, help);
   if (!value) {
     ImGui::SameLine();

@@ -38,6 +38,9 @@ std::optional<T> common(const Items& items, const Get& get) {
   return value;
 }
 
+/// Makes a step when all rows of this frame are drawn.
+void later(PanelContext& context, Result<Document> result, std::string step);
+
 /// A label and a number over the rest of the row. `value` is nothing when the values differ.
 void value_row(PanelContext& context, const FieldSpec& spec, std::optional<double> value,
                const EditValues& edit);
@@ -61,6 +64,10 @@ std::optional<bool> check_row(PanelContext& context, const char* id, const char*
 
 /// The left column of a row: a dim label; the next item starts at a common column.
 void row_label(const PanelContext& context, const char* label, const char* help);
+
+/// After the last item of a row that a command may ask for: brings it into sight, with a ring round it for a
+/// moment.
+void point_out(PanelContext& context, const char* id);
 
 /// A dim sentence that wraps.
 void hint_text(const PanelContext& context, const char* english);

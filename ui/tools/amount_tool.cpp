@@ -124,11 +124,16 @@ class AmountTool final : public Tool {
     return std::min(amount, nearly_all * limit_);
   }
 
-  void show(ToolContext& context) {
+  /// `confirmed`: what is typed counts even where it may go on.
+  void show(ToolContext& context, bool confirmed = false) {
     Editor& editor = context.editor;
-    amount_ = wanted(context);
-    text_ = input_.active() ? input_.text(0) : length_text(editor, amount_);
     error_.clear();
+    // With its unit, as typed numbers may have one.
+    text_ = input_.active() ? input_.text(0) : length_text(editor, amount_);
+    // Until the unit is whole the last number stays in view.
+    if (input_.unfinished() && !confirmed) return;
+    amount_ = wanted(context);
+    if (!input_.active()) text_ = length_text(editor, amount_);
     changed_ = false;
     if (const auto wrong = input_.error()) error_ = editor.language.text_of(*wrong);
     if (amount_ == 0 || !error_.empty()) return editor.cancel_preview();
@@ -144,6 +149,7 @@ class AmountTool final : public Tool {
   }
 
   ToolState confirm(ToolContext& context) {
+    if (input_.unfinished()) show(context, true);
     if (!error_.empty()) return ToolState::stay;
     if (!changed_ || !context.editor.commit_preview(operation_.label)) {
       context.editor.cancel_preview();

@@ -7,11 +7,13 @@
 
 #include "core/skinning/freehand_curve.hpp"
 #include "ui/tools/overlay_drawing.hpp"
+#include "ui/tools/snapping.hpp"
 
 namespace hariko {
 
 namespace {
 
+constexpr double axis_radius = 6;           ///< design pixels within which an axis attracts
 constexpr double close_radius = 12;         ///< design pixels round the first point
 constexpr double stroke_length = 16;        ///< design pixels from which on a press is a stroke
 constexpr double stroke_tolerance = 2.5;    ///< design pixels
@@ -41,6 +43,7 @@ void draw_curve(const Projector& projector, const ToolOverlay& overlay, const Su
 
 std::optional<Message> CurveSketch::feed(const ToolContext& context, const PointerEvent& event) {
   pointer_ = event.pixel;
+  snaps_ = event.control;
   if (event.kind == PointerEvent::Kind::press) {
     stroke_ = {event.pixel};
     return {};
@@ -54,18 +57,27 @@ std::optional<Message> CurveSketch::feed(const ToolContext& context, const Point
   for (std::size_t i = 1; i < stroke_.size(); ++i) length += (stroke_[i] - stroke_[i - 1]).norm();
   const Vector2 first = stroke_.front();
   const bool stroke = length > stroke_length * context.editor.pixel_scale && !closed_;
-  auto error = stroke ? add_stroke(context) : add_point(context, first);
+  auto error = stroke ? add_stroke(context) : add_point(context, first, event.control);
   stroke_.clear();
   return error;
 }
 
-std::optional<Message> CurveSketch::add_point(const ToolContext& context, const Vector2& pixel) {
+void CurveSketch::fill(std::vector<Vector3> points, std::vector<char> sharp, bool closed, bool through) {
+  points_ = std::move(points);
+  sharp_ = std::move(sharp);
+  sharp_.resize(points_.size(), 0);
+  closed_ = closed;
+  through_ = through;
+  stroke_.clear();
+}
+
+std::optional<Message> CurveSketch::add_point(const ToolContext& context, const Vector2& pixel, bool snaps) {
   if (closed_) return {};
   if (size() >= 3 && at_first(context, pixel)) {
     closed_ = true;
     return {};
   }
-  const auto at = on_plane(context.projector(), pixel);
+  const auto at = place(context, pixel, snaps);
   if (!at) return off_plane();
   if (!points_.empty() && (*at - points_.back()).norm() == 0) return {};
   points_.push_back(*at);
@@ -131,6 +143,25 @@ std::optional<Vector3> CurveSketch::on_plane(const Projector& projector, const V
   return ray.at(t);
 }
 
+std::optional<Vector3> CurveSketch::place(const ToolContext& context, const Vector2& pixel,
+                                          bool snaps) const {
+  const Projector projector = context.projector();
+  const auto at = on_plane(projector, pixel);
+  if (!at) return at;
+  const Matrix3 axes = this->axes();
+  Vector3 local = axes.transpose() * (*at - plane_.point);
+  if (snaps) {
+    const DecimalStep step = grid_step(context, plane_.point);
+    for (int i = 0; i < 2; ++i) local[i] = step.nearest(local[i]);
+  } else {
+    const double reach = axis_radius * context.editor.pixel_scale * projector.pixel_length_at(*at);
+    for (int i = 0; i < 2; ++i)
+      if (std::abs(local[i]) < reach) local[i] = 0;
+  }
+  local.z() = 0;
+  return plane_.point + axes * local;
+}
+
 bool CurveSketch::at_first(const ToolContext& context, const Vector2& pixel) const {
   if (points_.empty()) return false;
   const auto first = context.projector().project(points_.front());
@@ -146,7 +177,7 @@ void CurveSketch::draw(const ToolContext& context, const ToolOverlay& overlay) c
   if (ends) {
     closed = true;
   } else if (!closed && stroke_.empty()) {
-    const auto next = on_plane(projector, pointer_);
+    const auto next = place(context, pointer_, snaps_);
     if (next && (points.empty() || *next != points.back())) points.push_back(*next), sharp.push_back(0);
   }
   if (points.size() >= 2) draw_curve(projector, overlay, curve_of(points, sharp, closed), palette().hot, 2);

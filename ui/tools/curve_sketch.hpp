@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/skinning/section_frame.hpp"
 #include "core/skinning/subdivision_curve.hpp"
 #include "ui/tools/tool.hpp"
 
@@ -28,10 +29,17 @@ class CurveSketch {
   /// Backspace takes the last point, or the closing, away; C opens and closes; P: the points are those of the
   /// control polygon, or of the curve. False for other keys.
   bool key(const KeyPress& press);
+  /// Replaces what was drawn. `through`: the points are those of the curve, not of its control polygon.
+  void fill(std::vector<Vector3> points, std::vector<char> sharp, bool closed, bool through);
   /// Whether a stroke or a point is on its way.
   bool busy() const { return !stroke_.empty(); }
 
   const Plane& plane() const { return plane_; }
+  /// The plane's axes: to the right, up, and towards one who looks along its normal.
+  Matrix3 axes() const { return upright_axes(plane_.normal); }
+  /// The point of the plane under a pixel, on the grid with `snaps`; nothing near its horizon. Near an axis
+  /// through the plane's point it lies on it.
+  std::optional<Vector3> place(const ToolContext& context, const Vector2& pixel, bool snaps) const;
   int size() const { return int(points_.size()); }
   bool closed() const { return closed_; }
   bool through_points() const { return through_; }
@@ -47,7 +55,7 @@ class CurveSketch {
   /// The point of the plane under a pixel; nothing near its horizon.
   std::optional<Vector3> on_plane(const Projector& projector, const Vector2& pixel) const;
   bool at_first(const ToolContext& context, const Vector2& pixel) const;
-  std::optional<Message> add_point(const ToolContext& context, const Vector2& pixel);
+  std::optional<Message> add_point(const ToolContext& context, const Vector2& pixel, bool snaps);
   std::optional<Message> add_stroke(const ToolContext& context);
 
   Plane plane_;
@@ -56,6 +64,7 @@ class CurveSketch {
   bool closed_ = false, through_ = true;
   std::vector<Vector2> stroke_;  ///< pixels since the press
   Vector2 pointer_ = Vector2::Zero();
+  bool snaps_ = false;  ///< Ctrl is held
 };
 
 /// A curve of the document's space on the picture.

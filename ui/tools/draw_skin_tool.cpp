@@ -15,24 +15,34 @@
 #include "ui/skin_view.hpp"
 #include "ui/tools/curve_sketch.hpp"
 #include "ui/tools/overlay_drawing.hpp"
+#include "ui/tools/plane_grid.hpp"
+#include "ui/tools/shape_sketch.hpp"
 
 namespace hariko {
 
 namespace {
 
 /// The view along the normal of a plane, upright, that shows `extent` round its point.
-Camera facing(Camera camera, const CurveSketch::Plane& plane, double extent) {
-  const Vector3 back = -plane.normal;
-  Vector3 up = Vector3::UnitZ() - Vector3::UnitZ().dot(back) * back;
-  // Looked at from above, north is up.
-  if (up.norm() < 0.1) up = Vector3::UnitY() - Vector3::UnitY().dot(back) * back;
-  up.normalize();
-  Matrix3 axes;
-  axes << up.cross(back), up, back;
-  camera.orientation = Eigen::Quaterniond(axes).normalized();
-  camera.target = plane.point;
+Camera facing(Camera camera, const CurveSketch& sketch, double extent) {
+  camera.orientation = Eigen::Quaterniond(sketch.axes()).normalized();
+  camera.target = sketch.plane().point;
   if (extent > 0) camera.distance *= extent / camera.view_height();
   return camera;
+}
+
+/// A section that is there already, for another plane.
+struct DrawnSection {
+  CurveSketch::Plane plane;
+  SubdivisionCurve curve;
+};
+
+/// The control points of a section as they lie in another plane.
+std::vector<Vector3> carried(const DrawnSection& section, const CurveSketch::Plane& plane) {
+  const Matrix3 from = upright_axes(section.plane.normal), to = carried_axes(from, plane.normal);
+  std::vector<Vector3> out;
+  for (const Vector3& p : section.curve.points)
+    out.push_back(plane.point + to * (from.transpose() * (p - section.plane.point)));
+  return out;
 }
 
 /// A section is about as large as the path is long, and seldom larger than twice that.
@@ -54,7 +64,18 @@ class DrawingTool : public Tool {
   }
   std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override {
     error_.clear();
-    if (press.chord.key == GLFW_KEY_ENTER || press.chord.key == GLFW_KEY_KP_ENTER) return go_on(context);
+    const Unit unit = context.editor.document().unit;
+    if (press.chord.key == GLFW_KEY_ENTER || press.chord.key == GLFW_KEY_KP_ENTER) {
+      if (!shape_.active()) return go_on(context);
+      set_shape();
+      return ToolState::stay;
+    }
+    if (draws_section() && (shape_.active() || !sketch_.busy()) && shape_.key(press, unit))
+      return ToolState::stay;
+    if (draws_section() && press.chord.key == GLFW_KEY_N && !press.chord.control && !press.chord.alt) {
+      take_nearest(context);
+      return ToolState::stay;
+    }
     if (press.chord.key == GLFW_KEY_BACKSPACE && sketch_.size() == 0 && !sketch_.busy()) {
       go_back(context);
       return ToolState::stay;
@@ -67,7 +88,14 @@ class DrawingTool : public Tool {
     if (turned_) context.editor.fly_to(before_);
   }
   std::string hint(const Language& tr) const override {
-    return value_text(tr) + "   |   " +
+    if (shape_.active())
+      return value_text(tr) + "   |   " +
+             tr("Click or type the size   Tab: height   Ctrl snaps   Enter takes it   Backspace: no shape");
+    const std::string shapes =
+        draws_section()
+            ? std::string(tr("O circle   E ellipse   R rectangle   N like the nearest section")) + "   "
+            : std::string();
+    return value_text(tr) + "   |   " + shapes +
            tr("Click points or draw a stroke   C closes   P points of the polygon   Backspace: last point   "
               "Enter goes on   Esc cancels");
   }
@@ -75,19 +103,54 @@ class DrawingTool : public Tool {
  protected:
   virtual ToolState go_on(ToolContext& context) = 0;
   virtual void go_back(ToolContext& context) = 0;
+  /// Whether a section is drawn now, and not a path.
+  virtual bool draws_section() const = 0;
+  /// The section to begin with on request; nothing where there is none.
+  virtual std::optional<DrawnSection> nearest(const ToolContext& context) const = 0;
   virtual std::string value_text(const Language& tr) const = 0;
 
   void feed(const ToolContext& context, const PointerEvent& event) {
     pointer_ = event.pixel;
     if (event.kind != PointerEvent::Kind::move) error_.clear();
+    if (shape_.active()) {
+      shape_.follow(context, sketch_, event.pixel, event.control);
+      if (event.kind == PointerEvent::Kind::press) set_shape();
+      return;
+    }
     if (const auto error = sketch_.feed(context, event)) error_ = context.editor.language.text_of(*error);
   }
+  /// The plane, what was drawn in it, and numbers at the pointer.
+  void draw_sketch(const ToolContext& context, const ToolOverlay& overlay) const {
+    if (turned_) draw_plane_grid(context, overlay, sketch_.plane().point, sketch_.axes());
+    shape_.active() ? shape_.draw(context, overlay, sketch_) : sketch_.draw(context, overlay);
+  }
   void draw_label(const ToolContext& context, const ToolOverlay& overlay) const {
-    draw_value_label(overlay, pointer_, error_.empty() ? value_text(context.editor.language) : error_,
-                     !error_.empty());
+    const std::string text = value_text(context.editor.language) + numbers(context);
+    draw_value_label(overlay, pointer_, error_.empty() ? text : error_, !error_.empty());
+  }
+  /// The size of a shape, or where the pointer is in the plane, from its middle.
+  std::string numbers(const ToolContext& context) const {
+    if (shape_.active()) return "   " + shape_.text(context.editor);
+    const auto at = turned_ ? sketch_.place(context, pointer_, false) : std::nullopt;
+    if (!at) return {};
+    const Vector3 local = sketch_.axes().transpose() * (*at - sketch_.plane().point);
+    return "   x " + length_text(context.editor, local.x()) + "   y " +
+           length_text(context.editor, local.y());
+  }
+  void set_shape() {
+    if (shape_.fill(sketch_)) shape_.end();
+  }
+  void take_nearest(const ToolContext& context) {
+    const auto section = nearest(context);
+    if (!section) {
+      error_ = context.editor.language("There is no other section yet.");
+      return;
+    }
+    sketch_.fill(carried(*section, sketch_.plane()), section->curve.sharp, section->curve.closed, false);
+    shape_.end();
   }
   void face(ToolContext& context, const SubdivisionCurve& path) {
-    context.editor.fly_to(facing(context.editor.camera(), sketch_.plane(), view_of_path * length(path)));
+    context.editor.fly_to(facing(context.editor.camera(), sketch_, view_of_path * length(path)));
     turned_ = true;
   }
   std::string points_text(const Language& tr) const {
@@ -98,6 +161,7 @@ class DrawingTool : public Tool {
   }
 
   CurveSketch sketch_;
+  ShapeSketch shape_;
   Vector2 pointer_ = Vector2::Zero();
   Camera before_;
   bool turned_ = false;  ///< the view
@@ -123,11 +187,17 @@ class DrawSkinTool final : public DrawingTool {
     const Projector projector = context.projector();
     for (const CurveSketch& sketch : done_)
       draw_curve(projector, overlay, sketch.curve(), palette().secondary, 2);
-    sketch_.draw(context, overlay);
+    draw_sketch(context, overlay);
     draw_label(context, overlay);
   }
 
  private:
+  bool draws_section() const override { return !done_.empty(); }
+  std::optional<DrawnSection> nearest(const ToolContext&) const override {
+    if (done_.size() < 2) return {};
+    return DrawnSection{done_[1].plane(), done_[1].curve()};
+  }
+
   ToolState go_on(ToolContext& context) override {
     const Language& tr = context.editor.language;
     if (!sketch_.complete()) {
@@ -213,7 +283,7 @@ class DrawSectionTool final : public DrawingTool {
     const Object* object = shown_skin(context.editor);
     if (!object) return;
     if (fixed_) {
-      sketch_.draw(context, overlay);
+      draw_sketch(context, overlay);
     } else if (place_) {
       const Vector3 at = evaluate(object->skin()->skin->path, *place_).position;
       if (const auto pixel = pixel_of(*object, context.projector(), at)) {
@@ -237,6 +307,22 @@ class DrawSectionTool final : public DrawingTool {
     for (Vector3& p : path.points) p = object.transform.apply(p);
     sketch_ = CurveSketch(plane_across(path, *fixed_));
     face(context, path);
+  }
+
+  bool draws_section() const override { return fixed_.has_value(); }
+  std::optional<DrawnSection> nearest(const ToolContext& context) const override {
+    const Object* object = shown_skin(context.editor);
+    if (!object || !fixed_) return {};
+    const Skin& skin = *object->skin()->skin;
+    const SkinSection* best = nullptr;
+    for (const SkinSection& section : skin.sections)
+      if (section.size() > 1 && (!best || std::abs(section.v - *fixed_) < std::abs(best->v - *fixed_)))
+        best = &section;
+    if (!best) return {};
+    SubdivisionCurve path = skin.path, curve = best->curve();
+    for (Vector3& p : path.points) p = object->transform.apply(p);
+    for (Vector3& p : curve.points) p = object->transform.apply(p);
+    return DrawnSection{plane_across(path, best->v), curve};
   }
 
   void go_back(ToolContext& context) override {

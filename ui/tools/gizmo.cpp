@@ -59,6 +59,7 @@ void Gizmo::update(const Editor& editor, bool busy) {
     pivot_ = target.empty() ? std::nullopt : std::optional<Vector3>(target.pivot());
     object_frame_ = target.local_frame();
     tangents_ = target.tangents();
+    in_planes_ = target.in_planes();
     local_edit_ = editor.transform.local_edit;
     document_ = document;
     selection_ = editor.selection;
@@ -74,7 +75,7 @@ void Gizmo::place(const Editor& editor) {
   const auto centre = projector.project(*pivot_);
   if (!centre) return;
   scale_ = editor.pixel_scale;
-  const bool local = editor.transform.local_axes || tangents_;
+  const bool local = editor.transform.local_axes || tangents_ || in_planes_;
   if (tangents_) place_plane(projector);
   const Matrix3 frame = local ? object_frame_ : Matrix3(Matrix3::Identity());
   const double pixel = scale_ * projector.pixel_length_at(*pivot_);
@@ -86,7 +87,7 @@ void Gizmo::place(const Editor& editor) {
   for (int i = 0; i < 3; ++i) {
     const Vector3 axis = Vector3::Unit(i);
     shown[static_cast<std::size_t>(i)] = (at(100 * axis) - centre->head<2>()).norm() > least_length * scale_;
-    if (!shown[static_cast<std::size_t>(i)]) continue;
+    if (!shown[static_cast<std::size_t>(i)] || (in_planes_ && i == 2)) continue;
     const AxisLock lock{AxisLock::Kind::axis, i, local};
     shapes_.push_back({{TransformKind::move, lock},
                        {at(arrow_begin * axis), at(arrow_end * axis)},
@@ -97,7 +98,7 @@ void Gizmo::place(const Editor& editor) {
                        false,
                        at(scale_box * axis)});
   }
-  for (int i = 0; i < 3; ++i) {
+  for (int i = in_planes_ ? 2 : 0; i < 3; ++i) {
     const Vector3 u = Vector3::Unit((i + 1) % 3), v = Vector3::Unit((i + 2) % 3);
     const Vector3 normal = frame.col(i);
     const double slope = std::abs(normal.dot((*pivot_ - editor.camera().eye()).normalized()));

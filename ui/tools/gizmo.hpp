@@ -54,6 +54,7 @@ class Gizmo {
   std::optional<Vector3> pivot_;
   Matrix3 object_frame_ = Matrix3::Identity();
   std::optional<std::array<Vector3, 2>> tangents_;  ///< of the vertex of a local edit
+  bool in_planes_ = false;                          ///< of sections: handles for their plane only
   std::vector<Vector2> plane_;                      ///< outline of the disc that they span
   std::vector<Vector2> plane_axes_;                 ///< the centre and the tips of both
   double scale_ = 1;

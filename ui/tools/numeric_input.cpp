@@ -63,6 +63,16 @@ std::optional<Message> NumericInput::error() const {
   return value ? std::nullopt : std::optional<Message>(value.error());
 }
 
+bool NumericInput::unfinished() const {
+  const std::string& text = texts_[current_];
+  std::size_t begin = text.size();
+  while (begin > 0 && is_letter(static_cast<unsigned char>(text[begin - 1]))) --begin;
+  const std::string_view unit = std::string_view(text).substr(begin);
+  return !unit.empty() && std::any_of(units_.begin(), units_.end(), [&](const UnitFactor& longer) {
+    return longer.name.size() > unit.size() && longer.name.starts_with(unit);
+  });
+}
+
 void NumericInput::resize(std::size_t components) {
   texts_.resize(components);
   current_ = std::min(current_, components - 1);

@@ -31,6 +31,9 @@ class NumericInput {
   std::optional<double> value(std::size_t component = 0) const;
   /// Why the current field has no value; nothing when it is empty or good.
   std::optional<Message> error() const;
+  /// Whether the current field ends with a unit that a letter more makes another one: "8m" on the way to
+  /// "8mm". Its value counts when it is confirmed, and is not to be shown before.
+  bool unfinished() const;
   /// Fewer or more fields; keeps the texts of those that stay.
   void resize(std::size_t components);
   void clear();

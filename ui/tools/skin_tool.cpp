@@ -6,6 +6,7 @@
 #include "core/document/edit_skin.hpp"
 #include "core/skinning/edit_path.hpp"
 #include "core/skinning/edit_section.hpp"
+#include "core/skinning/section_frame.hpp"
 #include "core/skinning/symmetric_edit.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/skin_sight.hpp"
@@ -19,22 +20,6 @@ namespace hariko {
 namespace {
 
 using How = Selection::How;
-
-/// The plane in which the points of a section lie, as nearly as they do; its normal is zero where they are
-/// on a line.
-Vector3 section_normal(const SkinSection& section) {
-  Vector3 centre = Vector3::Zero(), best = Vector3::Zero();
-  for (const SectionPoint& p : section.points) centre += p.position / double(section.size());
-  double square = 0;
-  for (const SectionPoint& p : section.points) square += (p.position - centre).squaredNorm();
-  for (int i = 0; i < section.size(); ++i)
-    for (int j = 0; j < i; ++j) {
-      const Vector3 n = (section.points[std::size_t(i)].position - centre)
-                            .cross(section.points[std::size_t(j)].position - centre);
-      if (n.squaredNorm() > best.squaredNorm()) best = n;
-    }
-  return best.norm() > 1e-6 * square ? Vector3(best.normalized()) : Vector3(Vector3::Zero());
-}
 
 class SkinTool final : public Tool {
  public:

@@ -110,7 +110,7 @@ ToolState TensionTool::confirm(ToolContext& context) {
 }
 
 std::optional<ToolState> TensionTool::key(ToolContext& context, const KeyPress& press) {
-  if (press.chord.key == GLFW_KEY_ENTER) return confirm(context);
+  if (press.chord.key == GLFW_KEY_ENTER || press.chord.key == GLFW_KEY_KP_ENTER) return confirm(context);
   if (input_.key(press)) return show(context);
   // Other letters would run commands in the middle of a gesture.
   if (press.text != 0) return ToolState::stay;

@@ -15,6 +15,7 @@
 #include "core/modeling/transform_solid.hpp"
 #include "core/skinning/edit_path.hpp"
 #include "core/skinning/edit_section.hpp"
+#include "core/skinning/section_frame.hpp"
 #include "ui/outlines.hpp"
 #include "ui/skin_edits.hpp"
 #include "ui/skin_view.hpp"
@@ -92,16 +93,19 @@ TransformTarget TransformTarget::of(const Editor& editor) {
   TransformTarget target;
   target.document_ = editor.history.current();
   if (editor.mode == ElementMode::object) {
-    for (const ObjectId id : selected_objects(editor)) target.add_object(*target.document_.find(id));
+    for (const ObjectId id : selected_objects(editor))
+      if (const Object& object = *target.document_.find(id); object.visible && !object.locked)
+        target.add_object(object);
     target.what_ = counted(target.parts_.size(), "object", "objects");
   } else {
     for (const auto& [id, elements] : editor.selection.elements()) {
       target.document_ = with_seen_ends(target.document_, id);
       const Object* object = target.document_.find(id);
-      if (object && object->visible && object->cage()) target.add_elements(*object, elements);
-      if (object && object->visible && object->solids()) target.add_solids(*object, elements);
-      if (object && object->visible && object->outline()) target.add_points(*object, elements);
-      if (object && object->visible && object->skin()) target.add_skin_points(*object, elements);
+      if (!object || !object->visible || object->locked) continue;
+      if (object->cage()) target.add_elements(*object, elements);
+      if (object->solids()) target.add_solids(*object, elements);
+      if (object->outline()) target.add_points(*object, elements);
+      if (object->skin()) target.add_skin_points(*object, elements);
     }
     const bool solids = std::all_of(target.parts_.begin(), target.parts_.end(),
                                     [](const Part& part) { return !part.solids.empty(); });
@@ -112,8 +116,48 @@ TransformTarget TransformTarget::of(const Editor& editor) {
   target.choose_pivot(editor);
   if (const Object* active = target.document_.find(editor.selection.active))
     target.local_frame_ = active->transform.rotation.toRotationMatrix();
+  target.choose_planes();
   if (editor.transform.local_edit && editor.mode == ElementMode::vertex) target.freeze();
   return target;
+}
+
+void TransformTarget::choose_planes() {
+  const auto of_sections = [](const Part& part) {
+    return part.skin && std::none_of(part.vertices.begin(), part.vertices.end(),
+                                     [](VertexId id) { return is_path_point(id.value); });
+  };
+  if (!std::all_of(parts_.begin(), parts_.end(), of_sections)) return;
+  std::optional<Matrix3> first, axes;  // in the document's space
+  int count = 0;
+  for (Part& part : parts_) {
+    const Matrix3 place = part.transform.rotation.toRotationMatrix();
+    part.turns.assign(part.vertices.size(), Matrix3::Identity());
+    std::vector<Vector3> middles = part.pivots;
+    for (const SkinSection& section : part.skin->sections) {
+      std::vector<std::size_t> chosen;
+      std::vector<Vector3> points;
+      for (std::size_t i = 0; i < part.vertices.size(); ++i)
+        if (find_point(section, part.vertices[i].value) >= 0) {
+          chosen.push_back(i);
+          points.push_back(part.start[i]);
+        }
+      if (chosen.empty()) continue;
+      const Vector3 direction = place * section_direction_of_view(*part.skin, section);
+      axes = axes ? carried_axes(*axes, direction) : upright_axes(direction);
+      if (!first) first = axes;
+      ++count;
+      const Vector3 middle = mean(points);
+      for (const std::size_t i : chosen) {
+        part.turns[i] = place.transpose() * *axes * first->transpose() * place;
+        middles[i] = middle;
+      }
+    }
+    // One section has the pivot that was chosen.
+    if (count > 1 || parts_.size() > 1) part.pivots = std::move(middles);
+  }
+  if (!first) return;
+  local_frame_ = *first;
+  in_planes_ = true;
 }
 
 void TransformTarget::freeze() {
@@ -316,8 +360,8 @@ std::vector<TransformTarget::Follower> TransformTarget::followers() const {
   return result;
 }
 
-Result<Document> TransformTarget::apply(const Document& document,
-                                        const Transformation& transformation) const {
+Result<Document> TransformTarget::apply(const Document& document, const Transformation& transformation,
+                                        bool along_local_axes) const {
   Result<Document> result = document;
   for (const Part& part : parts_) {
     if (!result) return result;
@@ -331,7 +375,7 @@ Result<Document> TransformTarget::apply(const Document& document,
       continue;
     }
     if (part.skin) {
-      result = apply_to_skin(*result, part, local);
+      result = apply_to_skin(*result, part, local, in_planes_ && along_local_axes);
       continue;
     }
     if (part.frozen || part.outline) {
@@ -357,11 +401,18 @@ Result<Document> TransformTarget::apply_to_solids(const Document& document, cons
 
 /// The path carries the sections; chosen points of these then go where they are transformed to.
 Result<Document> TransformTarget::apply_to_skin(const Document& document, const Part& part,
-                                                const Transformation& local) {
+                                                const Transformation& local, bool in_planes) {
   std::vector<MovedPathPoint> path;
   std::vector<MovedPoint> points;
   for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-    const Vector3 to = local.apply(part.start[i], part.pivots[i], part.weight[i]);
+    Transformation own = local;
+    if (in_planes) {
+      const Matrix3& turn = part.turns[i];
+      own.translation = turn * local.translation;
+      own.axis = turn * local.axis;
+      own.frame = turn * local.frame;
+    }
+    const Vector3 to = own.apply(part.start[i], part.pivots[i], part.weight[i]);
     const std::uint32_t id = part.vertices[i].value;
     if (!is_path_point(id)) {
       points.push_back({id, to});

@@ -30,6 +30,10 @@ class TransformTarget {
   const Matrix3& local_frame() const { return local_frame_; }
   /// The tangent plane of the one vertex of a local edit: its first two tangents, in the document's space.
   const std::optional<std::array<Vector3, 2>>& tangents() const { return tangents_; }
+  /// Whether all that is transformed are points of sections: then the first two of the local axes lie in the
+  /// plane of the first section, and changes along local axes are made in each section's own plane, about its
+  /// own middle.
+  bool in_planes() const { return in_planes_; }
   /// World places of what is selected (not of what follows softly).
   const std::vector<Vector3>& selected_points() const { return selected_; }
   /// Whether a vertex stays where it is: those can be snapped to.
@@ -44,8 +48,10 @@ class TransformTarget {
   /// Vertices that follow softly.
   std::vector<Follower> followers() const;
 
-  /// `document` must be the one that the target was taken of. Errors: those of the edits.
-  Result<Document> apply(const Document& document, const Transformation& transformation) const;
+  /// `document` must be the one that the target was taken of. `local`: the transformation is along local
+  /// axes. Errors: those of the edits.
+  Result<Document> apply(const Document& document, const Transformation& transformation,
+                         bool local = false) const;
 
  private:
   struct Part {
@@ -64,7 +70,10 @@ class TransformTarget {
     const Polyhedron* polyhedron = nullptr;
     const Outline* outline = nullptr;  ///< in the place of the polyhedron: its points are the vertices
     const Skin* skin = nullptr;        ///< likewise: points of its sections and of its path
-    std::vector<double> distance;      ///< from the selection; empty until asked for
+    /// One a vertex, from the plane of the first section to that of its own; empty where there are others
+    /// than points of sections.
+    std::vector<Matrix3> turns;
+    std::vector<double> distance;  ///< from the selection; empty until asked for
     /// In a local edit: the object with the tangents round the vertices fixed, or why they cannot be.
     std::optional<Result<PolyhedronSource>> frozen;
   };
@@ -74,6 +83,7 @@ class TransformTarget {
   void add_solids(const Object& object, const ElementSelection& elements);
   void add_points(const Object& object, const ElementSelection& elements);
   void add_skin_points(const Object& object, const ElementSelection& elements);
+  void choose_planes();
   void choose_pivot(const Editor& editor);
   void choose_own_pivots(const Editor& editor);
   void freeze();
@@ -85,7 +95,7 @@ class TransformTarget {
   static Result<Document> apply_to_points(const Document& document, const Part& part,
                                           const Transformation& local);
   static Result<Document> apply_to_skin(const Document& document, const Part& part,
-                                        const Transformation& local);
+                                        const Transformation& local, bool in_planes);
 
   Document document_;  ///< keeps the polyhedra alive
   std::vector<Part> parts_;
@@ -93,6 +103,7 @@ class TransformTarget {
   Vector3 pivot_ = Vector3::Zero();
   Matrix3 local_frame_ = Matrix3::Identity();
   std::optional<std::array<Vector3, 2>> tangents_;
+  bool in_planes_ = false;
   std::string what_;
 };
 

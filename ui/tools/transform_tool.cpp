@@ -44,6 +44,10 @@ void TransformTool::begin(ToolContext& context, const PointerEvent& press) {
   length_unit_ = to_string(editor.document().unit);
   input_ = NumericInput(fields(), units_for(kind_, editor.document().unit));
   if (target_.empty()) return;
+  if (target_.in_planes() && by_ == DrivenBy::command) {
+    lock_ = section_plane_lock;
+    input_.resize(fields());
+  }
   anchor_ = target_.pivot();
   // The grabbed point stays under the pointer.
   if (by_ == DrivenBy::element)
@@ -65,6 +69,16 @@ void TransformTool::begin(ToolContext& context, const PointerEvent& press) {
     soft.radius = box.isEmpty() ? view / 4 : box.diagonal().norm() / 4;
   }
   apply_falloff(context);
+}
+
+/// Of sections the first press means their own axes, the second those of the document.
+bool TransformTool::lock_key(const KeyPress& press) {
+  if (!target_.in_planes()) return lock_.key(press);
+  AxisLock next = lock_ == section_plane_lock ? AxisLock{} : AxisLock{lock_.kind, lock_.axis, !lock_.local};
+  if (!next.key(press)) return false;
+  lock_ =
+      next.kind == AxisLock::Kind::free ? section_plane_lock : AxisLock{next.kind, next.axis, !next.local};
+  return true;
 }
 
 void TransformTool::restart(ToolContext& context, TransformKind kind) {
@@ -241,19 +255,28 @@ Transformation TransformTool::scaling(const ToolContext& context) {
   } else {
     for (int i = 0; i < 3; ++i)
       if ((i == lock_.axis) == (lock_.kind == AxisLock::Kind::axis)) result.factors[i] = factor;
+    // With Tab both axes of a plane have their own, too.
+    if (lock_.kind == AxisLock::Kind::plane && input_.value(1))
+      for (std::size_t i = 0; i < 2; ++i)
+        result.factors[lock_.component_axis(i)] = input_.value(i).value_or(1);
   }
   return result;
 }
 
-ToolState TransformTool::show(ToolContext& context) {
+ToolState TransformTool::show(ToolContext& context, bool confirmed) {
   Editor& editor = context.editor;
+  // Until the unit is whole the last number stays in view.
+  if (input_.unfinished() && !confirmed) {
+    error_.clear();
+    return ToolState::stay;
+  }
   done_ = transformation(context);
   error_.clear();
   if (const auto error = input_.error()) {
     error_ = editor.language.text_of(*error);
     return ToolState::stay;
   }
-  const auto result = target_.apply(editor.history.current(), done_);
+  const auto result = target_.apply(editor.history.current(), done_, lock_.local);
   if (result) {
     editor.preview(result);
     shown_ = true;
@@ -270,6 +293,8 @@ ToolState TransformTool::show(ToolContext& context) {
 }
 
 ToolState TransformTool::confirm(ToolContext& context) {
+  if (input_.unfinished())
+    if (const ToolState state = show(context, true); state != ToolState::stay) return state;
   if (!error_.empty()) return ToolState::stay;
   context.editor.commit_preview(std::string(verb(kind_)) + " " + target_.describe());
   return ToolState::commit;
@@ -278,9 +303,9 @@ ToolState TransformTool::confirm(ToolContext& context) {
 std::optional<ToolState> TransformTool::key(ToolContext& context, const KeyPress& press) {
   if (target_.empty()) return std::nullopt;
   const int key = press.chord.key;
-  if (key == GLFW_KEY_ENTER) return confirm(context);
+  if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return confirm(context);
   if (input_.key(press)) return show(context);
-  if (lock_.key(press)) {
+  if (lock_key(press)) {
     input_.resize(fields());
     return show(context);
   }
@@ -344,7 +369,8 @@ std::string TransformTool::value_text(const Language& tr) const {
   const auto field = [&](std::size_t i, const std::string& name, const std::string& value) {
     const bool here = input_.active() || by_ == DrivenBy::typing;
     const bool open = here && (!input_.text(i).empty() || i == input_.current());
-    add(open ? name + " " + typed(i) + "  = " + value : name + " " + value);
+    const bool waits = open && i == input_.current() && input_.unfinished();
+    add(waits ? name + " " + typed(i) : open ? name + " " + typed(i) + "  = " + value : name + " " + value);
   };
   switch (kind_) {
     case TransformKind::move: {
@@ -364,7 +390,12 @@ std::string TransformTool::value_text(const Language& tr) const {
       const int axis = lock_.kind == AxisLock::Kind::plane  ? (lock_.axis + 1) % 3
                        : lock_.kind == AxisLock::Kind::axis ? lock_.axis
                                                             : 0;
-      if (one && input_.current() == 0)
+      if (lock_.kind == AxisLock::Kind::plane && (input_.current() == 1 || input_.value(1)))
+        for (std::size_t i = 0; i < 2; ++i) {
+          const int along = lock_.component_axis(i);
+          field(i, axis_names[along], fixed_text(done_.factors[along], 4));
+        }
+      else if (one && input_.current() == 0)
         field(0, lock_.kind == AxisLock::Kind::axis ? axis_names[lock_.axis] : std::string(tr("Scale")),
               fixed_text(done_.factors[axis], 4));
       else
@@ -373,7 +404,10 @@ std::string TransformTool::value_text(const Language& tr) const {
       break;
     }
   }
-  if (lock_.local) add(tr("local axes"));
+  if (target_.in_planes() && lock_.local)
+    add(tr("in the plane of the section"));
+  else if (lock_.local)
+    add(tr("local axes"));
   return text;
 }
 

@@ -34,8 +34,12 @@ class TransformTool final : public Tool {
  private:
   Matrix3 frame() const { return lock_.local ? target_.local_frame() : Matrix3::Identity(); }
   std::size_t fields() const {
-    return kind_ == TransformKind::move ? lock_.components() : kind_ == TransformKind::scale ? 3 : 1;
+    if (kind_ == TransformKind::move) return lock_.components();
+    return kind_ == TransformKind::rotate ? 1 : lock_.kind == AxisLock::Kind::plane ? 2 : 3;
   }
+  /// The lock that sections begin with: their planes.
+  static constexpr AxisLock section_plane_lock{AxisLock::Kind::plane, 2, true};
+  bool lock_key(const KeyPress& press);
   void restart(ToolContext& context, TransformKind kind);
   void follow_pointer(const ToolContext& context, const PointerEvent& event);
   void keep_through_view_change(const ToolContext& context, const Vector2& pixel);
@@ -48,7 +52,8 @@ class TransformTool final : public Tool {
   Transformation scaling(const ToolContext& context);
   Vector3 snapped(const ToolContext& context, const Vector3& translation);
 
-  ToolState show(ToolContext& context);
+  /// `confirmed`: what is typed counts even where it may go on.
+  ToolState show(ToolContext& context, bool confirmed = false);
   ToolState confirm(ToolContext& context);
   void change_radius(ToolContext& context, double steps);
   void apply_falloff(const ToolContext& context);

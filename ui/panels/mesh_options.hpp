@@ -1,0 +1,14 @@
+#pragma once
+
+// Rows of the dialogs that open files: what meshes become.
+
+#include "ui/panels/panels.hpp"
+
+namespace hariko {
+
+inline constexpr int mesh_option_rows = 2;
+
+/// Marks: "import.use", "import.use.<number>", "import.creases", "import.crease_angle".
+void draw_mesh_options(Editor& editor, Marks& marks, const Metrics& metrics);
+
+}  // namespace hariko
