@@ -90,6 +90,7 @@ def mirror(window, output):
     from here on."""
     check("skin.limit.4" not in names(window, "skin.limit."), "a point behind the surface is shown")
     window.key("alt+x")
+    window.click_on("section.skin_more")
     window.click_on("combo.skin_mirror")
     window.click_on("choice.skin_mirror.2")
     position = label(window, "Mirror of the skin")

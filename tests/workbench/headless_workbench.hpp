@@ -28,6 +28,9 @@ class HeadlessWorkbench {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.DisplaySize = size;
+#if IMGUI_VERSION_NUM < 18700
+    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+#endif
     metrics_.scale = 1;
     set_fonts({});
     apply_theme(ThemeId::dark, 1, palette_);
@@ -45,9 +48,15 @@ class HeadlessWorkbench {
   HeadlessWorkbench(const HeadlessWorkbench&) = delete;
   HeadlessWorkbench& operator=(const HeadlessWorkbench&) = delete;
 
-  Editor& editor() { return editor_; }
-  Workbench& workbench() { return *workbench_; }
-  Renderer& renderer() { return renderer_; }
+  Editor& editor() {
+    return editor_;
+  }
+  Workbench& workbench() {
+    return *workbench_;
+  }
+  Renderer& renderer() {
+    return renderer_;
+  }
 
   /// Between frames.
   void set_fonts(const FontRequest& request) {
@@ -55,6 +64,13 @@ class HeadlessWorkbench {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  }
+
+  /// As the application does when the scale of the interface changes; between frames.
+  void set_scale(float scale) {
+    metrics_.scale = scale;
+    set_fonts({scale, false, {}});
+    apply_theme(ThemeId::dark, scale, palette_);
   }
 
   void frame() {
@@ -73,7 +89,28 @@ class HeadlessWorkbench {
     workbench_->key({chord, plain ? static_cast<char32_t>(chord.key) : char32_t(0)});
     frame();
   }
-  void key(std::string_view chord) { key(KeyChord::parse(chord).value()); }
+  void key(std::string_view chord) {
+    key(KeyChord::parse(chord).value());
+  }
+
+  /// A key as the window gives it, to ImGui and to the workbench: down for a frame, then up.
+  void tap(std::string_view text) {
+    const KeyChord chord = KeyChord::parse(text).value();
+    hold(chord.shift, chord.control, chord.alt);
+    const ImGuiKey key = imgui_key(chord.key);
+    if (key != ImGuiKey_COUNT) put(key, true);
+    this->key(chord);
+    if (key != ImGuiKey_COUNT) put(key, false);
+    hold(false, false, false);
+    frame();
+  }
+  /// Characters into the field that has the keyboard.
+  void type(std::string_view text) {
+    for (const char c : text) {
+      ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
+      frame();
+    }
+  }
 
   void move(double x, double y) {
     ImGui::GetIO().MousePos = {static_cast<float>(x), static_cast<float>(y)};
@@ -127,6 +164,38 @@ class HeadlessWorkbench {
   }
 
  private:
+  static ImGuiKey imgui_key(int key) {
+    switch (key) {
+      case GLFW_KEY_TAB:
+        return ImGuiKey_Tab;
+      case GLFW_KEY_ENTER:
+        return ImGuiKey_Enter;
+      case GLFW_KEY_ESCAPE:
+        return ImGuiKey_Escape;
+      case GLFW_KEY_SPACE:
+        return ImGuiKey_Space;
+      case GLFW_KEY_BACKSPACE:
+        return ImGuiKey_Backspace;
+      case GLFW_KEY_UP:
+        return ImGuiKey_UpArrow;
+      case GLFW_KEY_DOWN:
+        return ImGuiKey_DownArrow;
+      case GLFW_KEY_LEFT:
+        return ImGuiKey_LeftArrow;
+      case GLFW_KEY_RIGHT:
+        return ImGuiKey_RightArrow;
+      default:
+        return ImGuiKey_COUNT;
+    }
+  }
+  static void put(ImGuiKey key, bool down) {
+#if IMGUI_VERSION_NUM >= 18700
+    ImGui::GetIO().AddKeyEvent(key, down);
+#else
+    ImGui::GetIO().KeysDown[key] = down;
+#endif
+  }
+
   template <class Action>
   static void complete(std::function<Action>& action) {
     if (!action) action = [](const auto&...) {};

@@ -1,0 +1,188 @@
+// Files: the dialog that asks for one, and what dense and sharp meshes become.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "app/files/prepare_meshes.hpp"
+#include "core/exchange/mesh_file.hpp"
+#include "core/modeling/primitives.hpp"
+#include "core/modeling/sharp_edges.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/folder_list.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, std::size_t bytes, int hours_ago) {
+  std::ofstream(path) << std::string(bytes, 'x');
+  fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(hours_ago));
+}
+
+class FileHands : public ::testing::Test {
+ protected:
+  FileHands() : bench_(document(), {1280, 800}, actions()) {
+    write(folder_.path() / "a10.obj", 30, 1);
+    write(folder_.path() / "a2.obj", 10, 3);
+    write(folder_.path() / "b.stl", 20, 2);
+    write(folder_.path() / "notes.txt", 5, 1);
+    fs::create_directory(folder_.path() / "sub");
+    bench_.editor().path = folder_.path() / "model.hariko";
+    bench_.workbench().commands().run("file.import");
+    for (int i = 0; i < 3; ++i) bench_.frame();
+  }
+  static Document document() { return document_from_mesh(test::prism(4), "Box").value(); }
+  FileActions actions() {
+    FileActions actions;
+    actions.import_file = [this](const fs::path& path) { imported_.push_back(path); };
+    return actions;
+  }
+  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
+  int top(const std::string& entry) {
+    return marks().contains("entry." + entry) ? marks().at("entry." + entry).y : -1;
+  }
+  void click(const std::string& mark) {
+    bench_.click(mark);
+    for (int i = 0; i < 3; ++i) bench_.frame();
+  }
+
+  test::TemporaryFolder folder_;
+  std::vector<fs::path> imported_;
+  HeadlessWorkbench bench_;
+};
+
+TEST_F(FileHands, ColumnsSortAndNamesCountUp) {
+  EXPECT_LT(top("sub"), top("a2.obj")) << "folders first";
+  EXPECT_LT(top("a2.obj"), top("a10.obj"));
+  EXPECT_LT(top("a10.obj"), top("b.stl"));
+  EXPECT_EQ(top("notes.txt"), -1);
+  click("dialog.sort.modified");
+  EXPECT_LT(top("a10.obj"), top("b.stl")) << "latest first";
+  EXPECT_LT(top("b.stl"), top("a2.obj"));
+  click("dialog.sort.modified");
+  EXPECT_LT(top("a2.obj"), top("b.stl"));
+  click("dialog.sort.size");
+  EXPECT_LT(top("a10.obj"), top("b.stl"));
+}
+
+TEST_F(FileHands, OneFormatCanBeChosenFromAList) {
+  click("dialog.format");
+  click("dialog.format.stl");
+  EXPECT_GT(top("b.stl"), 0);
+  EXPECT_EQ(top("a2.obj"), -1);
+  click("dialog.format");
+  click("dialog.format.all");
+  EXPECT_GT(top("a2.obj"), 0);
+}
+
+TEST_F(FileHands, ArrowsGoThroughTheListAndEnterTakesTheFile) {
+  for (int i = 0; i < 3; ++i) bench_.tap("Down");  // the folder, a2, a10
+  bench_.tap("Enter");
+  bench_.frame();
+  ASSERT_EQ(imported_.size(), 1U);
+  EXPECT_EQ(imported_[0].filename(), "a10.obj");
+}
+
+TEST_F(FileHands, AClickBesideTheEntriesLeavesTheKeyboardAtTheName) {
+  const Marks::Rect last = marks().at("entry.b.stl");
+  bench_.move(last.x + 60, last.y + 120);
+  bench_.press();
+  bench_.release();
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  bench_.type("b.stl");
+  bench_.tap("Enter");
+  bench_.frame();
+  ASSERT_EQ(imported_.size(), 1U);
+  EXPECT_EQ(imported_[0].filename(), "b.stl");
+}
+
+TEST_F(FileHands, AFolderCanBeMadeAndLeft) {
+  click("dialog.new_folder");
+  click("dialog.new_folder_name");
+  bench_.type("drafts");
+  bench_.tap("Enter");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_TRUE(fs::is_directory(folder_.path() / "drafts"));
+  EXPECT_EQ(top("a2.obj"), -1) << "the dialog is in the new folder";
+  click("dialog.crumb.1");
+  EXPECT_GT(top("a2.obj"), 0);
+  EXPECT_GT(top("drafts"), 0);
+  EXPECT_TRUE(marks().contains("dialog.place.root"));
+}
+
+TEST_F(FileHands, NamesInOtherScriptsAreTakenUpForTheFonts) {
+  write(folder_.path() / "\u7d05\u8336.obj", 3, 1);
+  bench_.key("Esc");
+  bench_.workbench().commands().run("file.import");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_EQ(bench_.editor().settings.language, LanguageId::english);
+  EXPECT_TRUE(bench_.editor().shown_characters().contains(U'\u7d05'));
+  EXPECT_TRUE(bench_.editor().shown_characters().contains(U'\u8336'));
+}
+
+TEST(FolderList, PlacesAreThoseOfTheDesktopOnce) {
+  const test::TemporaryFolder folder;
+  const fs::path home = folder.path() / "home", config = folder.path() / "config";
+  for (const fs::path& each : {home / "Desk top", home / "Downloads", config}) fs::create_directories(each);
+  std::ofstream(config / "user-dirs.dirs") << "# comment\nXDG_DESKTOP_DIR=\"$HOME/Desk top\"\n"
+                                              "XDG_DOCUMENTS_DIR=\"$HOME/Missing\"\n"
+                                              "XDG_DOWNLOAD_DIR=\"$HOME/Downloads\"\nXDG_MUSIC_DIR=\n\"\n";
+  const std::vector<fs::path> recent{home / "Downloads" / "a.obj", config / "b.obj", config / "c.obj"};
+  std::vector<std::string> ids;
+  for (const Place& place : usual_places(home, config, recent)) ids.push_back(place.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"home", "desktop", "downloads", "root", "recent.0"}));
+}
+
+OpenedFile opened(const PolygonMesh& mesh) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "mesh.obj";
+  EXPECT_TRUE(write_mesh_file(file, std::array{NamedPolygons{"mesh", &mesh}}).ok());
+  return open_file(file);
+}
+
+TEST(PrepareMeshes, SharpEdgesBecomeCreasesByTheirAngle) {
+  // A housing of twelve sides with flat lids: 30 degrees from side to side, 90 at the rims.
+  const PolygonMesh prism = make_primitive(PrismShape{12, 1, 2, {}}).value();
+  for (const auto& [degrees, creases] : {std::pair(29.0, 36U), {31.0, 24U}, {91.0, 0U}}) {
+    OpenedFile file = opened(prism);
+    prepare_meshes(file, {MeshUse::cage, true, degrees});
+    ASSERT_TRUE(file.document);
+    EXPECT_EQ(file.document->objects[0]->polyhedron()->shaping->crease.size(), creases) << degrees;
+  }
+  OpenedFile plain = opened(prism);
+  prepare_meshes(plain, {});
+  EXPECT_EQ(plain.document->objects[0]->polyhedron()->shaping->crease.size(), 0U);
+}
+
+TEST(PrepareMeshes, DenseMeshesAreAskedAboutAndShowWithoutPoints) {
+  const PolygonMesh torus = make_primitive(TorusShape{2, 0.5, 100, 60, {}}).value();
+  ASSERT_GT(torus.face_count(), MeshImport::dense_faces);
+  OpenedFile file = opened(torus);
+  prepare_meshes(file, {});
+  EXPECT_EQ(file.dense_faces, torus.face_count());
+  ASSERT_TRUE(file.document && file.reference);
+  EXPECT_TRUE(file.document->objects[0]->polyhedron());
+  EXPECT_TRUE(file.reference->objects[0]->mesh());
+  for (const auto& document : {file.document, file.reference}) {
+    EXPECT_FALSE(document->objects[0]->display.points);
+    EXPECT_FALSE(document->objects[0]->display.polyhedron);
+  }
+  OpenedFile chosen = opened(torus);
+  prepare_meshes(chosen, {MeshUse::reference, false, 30});
+  EXPECT_EQ(chosen.dense_faces, 0U);
+  EXPECT_TRUE(chosen.document->objects[0]->mesh());
+  OpenedFile small = opened(test::torus(5, 4));
+  prepare_meshes(small, {});
+  EXPECT_EQ(small.dense_faces, 0U);
+  EXPECT_TRUE(small.document->objects[0]->display.points);
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,208 @@
+// The interface by the keyboard alone, names, and dialogs that stay inside of the window.
+
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include "core/document/edits.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/command_search.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+class Keyboard : public ::testing::Test {
+ protected:
+  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
+  Editor& editor() { return bench_.editor(); }
+  void frames(int count = 4) {
+    for (int i = 0; i < count; ++i) bench_.frame();
+  }
+  std::string last_command() { return bench_.workbench().command_log().last.first; }
+
+  HeadlessWorkbench bench_{document_from_mesh(test::prism(4), "Box").value(), {1280, 800}};
+};
+
+TEST_F(Keyboard, F10OpensTheFirstMenuAndArrowsAndEnterRunACommand) {
+  bench_.tap("F10");
+  frames();
+  ASSERT_TRUE(marks().contains("command.file.open"));
+  bench_.tap("Down");
+  bench_.tap("Enter");
+  frames();
+  EXPECT_FALSE(marks().contains("command.file.open")) << "the menu is still open";
+  EXPECT_TRUE(last_command().starts_with("file.")) << last_command();
+}
+
+TEST_F(Keyboard, AltAndALetterOpenAMenuAndEscClosesIt) {
+  bench_.tap("Alt+F");
+  frames();
+  EXPECT_TRUE(marks().contains("command.file.open"));
+  bench_.tap("Esc");
+  frames();
+  EXPECT_FALSE(marks().contains("command.file.open"));
+}
+
+TEST_F(Keyboard, AQuestionHasADefaultThatEnterTakesAndArrowsChange) {
+  std::string answer;
+  const auto ask = [&] {
+    bench_.workbench().ask({"Title",
+                            "Text",
+                            {{"One", "one", [&] { answer = "one"; }},
+                             {"Two", "two", [&] { answer = "two"; }},
+                             {"Three", "three", [&] { answer = "three"; }}}});
+    frames();
+  };
+  ask();
+  bench_.tap("Enter");
+  frames();
+  EXPECT_EQ(answer, "one");
+  EXPECT_EQ(bench_.workbench().question(), nullptr);
+  ask();
+  bench_.tap("Right");
+  bench_.tap("Tab");
+  bench_.tap("Enter");
+  frames();
+  EXPECT_EQ(answer, "three");
+  ask();
+  bench_.tap("Shift+Tab");
+  bench_.tap("Shift+Tab");
+  bench_.tap("Space");
+  frames();
+  EXPECT_EQ(answer, "two");
+}
+
+TEST_F(Keyboard, F6GoesFromPanelToPanelAndKeysChangeWhatIsThere) {
+  bench_.tap("F6");
+  frames();
+  EXPECT_EQ(std::string(GImGui->NavWindow->RootWindow->Name), "Objects");
+  bench_.tap("F6");
+  frames();
+  EXPECT_EQ(std::string(GImGui->NavWindow->RootWindow->Name), "Properties");
+  EXPECT_FALSE(GImGui->NavDisableHighlight) << "no focus can be seen";
+  const ElementMode mode = editor().mode;
+  bench_.tap("Down");
+  EXPECT_NE(GImGui->NavId, 0U);
+  bench_.tap("Esc");
+  frames();
+  EXPECT_TRUE(GImGui->NavDisableHighlight);
+  EXPECT_EQ(editor().mode, mode);
+  bench_.key("2");
+  EXPECT_EQ(editor().mode, ElementMode::edge) << "keys are commands again";
+}
+
+TEST_F(Keyboard, PreferencesStayInsideOfTheWindowAtEveryScale) {
+  bench_.workbench().commands().run("edit.preferences");
+  frames();
+  for (const double width : {1280.0, 800.0}) {
+    ImGui::GetIO().DisplaySize = {float(width), width == 800 ? 600.0F : 800.0F};
+    for (const float scale : {1.0F, 1.5F, 2.5F, 1.0F}) {
+      SCOPED_TRACE(scale);
+      bench_.set_scale(scale);
+      frames();
+      const Marks::Rect rect = marks().at("preferences");
+      EXPECT_GE(rect.x, 0);
+      EXPECT_GE(rect.y, 0);
+      EXPECT_LE(rect.x + rect.width, int(width));
+      EXPECT_LE(rect.y + rect.height, width == 800 ? 600 : 800);
+    }
+  }
+}
+
+TEST_F(Keyboard, CopiesAreCountedAndHiddenOnesAreNotSelected) {
+  editor().mode = ElementMode::object;
+  for (int i = 0; i < 3; ++i) bench_.workbench().commands().run("object.duplicate");
+  std::vector<std::string> names;
+  for (const auto& object : editor().document().objects) names.push_back(object->name);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, (std::vector<std::string>{"Box", "Box 2", "Box 3", "Box 4"}));
+  frames(2);
+  ASSERT_EQ(editor().selection.objects().size(), 1U);
+  ASSERT_TRUE(marks().contains("gizmo.move.x"));
+  bench_.workbench().commands().run("object.hide");
+  frames(2);
+  EXPECT_TRUE(editor().selection.objects().empty());
+  EXPECT_FALSE(marks().contains("gizmo.move.x")) << "a gizmo in the void";
+  EXPECT_FALSE(bench_.workbench().commands().run("transform.move").ran);
+  bench_.workbench().commands().run("object.show_all");
+  editor().selection.select({editor().selection.active, element_of(editor().selection.active)},
+                            Selection::How::replace);
+  bench_.workbench().commands().run("object.lock");
+  frames(2);
+  EXPECT_TRUE(editor().selection.objects().empty());
+  EXPECT_FALSE(marks().contains("gizmo.move.x"));
+}
+
+TEST_F(Keyboard, TheListOfManyObjectsGrowsIsSearchedAndSorted) {
+  for (int i = 0; i < 19; ++i) bench_.workbench().commands().run("object.duplicate");
+  frames();
+  int rows = 0;
+  for (const auto& [mark, rect] : marks()) rows += mark.starts_with("object.") ? 1 : 0;
+  EXPECT_GE(rows, 9) << "of 20 at a height of 800";
+  // By hand it becomes taller.
+  const Marks::Rect end = marks().at("outliner.end");
+  bench_.move(end.x + 60, end.y + 2);
+  bench_.press();
+  bench_.move(end.x + 60, end.y + 60);
+  bench_.move(end.x + 60, end.y + 150);
+  bench_.release();
+  frames();
+  int more = 0;
+  for (const auto& [mark, rect] : marks()) more += mark.starts_with("object.") ? 1 : 0;
+  EXPECT_GE(more, rows + 3);
+  bench_.click("outliner.search");
+  bench_.type("Box 12");
+  bench_.tap("Enter");
+  frames();
+  int found = 0;
+  for (const auto& [mark, rect] : marks()) found += mark.starts_with("object.") ? 1 : 0;
+  EXPECT_EQ(found, 1);
+  bench_.click("outliner.search");
+  for (int i = 0; i < 8; ++i) bench_.tap("Backspace");
+  bench_.tap("Enter");
+  bench_.click("outliner.order");
+  frames();
+  bench_.click("outliner.order.1");
+  frames();
+  // By their numbers: Box, Box 2, Box 3 ... and not Box 10 before Box 2.
+  const auto id_of = [&](const std::string& name) {
+    for (const auto& object : editor().document().objects)
+      if (object->name == name) return "object." + std::to_string(object->id.value);
+    return std::string();
+  };
+  EXPECT_LT(marks().at(id_of("Box")).y, marks().at(id_of("Box 2")).y);
+  EXPECT_LT(marks().at(id_of("Box 2")).y, marks().at(id_of("Box 3")).y);
+  // A range with Shift takes the rows between, as they stand.
+  bench_.click(id_of("Box"));
+  bench_.hold(true, false, false);
+  bench_.click(id_of("Box 4"));
+  bench_.hold(false, false, false);
+  EXPECT_EQ(editor().selection.objects().size(), 4U);
+}
+
+TEST_F(Keyboard, ThePaletteFindsSettingsAndNotWhatMerelySoundsAlike) {
+  const CommandTable& table = bench_.workbench().commands();
+  const auto found = [&](const char* query) {
+    std::vector<std::string> ids;
+    for (const Command* command : search_commands(table, Language(), query, {})) ids.push_back(command->id);
+    return ids;
+  };
+  const auto has = [&](const char* query, const char* id) {
+    const auto ids = found(query);
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  EXPECT_TRUE(has("two rails", "property.skin_frame.3"));
+  EXPECT_TRUE(has("tightness", "property.tightness"));
+  EXPECT_TRUE(has("mirror", "property.mirror"));
+  EXPECT_TRUE(has("orbit speed", "property.preferences.orbit_speed"));
+  EXPECT_FALSE(has("boolean", "shape.separate_patches"));
+  EXPECT_FALSE(has("draft", "solid.row"));
+  EXPECT_FALSE(has("group", "skin.correspond"));
+  for (const char* nothing : {"boolean", "draft"})
+    EXPECT_TRUE(found(nothing).empty()) << found(nothing).front();
+}
+
+}  // namespace
+}  // namespace hariko

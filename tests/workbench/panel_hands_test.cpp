@@ -1,0 +1,266 @@
+// Working in the panels: Tab through fields, rows that stay, tips beside the panel, sizes, many objects.
+
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include "core/document/edit_solids.hpp"
+#include "core/document/edits.hpp"
+#include "core/document/object_box.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/object_size.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+class PanelHands : public ::testing::Test {
+ protected:
+  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
+  void run(std::string_view id) {
+    ASSERT_TRUE(bench_.workbench().commands().run(id).ran) << id;
+    bench_.wait_for_surfaces();
+  }
+  /// Into a field by the mouse.
+  void enter(const std::string& mark, std::string_view text) {
+    bench_.click(mark);
+    bench_.frame();
+    bench_.type(text);
+  }
+  Editor& editor() { return bench_.editor(); }
+  Vector3 size_of_active() {
+    const Object& object = *editor().active_object();
+    return own_box(editor(), object).sizes() * object.transform.scale;
+  }
+
+  HeadlessWorkbench bench_{Document(), {1280, 1000}};
+};
+
+TEST_F(PanelHands, TabGoesThroughTheNumbersOfANewBox) {
+  run("add.box");
+  enter("field.width", "62");
+  bench_.tap("Tab");
+  bench_.type("110");
+  bench_.tap("Tab");
+  bench_.type("36");
+  bench_.tap("Enter");
+  const auto& numbers = editor().last_operation.numbers();
+  ASSERT_GE(numbers.size(), 3U);
+  EXPECT_EQ(numbers[0].value, 62);
+  EXPECT_EQ(numbers[1].value, 110);
+  EXPECT_EQ(numbers[2].value, 36);
+  EXPECT_TRUE(world_box(*editor().active_object()).sizes().isApprox(Vector3(62, 110, 36), 1e-12));
+}
+
+TEST_F(PanelHands, ShiftTabGoesBack) {
+  run("add.box");
+  enter("field.depth", "50");
+  bench_.tap("Shift+Tab");
+  bench_.type("40");
+  bench_.tap("Enter");
+  EXPECT_EQ(editor().last_operation.numbers()[0].value, 40);
+  EXPECT_EQ(editor().last_operation.numbers()[1].value, 50);
+}
+
+TEST_F(PanelHands, ANewSolidHasOneBlockOfNumbersAndStaysSelected) {
+  run("solid.box");
+  ASSERT_TRUE(marks().contains("field.solid.width"));
+  EXPECT_FALSE(marks().contains("field.width")) << "its numbers are there twice";
+  enter("field.solid.width", "55");
+  bench_.tap("Tab");
+  bench_.type("66");
+  bench_.tap("Enter");
+  bench_.wait_for_surfaces();
+  const Object& object = *editor().active_object();
+  EXPECT_EQ(object.solids()->input->solids.front().size.x(), 55);
+  EXPECT_EQ(object.solids()->input->solids.front().size.y(), 66);
+  EXPECT_EQ(editor().selection.of(object.id).vertices.size(), 1U);
+  EXPECT_TRUE(marks().contains("field.solid.width"));
+}
+
+TEST_F(PanelHands, ACopiedRowOfSolidsStaysSelectedWhileItsNumberIsChanged) {
+  run("solid.sphere");
+  run("solid.row");
+  enter("field.copies", "5");
+  bench_.tap("Enter");
+  EXPECT_EQ(editor().active_object()->solids()->input->solids.size(), 6U);
+  EXPECT_EQ(editor().selection.of(editor().selection.active).vertices.size(), 5U);
+}
+
+TEST_F(PanelHands, RowsUnderThePointerStayWhenRowsAboveGo) {
+  run("add.box");
+  ASSERT_TRUE(marks().contains("field.width")) << "the numbers of the step stand above";
+  const Marks::Rect before = marks().at("combo.map");
+  bench_.move(before.x + before.width / 2.0, before.y + before.height / 2.0);
+  bench_.frame();
+  // Any further step ends the adjusting of the one before.
+  editor().commit(rename_object(editor().history.current(), editor().selection.active, "Pebble"), "Rename");
+  for (int i = 0; i < 4; ++i) bench_.frame();
+  EXPECT_FALSE(marks().contains("field.width"));
+  EXPECT_EQ(marks().at("combo.map").y, before.y);
+  // Away from the panel all is as usual.
+  bench_.move(400, 500);
+  for (int i = 0; i < 4; ++i) bench_.frame();
+  EXPECT_LT(marks().at("combo.map").y, before.y);
+}
+
+/// The tip that is shown now; null for none.
+const ImGuiWindow* tip() {
+  for (const ImGuiWindow* window : GImGui->Windows)
+    if ((window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->WasActive && !window->Hidden)
+      return window;
+  return nullptr;
+}
+
+TEST_F(PanelHands, TipsStandBesideThePanelAndNotWhileOneTypes) {
+  run("add.box");
+  for (const char* mark : {"field.size.x", "label.size.x", "combo.map", "check.split_concave"}) {
+    const Marks::Rect rect = marks().at(mark);
+    bench_.move(rect.x + rect.width / 2.0, rect.y + rect.height / 2.0);
+    for (int i = 0; i < 3; ++i) bench_.frame();
+    const ImGuiWindow* shown = tip();
+    if (std::string_view(mark) == "combo.map") continue;  // its label has the tip
+    ASSERT_NE(shown, nullptr) << mark;
+    const ImGuiWindow* panel = ImGui::FindWindowByName("Properties");
+    EXPECT_LE(shown->Pos.x + shown->Size.x, panel->Pos.x) << mark;
+    EXPECT_GE(shown->Pos.x, 0) << mark;
+  }
+  bench_.click("field.size.x");
+  bench_.type("6");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_EQ(tip(), nullptr);
+}
+
+TEST_F(PanelHands, ATypedUnitIsNotShownAsMetres) {
+  run("add.box");
+  editor().mode = ElementMode::object;
+  editor().selection.select({editor().selection.active, element_of(editor().selection.active)},
+                            Selection::How::replace);
+  const auto moved = [&] { return editor().document().objects.front()->transform.translation.z(); };
+  bench_.move(500, 400);
+  for (const char* key : {"G", "Z"}) bench_.key(key);
+  bench_.key("8");
+  EXPECT_NEAR(moved(), 8, 1e-12);
+  const auto letter = [&](char32_t c) {
+    bench_.workbench().key({KeyChord::parse("M").value(), c});
+    bench_.frame();
+  };
+  letter(U'm');
+  EXPECT_NEAR(moved(), 8, 1e-12) << "metres on the way to millimetres";
+  letter(U'm');
+  EXPECT_NEAR(moved(), 8, 1e-12);
+  bench_.key("Enter");
+  EXPECT_NEAR(moved(), 8, 1e-12);
+  // Where metres are meant Enter says so.
+  for (const char* key : {"G", "Z", "8"}) bench_.key(key);
+  letter(U'm');
+  bench_.key("Enter");
+  EXPECT_NEAR(moved(), 8008, 1e-9);
+}
+
+TEST_F(PanelHands, ManyObjectsHaveTheirCommonPropertiesTogether) {
+  run("add.box");
+  run("object.duplicate");
+  run("object.duplicate");
+  editor().mode = ElementMode::object;
+  for (const auto& object : editor().document().objects)
+    editor().selection.select({object->id, element_of(object->id)}, Selection::How::add);
+  bench_.frame();
+  DisplaySettings display = editor().active_object()->display;
+  display.points = !display.points;
+  editor().commit(set_display(editor().history.current(), editor().selection.active, display), "Points");
+  for (const auto& object : editor().document().objects)
+    editor().selection.select({object->id, element_of(object->id)}, Selection::How::add);
+  bench_.frame();
+  ASSERT_TRUE(marks().contains("combo.map"));
+  ASSERT_TRUE(marks().contains("combo.mirror"));
+  ASSERT_TRUE(marks().contains("field.colour"));
+  bench_.click("combo.map");
+  bench_.frame();
+  bench_.click("choice.map.2");
+  bench_.frame();
+  for (const auto& object : editor().document().objects)
+    EXPECT_EQ(object->display.map, SurfaceMap::zebra) << object->name;
+  // What was mixed becomes the same for all.
+  bench_.click("check.points");
+  bench_.frame();
+  const bool points = editor().document().objects.front()->display.points;
+  for (const auto& object : editor().document().objects) EXPECT_EQ(object->display.points, points);
+}
+
+TEST_F(PanelHands, ListsAnswerToArrowsAndEnter) {
+  run("add.box");
+  bench_.click("combo.map");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  ASSERT_TRUE(marks().contains("choice.map.1"));
+  bench_.tap("Down");
+  bench_.tap("Enter");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_EQ(editor().active_object()->display.map, SurfaceMap::patches);
+  EXPECT_FALSE(marks().contains("choice.map.1")) << "the list is still open";
+}
+
+TEST_F(PanelHands, TheSizeIsThatOfTheSurfaceAndCanBeTyped) {
+  for (const double unit : {1e-3, 1.0, 1e5}) {
+    SCOPED_TRACE(unit);
+    Document document;
+    editor().open(document, {});
+    bench_.frame();
+    run("add.box");
+    const ObjectId id = editor().selection.active;
+    Similarity place = editor().active_object()->transform;
+    place.scale = unit;
+    place.translation = unit * Vector3(1e6, -1e6, 1e6);
+    editor().commit(set_transform(editor().history.current(), id, place), "Place");
+    bench_.wait_for_surfaces();
+    const Vector3 before = size_of_active();
+    EXPECT_LT((before - unit * Vector3::Constant(100)).cwiseAbs().maxCoeff(), unit * 60) << "not of the cage";
+    const double wanted = 0.62 * before.x();
+    enter("field.size.x", exact_text(plain_quantity(9, 1), wanted));
+    bench_.tap("Enter");
+    bench_.wait_for_surfaces();
+    const Vector3 after = size_of_active();
+    EXPECT_NEAR(after.x(), wanted, 2e-5 * wanted);
+    editor().transform.proportional_size = true;
+    bench_.frame();
+    enter("field.size.y", exact_text(plain_quantity(9, 1), 2 * after.y()));
+    bench_.tap("Enter");
+    bench_.wait_for_surfaces();
+    EXPECT_TRUE(size_of_active().isApprox(2 * after, 1e-5)) << size_of_active().transpose();
+    editor().transform.proportional_size = false;
+  }
+}
+
+TEST_F(PanelHands, EveryWayToBeginHasTheSameSize) {
+  for (const Unit unit : {Unit::millimetre, Unit::metre}) {
+    SCOPED_TRACE(to_string(unit));
+    editor().settings.unit = unit;
+    bench_.workbench().commands().run("file.new_from_box");
+    bench_.wait_for_surfaces();
+    const double millimetres = millimetres_per(unit);
+    EXPECT_NEAR(world_box(*editor().active_object()).sizes().x() * millimetres, 100, 1e-9);
+    editor().history.mark_saved(editor().history.serial());
+    bench_.workbench().commands().run("file.new");
+    bench_.frame();
+    bench_.frame();
+    EXPECT_NEAR(editor().camera().view_height() * millimetres, 300, 1e-6) << "an empty view";
+    bench_.workbench().commands().run("add.box");
+    bench_.frame();
+    EXPECT_NEAR(world_box(*editor().active_object()).sizes().x() * millimetres, 100, 1e-9);
+    editor().history.mark_saved(editor().history.serial());
+  }
+}
+
+TEST_F(PanelHands, APropertyIsFoundByItsNameAndGetsTheKeyboard) {
+  run("solid.box");
+  run("property.tightness");
+  for (int i = 0; i < 6; ++i) bench_.frame();
+  EXPECT_FALSE(bench_.workbench().field_opening());
+  bench_.type("0.4");
+  bench_.tap("Enter");
+  EXPECT_DOUBLE_EQ(editor().active_object()->solids()->input->settings.tightness, 0.4);
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,89 @@
+// Pages that cannot be built are told before they are written.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/document/edits.hpp"
+#include "core/modeling/primitives.hpp"
+#include "core/unfolding/edit_unfolding.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/paper_edits.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+class PaperHands : public ::testing::Test {
+ protected:
+  PaperHands() : bench_(box(), {1280, 800}) {
+    const PolygonMesh mesh = make_primitive(BoxShape{{40, 50, 60}, {1, 1, 1}, {}}).value();
+    auto facets = std::make_shared<PaperFacets>();
+    facets->mesh = mesh;
+    auto paper = std::make_shared<PaperMesh>();
+    paper->graph = std::make_shared<const FacetGraph>(FacetGraph::build(mesh).value());
+    paper->whole = facets;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+      paper->names.push_back({ObjectId{0}, {}, v, 0, 0});
+    mesh_ = paper;
+    show(unfold(paper->graph, PaperSettings(), {.steps = 500}).value());
+  }
+  static Document box() {
+    return document_from_mesh(make_primitive(BoxShape{{40, 50, 60}, {1, 1, 1}, {}}).value(), "Box").value();
+  }
+  void show(const Unfolding& unfolding) {
+    Editor& editor = bench_.editor();
+    editor.paper.shown = true;
+    editor.paper.mesh = mesh_;
+    editor.paper.layout =
+        lay_out_paper(std::make_shared<const PaperModel>(default_paper(editor.document())), mesh_, unfolding);
+    bench_.frame();
+  }
+  const Unfolding& pages() { return bench_.editor().paper.layout->unfolding; }
+  bool asked() {
+    bench_.workbench().commands().run("paper.export");
+    for (int i = 0; i < 3; ++i) bench_.frame();
+    return bench_.workbench().question() != nullptr;
+  }
+  bool dialog() { return bench_.workbench().marks().all().contains("dialog.name"); }
+
+  std::shared_ptr<const PaperMesh> mesh_;
+  HeadlessWorkbench bench_;
+};
+
+TEST_F(PaperHands, SoundPagesAreWrittenAtOnce) {
+  EXPECT_FALSE(asked());
+  EXPECT_TRUE(dialog());
+}
+
+TEST_F(PaperHands, APieceBeyondTheMarginIsToldAndCanBeRefused) {
+  show(move_piece(pages(), 0, 0, {150, 0}));
+  ASSERT_FALSE(bench_.editor().paper.layout->off_page.empty());
+  ASSERT_TRUE(asked());
+  EXPECT_FALSE(dialog());
+  // Enter goes back to the pages.
+  bench_.tap("Enter");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_FALSE(dialog());
+  EXPECT_EQ(bench_.workbench().question(), nullptr);
+  ASSERT_TRUE(asked());
+  bench_.click("prompt.export");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_TRUE(dialog());
+}
+
+TEST_F(PaperHands, ASplitPieceMovesAside) {
+  Index fold = no_index;
+  for (Index e = 0; e < pages().graph->edge_count() && fold == no_index; ++e)
+    if (!pages().graph->edge(e).border() && !pages().graph->edge(e).inner && pages().folds[e]) fold = e;
+  ASSERT_NE(fold, no_index);
+  const std::size_t pieces = pages().pieces.size();
+  toggle_edge(bench_.editor(), fold);
+  EXPECT_EQ(pages().pieces.size(), pieces + 1);
+  EXPECT_EQ(bench_.editor().paper.layout->overlaps, 0U);
+  EXPECT_TRUE(bench_.editor().paper.layout->off_page.empty());
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,155 @@
+// Sections as wholes: moved, turned and scaled in their planes; drawn from shapes.
+
+#include <gtest/gtest.h>
+
+#include "core/document/edit_skin.hpp"
+#include "core/skinning/edit_section.hpp"
+#include "core/skinning/section_frame.hpp"
+#include "core/skinning/simple_skin.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+class SectionHands : public ::testing::Test {
+ protected:
+  SectionHands() {
+    bench_.workbench().commands().run("add.skin");
+    bench_.wait_for_surfaces();
+    bench_.move(500, 400);
+  }
+  Editor& editor() { return bench_.editor(); }
+  const Skin& skin() { return *editor().active_object()->skin()->skin; }
+  void select_sections(const std::vector<std::size_t>& numbers) {
+    ElementSelection points;
+    for (const std::size_t k : numbers)
+      for (const SectionPoint& p : skin().sections[k].points) points.vertices.insert(VertexId{p.id});
+    editor().mode = ElementMode::vertex;
+    editor().selection.set(editor().selection.active, points);
+    bench_.frame();
+    bench_.frame();
+  }
+  void press(std::initializer_list<const char*> keys) {
+    for (const char* key : keys) bench_.key(key);
+  }
+  static Vector3 middle(const SkinSection& section) {
+    Vector3 sum = Vector3::Zero();
+    for (const SectionPoint& p : section.points) sum += p.position;
+    return sum / double(section.size());
+  }
+
+  HeadlessWorkbench bench_{Document(), {1280, 800}};
+};
+
+TEST_F(SectionHands, OneSectionIsScaledByANumberInItsPlane) {
+  select_sections({1});
+  EXPECT_TRUE(bench_.workbench().marks().all().contains("gizmo.scale.x")) << "no gizmo";
+  EXPECT_FALSE(bench_.workbench().marks().all().contains("gizmo.move.z")) << "a handle out of the plane";
+  const SkinSection before = skin().sections[1], other = skin().sections[0];
+  press({"S", "2", "Enter"});
+  const SkinSection& after = skin().sections[1];
+  EXPECT_EQ(skin().sections[0], other);
+  const Vector3 centre = middle(before);
+  for (int i = 0; i < before.size(); ++i) {
+    const Vector3 wanted = centre + 2 * (before.points[std::size_t(i)].position - centre);
+    EXPECT_LT((after.points[std::size_t(i)].position - wanted).norm(), 1e-9 * (1 + wanted.norm()));
+  }
+  EXPECT_EQ(editor().history.labels().back().substr(0, 5), "Scale");
+}
+
+TEST_F(SectionHands, SeveralSectionsAreScaledEachAboutItsOwnMiddle) {
+  select_sections({0, 1});
+  const Skin before = skin();
+  press({"S", "3", "Enter"});
+  for (std::size_t k = 0; k < 2; ++k) {
+    const SkinSection &a = before.sections[k], &b = skin().sections[k];
+    EXPECT_LT((middle(a) - middle(b)).norm(), 1e-9 * (1 + middle(a).norm())) << k;
+    EXPECT_NEAR((b.points[0].position - middle(b)).norm(), 3 * (a.points[0].position - middle(a)).norm(),
+                1e-9);
+  }
+}
+
+TEST_F(SectionHands, MovesStayInThePlaneHoweverThePointerGoes) {
+  select_sections({1});
+  const Vector3 normal = section_direction_of_view(skin(), skin().sections[1]);
+  const SkinSection before = skin().sections[1];
+  press({"G"});
+  bench_.move(620, 310);
+  bench_.move(640, 300);
+  press({"Enter"});
+  const SkinSection& after = skin().sections[1];
+  const Vector3 way = after.points[0].position - before.points[0].position;
+  EXPECT_GT(way.norm(), 1e-6) << "it did not move";
+  EXPECT_LT(std::abs(way.dot(normal)), 1e-9 * way.norm());
+  for (int i = 0; i < before.size(); ++i)
+    EXPECT_LT((after.points[std::size_t(i)].position - before.points[std::size_t(i)].position - way).norm(),
+              1e-9 * way.norm());
+}
+
+TEST_F(SectionHands, AQuarterTurnIsAboutTheNormal) {
+  select_sections({1});
+  const Vector3 normal = section_direction_of_view(skin(), skin().sections[1]);
+  const SkinSection before = skin().sections[1];
+  press({"R", "9", "0", "Enter"});
+  const SkinSection& after = skin().sections[1];
+  const Vector3 centre = middle(before);
+  for (int i = 0; i < before.size(); ++i) {
+    const Vector3 a = before.points[std::size_t(i)].position - centre,
+                  b = after.points[std::size_t(i)].position - centre;
+    EXPECT_NEAR(a.dot(normal), b.dot(normal), 1e-9 * (1 + a.norm()));
+    EXPECT_NEAR(a.norm(), b.norm(), 1e-9 * (1 + a.norm()));
+    const Vector3 flat = a - a.dot(normal) * normal;
+    EXPECT_NEAR(flat.dot(b), 0, 1e-9 * (1 + a.squaredNorm())) << "no quarter";
+  }
+}
+
+TEST_F(SectionHands, ThePanelFoldsToWhatIsNeededFirst) {
+  const auto& marks = bench_.workbench().marks().all();
+  bench_.frame();
+  for (const char* row : {"combo.skin_method", "check.skin_closed", "combo.skin_frame", "section.skin_more"})
+    EXPECT_TRUE(marks.contains(row)) << row;
+  EXPECT_FALSE(marks.contains("combo.skin_fit"));
+  bench_.workbench().commands().run("property.skin_fit");
+  for (int i = 0; i < 4; ++i) bench_.frame();
+  EXPECT_TRUE(marks.contains("combo.skin_fit")) << "what is asked for by name comes into sight";
+}
+
+TEST_F(SectionHands, ThePaletteMakesTwoRails) {
+  ASSERT_TRUE(bench_.workbench().commands().run("property.skin_frame.3").ran);
+  EXPECT_EQ(skin().frame, FrameMode::two_rail);
+  EXPECT_TRUE(skin().second_rail);
+}
+
+/// What is drawn begins with a circle of a typed size, an ellipse, or the section that is there.
+TEST_F(SectionHands, ASectionIsDrawnFromAShapeAndNumbers) {
+  // Shapes are closed, and so are all sections of a skin or none.
+  bench_.workbench().commands().run("skin.close_sections");
+  bench_.wait_for_surfaces();
+  const std::size_t count = skin().sections.size();
+  bench_.workbench().commands().run("skin.draw_section");
+  const auto& marks = bench_.workbench().marks().all();
+  // Where the path can be clicked: half way between two of its points.
+  ASSERT_TRUE(marks.contains("skin.path.0") && marks.contains("skin.path.1"));
+  const Marks::Rect a = marks.at("skin.path.0"), b = marks.at("skin.path.1");
+  bench_.move((a.x + b.x + a.width) / 2.0, (a.y + b.y + a.height) / 2.0);
+  bench_.press();
+  bench_.release();
+  for (int i = 0; i < 20; ++i) bench_.frame();
+  press({"E", "4", "0", "Tab", "2", "0", "Enter"});
+  press({"Enter"});
+  ASSERT_EQ(skin().sections.size(), count + 1) << bench_.workbench().viewport().hint();
+  const SkinSection* drawn = nullptr;
+  for (const SkinSection& section : skin().sections)
+    if (section.size() == 8) drawn = &section;
+  ASSERT_NE(drawn, nullptr);
+  const Matrix3 axes = upright_axes(section_direction_of_view(skin(), *drawn));
+  Box3 box;
+  for (const Vector3& p : limit_points(drawn->curve())) box.extend(Vector3(axes.transpose() * p));
+  EXPECT_NEAR(box.sizes().x(), 40, 0.4);
+  EXPECT_NEAR(box.sizes().y(), 20, 0.4);
+}
+
+}  // namespace
+}  // namespace hariko
