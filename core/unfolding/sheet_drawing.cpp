@@ -134,16 +134,24 @@ class Draftsman {
     const auto& joints = u_.strip_runs[u_.run_of[j]].joints;
     return joints[joints.size() / 2] == j;
   }
+  double length_of(Index j) const { return u_.settings.scale * graph_.edge(u_.joints[j].edge).length; }
   double number_length(Index j) const {
-    return u_.run_of[j] == no_index ? u_.settings.scale * graph_.edge(u_.joints[j].edge).length
-                                    : u_.strip_runs[u_.run_of[j]].length;
+    return u_.run_of[j] == no_index ? length_of(j) : u_.strip_runs[u_.run_of[j]].length;
+  }
+  /// From the middle of a strip to that of its run, where the whole run lies end to end.
+  double to_middle(Index j) const {
+    const StripRun& run = u_.strip_runs[u_.run_of[j]];
+    double before = 0;
+    for (std::size_t k = 0; run.joints[k] != j; ++k) before += length_of(run.joints[k]);
+    for (std::size_t k = 0; k + 1 < run.joints.size(); ++k)
+      if (!follows(u_, run.joints[k], run.joints[k + 1])) return 0;
+    return 0.5 * run.length - before - 0.5 * length_of(j);
   }
 
   void joint(Index j) {
     const Joint& joint = u_.joints[j];
-    const double length = number_length(j);
-    const double height = label_height(length);
-    const bool labelled = length >= 2 * height && has_number(j);
+    const double height = label_height(length_of(j));
+    const bool labelled = number_length(j) >= 2 * height && has_number(j);
     const std::string number = std::to_string(numbered_as(u_, j) + 1);
     for (std::size_t k = 0; k < 2; ++k) {
       const Side at = side(joint.edge, k);
@@ -163,7 +171,7 @@ class Draftsman {
              tab_text, number);
       }
     }
-    if (!joint.tab) strip(j, number, height);
+    if (!joint.tab) strip(j, number, label_height(number_length(j)));
   }
 
   void tab(const Joint& joint, const Side& at) {
@@ -187,8 +195,9 @@ class Draftsman {
     line(SheetLayer::strip, page, from, to);
     height = std::min(height, 0.3 * u_.settings.strip_width);
     if (number_length(j) < height || !has_number(j)) return;
+    const Vector2 aside = to_middle(j) * (to - from).normalized();
     for (const std::size_t k : {std::size_t{0}, std::size_t{2}})
-      text(page, 0.25 * (from + to + c[k] + c[k + 1]), angle_of(to - from), height, number);
+      text(page, 0.25 * (from + to + c[k] + c[k + 1]) + aside, angle_of(to - from), height, number);
   }
 
   void name(Index p) {
