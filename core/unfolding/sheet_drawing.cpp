@@ -128,7 +128,7 @@ class Draftsman {
     return out;
   }
 
-  /// Of several strips in a row one has the number, in the middle.
+  /// The one of several strips in a row that has their number, in the middle.
   bool has_number(Index j) const {
     if (u_.run_of[j] == no_index) return true;
     const auto& joints = u_.strip_runs[u_.run_of[j]].joints;
