@@ -146,7 +146,7 @@ std::optional<std::string> Language::find_sentence(std::string_view english) con
     const auto rest = find_phrase(english.substr(at + 2), Entries::sentences);
     if (!rest) continue;
     std::string about(english.substr(0, at));
-    // Of several parts only the last may be one that has an entry: a line or a byte of a file.
+    // The last of several parts may have an entry: a line or a byte of a file.
     const std::size_t last = about.rfind(": ");
     const std::size_t begin = last == std::string::npos ? 0 : last + 2;
     return about.substr(0, begin) + numbered(about.substr(begin)) + ": " + *rest;

@@ -241,7 +241,7 @@ void take(Result<OpenedCad> cad, OpenedFile& opened) {
   opened.says_unit = true;
 }
 
-/// What is tried of a file whose ending says nothing.
+/// Kinds of files whose ending says nothing, by their first bytes.
 enum class Looks { document, mesh, foreign };
 
 Result<Looks> looks_of(const std::filesystem::path& file) {

@@ -139,22 +139,30 @@ class Draftsman {
     return out;
   }
 
-  /// Of several strips in a row one has the number, in the middle.
+  /// The one of several strips in a row that has their number, in the middle.
   bool has_number(Index j) const {
     if (u_.run_of[j] == no_index) return true;
     const auto& joints = u_.strip_runs[u_.run_of[j]].joints;
     return joints[joints.size() / 2] == j;
   }
+  double length_of(Index j) const { return u_.settings.scale * graph_.edge(u_.joints[j].edge).length; }
   double number_length(Index j) const {
-    return u_.run_of[j] == no_index ? u_.settings.scale * graph_.edge(u_.joints[j].edge).length
-                                    : u_.strip_runs[u_.run_of[j]].length;
+    return u_.run_of[j] == no_index ? length_of(j) : u_.strip_runs[u_.run_of[j]].length;
+  }
+  /// From the middle of a strip to that of its run, where the whole run lies end to end.
+  double to_middle(Index j) const {
+    const StripRun& run = u_.strip_runs[u_.run_of[j]];
+    double before = 0;
+    for (std::size_t k = 0; run.joints[k] != j; ++k) before += length_of(run.joints[k]);
+    for (std::size_t k = 0; k + 1 < run.joints.size(); ++k)
+      if (!follows(u_, run.joints[k], run.joints[k + 1])) return 0;
+    return 0.5 * run.length - before - 0.5 * length_of(j);
   }
 
   void joint(Index j) {
     const Joint& joint = u_.joints[j];
-    const double length = number_length(j);
-    const double height = label_height(length);
-    const bool labelled = length >= 2 * height && has_number(j);
+    const double height = label_height(length_of(j));
+    const bool labelled = number_length(j) >= 2 * height && has_number(j);
     const std::string number = std::to_string(numbered_as(u_, j) + 1);
     for (std::size_t k = 0; k < 2; ++k) {
       const Side at = side(joint.edge, k);
@@ -173,7 +181,7 @@ class Draftsman {
               {c.begin(), c.end()});
       }
     }
-    if (!joint.tab) strip(j, number, height);
+    if (!joint.tab) strip(j, number, label_height(number_length(j)));
   }
 
   void tab(const Joint& joint, const Side& at) {
@@ -197,10 +205,11 @@ class Draftsman {
     line(SheetLayer::strip, page, from, to);
     height = std::min(height, 0.3 * u_.settings.strip_width);
     if (number_length(j) < height || (to - from).norm() < height || !has_number(j)) return;
+    const Vector2 aside = to_middle(j) * (to - from).normalized();
     for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
-      const Side half{no_index, page, c[k], c[k + 1]};
+      const Vector2 a = c[k] + aside, b = c[k + 1] + aside;
+      const Side half{no_index, page, a, b};
       const Vector2 inner = 0.5 * (from + to) - 0.5 * (c[k] + c[k + 1]);
-      const Vector2 &a = c[k], &b = c[k + 1];
       label(half, 0.5 * inner.dot(half.inward()), height, number, {a, b, b + inner, a + inner});
     }
   }
