@@ -1,5 +1,6 @@
 #include "ui/operations.hpp"
 
+#include "core/document/edits.hpp"
 #include "core/modeling/select_convert.hpp"
 
 namespace hariko {
@@ -48,6 +49,7 @@ bool run_operation(Editor& editor, const Operation& operation, const std::string
   return true;
 }
 
+<<<<<<< ours
 std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source) {
   return editor.settings.refine_on_surface ? form_to_keep(source) : std::nullopt;
 }
@@ -60,6 +62,18 @@ bool run_refinement(Editor& editor, const Refinement& refinement, const std::str
         return refinement(source, form ? &*form : nullptr);
       },
       label);
+=======
+void say_locked(Editor& editor) {
+  const Document& document = editor.history.current();
+  std::vector<ObjectId> ids(editor.selection.objects().begin(), editor.selection.objects().end());
+  for (const auto& entry : editor.selection.elements()) ids.push_back(entry.first);
+  for (const ObjectId id : ids) {
+    const Object* object = document.find(id);
+    if (!object || !object->visible || !object->locked) continue;
+    if (const auto refused = set_transform(document, id, object->transform); !refused)
+      return editor.notify(refused.error());
+  }
+>>>>>>> theirs
 }
 
 }  // namespace hariko
