@@ -1,5 +1,6 @@
 #include "ui/operations.hpp"
 
+#include "core/document/edits.hpp"
 #include "core/modeling/select_convert.hpp"
 
 namespace hariko {
@@ -46,6 +47,18 @@ bool run_operation(Editor& editor, const Operation& operation, const std::string
   if (!editor.commit(done->document, label)) return false;
   select_result(editor, id, done->selection);
   return true;
+}
+
+void say_locked(Editor& editor) {
+  const Document& document = editor.history.current();
+  std::vector<ObjectId> ids(editor.selection.objects().begin(), editor.selection.objects().end());
+  for (const auto& entry : editor.selection.elements()) ids.push_back(entry.first);
+  for (const ObjectId id : ids) {
+    const Object* object = document.find(id);
+    if (!object || !object->visible || !object->locked) continue;
+    if (const auto refused = set_transform(document, id, object->transform); !refused)
+      return editor.notify(refused.error());
+  }
 }
 
 }  // namespace hariko

@@ -20,4 +20,7 @@ void select_result(Editor& editor, ObjectId object, const ElementSet& result);
 /// or says why not. True when the document changed.
 bool run_operation(Editor& editor, const Operation& operation, const std::string& label);
 
+/// Where something that is selected is locked: says so.
+void say_locked(Editor& editor);
+
 }  // namespace hariko

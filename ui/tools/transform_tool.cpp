@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/document/length_units.hpp"
+#include "ui/operations.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 
 namespace hariko {
@@ -43,7 +44,7 @@ void TransformTool::begin(ToolContext& context, const PointerEvent& press) {
   decimals_ = std::clamp(3 - static_cast<int>(std::floor(std::log10(view))), 0, 9);
   length_unit_ = to_string(editor.document().unit);
   input_ = NumericInput(fields(), units_for(kind_, editor.document().unit));
-  if (target_.empty()) return;
+  if (target_.empty()) return say_locked(editor);
   if (target_.in_planes() && by_ == DrivenBy::command) {
     lock_ = section_plane_lock;
     input_.resize(fields());
