@@ -49,7 +49,6 @@ bool run_operation(Editor& editor, const Operation& operation, const std::string
   return true;
 }
 
-<<<<<<< ours
 std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source) {
   return editor.settings.refine_on_surface ? form_to_keep(source) : std::nullopt;
 }
@@ -62,7 +61,8 @@ bool run_refinement(Editor& editor, const Refinement& refinement, const std::str
         return refinement(source, form ? &*form : nullptr);
       },
       label);
-=======
+}
+
 void say_locked(Editor& editor) {
   const Document& document = editor.history.current();
   std::vector<ObjectId> ids(editor.selection.objects().begin(), editor.selection.objects().end());
@@ -73,7 +73,6 @@ void say_locked(Editor& editor) {
     if (const auto refused = set_transform(document, id, object->transform); !refused)
       return editor.notify(refused.error());
   }
->>>>>>> theirs
 }
 
 }  // namespace hariko
