@@ -7,6 +7,7 @@
 #include "app/files/reference_facets.hpp"
 #include "core/analysis/combs.hpp"
 #include "core/analysis/continuity.hpp"
+#include "core/modeling/merged_faces.hpp"
 #include "core/polyhedron/validation.hpp"
 #include "render/surface_maps.hpp"
 
@@ -33,6 +34,8 @@ void add_face_shapes(const PolyhedronSource& source, std::vector<Message>& warni
   std::vector<Message> all = face_shape_warnings_of(source.polyhedron);
   if (source.preparation.split_concave)
     std::erase_if(all, [](const Message& warning) { return warning.code == w_concave_face; });
+  std::vector<Message> merged = merge_warnings_of(source);
+  all.insert(all.end(), std::make_move_iterator(merged.begin()), std::make_move_iterator(merged.end()));
   all.insert(all.end(), std::make_move_iterator(warnings.begin()), std::make_move_iterator(warnings.end()));
   warnings = std::move(all);
 }

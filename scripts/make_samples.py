@@ -301,7 +301,7 @@ def object_text(number_, name, source, cage=True):
 
 def document(*objects):
     return (
-        f'{{\n  "format": "hariko",\n  "version": 2,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": 3,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 

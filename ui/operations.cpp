@@ -48,4 +48,18 @@ bool run_operation(Editor& editor, const Operation& operation, const std::string
   return true;
 }
 
+std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source) {
+  return editor.settings.refine_on_surface ? form_to_keep(source) : std::nullopt;
+}
+
+bool run_refinement(Editor& editor, const Refinement& refinement, const std::string& label) {
+  return run_operation(
+      editor,
+      [&](const PolyhedronSource& source) {
+        const auto form = form_for_refinement(editor, source);
+        return refinement(source, form ? &*form : nullptr);
+      },
+      label);
+}
+
 }  // namespace hariko

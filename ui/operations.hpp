@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/surface_form.hpp"
 #include "ui/editor.hpp"
 
 namespace hariko {
@@ -19,5 +20,12 @@ void select_result(Editor& editor, ObjectId object, const ElementSet& result);
 /// Makes one step of an operation on the active object, which must be a polyhedron, and selects the result;
 /// or says why not. True when the document changed.
 bool run_operation(Editor& editor, const Operation& operation, const std::string& label);
+
+/// What a refinement of `source` keeps, as the settings and the polyhedron have it.
+std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source);
+
+/// `run_operation` for refinements, which get the form that they keep, if any.
+using Refinement = std::function<Result<Modeled>(const PolyhedronSource&, const SurfaceForm*)>;
+bool run_refinement(Editor& editor, const Refinement& refinement, const std::string& label);
 
 }  // namespace hariko

@@ -28,6 +28,9 @@ struct Settings {
   bool orbit_selection = false;  ///< about the selection instead of the view's target
   double orbit_speed = 1, zoom_speed = 1;
 
+  /// New vertices of cuts and subdivisions lie on the surface, which keeps its form; else on straight edges.
+  bool refine_on_surface = true;
+
   /// Writing takes time too, and no more than 30 seconds of work are ever lost.
   static constexpr double most_autosave_seconds = 25;
   double autosave_seconds = 20;             ///< 1 .. most_autosave_seconds

@@ -42,9 +42,10 @@ struct Reading {
 
 /// How surfaces are made, instead of what the document says, and from what.
 struct Construction {
-  std::optional<Mode> mode;           ///< of polyhedra; of outlines, where it is `fair` or `g2`
-  bool round = false;                 ///< of polyhedra: turns it on; never off
-  std::optional<Frames> frames = {};  ///< of polyhedra
+  std::optional<Mode> mode;                 ///< of polyhedra; of outlines, where it is `fair` or `g2`
+  bool round = false;                       ///< of polyhedra: turns it on; never off
+  std::optional<Frames> frames = {};        ///< of polyhedra
+  std::optional<bool> merge_coplanar = {};  ///< of polyhedra: faces in one plane
   OutlineConstruction outlines = {};
   Reading reading = {};
   friend bool operator==(const Construction&, const Construction&) = default;

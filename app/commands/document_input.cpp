@@ -81,6 +81,8 @@ Document with_construction(Document document, const Construction& construction) 
       polyhedron->mode = construction.mode.value_or(polyhedron->mode);
       polyhedron->round = polyhedron->round || construction.round;
       polyhedron->frames = construction.frames.value_or(polyhedron->frames);
+      bool& merges = polyhedron->preparation.merge_coplanar;
+      merges = construction.merge_coplanar.value_or(merges);
     } else {
       choose(std::get<OutlineSource>(changed->source).settings, construction);
     }

@@ -50,6 +50,7 @@ void visit(AnySettings& s, Visitor& visitor) {
   visitor.flag("zoom_to_cursor", s.zoom_to_cursor);
   visitor.flag("invert_wheel", s.invert_wheel);
   visitor.flag("orbit_selection", s.orbit_selection);
+  visitor.flag("refine_on_surface", s.refine_on_surface);
   visitor.number("orbit_speed", s.orbit_speed, 0.05, 20);
   visitor.number("zoom_speed", s.zoom_speed, 0.05, 20);
   visitor.number("autosave_seconds", s.autosave_seconds, 1, Settings::most_autosave_seconds);

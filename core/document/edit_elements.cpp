@@ -222,6 +222,7 @@ Result<Document> clear_pins(const Document& document, ObjectId object, std::span
     if (const auto checked = check_elements(source.polyhedron, vertices); !checked) return checked.error();
     Shaping shaping = *source.shaping;
     shaping.pin = with_entries<VertexId, Pin>(shaping.pin, vertices, std::nullopt);
+    shaping.form = with_entries<VertexId, KeptForm>(shaping.form, vertices, std::nullopt);
     source.shaping = std::move(shaping);
     return Done{};
   });
@@ -283,6 +284,18 @@ Result<Done> check_pin(const Pin& pin) {
     if (!vector.allFinite()) return invalid("The pin has a vector that is not finite.");
   if (pin.kind == Pin::Kind::normal && (pin.vectors.size() != 1 || pin.vectors[0].cwiseAbs().maxCoeff() == 0))
     return invalid("The pin's normal must be one vector that is not zero.");
+  return Done{};
+}
+
+Result<Done> check_form(const KeptForm& form) {
+  for (const KeptForm::Edge& edge : form.edges) {
+    const double largest =
+        std::max({std::abs(edge.turn), std::abs(edge.stretch), edge.offset.cwiseAbs().maxCoeff(),
+                  edge.pull.cwiseAbs().maxCoeff() / max_form_number});
+    if (!(largest <= max_form_number))
+      return make_error(e_form_invalid, "The kept form of a vertex has a number that is too large.",
+                        "Use numbers from -100 to 100, and pulls to 10000.");
+  }
   return Done{};
 }
 

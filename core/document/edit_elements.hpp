@@ -16,11 +16,14 @@ inline constexpr Code e_unknown_element{"E_UNKNOWN_ELEMENT"};
 inline constexpr Code e_wrong_kind{"E_WRONG_KIND"};
 inline constexpr Code e_tension_range{"E_TENSION_RANGE"};
 inline constexpr Code e_pin_invalid{"E_PIN_INVALID"};
+inline constexpr Code e_form_invalid{"E_FORM_INVALID"};
 
 inline constexpr double max_alpha = 1000;
 inline constexpr double min_beta = 0.001, max_beta = 1000;
 /// A bound for files only: the network knows how many tangents a vertex has.
 inline constexpr std::size_t max_pin_vectors = 1000;
+/// Kept forms are turns, logarithms and shares: far beyond what any surface needs.
+inline constexpr double max_form_number = 100;
 
 /// Puts vertices at positions[i], relative to the source's origin like all positions of the polyhedron (not a
 /// displacement). Both spans have the same size; of repeated ids the last wins. Errors: E_NONFINITE. Copies
@@ -54,6 +57,7 @@ Result<Document> set_vertex_tag(const Document& document, ObjectId object, std::
 /// zero normal). Whether tangents fit the vertex in their number is known to the network only: E_PIN_MISMATCH
 /// on rebuild.
 Result<Document> set_pin(const Document& document, ObjectId object, VertexId vertex, Pin pin);
+/// Kept forms go as well.
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
 
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
@@ -71,5 +75,7 @@ Result<Document> set_mirror(const Document& document, ObjectId object, const std
 Result<Done> check_alpha(double alpha);
 Result<Done> check_beta(double beta);
 Result<Done> check_pin(const Pin& pin);
+/// E_FORM_INVALID: a number that is not finite or out of all proportion.
+Result<Done> check_form(const KeptForm& form);
 
 }  // namespace hariko

@@ -40,9 +40,9 @@ inline constexpr std::array range_members{"mode"sv, "low"sv, "high"sv};
 inline constexpr std::array ranges_members{"gaussian"sv, "mean"sv, "principal_max"sv, "principal_min"sv,
                                            "continuity"sv};
 inline constexpr std::array polyhedron_members{
-    "kind"sv,  "mode"sv,  "frames"sv, "round"sv,  "mirror"sv, "preparation"sv, "origin"sv,  "vertices"sv,
-    "faces"sv, "alpha"sv, "beta"sv,   "crease"sv, "tag"sv,    "pin"sv,         "attached"sv};
-inline constexpr std::array preparation_members{"split_concave"sv, "automatic_tension"sv};
+    "kind"sv,  "mode"sv,  "frames"sv, "round"sv,  "mirror"sv, "preparation"sv, "origin"sv, "vertices"sv,
+    "faces"sv, "alpha"sv, "beta"sv,   "crease"sv, "tag"sv,    "pin"sv,         "form"sv,   "attached"sv};
+inline constexpr std::array preparation_members{"split_concave"sv, "merge_coplanar"sv, "automatic_tension"sv};
 inline constexpr std::array attachment_members{"edge"sv,       "patch"sv,  "side"sv,  "reversed"sv,
                                                "continuity"sv, "adapts"sv, "frozen"sv};
 inline constexpr std::array frozen_members{"curve"sv, "row"sv};
@@ -53,6 +53,7 @@ inline constexpr std::array bezier_members{"kind"sv, "origin"sv, "patches"sv};
 inline constexpr std::array bezier_patch_members{"degree"sv, "points"sv, "weights"sv};
 inline constexpr std::array mirror_members{"axis"sv, "weld_distance"sv};
 inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
+inline constexpr std::array form_members{"vertex"sv, "edges"sv};
 inline constexpr std::array solids_members{"kind"sv,        "primitives"sv, "roundness"sv, "waist"sv,
                                            "tightness"sv,   "clearance"sv,  "detail"sv,    "merge_deg"sv,
                                            "cage_detail"sv, "method"sv,     "surface"sv,   "symmetry"sv,

@@ -12,6 +12,8 @@ inline constexpr Code e_automatic_tension_range{"E_AUTOMATIC_TENSION_RANGE"};
 struct Preparation {
   /// Concave faces are cut into convex ones (core/modeling/convex_faces.hpp).
   bool split_concave = false;
+  /// Triangles in one plane are merged (core/modeling/merged_faces.hpp), before concave faces are cut.
+  bool merge_coplanar = false;
   /// 0 (off) .. 1: the tension of every edge is multiplied by (mean length / its length) to this power
   /// (core/modeling/automatic_tension.hpp).
   double automatic_tension = 0;

@@ -93,6 +93,7 @@ class ShapingReader {
     reader_.if_member(at, "crease", [&](const JsonCursor& list) { read_crease(list, shaping); });
     reader_.if_member(at, "tag", [&](const JsonCursor& list) { read_tags(list, shaping); });
     reader_.if_member(at, "pin", [&](const JsonCursor& list) { read_pins(list, shaping); });
+    reader_.if_member(at, "form", [&](const JsonCursor& list) { read_forms(list, shaping); });
     return shaping;
   }
 
@@ -170,6 +171,35 @@ class ShapingReader {
     });
   }
 
+  void read_forms(const JsonCursor& list, Shaping& shaping) {
+    std::optional<VertexId> last;
+    reader_.for_each(list, [&](const JsonCursor& row) {
+      if (!reader_.is_object(row)) return;
+      refuse_unknown_members(reader_, row, form_members);
+      VertexId id;
+      KeptForm form;
+      reader_.member(row, "vertex", [&](const JsonCursor& at) { id = vertex(at); });
+      reader_.member(row, "edges", [&](const JsonCursor& at) {
+        std::optional<VertexId> last_end;
+        reader_.for_each(at, [&](const JsonCursor& edge) {
+          if (reader_.array_size(edge, 9, 9) != 9) return;
+          KeptForm::Edge kept;
+          kept.to = vertex(JsonCursor(edge, 0));
+          kept.turn = reader_.number(JsonCursor(edge, 1));
+          kept.stretch = reader_.number(JsonCursor(edge, 2));
+          for (Eigen::Index i = 0; i < 3; ++i) {
+            kept.offset[i] = reader_.number(JsonCursor(edge, std::size_t(i) + 3));
+            kept.pull[i] = reader_.number(JsonCursor(edge, std::size_t(i) + 6));
+          }
+          if (ascends(reader_, edge, last_end, kept.to)) form.edges.push_back(kept);
+        });
+      });
+      if (reader_.failed()) return;
+      take_error(reader_, row, check_form(form));
+      if (ascends(reader_, row, last, id)) shaping.form.set(id, std::move(form));
+    });
+  }
+
   JsonReader& reader_;
   const Polyhedron& polyhedron_;
   std::optional<EdgeSet> edges_;  ///< made when the first edge is asked for
@@ -200,6 +230,8 @@ Preparation read_preparation(JsonReader& reader, const JsonCursor& at) {
   refuse_unknown_members(reader, at, preparation_members);
   reader.if_member(at, "split_concave",
                    [&](const JsonCursor& member) { preparation.split_concave = reader.boolean(member); });
+  reader.if_member(at, "merge_coplanar",
+                   [&](const JsonCursor& member) { preparation.merge_coplanar = reader.boolean(member); });
   reader.if_member(at, "automatic_tension",
                    [&](const JsonCursor& member) { preparation.automatic_tension = reader.number(member); });
   if (!reader.failed()) take_error(reader, at, check_preparation(preparation));

@@ -39,6 +39,7 @@ Result<PolyhedronSource> PolyhedronSource::from_mesh(PolygonMesh mesh) {
 PolyhedronSource as_new(PolyhedronSource source) {
   source.frames = Frames::metric;
   source.preparation.split_concave = true;
+  source.preparation.merge_coplanar = true;
   return source;
 }
 

@@ -58,7 +58,7 @@ struct PolyhedronSource {
   friend bool operator==(const PolyhedronSource& a, const PolyhedronSource& b);
 };
 
-/// As new objects and imported ones are made: frames by measure, concave faces cut.
+/// As new objects and imported ones are made: frames by measure, faces in one plane merged, concave ones cut.
 PolyhedronSource as_new(PolyhedronSource source);
 
 /// An imported mesh kept as reference: facets only, no surface, not necessarily manifold. Positions are

@@ -39,6 +39,18 @@ void write_shaping(Writer& out, const Shaping& shaping) {
     out.row(entry.second.vectors.size(), [&](std::size_t i) { out.vector(entry.second.vectors[i]); });
     out.raw("}");
   });
+  out.list("form", shaping.form, [&](const auto& entry) {
+    out.raw("{\"vertex\": ");
+    out.number(entry.first.value);
+    out.raw(", \"edges\": ");
+    out.row(entry.second.edges.size(), [&](std::size_t i) {
+      const KeptForm::Edge& edge = entry.second.edges[i];
+      const double numbers[] = {edge.turn,       edge.stretch,  edge.offset.x(), edge.offset.y(),
+                                edge.offset.z(), edge.pull.x(), edge.pull.y(),   edge.pull.z()};
+      out.row(9, [&](std::size_t k) { k == 0 ? out.number(edge.to.value) : out.number(numbers[k - 1]); });
+    });
+    out.raw("}");
+  });
 }
 
 void write_points(Writer& out, const std::array<Vector3, 4>& points) {
@@ -98,6 +110,7 @@ void write_source(Writer& out, const PolyhedronSource& source) {
     out.key("preparation");
     out.raw("{\"split_concave\": ");
     out.raw(source.preparation.split_concave ? "true" : "false");
+    if (source.preparation.merge_coplanar) out.raw(", \"merge_coplanar\": true");
     out.raw(", \"automatic_tension\": ");
     out.number(source.preparation.automatic_tension);
     out.raw("}");

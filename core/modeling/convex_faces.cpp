@@ -95,6 +95,11 @@ Result<ConvexFaces> cut(const PolyhedronSource& source, std::vector<Index> conca
   }
   auto finished = std::move(draft).finish();
   if (!finished) return finished.error();
+  if (!source.shaping->form.empty()) {  // forms know the inner edges, or turn them with those beside them
+    Shaping shaping = *finished->shaping;
+    shaping.form = source.shaping->form;
+    finished.value().shaping = std::move(shaping);
+  }
   return ConvexFaces{source, std::move(concave), std::move(cuts), std::move(finished).value(),
                      std::move(aliases)};
 }

@@ -82,7 +82,7 @@ Element element_of_point(const CutPoint& point) {
 }  // namespace
 
 Result<Modeled> connect_points(const PolyhedronSource& source, std::span<const VertexId> vertices,
-                               std::span<const EdgeId> edges) {
+                               std::span<const EdgeId> edges, const SurfaceForm* on) {
   constexpr const char* remedy = "Select vertices, or edges to be connected at their middles.";
   if (vertices.empty() && edges.empty())
     return make_error(e_nothing_selected, "No vertices or edges are selected.", remedy);
@@ -117,10 +117,11 @@ Result<Modeled> connect_points(const PolyhedronSource& source, std::span<const V
   if (selection.edges.empty())
     return make_error(e_wrong_selection, "No two of the points can be joined by a line inside a face.",
                       "Select points that lie on a common face and are not joined yet.");
-  return std::move(draft).finish(std::move(selection));
+  return finish_refined(std::move(draft), std::move(selection), on);
 }
 
-Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path) {
+Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path,
+                         const SurfaceForm* on) {
   if (path.size() < 2)
     return make_error(e_nothing_selected, "A cut needs at least two points.", "Click two points or more.");
   MeshDraft draft(source);
@@ -140,10 +141,11 @@ Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoin
   }
   if (selection.edges.empty())
     return make_error(e_nothing_selected, "All points of the cut are the same.", "Click two points or more.");
-  return std::move(draft).finish(std::move(selection));
+  return finish_refined(std::move(draft), std::move(selection), on);
 }
 
-Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId a, VertexId b) {
+Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId a, VertexId b,
+                           const SurfaceForm* on) {
   const Polyhedron& polyhedron = source.polyhedron;
   const VertexId ends[2] = {a, b};
   if (const auto known = selected(polyhedron, std::span<const FaceId>(&face, 1), ""); !known)
@@ -154,7 +156,7 @@ Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId
     return make_error(e_wrong_selection, "The face cannot be split between these two vertices.",
                       "Select two corners of the face that are not joined, with a clear line between them.",
                       element_of(face));
-  return std::move(draft).finish({{}, {EdgeId::of(a, b)}, {}});
+  return finish_refined(std::move(draft), {{}, {EdgeId::of(a, b)}, {}}, on);
 }
 
 }  // namespace hariko

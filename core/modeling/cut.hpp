@@ -7,6 +7,8 @@
 
 #include "core/base/result.hpp"
 #include "core/modeling/modeled.hpp"
+#include "core/modeling/refined_points.hpp"
+#include "core/modeling/surface_form.hpp"
 
 namespace hariko {
 
@@ -15,27 +17,25 @@ namespace hariko {
 /// joins already are not joined again, nor are points between which the line would leave a concave face.
 ///
 /// New edges are plain. Pieces of edges keep tension and crease, points on edges get the tension in between.
-/// Split faces pass their id to one part. The Euler number stays. Selected afterwards: the new edges.
+/// Split faces pass their id to one part. The Euler number stays. Selected afterwards: the new edges. Given
+/// `on`, the form of `source`, new points lie on the surface, which stays.
 ///
 /// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (nothing to connect).
 Result<Modeled> connect_points(const PolyhedronSource& source, std::span<const VertexId> vertices,
-                               std::span<const EdgeId> edges);
+                               std::span<const EdgeId> edges, const SurfaceForm* on = nullptr);
 
-/// A point on an edge, at a share (0 .. 1, both excluded) of its length from its end with the smaller id.
-struct EdgePoint {
-  EdgeId edge;
-  double share = 0.5;
-};
 using CutPoint = std::variant<VertexId, EdgePoint>;
 
 /// Cuts along a path: consecutive points must lie on a common face, and the line between them inside it.
-/// Shaping, ids and selection as for `connect_points`; points along a side are joined by the side itself.
-/// Errors: E_NOTHING_SELECTED (fewer than two different points), E_UNKNOWN_ELEMENT, E_BAD_AMOUNT,
+/// Shaping, ids, selection and `on` as for `connect_points`; points along a side are joined by the side
+/// itself. Errors: E_NOTHING_SELECTED (fewer than two different points), E_UNKNOWN_ELEMENT, E_BAD_AMOUNT,
 /// E_WRONG_SELECTION (names the element where the path leaves the faces).
-Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path);
+Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path,
+                         const SurfaceForm* on = nullptr);
 
 /// Splits one face between two of its corners. Errors: E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (no corners of
 /// the face, neighbours, joined already, or the line leaves the face).
-Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId a, VertexId b);
+Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId a, VertexId b,
+                           const SurfaceForm* on = nullptr);
 
 }  // namespace hariko

@@ -9,7 +9,9 @@ std::vector<VertexId> add_edge_points(MeshDraft& draft, VertexId a, VertexId b,
   std::vector<VertexId> out;
   VertexId last = a;
   for (const double share : shares) {
-    const VertexId middle = draft.add_vertex((1 - share) * from + share * to);
+    const EdgeId edge = EdgeId::of(a, b);
+    const VertexId middle =
+        draft.add_vertex((1 - share) * from + share * to, EdgePoint{edge, edge.low == a ? share : 1 - share});
     const double alpha = (1 - share) * alpha_a + share * alpha_b;
     if (alpha > 0) draft.shaping().alpha.set(middle, alpha);
     draft.split_edge(EdgeId::of(last, b), middle);

@@ -9,8 +9,9 @@
 
 namespace hariko {
 
-/// Puts vertices into the edge between `a` and `b`, at these shares of its length from `a` (ascending, within
-/// 0 .. 1). They get the tension in between that of the ends; the pieces keep the edge's tension and crease.
+/// Puts vertices into the source's edge between `a` and `b`, at these shares of its length from `a`
+/// (ascending, within 0 .. 1). They get the tension in between that of the ends; the pieces keep the edge's
+/// tension and crease.
 std::vector<VertexId> add_edge_points(MeshDraft& draft, VertexId a, VertexId b,
                                       std::span<const double> shares);
 

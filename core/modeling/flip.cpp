@@ -1,11 +1,13 @@
 #include "core/modeling/flip.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
+#include "core/network/kept_form.hpp"
 
 namespace hariko {
 
@@ -26,6 +28,7 @@ Result<Modeled> flip_faces(const PolyhedronSource& source, std::span<const FaceI
   MeshDraft draft(source);
   ElementSet selection;
   Shaping& shaping = draft.shaping();
+  std::map<VertexId, KeptForm> forms;
   for (const Index f : *chosen) {
     const FaceId id = polyhedron.face_id(f);
     const auto old = draft.face(id);
@@ -36,12 +39,27 @@ Result<Modeled> flip_faces(const PolyhedronSource& source, std::span<const FaceI
   }
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const VertexId id = polyhedron.vertex_id(v);
+    const KeptForm* form = shaping.form.find(id);
+    if (form && mesh.outgoing(v) != no_index && inside[mesh.face(mesh.outgoing(v))]) {
+      KeptForm turned = reflected_form(*form);
+      for (KeptForm::Edge& edge : turned.edges) {
+        edge.offset.z() = -edge.offset.z();
+        edge.pull.z() = -edge.pull.z();
+      }
+      forms.emplace(id, std::move(turned));
+    }
     const Pin* pin = shaping.pin.find(id);
     if (!pin || pin->kind != Pin::Kind::normal || mesh.outgoing(v) == no_index) continue;
     if (inside[mesh.face(mesh.outgoing(v))])
       shaping.pin.set(id, {Pin::Kind::normal, {Vector3(-pin->vectors[0])}});
   }
-  return std::move(draft).finish(std::move(selection));
+  auto flipped = std::move(draft).finish(std::move(selection));
+  if (flipped && !forms.empty()) {  // the edges at their vertices are the same, the other way round
+    Shaping kept = *flipped->source.shaping;
+    for (auto& [id, form] : forms) kept.form.set(id, std::move(form));
+    flipped.value().source.shaping = std::move(kept);
+  }
+  return flipped;
 }
 
 }  // namespace hariko

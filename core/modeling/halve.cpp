@@ -1,5 +1,6 @@
 #include "core/modeling/halve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -37,9 +38,29 @@ std::optional<std::vector<VertexId>> positive_part(std::span<const VertexId> cor
   return out;
 }
 
+/// Share of an edge's curve, from its end with the smaller id, at which it crosses the plane through the zero
+/// of the object; its ends lie on different sides. `usual` where the surface has no such curve.
+double crossing_share(const SurfaceForm& form, EdgeId edge, Axis axis, double usual) {
+  const auto curve = form.curve(edge);
+  if (!curve) return usual;
+  const auto height = [&](double t) {
+    const double s = 1 - t;
+    return form.source().origin[index_of(axis)] + s * s * s * (*curve)[0][index_of(axis)] +
+           3 * s * s * t * (*curve)[1][index_of(axis)] + 3 * s * t * t * (*curve)[2][index_of(axis)] +
+           t * t * t * (*curve)[3][index_of(axis)];
+  };
+  double low = 0, high = 1;
+  const bool rises = height(0) < 0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    ((height(middle) < 0) == rises ? low : high) = middle;
+  }
+  return std::clamp((low + high) / 2, 1e-9, 1 - 1e-9);
+}
+
 }  // namespace
 
-Result<Modeled> halved(const PolyhedronSource& source, const Mirror& mirror) {
+Result<Modeled> halved(const PolyhedronSource& source, const Mirror& mirror, const SurfaceForm* on) {
   if (const auto checked = check_mirror(mirror); !checked) return checked.error();
   const Polyhedron& polyhedron = source.polyhedron;
   const HalfEdgeMesh& mesh = polyhedron.topology();
@@ -57,9 +78,12 @@ Result<Modeled> halved(const PolyhedronSource& source, const Mirror& mirror) {
     const double share = height(a) / (height(a) - height(b));
     Vector3 p = polyhedron.position(a) + share * (polyhedron.position(b) - polyhedron.position(a));
     p[axis] = 0 - source.origin[axis];
-    const VertexId middle = draft.add_vertex(p);
+    const EdgeId edge = polyhedron.edge_id(e);
+    const double from_low = polyhedron.vertex_id(a) == edge.low ? share : 1 - share;
+    const double crossing = on ? crossing_share(*on, edge, mirror.axis, from_low) : from_low;
+    const VertexId middle = draft.add_vertex(p, EdgePoint{edge, crossing});
     side[middle] = 0;
-    draft.split_edge(polyhedron.edge_id(e), middle);
+    draft.split_edge(edge, middle);
   }
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     const FaceId id = polyhedron.face_id(f);
@@ -72,7 +96,17 @@ Result<Modeled> halved(const PolyhedronSource& source, const Mirror& mirror) {
     else
       draft.set_face(id, *std::move(part));
   }
-  return std::move(draft).finish({});
+  if (!on) return std::move(draft).finish({});
+  // What the half remembers is meant for the whole.
+  const RefinedPoints places = draft.places();
+  auto half = std::move(draft).finish();
+  if (!half) return half.error();
+  const auto own = half->mirror;
+  half.value().mirror = mirror;
+  auto kept = on->keep(std::move(half).value(), places);
+  if (!kept) return kept.error();
+  kept.value().mirror = own;
+  return Modeled{std::move(kept).value(), {}};
 }
 
 }  // namespace hariko

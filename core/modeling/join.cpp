@@ -70,10 +70,17 @@ Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added
   auto result = std::move(draft).finish();
   if (!result) return result.error();
   PolyhedronSource source = std::move(result).value();
-  if (!tangents.empty()) {
+  if (!tangents.empty() || !added.shaping->form.empty()) {
     // The draft forgets tangents at new vertices; here the edges round them are the same in the same order.
     Shaping with_tangents = *source.shaping;
     for (const auto& [id, pin] : tangents) with_tangents.pin.set(id, pin);
+    for (const auto& [id, form] : added.shaping->form) {
+      if (!names.contains(id)) continue;
+      KeptForm named = form;
+      for (KeptForm::Edge& edge : named.edges)
+        if (names.contains(edge.to)) edge.to = names.at(edge.to);
+      with_tangents.form.set(names.at(id), std::move(named));
+    }
     source.shaping = std::move(with_tangents);
   }
   return Modeled{std::move(source), std::move(selection)};

@@ -79,8 +79,7 @@ std::vector<VertexId> vertices_around(const Polyhedron& polyhedron, std::span<co
 Result<PolyhedronSource> freeze_tangents(const PolyhedronSource& source, std::span<const VertexId> vertices) {
   const auto input = surface_input(source);
   if (!input) return input.error();
-  const bool metric =
-      input->frames == Frames::metric && (input->mode == Mode::fair || input->mode == Mode::target);
+  const bool metric = frames_in(input->mode, input->frames) == Frames::metric;
   const auto system =
       NetworkSystem::assemble(input->polyhedron, input->shaping, {metric ? Frames::metric : Frames::equal});
   if (!system) return system.error();

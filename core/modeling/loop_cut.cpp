@@ -37,13 +37,12 @@ class RingCut {
     }
   }
 
-  Result<Modeled> run() {
+  Result<Modeled> run(const SurfaceForm* on) {
     for (const Index f : quads_)
       if (mesh_.side_count(f) == 4) cut_quad(f);
-    Result<PolyhedronSource> result = std::move(draft_).finish();
-    if (!result) return result.error();
-    tighten_short_edges(result.value(), source_);
-    return Modeled{std::move(result).value(), std::move(selection_)};
+    Result<Modeled> result = finish_refined(std::move(draft_), std::move(selection_), on);
+    if (result && !on) tighten_short_edges(result.value().source, source_);
+    return result;
   }
 
  private:
@@ -82,9 +81,11 @@ class RingCut {
       grid[j].front() = sides[3][j];
       grid[j].back() = sides[1][j];
       const double share = share_of(first + 1, j);
-      for (std::size_t i = 1; i + 1 < columns; ++i)
-        grid[j][i] = draft_.add_vertex((1 - share) * draft_.position(sides[0][i]) +
-                                       share * draft_.position(sides[2][i]));
+      for (std::size_t i = 1; i + 1 < columns; ++i) {
+        const Vector3 position =
+            (1 - share) * draft_.position(sides[0][i]) + share * draft_.position(sides[2][i]);
+        grid[j][i] = draft_.add_vertex(position, FacePoint{polyhedron_.face_id(f), position});
+      }
     }
     for (std::size_t j = 0; j + 1 < rows; ++j)
       for (std::size_t i = 0; i + 1 < columns; ++i) {
@@ -135,7 +136,8 @@ std::vector<double> cut_shares(const LoopCutOptions& options) {
   return out;
 }
 
-Result<Modeled> loop_cut(const PolyhedronSource& source, EdgeId edge, const LoopCutOptions& options) {
+Result<Modeled> loop_cut(const PolyhedronSource& source, EdgeId edge, const LoopCutOptions& options,
+                         const SurfaceForm* on) {
   if (const auto finite = detail::check_finite(options.slide); !finite) return finite.error();
   if (options.count < 1 || options.count > max_cuts)
     return make_error(e_bad_amount, "The number of cuts is out of range.", "Use 1 to 1000 cuts.");
@@ -165,7 +167,7 @@ Result<Modeled> loop_cut(const PolyhedronSource& source, EdgeId edge, const Loop
       const Index half = mesh.half_edge_of_edge(ring.edges[i]);
       ring.starts[i] = ring.starts[i] == mesh.origin(half) ? mesh.target(half) : mesh.origin(half);
     }
-  return RingCut(source, ring, shares).run();
+  return RingCut(source, ring, shares).run(on);
 }
 
 }  // namespace hariko

@@ -4,6 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/modeling/modeled.hpp"
+#include "core/modeling/surface_form.hpp"
 
 namespace hariko {
 
@@ -24,11 +25,13 @@ std::vector<double> cut_shares(const LoopCutOptions& options);
 ///
 /// New points have the tension in between that of the ends of their edge; pieces of edges keep tension and
 /// crease. A new edge between two edges of the same tension has that tension; none is a crease. Cuts near an
-/// end are short at one side: `tighten_short_edges`. Cut faces pass their id to one of their parts. The Euler
+/// end are short at one side: `tighten_short_edges`. Given `on`, the form of `source`, the cuts lie on the
+/// surface, which stays; then no tension is added. Cut faces pass their id to one of their parts. The Euler
 /// number stays. Selected afterwards: the new edges.
 ///
 /// Errors: E_UNKNOWN_ELEMENT, E_BAD_AMOUNT (count or slide out of range), E_WRONG_SELECTION (no quad at the
 /// edge), E_TOO_MANY_ELEMENTS, E_WOULD_BE_NONMANIFOLD (two quads lying back to back).
-Result<Modeled> loop_cut(const PolyhedronSource& source, EdgeId edge, const LoopCutOptions& options = {});
+Result<Modeled> loop_cut(const PolyhedronSource& source, EdgeId edge, const LoopCutOptions& options = {},
+                         const SurfaceForm* on = nullptr);
 
 }  // namespace hariko

@@ -143,6 +143,12 @@ VertexId MeshDraft::add_vertex(const Vector3& position) {
   return id;
 }
 
+VertexId MeshDraft::add_vertex(const Vector3& position, const RefinedPoint& place) {
+  const VertexId id = add_vertex(position);
+  places_.insert_or_assign(id, place);
+  return id;
+}
+
 FaceId MeshDraft::add_face(std::vector<VertexId> corners) {
   const FaceId id = next_face_;
   if (next_face_ != FaceId{}) ++next_face_.value;

@@ -11,6 +11,7 @@
 #include "core/base/result.hpp"
 #include "core/document/source.hpp"
 #include "core/modeling/modeled.hpp"
+#include "core/modeling/refined_points.hpp"
 
 namespace hariko {
 
@@ -39,6 +40,9 @@ class MeshDraft {
 
   /// The new id is the greatest so far plus one: none is used twice in a draft.
   VertexId add_vertex(const Vector3& position);
+  /// The same for a point of the source's edges or faces, which is remembered.
+  VertexId add_vertex(const Vector3& position, const RefinedPoint& place);
+  const RefinedPoints& places() const { return places_; }
   void move_vertex(VertexId id, const Vector3& position) { at(id).position = position; }
   FaceId add_face(std::vector<VertexId> corners);
   /// Gives the face other corners; it keeps its id.
@@ -63,8 +67,8 @@ class MeshDraft {
   /// The polyhedron: vertices without a face are dropped and the shaping of elements that are gone is
   /// forgotten, as are `corner` tags that lost the border or creases they need. Pinned tangents stay where
   /// the edges round the vertex are the same as before; elsewhere they no longer say which edge they are for,
-  /// and become a pinned tangent plane. Errors: E_WOULD_BE_NONMANIFOLD, E_NO_FACES, E_NONFINITE,
-  /// E_TOO_MANY_ELEMENTS.
+  /// and become a pinned tangent plane; kept forms are forgotten there. Errors: E_WOULD_BE_NONMANIFOLD,
+  /// E_NO_FACES, E_NONFINITE, E_TOO_MANY_ELEMENTS.
   Result<PolyhedronSource> finish() &&;
   /// The same with the elements that the designer goes on with.
   Result<Modeled> finish(ElementSet selection) &&;
@@ -88,6 +92,7 @@ class MeshDraft {
   Shaping shaping_;
   std::set<VertexId> outline_points_;  ///< put into open edges
   std::set<VertexId> released_corners_;
+  RefinedPoints places_;
 };
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/modeling/shaping_cleanup.hpp"
+#include "core/network/kept_form.hpp"
 #include "core/network/vertex_frames.hpp"
 #include "core/polyhedron/validation.hpp"
 
@@ -210,6 +211,7 @@ class Whole {
     // any operation.
     Shaping out = detail::shaping_on(whole, all, polyhedron_, half);
     settle_pins(whole, out);
+    settle_forms(whole, out);
     return out;
   }
 
@@ -230,6 +232,31 @@ class Whole {
       } else if (const Pin* kept = shaping.pin.find(id); kept && kept->kind == Pin::Kind::normal) {
         shaping.pin.set(id, {Pin::Kind::normal, {own_image(kept->vectors[0])}});
       }
+    }
+  }
+
+  /// In the plane of the mirror the edges of both halves count.
+  void settle_forms(const Polyhedron& whole, Shaping& shaping) const {
+    const auto image = [&](VertexId id) {
+      const Index v = polyhedron_.find(id);
+      return v == no_index ? id : whole.vertex_id(image_[v]);
+    };
+    for (const auto& [id, form] : half_.shaping->form) {
+      const Index v = polyhedron_.find(id);
+      if (v == no_index) continue;
+      KeptForm other = reflected_form(form);
+      for (KeptForm::Edge& edge : other.edges) edge.to = image(edge.to);
+      if (!seam_[v]) {
+        std::sort(other.edges.begin(), other.edges.end(),
+                  [](const auto& a, const auto& b) { return a.to < b.to; });
+        shaping.form.set(whole.vertex_id(image_[v]), std::move(other));
+        shaping.form.set(id, form);
+        continue;
+      }
+      KeptForm both = form;
+      for (const KeptForm::Edge& edge : other.edges)
+        if (!both.find(edge.to)) both.edges.push_back(edge);
+      shaping.form.set(id, std::move(both));
     }
   }
 
@@ -313,8 +340,9 @@ Modeled mirror_object(const PolyhedronSource& source, Axis axis) {
   out.source.origin = reflected(source.origin, axis);
   out.source.polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
   out.source.attachments = Attachments{};  // the patches have no images
-  if (!source.shaping->pin.empty()) {
+  if (!source.shaping->pin.empty() || !source.shaping->form.empty()) {
     Shaping shaping = *source.shaping;
+    for (const auto& [id, form] : source.shaping->form) shaping.form.set(id, reflected_form(form));
     const TangentReflector reflector(polyhedron, *source.shaping, out.source.polyhedron, *source.shaping,
                                      std::move(image), axis);
     for (const auto& [id, pin] : source.shaping->pin)

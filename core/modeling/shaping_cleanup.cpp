@@ -82,6 +82,16 @@ Shaping shaping_on(const Polyhedron& after, const Shaping& shaping, const Polyhe
       if (normal.allFinite() && normal.norm() > 1e-9) out.pin.set(id, {Pin::Kind::normal, {normal}});
     }
   }
+  for (const auto& [id, form] : shaping.form) {
+    const Index old = before.find(id);
+    if (old != no_index && has_vertex(id) &&
+        fan_at(before, shaping_before, old) == fan_at(after, out, after.find(id))) {
+      KeptForm known =
+          form;  // some of its edges may have crossed faces that were cut on the way to the surface
+      std::erase_if(known.edges, [&](const KeptForm::Edge& edge) { return !has_vertex(edge.to); });
+      out.form.set(id, std::move(known));
+    }
+  }
   return out;
 }
 

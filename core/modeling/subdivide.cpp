@@ -12,7 +12,8 @@
 
 namespace hariko {
 
-Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const EdgeId> edges, int count) {
+Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const EdgeId> edges, int count,
+                                const SurfaceForm* on) {
   if (count < 1 || count > max_cuts)
     return make_error(e_bad_amount, "The number of points is out of range.", "Use 1 to 1000 points.");
   const Polyhedron& polyhedron = source.polyhedron;
@@ -29,10 +30,11 @@ Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const 
     const auto points = add_edge_points(draft, edge.low, edge.high, shares);
     selection.vertices.insert(points.begin(), points.end());
   }
-  return std::move(draft).finish(std::move(selection));
+  return finish_refined(std::move(draft), std::move(selection), on);
 }
 
-Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
+Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
+                                const SurfaceForm* on) {
   const Polyhedron& polyhedron = source.polyhedron;
   const HalfEdgeMesh& mesh = polyhedron.topology();
   const auto chosen = selected(polyhedron, faces, "Select the faces to subdivide.");
@@ -49,7 +51,9 @@ Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const 
     }
   ElementSet selection;
   for (const Index f : *chosen) {
-    const VertexId centre = draft.add_vertex(face_centre(polyhedron, f));
+    const Vector3 middle_of_face = face_centre(polyhedron, f);
+    const VertexId centre =
+        draft.add_vertex(middle_of_face, FacePoint{polyhedron.face_id(f), middle_of_face});
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       std::vector<VertexId> quad{polyhedron.vertex_id(mesh.origin(h)), middle[mesh.edge(h)], centre,
                                  middle[mesh.edge(mesh.previous(h))]};
@@ -61,10 +65,11 @@ Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const 
       selection.faces.insert(id);
     }
   }
-  return std::move(draft).finish(std::move(selection));
+  return finish_refined(std::move(draft), std::move(selection), on);
 }
 
-Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceId> faces) {
+Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
+                           const SurfaceForm* on) {
   const Polyhedron& polyhedron = source.polyhedron;
   const HalfEdgeMesh& mesh = polyhedron.topology();
   const auto chosen = selected(polyhedron, faces, "Select the faces to poke.");
@@ -72,7 +77,9 @@ Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceI
   MeshDraft draft(source);
   ElementSet selection;
   for (const Index f : *chosen) {
-    const VertexId centre = draft.add_vertex(face_centre(polyhedron, f));
+    const Vector3 middle_of_face = face_centre(polyhedron, f);
+    const VertexId centre =
+        draft.add_vertex(middle_of_face, FacePoint{polyhedron.face_id(f), middle_of_face});
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       std::vector<VertexId> triangle{polyhedron.vertex_id(mesh.origin(h)),
                                      polyhedron.vertex_id(mesh.target(h)), centre};
@@ -83,7 +90,7 @@ Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceI
     }
     selection.vertices.insert(centre);
   }
-  return std::move(draft).finish(std::move(selection));
+  return finish_refined(std::move(draft), std::move(selection), on);
 }
 
 }  // namespace hariko

@@ -6,24 +6,30 @@
 
 #include "core/base/result.hpp"
 #include "core/modeling/modeled.hpp"
+#include "core/modeling/surface_form.hpp"
 
 namespace hariko {
+
+// Given `on`, the form of `source`, new vertices lie on the surface, which stays.
 
 /// Puts `count` (1 .. 1000) evenly spaced vertices on each edge. They get the tension in between that of its
 /// ends, the pieces keep tension and crease; on an open edge the border stays smooth there. The Euler number
 /// stays. Selected afterwards: the new vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_BAD_AMOUNT,
 /// E_TOO_MANY_ELEMENTS.
-Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const EdgeId> edges, int count = 1);
+Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const EdgeId> edges, int count = 1,
+                                const SurfaceForm* on = nullptr);
 
 /// Divides each face into quads round its centre, by the middles of its sides, which become corners of the
 /// faces beside it too. Positions stay on the faces: the shape of the polyhedron is the same. Pieces of sides
 /// keep tension and crease, the edges inside are plain. One part keeps the face's id. The Euler number stays.
 /// Selected afterwards: all parts. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT.
-Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
+Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
+                                const SurfaceForm* on = nullptr);
 
 /// Puts a vertex into the middle of each face (the mean of its corners) and divides the face into triangles
 /// round it. The new edges are plain; one part keeps the face's id. The Euler number stays. Selected
 /// afterwards: the new vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT.
-Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
+Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
+                           const SurfaceForm* on = nullptr);
 
 }  // namespace hariko

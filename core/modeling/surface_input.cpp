@@ -7,13 +7,21 @@
 namespace hariko {
 namespace {
 
-/// Names of the whole's elements: images stand for the half's, whose faces may be pieces.
-std::shared_ptr<const ElementAliases> joined(const std::shared_ptr<const ElementAliases>& pieces,
-                                             const std::shared_ptr<const ElementAliases>& images) {
-  if (!pieces || !images) return pieces ? pieces : images;
-  auto out = std::make_shared<ElementAliases>(*images);
-  out->pieces = pieces->pieces;
-  out->inner_edges = pieces->inner_edges;
+using Aliases = std::shared_ptr<const ElementAliases>;
+
+/// Names of the whole's elements: images stand for the half's, whose faces may be pieces of merged ones.
+Aliases joined(const Aliases& merged, const Aliases& pieces, const Aliases& images) {
+  const int steps = (merged ? 1 : 0) + (pieces ? 1 : 0) + (images ? 1 : 0);
+  if (steps < 2) return merged ? merged : pieces ? pieces : images;
+  auto out = std::make_shared<ElementAliases>(images ? *images : ElementAliases{});
+  if (pieces) {
+    out->pieces = pieces->pieces;
+    out->inner_edges = pieces->inner_edges;
+  }
+  if (merged) {
+    out->merged = merged->merged;
+    out->sides = merged->sides;
+  }
   return out;
 }
 
@@ -36,9 +44,18 @@ Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source, Qua
   SurfaceInputCache own;
   SurfaceInputCache& kept = cache ? *cache : own;
   const PolyhedronSource* prepared = &source;
-  std::shared_ptr<const ElementAliases> pieces;
+  Aliases flat, pieces, images;
+  if (source.preparation.merge_coplanar) {
+    auto merged = with_merged_faces(source, kept.merged ? &*kept.merged : nullptr);
+    if (!merged) return merged.error();
+    kept.merged = std::move(merged).value();
+    prepared = &kept.merged->source;
+    flat = kept.merged->aliases;
+  } else {
+    kept.merged.reset();
+  }
   if (source.preparation.split_concave) {
-    auto convex = with_convex_faces(source, kept.convex ? &*kept.convex : nullptr);
+    auto convex = with_convex_faces(*prepared, kept.convex ? &*kept.convex : nullptr);
     if (!convex) return convex.error();
     kept.convex = std::move(convex).value();
     prepared = &kept.convex->source;
@@ -47,7 +64,7 @@ Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source, Qua
     kept.convex.reset();
   }
 
-  PolyhedronSurfaceInput input{prepared->polyhedron, *prepared->shaping, source.mode, source.origin, pieces};
+  PolyhedronSurfaceInput input{prepared->polyhedron, *prepared->shaping, source.mode, source.origin, {}};
   input.round = source.round;
   input.frames = source.frames;
   if (prepared->mirror) {
@@ -57,10 +74,11 @@ Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source, Qua
     input.polyhedron = kept.whole->polyhedron;
     input.shaping = kept.whole->shaping;
     input.origin = kept.whole->origin;
-    input.aliases = joined(pieces, kept.whole->aliases);
+    images = kept.whole->aliases;
   } else {
     kept.whole.reset();
   }
+  input.aliases = joined(flat, pieces, images);
 
   if (const double exponent = source.preparation.automatic_tension; exponent != 0)
     input.shaping = stretched(input, exponent, quality, kept);

@@ -1,12 +1,13 @@
 #pragma once
 
-// From the designer's polyhedron to what its surface is made from: concave faces cut, the mirrored half
-// added, automatic tension.
+// From the designer's polyhedron to what its surface is made from: faces in one plane merged, concave faces
+// cut, the mirrored half added, automatic tension.
 
 #include <optional>
 
 #include "core/base/result.hpp"
 #include "core/modeling/convex_faces.hpp"
+#include "core/modeling/merged_faces.hpp"
 #include "core/modeling/mirrored.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 
@@ -15,6 +16,7 @@ namespace hariko {
 /// What is kept beside a `PolyhedronSurfacer` from call to call. The results do not depend on it, but for
 /// automatic tension in a drag.
 struct SurfaceInputCache {
+  std::optional<MergedFaces> merged;
   std::optional<ConvexFaces> convex;
   std::optional<MirroredPolyhedron> whole;
   /// Automatic tension of the last call: of this shaping, on this connectivity, to this power.

@@ -129,4 +129,14 @@ std::vector<double> fan_steps(std::span<const double> angles, std::span<const In
   return steps;
 }
 
+std::vector<double> turned_steps(std::vector<double> steps, std::span<const double> turns,
+                                 std::span<const double> angles, double total) {
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    steps[k] = std::max(steps[k] + turns[k + 1] - turns[k], least_step);
+  const double scale = total / sum_of(steps);
+  for (double& a : steps) a *= scale;
+  keep_in_limits(steps, angles, total);
+  return steps;
+}
+
 }  // namespace hariko

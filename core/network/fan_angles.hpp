@@ -20,4 +20,9 @@ double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index co
 std::vector<double> fan_steps(std::span<const double> angles, std::span<const Index> sides, double total,
                               bool closed);
 
+/// Steps of a sector whose edges are turned by these angles (one more than steps; the last is the first one
+/// again all round a vertex), with the same sum and limits.
+std::vector<double> turned_steps(std::vector<double> steps, std::span<const double> turns,
+                                 std::span<const double> angles, double total);
+
 }  // namespace hariko

@@ -355,7 +355,12 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
   std::vector<Vector3>& x = solution.basis;
   x = starting_point(vertices, options);
 
-  std::vector<Vector3> r = right_side(vertices, positions), b = r;
+  std::vector<Vector3> r = right_side(vertices, positions);
+  if (!frames_.offset.empty() && !options.homogeneous) {  // the solution moves by the offsets of kept forms
+    apply(vertices, frames_.offset, work, q);
+    combine(vertices, r, 1, 1, q);
+  }
+  std::vector<Vector3> b = r;
   project(vertices, b);
   precondition(vertices, b, z);
   const double goal = options.tolerance * options.tolerance * dot(vertices, b, z);

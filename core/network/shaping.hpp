@@ -26,6 +26,31 @@ struct Pin {
   friend bool operator==(const Pin&, const Pin&) = default;
 };
 
+/// What a refinement remembers of a vertex so that the surface stays: how its tangents differ from those that
+/// frames by measure give it (kuriyama.md section 12.7). The numbers follow the edges: moving, turning and
+/// scaling the polyhedron leaves them as they are.
+struct KeptForm {
+  struct Edge {
+    VertexId to;         ///< the edge's other end
+    double turn = 0;     ///< added to its direction in the fan, radians, counter-clockwise
+    double stretch = 0;  ///< natural logarithm of the factor of its length in the fan
+    /// Added to the image of its unit vector: along the edge, to the left of it and outward.
+    Vector3 offset = Vector3::Zero();
+    /// Mode FAIR: the force on the inner points beside the edge at this end, in the face to the left, in the
+    /// same directions and divided by (the edge's length)^(3/2), so that it does not depend on the size.
+    Vector3 pull = Vector3::Zero();
+    friend bool operator==(const Edge&, const Edge&) = default;
+  };
+  std::vector<Edge> edges;  ///< ascending by `to`
+  friend bool operator==(const KeptForm&, const KeptForm&) = default;
+
+  const Edge* find(VertexId to) const {
+    for (const Edge& edge : edges)
+      if (edge.to == to) return &edge;
+    return nullptr;
+  }
+};
+
 struct Shaping {
   FlatMap<VertexId, double> alpha;  ///< vertex tension, 0 .. 1000, default 0
   FlatMap<EdgeId, double>
@@ -33,6 +58,7 @@ struct Shaping {
   FlatMap<EdgeId, bool> crease;  ///< sharp edges (value always true)
   FlatMap<VertexId, VertexTag> tag;
   FlatMap<VertexId, Pin> pin;
+  FlatMap<VertexId, KeptForm> form;
   friend bool operator==(const Shaping&, const Shaping&) = default;
 };
 
@@ -44,5 +70,10 @@ enum class Mode { paper, target, fair, g2 };
 /// regular faces, as in the paper. `metric`: as the polyhedron's angles and lengths are (kuriyama.md section
 /// 12). Mode PAPER takes the first always.
 enum class Frames { equal, metric };
+
+/// The frames that a surface of this mode has.
+inline Frames frames_in(Mode mode, Frames frames) {
+  return mode == Mode::target || mode == Mode::fair ? frames : Frames::equal;
+}
 
 }  // namespace hariko

@@ -10,6 +10,7 @@
 #include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
 #include "core/network/fan_angles.hpp"
+#include "core/network/kept_form.hpp"
 #include "core/network/network.hpp"
 
 namespace hariko {
@@ -218,6 +219,8 @@ class FrameBuilder {
     const std::span<Sector> sectors(sectors_.data() + sector_begin_[v],
                                     sector_begin_[v + 1] - sector_begin_[v]);
     const bool metric = options_.frames == Frames::metric && !unit_[v];
+    const KeptForm* form = metric ? shaping_.form.find(polyhedron_.vertex_id(v)) : nullptr;
+    kept_ = form ? kept_edges(*form) : std::vector<KeptForm::Edge>{};
     const std::vector<double> lengths =
         metric ? fan_lengths(sectors) : std::vector<double>(fan_.edges.size(), 1.0);
     for (Sector& sector : sectors) {
@@ -225,6 +228,38 @@ class FrameBuilder {
       place(sector, metric && !turns ? metric_angles(sector) : equal_angles(sector), lengths);
       if (options_.frames == Frames::metric) find_gain(sector, metric);
     }
+    if (form) add_offset(v, *form);
+  }
+
+  /// What a form keeps of each edge of the fan. Edges that it does not know are turned and stretched as those
+  /// beside them; none where it knows no edge.
+  std::vector<KeptForm::Edge> kept_edges(const KeptForm& form) const {
+    const std::size_t n = fan_.edges.size();
+    std::vector<KeptForm::Edge> out(n);
+    std::vector<const KeptForm::Edge*> known;
+    for (const FanEdge& each : fan_.edges) known.push_back(form.find(other_end(each)));
+    for (std::size_t k = 0; k < n; ++k) {
+      std::size_t before = 0, after = 0;
+      const auto back = [&] { return known[(k + n - before % n) % n]; };
+      const auto ahead = [&] { return known[(k + after) % n]; };
+      while (before < n && !back()) ++before;
+      while (after < n && !ahead()) ++after;
+      if (before == n) return {};
+      const double share = before + after == 0 ? 0 : double(before) / double(before + after);
+      out[k].turn = (1 - share) * back()->turn + share * ahead()->turn;
+      out[k].stretch = (1 - share) * back()->stretch + share * ahead()->stretch;
+    }
+    return out;
+  }
+
+  VertexId other_end(const FanEdge& each) const {
+    return polyhedron_.vertex_id(each.at_origin ? mesh_.target(each.half_edge)
+                                                : mesh_.origin(each.half_edge));
+  }
+
+  void add_offset(Index v, const KeptForm& form) {
+    frames_.offset.resize(next_basis_, Vector3::Zero());
+    add_form_offset(polyhedron_, frames_, v, form, frames_.offset);
   }
 
   /// Angle of each edge of the sector from its first one.
@@ -245,7 +280,13 @@ class FrameBuilder {
     if (sector.image == Sector::Image::corner)
       sector.opening = std::clamp(std::accumulate(seen.begin(), seen.end(), 0.0), pi / 6, 2 * pi / 3);
     const bool closed = sector.image == Sector::Image::smooth;
-    const std::vector<double> steps = fan_steps(seen, sides, sector.opening, closed);
+    std::vector<double> steps = fan_steps(seen, sides, sector.opening, closed);
+    if (!kept_.empty()) {
+      std::vector<double> turns;
+      for (std::size_t j = 0; j <= sector.corners; ++j)
+        turns.push_back(kept_[(sector.first + j) % kept_.size()].turn);
+      steps = turned_steps(std::move(steps), turns, seen, sector.opening);
+    }
     std::vector<double> angles(sector.corners + 1, 0.0);
     std::partial_sum(steps.begin(), steps.end(), angles.begin() + 1);
     angles.back() = sector.opening;
@@ -261,7 +302,10 @@ class FrameBuilder {
       longest = std::max(longest, lengths.back());
     }
     if (!(longest > 0)) longest = frames_.charts.mean_length;
-    for (double& length : lengths) length = std::hypot(length, 0.01 * longest);
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      lengths[k] = std::hypot(lengths[k], 0.01 * longest);
+      if (!kept_.empty()) lengths[k] *= std::exp(kept_[k].stretch);
+    }
     for (const Sector& sector : sectors) {
       if (!frames_.half_turn[corner(sector, 0)]) continue;
       double& first = lengths[sector.first % lengths.size()];
@@ -389,6 +433,7 @@ class FrameBuilder {
   std::vector<Sector> sectors_;            ///< of all vertices, in order
   std::vector<std::size_t> sector_begin_;  ///< per vertex, plus one
   std::vector<bool> unit_;                 ///< per vertex; empty in equal frames
+  std::vector<KeptForm::Edge> kept_;       ///< of `fan_`; empty where nothing is kept
   Index next_basis_ = 0;
 };
 

@@ -37,6 +37,8 @@ struct VertexFrames {
   /// corner T(edge) + x of the half-edge's own patch T(edge behind)); 1 in equal frames.
   std::vector<double> split_gain;
   std::vector<bool> sharp;  ///< per edge: border or crease
+  /// Per basis vector: what kept forms add to it; empty where there are none.
+  std::vector<Vector3> offset = {};
   FaceCharts charts;
 
   Index basis_count() const { return basis_begin.back(); }

@@ -73,9 +73,14 @@ struct FairSystem::Workspace {
 struct FairSystem::Iteration {
   const FairSystem& system;
   Workspace& work;
+  bool hold_sides = false;
 
   void apply(const Field& x, Field& y) { system.apply(work, x, y); }
-  void precondition(const Field& r, Field& z) { system.precondition(work, r, z); }
+  void precondition(const Field& r, Field& z) {
+    system.precondition(work, r, z);
+    if (hold_sides)
+      for (std::size_t i = system.first_side_; i < system.unknown_count_; ++i) z[i].setZero();
+  }
   Array3 dot(const Field& a, const Field& b) const { return work.dot(a, b); }
   void combine(Field& y, const Array3& scale, const Array3& factor, const Field& x) const {
     work.combine(y, scale, factor, x);
@@ -114,7 +119,7 @@ void FairSystem::number_sides(const PatchConstants& constants) {
   side_target_.resize(mesh.half_edge_count());
   side_scale_.assign(mesh.half_edge_count(), 1.0);
   own_split_ = constants.own_split;
-  std::size_t next = unknown_count_;
+  std::size_t next = first_side_ = unknown_count_;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const Index h = mesh.half_edge_of_edge(e), twin = mesh.twin(h);
     side_origin_[h] = next;
@@ -431,7 +436,7 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
     room.residual[side_origin_[rim.half_edge]] += rim.at_origin;
     room.residual[side_target_[rim.half_edge]] += rim.at_target;
   }
-  Iteration iteration{*this, work};
+  Iteration iteration{*this, work, options.hold_sides};
   const auto report =
       conjugate_gradients(iteration, solution.unknowns, room,
                           {options.start != nullptr, options.tolerance, options.max_steps}, cancel);
@@ -439,6 +444,15 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
   solution.converged = report.converged;
   solution.cancelled = report.cancelled;
   return solution;
+}
+
+FairSystem::Field FairSystem::force(std::span<const QuarticPatch> base, const Field& unknowns) const {
+  Workspace work = make_workspace({});
+  Field out(unknown_count_), right(unknown_count_);
+  apply(work, unknowns, out);
+  right_side(work, base, right);
+  work.combine(out, Array3::Ones(), -Array3::Ones(), right);
+  return out;
 }
 
 FairSystem::Field FairSystem::multiply(const Field& x) const {

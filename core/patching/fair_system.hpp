@@ -42,6 +42,7 @@ class FairSystem {
     const std::vector<Index>* active_faces = nullptr;
     std::span<const RimBend> rims =
         {};                    ///< where bending across borders is known; elsewhere it tends to zero
+    bool hold_sides = false;   ///< z of the polyhedron's edges stays as in `start`
     double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
     int max_steps = 600;
   };
@@ -56,6 +57,16 @@ class FairSystem {
   /// zero), for the half-edges of the active faces and of their neighbours across edges. O(faces) a step.
   Solution solve(std::span<const QuarticPatch> base, const SolveOptions& options,
                  const CancelToken& cancel = {}) const;
+
+  /// The force that holds these unknowns: the matrix times them less the right-hand side.
+  Field force(std::span<const QuarticPatch> base, const Field& unknowns) const;
+  /// Numbers of z at the ends of a half-edge's side, and its factor in the inner points of the half-edge's
+  /// patch.
+  struct Side {
+    std::size_t at_origin, at_target;
+    double scale;
+  };
+  Side side(Index h) const { return {side_origin_[h], side_target_[h], side_scale_[h]}; }
 
   /// The system's matrix times x, per coordinate: for tests and comparisons.
   Field multiply(const Field& x) const;
@@ -92,6 +103,7 @@ class FairSystem {
 
   std::shared_ptr<const HalfEdgeMesh> mesh_;
   std::size_t unknown_count_ = 0;
+  std::size_t first_side_ = 0;            ///< first z of the polyhedron's edges
   std::vector<std::size_t> face_begin_;   ///< first unknown of each face
   std::vector<std::size_t> local_begin_;  ///< place of each face's local vector in workspaces, in unknowns
   std::vector<std::size_t> side_origin_;  ///< per half-edge: unknown z at its origin

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/patching/drag_response.hpp"
+#include "core/patching/form_pulls.hpp"
 #include "core/patching/g2_joins.hpp"
 #include "core/patching/g2_surface.hpp"
 #include "core/patching/surface_parts.hpp"
@@ -36,14 +37,8 @@ std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
   return std::nullopt;
 }
 
-/// The paper's construction is what it is, and mode G2 has no other frames.
-Frames frames_of(const PolyhedronSurfaceInput& input) {
-  const bool free = input.mode == Mode::target || input.mode == Mode::fair;
-  return free ? input.frames : Frames::equal;
-}
-
 bool equal_but_pins(const Shaping& a, const Shaping& b) {
-  return a.alpha == b.alpha && a.beta == b.beta && a.crease == b.crease && a.tag == b.tag;
+  return a.alpha == b.alpha && a.beta == b.beta && a.crease == b.crease && a.tag == b.tag && a.form == b.form;
 }
 
 /// A long diagonal of the polyhedron's box.
@@ -165,7 +160,7 @@ bool PolyhedronSurfacer::State::wants_round(const PolyhedronSurfaceInput& input)
 Result<NetworkSystem> PolyhedronSurfacer::State::assemble(const PolyhedronSurfaceInput& input) const {
   const std::vector<Index> joined = joins.half_edges();
   return NetworkSystem::assemble(joins.polyhedron(), input.shaping,
-                                 {frames_of(input), joins.requests(), joined});
+                                 {frames_in(input.mode, input.frames), joins.requests(), joined});
 }
 
 std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input,
@@ -175,7 +170,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
       aliases == input.aliases || (aliases && input.aliases && *aliases == *input.aliases);
   auto plan = JoinPlan::make(input.polyhedron, input.shaping, input.joins);
   if (!plan) return plan.error();
-  const Frames frames = frames_of(input);
+  const Frames frames = frames_in(input.mode, input.frames);
   const bool metric = frames == Frames::metric;
   const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
                               system->network.frames().charts.frames == frames && joins.same_structure(*plan);
@@ -209,6 +204,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
       SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
   system->constants = patch_constants(*mesh, system->network.frames());
   if (input.mode == Mode::fair) system->rims = clamped_rims(input.polyhedron, input.shaping);
+  if (input.mode == Mode::fair && metric)
+    system->pulls = form_pulls(joins.polyhedron(), input.shaping, system->network.frames());
   if (input.mode == Mode::fair) make_fair();
   if (input.mode == Mode::g2)
     system->g2 = std::make_unique<G2System>(mesh, system->network, G2Weights{}, given_ribbons(joins));
@@ -382,7 +379,7 @@ std::optional<QuarticPatchArray> PolyhedronSurfacer::State::fair_patches(
   std::iota(vertices.begin(), vertices.end(), Index(0));
   std::vector<QuarticPatch> patches(mesh.half_edge_count());
   auto fair = build_patches(*system, positions, network, {faces, vertices}, options, cancel, patches, joined,
-                            system->rims);
+                            system->rims, system->pulls);
   if (fair.cancelled || cancel.cancelled()) return std::nullopt;
   report.fair_iterations = fair.iterations;
   report.fair_converged = fair.converged;

@@ -66,8 +66,10 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
     const FaceId face = polyhedron.face_id(f);
     const Index side = h - mesh.face_begin(f);
     const bool copy = aliases && aliases->is_copy(face);
-    provenance->push_back(
-        {element_of(aliases ? aliases->original(face) : face), copy ? mesh.side_count(f) - 1 - side : side});
+    provenance->push_back({element_of(aliases ? aliases->original(face, polyhedron.vertex_id(mesh.origin(h)),
+                                                                  polyhedron.vertex_id(mesh.target(h)))
+                                              : face),
+                           copy ? mesh.side_count(f) - 1 - side : side});
     Seam split;
     split.first = {h, 0};
     split.second = {mesh.previous(h), 2};

@@ -3,6 +3,7 @@
 // ElementAliases: from the elements of a polyhedron that was derived from another one (concave faces cut, a
 // half mirrored) to the elements that the designer knows.
 
+#include <utility>
 #include <vector>
 
 #include "core/base/flat_map.hpp"
@@ -19,6 +20,10 @@ struct ElementAliases {
   std::vector<FaceId> faces;
   FlatMap<FaceId, FaceId> pieces;       ///< the face that each piece with an id of its own is part of
   FlatMap<EdgeId, FaceId> inner_edges;  ///< the face that each inner edge lies in
+  /// Faces that were merged into another one, and which that is; and where the sides (origin, target) of such
+  /// faces come from.
+  FlatMap<FaceId, FaceId> merged;
+  FlatMap<std::pair<VertexId, VertexId>, FaceId> sides;
 
   bool is_copy(VertexId id) const { return !(id < first_vertex); }
   bool is_copy(FaceId id) const { return !(id < first_face); }
@@ -26,6 +31,13 @@ struct ElementAliases {
   FaceId original(FaceId id) const {
     const FaceId copied = is_copy(id) ? faces[id.value - first_face.value] : id;
     return pieces.get_or(copied, copied);
+  }
+  /// The face that a patch over a side belongs to.
+  FaceId original(FaceId face, VertexId origin, VertexId target) const {
+    const FaceId* own = nullptr;
+    if (!sides.empty())
+      own = is_copy(face) ? sides.find({original(target), original(origin)}) : sides.find({origin, target});
+    return own ? *own : original(face);
   }
   /// An edge, or the face where it is an inner edge.
   Element original(EdgeId id) const {

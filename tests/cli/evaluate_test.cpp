@@ -1,6 +1,7 @@
 // `hariko evaluate` against the numbers of an independent implementation.
 
 #include <cmath>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 
@@ -72,6 +73,26 @@ TEST_F(Evaluate, ImportsHaveFramesByMeasure) {
 TEST_F(Evaluate, ImportsHaveTheirConcaveFacesCut) {
   const Json json = run("evaluate " + golden("concave.obj") + " --frames equal").json();
   EXPECT_NEAR(json["metrics"]["bend"].get<double>(), 90.97, 0.1);
+}
+
+TEST_F(Evaluate, ImportsHaveTheirFlatTrianglesMerged) {
+  // A cube of twelve triangles.
+  std::string text;
+  for (const char* z : {"-1", "1"})
+    for (const char* xy : {"-1 -1", "1 -1", "1 1", "-1 1"}) text += "v " + std::string(xy) + " " + z + "\n";
+  for (const char* face : {"1 4 3 2", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"}) {
+    std::istringstream corners(face);
+    std::string a, b, c, d;
+    corners >> a >> b >> c >> d;
+    text += "f " + a + " " + b + " " + c + "\nf " + a + " " + c + " " + d + "\n";
+  }
+  write_text(path("cube.obj"), text);
+  const auto bending = [&](const std::string& options) {
+    return run("evaluate " + path("cube.obj") + options).json()["metrics"]["bend"].get<double>();
+  };
+  EXPECT_NEAR(bending(""), 25.2341, 1e-3) << "as of six squares";
+  EXPECT_EQ(bending(""), bending(" --merge-coplanar on"));
+  EXPECT_GT(bending(" --merge-coplanar off"), 26);
 }
 
 TEST_F(Evaluate, TensionFilesWithMistakesAreRefused) {

@@ -167,7 +167,7 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
 
   EXPECT_EQ(*read_document(write_document(document)), document);
   std::string now = text;
-  now.replace(now.find("\"version\": 1"), 12, "\"version\": 2");
+  now.replace(now.find("\"version\": 1"), 12, "\"version\": 3");
   EXPECT_EQ(write_document(document), now) << "the fixture is written as this version writes";
 }
 
@@ -179,7 +179,9 @@ TEST(Format, SkinsOfVersion2ReadForEver) {
   ASSERT_EQ(skin.sections.size(), 2U);
   EXPECT_FALSE(skin.sections[0].start_chosen);
   EXPECT_TRUE(skin.sections[1].start_chosen);
-  EXPECT_EQ(write_document(*read), text) << "the fixture is written as this version writes";
+  std::string now = text;
+  now.replace(now.find("\"version\": 2"), 12, "\"version\": 3");
+  EXPECT_EQ(write_document(*read), now) << "the fixture is written as this version writes";
 }
 
 TEST(Format, ClosedSectionsOfVersion1BeginWhereTheyWereDrawn) {
@@ -205,7 +207,38 @@ TEST(Format, FixtureOfVersion2ReadsForEver) {
   EXPECT_EQ(read->objects[0]->polyhedron()->frames, Frames::metric);
   EXPECT_TRUE(read->objects[0]->polyhedron()->preparation.split_concave);
   EXPECT_EQ(read->objects[1]->polyhedron()->frames, Frames::equal) << "nothing old changes by itself";
+  std::string now = text;
+  now.replace(now.find("\"version\": 2"), 12, "\"version\": 3");
+  EXPECT_EQ(write_document(*read), now) << "the fixture is written as this version writes";
+}
+
+TEST(Format, FixtureOfVersion3ReadsForEver) {
+  const std::string text = file_text("tests/document/fixtures/v3.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  const PolyhedronSource& source = *read->objects[0]->polyhedron();
+  EXPECT_TRUE(source.preparation.merge_coplanar);
+  const KeptForm* form = source.shaping->form.find({4});
+  ASSERT_TRUE(form);
+  ASSERT_EQ(form->edges.size(), 3U);
+  EXPECT_EQ(form->edges[1], (KeptForm::Edge{{5}, 0.25, -0.5, {0.125, 0, -0.0625}, {0, 0.5, 150}}));
   EXPECT_EQ(write_document(*read), text) << "the fixture is written as this version writes";
+}
+
+TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
+  const std::string text = file_text("tests/document/fixtures/v3.hariko");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    return read_document(changed);
+  };
+  const auto code = [](const Result<Document>& read) {
+    return read ? std::string() : std::string(read.error().code.name);
+  };
+  EXPECT_EQ(code(with("[5, 0.25, -0.5,", "[5, 101, -0.5,")), "E_FORM_INVALID");
+  EXPECT_EQ(code(with("[5, 0.25, -0.5,", "[55, 0.25, -0.5,")), "E_SCHEMA") << "no such vertex";
+  EXPECT_EQ(code(with("[5, 0.25, -0.5,", "[0, 0.25, -0.5,")), "E_SCHEMA") << "ids ascend";
+  EXPECT_EQ(code(with("[5, 0.25, -0.5, 0.125, 0, -0.0625, 0, 0.5, 150]", "[5, 0.25]")), "E_SCHEMA");
 }
 
 TEST(Format, UnknownPartsStayByteForByte) {

@@ -68,6 +68,14 @@ inline Shaping any_shaping(std::mt19937_64& rng, const Polyhedron& polyhedron) {
     if (chance(rng, 0.1)) shaping.tag.set(id, chance(rng, 0.5) ? VertexTag::corner : VertexTag::smooth);
     if (chance(rng, 0.1)) shaping.pin.set(id, {Pin::Kind::normal, {random_vector(rng) + Vector3(0, 0, 2)}});
     if (chance(rng, 0.05)) shaping.pin.set(id, {Pin::Kind::tangents, {any_vector(rng), any_vector(rng)}});
+    if (chance(rng, 0.05)) {
+      KeptForm form;
+      for (Index to = 0; to < polyhedron.vertex_count(); ++to)
+        if (chance(rng, 0.2))
+          form.edges.push_back({polyhedron.vertex_id(to), uniform(rng, -1, 1), uniform(rng, -1, 1),
+                                random_vector(rng), random_vector(rng, 50)});
+      shaping.form.set(id, std::move(form));
+    }
   }
   for (Index e = 0; e < polyhedron.edge_count(); ++e) {
     if (chance(rng, 0.2)) shaping.beta.set(polyhedron.edge_id(e), log_uniform(rng, 0.001, 1000));
@@ -131,7 +139,7 @@ inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
           static_cast<Mode>(uniform_int(rng, 0, 2)),
           any_kept(rng),
           any_mirror(rng),
-          {chance(rng, 0.3), chance(rng, 0.3) ? uniform(rng, 0, 1) : 0},
+          {chance(rng, 0.3), chance(rng, 0.3), chance(rng, 0.3) ? uniform(rng, 0, 1) : 0},
           chance(rng, 0.3),
           std::move(attachments),
           chance(rng, 0.5) ? Frames::metric : Frames::equal};

@@ -26,6 +26,7 @@ Settings unusual() {
   settings.zoom_to_cursor = false;
   settings.invert_wheel = true;
   settings.orbit_selection = true;
+  settings.refine_on_surface = false;
   settings.orbit_speed = 0.3;
   settings.zoom_speed = 2.5;
   settings.autosave_seconds = 7;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/document/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
 #include "ui/menu_tree.hpp"
@@ -75,6 +76,41 @@ TEST_F(MeshCommands, MergeByDistanceCanBeAdjusted) {
   run("mesh.merge_distance");
   EXPECT_EQ(source().polyhedron.vertex_count(), 8U) << "nothing is so near: refused with a notice";
   EXPECT_FALSE(editor.notices().empty());
+}
+
+TEST_F(MeshCommands, RefinementsKeepTheSurfaceUnlessTheDesignerSaysOtherwise) {
+  editor.commit(set_frames(editor.history.current(), editor.selection.active, Frames::metric), "By measure");
+  const Vector3 straight = (place(0) + place(1)) / 2;
+  const auto subdivided = [&] {
+    editor.mode = ElementMode::face;
+    editor.selection.select_all(*editor.active_object(), ElementMode::face);
+    EXPECT_TRUE(run("mesh.subdivide").ran);
+    double nearest = 1e300;
+    for (const Vector3& p : source().polyhedron.positions())
+      nearest = std::min(nearest, (source().origin + p - straight).norm());
+    const bool remembers = !source().shaping->form.empty();
+    editor.undo();
+    return std::pair(nearest, remembers);
+  };
+  ASSERT_TRUE(editor.settings.refine_on_surface) << "the default";
+  const auto on_surface = subdivided();
+  EXPECT_GT(on_surface.first, 0.05);
+  EXPECT_TRUE(on_surface.second);
+
+  for (const char* tool : {"mesh.loop_cut", "mesh.knife"}) {
+    for (const bool then : {false, true}) {
+      run(tool);
+      ASSERT_TRUE(bench.workbench().viewport().tool_active());
+      bench.key("E");
+      EXPECT_EQ(editor.settings.refine_on_surface, then) << tool;
+      bench.key("Esc");
+    }
+  }
+  run("mesh.on_surface");
+  EXPECT_FALSE(editor.settings.refine_on_surface);
+  const auto on_edges = subdivided();
+  EXPECT_LT(on_edges.first, 1e-12);
+  EXPECT_FALSE(on_edges.second);
 }
 
 std::set<std::string> offered(const std::vector<MenuNode>& nodes) {

@@ -164,7 +164,8 @@ void toggle_mirror(Editor& editor, Axis axis) {
       edit_polyhedron(editor.history.current(), object, [&](const PolyhedronSource& s) -> Result<Modeled> {
         const auto whole = baked(s);
         if (!whole) return whole.error();
-        return halved(*whole, mirror);
+        const auto form = form_for_refinement(editor, *whole);
+        return halved(*whole, mirror, form ? &*form : nullptr);
       });
   if (!half) return editor.notify(half.error());
   editor.commit(set_mirror(half->document, object, mirror), translatable("Live mirror"));

@@ -242,8 +242,11 @@ void add_cuts(CommandHost& host) {
                const ElementSet& set = editor.selection.of_active();
                const auto vertices = list_of(set.vertices);
                const auto edges = list_of(set.edges);
-               run_operation(
-                   editor, [&](const auto& source) { return connect_points(source, vertices, edges); },
+               run_refinement(
+                   editor,
+                   [&](const auto& source, const SurfaceForm* on) {
+                     return connect_points(source, vertices, edges, on);
+                   },
                    translatable("Connect"));
              },
              needs_elements(editor, {.vertices = true, .edges = true}),
@@ -261,10 +264,11 @@ void add_cuts(CommandHost& host) {
                const ElementSet& set = editor.selection.of_active();
                const auto faces = list_of(set.faces);
                const auto edges = list_of(set.edges);
-               run_operation(
+               run_refinement(
                    editor,
-                   [&](const auto& source) {
-                     return faces.empty() ? subdivide_edges(source, edges) : subdivide_faces(source, faces);
+                   [&](const auto& source, const SurfaceForm* on) {
+                     return faces.empty() ? subdivide_edges(source, edges, 1, on)
+                                          : subdivide_faces(source, faces, on);
                    },
                    faces.empty() ? translatable("Subdivide edges") : translatable("Subdivide faces"));
              },
@@ -281,13 +285,26 @@ void add_cuts(CommandHost& host) {
              false,
              [&editor] {
                const auto faces = list_of(editor.selection.of_active().faces);
-               run_operation(
-                   editor, [&](const auto& source) { return poke_faces(source, faces); },
+               run_refinement(
+                   editor,
+                   [&](const auto& source, const SurfaceForm* on) { return poke_faces(source, faces, on); },
                    translatable("Poke faces"));
              },
              needs_elements(editor, {.faces = true}),
              {},
              Context::face});
+  table.add(
+      {"mesh.on_surface",
+       "Mesh",
+       "Refine on the surface",
+       "Cuts and subdivisions put new points on the surface, which keeps its form; off: on straight edges.",
+       "",
+       "",
+       false,
+       false,
+       [&editor] { editor.settings.refine_on_surface = !editor.settings.refine_on_surface; },
+       {},
+       [&editor] { return editor.settings.refine_on_surface; }});
 }
 
 }  // namespace

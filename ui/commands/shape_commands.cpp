@@ -239,7 +239,9 @@ void add_tags(CommandHost& host) {
                  const Object* object = editor.document().find(id);
                  if (!object || !object->polyhedron()) continue;
                  for (const VertexId vertex : elements.vertices)
-                   if (object->polyhedron()->shaping->pin.contains(vertex)) return {};
+                   if (object->polyhedron()->shaping->pin.contains(vertex) ||
+                       object->polyhedron()->shaping->form.contains(vertex))
+                     return {};
                }
                return translatable("None of the selected vertices is pinned.");
              }});

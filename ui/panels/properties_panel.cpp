@@ -290,6 +290,14 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
         edit_preparations(context.editor.history.current(), polyhedra,
                           [&](Preparation& preparation) { preparation.split_concave = *on; }),
         *on ? "Split concave faces" : "Keep concave faces");
+  const auto merge = common<bool>(
+      polyhedra, [](const auto& object) { return object->polyhedron()->preparation.merge_coplanar; });
+  if (const auto on = check_row(context, "merge_coplanar", "Merge triangles",
+                                "The surface is made as if triangles in one plane were one face", merge))
+    context.editor.commit(
+        edit_preparations(context.editor.history.current(), polyhedra,
+                          [&](Preparation& preparation) { preparation.merge_coplanar = *on; }),
+        *on ? "Merge flat triangles" : "Keep flat triangles");
   Quantity power = plain_quantity(2, 0.05);
   power.low = 0;
   power.high = 1;

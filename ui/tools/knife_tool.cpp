@@ -10,6 +10,7 @@
 #include "core/modeling/edit_modeling.hpp"
 #include "ui/operations.hpp"
 #include "ui/tools/overlay_drawing.hpp"
+#include "ui/tools/refine_position.hpp"
 
 namespace hariko {
 
@@ -38,6 +39,7 @@ class KnifeTool final : public Tool {
 
   void begin(ToolContext& context, const PointerEvent& press) override {
     pointer_ = press.pixel;
+    on_surface_ = context.editor.settings.refine_on_surface;
     look(context, press.control);
   }
 
@@ -56,6 +58,11 @@ class KnifeTool final : public Tool {
     if (chord.key == GLFW_KEY_BACKSPACE) {
       if (!legs_.empty()) legs_.pop_back();
       look(context, false);
+      return ToolState::stay;
+    }
+    if (is_position_key(press)) {
+      Settings& settings = context.editor.settings;
+      settings.refine_on_surface = on_surface_ = !settings.refine_on_surface;
       return ToolState::stay;
     }
     if (chord.control || chord.alt || press.text == 0) return std::nullopt;
@@ -86,7 +93,8 @@ class KnifeTool final : public Tool {
     return value_text(tr) + "   |   " +
            tr("Click vertices and edges   Ctrl: middle of the edge   Backspace: last point   Enter cuts   "
               "Esc "
-              "cancels");
+              "cancels") +
+           "   " + position_hint(tr, on_surface_);
   }
 
  private:
@@ -189,7 +197,7 @@ class KnifeTool final : public Tool {
     if (ahead_.empty()) return;  // the last point once more
     std::vector<CutPoint> longer = path();
     longer.insert(longer.end(), ahead_.begin(), ahead_.end());
-    const auto done = cut(context, longer);
+    const auto done = cut(context, longer, false);
     if (!done) {
       error_ = context.editor.language.text_of(done.error());
       return;
@@ -198,14 +206,18 @@ class KnifeTool final : public Tool {
     ahead_.clear();
   }
 
-  Result<ModeledDocument> cut(const ToolContext& context, const std::vector<CutPoint>& along) const {
-    return edit_polyhedron(context.editor.history.current(), object_,
-                           [&](const PolyhedronSource& source) { return cut_path(source, along); });
+  /// `keeping` the surface's form, if that is wanted: what the path is tried with need not.
+  Result<ModeledDocument> cut(const ToolContext& context, const std::vector<CutPoint>& along,
+                              bool keeping) const {
+    return edit_polyhedron(context.editor.history.current(), object_, [&](const PolyhedronSource& source) {
+      const auto form = keeping ? form_for_refinement(context.editor, source) : std::nullopt;
+      return cut_path(source, along, form ? &*form : nullptr);
+    });
   }
 
   ToolState confirm(ToolContext& context) {
     Editor& editor = context.editor;
-    const auto done = cut(context, path());
+    const auto done = cut(context, path(), true);
     if (!done) {
       error_ = editor.language.text_of(done.error());
       return ToolState::stay;

@@ -13,6 +13,7 @@
 #include "ui/tools/numeric_input.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 #include "ui/tools/pointing_tool.hpp"
+#include "ui/tools/refine_position.hpp"
 
 namespace hariko {
 
@@ -41,6 +42,14 @@ class LoopCutTool final : public PointingTool {
       if (!sliding_ && !choose(context)) return ToolState::stay;
       return confirm(context);
     }
+    if (!input_.active() && is_position_key(press)) {
+      Settings& settings = context.editor.settings;
+      settings.refine_on_surface = !settings.refine_on_surface;
+      on_surface_ = settings.refine_on_surface;
+      formed_ = nullptr;
+      if (sliding_) show(context);
+      return ToolState::stay;
+    }
     if (input_.key(press)) {
       const double number = input_.value().value_or(0);
       if (sliding_)
@@ -61,6 +70,11 @@ class LoopCutTool final : public PointingTool {
     return true;
   }
 
+  void begin(ToolContext& context, const PointerEvent& press) override {
+    on_surface_ = context.editor.settings.refine_on_surface;
+    PointingTool::begin(context, press);
+  }
+
   void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
@@ -72,7 +86,8 @@ class LoopCutTool final : public PointingTool {
   std::string hint(const Language& tr) const override {
     return value_text(tr) + "   |   " +
            (sliding_ ? tr("Click places the cut   digits type %   Shift fine   Esc cancels")
-                     : tr("Click an edge   wheel or digits: number of cuts   Esc cancels"));
+                     : tr("Click an edge   wheel or digits: number of cuts   Esc cancels")) +
+           "   " + position_hint(tr, on_surface_);
   }
 
  private:
@@ -101,6 +116,7 @@ class LoopCutTool final : public PointingTool {
   bool choose(ToolContext& context) {
     if (!edge_) return false;
     options_.slide = 0;
+    on_surface_ = context.editor.settings.refine_on_surface;
     show(context);
     sliding_ = error_.empty();
     if (!sliding_) context.editor.cancel_preview();
@@ -127,7 +143,7 @@ class LoopCutTool final : public PointingTool {
   void show(ToolContext& context) {
     Editor& editor = context.editor;
     const auto done = edit_polyhedron(editor.history.current(), object_, [&](const PolyhedronSource& source) {
-      return loop_cut(source, *edge_, options_);
+      return loop_cut(source, *edge_, options_, form_of(context));
     });
     error_ = done ? std::string() : editor.language.text_of(done.error());
     if (!done) return editor.cancel_preview();
@@ -143,6 +159,17 @@ class LoopCutTool final : public PointingTool {
       return ToolState::cancel;
     select_result(context.editor, object_, result_);
     return ToolState::commit;
+  }
+
+  /// The form that the cut keeps, made once for each object; none where it lies on straight edges.
+  const SurfaceForm* form_of(const ToolContext& context) {
+    const Object* object = context.editor.history.current().find(object_);
+    if (!object || !object->polyhedron()) return nullptr;
+    if (object != formed_) {
+      form_ = form_for_refinement(context.editor, *object->polyhedron());
+      formed_ = object;
+    }
+    return form_ ? &*form_ : nullptr;
   }
 
   /// The lines along which the ring would be cut.
@@ -188,6 +215,9 @@ class LoopCutTool final : public PointingTool {
   LoopCutOptions options_;
   NumericInput input_;
   double raw_ = 0;  ///< the slide before it is limited
+  bool on_surface_ = true;
+  std::optional<SurfaceForm> form_;
+  const Object* formed_ = nullptr;  ///< what `form_` was made for
   bool sliding_ = false;
   ElementSet result_;
   std::string error_;

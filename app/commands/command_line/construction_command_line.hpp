@@ -16,7 +16,7 @@ class ConstructionCommandLine {
   Construction construction() const;
 
  private:
-  std::string mode_, frames_;
+  std::string mode_, frames_, merge_coplanar_;
   bool round_ = false;
   OutlineCommandLine outlines_;
   ReadingCommandLine reading_;

@@ -1,0 +1,368 @@
+#include "core/modeling/surface_form.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <utility>
+
+#include "core/base/dense_solver.hpp"
+#include "core/modeling/kept_tangents.hpp"
+#include "core/modeling/surface_input.hpp"
+#include "core/network/vertex_frames.hpp"
+#include "core/patching/form_pulls.hpp"
+
+namespace hariko {
+namespace {
+
+using Bezier = std::array<Vector3, 4>;
+
+/// Points of a curve over the surface that its cubic is fitted to.
+constexpr int fitted_points = 16;
+
+Vector3 bezier_point(const Bezier& b, double t) {
+  const double s = 1 - t;
+  return s * s * s * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t * t * t * b[3];
+}
+
+/// A third of the derivative.
+Vector3 bezier_tangent(const Bezier& b, double t) {
+  const double s = 1 - t;
+  return s * s * (b[1] - b[0]) + 2 * s * t * (b[2] - b[1]) + t * t * (b[3] - b[2]);
+}
+
+/// Shares a, b with point = a p + b q, nearest where they span no plane that holds it.
+Vector2 plane_shares(const Vector3& point, const Vector3& p, const Vector3& q) {
+  const double pp = p.squaredNorm(), pq = p.dot(q), qq = q.squaredNorm(), det = pp * qq - pq * pq;
+  if (!(det > 1e-24 * pp * qq)) return {-1, -1};
+  const double a = p.dot(point), b = q.dot(point);
+  return Vector2(qq * a - pq * b, pp * b - pq * a) / det;
+}
+
+Vector2 plane_shares(const Vector2& point, const Vector2& p, const Vector2& q) {
+  const double det = p.x() * q.y() - p.y() * q.x();
+  return Vector2(point.x() * q.y() - point.y() * q.x(), p.x() * point.y() - p.y() * point.x()) / det;
+}
+
+/// Two unit vectors square to a normal and to each other.
+std::array<Vector3, 2> plane_basis(const Vector3& normal) {
+  const Vector3 first = normal.unitOrthogonal();
+  return {first, normal.cross(first)};
+}
+
+/// Tangents at the ends of the cubic through the first and the last point, within planes, that comes nearest
+/// to the points at their share of the length.
+std::pair<Vector3, Vector3> fitted_cubic(const std::vector<Vector3>& points, const Vector3& first_normal,
+                                         const Vector3& last_normal) {
+  std::vector<double> along{0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    along.push_back(along.back() + (points[i] - points[i - 1]).norm());
+  const Vector3 straight = (points.back() - points.front()) / 3;
+  if (!(along.back() > 0) || first_normal.isZero(0) || last_normal.isZero(0)) return {straight, -straight};
+  const auto at_first = plane_basis(first_normal), at_last = plane_basis(last_normal);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4, 4);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(4);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double t = along[i] / along.back(), s = 1 - t, b1 = 3 * s * s * t, b2 = 3 * s * t * t;
+    const std::array<Vector3, 4> column{b1 * at_first[0], b1 * at_first[1], b2 * at_last[0], b2 * at_last[1]};
+    const Vector3 rest = points[i] - (s * s * s + b1) * points.front() - (t * t * t + b2) * points.back();
+    for (int a = 0; a < 4; ++a) {
+      right[a] += column[std::size_t(a)].dot(rest);
+      for (int b = 0; b < 4; ++b) matrix(a, b) += column[std::size_t(a)].dot(column[std::size_t(b)]);
+    }
+  }
+  const Eigen::VectorXd x = solve_symmetric(matrix, right);
+  return {x[0] * at_first[0] + x[1] * at_first[1], x[2] * at_last[0] + x[3] * at_last[1]};
+}
+
+}  // namespace
+
+Result<SurfaceForm> SurfaceForm::of(const PolyhedronSource& source) {
+  auto input = surface_input(source);
+  if (!input) return input.error();
+  PolyhedronSurfacer surfacer;
+  auto surface = surfacer.rebuild(*input);
+  if (!surface) return surface.error();
+  const auto frames = build_vertex_frames(input->polyhedron, input->shaping);
+  if (!frames) return frames.error();
+  FaceCharts charts = metric_charts(input->polyhedron, frames->half_turn);
+  return SurfaceForm(source, std::move(input).value(), std::move(surface).value(), std::move(charts));
+}
+
+SurfaceForm::SurfaceForm(const PolyhedronSource& source, PolyhedronSurfaceInput input,
+                         PolyhedronSurface surface, FaceCharts charts)
+    : source_(source), input_(std::move(input)), surface_(std::move(surface)), charts_(std::move(charts)) {
+  for (Index f = 0; f < input_.polyhedron.face_count(); ++f) {
+    const FaceId id = input_.polyhedron.face_id(f);
+    if (input_.aliases && input_.aliases->is_copy(id)) continue;
+    parts_[input_.aliases ? input_.aliases->original(id) : id].push_back(f);
+  }
+}
+
+std::optional<Bezier> SurfaceForm::curve(EdgeId edge) const {
+  const Polyhedron& polyhedron = input_.polyhedron;
+  const Index e = polyhedron.find(edge);
+  if (e == no_index) return std::nullopt;
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  const Index h = mesh.half_edge_of_edge(e), a = mesh.origin(h), b = mesh.target(h);
+  const Vector3 shift = input_.origin - source_.origin;
+  const Vector3 &start = surface_.network->start[h], &end = surface_.network->end[h];
+  const Vector3 first = polyhedron.position(a) + shift, last = polyhedron.position(b) + shift;
+  Bezier out{first, first + start, last + end, last};
+  if (polyhedron.vertex_id(a) != edge.low) std::reverse(out.begin(), out.end());
+  return out;
+}
+
+SurfaceForm::Sight SurfaceForm::sight(VertexId id) const {
+  const HalfEdgeMesh& mesh = input_.polyhedron.topology();
+  Sight out;
+  out.vertex = input_.polyhedron.find(id);
+  if (out.vertex == no_index) return out;
+  const Index first = mesh.outgoing(out.vertex);
+  for (Index h = first; h != no_index;) {
+    out.spots.push_back({mesh.face(h), charts_.corner[h]});
+    h = mesh.rotate(h);
+    if (h == first) break;
+  }
+  return out;
+}
+
+SurfaceForm::Sight SurfaceForm::sight(const RefinedPoint& place) const {
+  const Polyhedron& polyhedron = input_.polyhedron;
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  Sight out;
+  if (const auto* on = std::get_if<EdgePoint>(&place)) {
+    const Index e = polyhedron.find(on->edge);
+    if (e == no_index) {  // its faces were merged
+      const Sight low = sight(on->edge.low), high = sight(on->edge.high);
+      for (const Spot& a : low.spots)
+        for (const Spot& b : high.spots)
+          if (a.face == b.face && out.spots.empty())
+            out.spots.push_back({a.face, (1 - on->share) * a.chart + on->share * b.chart});
+      return out;
+    }
+    out.on = *on;
+    for (Index h = mesh.half_edge_of_edge(e); h != no_index;
+         h = h == mesh.half_edge_of_edge(e) ? mesh.twin(h) : no_index) {
+      const bool forward = polyhedron.vertex_id(mesh.origin(h)) == on->edge.low;
+      const double t = forward ? on->share : 1 - on->share;
+      out.spots.push_back({mesh.face(h), (1 - t) * charts_.corner[h] + t * charts_.corner[mesh.next(h)]});
+    }
+    return out;
+  }
+  const auto& in = std::get<FacePoint>(place);
+  const Vector3 position = in.position + source_.origin - input_.origin;
+  std::optional<Spot> best;
+  double best_distance = 0;
+  const FaceId whole = input_.aliases ? input_.aliases->merged.get_or(in.face, in.face) : in.face;
+  const auto found = parts_.find(whole);
+  if (found == parts_.end()) return out;
+  for (const Index f : found->second) {
+    const auto spot = spot_in_face(f, position);
+    if (!spot) continue;
+    const double distance = (point(*spot) - position).norm();
+    if (best && !(distance < best_distance)) continue;
+    best = spot;
+    best_distance = distance;
+  }
+  if (best) out.spots.push_back(*best);
+  return out;
+}
+
+std::optional<SurfaceForm::Spot> SurfaceForm::spot_in_face(Index face, const Vector3& position) const {
+  const Polyhedron& polyhedron = input_.polyhedron;
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  Vector3 middle = Vector3::Zero();
+  double round = 0;
+  for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {
+    const Vector3 &a = polyhedron.position(mesh.origin(h)), &b = polyhedron.position(mesh.target(h));
+    const double length = (b - a).norm();
+    middle += length * (a + b) / 2;
+    round += length;
+  }
+  if (!(round > 0)) return std::nullopt;
+  middle /= round;
+  std::optional<Spot> out;
+  double least = 0;
+  for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {
+    const Vector2 found =
+        plane_shares(Vector3(position - middle), Vector3(polyhedron.position(mesh.origin(h)) - middle),
+                     Vector3(polyhedron.position(mesh.target(h)) - middle));
+    if (out && !(found.minCoeff() > least)) continue;
+    least = found.minCoeff();
+    const Vector2 inside = found.cwiseMax(0.0) / std::max(1.0, found.cwiseMax(0.0).sum());
+    out = Spot{face, inside.x() * charts_.corner[h] + inside.y() * charts_.corner[mesh.next(h)]};
+  }
+  return out;
+}
+
+std::pair<Index, Vector2> SurfaceForm::parameter(const Spot& spot) const {
+  const HalfEdgeMesh& mesh = input_.polyhedron.topology();
+  Index patch = mesh.face_begin(spot.face);
+  Vector2 best(-1, -1);
+  for (Index h = patch; h < mesh.face_end(spot.face); ++h) {
+    const Vector2 found = plane_shares(spot.chart, charts_.corner[h], charts_.corner[mesh.next(h)]);
+    if (h != patch && !(found.minCoeff() > best.minCoeff())) continue;
+    patch = h;
+    best = found;
+  }
+  best = best.cwiseMax(0.0);
+  return {patch, best / std::max(1.0, best.sum())};
+}
+
+Vector3 SurfaceForm::point(const Spot& spot) const {
+  const auto [patch, at] = parameter(spot);
+  return surface_.surface.patches().evaluate(patch, at, Order::first).position;
+}
+
+std::optional<Vector3> SurfaceForm::point(const Sight& sight) const {
+  const Vector3 shift = source_.origin - input_.origin;
+  if (sight.on)
+    if (const auto own = curve(sight.on->edge)) return bezier_point(*own, sight.on->share) + shift;
+  if (sight.spots.empty()) return std::nullopt;
+  return point(sight.spots.front());
+}
+
+std::optional<std::pair<Vector3, Vector3>> SurfaceForm::tangents_along_edge(const Sight& a,
+                                                                            const Sight& b) const {
+  const Polyhedron& polyhedron = input_.polyhedron;
+  if (a.vertex != no_index && b.vertex != no_index) {
+    const auto own = curve(EdgeId::of(polyhedron.vertex_id(a.vertex), polyhedron.vertex_id(b.vertex)));
+    if (!own) return std::nullopt;
+    const bool forward = polyhedron.vertex_id(a.vertex) < polyhedron.vertex_id(b.vertex);
+    const Vector3 low = bezier_tangent(*own, 0), high = -bezier_tangent(*own, 1);
+    return forward ? std::pair(low, high) : std::pair(high, low);
+  }
+  if (!a.on && !b.on) return std::nullopt;
+  const EdgeId edge = a.on ? a.on->edge : b.on->edge;
+  const auto along = [&](const Sight& sight) -> std::optional<double> {
+    if (sight.on && sight.on->edge == edge) return sight.on->share;
+    if (sight.vertex == no_index) return std::nullopt;
+    const VertexId id = polyhedron.vertex_id(sight.vertex);
+    return id == edge.low ? std::optional(0.0) : id == edge.high ? std::optional(1.0) : std::nullopt;
+  };
+  const auto from = along(a), to = along(b);
+  const auto own = curve(edge);
+  if (!from || !to || !own) return std::nullopt;
+  return std::pair<Vector3, Vector3>((*to - *from) * bezier_tangent(*own, *from),
+                                     (*from - *to) * bezier_tangent(*own, *to));
+}
+
+std::pair<Vector3, Vector3> SurfaceForm::tangents_across(const Spot& a, const Spot& b) const {
+  std::vector<Vector3> points;
+  for (int i = 0; i <= fitted_points; ++i) {
+    const double t = double(i) / fitted_points;
+    points.push_back(point({a.face, (1 - t) * a.chart + t * b.chart}));
+  }
+  const auto normal = [&](const Spot& spot) {
+    const auto [patch, at] = parameter(spot);
+    return surface_.surface.normal(patch, at);
+  };
+  return fitted_cubic(points, normal(a), normal(b));
+}
+
+std::optional<std::pair<Vector3, Vector3>> SurfaceForm::tangents(const Sight& a, const Sight& b) const {
+  if (auto along = tangents_along_edge(a, b)) return along;
+  for (const Spot& from : a.spots)
+    for (const Spot& to : b.spots)
+      if (from.face == to.face) return tangents_across(from, to);
+  return std::nullopt;
+}
+
+std::vector<Vector3> SurfaceForm::normals_across(const Spot& a, const Spot& b, bool by_length) const {
+  const auto at = [&](double t) { return Spot{a.face, (1 - t) * a.chart + t * b.chart}; };
+  std::vector<double> along{0};
+  for (int i = 1; by_length && i <= fitted_points; ++i)
+    along.push_back(along.back() +
+                    (point(at(double(i) / fitted_points)) - point(at(double(i - 1) / fitted_points))).norm());
+  std::vector<Vector3> out;
+  for (const double share : wanted_shares) {
+    double t = share;
+    if (by_length && along.back() > 0) {
+      std::size_t i = 1;
+      while (i + 1 < along.size() && along[i] < share * along.back()) ++i;
+      const double part = (share * along.back() - along[i - 1]) / std::max(along[i] - along[i - 1], 1e-300);
+      t = (double(i - 1) + std::clamp(part, 0.0, 1.0)) / fitted_points;
+    }
+    const auto [patch, parameters] = parameter(at(t));
+    out.push_back(surface_.surface.normal(patch, parameters));
+    if (out.back().isZero(0)) return {};
+  }
+  return out;
+}
+
+std::vector<Vector3> SurfaceForm::normals(const Sight& a, const Sight& b) const {
+  const bool along = tangents_along_edge(a, b).has_value();
+  for (const Spot& from : a.spots)
+    for (const Spot& to : b.spots)
+      if (from.face == to.face) return normals_across(from, to, !along);
+  return {};
+}
+
+Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const RefinedPoints& places) const {
+  std::map<VertexId, Sight> new_sights;
+  std::vector<Index> vertices;
+  std::vector<Vector3> positions;
+  for (const auto& [id, place] : places) {
+    const Index v = after.polyhedron.find(id);
+    if (v == no_index) continue;
+    Sight found = sight(place);
+    if (const auto on = point(found)) {
+      vertices.push_back(v);
+      positions.push_back(*on + input_.origin - after.origin);
+    }
+    new_sights.emplace(id, std::move(found));
+  }
+  auto moved = after.polyhedron.with_positions(vertices, positions);
+  if (!moved) return moved.error();
+  after.polyhedron = std::move(moved).value();
+  if (frames_in(after.mode, after.frames) != Frames::metric) return after;
+
+  Shaping shaping = *after.shaping;
+  shaping.form = {};
+  after.shaping = shaping;
+  const auto prepared = surface_input(after);
+  if (!prepared) return prepared.error();
+  const auto sight_of = [&](VertexId id) {
+    const auto found = new_sights.find(id);
+    return found == new_sights.end() ? sight(id) : found->second;
+  };
+  auto forms =
+      kept_tangents(*prepared, [&](VertexId a, VertexId b) { return tangents(sight_of(a), sight_of(b)); });
+  if (!forms) return forms.error();
+  shaping.form = std::move(forms).value();
+  after.shaping = shaping;
+  if (after.mode == Mode::fair && !shaping.form.empty()) {
+    const auto with_tangents = surface_input(after);
+    if (!with_tangents) return with_tangents.error();
+    Vector3 image = Vector3::Ones();
+    if (after.mirror) image[index_of(after.mirror->axis)] = -1;
+    auto pulled = with_pulls(*with_tangents, image,
+                             [&](VertexId a, VertexId b) { return normals(sight_of(a), sight_of(b)); });
+    if (!pulled) return pulled.error();
+    shaping.form = std::move(pulled).value();
+  }
+  FlatMap<VertexId, KeptForm> kept;
+  for (const auto& [id, form] : shaping.form)
+    if (says_something(form)) kept.set(id, form);
+  shaping.form = std::move(kept);
+  after.shaping = std::move(shaping);
+  return after;
+}
+
+std::optional<SurfaceForm> form_to_keep(const PolyhedronSource& source) {
+  if (frames_in(source.mode, source.frames) != Frames::metric) return std::nullopt;
+  auto form = SurfaceForm::of(source);
+  return form ? std::optional(std::move(form).value()) : std::nullopt;
+}
+
+Result<Modeled> finish_refined(MeshDraft&& draft, ElementSet selection, const SurfaceForm* on) {
+  const RefinedPoints places = draft.places();
+  auto modeled = std::move(draft).finish(std::move(selection));
+  if (!modeled || !on) return modeled;
+  auto kept = on->keep(std::move(modeled.value().source), places);
+  if (!kept) return kept.error();
+  modeled.value().source = std::move(kept).value();
+  return modeled;
+}
+
+}  // namespace hariko

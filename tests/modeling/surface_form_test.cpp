@@ -1,0 +1,302 @@
+// Refinements that keep the form of the surface.
+
+#include "core/modeling/surface_form.hpp"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "core/analysis/measures.hpp"
+#include "core/approximation/triangle_tree.hpp"
+#include "core/document/edit_objects.hpp"
+#include "core/document/format.hpp"
+#include "core/modeling/cut.hpp"
+#include "core/modeling/dissolve.hpp"
+#include "core/modeling/edge_paths.hpp"
+#include "core/modeling/flip.hpp"
+#include "core/modeling/halve.hpp"
+#include "core/modeling/join.hpp"
+#include "core/modeling/loop_cut.hpp"
+#include "core/modeling/mirrored.hpp"
+#include "core/modeling/primitives.hpp"
+#include "core/modeling/subdivide.hpp"
+#include "tests/modeling/support.hpp"
+
+namespace hariko {
+namespace {
+
+using namespace test;
+
+/// A surface in space, with triangles of its patches to measure distances from.
+struct Shape {
+  explicit Shape(const PolyhedronSource& source) {
+    PolyhedronSurfacer surfacer;
+    surface = surfacer.rebuild(surface_input(source).value()).value().surface;
+    const GridPattern pattern{Domain::triangle, 24};
+    std::vector<Index> patches(surface.patch_count());
+    for (Index p = 0; p < surface.patch_count(); ++p) patches[p] = p;
+    points.resize(patches.size() * std::size_t(pattern.point_count()));
+    std::vector<Vector3> normals(points.size());
+    surface.patches().evaluate_grid(patches, pattern, points, normals);
+    for (Vector3& p : points) {
+      p += surface.origin();
+      box.extend(p);
+    }
+    for (const Index p : patches)
+      for (const auto& t : pattern.triangles()) {
+        std::array<Index, 3> triangle;
+        for (std::size_t k = 0; k < 3; ++k) triangle[k] = p * Index(pattern.point_count()) + Index(t[k]);
+        triangles.push_back(triangle);
+      }
+    bending = measure(surface).bending;
+  }
+  double size() const { return box.diagonal().norm(); }
+
+  Surface surface;
+  std::vector<Vector3> points;
+  std::vector<std::array<Index, 3>> triangles;
+  Eigen::AlignedBox3d box;
+  double bending = 0;
+};
+
+/// Largest distance between points of one and the other, as a share of the size.
+double distance(const Shape& a, const Shape& b) {
+  double worst = 0;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const TriangleTree tree(to->points, to->triangles);
+    for (std::size_t i = 0; i < from->points.size(); i += 7)
+      worst = std::max(worst, tree.nearest(from->points[i]).distance);
+  }
+  return worst / a.size();
+}
+
+PolyhedronSource box_of(const Vector3& size) {
+  BoxShape shape;
+  shape.size = size;
+  return as_new(source_of(make_primitive(shape).value()));
+}
+PolyhedronSource box() {
+  return box_of({62, 110, 36});
+}
+
+PolyhedronSource transformed(PolyhedronSource source, const Matrix3& linear, const Vector3& shift) {
+  std::vector<Index> vertices;
+  std::vector<Vector3> positions;
+  for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) {
+    vertices.push_back(v);
+    positions.push_back(linear * source.polyhedron.position(v));
+  }
+  source.polyhedron = source.polyhedron.with_positions(vertices, positions).value();
+  source.origin = linear * source.origin + shift;
+  return source;
+}
+
+TEST(SurfaceForm, NewVerticesLieOnTheSurface) {
+  const PolyhedronSource source = box();
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const Shape before(source);
+  const TriangleTree tree(before.points, before.triangles);
+  const PolyhedronSource after = subdivide_faces(source, all_faces(source), &form)->source;
+  ASSERT_EQ(after.polyhedron.vertex_count(), 26U);
+  for (Index v = 0; v < after.polyhedron.vertex_count(); ++v) {
+    const Vector3 p = after.origin + after.polyhedron.position(v);
+    if (source.polyhedron.find(after.polyhedron.vertex_id(v)) != no_index)
+      EXPECT_EQ(after.polyhedron.position(v), source.polyhedron.position(v));
+    else
+      EXPECT_LT(tree.nearest(p).distance, 1e-3 * before.size()) << "to the triangles' own error";
+  }
+  // The middle of an edge is that of its curve.
+  const EdgeId edge = source.polyhedron.edge_id(0);
+  const auto curve = form.curve(edge).value();
+  const Vector3 middle = (curve[0] + 3 * curve[1] + 3 * curve[2] + curve[3]) / 8;
+  double nearest = 1e300;
+  for (const Vector3& p : after.polyhedron.positions()) nearest = std::min(nearest, (p - middle).norm());
+  EXPECT_LT(nearest, 1e-12 * before.size());
+}
+
+TEST(SurfaceForm, WithoutItNewVerticesLieOnStraightEdges) {
+  const PolyhedronSource source = box();
+  const PolyhedronSource after = loop_cut(source, source.polyhedron.edge_id(0))->source;
+  EXPECT_TRUE(after.shaping->form.empty());
+  for (Index v = 8; v < after.polyhedron.vertex_count(); ++v) {
+    const Vector3 p = (after.origin + after.polyhedron.position(v)).cwiseAbs();
+    EXPECT_TRUE((p.array() < 1e-12 || (p - Vector3(31, 55, 18)).array().abs() < 1e-12).all());
+  }
+}
+
+TEST(SurfaceForm, EqualFramesHaveNone) {
+  PolyhedronSource source = box();
+  EXPECT_TRUE(form_to_keep(source).has_value());
+  source.frames = Frames::equal;
+  EXPECT_FALSE(form_to_keep(source).has_value());
+  source.frames = Frames::metric;
+  source.mode = Mode::paper;
+  EXPECT_FALSE(form_to_keep(source).has_value());
+}
+
+TEST(SurfaceForm, SizeAndPlaceDoNotMatter) {
+  const PolyhedronSource source = box_of({2, 3, 1});
+  const auto refined = [](const PolyhedronSource& of) {
+    const SurfaceForm form = SurfaceForm::of(of).value();
+    return loop_cut(of, of.polyhedron.edge_id(0), {.slide = 0.5}, &form)->source;
+  };
+  const PolyhedronSource plain = refined(source);
+  ASSERT_FALSE(plain.shaping->form.empty());
+  for (const double scale : {1e-3, 1.0, 1e6})
+    for (const Vector3& shift : {Vector3(0, 0, 0), Vector3(1e6, 1e6, 1e6)}) {
+      const Matrix3 turn = Eigen::AngleAxisd(1, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+      const PolyhedronSource other = refined(transformed(source, scale * turn, shift));
+      const PolyhedronSource moved = transformed(plain, scale * turn, shift);
+      for (Index v = 0; v < plain.polyhedron.vertex_count(); ++v)
+        EXPECT_LT((other.polyhedron.position(v) - moved.polyhedron.position(v)).norm(), 1e-9 * scale);
+      ASSERT_EQ(other.shaping->form.size(), plain.shaping->form.size());
+      for (auto a = other.shaping->form.begin(), b = plain.shaping->form.begin();
+           b != plain.shaping->form.end(); ++a, ++b) {
+        ASSERT_EQ(a->first, b->first);
+        ASSERT_EQ(a->second.edges.size(), b->second.edges.size());
+        for (std::size_t k = 0; k < a->second.edges.size(); ++k) {
+          const KeptForm::Edge &x = a->second.edges[k], &y = b->second.edges[k];
+          EXPECT_EQ(x.to, y.to);
+          EXPECT_NEAR(x.turn, y.turn, 1e-7);
+          EXPECT_NEAR(x.stretch, y.stretch, 1e-7);
+          EXPECT_LT((x.offset - y.offset).norm(), 1e-7);
+          EXPECT_LT((x.pull - y.pull).norm(), 1e-5 * (1 + y.pull.norm()));
+        }
+      }
+    }
+}
+
+TEST(SurfaceForm, TheFormTurnsAndGrowsWithThePolyhedron) {
+  const PolyhedronSource source = box();
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const PolyhedronSource refined =
+      loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &form)->source;
+  const Matrix3 linear = 3 * Eigen::AngleAxisd(2, Vector3(1, -2, 1).normalized()).toRotationMatrix();
+  const Shape here(refined), there(transformed(refined, linear, {5, 6, 7}));
+  ASSERT_EQ(here.points.size(), there.points.size());
+  for (std::size_t i = 0; i < here.points.size(); i += 11)
+    EXPECT_LT((linear * here.points[i] + Vector3(5, 6, 7) - there.points[i]).norm(), 1e-8 * there.size());
+}
+
+TEST(SurfaceForm, ImagesAndTurnedFacesHaveTheImage) {
+  const PolyhedronSource source = box();
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const PolyhedronSource refined =
+      loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &form)->source;
+  const Shape here(refined);
+  const Shape image(mirror_object(refined, Axis::y).source);
+  Shape reflected = here;
+  for (Vector3& p : reflected.points) p.y() = -p.y();
+  EXPECT_LT(distance(reflected, image), 1e-5);
+  EXPECT_NEAR(image.bending, here.bending, 1e-6 * here.bending);
+  const Shape flipped(flip_faces(refined, all_faces(refined))->source);
+  EXPECT_LT(distance(here, flipped), 1e-5);
+  EXPECT_NEAR(flipped.bending, here.bending, 1e-6 * here.bending);
+}
+
+TEST(SurfaceForm, JoinedObjectsKeepTheirForms) {
+  const PolyhedronSource source = box();
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const PolyhedronSource refined =
+      loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &form)->source;
+  Similarity aside;
+  aside.translation = {500, 0, 0};
+  const PolyhedronSource both = join(source, refined, aside)->source;
+  EXPECT_EQ(both.shaping->form.size(), refined.shaping->form.size());
+  const Shape alone(source), twice(both);
+  EXPECT_NEAR(twice.bending, alone.bending + Shape(refined).bending, 1e-6 * alone.bending);
+}
+
+TEST(SurfaceForm, FormsGoWhereTheEdgesChange) {
+  const PolyhedronSource source = box();
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const Modeled cut = loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &form).value();
+  const std::vector<EdgeId> loop(cut.selection.edges.begin(), cut.selection.edges.end());
+  const PolyhedronSource again = dissolve_edges(cut.source, loop)->source;
+  for (const auto& [id, kept] : again.shaping->form)
+    for (const KeptForm::Edge& edge : kept.edges)
+      EXPECT_NE(again.polyhedron.find(EdgeId::of(id, edge.to)), no_index);
+  expect_surface(again);
+}
+
+TEST(SurfaceForm, FormsAreSaved) {
+  const PolyhedronSource source = box();
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const Document document =
+      add_object({}, "Box", loop_cut(source, source.polyhedron.edge_id(0), {}, &form)->source)
+          .value()
+          .document;
+  const Result<Document> read = read_document(write_document(document));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, document);
+  EXPECT_FALSE(read->objects[0]->polyhedron()->shaping->form.empty());
+}
+
+/// The whole of a live mirror and the same made by the designer.
+TEST(SurfaceForm, LiveMirrorsAndAppliedOnesAgree) {
+  const PolyhedronSource source = box();
+  const Mirror mirror{Axis::x, 1e-6};
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  PolyhedronSource half = halved(source, mirror, &form)->source;
+  half.mirror = mirror;
+  const Shape live(half), applied(baked(half).value());
+  EXPECT_LT(distance(live, applied), 1e-6);
+  for (const Vector3& p : live.points)
+    EXPECT_LT(TriangleTree(live.points, live.triangles).nearest({-p.x(), p.y(), p.z()}).distance,
+              1e-3 * live.size())
+        << "its own image";
+}
+
+TEST(SurfaceForm, RefinementsKeepTheSurface) {
+  struct Case {
+    const char* name;
+    PolyhedronSource source;
+  };
+  std::vector<Case> cases{{"box", box()}};
+  PrismShape cylinder;
+  cylinder.sides = 12;
+  cases.push_back({"cylinder", as_new(source_of(make_primitive(cylinder).value()))});
+  for (const Case& each : cases) {
+    const PolyhedronSource& source = each.source;
+    const SurfaceForm form = SurfaceForm::of(source).value();
+    const Shape before(source);
+    const auto expect_kept = [&](const PolyhedronSource& after, double most, double bending,
+                                 const char* what) {
+      const Shape now(after);
+      EXPECT_LT(distance(before, now), most) << each.name << ": " << what;
+      EXPECT_NEAR(now.bending / before.bending, 1, bending) << each.name << ": " << what;
+    };
+    std::set<EdgeId> seen;
+    for (const EdgeId edge : all_edges(source)) {
+      const auto ring = edge_ring(source.polyhedron, edge);
+      if (!seen.insert(ring.front()).second || ring.size() < 2) continue;
+      seen.insert(ring.begin(), ring.end());
+      for (const double at : {0.25, 0.5})
+        expect_kept(loop_cut(source, edge, {.slide = 2 * at - 1}, &form)->source, 0.055, 0.65, "loop");
+    }
+    expect_kept(subdivide_faces(source, all_faces(source), &form)->source, 0.01, 0.05, "all faces");
+    expect_kept(subdivide_faces(source, std::vector<FaceId>{source.polyhedron.face_id(0)}, &form)->source,
+                0.025, 0.05, "one face");
+  }
+}
+
+/// Random refinements one after the other never leave a polyhedron whose surface cannot be made.
+TEST(SurfaceForm, OfRandomShapes) {
+  for_random(911, 30, [](std::mt19937_64& rng) {
+    PolyhedronSource source = as_new(random_shape_source(rng));
+    for (int step = 0; step < 3 && source.polyhedron.face_count() < 300; ++step) {
+      const auto form = form_to_keep(source);
+      if (!form) return;
+      const int which = uniform_int(rng, 0, 3);
+      const auto result = which == 0   ? loop_cut(source, source.polyhedron.edge_id(0), {}, &*form)
+                          : which == 1 ? subdivide_faces(source, random_faces(source, rng), &*form)
+                          : which == 2 ? subdivide_edges(source, random_edges(source, rng), 1, &*form)
+                                       : poke_faces(source, random_faces(source, rng), &*form);
+      expect_same_euler(source, result);
+      if (result) source = result->source;
+    }
+    expect_surface(source);
+  });
+}
+
+}  // namespace
+}  // namespace hariko
