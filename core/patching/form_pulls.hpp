@@ -3,6 +3,7 @@
 // Forces beside edges that kept forms hold, so that the faces of a refined polyhedron in mode FAIR lean as
 // they did before (kuriyama.md section 12.7).
 
+#include <array>
 #include <functional>
 #include <vector>
 

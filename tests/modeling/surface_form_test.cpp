@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include <set>
 
 #include "core/analysis/measures.hpp"
 #include "core/approximation/triangle_tree.hpp"
