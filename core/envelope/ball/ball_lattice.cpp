@@ -1,0 +1,200 @@
+#include "core/envelope/ball/ball_lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Values are wanted where they are between these, of sigma: the kernel does not reach farther from the
+/// surface with any weight that counts.
+constexpr double deepest = -2.8, highest = 3.2;
+constexpr double margin = 5.5;       ///< of sigma, round the solids
+constexpr double accuracy = 1e-3;    ///< of sigma
+constexpr double noticeable = 1e-2;  ///< of sigma: a neighbour's centre that is so much better is tried
+
+class Lattice {
+ public:
+  Lattice(const LatticeRequest& request, const CancelToken& cancel)
+      : request_(request),
+        cancel_(cancel),
+        spacing_(lattice_spacing(request.sigma, request.passes)),
+        closing_(request.solids, request.radius, accuracy * request.sigma) {
+    const Eigen::AlignedBox3d& box = request.solids.box();
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      double low = box.min()[a] + request.origin[a], high = box.max()[a] + request.origin[a];
+      if (request.mirror == a) high = std::max(high, -low), low = -high;
+      // Ends are even, so that every second node is one of the coarse lattice.
+      low_[a] = 2 * std::floor((low - margin * request.sigma) / spacing_ / 2);
+      const double last = 2 * std::ceil((high + margin * request.sigma) / spacing_ / 2);
+      size_[std::size_t(a)] = int(last - low_[a]) + 1;
+    }
+    nodes_.resize(std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]));
+    state_.assign(nodes_.size(), State::open);
+  }
+
+  SplineField make(LatticeReport* report) {
+    visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n); });
+    improve(2);
+    visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+      if (state_[at] == State::open) refine(at, n);
+    });
+    improve(1);
+    std::vector<double> values(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) values[i] = nodes_[i].value;
+    if (request_.mirror) even(values);
+    for (int pass = 0; pass < request_.passes; ++pass) smooth(values);
+    if (report) {
+      report->nodes = nodes_.size();
+      report->evaluated =
+          std::size_t(std::ranges::count_if(state_, [](State s) { return s == State::known; }));
+      report->crease = std::size_t(std::ranges::count_if(nodes_, [](const auto& n) { return n.crease; }));
+    }
+    return SplineField(point({0, 0, 0}), spacing_, size_, std::move(values));
+  }
+
+ private:
+  enum class State : char { open, known, between };
+
+  std::size_t index(int i, int j, int k) const {
+    return (std::size_t(k) * std::size_t(size_[1]) + std::size_t(j)) * std::size_t(size_[0]) + std::size_t(i);
+  }
+  Vector3 point(const std::array<int, 3>& n) const {
+    return spacing_ * (low_ + Vector3(n[0], n[1], n[2])) - request_.origin;
+  }
+
+  /// Every `step`th node, slices at once.
+  template <class Each>
+  void visit(int step, const Each& each) {
+    const auto slices = std::size_t((size_[2] - 1) / step + 1);
+    parallel_for(slices, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t slice = begin; slice < end && !cancel_.cancelled(); ++slice) {
+        const int k = int(slice) * step;
+        for (int j = 0; j < size_[1]; j += step)
+          for (int i = 0; i < size_[0]; i += step) each(index(i, j, k), std::array<int, 3>{i, j, k});
+      }
+    });
+  }
+
+  std::span<const Index> among() const { return request_.solids.all(); }
+
+  void evaluate(std::size_t at, const std::array<int, 3>& n) {
+    nodes_[at] = closing_.at(point(n), among());
+    state_[at] = State::known;
+  }
+
+  bool in_band(double low, double high) const {
+    return high > deepest * request_.sigma && low < highest * request_.sigma;
+  }
+
+  /// From the coarse nodes about it, which say in what range the value lies.
+  void refine(std::size_t at, const std::array<int, 3>& n) {
+    std::array<std::array<int, 2>, 3> ends;
+    double square = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const int odd = n[a] & 1;
+      ends[a] = {n[a] - odd, n[a] + odd};
+      square += odd;
+    }
+    const double way = spacing_ * std::sqrt(square);
+    double sum = 0, low = -1e300, high = 1e300;
+    for (std::size_t c = 0; c < 8; ++c) {
+      const double value = nodes_[index(ends[0][c & 1], ends[1][c >> 1 & 1], ends[2][c >> 2])].value;
+      sum += value / 8;
+      low = std::max(low, value - way);
+      high = std::min(high, value + way);
+    }
+    if (in_band(low, high)) return evaluate(at, n);
+    nodes_[at].value = sum;
+    state_[at] = State::between;
+  }
+
+  /// A search may end in a centre that is not the nearest one: those of neighbours are tried.
+  void improve(int step) {
+    for (const bool forward : {true, false}) {
+      if (cancel_.cancelled()) return;
+      const auto along = [&](int a, int x) { return forward ? x : size_[std::size_t(a)] - 1 - x; };
+      for (int k = 0; k < size_[2]; k += step)
+        for (int j = 0; j < size_[1]; j += step)
+          for (int i = 0; i < size_[0]; i += step) {
+            const std::array<int, 3> n{along(0, i), along(1, j), along(2, k)};
+            const std::size_t at = index(n[0], n[1], n[2]);
+            if (state_[at] == State::known && nodes_[at].crease) improve_node(at, n, step);
+          }
+    }
+  }
+
+  void improve_node(std::size_t at, const std::array<int, 3>& n, int step) {
+    const Vector3 x = point(n);
+    double best = nodes_[at].value + noticeable * request_.sigma;
+    const Vector3* start = nullptr;
+    for (int k = std::max(n[2] - step, 0); k <= std::min(n[2] + step, size_[2] - 1); k += step)
+      for (int j = std::max(n[1] - step, 0); j <= std::min(n[1] + step, size_[1] - 1); j += step)
+        for (int i = std::max(n[0] - step, 0); i <= std::min(n[0] + step, size_[0] - 1); i += step) {
+          const std::size_t other = index(i, j, k);
+          if (state_[other] != State::known || other == at) continue;
+          const double value = request_.radius - (nodes_[other].centre - x).norm();
+          if (value > best) best = value, start = &nodes_[other].centre;
+        }
+    if (start) nodes_[at] = closing_.improved(x, nodes_[at], *start, among());
+  }
+
+  /// The larger of a node's value and that of its image: both are safe.
+  void even(std::vector<double>& values) const {
+    const auto axis = std::size_t(*request_.mirror);
+    for (int k = 0; k < size_[2]; ++k)
+      for (int j = 0; j < size_[1]; ++j)
+        for (int i = 0; i < size_[0]; ++i) {
+          std::array<int, 3> n{i, j, k};
+          n[axis] = size_[axis] - 1 - n[axis];
+          double &a = values[index(i, j, k)], &b = values[index(n[0], n[1], n[2])];
+          a = b = std::max(a, b);
+        }
+  }
+
+  /// (1 2 1) / 4 along each axis. The same sums in either direction.
+  void smooth(std::vector<double>& values) const {
+    const std::array<std::size_t, 3> stride{1, std::size_t(size_[0]),
+                                            std::size_t(size_[0]) * std::size_t(size_[1])};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t s = stride[axis], n = std::size_t(size_[axis]);
+      const std::size_t lines = values.size() / n;
+      parallel_for(lines, 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t line = begin; line < end; ++line) {
+          double* v = values.data() + line / s * s * n + line % s;
+          double before = v[0];
+          for (std::size_t i = 0; i < n; ++i) {
+            const double here = v[i * s], after = v[std::min(i + 1, n - 1) * s];
+            v[i * s] = 0.5 * here + 0.25 * (before + after);
+            before = here;
+          }
+        }
+      });
+    }
+  }
+
+  const LatticeRequest& request_;
+  const CancelToken& cancel_;
+  double spacing_;
+  Closing closing_;
+  Vector3 low_;  ///< of the first node, in spacings from the object's zero
+  std::array<int, 3> size_{};
+  std::vector<ClosedDistance> nodes_;
+  std::vector<State> state_;
+};
+
+}  // namespace
+
+double lattice_spacing(double sigma, int passes) {
+  return sigma / std::sqrt(0.5 * passes + 1.0 / 3);
+}
+
+SplineField smoothed_closing(const LatticeRequest& request, LatticeReport* report,
+                             const CancelToken& cancel) {
+  return Lattice(request, cancel).make(report);
+}
+
+}  // namespace hariko

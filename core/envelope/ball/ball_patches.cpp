@@ -1,0 +1,231 @@
+#include "core/envelope/ball/ball_patches.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/base/assert.hpp"
+#include "core/base/ids.hpp"
+#include "core/base/parallel.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr int fit_intervals = 8;
+/// Where curvature across a side is set right, as fractions of it.
+constexpr std::array<double, 3> bend_places{0.2, 0.5, 0.8};
+
+/// A side with the field of directions across it, in the surface's tangent planes, to its left.
+struct Ribbon {
+  Quintic curve;
+  std::array<Vector3, 4> across;  ///< cubic Bezier
+
+  Ribbon turned() const { return {reversed(curve), {-across[3], -across[2], -across[1], -across[0]}}; }
+};
+
+/// Tangent at a: as long as the arc of a circle over the chord with this direction.
+Vector3 arc_tangent(const Vector3& chord, const Vector3& normal) {
+  const Vector3 flat = chord - chord.dot(normal) * normal;
+  const double cosine = std::clamp(flat.norm() / chord.norm(), 0.3, 1.0);
+  const double angle = std::acos(cosine);
+  const double stretch = angle > 1e-6 ? angle / (std::sin(angle) * cosine) : 1;
+  return stretch * flat;
+}
+
+Ribbon ribbon_between(const SplineField& field, const Vector3& a, const SurfaceForm& at_a, const Vector3& b,
+                      const SurfaceForm& at_b) {
+  const Vector3 chord = b - a, ta = arc_tangent(chord, at_a.normal), tb = arc_tangent(chord, at_b.normal);
+  Ribbon out;
+  out.curve = {a,
+               a + ta / 5,
+               a + 0.4 * ta + at_a.along(ta) / 20 * at_a.normal,
+               b - 0.4 * tb + at_b.along(tb) / 20 * at_b.normal,
+               b - tb / 5,
+               b};
+  std::array<Vector3, 4> at;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double t = double(i) / 3;
+    Vector3 normal = i == 0 ? at_a.normal : at_b.normal;
+    if (i == 1 || i == 2)
+      normal = field.at(projected(field, value_at(out.curve, t), 2, 0.25 * chord.norm()))
+                   .gradient.stableNormalized();
+    at[i] = normal.cross(derivative_at(out.curve, t));
+  }
+  out.across = {at[0], (-5 * at[0] + 18 * at[1] - 9 * at[2] + 2 * at[3]) / 6,
+                (2 * at[0] - 9 * at[1] + 18 * at[2] - 5 * at[3]) / 6, at[3]};
+  return out;
+}
+
+/// (a (1 - t) + b t) times a Bezier curve.
+template <std::size_t N>
+std::array<Vector3, N + 1> times_linear(const std::array<Vector3, N>& curve, double a, double b) {
+  std::array<Vector3, N + 1> out;
+  for (std::size_t i = 0; i <= N; ++i) {
+    out[i] = Vector3::Zero();
+    if (i < N) out[i] += double(N - i) / double(N) * a * curve[i];
+    if (i > 0) out[i] += double(i) / double(N) * b * curve[i - 1];
+  }
+  return out;
+}
+
+/// Derivatives into the patch along a side, in its tangent planes, that are `start` and `end` at the corners.
+Quintic inward_field(const Ribbon& side, const Vector3& start, const Vector3& end) {
+  std::array<Vector3, 5> rate;
+  for (std::size_t i = 0; i < 5; ++i) rate[i] = 5 * (side.curve[i + 1] - side.curve[i]);
+  const auto share = [](const Vector3& of, const Vector3& along) {
+    const double square = along.squaredNorm();
+    return square > 0 ? of.dot(along) / square : 0.0;
+  };
+  const auto across =
+      times_linear(times_linear(side.across, share(start, side.across[0]), share(end, side.across[3])), 1, 1);
+  const auto along = times_linear(rate, share(start, rate[0]), share(end, rate[4]));
+  Quintic out;
+  for (std::size_t i = 0; i < 6; ++i) out[i] = across[i] + along[i];
+  return out;
+}
+
+/// Sets the second derivatives across all sides right in a few places.
+void set_bends(const SplineField& field, HermitePatch& patch) {
+  for (std::size_t side = 0; side < 4; ++side) {
+    std::array<Vector3, 3> wanted;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double t = bend_places[i], s = 1 - t;
+      const PatchPoint at = evaluate(patch, side_parameter(Domain::square, int(side), t), Order::second);
+      const bool along_u = side % 2 == 0;
+      const Vector3 &across = along_u ? at.dt : at.ds, &second = along_u ? at.dtt : at.dss;
+      const SurfaceForm form = surface_form(field, at.position);
+      wanted[i] = (form.along(across) - second.dot(form.normal)) / (64 * t * t * t * s * s * s) * form.normal;
+    }
+    // Through -1, 0, 1 of (t - 1/2) / 0.3.
+    const double scale = 1 / (bend_places[2] - bend_places[1]), shift = -bend_places[1] * scale;
+    const Vector3 c1 = 0.5 * (wanted[2] - wanted[0]), c2 = 0.5 * (wanted[2] + wanted[0]) - wanted[1];
+    patch.bend[side] = {wanted[1] + shift * c1 + shift * shift * c2, scale * c1 + 2 * scale * shift * c2,
+                        scale * scale * c2};
+  }
+}
+
+}  // namespace
+
+std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage& cage) {
+  std::vector<SurfaceForm> forms(cage.positions.size());
+  parallel_for(forms.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) forms[v] = surface_form(field, cage.positions[v]);
+  });
+  std::map<std::pair<Index, Index>, Index> numbers;
+  std::vector<std::pair<Index, Index>> sides;
+  for (const auto& quad : cage.quads)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto ends = std::minmax(quad[i], quad[(i + 1) % 4]);
+      if (numbers.try_emplace({ends.first, ends.second}, Index(sides.size())).second)
+        sides.emplace_back(ends.first, ends.second);
+    }
+  std::vector<Ribbon> ribbons(sides.size());
+  parallel_for(sides.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const auto& [a, b] = sides[s];
+      ribbons[s] = ribbon_between(field, cage.positions[a], forms[a], cage.positions[b], forms[b]);
+    }
+  });
+  std::vector<HermitePatch> out(cage.quads.size());
+  parallel_for(out.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t q = begin; q < end; ++q) {
+      const auto& quad = cage.quads[q];
+      std::array<Ribbon, 4> loop;
+      std::array<Quintic, 4> curves, inwards;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Index a = quad[i], b = quad[(i + 1) % 4];
+        const Ribbon& ribbon = ribbons[numbers.at({std::min(a, b), std::max(a, b)})];
+        loop[i] = a < b ? ribbon : ribbon.turned();
+        curves[i] = loop[i].curve;
+      }
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Quintic &before = curves[(i + 3) % 4], &after = curves[(i + 1) % 4];
+        inwards[i] = inward_field(loop[i], 5 * (before[4] - before[5]), 5 * (after[1] - after[0]));
+      }
+      out[q] = HermitePatch::from_loop(curves, inwards);
+      set_bends(field, out[q]);
+    }
+  });
+  return out;
+}
+
+std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches) {
+  const HermitePatchSet set({patches.begin(), patches.end()});
+  const GridPattern pattern{Domain::square, fit_intervals};
+  const auto count = std::size_t(pattern.point_count());
+  std::vector<PatchFit> out(patches.size());
+  parallel_for(patches.size(), 8, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector3> positions(count), normals(count), wanted(count);
+    for (std::size_t q = begin; q < end; ++q) {
+      PatchFit& fit = out[q];
+      const Index one[]{Index(q)};
+      set.evaluate_grid(one, pattern, positions, normals);
+      for (std::size_t i = 0; i < count; ++i) {
+        const FieldPoint at = field.at(positions[i]);
+        const double slope = at.gradient.norm();
+        const double away = slope > 0 ? at.value / slope : 0;
+        fit.outward = std::max(fit.outward, away);
+        fit.inward = std::max(fit.inward, -away);
+        wanted[i] = slope > 0 ? Vector3(at.gradient / slope) : normals[i];
+        fit.least_agreement = std::min(fit.least_agreement, normals[i].dot(wanted[i]));
+      }
+      const auto angle = [&](int i, int j, int k, int l) {
+        const Vector3 &a = wanted[std::size_t(pattern.index(i, j))],
+                      &b = wanted[std::size_t(pattern.index(k, l))];
+        return std::atan2(a.cross(b).norm(), a.dot(b));
+      };
+      for (int line = 0; line <= fit_intervals; ++line) {
+        double u = 0, v = 0;
+        for (int i = 0; i < fit_intervals; ++i)
+          u += angle(i, line, i + 1, line), v += angle(line, i, line, i + 1);
+        fit.turn = {std::max(fit.turn[0], u), std::max(fit.turn[1], v)};
+      }
+    }
+  });
+  return out;
+}
+
+Surface ball_surface(const SplineField& field, const BallCage& cage, std::vector<HermitePatch> patches,
+                     const Vector3& origin) {
+  auto provenance = std::make_shared<std::vector<Provenance>>();
+  auto nodes = std::make_shared<std::vector<Index>>();
+  auto seams = std::make_shared<std::vector<Seam>>();
+  std::map<std::pair<Index, Index>, PatchSide> open;
+  for (Index q = 0; q < cage.quads.size(); ++q) {
+    provenance->push_back({element_of(FaceId{q}), 0});
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index a = cage.quads[q][k], b = cage.quads[q][(k + 1) % 4];
+      nodes->push_back(a);
+      const PatchSide here{q, std::uint8_t(k)};
+      const auto found = open.find({b, a});
+      if (found == open.end()) {
+        HARIKO_ASSERT(open.emplace(std::pair{a, b}, here).second, "two sides run the same way");
+        continue;
+      }
+      Seam seam;
+      seam.first = found->second;
+      seam.second = here;
+      seam.source = element_of(EdgeId::of(VertexId{a}, VertexId{b}));
+      seams->push_back(seam);
+      open.erase(found);
+    }
+  }
+  HARIKO_ASSERT(open.empty(), "the cage is closed");
+  std::vector<Vector3> normals;
+  for (const Vector3& p : cage.positions) normals.push_back(field.at(p).gradient.stableNormalized());
+  Surface::Parts parts;
+  parts.origin = origin;
+  parts.patches = std::make_shared<const HermitePatchSet>(std::move(patches));
+  parts.seams = std::move(seams);
+  parts.provenance = std::move(provenance);
+  parts.corner_nodes = std::move(nodes);
+  parts.node_count = Index(cage.positions.size());
+  parts.node_normals = std::make_shared<const std::vector<Vector3>>(std::move(normals));
+  parts.boundary_sides = std::make_shared<const std::vector<PatchSide>>();
+  parts.boundary_sources = std::make_shared<const std::vector<Element>>();
+  return Surface(std::move(parts));
+}
+
+}  // namespace hariko

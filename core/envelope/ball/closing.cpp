@@ -1,0 +1,170 @@
+#include "core/envelope/ball/closing.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace hariko {
+
+namespace {
+
+/// The ball's centre has to stay out of it: a ball inside of a solid, grown by the radius of the rolling one.
+struct Obstacle {
+  Vector3 centre;
+  double radius;
+};
+
+constexpr std::size_t most_obstacles = 8;
+constexpr int most_rounds = 12;
+
+/// Nearest point to x outside of a few obstacles, among the points that lie on the last one.
+class NearestOutside {
+ public:
+  NearestOutside(const Vector3& x, std::span<const Obstacle> obstacles) : x_(x), obstacles_(obstacles) {
+    const std::size_t last = obstacles.size() - 1;
+    on_one(obstacles[last]);
+    for (std::size_t i = 0; i < last; ++i) {
+      on_two(obstacles[last], obstacles[i]);
+      for (std::size_t j = 0; j < i; ++j) on_three(obstacles[last], obstacles[i], obstacles[j]);
+    }
+  }
+  const std::optional<Vector3>& found() const { return best_; }
+
+ private:
+  void offer(const Vector3& y) {
+    const double square = (y - x_).squaredNorm();
+    if (!(square < least_)) return;
+    for (const Obstacle& o : obstacles_)
+      if ((y - o.centre).squaredNorm() < o.radius * o.radius * (1 - 1e-9)) return;
+    least_ = square;
+    best_ = y;
+  }
+  void on_one(const Obstacle& o) {
+    const Vector3 away = x_ - o.centre;
+    if (const double length = away.norm(); length > 0) offer(o.centre + o.radius / length * away);
+  }
+  /// The circle of two spheres; its centre as a way along the unit vector from p to q.
+  static std::optional<std::pair<double, double>> circle(const Obstacle& p, const Obstacle& q, double apart) {
+    const double way = 0.5 * (apart + (p.radius - q.radius) * (p.radius + q.radius) / apart);
+    const double square = (p.radius - way) * (p.radius + way);
+    if (!(apart > 0) || !(square > 0)) return {};
+    return std::pair{way, std::sqrt(square)};
+  }
+  void on_two(const Obstacle& p, const Obstacle& q) {
+    const Vector3 axis = q.centre - p.centre;
+    const double apart = axis.norm();
+    const auto round = circle(p, q, apart);
+    if (!round) return;
+    const Vector3 n = axis / apart, middle = p.centre + round->first * n;
+    Vector3 side = x_ - middle;
+    side -= side.dot(n) * n;
+    double length = side.norm();
+    if (!(length > 1e-12 * p.radius)) {
+      side = n.unitOrthogonal();
+      length = 1;
+    }
+    offer(middle + round->second / length * side);
+  }
+  void on_three(const Obstacle& p, const Obstacle& q, const Obstacle& r) {
+    const Vector3 axis = q.centre - p.centre;
+    const double apart = axis.norm();
+    const auto round = circle(p, q, apart);
+    if (!round) return;
+    const Vector3 ex = axis / apart, to = r.centre - p.centre;
+    const double i = ex.dot(to);
+    const Vector3 across = to - i * ex;
+    const double j = across.norm();
+    if (!(j > 1e-9 * apart)) return;
+    const Vector3 ey = across / j;
+    const double x = round->first;
+    const double y = 0.5 * ((p.radius - r.radius) * (p.radius + r.radius) + i * i + j * j - 2 * i * x) / j;
+    const double square = (p.radius - x) * (p.radius + x) - y * y;
+    if (!(square >= 0)) return;
+    const Vector3 middle = p.centre + x * ex + y * ey, up = std::sqrt(square) * ex.cross(ey);
+    offer(middle + up);
+    offer(middle - up);
+  }
+
+  const Vector3& x_;
+  std::span<const Obstacle> obstacles_;
+  double least_ = 1e300;
+  std::optional<Vector3> best_;
+};
+
+}  // namespace
+
+/// Obstacles are added where a centre turns out to lie too near to a solid, until it does not: each is a ball
+/// inside of the solid, so the centre found lies no farther from x than the right one.
+struct Closing::Search {
+  const Closing& closing;
+  const Vector3& x;
+  std::span<const Index> among;
+  std::array<Obstacle, most_obstacles> obstacles = {};
+  std::size_t count = 0;
+  ClosedDistance best = {-1e300, {}, true};
+
+  /// Solids that touch the ball about y, the worst last. True where there is none.
+  bool look(const Vector3& y) {
+    const double radius = closing.radius_;
+    double least = radius;
+    Index worst = no_index;
+    for (const Index i : among) {
+      if (closing.solids_.bound(i, y) >= least) continue;
+      if (const double e = closing.solids_.distance(i, y); e < least) least = e, worst = i;
+    }
+    if (const double value = least - (y - x).norm(); value > best.value) best.value = value, best.centre = y;
+    if (least >= radius - closing.accuracy_) return true;
+    add(worst, y);
+    return false;
+  }
+
+  void add(Index solid, const Vector3& y) {
+    const SolidPlace at = closing.solids_[solid].shape.place(y);
+    if (count == most_obstacles) std::shift_left(obstacles.begin(), obstacles.end(), 1), --count;
+    obstacles[count++] = {at.core, at.core_radius + closing.solids_[solid].growth + closing.radius_};
+  }
+
+  ClosedDistance run(const Vector3& start) {
+    Vector3 y = start;
+    for (int round = 0; round < most_rounds; ++round) {
+      if (look(y)) break;
+      const NearestOutside nearest(x, std::span(obstacles).first(count));
+      if (!nearest.found()) break;
+      y = *nearest.found();
+    }
+    return best;
+  }
+};
+
+ClosedDistance Closing::search(const Vector3& x, const Vector3& start, std::span<const Index> among) const {
+  Search search{*this, x, among};
+  // The solids that the ball about the start touches hold it back from x.
+  for (const Index i : among) {
+    if (search.count + 2 >= most_obstacles) break;
+    if (solids_.bound(i, start) < radius_ + accuracy_ && solids_.distance(i, start) < radius_ + accuracy_)
+      search.add(i, start);
+  }
+  return search.run(start);
+}
+
+ClosedDistance Closing::at(const Vector3& x, std::span<const Index> among) const {
+  const NearestSolid nearest = solids_.nearest(x, among);
+  if (nearest.distance >= radius_) return {nearest.distance, x, false};
+  const SolidPlace place = solids_[nearest.solid].shape.place(x);
+  const Vector3 y = x + (radius_ - nearest.distance) * place.gradient;
+  const bool free = std::ranges::all_of(among, [&](Index i) {
+    return solids_.bound(i, y) >= radius_ - accuracy_ || solids_.distance(i, y) >= radius_ - accuracy_;
+  });
+  if (free) return {nearest.distance, y, false};
+  return search(x, y, among);
+}
+
+ClosedDistance Closing::improved(const Vector3& x, const ClosedDistance& known, const Vector3& start,
+                                 std::span<const Index> among) const {
+  const ClosedDistance other = search(x, start, among);
+  return other.value > known.value ? other : known;
+}
+
+}  // namespace hariko

@@ -1,0 +1,90 @@
+#include "core/envelope/ball/grown_solids.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "core/envelope/ball/ball_lattice.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Mean of the distance with the weights of the final lattice, whose node lies at the point.
+double mean_distance(const SolidShape& shape, const Vector3& at, double sigma) {
+  // Three times (1 2 1) / 4, then the B-spline's (1 4 1) / 6 at its node.
+  static constexpr std::array<double, 9> weights = [] {
+    std::array<double, 9> out{};
+    out[3] = 1.0 / 6, out[4] = 4.0 / 6, out[5] = 1.0 / 6;
+    for (int pass = 0; pass < 3; ++pass) {
+      std::array<double, 9> next{};
+      for (std::size_t i = 0; i < 9; ++i) {
+        next[i] = 0.5 * out[i];
+        if (i > 0) next[i] += 0.25 * out[i - 1];
+        if (i < 8) next[i] += 0.25 * out[i + 1];
+      }
+      out = next;
+    }
+    return out;
+  }();
+  const double spacing = lattice_spacing(sigma, final_passes);
+  double sum = 0;
+  for (int k = -4; k <= 4; ++k)
+    for (int j = -4; j <= 4; ++j) {
+      double row = 0;
+      for (int i = -4; i <= 4; ++i)
+        row += weights[std::size_t(i + 4)] * shape.own_distance(at + spacing * Vector3(i, j, k));
+      sum += weights[std::size_t(j + 4)] * weights[std::size_t(k + 4)] * row;
+    }
+  return sum;
+}
+
+/// By seven points only: to compare corners of polyhedra that have many.
+double rough_mean_distance(const SolidShape& shape, const Vector3& at, double sigma) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      sum += shape.own_distance(at + side * std::sqrt(3.0) * sigma * Vector3::Unit(axis));
+  return sum / 6;
+}
+
+constexpr std::size_t most_corners = 12;  ///< that are looked at closely
+
+}  // namespace
+
+double growth_constant(const SolidShape& shape, double sigma) {
+  std::vector<Vector3> at = shape.extremes();
+  if (at.size() > most_corners) {
+    std::vector<std::pair<double, Index>> order;
+    for (Index i = 0; i < at.size(); ++i) order.emplace_back(-rough_mean_distance(shape, at[i], sigma), i);
+    std::ranges::sort(order);
+    std::vector<Vector3> kept;
+    for (std::size_t i = 0; i < most_corners; ++i) kept.push_back(at[order[i].second]);
+    at = std::move(kept);
+  }
+  double out = 0;
+  for (const Vector3& p : at) out = std::max(out, mean_distance(shape, p, sigma));
+  return out;
+}
+
+GrownSolids::GrownSolids(std::vector<GrownSolid> solids) : solids_(std::move(solids)) {
+  all_.resize(solids_.size());
+  std::iota(all_.begin(), all_.end(), Index(0));
+  for (const GrownSolid& solid : solids_) {
+    const Vector3 reach = Vector3::Constant(solid.shape.reach() + solid.growth);
+    box_.extend(Vector3(solid.shape.centre() - reach));
+    box_.extend(Vector3(solid.shape.centre() + reach));
+  }
+}
+
+NearestSolid GrownSolids::nearest(const Vector3& point, std::span<const Index> among) const {
+  NearestSolid out;
+  for (const Index i : among) {
+    if (bound(i, point) >= out.distance) continue;
+    if (const double d = distance(i, point); d < out.distance) out = {i, d};
+  }
+  return out;
+}
+
+}  // namespace hariko

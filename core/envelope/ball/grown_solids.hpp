@@ -1,0 +1,52 @@
+#pragma once
+
+// Solids grown by constants of their own: what the ball rolls on (docs/envelope.md).
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/envelope/ball/solid_shape.hpp"
+
+namespace hariko {
+
+/// Largest mean of a solid's distance over the solid, taken with the kernel of width `sigma` (its standard
+/// deviation along each axis). A surface where the mean is zero once this is subtracted contains the solid.
+/// The same wherever the solid stands.
+double growth_constant(const SolidShape& shape, double sigma);
+
+struct GrownSolid {
+  SolidShape shape;
+  double growth = 0;  ///< subtracted from the distance
+};
+
+struct NearestSolid {
+  Index solid = no_index;
+  double distance = 1e300;  ///< to the grown solid
+};
+
+class GrownSolids {
+ public:
+  explicit GrownSolids(std::vector<GrownSolid> solids);
+
+  std::size_t size() const { return solids_.size(); }
+  const GrownSolid& operator[](std::size_t i) const { return solids_[i]; }
+  /// Of grown solid i; at least `bound` from it where that is far enough.
+  double distance(Index i, const Vector3& point) const {
+    return solids_[i].shape.distance(point) - solids_[i].growth;
+  }
+  double bound(Index i, const Vector3& point) const {
+    return (point - solids_[i].shape.centre()).norm() - solids_[i].shape.reach() - solids_[i].growth;
+  }
+  /// Of `among`. The first of equal ones.
+  NearestSolid nearest(const Vector3& point, std::span<const Index> among) const;
+  const Eigen::AlignedBox3d& box() const { return box_; }  ///< of the grown solids' bounding balls
+  std::span<const Index> all() const { return all_; }
+
+ private:
+  std::vector<GrownSolid> solids_;
+  std::vector<Index> all_;
+  Eigen::AlignedBox3d box_;
+};
+
+}  // namespace hariko

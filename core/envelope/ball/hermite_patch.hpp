@@ -1,0 +1,61 @@
+#pragma once
+
+// Gregory patches of quintic sides with given fields of tangents and curvatures across them
+// (docs/envelope.md).
+
+#include <array>
+#include <vector>
+
+#include "core/surface/patch.hpp"
+
+namespace hariko {
+
+/// Control points of a Bezier curve of degree 5, or of a field along one.
+using Quintic = std::array<Vector3, 6>;
+
+/// The same bits from either end.
+Vector3 value_at(const Quintic& curve, double t);
+Vector3 derivative_at(const Quintic& curve, double t);
+Quintic reversed(const Quintic& curve);
+
+/// Bicubically blended Coons patch with Gregory's variable twists. Sides c0 (v = 0) and c1 (v = 1) run with
+/// u, e0 (u = 0) and e1 (u = 1) with v; `cross` are the derivatives by v, u, v, u along them.
+struct HermitePatch {
+  Quintic c0, e1, c1, e0;
+  Quintic cross_c0, cross_e1, cross_c1, cross_e0;
+  /// Added to the second derivative across side k at its fraction t, counter-clockwise: 64 t^3 (1 - t)^3
+  /// times this polynomial of t. It changes no side, no tangent plane, and no second derivative at other
+  /// sides.
+  std::array<std::array<Vector3, 3>, 4> bend = {};
+
+  HermitePatch() {
+    for (auto& side : bend) side.fill(Vector3::Zero());
+  }
+  /// Of four sides, counter-clockwise seen from outside, and of the fields into the patch along them. At
+  /// corners fields are the derivatives of the neighbouring sides.
+  static HermitePatch from_loop(const std::array<Quintic, 4>& sides, const std::array<Quintic, 4>& inwards);
+};
+
+class HermitePatchSet final : public PatchSet {
+ public:
+  explicit HermitePatchSet(std::vector<HermitePatch> patches) : patches_(std::move(patches)) {}
+  const HermitePatch& patch(Index i) const { return patches_[i]; }
+
+  Domain domain() const override { return Domain::square; }
+  Index patch_count() const override { return Index(patches_.size()); }
+  PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern, std::span<Vector3> positions,
+                     std::span<Vector3> normals) const override;
+  void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
+                     std::span<PatchPoint> points) const override;
+  /// Gregory's twists depend on the direction at corners.
+  CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
+
+ private:
+  std::vector<HermitePatch> patches_;
+};
+
+/// One point of a patch that is in no set yet.
+PatchPoint evaluate(const HermitePatch& patch, const Vector2& parameter, Order order);
+
+}  // namespace hariko

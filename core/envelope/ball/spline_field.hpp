@@ -1,0 +1,55 @@
+#pragma once
+
+// A scalar field with continuous second derivatives: a tricubic B-spline.
+
+#include <array>
+#include <vector>
+
+#include "core/base/vector.hpp"
+
+namespace hariko {
+
+struct FieldPoint {
+  double value = 0;
+  Vector3 gradient = Vector3::Zero();
+};
+
+class SplineField {
+ public:
+  SplineField() = default;
+  /// Node (i, j, k) lies at `corner` + spacing (i, j, k); x runs fastest. `weights` are the coefficients.
+  SplineField(const Vector3& corner, double spacing, std::array<int, 3> size, std::vector<double> weights)
+      : corner_(corner), spacing_(spacing), size_(size), weights_(std::move(weights)) {}
+
+  /// Beyond the lattice the field goes on as at its rim.
+  double value(const Vector3& point) const;
+  FieldPoint at(const Vector3& point) const;
+  Matrix3 hessian(const Vector3& point) const;
+
+  const Vector3& corner() const { return corner_; }
+  double spacing() const { return spacing_; }
+  const std::array<int, 3>& size() const { return size_; }
+
+ private:
+  template <class Sum>
+  Sum sum(const Vector3& point) const;
+
+  Vector3 corner_ = Vector3::Zero();
+  double spacing_ = 1;
+  std::array<int, 3> size_{};
+  std::vector<double> weights_;
+};
+
+/// Curvature of the level surface through a point in tangent directions a, b: negative where it is convex.
+struct SurfaceForm {
+  Vector3 normal = Vector3::UnitZ();  ///< unit, outwards
+  Matrix3 form = Matrix3::Zero();     ///< -H / |gradient|
+  double slope = 1;                   ///< length of the gradient
+  double along(const Vector3& a) const { return a.dot(form * a); }
+};
+SurfaceForm surface_form(const SplineField& field, const Vector3& point);
+
+/// Newton steps to the zero along the gradient, none longer than `longest`.
+Vector3 projected(const SplineField& field, Vector3 point, int steps, double longest);
+
+}  // namespace hariko
