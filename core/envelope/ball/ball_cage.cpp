@@ -66,11 +66,11 @@ FlaggedField flagged(const SplineField& field, const Vector3& origin, double cel
   return out;
 }
 
-/// Moves `moving` vertices along the surface towards where the quads about them are parallelograms.
-void make_even(const SplineField& field, BallCage& cage, int rounds, std::span<const char> moving = {}) {
+/// Moves vertices along the surface towards where the quads about them are parallelograms.
+void make_even(const SplineField& field, BallCage& cage) {
   std::vector<Vector3> sum(cage.positions.size());
   std::vector<int> count(cage.positions.size());
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < even_rounds; ++round) {
     std::ranges::fill(sum, Vector3::Zero());
     std::ranges::fill(count, 0);
     for (const auto& quad : cage.quads) {
@@ -82,7 +82,6 @@ void make_even(const SplineField& field, BallCage& cage, int rounds, std::span<c
       }
     }
     for (Index v = 0; v < cage.positions.size(); ++v) {
-      if (!moving.empty() && !moving[v]) continue;
       Vector3 move = sum[v] / count[v] - cage.positions[v];
       const Vector3 normal = field.at(cage.positions[v]).gradient.stableNormalized();
       move -= move.dot(normal) * normal;
@@ -111,11 +110,12 @@ BallCage ball_cage(const SplineField& field, const Vector3& origin, double cell)
     }
     out.positions.push_back(projected(field, sum / double(vertex.crossings.size()), first_steps, 0.5 * cell));
   }
-  make_even(field, out, even_rounds);
+  make_even(field, out);
   return out;
 }
 
-BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const QuadCuts> cuts) {
+BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
+                  std::span<const QuadCuts> cuts) {
   // Sides are numbered; those that face each other across a quad are cut together.
   std::map<std::pair<Index, Index>, Index> sides;
   std::vector<std::array<Index, 4>> of_quad;
@@ -138,25 +138,25 @@ BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<cons
   BallCage out = cage;
   out.quads.clear();
   std::vector<Index> middle(sides.size(), no_index);
-  std::vector<char> moving(cage.positions.size(), 0);
-  for (const auto& [ends, side] : sides)
-    if (is_cut(side)) {
-      middle[side] = Index(out.positions.size());
-      out.positions.push_back(projected(
-          field, 0.5 * (cage.positions[ends.first] + cage.positions[ends.second]), 3, 0.5 * cage.cell));
-      moving.push_back(1);
-    }
+  // New vertices lie on the patches, which are nearer to the surface than chords: those may cross thin parts.
+  const auto add_vertex = [&](std::size_t q, double u, double v) {
+    out.positions.push_back(
+        projected(field, evaluate(patches[q], Vector2(u, v), Order::first).position, 3, 0.25 * cage.cell));
+    return Index(out.positions.size() - 1);
+  };
+  for (std::size_t q = 0; q < cage.quads.size(); ++q)
+    for (std::size_t i = 0; i < 4; ++i)
+      if (Index& at = middle[of_quad[q][i]]; at == no_index && is_cut(of_quad[q][i])) {
+        const Vector2 place = side_parameter(Domain::square, int(i), 0.5);
+        at = add_vertex(q, place.x(), place.y());
+      }
   for (std::size_t q = 0; q < cage.quads.size(); ++q) {
     const auto& [a, b, c, d] = cage.quads[q];
     const auto& mine = of_quad[q];
     const bool first = is_cut(mine[0]), second = is_cut(mine[1]);
     const Index ab = middle[mine[0]], bc = middle[mine[1]], cd = middle[mine[2]], da = middle[mine[3]];
     if (first && second) {
-      const Index centre = Index(out.positions.size());
-      out.positions.push_back(projected(
-          field, 0.25 * ((cage.positions[a] + cage.positions[c]) + (cage.positions[b] + cage.positions[d])),
-          3, 0.5 * cage.cell));
-      moving.push_back(1);
+      const Index centre = add_vertex(q, 0.5, 0.5);
       out.quads.insert(out.quads.end(),
                        {{a, ab, centre, da}, {ab, b, bc, centre}, {centre, bc, c, cd}, {da, centre, cd, d}});
     } else if (first) {
@@ -167,7 +167,6 @@ BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<cons
       out.quads.push_back(cage.quads[q]);
     }
   }
-  make_even(field, out, 2, moving);
   return out;
 }
 

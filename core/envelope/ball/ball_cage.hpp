@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/envelope/ball/hermite_patch.hpp"
 #include "core/envelope/ball/spline_field.hpp"
 
 namespace hariko {
@@ -24,8 +25,9 @@ BallCage ball_cage(const SplineField& field, const Vector3& origin, double cell)
 using QuadCuts = std::array<bool, 2>;
 
 /// Halves quads, and with each all that follow one another across opposite sides, so that no vertex comes to
-/// lie on a side. `cuts`: one a quad.
-BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const QuadCuts> cuts);
+/// lie on a side. `patches`, `cuts`: one a quad.
+BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
+                  std::span<const QuadCuts> cuts);
 
 /// Number of tunnels and of separate parts.
 struct CageTopology {

@@ -9,13 +9,17 @@ namespace hariko {
 
 namespace {
 
-constexpr double tolerance_share = 0.1;   ///< of sigma
-constexpr double sample_margin = 0.9;     ///< of the tolerance: patches may be farther off between samples
-constexpr double cell_share = 2;          ///< of sigma
+constexpr double tolerance_share = 0.1;  ///< of sigma
+constexpr double sample_margin = 0.9;    ///< of the tolerance: patches may be farther off between samples
+constexpr double cell_share = 2;         ///< of sigma
+constexpr double finer = 0.8;            ///< from one size of cells to the next
+constexpr int most_sizes = 5, drag_sizes = 2;
+constexpr int most_cuts = 3;
 constexpr double least_agreement = 0.77;  ///< cosine of 40 degrees
-constexpr double even_turn = 0.6;  ///< where a patch turns this much of the most along its other way too, it
-                                   ///< is halved both ways
-constexpr int final_cuts = 4, drag_cuts = 1;
+constexpr double largest_turn =
+    2.2;  ///< radians: a quad over which the surface turns more misses a part of it
+/// Where a patch turns this much of the most along its other way too, it is halved both ways.
+constexpr double even_turn = 0.6;
 
 bool fits(const PatchFit& fit, double tolerance) {
   return std::max(fit.outward, fit.inward) <= sample_margin * tolerance &&
@@ -26,6 +30,55 @@ bool fits(const PatchFit& fit, double tolerance) {
 QuadCuts cuts_of(const PatchFit& fit) {
   const double most = std::max(fit.turn[0], fit.turn[1]);
   return {fit.turn[0] >= even_turn * most, fit.turn[1] >= even_turn * most};
+}
+
+struct Fitted {
+  BallCage cage;
+  std::vector<HermitePatch> patches;
+  std::vector<PatchFit> fits;
+  std::size_t coarse = 0;  ///< patches that do not fit
+  int cuts = 0;
+
+  Fitted(const SplineField& field, BallCage of, double tolerance)
+      : cage(std::move(of)), patches(ball_patches(field, cage)), fits(patch_fits(field, patches)) {
+    coarse = std::size_t(
+        std::ranges::count_if(fits, [&](const PatchFit& f) { return !hariko::fits(f, tolerance); }));
+  }
+  double turn() const {
+    double out = 0;
+    for (const PatchFit& fit : fits) out = std::max({out, fit.turn[0], fit.turn[1]});
+    return out;
+  }
+};
+
+/// Halves the patches that do not fit, as long as that helps.
+Fitted cut_where_needed(const SplineField& field, Fitted of, double tolerance) {
+  while (of.coarse > 0 && of.cuts < most_cuts && of.turn() <= largest_turn) {
+    std::vector<QuadCuts> cuts;
+    for (const PatchFit& fit : of.fits)
+      cuts.push_back(fits(fit, tolerance) ? QuadCuts{false, false} : cuts_of(fit));
+    Fitted next(field, cut_cage(field, of.cage, of.patches, cuts), tolerance);
+    if (next.coarse >= 2 * of.coarse) break;
+    next.cuts = of.cuts + 1;
+    of = std::move(next);
+  }
+  return of;
+}
+
+/// The largest cells with which all patches fit, or the best there is.
+std::optional<Fitted> fitted(const SplineField& field, const Vector3& origin, double sigma, int sizes,
+                             const CancelToken& cancel) {
+  std::optional<Fitted> best;
+  double cell = cell_share * sigma;
+  for (int size = 0; size < sizes && !cancel.cancelled(); ++size, cell *= finer) {
+    BallCage cage = ball_cage(field, origin, cell);
+    if (cage.quads.empty()) continue;
+    Fitted one = cut_where_needed(field, Fitted(field, std::move(cage), tolerance_share * sigma),
+                                  tolerance_share * sigma);
+    if (!best || one.coarse < best->coarse) best = std::move(one);
+    if (best->coarse == 0) break;
+  }
+  return best;
 }
 
 }  // namespace
@@ -51,29 +104,19 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
   request.mirror = mirror;
   out.field = smoothed_closing(request, &out.lattice, cancel);
   if (cancel.cancelled()) return {};
-  out.cage = ball_cage(out.field, origin, cell_share * settings.sigma);
-  if (out.cage.quads.empty()) return {};
+  std::optional<Fitted> made =
+      fitted(out.field, origin, settings.sigma, drag ? drag_sizes : most_sizes, cancel);
+  if (cancel.cancelled() || !made) return {};
+  out.cage = std::move(made->cage);
   out.topology = topology_of(out.cage);
-  std::vector<HermitePatch> patches = ball_patches(out.field, out.cage);
-  std::vector<PatchFit> found = patch_fits(out.field, patches);
-  const int most_cuts = drag ? drag_cuts : final_cuts;
-  for (; out.cuts < most_cuts && !cancel.cancelled(); ++out.cuts) {
-    std::vector<QuadCuts> cuts;
-    for (const PatchFit& fit : found)
-      cuts.push_back(fits(fit, out.tolerance) ? QuadCuts{false, false} : cuts_of(fit));
-    if (std::ranges::none_of(cuts, [](const QuadCuts& cut) { return cut[0] || cut[1]; })) break;
-    out.cage = cut_cage(out.field, out.cage, cuts);
-    patches = ball_patches(out.field, out.cage);
-    found = patch_fits(out.field, patches);
-  }
-  if (cancel.cancelled()) return {};
-  for (const PatchFit& fit : found) {
+  out.cuts = made->cuts;
+  out.coarse = made->coarse;
+  for (const PatchFit& fit : made->fits) {
     out.outward = std::max(out.outward, fit.outward);
     out.inward = std::max(out.inward, fit.inward);
     out.folds += fit.least_agreement < 0;
-    out.coarse += !fits(fit, out.tolerance);
   }
-  out.surface = ball_surface(out.field, out.cage, std::move(patches), origin);
+  out.surface = ball_surface(out.field, out.cage, std::move(made->patches), origin);
   return out;
 }
 

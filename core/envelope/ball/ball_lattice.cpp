@@ -102,10 +102,10 @@ class Lattice {
     const double way = spacing_ * std::sqrt(square);
     double sum = 0, low = -1e300, high = 1e300;
     for (std::size_t c = 0; c < 8; ++c) {
-      const double value = nodes_[index(ends[0][c & 1], ends[1][c >> 1 & 1], ends[2][c >> 2])].value;
-      sum += value / 8;
-      low = std::max(low, value - way);
-      high = std::min(high, value + way);
+      const ClosedDistance& beside = nodes_[index(ends[0][c & 1], ends[1][c >> 1 & 1], ends[2][c >> 2])];
+      sum += beside.value / 8;
+      low = std::max(low, beside.value - way);
+      high = std::min(high, beside.value + way);
     }
     if (in_band(low, high)) return evaluate(at, n);
     nodes_[at].value = sum;

@@ -17,7 +17,10 @@ struct Obstacle {
 };
 
 constexpr std::size_t most_obstacles = 8;
-constexpr int most_rounds = 12;
+constexpr int first_rounds = 8;
+constexpr std::size_t most_planes = 4;
+constexpr int most_steps = 8;
+constexpr double least_stiffness = 0.05;
 
 /// Nearest point to x outside of a few obstacles, among the points that lie on the last one.
 class NearestOutside {
@@ -93,6 +96,75 @@ class NearestOutside {
   std::optional<Vector3> best_;
 };
 
+/// A way must go at least `least` along `direction`, a unit vector.
+struct TangentPlane {
+  Vector3 direction;
+  double least;
+  Index solid;
+};
+
+/// The way to the far side of all planes that leads nearest to `target`, and the planes that decide.
+class TangentStep {
+ public:
+  TangentStep(const Vector3& target, std::span<const TangentPlane> planes, double slack)
+      : target_(target), planes_(planes), slack_(slack) {
+    offer(target, {}, 0);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      on_planes({i}, 1);
+      for (std::size_t j = 0; j < i; ++j) {
+        on_planes({i, j}, 2);
+        for (std::size_t k = 0; k < j; ++k) on_planes({i, j, k}, 3);
+      }
+    }
+  }
+
+  bool found() const { return least_ < 1e300; }
+  const Vector3& way() const { return way_; }
+  int active() const { return active_; }
+  std::size_t plane(std::size_t i) const { return of_[i]; }
+  /// Of the planes that decide: target + sum of them times their directions is the way.
+  double multiplier(std::size_t i) const { return multipliers_[Eigen::Index(i)]; }
+
+ private:
+  void offer(const Vector3& way, const std::array<std::size_t, 3>& of, int active,
+             const Vector3& multipliers = Vector3::Zero()) {
+    const double square = (way - target_).squaredNorm();
+    if (!(square < least_)) return;
+    for (const TangentPlane& plane : planes_)
+      if (plane.direction.dot(way) < plane.least - slack_) return;
+    least_ = square;
+    way_ = way;
+    of_ = of;
+    active_ = active;
+    multipliers_ = multipliers;
+  }
+
+  /// The nearest way that lies in all of these planes.
+  void on_planes(const std::array<std::size_t, 3>& of, int count) {
+    Matrix3 gram = Matrix3::Identity();
+    Vector3 miss = Vector3::Zero();
+    for (int i = 0; i < count; ++i) {
+      const TangentPlane& a = planes_[of[std::size_t(i)]];
+      for (int j = 0; j < count; ++j) gram(i, j) = a.direction.dot(planes_[of[std::size_t(j)]].direction);
+      miss[i] = a.least - a.direction.dot(target_);
+    }
+    const double volume = gram.determinant();
+    if (!(volume > 1e-12)) return;
+    const Vector3 multipliers = gram.inverse() * miss;
+    if (multipliers.minCoeff() < 0) return;
+    Vector3 way = target_;
+    for (int i = 0; i < count; ++i) way += multipliers[i] * planes_[of[std::size_t(i)]].direction;
+    offer(way, of, count, multipliers);
+  }
+
+  const Vector3& target_;
+  std::span<const TangentPlane> planes_;
+  double slack_, least_ = 1e300;
+  Vector3 way_ = Vector3::Zero(), multipliers_ = Vector3::Zero();
+  std::array<std::size_t, 3> of_{};
+  int active_ = 0;
+};
+
 }  // namespace
 
 /// Obstacles are added where a centre turns out to lie too near to a solid, until it does not: each is a ball
@@ -128,13 +200,70 @@ struct Closing::Search {
 
   ClosedDistance run(const Vector3& start) {
     Vector3 y = start;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < first_rounds; ++round) {
       if (look(y)) break;
       const NearestOutside nearest(x, std::span(obstacles).first(count));
       if (!nearest.found()) break;
       y = *nearest.found();
     }
+    slide(best.centre);
     return best;
+  }
+
+  /// The nearest solids to the ball about y, by their tangent planes.
+  std::size_t planes_about(const Vector3& y, double slack, std::array<TangentPlane, most_planes>& planes) {
+    const double radius = closing.radius_;
+    std::size_t found = 0;
+    double least = radius;
+    for (const Index i : among) {
+      if (closing.solids_.bound(i, y) >= radius + slack) continue;
+      const SolidPlace at = closing.solids_[i].shape.place(y);
+      const double e = at.distance - closing.solids_[i].growth;
+      least = std::min(least, e);
+      if (e >= radius + slack) continue;
+      const TangentPlane one{at.gradient, radius - e, i};
+      // Those that are nearest to the ball come first.
+      if (found == most_planes && planes[found - 1].least >= one.least) continue;
+      std::size_t to = found < most_planes ? found++ : found - 1;
+      for (; to > 0 && planes[to - 1].least < one.least; --to) planes[to] = planes[to - 1];
+      planes[to] = one;
+    }
+    if (const double value = least - (y - x).norm(); value > best.value) best.value = value, best.centre = y;
+    return found;
+  }
+
+  /// Of two solids the ball rolls along both: how far, where their bend is counted.
+  Vector3 rolled(const Vector3& y, const TangentStep& step, std::span<const TangentPlane> planes) const {
+    const TangentPlane &a = planes[step.plane(0)], &b = planes[step.plane(1)];
+    const Vector3 along = a.direction.cross(b.direction).stableNormalized();
+    const double far = along.dot(step.way()), trial = 0.01 * closing.radius_;
+    const auto bend = [&](const TangentPlane& plane) {
+      return along.dot(closing.solids_[plane.solid].shape.place(y + trial * along).gradient -
+                       plane.direction) /
+             trial;
+    };
+    const double stiffness = 1 - step.multiplier(0) * bend(a) - step.multiplier(1) * bend(b);
+    return step.way() + (far / std::max(stiffness, least_stiffness) - far) * along;
+  }
+
+  /// Steps by tangent planes from a centre that is nearly right.
+  void slide(Vector3 y) {
+    const double accuracy = closing.accuracy_;
+    std::array<TangentPlane, most_planes> planes;
+    double slack = 0.25 * closing.radius_;
+    for (int round = 0; round < most_steps; ++round) {
+      const std::span<const TangentPlane> about(planes.data(), planes_about(y, slack, planes));
+      const TangentStep step(x - y, about, 0.1 * accuracy);
+      if (!step.found()) return;
+      const Vector3 way = step.active() == 2 ? rolled(y, step, about) : step.way();
+      y += way;
+      slack = std::max(2 * way.norm(), accuracy);
+      if (way.norm() < accuracy) {
+        planes_about(y, 0, planes);
+        return;
+      }
+    }
+    planes_about(y, 0, planes);
   }
 };
 
@@ -163,8 +292,9 @@ ClosedDistance Closing::at(const Vector3& x, std::span<const Index> among) const
 
 ClosedDistance Closing::improved(const Vector3& x, const ClosedDistance& known, const Vector3& start,
                                  std::span<const Index> among) const {
-  const ClosedDistance other = search(x, start, among);
-  return other.value > known.value ? other : known;
+  Search other{*this, x, among};
+  other.slide(start);
+  return other.best.value > known.value ? other.best : known;
 }
 
 }  // namespace hariko
