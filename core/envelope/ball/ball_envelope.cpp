@@ -94,7 +94,7 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
     const double growth = growth_constant(shape, settings.sigma) + settings.clearance + out.tolerance;
     grown.push_back({std::move(shape), growth});
   }
-  const GrownSolids all(std::move(grown));
+  const GrownUnion all(std::move(grown));
   const bool drag = quality == Quality::drag;
   LatticeRequest request{all};
   request.radius = settings.radius;

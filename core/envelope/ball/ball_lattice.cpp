@@ -136,7 +136,10 @@ class Lattice {
         for (int i = std::max(n[0] - step, 0); i <= std::min(n[0] + step, size_[0] - 1); i += step) {
           const std::size_t other = index(i, j, k);
           if (state_[other] != State::known || other == at) continue;
-          const double value = request_.radius - (nodes_[other].centre - x).norm();
+          const ClosedDistance& beside = nodes_[other];
+          // Distance of that centre from the solids, less the way to it: a value for this node, too.
+          const double value =
+              beside.value + (beside.centre - point({i, j, k})).norm() - (beside.centre - x).norm();
           if (value > best) best = value, start = &nodes_[other].centre;
         }
     if (start) nodes_[at] = closing_.improved(x, nodes_[at], *start, among());

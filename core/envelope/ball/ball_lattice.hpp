@@ -17,8 +17,8 @@ inline constexpr int final_passes = 3, drag_passes = 2;
 double lattice_spacing(double sigma, int passes);
 
 struct LatticeRequest {
-  const GrownSolids& solids;  ///< relative to `origin`
-  double radius = 1;          ///< of the rolling ball
+  const GrownUnion& solids;  ///< relative to `origin`
+  double radius = 1;         ///< of the rolling ball
   double sigma = 1;
   int passes = final_passes;
   /// Nodes lie at multiples of the spacing from the object's zero, whatever the scene is: nothing but the

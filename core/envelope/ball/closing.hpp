@@ -19,7 +19,7 @@ struct ClosedDistance {
 class Closing {
  public:
   /// `accuracy`: length to which values are sought.
-  Closing(const GrownSolids& solids, double radius, double accuracy)
+  Closing(const GrownUnion& solids, double radius, double accuracy)
       : solids_(solids), radius_(radius), accuracy_(accuracy) {}
 
   double radius() const { return radius_; }
@@ -33,7 +33,7 @@ class Closing {
   struct Search;
   ClosedDistance search(const Vector3& x, const Vector3& start, std::span<const Index> among) const;
 
-  const GrownSolids& solids_;
+  const GrownUnion& solids_;
   double radius_, accuracy_;
 };
 

@@ -68,7 +68,7 @@ double growth_constant(const SolidShape& shape, double sigma) {
   return out;
 }
 
-GrownSolids::GrownSolids(std::vector<GrownSolid> solids) : solids_(std::move(solids)) {
+GrownUnion::GrownUnion(std::vector<GrownSolid> solids) : solids_(std::move(solids)) {
   all_.resize(solids_.size());
   std::iota(all_.begin(), all_.end(), Index(0));
   for (const GrownSolid& solid : solids_) {
@@ -78,7 +78,7 @@ GrownSolids::GrownSolids(std::vector<GrownSolid> solids) : solids_(std::move(sol
   }
 }
 
-NearestSolid GrownSolids::nearest(const Vector3& point, std::span<const Index> among) const {
+NearestSolid GrownUnion::nearest(const Vector3& point, std::span<const Index> among) const {
   NearestSolid out;
   for (const Index i : among) {
     if (bound(i, point) >= out.distance) continue;

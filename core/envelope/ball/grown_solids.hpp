@@ -25,9 +25,9 @@ struct NearestSolid {
   double distance = 1e300;  ///< to the grown solid
 };
 
-class GrownSolids {
+class GrownUnion {
  public:
-  explicit GrownSolids(std::vector<GrownSolid> solids);
+  explicit GrownUnion(std::vector<GrownSolid> solids);
 
   std::size_t size() const { return solids_.size(); }
   const GrownSolid& operator[](std::size_t i) const { return solids_[i]; }

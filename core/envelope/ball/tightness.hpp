@@ -1,0 +1,26 @@
+#pragma once
+
+// Tightness as designers know it, and the radius of the ball it means (docs/envelope.md).
+
+#include <optional>
+#include <span>
+
+#include "core/envelope/solid.hpp"
+
+namespace hariko {
+
+/// Diagonal of the box round the solids.
+double solids_size(std::span<const Solid> solids);
+
+/// At tightness 1 the ball is as small as the rounding allows, towards 0 it is 8 times as large as the
+/// solids; nothing at 0, where the surface is the rounded hull. Logarithmic between.
+std::optional<double> ball_radius_at(double tightness, double rounding, double size);
+/// From 0 to 1; larger and smaller balls count as those at the ends.
+double tightness_of(std::optional<double> radius, double rounding, double size);
+
+/// What a new object of these solids begins with: a cylinder stays a cylinder, notches are filled softly.
+void choose_ball(EnvelopeInput& input);
+/// For settings of documents from before there was the ball: the tightness and the roundness that they had.
+void choose_ball_as_before(EnvelopeInput& input);
+
+}  // namespace hariko
