@@ -205,14 +205,33 @@ def solid_text(place, solid):
     return "{" + ", ".join(members) + "}"
 
 
-def solids(scene):
+# Rounding and radius of the ball of each sample of solids.
+BALLS = {
+    "solids_apart": (0.0875, "hull"),
+    "solids_bottle": (0.0733, 0.88),
+    "solids_camera": (0.0528, 0.253),
+    "solids_car": (0.112, 1.35),
+    "solids_dryer": (0.0775, 0.93),
+    "solids_four": (0.13, 1.56),
+    "solids_l": (0.108, 1.3),
+    "solids_one": (0.0433, 0.52),
+    "solids_t": (0.108, 1.3),
+    "solids_ten": (0.186, 2.23),
+    "solids_touching": (0.0612, 0.735),
+    "solids_u": (0.0937, 0.75),
+}
+
+
+def solids(scene, ball):
     lines = ",\n".join("          " + solid_text(k, solid) for k, solid in enumerate(scene["primitives"]))
     usual = {"roundness": 0.5, "waist": 0.5, "tightness": 0, "clearance": 0, "detail": 0.09, "merge_deg": 40, "cage_detail": 1}
     return [
         '        "kind": "solids"',
         f'        "primitives": [\n{lines}\n        ]',
         *(f'        "{name}": {number(scene.get(name, value))}' for name, value in usual.items()),
-        '        "method": "auto"',
+        f'        "rounding": {number(ball[0])}',
+        f'        "ball_radius": {json.dumps(ball[1]) if ball[1] == "hull" else number(ball[1])}',
+        '        "method": "ball"',
         '        "surface": "rational"',
         '        "symmetry": "none"',
     ]
@@ -301,7 +320,7 @@ def object_text(number_, name, source, cage=True):
 
 def document(*objects):
     return (
-        f'{{\n  "format": "hariko",\n  "version": 2,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": 3,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 
@@ -430,7 +449,7 @@ def main():
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
     for file_name, scene_name, name in SCENES:
         scene = json.loads((GOLDEN / "envelope" / f"{scene_name}.json").read_text())
-        text = document(object_text(1, name, solids(scene)))
+        text = document(object_text(1, name, solids(scene, BALLS[file_name])))
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
     for file_name, sections, method, columns, row_count, name in SKINS:
         layout = json.loads((SECTIONS / f"{sections}.json").read_text())

@@ -32,6 +32,14 @@ struct OutlineConstruction {
   friend bool operator==(const OutlineConstruction&, const OutlineConstruction&) = default;
 };
 
+/// What is chosen for all surfaces round solids, instead of what the document says (`EnvelopeSettings`).
+struct SolidsConstruction {
+  std::optional<EnvelopeMethod> method;
+  std::optional<double> ball_radius;  ///< infinite: the hull
+  std::optional<double> rounding;
+  friend bool operator==(const SolidsConstruction&, const SolidsConstruction&) = default;
+};
+
 /// How meshes of other programs are read.
 struct Reading {
   JoinChoice join = {};
@@ -46,6 +54,7 @@ struct Construction {
   bool round = false;                 ///< of polyhedra: turns it on; never off
   std::optional<Frames> frames = {};  ///< of polyhedra
   OutlineConstruction outlines = {};
+  SolidsConstruction solids = {};
   Reading reading = {};
   friend bool operator==(const Construction&, const Construction&) = default;
 };

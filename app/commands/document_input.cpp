@@ -1,7 +1,10 @@
 #include "app/commands/document_input.hpp"
 
+#include <cmath>
+
 #include "app/commands/console.hpp"
 #include "core/document/edit_objects.hpp"
+#include "core/envelope/ball/tightness.hpp"
 
 namespace hariko {
 
@@ -35,6 +38,17 @@ void choose(OutlineSettings& settings, const Construction& construction) {
   if (chosen.gap) settings.gap = chosen.gap;
   if (construction.mode == Mode::fair || construction.mode == Mode::g2)
     settings.curvature_continuous = construction.mode == Mode::g2;
+}
+
+void choose(SolidsSource& source, const SolidsConstruction& chosen) {
+  EnvelopeInput input = *source.input;
+  EnvelopeSettings& settings = input.settings;
+  if (chosen.method == EnvelopeMethod::ball && !(settings.rounding > 0)) choose_ball(input);
+  settings.method = chosen.method.value_or(settings.method);
+  settings.rounding = chosen.rounding.value_or(settings.rounding);
+  if (chosen.ball_radius) settings.ball_radius = chosen.ball_radius;
+  if (settings.ball_radius && std::isinf(*settings.ball_radius)) settings.ball_radius.reset();
+  source.input = std::move(input);
 }
 
 }  // namespace
@@ -75,12 +89,14 @@ std::optional<Document> read_document_or_report(const std::filesystem::path& fil
 Document with_construction(Document document, const Construction& construction) {
   if (construction == Construction()) return document;
   for (auto& object : document.objects) {
-    if (!object->polyhedron() && !object->outline()) continue;
+    if (!object->polyhedron() && !object->outline() && !object->solids()) continue;
     auto changed = std::make_shared<Object>(*object);
     if (auto* polyhedron = std::get_if<PolyhedronSource>(&changed->source)) {
       polyhedron->mode = construction.mode.value_or(polyhedron->mode);
       polyhedron->round = polyhedron->round || construction.round;
       polyhedron->frames = construction.frames.value_or(polyhedron->frames);
+    } else if (auto* solids = std::get_if<SolidsSource>(&changed->source)) {
+      choose(*solids, construction.solids);
     } else {
       choose(std::get<OutlineSource>(changed->source).settings, construction);
     }

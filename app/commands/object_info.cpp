@@ -73,7 +73,7 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
   out.symmetry = detail::name_of(input.settings.symmetry, detail::symmetry_names);
   out.images = images_of(input).size();
   out.symmetric = made.symmetric;
-  out.method = made.network ? "network" : "field";
+  out.method = made.route == EnvelopeRoute::ball ? "ball" : made.network ? "network" : "field";
   out.level = made.level;
   out.enclosed = made.enclosed;
   out.folds = made.folds;

@@ -21,7 +21,7 @@ struct EnvelopeInfo {
   std::string symmetry;    ///< "none", or the axis across the plane
   std::size_t images = 0;  ///< of solids, in that plane
   bool symmetric = false;  ///< the surface is its own image
-  std::string method;      ///< "network" or "field"
+  std::string method;      ///< "ball", "network" or "field"
   int level = 0;           ///< of tightness: 0 as asked for, 9 the filled hull
   bool enclosed = false;   ///< by the search
   double worst = 0;        ///< farthest test point outside, by the independent check, over the diagonal

@@ -55,7 +55,7 @@ Result<std::string> solids_json(const SolidsSource& source) {
       write_network(json, *made->network, *made, enveloped_scene(*source.input));
     else
       json.member("patches", made->surface.patch_count());
-    json.member("method", made->network ? "network" : "field");
+    json.member("method", made->route == EnvelopeRoute::ball ? "ball" : made->network ? "network" : "field");
     if (source.input->settings.symmetry != SymmetryPlane::none) json.member("symmetric", made->symmetric);
     json.member("level", made->level);
     json.member("enclosed", made->enclosed);

@@ -7,6 +7,7 @@
 #include "core/base/printable.hpp"
 #include "core/document/format_names.hpp"
 #include "core/document/read_text.hpp"
+#include "core/envelope/ball/tightness.hpp"
 
 namespace hariko {
 
@@ -38,14 +39,56 @@ class SolidsReader {
     number(at, "detail", s.detail);
     number(at, "merge_deg", s.merge_angle);
     number(at, "cage_detail", s.cage_detail);
+    bool named = false;
+    reader_.if_member(at, "method", [&](const JsonCursor&) { named = true; });
     choice(at, "method", method_names, s.method);
+    number(at, "rounding", s.rounding);
+    reader_.if_member(at, "ball_radius", [&](const JsonCursor& member) {
+      if (!member.value().string() || *member.value().string() != "hull")
+        s.ball_radius = reader_.number(member);
+    });
     choice(at, "surface", envelope_surface_names, s.patches);
     choice(at, "symmetry", symmetry_names, s.symmetry);
     overrides(at, s);
+    if (!reader_.failed() && !out.solids.empty()) settle_method(at, named, out);
     return out;
   }
 
  private:
+  bool has_any(const JsonCursor& at, std::initializer_list<std::string_view> names) {
+    bool out = false;
+    for (const std::string_view name : names)
+      reader_.if_member(at, name, [&](const JsonCursor&) { out = true; });
+    return out;
+  }
+
+  /// Before there was the ball there were other methods: the network at tightness 0 is still there, all else
+  /// becomes the ball. Scenes, which have no version, are of before where they have settings of those
+  /// methods.
+  void settle_method(const JsonCursor& at, bool named, EnvelopeInput& out) {
+    EnvelopeSettings& s = out.settings;
+    if (std::ranges::any_of(out.solids, [](const Solid& solid) { return !check_solid(solid, 0); })) return;
+    const bool with_ball = has_any(at, {"rounding", "ball_radius"});
+    if (s.method == EnvelopeMethod::ball || (!named && with_ball)) {
+      const std::optional<double> radius = s.ball_radius;
+      const double rounding = s.rounding;
+      choose_ball(out);
+      if (rounding > 0) s.rounding = rounding;
+      if (has_any(at, {"ball_radius"})) s.ball_radius = radius;
+      return;
+    }
+    if (s.method == EnvelopeMethod::network) return;
+    const bool before = named || has_any(at, {"tightness", "waist", "detail", "merge_deg", "cage_detail"});
+    if (!before) {
+      choose_ball(out);
+    } else if (s.method == EnvelopeMethod::automatic && s.tightness == 0) {
+      s.method = EnvelopeMethod::network;
+    } else {
+      choose_ball_as_before(out);
+      s.from_before = true;
+    }
+  }
+
   void number(const JsonCursor& at, std::string_view name, double& value) {
     reader_.if_member(at, name, [&](const JsonCursor& member) { value = reader_.number(member); });
   }

@@ -73,6 +73,12 @@ void write_source(DocumentText& out, const SolidsSource& source) {
   number("detail", settings.detail);
   number("merge_deg", settings.merge_angle);
   number("cage_detail", settings.cage_detail);
+  number("rounding", settings.rounding);
+  out.key("ball_radius");
+  if (settings.ball_radius)
+    out.number(*settings.ball_radius);
+  else
+    out.string("hull");
   out.key("method");
   out.string(method_names[std::size_t(settings.method)]);
   out.key("surface");

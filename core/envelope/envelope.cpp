@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/envelope/ball/ball_envelope.hpp"
+#include "core/envelope/ball/tightness.hpp"
+#include "core/envelope/cage_surface.hpp"
 #include "core/envelope/convex_hull.hpp"
 #include "core/envelope/network_handles.hpp"
 #include "core/envelope/valley_tips.hpp"
@@ -12,6 +15,11 @@ namespace {
 
 constexpr double tolerance = 1e-4;  ///< of the diagonal
 constexpr int drag_builds = 2;
+constexpr double least_ball = 3;  ///< of the rounding
+/// Of the solids' size: lattices of finer roundings would not fit into memory.
+constexpr double least_rounding = 1.0 / 160;
+/// Of the solids' size. What such a ball leaves is the hull to a sixteenth of a thousandth of the size.
+constexpr double hull_ball = 2000;
 constexpr int hull_level = 9;
 constexpr int automatic_levels = 2;  ///< of the valleys' ladder; below that a field's cage is closer
 constexpr double decay = 0.98;       ///< of what growth is above 1, a frame
@@ -122,6 +130,37 @@ void take_cage(CageSurface cage, EnvelopeSurface& out) {
   out.check = std::move(cage.check);
   const double miss = out.check ? out.check->worst : out.worst;
   out.enclosed = miss <= tolerance * out.diagonal;
+}
+
+/// The ball's quads, whose normals are those of its surface.
+Result<Done> take_quads(const BallEnvelope& made, EnvelopeSurface& out) {
+  PolygonMesh mesh;
+  mesh.positions = made.cage.positions;
+  for (const auto& quad : made.cage.quads) mesh.add_face(quad);
+  auto built = Polyhedron::build(mesh);
+  if (!built) return built.error();
+  out.shaping = length_tensions(*built);
+  for (Index v = 0; v < mesh.positions.size(); ++v)
+    out.shaping.pin.set(VertexId{v}, {Pin::Kind::normal, {out.surface.node_normal(v)}});
+  out.cage = std::make_shared<const Polyhedron>(*std::move(built));
+  return Done{};
+}
+
+/// What the ball's patches miss, where they do.
+void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, EnvelopeSurface& out) {
+  if (rounding > asked)
+    out.warnings.push_back(
+        make_warning(w_rounding_raised,
+                     "The rounding is too small for solids of this size; " +
+                         percent(rounding / out.diagonal) + " % of it is used.",
+                     "Choose a larger rounding, or distribute the solids over several objects."));
+  if (made.coarse > 0)
+    out.warnings.push_back(
+        make_warning(w_envelope_coarse,
+                     std::to_string(made.coarse) + " patches are up to " +
+                         percent(std::max(made.outward, made.inward) / out.diagonal) +
+                         " % of the size away from the shape, as it bends too tightly there.",
+                     "Choose a larger ball or rounding, or move the solids a little."));
 }
 
 /// The fair surface over the cage of a network, which is pushed out on its own.
@@ -271,9 +310,18 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
   job.out.diagonal = scene_diagonal(job.solids);
   for (const PlacedSolid& solid : job.solids) job.names.emplace_back(solid.id, solid.part);
   job.waists = waists_of(job.input, job.solids);
+  if (input.settings.method == EnvelopeMethod::ball) {
+    if (const auto taken = make_ball(job); !taken) return taken.error();
+    if (quality == Quality::final) add_hull_warnings(input, job.out.warnings);
+    last_route_ = EnvelopeRoute::ball;
+    last_solids_ = std::move(job.names);
+    add_warnings(job.out);
+    return std::move(job.out);
+  }
   // While dragging the kind of surface stays.
   const bool stays = quality == Quality::drag && job.names == last_solids_ && input.settings.tightness > 0 &&
                      input.settings.method == EnvelopeMethod::automatic &&
+                     last_route_ != EnvelopeRoute::ball &&
                      (last_route_ != EnvelopeRoute::hull || last_level_ == hull_level);
   const EnvelopeRoute first = stays ? last_route_ : envelope_route(job.input, job.solids, job.out.origin);
   bool made = false;
@@ -315,6 +363,47 @@ Result<EnvelopeSurface> EnvelopeSurfacer::rebuild(const EnvelopeInput& input, Qu
                                             "The surface is not symmetric: its faces differ on both sides.",
                                             "Change the thinning, or move a solid a little."));
   return std::move(job.out);
+}
+
+Result<Done> EnvelopeSurfacer::make_ball(Job& job) {
+  const EnvelopeSettings& wanted = job.input.settings;
+  const bool last = job.quality == Quality::final;
+  EnvelopeSurface& out = job.out;
+  BallSettings ball;
+  ball.sigma = std::max(wanted.rounding, least_rounding * out.diagonal);
+  ball.radius = std::max(wanted.ball_radius.value_or(hull_ball * out.diagonal), least_ball * ball.sigma);
+  ball.clearance = wanted.clearance;
+  std::optional<Eigen::Index> mirror;
+  if (job.symmetry) mirror = job.symmetry->axis;
+  std::optional<BallEnvelope> made =
+      ball_envelope(job.input.solids, ball, out.origin, mirror, job.quality, job.cancel);
+  if (job.cancel.cancelled()) return job.cancelled();
+  if (!made)
+    return make_error(e_envelope_flat, "There is no surface round the solids.",
+                      "Make one of them thicker, or the rounding larger.");
+  out.route = EnvelopeRoute::ball;
+  out.surface = std::move(made->surface);
+  out.components = made->topology.components;
+  out.tunnels = made->topology.tunnels;
+  out.folds = made->folds;
+  out.builds = made->cuts + 1;
+  out.symmetric = job.symmetry != nullptr;
+  // Patches that are as near to the shape as that lie outside of the solids (docs/envelope.md).
+  out.enclosed = made->inward <= made->tolerance;
+  if (!last) return Done{};
+  if (made->coarse > 0) {
+    out.check = check_enclosure(out.surface, job.solids, {}, tolerance * out.diagonal, job.cancel);
+    if (job.cancel.cancelled()) return job.cancelled();
+    out.enclosed = out.check->worst <= tolerance * out.diagonal;
+  }
+  if (wanted.from_before)
+    out.warnings.push_back(make_warning(
+        w_envelope_method,
+        "The file is from an older Hariko, which made the surface round these solids in another way: its "
+        "shape differs.",
+        "Look at tightness and rounding, or choose the network of curves."));
+  add_ball_warnings(*made, wanted.rounding, ball.sigma, out);
+  return take_quads(*made, out);
 }
 
 Result<Done> EnvelopeSurfacer::make_hull(Job& job) {

@@ -12,7 +12,8 @@ namespace hariko {
 enum class EnvelopeRoute : std::uint8_t {
   hull,     ///< the network of the filled hull
   valleys,  ///< the hull's network, sunk into the notches
-  field     ///< a field's cage
+  field,    ///< a field's cage
+  ball      ///< patches on what a rolling ball leaves
 };
 
 /// The designer's choice, or the automatic one: valleys for up to three solids, a field's cage for holes,

@@ -85,7 +85,8 @@ struct SolidPair {
   friend auto operator<=>(const SolidPair&, const SolidPair&) = default;
 };
 
-enum class EnvelopeMethod : std::uint8_t { automatic, network, field };
+/// Documents have `ball` or `network`.
+enum class EnvelopeMethod : std::uint8_t { automatic, network, field, ball };
 enum class EnvelopePatches : std::uint8_t { rational, fair };
 enum class SymmetryPlane : std::uint8_t { none, x, y, z };  ///< normal of the plane through the origin
 
@@ -99,6 +100,11 @@ struct EnvelopeSettings {
   double merge_angle = 40;  ///< [0, 60], largest angle between two triangles that may make a quad
   double cage_detail = 1;   ///< [0.5, 1.5], cells of the field's cage: smaller is closer to the solids
   EnvelopeMethod method = EnvelopeMethod::automatic;
+  /// Method `ball`: of the ball, which fills what it cannot reach; nothing: as large as can be, the hull. At
+  /// least three times the rounding.
+  std::optional<double> ball_radius = {};
+  bool from_before = false;  ///< read from a file in which another method made the surface; not saved
+  double rounding = 0;       ///< method `ball`: length; edges get a radius of 1.5 times this
   EnvelopePatches patches = EnvelopePatches::rational;
   SymmetryPlane symmetry = SymmetryPlane::none;
   FlatMap<SolidPair, double> waists = {};         ///< factors on `waist` per bridge, (0, 2]

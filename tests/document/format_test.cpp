@@ -167,8 +167,14 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
 
   EXPECT_EQ(*read_document(write_document(document)), document);
   std::string now = text;
-  now.replace(now.find("\"version\": 1"), 12, "\"version\": 2");
+  now.replace(now.find("\"version\": 1"), 12, "\"version\": 3");
   EXPECT_EQ(write_document(document), now) << "the fixture is written as this version writes";
+}
+
+/// What this version writes of a document of version 2 that nothing else changes in.
+std::string as_version_3(std::string text) {
+  text.replace(text.find("\"version\": 2"), 12, "\"version\": 3");
+  return text;
 }
 
 TEST(Format, SkinsOfVersion2ReadForEver) {
@@ -179,7 +185,7 @@ TEST(Format, SkinsOfVersion2ReadForEver) {
   ASSERT_EQ(skin.sections.size(), 2U);
   EXPECT_FALSE(skin.sections[0].start_chosen);
   EXPECT_TRUE(skin.sections[1].start_chosen);
-  EXPECT_EQ(write_document(*read), text) << "the fixture is written as this version writes";
+  EXPECT_EQ(write_document(*read), as_version_3(text)) << "the fixture is written as this version writes";
 }
 
 TEST(Format, ClosedSectionsOfVersion1BeginWhereTheyWereDrawn) {
@@ -205,7 +211,26 @@ TEST(Format, FixtureOfVersion2ReadsForEver) {
   EXPECT_EQ(read->objects[0]->polyhedron()->frames, Frames::metric);
   EXPECT_TRUE(read->objects[0]->polyhedron()->preparation.split_concave);
   EXPECT_EQ(read->objects[1]->polyhedron()->frames, Frames::equal) << "nothing old changes by itself";
-  EXPECT_EQ(write_document(*read), text) << "the fixture is written as this version writes";
+  EXPECT_EQ(write_document(*read), as_version_3(text)) << "the fixture is written as this version writes";
+}
+
+TEST(Format, SolidsOfVersion2GetTheBall) {
+  const std::string text = file_text("tests/document/fixtures/v2_solids.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  ASSERT_EQ(read->objects.size(), 3U);
+  const auto settings = [&](std::size_t i) { return read->objects[i]->solids()->input->settings; };
+  EXPECT_EQ(settings(0).method, EnvelopeMethod::ball) << "auto, tight";
+  EXPECT_TRUE(settings(0).from_before);
+  EXPECT_NEAR(settings(0).rounding, 0.045 * 3, 1e-12);
+  EXPECT_NEAR(*settings(0).ball_radius, 3 * 0.045 * 3, 1e-12) << "tightness 1";
+  EXPECT_EQ(settings(1).method, EnvelopeMethod::network) << "auto at tightness 0";
+  EXPECT_EQ(settings(2).method, EnvelopeMethod::ball) << "a field, at tightness 0 the hull";
+  EXPECT_FALSE(settings(2).ball_radius.has_value());
+  const Result<Document> again = read_document(write_document(*read));
+  ASSERT_TRUE(again) << message_of(again);
+  EXPECT_FALSE(again->objects[0]->solids()->input->settings.from_before) << "saved by this version";
+  EXPECT_EQ(again->objects[0]->solids()->input->settings.ball_radius, settings(0).ball_radius);
 }
 
 TEST(Format, UnknownPartsStayByteForByte) {

@@ -40,7 +40,9 @@ inline EnvelopeInput any_solids(std::mt19937_64& rng) {
   settings.detail = uniform(rng, 0, 0.3);
   settings.merge_angle = uniform(rng, 0, 60);
   settings.cage_detail = uniform(rng, 0.5, 1.5);
-  settings.method = static_cast<EnvelopeMethod>(uniform_int(rng, 0, 2));
+  settings.method = chance(rng, 0.5) ? EnvelopeMethod::network : EnvelopeMethod::ball;
+  settings.rounding = uniform(rng, 0.01, 1);
+  if (chance(rng, 0.5)) settings.ball_radius = uniform(rng, 0.1, 10);
   settings.patches = static_cast<EnvelopePatches>(uniform_int(rng, 0, 1));
   settings.symmetry = static_cast<SymmetryPlane>(uniform_int(rng, 0, 3));
   if (chance(rng, 0.5)) settings.waists.set(SolidPair::of(3, 6), uniform(rng, 0.1, 2));

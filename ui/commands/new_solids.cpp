@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/document/edit_solids.hpp"
+#include "core/envelope/ball/tightness.hpp"
 #include "core/modeling/primitives.hpp"
 #include "ui/commands/new_object.hpp"
 
@@ -143,6 +144,7 @@ bool add_new_solid(Editor& editor, const NewSolid& shape, std::vector<OperationN
                        const Document& document, Numbers chosen) -> Result<OperationResult> {
     EnvelopeInput input;
     input.solids.push_back(put(make(chosen)));
+    choose_ball(input);
     if (const auto checked = check_envelope(input); !checked) return checked.error();
     auto added = add_object(document, name, SolidsSource{std::move(input), {}}, place);
     if (!added) return added.error();
@@ -159,6 +161,7 @@ Result<Document> with_new_solid(const Editor& editor, const Solid& solid) {
   if (const Object* object = active_solids(editor)) return add_solid(document, object->id, solid);
   EnvelopeInput input;
   input.solids.push_back(solid);
+  choose_ball(input);
   if (const auto checked = check_envelope(input); !checked) return checked.error();
   auto added =
       add_object(document, editor.language(translatable("Solids")), SolidsSource{std::move(input), {}});

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/document/edit_solids.hpp"
+#include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
 #include "core/envelope/field_envelope.hpp"
 #include "ui/panels/choice.hpp"
@@ -14,11 +15,9 @@ namespace hariko {
 
 namespace {
 
-constexpr std::array cage_method_choices{
-    Choice{"Automatic",
-           "Curves where they can follow the solids; the field for holes, parts and many solids"},
-    Choice{"Curves", "A network of curves round the hull of the solids, sunk into their notches"},
-    Choice{"Field", "A cage that follows notches and holes"},
+constexpr std::array method_choices{
+    Choice{"Ball", "What a ball leaves that rolls over the solids, rounded"},
+    Choice{"Curves", "A network of curves round the hull of the solids"},
 };
 constexpr std::array patch_choices{
     Choice{"Rational", "Keeps the character of the solids"},
@@ -80,14 +79,24 @@ void choice_rows(PanelContext& context, const Object& object) {
                                           [&](EnvelopeInput& input) { change(input.settings); }),
                           step);
   };
-  if (const auto chosen = choose(context, "envelope_method", "Method", "How the cage of the surface is found",
-                                 cage_method_choices, static_cast<int>(now.method)))
-    set("Method of the surface",
-        [&](EnvelopeSettings& settings) { settings.method = static_cast<EnvelopeMethod>(*chosen); });
-  if (const auto chosen = choose(context, "envelope_patches", "Patches", "What spans the curves",
-                                 patch_choices, static_cast<int>(now.patches)))
-    set("Patches of the surface",
-        [&](EnvelopeSettings& settings) { settings.patches = static_cast<EnvelopePatches>(*chosen); });
+  const bool ball = now.method == EnvelopeMethod::ball;
+  if (const auto chosen = choose(context, "envelope_method", "Method", "What decides the surface's shape",
+                                 method_choices, ball ? 0 : 1))
+    context.editor.commit(change_envelope(context.editor.history.current(), object.id,
+                                          [&](EnvelopeInput& input) {
+                                            if (*chosen == 1)
+                                              input.settings.method = EnvelopeMethod::network;
+                                            else if (input.settings.rounding > 0)
+                                              input.settings.method = EnvelopeMethod::ball;
+                                            else
+                                              choose_ball(input);
+                                          }),
+                          "Method of the surface");
+  if (!ball)
+    if (const auto chosen = choose(context, "envelope_patches", "Patches", "What spans the curves",
+                                   patch_choices, static_cast<int>(now.patches)))
+      set("Patches of the surface",
+          [&](EnvelopeSettings& settings) { settings.patches = static_cast<EnvelopePatches>(*chosen); });
   if (const auto chosen = choose(context, "envelope_symmetry", "Symmetry",
                                  "A plane through the object's zero, across an axis of the object",
                                  symmetry_choices, static_cast<int>(now.symmetry)))
@@ -114,7 +123,8 @@ void state_rows(PanelContext& context, const Object& object) {
                                           : translatable("On both sides of the plane")));
     context.marks.item("solids.symmetric");
   }
-  if (!(object.solids()->input->settings.tightness > 0)) return;
+  const EnvelopeSettings& settings = object.solids()->input->settings;
+  if (settings.method == EnvelopeMethod::ball || !(settings.tightness > 0)) return;
   row_label(context, "Follows", "Notches between the solids");
   ImGui::TextUnformatted(context.tr(says(w_tightness_reduced) ? translatable("Only the hull of the solids")
                                     : says(w_tightness_loose)
@@ -123,9 +133,53 @@ void state_rows(PanelContext& context, const Object& object) {
   context.marks.item("solids.follows");
 }
 
+void clearance_row(PanelContext& context, const Object& object) {
+  Quantity length = length_of(context, object);
+  length.low = 0;
+  length.standard = 0;
+  const auto clearance = [](EnvelopeSettings& settings) -> double& { return settings.clearance; };
+  value_row(context,
+            {"clearance", translatable("Clearance"), translatable("Distance that is kept from every solid"),
+             translatable("Clearance of the surface"), length},
+            object.solids()->input->settings.clearance, edit_setting(object.id, length, clearance));
+}
+
+/// Of the ball: tightness is its radius, seen from the solids' size.
+void ball_rows(PanelContext& context, const Object& object) {
+  const EnvelopeInput& input = *object.solids()->input;
+  const double size = solids_size(input.solids);
+  const Quantity tightness = share(0, 1, 0.5);
+  slider_row(context,
+             {"tightness", translatable("Tightness"),
+              translatable("0 is the rounded hull, 1 rolls the smallest ball into the notches"),
+              translatable("Tightness of the surface"), tightness},
+             0, 1, false, tightness_of(input.settings.ball_radius, input.settings.rounding, size),
+             [object = object.id, tightness, size](const Document& document, const ValueChange& change) {
+               return change_envelope(document, object, [&](EnvelopeInput& changed) {
+                 EnvelopeSettings& settings = changed.settings;
+                 const double now = tightness_of(settings.ball_radius, settings.rounding, size);
+                 settings.ball_radius = ball_radius_at(change.apply(tightness, now), settings.rounding, size);
+               });
+             });
+  Quantity length = length_of(context, object);
+  length.low = 1e-9;
+  const auto rounding = [](EnvelopeSettings& settings) -> double& { return settings.rounding; };
+  value_row(context,
+            {"rounding", translatable("Rounding"),
+             translatable("Edges are rounded by one and a half times this length; faces lie about as far "
+                          "outside of the solids as it is long"),
+             translatable("Rounding of the surface"), length},
+            input.settings.rounding, edit_setting(object.id, length, rounding));
+  clearance_row(context, object);
+}
+
 void surface_rows(PanelContext& context, const Object& object) {
   heading(context, "Surface round the solids");
   state_rows(context, object);
+  if (object.solids()->input->settings.method == EnvelopeMethod::ball) {
+    ball_rows(context, object);
+    return choice_rows(context, object);
+  }
   setting_row(context, object,
               {"tightness", translatable("Tightness"),
                translatable("0 is the hull, 1 follows notches and holes between the solids"),
@@ -140,14 +194,7 @@ void surface_rows(PanelContext& context, const Object& object) {
       {"waist", translatable("Waist"), translatable("Of the parts between solids: towards 0 they are taut"),
        translatable("Waist of the surface"), share(0.01, 1, 0.5)},
       [](EnvelopeSettings& settings) -> double& { return settings.waist; });
-  Quantity length = length_of(context, object);
-  length.low = 0;
-  length.standard = 0;
-  const auto clearance = [](EnvelopeSettings& settings) -> double& { return settings.clearance; };
-  value_row(context,
-            {"clearance", translatable("Clearance"), translatable("Distance that is kept from every solid"),
-             translatable("Clearance of the surface"), length},
-            object.solids()->input->settings.clearance, edit_setting(object.id, length, clearance));
+  clearance_row(context, object);
   setting_row(context, object,
               {"envelope_detail", translatable("Thinning"),
                translatable("Corners nearer to each other than this part of the whole are joined"),
@@ -350,6 +397,7 @@ void selected_rows(PanelContext& context, const Object& object, const Ids& ids) 
   solid_vector(context, object, ids, "Scale", "Along the solid's own axes",
                {"solid.scale_x", "solid.scale_y", "solid.scale_z"}, "Scale solid", scale,
                [](Solid& solid) -> Vector3& { return solid.scale; });
+  if (object.solids()->input->settings.method == EnvelopeMethod::ball) return;
   roundness_rows(context, object, ids);
   bridge_row(context, object, ids);
 }
@@ -382,6 +430,7 @@ void draw_solids(PanelContext& context, const Object& object) {
   list_rows(context, object, ids);
   if (ids.empty()) hint_text(context, "Click a solid to change it, drag it to move it.");
   surface_rows(context, object);
+  if (object.solids()->input->settings.method == EnvelopeMethod::ball) return;
   heading(context, "Curves by hand");
   network_rows(context, object);
 }

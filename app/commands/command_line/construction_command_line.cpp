@@ -24,6 +24,7 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"equal", "metric"}));
   command.add_flag("--round", round_, "Mode g2 measures bending over the surface of mode fair");
   outlines_.add_to(command);
+  solids_.add_to(command);
   reading_.add_to(command);
 }
 
@@ -33,6 +34,7 @@ Construction ConstructionCommandLine::construction() const {
   out.round = round_;
   if (!frames_.empty()) out.frames = frames_ == "metric" ? Frames::metric : Frames::equal;
   out.outlines = outlines_.construction();
+  out.solids = solids_.construction();
   out.reading = reading_.reading();
   return out;
 }

@@ -6,6 +6,7 @@
 
 #include "app/commands/command_line/outline_command_line.hpp"
 #include "app/commands/command_line/reading_command_line.hpp"
+#include "app/commands/command_line/solids_command_line.hpp"
 
 namespace hariko {
 
@@ -19,6 +20,7 @@ class ConstructionCommandLine {
   std::string mode_, frames_;
   bool round_ = false;
   OutlineCommandLine outlines_;
+  SolidsCommandLine solids_;
   ReadingCommandLine reading_;
 };
 

@@ -1,0 +1,348 @@
+// The surface that a rolling ball leaves: distances, closing, rounding, patches.
+
+#include "core/envelope/ball/ball_envelope.hpp"
+
+#include <cmath>
+
+#include "core/analysis/measures.hpp"
+#include "core/envelope/ball/tightness.hpp"
+#include "core/envelope/scene_symmetry.hpp"
+#include "tests/envelope/envelope_scenes.hpp"
+
+namespace hariko::test {
+
+namespace {
+
+Solid solid_of(SolidKind kind) {
+  Solid out;
+  out.kind = kind;
+  if (kind == SolidKind::polyhedron)
+    out.points = {{1, 0, 0}, {-1, 0.2, 0}, {0, 1, 0.1}, {0, -1, 0}, {0.1, 0, 1}, {0, 0.1, -0.7}};
+  return out;
+}
+
+Solid box_of_size(const Vector3& size, const Vector3& at = Vector3::Zero()) {
+  Solid out;
+  out.size = size;
+  out.position = at;
+  return out;
+}
+
+/// Sizes are parts of the scene's diagonal; a radius of 0 is the hull.
+BallEnvelope ball_of(const EnvelopeInput& input, double radius, double sigma,
+                     Quality quality = Quality::final) {
+  const EnvelopedScene scene = enveloped_scene(input);
+  const double size = solids_size(input.solids);
+  BallSettings settings;
+  settings.radius = (radius > 0 ? radius : 2000) * size;
+  settings.sigma = sigma * size;
+  std::optional<Eigen::Index> mirror;
+  if (scene.symmetry) mirror = scene.symmetry->axis;
+  auto made = ball_envelope(scene.input.solids, settings, scene.origin, mirror, quality);
+  if (!made) ADD_FAILURE() << "there is no surface";
+  return made ? *std::move(made) : BallEnvelope{};
+}
+
+/// From a point inside along a direction to the field's zero.
+double reach(const SplineField& field, const Vector3& from, const Vector3& direction, double far) {
+  double low = 0, high = far;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (field.value(from + middle * direction) < 0 ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Largest distance of samples of a surface from the zero of another field, relative to another origin.
+double distance_to(const Surface& surface, const SplineField& field, const Vector3& shift) {
+  double out = 0;
+  for (Index p = 0; p < surface.patch_count(); ++p)
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const Vector3 at =
+            surface.patches().evaluate(p, Vector2(i / 4.0, j / 4.0), Order::first).position + shift;
+        const FieldPoint found = field.at(at);
+        out = std::max(out, std::abs(found.value) / found.gradient.norm());
+      }
+  return out;
+}
+
+}  // namespace
+
+TEST(SolidShapes, DistancesAreThoseToPointsOfTheSolid) {
+  std::mt19937_64 rng(7);
+  for (int kind = 0; kind < 9; ++kind)
+    for (const bool stretched : {false, true}) {
+      EnvelopeInput input{{solid_of(SolidKind(kind))}, {}};
+      Solid& solid = input.solids[0];
+      solid.rotation = {20, 50, -30};
+      solid.position = {0.3, 2, -1};
+      if (stretched) solid.scale = {0.6, 1.7, 1.1};
+      // Spread points stand for the placed solid, but for balls of stretched capsules and rings.
+      if (stretched && (solid.kind == SolidKind::capsule || solid.kind == SolidKind::torus)) continue;
+      const SolidShape shape(solid, Vector3::Zero());
+      std::vector<Vector3> points;
+      for (const PlacedSolid& placed : place_solids(input)) {
+        const auto more = placed.surface_points(6000);
+        points.insert(points.end(), more.begin(), more.end());
+      }
+      for (const Vector3& p : points) ASSERT_LE(shape.distance(p), 1e-8) << name_of(solid.kind);
+      for (int k = 0; k < 40; ++k) {
+        const Vector3 at = solid.position + random_vector(rng, 2.5);
+        const SolidPlace place = shape.place(at);
+        EXPECT_NEAR(place.distance, shape.distance(at), 1e-12);
+        EXPECT_NEAR(place.gradient.norm(), 1, 1e-12);
+        EXPECT_NEAR((at - place.core).norm() - place.core_radius, place.distance, 1e-9);
+        if (place.distance < 0.05) continue;
+        double least = 1e300;
+        for (const Vector3& p : points) least = std::min(least, (p - at).norm());
+        EXPECT_LE(place.distance, least + 1e-9) << name_of(solid.kind);
+        if (solid.kind != SolidKind::capsule) {
+          EXPECT_GE(place.distance, least - 0.1) << name_of(solid.kind);
+        }
+      }
+    }
+}
+
+TEST(SolidShapes, DistancesChangeByTheWayAtMostAndGradientsAreTheirs) {
+  std::mt19937_64 rng(8);
+  for (int kind = 0; kind < 9; ++kind)
+    for (const bool stretched : {false, true}) {
+      Solid solid = solid_of(SolidKind(kind));
+      if (stretched) solid.scale = {0.6, 1.7, 1.1};
+      const SolidShape shape(solid, Vector3::Zero());
+      for (int k = 0; k < 60; ++k) {
+        const Vector3 a = random_vector(rng, 1.5), b = a + random_vector(rng, 0.3);
+        EXPECT_LE(std::abs(shape.distance(a) - shape.distance(b)), (a - b).norm() + 1e-9)
+            << name_of(solid.kind);
+        const SolidPlace place = shape.place(a);
+        if (place.distance < 0.05) continue;
+        const double step = 1e-5;
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vector3 by = step * Vector3::Unit(axis);
+          EXPECT_NEAR(place.gradient[axis], (shape.distance(a + by) - shape.distance(a - by)) / (2 * step),
+                      2e-4)
+              << name_of(solid.kind) << stretched;
+        }
+      }
+    }
+}
+
+TEST(BallClosing, IsNeverFartherInThanAnySolid) {
+  std::mt19937_64 rng(9);
+  for (int scene = 0; scene < 12; ++scene) {
+    const EnvelopeInput input = random_scene(rng);
+    std::vector<GrownSolid> grown;
+    for (const Solid& solid : input.solids) grown.push_back({SolidShape(solid, Vector3::Zero()), 0.02});
+    const GrownUnion all(std::move(grown));
+    const Closing closing(all, 0.4, 1e-5);
+    for (int k = 0; k < 50; ++k) {
+      const Vector3 at = input.solids[0].position + random_vector(rng, 3);
+      const double least = all.nearest(at, all.all()).distance;
+      EXPECT_LE(closing.at(at, all.all()).value, least + 1e-12);
+    }
+  }
+}
+
+TEST(BallClosing, FillsTheNotchOfTwoBallsByARing) {
+  // Centres of the rolling ball lie on a circle about the line through both.
+  Solid ball = solid_of(SolidKind::sphere);
+  ball.radius = 1;
+  ball.position = {-1, 0, 0};
+  Solid other = ball;
+  other.position = {1, 0, 0};
+  std::vector<GrownSolid> grown{{SolidShape(ball, Vector3::Zero()), 0},
+                                {SolidShape(other, Vector3::Zero()), 0}};
+  const GrownUnion all(std::move(grown));
+  const double radius = 0.5, circle = std::sqrt(1.5 * 1.5 - 1);
+  const Closing closing(all, radius, 1e-7);
+  for (const double y : {0.2, 0.4, 0.55})
+    EXPECT_NEAR(closing.at({0, y, 0}, all.all()).value, radius - (circle - y), 1e-5) << y;
+}
+
+TEST(BallEnvelopes, OneBoxIsRoundedByTheSpecifiedAmounts) {
+  const EnvelopeInput input{{box_of_size({1, 1, 1})}, {}};
+  const BallEnvelope made = ball_of(input, 1, 0.03);
+  const double sigma = 0.03 * std::sqrt(3.0), tolerance = 0.1 * sigma;
+  const double face = reach(made.field, Vector3::Zero(), Vector3::UnitX(), 1) - 0.5;
+  EXPECT_NEAR(face, 0.925 * sigma + tolerance, 0.012 * sigma);
+  EXPECT_NEAR(made.field.value({0.5, 0.5, 0}), -0.33 * sigma - tolerance, 0.012 * sigma) << "on an edge";
+  EXPECT_LE(made.field.value({0.5, 0.5, 0.5}), 0.01 * sigma - tolerance) << "at a corner";
+  double most = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double a = k * 0.25 * std::numbers::pi / 100;
+    const Vector3 way(std::cos(a), std::sin(a), 0);
+    const Vector3 at = reach(made.field, Vector3::Zero(), way, 2) * way;
+    const SurfaceForm form = surface_form(made.field, at);
+    most = std::max(most, -form.along(form.normal.cross(Vector3::UnitZ()).normalized()));
+  }
+  EXPECT_NEAR(most * sigma, 0.664, 0.03);
+  EXPECT_EQ(made.coarse, 0U);
+}
+
+TEST(BallEnvelopes, FlushBoxesAreOneBox) {
+  const EnvelopeInput one{{box_of_size({2, 1, 1})}, {}};
+  EnvelopeInput two{{box_of_size({1, 1, 1}, {-0.5, 0, 0}), box_of_size({1, 1, 1}, {0.5, 0, 0})}, {}};
+  two.solids[1].id = 1;
+  const BallEnvelope a = ball_of(one, 0.3, 0.03), b = ball_of(two, 0.3, 0.03);
+  EXPECT_LE(distance_to(a.surface, b.field, a.surface.origin() - b.surface.origin()),
+            a.tolerance + 5e-4 * std::sqrt(6.0));
+}
+
+TEST(BallEnvelopes, NothingButTheSolidsMovesTheSurface) {
+  EnvelopeInput input{{box_of_size({1, 1, 1})}, {}};
+  const BallEnvelope still = ball_of(input, 1, 0.04);
+  const double sigma = 0.04 * std::sqrt(3.0);
+  for (int k = 1; k < 4; ++k) {
+    input.solids[0].position = {0.37 * k * sigma, 0.11 * k * sigma, 0.23 * k * sigma};
+    const BallEnvelope moved = ball_of(input, 1, 0.04);
+    for (const Vector3& way : {Vector3(1, 0, 0), Vector3(0, -1, 0), Vector3(0.6, 0.8, 0)}) {
+      const Vector3 from = input.solids[0].position - moved.surface.origin();
+      EXPECT_NEAR(reach(moved.field, from, way, 2), reach(still.field, -still.surface.origin(), way, 2),
+                  0.012 * sigma);
+    }
+  }
+}
+
+TEST(BallEnvelopes, RoundBodiesStayRound) {
+  for (const SolidKind kind : {SolidKind::sphere, SolidKind::cylinder, SolidKind::capsule, SolidKind::cone}) {
+    const EnvelopeInput input{{solid_of(kind)}, {}};
+    const BallEnvelope made = ball_of(input, 0.5, 0.03);
+    double least = 1e300, most = 0;
+    for (int k = 0; k < 90; ++k) {
+      const double a = 2 * std::numbers::pi * k / 90;
+      const double r = reach(made.field, -made.surface.origin(), Vector3(std::cos(a), std::sin(a), 0), 2);
+      least = std::min(least, r);
+      most = std::max(most, r);
+    }
+    EXPECT_LE(most - least, 2e-3 * most) << name_of(kind);
+    EXPECT_EQ(made.coarse, 0U) << name_of(kind);
+  }
+}
+
+TEST(BallEnvelopes, SamplesHaveTheMeasuredPatchesAndBending) {
+  struct Row {
+    const char* scene;
+    double radius, sigma, patches, bending;
+  };
+  for (const Row& row :
+       {Row{"ell", 0.3, 0.03, 440, 141}, Row{"car", 0.3, 0.03, 412, 127}, Row{"dryer", 0.3, 0.03, 440, 104},
+        Row{"four", 0.3, 0.03, 354, 98}, Row{"four", 8, 0.06, 116, 49}}) {
+    const BallEnvelope made = ball_of(golden_scene(row.scene), row.radius, row.sigma);
+    EXPECT_NEAR(made.surface.patch_count(), row.patches, 0.1 * row.patches) << row.scene;
+    EXPECT_NEAR(measure(made.surface).bending, row.bending, 0.035 * row.bending) << row.scene;
+    EXPECT_EQ(made.coarse, 0U) << row.scene;
+    EXPECT_EQ(made.folds, 0U) << row.scene;
+    EXPECT_EQ(made.topology.components, 1) << row.scene;
+  }
+}
+
+TEST(BallEnvelopes, TightnessNeverAddsVolume) {
+  for (const char* scene : {"four", "car"}) {
+    const EnvelopeInput input = golden_scene(scene);
+    double before = 1e300;
+    for (const double radius : {0.0, 8.0, 1.0, 0.3, 0.12}) {
+      const double volume = measure(ball_of(input, radius, 0.04).surface).volume.value_or(0);
+      EXPECT_LE(volume, before * (1 + 1e-3)) << scene << radius;
+      before = volume;
+    }
+  }
+}
+
+TEST(BallEnvelopes, PatchesMeetWithCommonTangentPlanes) {
+  const BallEnvelope made = ball_of(golden_scene("four"), 0.3, 0.04);
+  const auto at = [&](const PatchSide& side, double x) {
+    return made.surface.patches().evaluate(side.patch, side_parameter(Domain::square, side.side, x),
+                                           Order::first);
+  };
+  for (const Seam& seam : made.surface.seams())
+    for (const double x : {0.125, 0.375, 0.5, 0.875}) {
+      const PatchPoint a = at(seam.first, x), b = at(seam.second, 1 - x);
+      EXPECT_EQ(a.position, b.position);
+      EXPECT_LE(unit_normal(a).cross(unit_normal(b)).norm(), 1e-8);
+    }
+}
+
+TEST(BallEnvelopes, SurfacesFollowASolidNoFartherThanItMoves) {
+  EnvelopeInput input = golden_scene("four");
+  const double size = solids_size(input.solids), step = 0.005 * size;
+  BallSettings settings{0.3 * size, 0.035 * size, 0};
+  const auto build = [&] {
+    const EnvelopedScene scene = enveloped_scene(input);
+    return *ball_envelope(scene.input.solids, settings, scene.origin, {}, Quality::drag);
+  };
+  BallEnvelope last = build();
+  for (int k = 0; k < 6; ++k) {
+    input.solids[0].position.x() += step;
+    BallEnvelope now = build();
+    EXPECT_LE(distance_to(last.surface, now.field, last.surface.origin() - now.surface.origin()),
+              step + 1e-3 * size + last.tolerance);
+    last = std::move(now);
+  }
+}
+
+TEST(BallEnvelopes, ContainRandomScenes) {
+  std::mt19937_64 rng(20261126);
+  for (int k = 0; k < 8; ++k) {
+    EnvelopeInput input = random_scene(rng);
+    choose_ball(input);
+    const double size = solids_size(input.solids);
+    input.settings.rounding = 0.035 * size;
+    input.settings.ball_radius = (k % 2 == 0 ? 0.3 : 2.0) * size;
+    const EnvelopeSurface made = envelope_of(input);
+    const EnclosureReport found =
+        check_enclosure(made.surface, enveloped_scene(input).placed, {}, 1e-4 * size);
+    EXPECT_EQ(found.outside, 0U) << k;
+    EXPECT_TRUE(made.enclosed) << k;
+  }
+}
+
+TEST(BallEnvelopes, AreTheSameAtEverySizeAndPlace) {
+  EnvelopeInput input = golden_scene("ell");
+  choose_ball(input);
+  input.settings.rounding = 0.05 * solids_size(input.solids);
+  const EnvelopeSurface usual = envelope_of(input);
+  for (const double scale : {1e-3, 1e6}) {
+    EnvelopeInput other = input;
+    for (Solid& solid : other.solids) {
+      solid.size *= scale;
+      solid.position *= scale;
+    }
+    other.settings.rounding *= scale;
+    *other.settings.ball_radius *= scale;
+    const EnvelopeSurface made = envelope_of(other);
+    EXPECT_EQ(made.surface.patch_count(), usual.surface.patch_count()) << scale;
+    EXPECT_NEAR(measure(made.surface).bending, measure(usual.surface).bending, 1e-3);
+  }
+  for (Solid& solid : input.solids) solid.position += Vector3::Constant(1e6);
+  const EnvelopeSurface far = envelope_of(input);
+  EXPECT_NEAR(measure(far.surface).bending, measure(usual.surface).bending,
+              0.02 * measure(usual.surface).bending);
+  EXPECT_TRUE(far.enclosed);
+}
+
+TEST(BallEnvelopes, AreTheirOwnImageInAPlane) {
+  EnvelopeInput input{{box_of_size({1, 0.6, 0.5}, {0.45, 0.1, 0})}, {}};
+  input.settings.symmetry = SymmetryPlane::x;
+  choose_ball(input);
+  const EnvelopeSurface made = envelope_of(input);
+  EXPECT_TRUE(made.symmetric);
+  std::vector<Vector3> corners;
+  for (Index v = 0; v < made.cage->vertex_count(); ++v)
+    corners.push_back(made.cage->position(v) + made.origin);
+  for (const Vector3& p : corners) {
+    double least = 1e300;
+    for (const Vector3& q : corners) least = std::min(least, (Vector3(-p.x(), p.y(), p.z()) - q).norm());
+    EXPECT_LE(least, 1e-6);
+  }
+}
+
+TEST(Tightness, GoesFromTheHullToTheSmallestBall) {
+  EXPECT_FALSE(ball_radius_at(0, 0.1, 10).has_value());
+  EXPECT_NEAR(*ball_radius_at(1, 0.1, 10), 0.3, 1e-12);
+  EXPECT_NEAR(*ball_radius_at(1e-12, 0.1, 10), 80, 1e-6);
+  for (const double t : {0.0, 0.2, 0.5, 0.9, 1.0})
+    EXPECT_NEAR(tightness_of(ball_radius_at(t, 0.1, 10), 0.1, 10), t, 1e-12);
+}
+
+}  // namespace hariko::test
