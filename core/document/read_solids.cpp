@@ -73,7 +73,7 @@ class SolidsReader {
       const std::optional<double> radius = s.ball_radius;
       const double rounding = s.rounding;
       choose_ball(out);
-      if (rounding > 0) s.rounding = rounding;
+      if (has_any(at, {"rounding"})) s.rounding = rounding;
       if (has_any(at, {"ball_radius"})) s.ball_radius = radius;
       return;
     }

@@ -93,6 +93,26 @@ TEST(Solids, MissingRoundnessIsOneHalfAndAnglesTurnRoundXFirst) {
   EXPECT_LT((r * Vector3(1, 0, 0) - Vector3(0, 1, 0)).norm(), 1e-12);
 }
 
+TEST(Solids, ScenesGetTheBallButForWhatWasANetwork) {
+  const auto method = [](const std::string& members) {
+    const auto scene =
+        read_scene("{\"primitives\": [{\"type\": \"box\", \"size\": [2, 2, 1]}]" + members + "}");
+    EXPECT_TRUE(scene.ok());
+    return scene->settings;
+  };
+  EXPECT_EQ(method("").method, EnvelopeMethod::ball);
+  EXPECT_NEAR(method("").rounding, 0.06, 1e-12);
+  EXPECT_FALSE(method("").from_before);
+  EXPECT_EQ(method(R"(, "tightness": 0)").method, EnvelopeMethod::network);
+  EXPECT_EQ(method(R"(, "tightness": 0.4)").method, EnvelopeMethod::ball);
+  EXPECT_TRUE(method(R"(, "tightness": 0.4)").from_before);
+  EXPECT_EQ(method(R"(, "method": "network", "tightness": 1)").method, EnvelopeMethod::network);
+  EXPECT_EQ(method(R"(, "rounding": 0.25, "ball_radius": 3)").rounding, 0.25);
+  EXPECT_EQ(method(R"(, "rounding": 0.25, "ball_radius": 3)").ball_radius, 3);
+  EXPECT_FALSE(method(R"(, "ball_radius": "hull")").ball_radius.has_value());
+  EXPECT_FALSE(read_scene(R"({"primitives": [{"type": "box"}], "ball_radius": -1})").ok());
+}
+
 TEST(Solids, BoxesHoldTheSolids) {
   for_random(17, 50, [](std::mt19937_64& rng) {
     const EnvelopeInput input = random_scene(rng);

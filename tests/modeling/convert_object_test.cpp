@@ -9,6 +9,7 @@
 #include "core/document/edit_objects.hpp"
 #include "core/document/read_outline.hpp"
 #include "core/document/read_solids.hpp"
+#include "core/envelope/ball/tightness.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_check.hpp"
 #include "core/modeling/attached.hpp"
@@ -96,6 +97,26 @@ TEST(ConvertObject, ANetworksVerticesAreInterpolatedWithTheirNormals) {
           }
       }
     EXPECT_EQ(std::count(met.begin(), met.end(), 1), long(vertices.size()));
+  }
+}
+
+TEST(ConvertObject, TheBallsQuadsKeepTheirCornersAndNormals) {
+  Document document = with_solids("ell_tight", EnvelopeMethod::network);
+  EnvelopeInput input = *document.objects[0]->solids()->input;
+  choose_ball(input);
+  input.settings.rounding *= 2.5;
+  document = add_object({}, "Solids", SolidsSource{std::move(input), {}}).value().document;
+  const auto made = EnvelopeSurfacer().rebuild(*document.objects[0]->solids()->input);
+  ASSERT_TRUE(made.ok() && made->cage);
+  const auto converted = convert_to_polyhedron(document, document.objects[0]->id);
+  ASSERT_TRUE(converted.ok()) << to_string(converted.error());
+  const PolyhedronSource& source = *converted->objects[0]->polyhedron();
+  ASSERT_EQ(source.polyhedron.vertex_count(), made->surface.node_count());
+  EXPECT_EQ(source.polyhedron.face_count(), made->surface.patch_count());
+  for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) {
+    const Pin* pin = source.shaping->pin.find(VertexId{v});
+    ASSERT_TRUE(pin);
+    EXPECT_EQ(pin->vectors[0], made->surface.node_normal(v));
   }
 }
 

@@ -43,6 +43,14 @@ def choose_symmetry(window, number, text):
     window.wait_idle()
 
 
+def choose_curves(window):
+    """Bridges with rings are those of the network of curves."""
+    window.click_on("combo.envelope_method")
+    window.click_on("choice.envelope_method.1")
+    window.wait(lambda: label(window) == "Method of the surface", "the other method")
+    window.wait_idle()
+
+
 def make_symmetric(window, output):
     before = position(window)
     choose_symmetry(window, 1, "Symmetry of the surface")
@@ -114,6 +122,7 @@ def session(program, source, output):
     try:
         show_bodies(window, output)
         make_symmetric(window, output)
+        choose_curves(window)
         drag_waist(window, output)
         drag_through(window)
     finally:

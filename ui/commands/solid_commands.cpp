@@ -118,6 +118,12 @@ Reason needs_pulled(const Editor& editor, const WhyNot& needs) {
   return translatable("No curve or vertex was pulled by hand.");
 }
 
+Reason needs_network(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs_solids(editor, needs)) return reason;
+  if (editor.active_object()->solids()->input->settings.method != EnvelopeMethod::ball) return {};
+  return translatable("What a ball leaves has no curves to pull; choose the method of curves.");
+}
+
 /// Solids and handles are there in the modes for elements only.
 void pull_network(Editor& editor) {
   editor.view.network_handles = !editor.view.network_handles;
@@ -154,7 +160,7 @@ void add_solid_commands(CommandHost& host) {
   host.table.add({"solid.pull_network", "Solids", "Pull curves by hand",
                   "Handles on the vertices and curves of the surface, which move them.", "Alt+N", "", false,
                   true, [&editor] { pull_network(editor); },
-                  [&editor, object] { return needs_solids(editor, object); },
+                  [&editor, object] { return needs_network(editor, object); },
                   [&editor] { return editor.view.network_handles; }});
   host.table.add({"solid.reset_network", "Solids", "Reset curves",
                   "Puts all vertices and curves that were pulled back to where the solids have them.", "", "",
