@@ -39,8 +39,7 @@ CurvePoint CadEdges::side_point(Index number, int side, double x, bool smooth) c
 FittedCurve CadEdges::curve(const SplineSpace& spline, const SplineSpace& start, Index number, int side,
                             bool smooth) const {
   const auto function = [&](double x) { return side_point(number, side, x, smooth); };
-  if (auto equal = equal_curve(spline, function, 0.25 * exact_face * task_.size))
-    return {std::move(*equal), true};
+  if (auto equal = equal_curve(spline, function, 0.5 * task_.rounding)) return {std::move(*equal), true};
   return fit_curve(start, function, task_.limits);
 }
 
@@ -126,7 +125,7 @@ void CadEdges::take_vertices(Index count) {
     edge.curve.points.front() = vertices_[edge.begin];
     edge.curve.points.back() = vertices_[edge.end];
     const auto shrunk = [&](const Vector3& p) {
-      return (p - edge.curve.points.front()).norm() <= 1e-9 * task_.size;
+      return (p - edge.curve.points.front()).norm() <= 100 * task_.rounding;
     };
     edge.degenerate =
         edge.use_count == 1 && std::all_of(edge.curve.points.begin(), edge.curve.points.end(), shrunk);

@@ -16,6 +16,9 @@ struct EdgeTask {
   int degree = 3;
   FitLimits limits;
   double size = 0;
+  /// Nearer than this a spline is the surface, as numbers from a file are rounded and continuing a polynomial
+  /// multiplies that.
+  double rounding = 0;
 };
 
 /// Edges, vertices, and what faces take from them.

@@ -14,7 +14,7 @@ namespace {
 
 /// Of the limits: what is measured between the places that the fit looks at is a little more.
 constexpr double fit_share = 0.95;
-/// Likewise of the angles.
+/// Likewise of the angle between faces.
 constexpr double angle_share = 0.7;
 /// How often knots are added.
 constexpr int most_rounds = 12;
@@ -67,7 +67,6 @@ class FaceMaker {
     limits_ = task.limits;
     limits_.distance *= fit_share - curve_share;
     limits_.angle *= angle_share;
-    limits_.turn *= angle_share;
   }
 
   std::optional<std::vector<CadFace>> run(std::size_t heaviest) {
@@ -382,7 +381,7 @@ std::optional<CadFace> exact_cad_face(const EdgeTask& task, const CadEdges& edge
       for (const auto& [f, g] : exact_looks) {
         const double x = inside(s, i, f), y = inside(t, j, g);
         distance = std::max(distance, (model(x, y).position - spline.at(x, y).position).norm());
-        if (!known && distance > 0.5 * exact_face * task.size) return {};
+        if (!known && distance > task.rounding) return {};
       }
   out.exact = distance <= exact_face * task.size;
   return out;

@@ -106,7 +106,7 @@ class Maker {
 
   /// Nothing where the model would weigh more than `heaviest`, or cancelled.
   std::optional<CadModel> make(int degree, std::size_t heaviest, const Progress& progress) const {
-    const EdgeTask task{&surface_, &pieces_, degree, limits_, size_};
+    const EdgeTask task{&surface_, &pieces_, degree, limits_, size_, rounding()};
     const CadEdges edges(task, plan_, cancel_);
     if (cancel_.cancelled()) return {};
     auto faces = cad_faces(task, edges, heaviest, cancel_, progress);
@@ -114,7 +114,7 @@ class Maker {
   }
   /// Nothing where not all faces are splines of the degree without knots, or cancelled.
   std::optional<CadModel> make_exact(int degree) const {
-    EdgeTask task{&surface_, &pieces_, degree, limits_, size_};
+    EdgeTask task{&surface_, &pieces_, degree, limits_, size_, rounding()};
     task.limits = FitLimits{infinite, infinite, infinite};
     const CadEdges edges(task, plan_, cancel_);
     std::vector<CadFace> faces;
@@ -127,6 +127,10 @@ class Maker {
   }
 
  private:
+  double rounding() const {
+    const double farthest = surface_.origin().norm() + size_;
+    return std::max(1e-11 * size_, 1e3 * std::numeric_limits<double>::epsilon() * farthest);
+  }
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
   std::optional<CadModel> finished(const CadEdges& edges, std::vector<CadFace> faces) const {

@@ -130,19 +130,23 @@ double miss_at(const SplineCurve& curve, double x, const CurvePoint& want, const
   const double along = miss.dot(tangent);
   double out = std::max((miss - along * tangent).norm(), along_share * std::abs(along)) / limits.distance;
   const double length = got.derivative.norm() * (curve.space.end() - curve.space.begin());
-  if (length > limits.distance)
-    out = std::max(out, std::abs(got.derivative.dot(want.normal)) / (got.derivative.norm() * limits.turn));
+  if (length > limits.distance) {
+    // What is off by the distance over a span turns it.
+    const double turn = limits.turn + limits.distance / (got.derivative.norm() *
+                                                         span_width(curve.space, curve.space.span(x)));
+    out = std::max(out, std::abs(got.derivative.dot(want.normal)) / (got.derivative.norm() * turn));
+  }
   return out;
 }
 
 }  // namespace
 
 bool halve(SplineSpace& space, const std::vector<char>& marked) {
-  const double least = 1.5 * narrowest_span * (space.end() - space.begin()) / 1;
+  const double least = 1.5 * narrowest_span * (space.end() - space.begin());
   std::vector<double> out;
   for (std::size_t i = 0; i < space.span_count(); ++i) {
     out.push_back(space.breaks[i]);
-    const double width = space.breaks[i + 1] - space.breaks[i];
+    const double width = span_width(space, i);
     if (marked[i] && width > least) out.push_back(space.breaks[i] + 0.5 * width);
   }
   out.push_back(space.end());

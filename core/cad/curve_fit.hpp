@@ -22,6 +22,9 @@ inline constexpr double along_share = 0.5;
 /// Spans are cut into halves no narrower than this part of the whole: something there is no smooth shape.
 inline constexpr double narrowest_span = 1.0 / 1024;
 
+inline double span_width(const SplineSpace& space, std::size_t span) {
+  return space.breaks[span + 1] - space.breaks[span];
+}
 /// Halves the spans that are marked, but for the narrowest; false where none was.
 bool halve(SplineSpace& space, const std::vector<char>& marked);
 

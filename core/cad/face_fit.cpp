@@ -418,8 +418,13 @@ FaceMiss FaceFit::miss(const FitLimits& limits) const {
       here = std::max(std::abs(off.dot(normal)), 0.5 * along_share * off.norm()) / limits.distance;
       // Where the sides of a corner run on straight, normals are hardly determined.
       const double sine = want.ds.cross(want.dt).norm() / (want.ds.norm() * want.dt.norm());
+      // What is off by the distance over a span turns it: knots that are narrower than that would only add to
+      // it.
+      const double narrower = std::min(want.ds.norm() * span_width(surface_.s, s_.span[i]),
+                                       want.dt.norm() * span_width(surface_.t, t_.span[j]));
       if (has_normal(got))
-        here = std::max(here, sine * angle_between(normal, unit_normal(got)) / limits.turn);
+        here = std::max(here, sine * angle_between(normal, unit_normal(got)) /
+                                  (limits.turn + limits.distance / narrower));
     }
   out.worst = *std::max_element(times.begin(), times.end());
   if (!(out.worst > 1)) return out;
