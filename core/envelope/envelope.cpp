@@ -152,7 +152,7 @@ void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, 
     out.warnings.push_back(
         make_warning(w_rounding_raised,
                      "The rounding is too small for solids of this size; " +
-                         percent(rounding / out.diagonal) + " % of it is used.",
+                         percent(rounding / out.diagonal) + " % of the size is used.",
                      "Choose a larger rounding, or distribute the solids over several objects."));
   if (made.coarse > 0)
     out.warnings.push_back(
