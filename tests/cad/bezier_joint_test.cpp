@@ -8,7 +8,6 @@
 
 #include "core/cad/cad_measure.hpp"
 #include "core/cad/cad_model.hpp"
-#include "core/cad/spline_fit.hpp"
 #include "core/surface/weld_patches.hpp"
 #include "tests/support/random.hpp"
 

@@ -292,6 +292,7 @@ class KnifeTool final : public Tool {
     return text;
   }
 
+  bool on_surface_ = true;  ///< new points lie on the surface, not on straight edges
   Vector2 pointer_ = Vector2::Zero();
   ObjectId object_;        ///< the one that is cut, or was pointed at last
   std::vector<Leg> legs_;  ///< one for every click

@@ -177,18 +177,27 @@ struct Closing::Search {
   std::size_t count = 0;
   ClosedDistance best = {-1e300, {}, true};
 
-  /// Solids that touch the ball about y, the worst last. True where there is none.
-  bool look(const Vector3& y) {
-    const double radius = closing.radius_;
-    double least = radius;
-    Index worst = no_index;
+  /// A ball that touches a solid says nothing: `room` is the distance from y to the solids, the ball's radius
+  /// at most.
+  bool offer(const Vector3& y, double room) {
+    if (room < closing.radius_ - closing.accuracy_) return false;
+    if (const double value = room - (y - x).norm(); value > best.value) best.value = value, best.centre = y;
+    return true;
+  }
+  NearestSolid room_at(const Vector3& y) const {
+    NearestSolid out{no_index, closing.radius_};
     for (const Index i : among) {
-      if (closing.solids_.bound(i, y) >= least) continue;
-      if (const double e = closing.solids_.distance(i, y); e < least) least = e, worst = i;
+      if (closing.solids_.bound(i, y) >= out.distance) continue;
+      if (const double e = closing.solids_.distance(i, y); e < out.distance) out = {i, e};
     }
-    if (const double value = least - (y - x).norm(); value > best.value) best.value = value, best.centre = y;
-    if (least >= radius - closing.accuracy_) return true;
-    add(worst, y);
+    return out;
+  }
+
+  /// True where the ball about y touches nothing; else what it goes into most is added.
+  bool look(const Vector3& y) {
+    const NearestSolid room = room_at(y);
+    if (offer(y, room.distance)) return true;
+    add(room.solid, y);
     return false;
   }
 
@@ -206,8 +215,27 @@ struct Closing::Search {
       if (!nearest.found()) break;
       y = *nearest.found();
     }
-    slide(best.centre);
+    slide(y);
+    if (best.value < -1e200) lift(y);
     return best;
+  }
+
+  /// Where both ways ended too near to a solid: farther out on the ray from x there is room for the ball.
+  void lift(const Vector3& towards) {
+    Vector3 way = towards - x;
+    if (!(way.norm() > closing.accuracy_)) way = closing.radius_ * Vector3::UnitZ();
+    const auto has_room = [&](double share) {
+      return offer(x + share * way, room_at(x + share * way).distance);
+    };
+    double low = 0, high = 1;
+    for (int k = 0; k < 40 && !has_room(high); ++k) low = high, high *= 2;
+    for (int k = 0; k < 16; ++k) {
+      const double middle = 0.5 * (low + high);
+      (has_room(middle) ? high : low) = middle;
+    }
+    // Never without a value: a ball as far away as its own radius.
+    if (best.value < -1e200)
+      best.value = std::min(room_at(x).distance, 0.0) - closing.radius_, best.centre = x;
   }
 
   /// The nearest solids to the ball about y, by their tangent planes.
@@ -228,7 +256,7 @@ struct Closing::Search {
       for (; to > 0 && planes[to - 1].least < one.least; --to) planes[to] = planes[to - 1];
       planes[to] = one;
     }
-    if (const double value = least - (y - x).norm(); value > best.value) best.value = value, best.centre = y;
+    offer(y, least);
     return found;
   }
 

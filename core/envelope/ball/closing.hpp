@@ -13,9 +13,10 @@ struct ClosedDistance {
   bool crease = false;               ///< the nearest solid alone does not decide
 };
 
-/// The largest of min(e(y), R) - |x - y| over all y, e the least distance to the grown solids, R the ball's
-/// radius. Whatever y is found, the value is no larger than any solid's distance at x, as distances change by
-/// no more than the way: a search that ends early errs on the safe side.
+/// R - |x - y| for the nearest y with e(y) >= R, e the least distance to the grown solids, R the ball's
+/// radius; e(x) where that is R at least. Whatever such y is found, the value is no larger than any solid's
+/// distance at x, as distances change by no more than the way: a search that ends early errs on the safe
+/// side, and fills more.
 class Closing {
  public:
   /// `accuracy`: length to which values are sought.
