@@ -17,10 +17,9 @@ std::optional<std::vector<CadFace>> cad_faces(const EdgeTask& task, const CadEdg
                                               std::size_t heaviest, const CancelToken& cancel,
                                               const Progress& progress);
 
-/// Control points of a face, and as many more as the least face has: its edges and their images weigh about
-/// that.
+/// Control points of a face, and as many more as it has corners and edges.
 inline std::size_t weight_of(const SplineSpace& s, const SplineSpace& t) {
-  return s.size() * t.size() + 4;
+  return s.size() * t.size() + 8;
 }
 
 /// The face of a piece if it is a spline of the task's degree, to rounding.

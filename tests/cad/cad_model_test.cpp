@@ -91,15 +91,39 @@ TEST(CadModel, TighterTolerancesGiveNearerFaces) {
 }
 
 TEST(CadModel, FacesOfFourSidesAreOneFaceEach) {
-  for (const WantedSample& wanted : {WantedSample{"cube", Mode::g2}, WantedSample{"cube"}}) {
-    const auto produced = surfaces_of(wanted);
-    ASSERT_EQ(produced.size(), 1U);
-    const auto model = make_cad_model(produced[0].surface);
-    ASSERT_TRUE(model.ok());
-    EXPECT_EQ(model->faces.size(), 6U);
-    EXPECT_EQ(model->edges.size(), 12U);
-    EXPECT_EQ(model->vertices.size(), 8U);
-    EXPECT_TRUE(model->closed());
+  const auto smooth = surfaces_of({"cube", Mode::g2}), split = surfaces_of({"cube"});
+  ASSERT_TRUE(smooth.size() == 1 && split.size() == 1);
+  const auto model = make_cad_model(smooth[0].surface);
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model->faces.size(), 6U);
+  EXPECT_EQ(model->edges.size(), 12U);
+  EXPECT_EQ(model->vertices.size(), 8U);
+  EXPECT_TRUE(model->closed());
+  EXPECT_EQ(cad_pieces(split[0].surface, CadPieces::faces).size(), 6U);
+  EXPECT_EQ(cad_pieces(split[0].surface, CadPieces::patches).size(), 72U);
+}
+
+TEST(CadModel, FansAreTheSurfaceOfTheirTriangles) {
+  const auto produced = surfaces_of({"cube"});
+  ASSERT_EQ(produced.size(), 1U);
+  const Surface& surface = produced[0].surface;
+  for (const CadPiece& piece : cad_pieces(surface, CadPieces::faces)) {
+    ASSERT_EQ(piece.cells[0].fan.size(), 4U);
+    // The middle is the split point, and sides run as those of the triangles.
+    const PatchPoint middle = evaluate(surface, piece, 0.5, 0.5);
+    EXPECT_LT(
+        (middle.position - surface.patches().evaluate(piece.cells[0].fan[0], {0, 0}, Order::first).position)
+            .norm(),
+        1e-12);
+    for (int side = 0; side < 4; ++side)
+      for (const double x : {0.0, 0.3, 1.0}) {
+        const Vector2 at = piece.parameter(side, x);
+        const Vector3 want = surface.patches()
+                                 .evaluate(piece.cells[0].fan[std::size_t(side)],
+                                           side_parameter(Domain::triangle, 1, x), Order::first)
+                                 .position;
+        EXPECT_LT((evaluate(surface, piece, at.x(), at.y()).position - want).norm(), 1e-12);
+      }
   }
 }
 
