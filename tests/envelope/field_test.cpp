@@ -8,6 +8,7 @@
 #include "core/envelope/field_envelope.hpp"
 #include "core/envelope/network_cage.hpp"
 #include "core/envelope/scene_symmetry.hpp"
+#include "core/surface/tessellation.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 
 namespace hariko::test {
