@@ -257,7 +257,7 @@ class Writer {
     visit_picture(memory.picture, picture);
     Writer drawing(object_at(json, drawing_member));
     visit_drawing(memory.drawing, drawing);
-    if (memory.cad.tolerance == 0) return;
+    if (memory.cad == CadChoices{}) return;
     Writer cad(object_at(json, cad_member));
     visit_cad(memory.cad, cad);
   }
