@@ -12,8 +12,8 @@ namespace hariko {
 
 namespace {
 
-/// Of the limits: what is measured between the places that the fit looks at is a little more.
-constexpr double fit_share = 0.95;
+/// Of the limits: what is measured between the places that the fit looks at is up to a fifth more.
+constexpr double fit_share = 0.78;
 /// Likewise of the angle between faces.
 constexpr double angle_share = 0.7;
 /// How often knots are added.
