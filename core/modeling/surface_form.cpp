@@ -331,16 +331,6 @@ Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const Refined
   if (!forms) return forms.error();
   shaping.form = std::move(forms).value();
   after.shaping = shaping;
-  if (after.mode == Mode::fair && !shaping.form.empty()) {
-    const auto with_tangents = surface_input(after);
-    if (!with_tangents) return with_tangents.error();
-    Vector3 image = Vector3::Ones();
-    if (after.mirror) image[index_of(after.mirror->axis)] = -1;
-    auto pulled = with_pulls(*with_tangents, image,
-                             [&](VertexId a, VertexId b) { return normals(sight_of(a), sight_of(b)); });
-    if (!pulled) return pulled.error();
-    shaping.form = std::move(pulled).value();
-  }
   FlatMap<VertexId, KeptForm> kept;
   for (const auto& [id, form] : shaping.form)
     if (says_something(form)) kept.set(id, form);

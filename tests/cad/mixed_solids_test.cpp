@@ -225,8 +225,8 @@ TEST(MixedSolids, OneBodyOfAPartBecomesFacetsAndTheOtherKeepsItsPatches) {
   builder.Add(both, spline_box(0, true));
   builder.Add(both, spline_box(50, false));
   const TemporaryFolder folder;
-  Interface_Static::SetIVal("write.step.assembly", 0);  // one product
-  STEPControl_Writer writer;
+  STEPControl_Writer writer;  // which makes the settings known
+  ASSERT_TRUE(Interface_Static::SetIVal("write.step.assembly", 0)) << "one product";
   ASSERT_EQ(writer.Transfer(both, STEPControl_AsIs), IFSelect_RetDone);
   ASSERT_EQ(writer.Write((folder.path() / "a.step").c_str()), IFSelect_RetDone);
   const CadPart part = only_part(folder.path() / "a.step", 1);

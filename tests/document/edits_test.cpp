@@ -238,7 +238,7 @@ TEST(Edits, AddDeleteDuplicateAppend) {
   const Added copy = duplicate_object(before, cube_id).value();
   ASSERT_EQ(copy.document.objects.size(), 3U);
   EXPECT_EQ(copy.document.objects[1]->id, copy.id);
-  EXPECT_EQ(copy.document.objects[1]->name, "Cube 2");
+  EXPECT_EQ(copy.document.objects[1]->name, "Cube 3") << "there is a Cube 2";
   EXPECT_TRUE(copy.document.objects[1]->source == before.objects[0]->source);
   EXPECT_EQ(copy.document.objects[1]->kept, before.objects[0]->kept);
   expect_error(duplicate_object(before, {77}), e_unknown_object);

@@ -300,7 +300,7 @@ TEST(Format, OnlyEssentialsAreNeeded) {
 TEST(Format, EmptyDocument) {
   EXPECT_EQ(
       write_document({}),
-      "{\n  \"format\": \"hariko\",\n  \"version\": 2,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "{\n  \"format\": \"hariko\",\n  \"version\": 3,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
       "\"objects\": []\n}\n");
 }
 

@@ -86,7 +86,7 @@ TEST(SolidShapes, DistancesAreThoseToPointsOfTheSolid) {
         const auto more = placed.surface_points(6000);
         points.insert(points.end(), more.begin(), more.end());
       }
-      for (const Vector3& p : points) ASSERT_LE(shape.distance(p), 1e-8) << name_of(solid.kind);
+      for (const Vector3& p : points) ASSERT_LE(shape.distance(p), 1e-8) << name_of(solid.kind) << (stretched ? " stretched " : " ") << p.transpose();
       for (int k = 0; k < 40; ++k) {
         const Vector3 at = solid.position + random_vector(rng, 2.5);
         const SolidPlace place = shape.place(at);
@@ -291,7 +291,7 @@ TEST(BallEnvelopes, ContainRandomScenes) {
     input.settings.ball_radius = (k % 2 == 0 ? 0.3 : 2.0) * size;
     const EnvelopeSurface made = envelope_of(input);
     const EnclosureReport found =
-        check_enclosure(made.surface, enveloped_scene(input).placed, {}, 1e-4 * size);
+        check_enclosure(made.surface, enveloped_scene(input).placed, {.spacing = 0.02 * size}, 1e-4 * size);
     EXPECT_EQ(found.outside, 0U) << k;
     EXPECT_TRUE(made.enclosed) << k;
   }

@@ -41,6 +41,12 @@ void expect_same_surface(const PolyhedronSource& a, const PolyhedronSource& b) {
   if (first.volume) EXPECT_NEAR(*first.volume, *second.volume, 1e-9 * std::abs(*second.volume));
 }
 
+PolygonMesh flat_grid(int n, int m) {
+  PolygonMesh mesh = grid(n, m);
+  for (Vector3& p : mesh.positions) p.z() = 0;
+  return mesh;
+}
+
 TEST(MergedFaces, TrianglesInOnePlaneMakeTheSurfaceOfTheirPolygon) {
   for (const double scale : {1e-3, 1.0, 1e6})
     for (const Vector3& shift : {Vector3(0, 0, 0), Vector3(1e6, -1e6, 1e6)})
@@ -97,7 +103,7 @@ TEST(MergedFaces, EdgesWithSettingsStay) {
 }
 
 TEST(MergedFaces, FacesThatLeanByMoreThanTheAngleStay) {
-  PolygonMesh mesh = triangulated(grid(2, 2));
+  PolygonMesh mesh = triangulated(flat_grid(2, 2));
   EXPECT_EQ(with_merged_faces(merging(mesh))->source.polyhedron.face_count(), 1U);
   for (const double lift : {1e-9, 1e-4}) {
     PolygonMesh bent = mesh;
@@ -111,7 +117,7 @@ TEST(MergedFaces, FacesThatLeanByMoreThanTheAngleStay) {
 }
 
 TEST(MergedFaces, VerticesWithoutEdgesAreTold) {
-  PolyhedronSource source = merging(triangulated(grid(2, 2)));
+  PolyhedronSource source = merging(triangulated(flat_grid(2, 2)));
   const auto warnings = merge_warnings_of(source);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].code, w_vertex_merged);
@@ -127,7 +133,7 @@ TEST(MergedFaces, VerticesWithoutEdgesAreTold) {
 
 /// A frame round a hole: no polygon goes round it.
 TEST(MergedFaces, RingsAreCutIntoDisks) {
-  const PolygonMesh mesh = triangulated(grid(5, 5));
+  const PolygonMesh mesh = triangulated(flat_grid(5, 5));
   PolygonMesh ring;
   ring.positions = mesh.positions;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {

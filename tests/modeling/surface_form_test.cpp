@@ -147,8 +147,10 @@ TEST(SurfaceForm, SizeAndPlaceDoNotMatter) {
       const Matrix3 turn = Eigen::AngleAxisd(1, Vector3(1, 2, 3).normalized()).toRotationMatrix();
       const PolyhedronSource other = refined(transformed(source, scale * turn, shift));
       const PolyhedronSource moved = transformed(plain, scale * turn, shift);
+      // Positions far from zero have no more digits.
+      const double digits = 1e-9 * scale + 1e-15 * shift.norm();
       for (Index v = 0; v < plain.polyhedron.vertex_count(); ++v)
-        EXPECT_LT((other.polyhedron.position(v) - moved.polyhedron.position(v)).norm(), 1e-9 * scale);
+        EXPECT_LT((other.polyhedron.position(v) - moved.polyhedron.position(v)).norm(), digits);
       ASSERT_EQ(other.shaping->form.size(), plain.shaping->form.size());
       for (auto a = other.shaping->form.begin(), b = plain.shaping->form.begin();
            b != plain.shaping->form.end(); ++a, ++b) {

@@ -264,11 +264,13 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
   if (height <= 0) return place_inside(p, height, top->normal);
   Vector3 nearest = nearest_on_triangle(p, top->a, top->b, top->c, top->normal);
   double square = (p - nearest).squaredNorm();
-  // Straight below the highest plane there is nothing nearer.
+  // Straight below the highest plane there is nothing nearer. Triangles of one face may differ by rounding in
+  // the side on which the point lies.
+  const double rounding = 1e-12 * reach_;
   if (square > height * height * (1 + 1e-12))
     for (const Hull::Face& face : hull_->faces) {
       const double h = face.normal.dot(p) - face.offset;
-      if (h <= 0 || h * h >= square || &face == top) continue;
+      if (h < -rounding || (h > 0 && h * h >= square) || &face == top) continue;
       const Vector3 q = nearest_on_triangle(p, face.a, face.b, face.c, face.normal);
       if (const double s = (p - q).squaredNorm(); s < square) square = s, nearest = q;
     }
