@@ -323,6 +323,7 @@ void Viewport::look_for_press(PointerEvent event) {
   for (std::size_t i = 0; i < buttons.size() && !tool_; ++i) {
     event.clicks = ImGui::GetMouseClickedCount(static_cast<int>(i));
     if (event.clicks == 0) continue;
+    editor_.layout.activate(editor_.layout.active());  // something is done there
     event.button = buttons[i];
     if (scene_.paper() && event.button == PointerButton::left && editor_.paper.hovered.facet != no_index &&
         !navigation_of(editor_, event)) {

@@ -100,8 +100,7 @@ def session(program, source, output):
             window.key("F3")
             window.type("zebra")
             window.key("Return")
-            position += 1
-            wait_step(window, position, "zebra")
+            wait_step(window, position, "zebra, which is a way of looking and no step")
             window.screenshot(os.path.join(output, "first_session_zebra.png"))
 
             last = save_as(window, os.path.join(folder, "last.hariko"))

@@ -51,6 +51,12 @@ def session(program, source, output):
         wait_label(window, "Hide 2 objects")
         window.key("alt+h")
         wait_label(window, "Show all objects")
+        # What was hidden is no longer selected.
+        window.click_on(rows[0])
+        window.xdotool("keydown", "ctrl")
+        window.click_on(rows[2])
+        window.xdotool("keyup", "ctrl")
+        window.wait_idle()
         window.key("shift+h")
         wait_label(window, "Isolate 2 objects")
         window.key("ctrl+z")

@@ -83,22 +83,22 @@ TEST_F(ExportDialog, WhatWasTypedBeforeCancelIsThereAgain) {
   open();
   ASSERT_EQ(counted().size(), 1U);
   const double usual = settings().choices.tolerance;
-  type("export.cad_tolerance", "0.01 mm", "dialog.name");
+  type("export.cad_tolerance", "0.02 mm", "dialog.name");
   ASSERT_EQ(counted().size(), 2U) << "the faces are others";
-  EXPECT_NE(usual, 0.01);
-  EXPECT_EQ(settings().choices.tolerance, 0.01);
+  EXPECT_NE(usual, 0.02);
+  EXPECT_EQ(settings().choices.tolerance, 0.02);
   cancel();
-  EXPECT_EQ(bench().workbench().files().remembered().cad.tolerance, 0.01);
+  EXPECT_EQ(bench().workbench().files().remembered().cad.tolerance, 0.02);
   open();
-  EXPECT_EQ(settings().choices.tolerance, 0.01);
+  EXPECT_EQ(settings().choices.tolerance, 0.02);
   EXPECT_EQ(settings().choices.scale, 1);
   cancel();
-  EXPECT_EQ(bench().workbench().files().remembered().cad.tolerance, 0.01);
+  EXPECT_EQ(bench().workbench().files().remembered().cad.tolerance, 0.02);
 }
 
 TEST_F(ExportDialog, TheToleranceGrowsWithTheScale) {
   open();
-  type("export.cad_tolerance", "0.01 mm", "dialog.name");
+  type("export.cad_tolerance", "0.02 mm", "dialog.name");
   type("export.cad_scale", "0.5", "dialog.name");
   EXPECT_EQ(settings().choices.scale, 0.5);
   EXPECT_EQ(settings().choices.tolerance, 0.005);

@@ -208,7 +208,7 @@ TEST_F(PickingOnSurface, SurfacesOnlyHidesAllLinesAndTakesNone) {
   bench.key("V");
   bench.frame();
   EXPECT_EQ(editor.selection.of_active(), chosen);
-  EXPECT_GT(count_like(selection_colour), 200);
+  EXPECT_GT(count_like(selection_colour), 100);
 }
 
 }  // namespace

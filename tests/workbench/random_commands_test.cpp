@@ -116,7 +116,9 @@ class RandomUser {
     Editor& editor = bench_.editor();
     const Object* object = editor.active_object();
     const Polyhedron* cage = object ? object->cage() : nullptr;
-    if (!cage || editor.history.in_gesture() || bench_.workbench().viewport().tool_active()) return;
+    if (!cage || !object->visible || object->locked || editor.history.in_gesture() ||
+        bench_.workbench().viewport().tool_active())
+      return;
     last_ = "select";
     editor.mode = static_cast<ElementMode>(uniform_int(rng_, 0, 2));
     const Polyhedron& polyhedron = *cage;

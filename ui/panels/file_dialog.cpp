@@ -297,7 +297,8 @@ void FileDialog::draw_list(PanelContext& context, float below) {
   if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) focus_name_ = true;
   const fs::path shown = folder_;
   ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(entries_.size()));
+  // Nothing may be drawn when a click has closed the dialog: the clipper cannot measure a row then.
+  clipper.Begin(static_cast<int>(entries_.size()), ImGui::GetTextLineHeightWithSpacing());
   if (scroll_ && at_)
     ImGui::SetScrollY(static_cast<float>(*at_) * ImGui::GetTextLineHeightWithSpacing() -
                       ImGui::GetWindowHeight() / 2);
