@@ -10,8 +10,8 @@
 
 namespace hariko {
 
-/// Elements of an interpolated polyhedron lie on the surface, and on the faces that they belong to: so many pixels'
-/// length in front of them do not hide them.
+/// Elements of an interpolated polyhedron lie on the surface, and on the faces that they belong to: so many
+/// pixels' length in front of them do not hide them.
 inline constexpr double hiding_slack_pixels = 5;
 
 struct PickOptions {

@@ -86,7 +86,9 @@ TEST(SolidShapes, DistancesAreThoseToPointsOfTheSolid) {
         const auto more = placed.surface_points(6000);
         points.insert(points.end(), more.begin(), more.end());
       }
-      for (const Vector3& p : points) ASSERT_LE(shape.distance(p), 1e-8) << name_of(solid.kind) << (stretched ? " stretched " : " ") << p.transpose();
+      for (const Vector3& p : points)
+        ASSERT_LE(shape.distance(p), 1e-8)
+            << name_of(solid.kind) << (stretched ? " stretched " : " ") << p.transpose();
       for (int k = 0; k < 40; ++k) {
         const Vector3 at = solid.position + random_vector(rng, 2.5);
         const SolidPlace place = shape.place(at);

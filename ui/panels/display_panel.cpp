@@ -401,13 +401,14 @@ void draw_display(PanelContext& context, const Objects& objects) {
   heading(context, context.tr("Display"));
   const auto map =
       shown_alike<SurfaceMap>(objects, [](const DisplaySettings& display) { return display.map; });
-  if (const auto chosen =
-          choose(context, "map", "Map", "What colours this surface, whatever the view shows", map_choices, number_of(map)))
+  if (const auto chosen = choose(context, "map", "Map", "What colours this surface, whatever the view shows",
+                                 map_choices, number_of(map)))
     commit(context, objects,
            fill(translatable("Map {0}"), {map_choices[static_cast<std::size_t>(*chosen)].label}),
            [&](DisplaySettings& display) { display.map = static_cast<SurfaceMap>(*chosen); });
   const auto shows = [&](SurfaceMap wanted) {
-    return any_of(objects, [&](const Object& object) { return shown_map(context.editor.view.map, object) == wanted; });
+    return any_of(objects,
+                  [&](const Object& object) { return shown_map(context.editor.view.map, object) == wanted; });
   };
   if (shows(SurfaceMap::zebra) || shows(SurfaceMap::isophotes)) stripe_rows(context);
   if (map && has_values(*map)) range_rows(context, objects, *map);
