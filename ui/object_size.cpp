@@ -10,7 +10,7 @@ namespace hariko {
 
 namespace {
 
-constexpr int most_rounds = 5;
+constexpr int most_rounds = 8;
 constexpr double good_enough = 1e-6;
 
 Box3 box_of(const DisplayMesh& mesh) {
@@ -68,6 +68,8 @@ Result<Document> with_size(const Document& document, ObjectId id, const Box3& bo
   if (proportional || !stretches(*object))
     return stretched(document, *object, box.center(), Vector3::Constant(factor));
   Result<Document> result = document;
+  // Secants of the logarithms: a surface grows by a power of the factor that its polyhedron alone decides.
+  double power = 1, last_factor = 1, last_length = now;
   for (int round = 0; round < most_rounds; ++round) {
     Vector3 factors = Vector3::Ones();
     factors[axis] = factor;
@@ -77,7 +79,11 @@ Result<Document> with_size(const Document& document, ObjectId id, const Box3& bo
     const auto length = length_along(*result, id, axis, density);
     if (!length) return length.error();
     if (std::abs(*length - size) <= good_enough * size) break;
-    factor *= size / *length;
+    const double step = std::log(factor / last_factor), answer = std::log(*length / last_length);
+    if (std::abs(step) > 1e-9 && answer / step > 0.1) power = answer / step;
+    last_factor = factor;
+    last_length = *length;
+    factor *= std::pow(size / *length, 1 / power);
   }
   return result;
 }
