@@ -186,6 +186,7 @@ def session(program, source, output):
         window.screenshot(os.path.join(output, "solids_three.png"))
         window.key("ctrl+shift+a")
         window.wait(lambda: selection(window) == "nothing selected", "no selection")
+        window.click_on("solid.0")
         window.wait_idle()
         type_into(window, "tightness", "0")
         window.wait(lambda: label(window) == "Tightness of the surface", "the hull again")

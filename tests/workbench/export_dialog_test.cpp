@@ -101,11 +101,11 @@ TEST_F(ExportDialog, TheToleranceGrowsWithTheScale) {
   type("export.cad_tolerance", "0.02 mm", "dialog.name");
   type("export.cad_scale", "0.5", "dialog.name");
   EXPECT_EQ(settings().choices.scale, 0.5);
-  EXPECT_EQ(settings().choices.tolerance, 0.005);
+  EXPECT_EQ(settings().choices.tolerance, 0.01);
   cancel();
   open();
   EXPECT_EQ(settings().choices.scale, 0.5);
-  EXPECT_EQ(settings().choices.tolerance, 0.005);
+  EXPECT_EQ(settings().choices.tolerance, 0.01);
 }
 
 }  // namespace
