@@ -32,7 +32,7 @@ struct OutlineConstruction {
   friend bool operator==(const OutlineConstruction&, const OutlineConstruction&) = default;
 };
 
-/// What is chosen for all surfaces round solids, instead of what the document says (`EnvelopeSettings`).
+/// Choices for all surfaces round solids, instead of the document's own (`EnvelopeSettings`).
 struct SolidsConstruction {
   std::optional<EnvelopeMethod> method;
   std::optional<double> ball_radius;  ///< infinite: the hull

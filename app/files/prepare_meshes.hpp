@@ -1,6 +1,6 @@
 #pragma once
 
-// What an opened mesh file becomes by the designer's choice.
+// Choices of the designer for an opened mesh file.
 
 #include "app/files/open_file.hpp"
 #include "core/exchange/mesh_import.hpp"

@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// What the edges of a model are made of.
+/// Ingredients of the edges of a model.
 struct EdgeTask {
   const Surface* surface = nullptr;
   const std::vector<CadPiece>* pieces = nullptr;
@@ -24,7 +24,7 @@ struct EdgeTask {
 /// Edges, vertices, and what faces take from them.
 class CadEdges {
  public:
-  /// What is there after `cancel` is cancelled is of no use. O(pieces).
+  /// The result is of no use once `cancel` is cancelled. O(pieces).
   CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken& cancel);
 
   const std::vector<CadEdge>& edges() const { return edges_; }
@@ -64,7 +64,7 @@ class CadEdges {
   std::vector<std::array<SplineCurve, 4>> divided_;       ///< curves of sides with several edges
 };
 
-/// Of the distance: what curves between faces may take.
+/// Share of the distance that curves between faces may take.
 inline constexpr double curve_share = 0.4;
 
 /// Adds a break, but for rounding, where there is none yet.

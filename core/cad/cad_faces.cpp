@@ -12,7 +12,8 @@ namespace hariko {
 
 namespace {
 
-/// Of the limits: what is measured between the places that the fit looks at is up to a fifth more.
+/// Share of the limits that a fit keeps to: between the places that it looks at up to a fifth more is
+/// measured.
 constexpr double fit_share = 0.78;
 /// Likewise of the angle between faces.
 constexpr double angle_share = 0.7;
@@ -56,7 +57,7 @@ struct EdgePlace {
   std::array<double, 2> turn{};  ///< that the faces have
   double wanted = 0;             ///< that both should have
   double sine = 1;               ///< the lesser of those between the edge and the derivatives across it
-  /// Where sides of a corner run on straight, planes are hardly determined.
+  /// Hardly determined planes, where sides of a corner run on straight, count little.
   double jump() const { return sine * std::abs(turn[0] - turn[1]); }
 };
 
@@ -167,7 +168,7 @@ class FaceMaker {
       }
   }
 
-  /// Of places that were there before.
+  /// Kept from places that were there before.
   static const EdgePlace* nearest(const std::vector<EdgePlace>& places, double x) {
     if (places.empty()) return nullptr;
     const auto above = std::lower_bound(places.begin(), places.end(), x,

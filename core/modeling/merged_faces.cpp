@@ -272,7 +272,7 @@ std::vector<Message> merge_warnings_of(const PolyhedronSource& source) {
   const auto merged = with_merged_faces(source);
   if (!merged) return out;
   MessageGroup group(out, Severity::warning, w_vertex_merged,
-                     "Move it out of the plane, or turn Merge triangles off.", most_warnings);
+                     "Move it out of the plane, or turn Merge flat off.", most_warnings);
   for (const VertexId id : merged->lost)
     group.add(element_of(id), [] {
       return std::string(

@@ -186,8 +186,9 @@ def session(program, source, output):
         window.screenshot(os.path.join(output, "solids_three.png"))
         window.key("ctrl+shift+a")
         window.wait(lambda: selection(window) == "nothing selected", "no selection")
-        window.click_on("solid.0")
-        window.wait_idle()
+        window.move(1110, 450)
+        for _ in range(20):
+            window.xdotool("click", "4")  # the panel is scrolled to its end
         type_into(window, "tightness", "0")
         window.wait(lambda: label(window) == "Tightness of the surface", "the hull again")
         window.wait_idle()

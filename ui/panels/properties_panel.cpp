@@ -311,7 +311,7 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
         *on ? "Split concave faces" : "Keep concave faces");
   const auto merge = common<bool>(
       polyhedra, [](const auto& object) { return object->polyhedron()->preparation.merge_coplanar; });
-  if (const auto on = check_row(context, "merge_coplanar", "Merge triangles",
+  if (const auto on = check_row(context, "merge_coplanar", "Merge flat",
                                 "The surface is made as if triangles in one plane were one face", merge))
     context.editor.commit(
         edit_preparations(context.editor.history.current(), polyhedra,
