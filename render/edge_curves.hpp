@@ -12,7 +12,7 @@
 
 namespace hariko {
 
-/// Which curves lie over which edge. Of an object with a live mirror an edge has its own curve and the
+/// Curves over each edge. Of an object with a live mirror an edge has its own curve and the
 /// image's.
 struct EdgeCurves {
   /// A curve, as segments of one kind that follow each other.

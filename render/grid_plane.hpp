@@ -17,7 +17,8 @@ struct SidePlane {
   int normal() const { return 3 - across - up; }
   friend bool operator==(const SidePlane&, const SidePlane&) = default;
 };
-/// Of a camera in parallel projection that looks along an axis; nothing for others, which see the ground.
+/// The grid for a camera in parallel projection that looks along an axis; nothing for others, which see the
+/// ground.
 std::optional<SidePlane> side_plane(const Camera& camera);
 
 /// Distance of the fine lines, and how strongly they are drawn, 0 .. 1; every `grid_cells`th line is a coarse

@@ -32,7 +32,7 @@ class HighlightPass {
     for (const Depth depth : {Depth::hidden, Depth::visible}) {
       const float opacity = depth == Depth::hidden ? hidden_share : 1;
       painter_.some_edges(frame_, model, *object_.polyhedron, polyhedron_, bare, style, depth, opacity);
-      // Of an edge with a curve the straight line is the lesser part: inside of the surface it would confuse.
+      // The straight line of an edge with a curve is the lesser part: inside of the surface it would confuse.
       if (depth == Depth::visible)
         painter_.some_edges(frame_, model, *object_.polyhedron, polyhedron_, lines, style, depth, opacity);
       if (surface_)

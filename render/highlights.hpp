@@ -1,6 +1,7 @@
 #pragma once
 
-// What is selected, hovered or complained about of one object, over everything else. Internal to render/.
+// Elements of one object that are selected, hovered or complained about, over everything else. Internal to
+// render/.
 
 #include "render/painter.hpp"
 

@@ -37,7 +37,7 @@ struct PickHit {
   std::optional<double> share = std::nullopt;
 };
 
-/// What is under a pixel. Edges are found where they are shown: by their curves on the surface, by the
+/// Finds what is under a pixel. Edges are found where they are shown: by their curves on the surface, by the
 /// straight lines of the polyhedron, or both (see SceneObject). Of two vertices (or edges) within the radius
 /// the nearer to the cursor wins, of equally near ones (within half a pixel) the nearer to the eye.
 /// O(elements).

@@ -10,7 +10,7 @@
 
 namespace hariko {
 
-/// Which elements are looked for.
+/// Kinds of elements that are looked for.
 struct ElementKinds {
   bool vertices = true, edges = true, faces = true;
 };
@@ -48,7 +48,7 @@ class Occlusion {
       nearest_;  ///< grows towards the eye and is linear on the screen; 0 or less where nothing is
 };
 
-/// Which elements of a scene can be seen: on surfaces by what the surfaces hide, else by what the polyhedra
+/// Elements of a scene that can be seen: on surfaces by what the surfaces hide, else by what the polyhedra
 /// hide.
 class RegionSight {
  public:

@@ -53,7 +53,7 @@ Matrix4 matrix_of(const Similarity& transform);
 struct SceneObject {
   std::shared_ptr<const DisplayMesh> mesh;              ///< may be null: no surface yet
   std::shared_ptr<const DisplayPolyhedron> polyhedron;  ///< may be null
-  /// Where the polyhedron's edges lie on the surface; null where its elements are not those of the surface.
+  /// The polyhedron's edges on the surface; null where its elements are not those of the surface.
   std::shared_ptr<const EdgeCurves> edge_curves;
   Matrix4 transform = Matrix4::Identity();  ///< object to world, a similarity
 

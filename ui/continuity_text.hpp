@@ -1,6 +1,6 @@
 #pragma once
 
-// What continuity a surface reaches, in numbers and in a sentence. Pure.
+// Continuity that a surface reaches, in numbers and in a sentence. Pure.
 
 #include <string>
 

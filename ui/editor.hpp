@@ -82,7 +82,7 @@ struct SelectSettings {
   bool regions_through(bool parallel) const { return parallel ? through_parallel : through; }
 };
 
-/// What a box or a lasso did not take as it was hidden: to be told as long as the selection is what it made.
+/// Hidden elements that a box or a lasso did not take: to be told as long as the selection is what it made.
 struct LeftOut {
   std::size_t count = 0;
   Selection selection;

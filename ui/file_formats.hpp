@@ -1,6 +1,6 @@
 #pragma once
 
-// What the endings of files mean, for lists of formats.
+// Meanings of the endings of files, for lists of formats.
 
 #include <string_view>
 

@@ -31,7 +31,7 @@ Result<std::vector<FolderEntry>> list_folder(
 /// the order of files and of folders round, each for itself.
 void sort_entries(std::vector<FolderEntry>& entries, FolderOrder order, bool descending);
 
-/// Where files usually are: a name and a folder that exists.
+/// A usual place of files: a name and a folder that exists.
 struct Place {
   std::string id;    ///< "home", "recent.0"
   std::string name;  ///< of the folder

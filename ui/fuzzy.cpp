@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double at_word = 9, in_run = 7, ideograph = 5, per_gap = 0.15;
-/// Of the first letter of a piece from the middle of a word.
+/// Penalty of the first letter of a piece from the middle of a word.
 constexpr double in_word = 0.5;
 /// Below this mean of points a letter a match is chance.
 constexpr double least_mean = 4.5;

@@ -23,7 +23,7 @@ struct OperationNumber {
   bool whole = false;  ///< a count; others are lengths in the document's unit
 };
 
-/// What an operation with these numbers makes of a document, the object that is then active, and what of it
+/// Result of an operation with these numbers on a document, the object that is then active, and what of it
 /// is selected.
 struct OperationResult {
   Document document;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the legend of a map is about: the active object's own map, or the view's on all surfaces.
+// Subject of the legend of a map: the active object's own map, or the view's on all surfaces.
 
 #include <optional>
 #include <vector>
@@ -17,7 +17,7 @@ struct LegendSource {
   bool of_view = false;                           ///< the view's: its range is no part of the document
 };
 
-/// Of a map with values that shows; nothing else.
+/// The legend of a map with values that shows; nothing else.
 std::optional<LegendSource> legend_source(const Editor& editor, const SceneBuilder& scene);
 /// How the range is found.
 const MapRange& range_settings(const Editor& editor, const LegendSource& source);

@@ -21,14 +21,14 @@ void select_result(Editor& editor, ObjectId object, const ElementSet& result);
 /// or says why not. True when the document changed.
 bool run_operation(Editor& editor, const Operation& operation, const std::string& label);
 
-/// What a refinement of `source` keeps, as the settings and the polyhedron have it.
+/// Form that a refinement of `source` keeps, as the settings and the polyhedron have it.
 std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source);
 
 /// `run_operation` for refinements, which get the form that they keep, if any.
 using Refinement = std::function<Result<Modeled>(const PolyhedronSource&, const SurfaceForm*)>;
 bool run_refinement(Editor& editor, const Refinement& refinement, const std::string& label);
 
-/// Where something that is selected is locked: says so.
+/// Says so if something that is selected is locked.
 void say_locked(Editor& editor);
 
 }  // namespace hariko

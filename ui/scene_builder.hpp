@@ -29,7 +29,7 @@ class SceneBuilder {
     return compared_.empty() ? scene_ : compared_[static_cast<std::size_t>(view)];
   }
   ObjectId object_id(std::size_t scene_object) const { return ids_[scene_object]; }
-  /// Of a view's map with values, where a surface shows it; null else.
+  /// Range of a view's map with values, where a surface shows it; null else.
   const ViewScale* view_scale() const { return view_scale_ ? &*view_scale_ : nullptr; }
   /// The paper that is shown instead of the objects; null when they are shown.
   const PaperSolid* paper() const { return paper_.get(); }
@@ -50,7 +50,7 @@ class SceneBuilder {
   };
   std::shared_ptr<const EdgeMarks> marks_of(ObjectId id, const SurfaceView& view,
                                             const ContinuityTolerance& tolerance);
-  /// Where the edges of a polyhedron lie on its surface; null of other kinds.
+  /// Edges of a polyhedron on its surface; null of other kinds.
   std::shared_ptr<const EdgeCurves> edge_curves_of(const Object& object, const DisplayMesh& mesh,
                                                    const DisplayPolyhedron& polyhedron);
   void colour_by_view(const Editor& editor, Scene& scene);

@@ -179,7 +179,7 @@ void Selection::select_all(const Object& object, ElementMode mode) {
 void Selection::prune(const Document& document) {
   for (auto it = elements_.begin(); it != elements_.end();) {
     const Object* object = document.find(it->first);
-    // What cannot be seen or changed is not selected.
+    // Hidden and locked objects are not selected.
     if (object && (!object->visible || object->locked)) object = nullptr;
     const Polyhedron* cage = object ? object->cage() : nullptr;
     if (cage) {

@@ -11,8 +11,8 @@ namespace hariko {
 /// Of an object with solids "1 solid" or "3 solids", else as `describe` has it. `object` may be null.
 std::string describe_in(const Object* object, const ElementSelection& selection, const Language& tr);
 
-/// What a box left out as it was hidden, and the keys of the command that takes it too; empty where nothing
-/// was, or something else is selected by now.
+/// Count of hidden elements that a box left out, and the keys of the command that takes it too; empty where
+/// nothing was, or something else is selected by now.
 std::string left_out_text(const Editor& editor, const std::string& keys);
 
 }  // namespace hariko

@@ -40,7 +40,7 @@ class Viewport {
   bool tool_key(const KeyPress& press);
   /// Ends the active tool as if it had never begun. False when there is none.
   bool cancel_tool();
-  /// What the pointer can do now, or what the running tool says.
+  /// Hints on what the pointer can do now, or what the running tool says.
   std::string hint() const;
   const SceneBuilder& scene() const { return scene_; }
   /// The point of a surface under the pointer, where no tool runs.

@@ -154,7 +154,7 @@ void Workbench::frame() {
   palette_.draw(context, menu);
   cheat_sheet_.draw(context, menu);
   draw_cursor_note(context);
-  // Of the next frame: arrows and Enter belong to the items only where the keyboard was given to them.
+  // Flags of the next frame: arrows and Enter belong to the items only where the keyboard was given to them.
   ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseClicked(0)) leave_panel();
   if (navigates())
@@ -235,7 +235,7 @@ void Workbench::drag_list_end(const PanelRect& border, float top) {
   ImGui::End();
 }
 
-/// What a designer should know of how things are shown and chosen, before the hints of pointing.
+/// Notes on how things are shown and chosen, before the hints of pointing.
 std::string Workbench::status_note() const {
   const auto keys = [&](const char* id) {
     const Command* command = commands_.find(id);
@@ -366,7 +366,7 @@ void Workbench::key(const KeyPress& press) {
   // In the middle of a drag or a modal tool the view may change, and nothing else.
   if (viewport_.tool_active() && !command->menu.starts_with("View") && command->menu != "Help") return;
   if (editor_.history.in_gesture() && command->changes_document) return;
-  // What is told by a key is done in the view under the pointer.
+  // Keys act in the view under the pointer.
   editor_.layout.activate(editor_.layout.active());
   run_from_key(*command);
 }

@@ -44,7 +44,7 @@ class Workbench {
   const CommandTable& commands() const { return commands_; }
   const CommandLog& command_log() const { return command_log_; }
   const Viewport& viewport() const { return viewport_; }
-  /// What the status line says of the tool, the selection and the view.
+  /// Text of the status line about the tool, the selection and the view.
   const std::string& status() const { return status_; }
   const Marks& marks() const { return marks_; }
   /// The Gauss sphere: the application fills it while it is shown.

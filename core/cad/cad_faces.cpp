@@ -322,8 +322,8 @@ class FaceMaker {
     return out;
   }
 
-  /// Where the faces of an edge do not agree: knots along it, and across it in corners and where spans are
-  /// longer across.
+  /// Marks where the faces of an edge do not agree: knots along it, and across it in corners and where spans
+  /// are longer across.
   void mark(Index e, std::vector<FaceMiss>& misses) const {
     const CadEdge& edge = edges_.edges()[e];
     const double worst = largest_jump(e);
@@ -349,7 +349,7 @@ class FaceMaker {
       }
     }
   }
-  /// Of the whole.
+  /// Share of the whole.
   static double width(const SplineSpace& space, std::size_t span) {
     return (space.breaks[span + 1] - space.breaks[span]) / (space.end() - space.begin());
   }

@@ -10,8 +10,8 @@
 namespace hariko {
 
 struct CadMeasure {
-  /// Of each face, from its points to the surface near equal parameters: never less than the distance;
-  /// lengths.
+  /// Distance of each face, from its points to the surface near equal parameters: never less than the
+  /// distance; lengths.
   std::vector<double> distances;
   double largest = 0;
   double normal_jump = 0;  ///< largest across edges that are meant to be smooth, radians

@@ -43,7 +43,7 @@ Vector3 end_direction(const std::function<CurvePoint(double)>& function, double 
   return (at_end - limit).norm() < 1e-4 ? at_end : limit;
 }
 
-/// Which number moves which control point where.
+/// The control point that each number moves, and its place.
 struct Unknown {
   std::size_t point = 0;
   Vector3 direction;
@@ -131,7 +131,7 @@ double miss_at(const SplineCurve& curve, double x, const CurvePoint& want, const
   double out = std::max((miss - along * tangent).norm(), along_share * std::abs(along)) / limits.distance;
   const double length = got.derivative.norm() * (curve.space.end() - curve.space.begin());
   if (length > limits.distance) {
-    // What is off by the distance over a span turns it.
+    // A curve that is off by the distance over a span turns by that.
     const double turn = limits.turn + limits.distance / (got.derivative.norm() *
                                                          span_width(curve.space, curve.space.span(x)));
     out = std::max(out, std::abs(got.derivative.dot(want.normal)) / (got.derivative.norm() * turn));

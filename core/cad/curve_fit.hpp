@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// What fits keep to.
+/// Limits of a fit.
 struct FitLimits {
   double distance = 0;  ///< length
   double angle = 0;     ///< radians, between faces along smooth edges

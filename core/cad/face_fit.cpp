@@ -19,7 +19,7 @@ double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// What a miss counts for, as a symmetric matrix.
+/// Weight of a miss, as a symmetric matrix.
 Matrix3 metric(const PatchPoint& point) {
   if (!has_normal(point)) return Matrix3::Identity();
   const Vector3 normal = unit_normal(point);
@@ -37,8 +37,8 @@ Matrix3 frame(const PatchPoint& point) {
   return out;
 }
 
-/// What the given sides are off the surface's, as a smooth field over the rectangle (Coons) that does not
-/// turn normals along the sides: a spline that ran from its boundary to the surface within its first span
+/// Difference of the given sides from the surface's, as a smooth field over the rectangle (Coons) that does
+/// not turn normals along the sides: a spline that ran from its boundary to the surface within its first span
 /// would turn them the more the narrower that span is. It is blended in the surface's own frames, so that
 /// what is off along the surface stays in it.
 class BoundaryMiss {
@@ -201,7 +201,7 @@ void FaceFit::slide() {
   forget();
 }
 
-/// Of a span: from the first on, and the end.
+/// Places of a span: from the first on, and the end.
 std::pair<std::size_t, std::size_t> FaceFit::samples_of(const Direction& direction, std::size_t span) {
   const auto [from, to] = std::equal_range(direction.span.begin(), direction.span.end(), span);
   return {std::size_t(from - direction.span.begin()), std::size_t(to - direction.span.begin())};
@@ -227,7 +227,7 @@ void FaceFit::add_block(std::size_t a, std::size_t b, double factor, const Matri
         matrix_->entry(3 * a + r, 3 * b + c) += factor * block(Eigen::Index(r), Eigen::Index(c));
 }
 
-/// What the samples of a rectangle between knots add. The sums along s come first, as they are the same for
+/// Adds the samples of a rectangle between knots. The sums along s come first, as they are the same for
 /// all functions of t.
 void FaceFit::add_rectangle(std::size_t column, std::size_t row, double weight) {
   const std::size_t us = std::size_t(surface_.s.degree) + 1, vs = std::size_t(surface_.t.degree) + 1;
@@ -282,7 +282,7 @@ void FaceFit::for_side(int side, const SidePlace& place, const Each& each) const
   }
 }
 
-/// What a miss of the derivative across a side counts for, in parts of the derivative.
+/// Weight of a miss of the derivative across a side, in parts of the derivative.
 Matrix3 FaceFit::side_metric(const SidePlace& place) {
   constexpr double along = slope_share * slope_share;
   return along * Matrix3::Identity() + (1 - along) * place.normal * place.normal.transpose();
@@ -362,8 +362,8 @@ PatchPoint FaceFit::fitted(std::size_t i, std::size_t j) const {
   return out;
 }
 
-/// What the surface is off the nearest splines of one direction's space, along the lines of that direction;
-/// the part across the surface, at the samples.
+/// Difference of the surface from the nearest splines of one direction's space, along the lines of that
+/// direction; the part across the surface, at the samples.
 std::vector<double> FaceFit::residual(const SplineSpace& space, const Direction& own, bool by_s) const {
   const std::size_t count = own.at.size(), lines = by_s ? t_.at.size() : s_.at.size(),
                     p = std::size_t(space.degree);
@@ -416,9 +416,9 @@ FaceMiss FaceFit::miss(const FitLimits& limits) const {
       }
       const Vector3 normal = unit_normal(want);
       here = std::max(std::abs(off.dot(normal)), 0.5 * along_share * off.norm()) / limits.distance;
-      // Where the sides of a corner run on straight, normals are hardly determined.
+      // Normals in corners whose sides run on straight are hardly determined.
       const double sine = want.ds.cross(want.dt).norm() / (want.ds.norm() * want.dt.norm());
-      // What is off by the distance over a span turns it: knots that are narrower than that would only add to
+      // A miss of the distance over a span turns it: knots that are narrower than that would only add to
       // it.
       const double narrower = std::min(want.ds.norm() * span_width(surface_.s, s_.span[i]),
                                        want.dt.norm() * span_width(surface_.t, t_.span[j]));

@@ -24,8 +24,8 @@ struct SidePlace {
   double at = 0;                     ///< by s or t
   double weight = 0;                 ///< part of the side
   Vector3 normal = Vector3::Zero();  ///< unit, perpendicular to the boundary
-  /// Of the surface's derivative by t or s across the side: the part in the plane and perpendicular to the
-  /// boundary.
+  /// Parts of the surface's derivative by t or s across the side: the part in the plane and perpendicular to
+  /// the boundary.
   double speed = 0;
   Vector3 across = Vector3::Zero();  ///< that derivative, which the face keeps nearly
   double turn = 0;  ///< by which the face is to be turned against the plane, about the boundary, radians

@@ -10,7 +10,7 @@ namespace hariko {
 
 enum class CadQuality { light, balanced, fine };
 
-/// What a quality means: the distance in millimetres, or as a share of an object's size where that is more,
+/// Limits of a quality: the distance in millimetres, or as a share of an object's size where that is more,
 /// and the angle between faces in radians.
 struct CadGrade {
   double millimetres, share, angle;

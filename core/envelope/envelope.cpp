@@ -16,9 +16,10 @@ namespace {
 constexpr double tolerance = 1e-4;  ///< of the diagonal
 constexpr int drag_builds = 2;
 constexpr double least_ball = 3;  ///< of the rounding
-/// Of the solids' size: lattices of finer roundings would not fit into memory.
+/// Share of the solids' size: lattices of finer roundings would not fit into memory.
 constexpr double least_rounding = 1.0 / 160;
-/// Of the solids' size. What such a ball leaves is the hull to a sixteenth of a thousandth of the size.
+/// Multiple of the solids' size. What such a ball leaves is the hull to a sixteenth of a thousandth of the
+/// size.
 constexpr double hull_ball = 2000;
 constexpr int hull_level = 9;
 constexpr int automatic_levels = 2;  ///< of the valleys' ladder; below that a field's cage is closer
@@ -146,7 +147,7 @@ Result<Done> take_quads(const BallEnvelope& made, EnvelopeSurface& out) {
   return Done{};
 }
 
-/// What the ball's patches miss, where they do.
+/// Adds warnings of what the ball's patches miss.
 void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, EnvelopeSurface& out) {
   if (rounding > asked)
     out.warnings.push_back(

@@ -97,7 +97,7 @@ Result<Modeled> halved(const PolyhedronSource& source, const Mirror& mirror, con
       draft.set_face(id, *std::move(part));
   }
   if (!on) return std::move(draft).finish({});
-  // What the half remembers is meant for the whole.
+  // The half's memory is meant for the whole.
   const RefinedPoints places = draft.places();
   auto half = std::move(draft).finish();
   if (!half) return half.error();

@@ -13,7 +13,7 @@ namespace hariko {
 namespace {
 
 constexpr double half_circle = std::numbers::pi;
-/// Of a turn: how far tangents in one plane may miss to go round once.
+/// Share of a turn: how far tangents in one plane may miss to go round once.
 constexpr double turn_tolerance = 1e-2;
 
 /// Cosine of the angle from which on two tangents count as nearly opposite: 165 degrees.
@@ -85,7 +85,7 @@ class FormFinder {
   /// The corner between an edge of a fan and the next one, by its half-edge.
   static Index corner(const Wish& wish) { return wish.end / 2; }
 
-  /// Where two tangents are nearly opposite, the split edge between them stays well within the corner only if
+  /// Tangents that are nearly opposite: the split edge between them stays well within the corner only if
   /// their lengths are as the areas of the patches over their edges: the shorter one gives way, which hardly
   /// changes its curve.
   void balance(std::vector<Wish>& fan) const {

@@ -19,7 +19,8 @@ inline constexpr Code w_vertex_merged{"W_VERTEX_MERGED"};
 /// A polyhedron and the same with triangles in one plane merged.
 struct MergedFaces {
   PolyhedronSource before;
-  /// What each merged face is made of, by dense indices, the one that stands for it first; and its corners.
+  /// Faces that each merged face is made of, by dense indices, the one that stands for it first; and its
+  /// corners.
   struct Group {
     std::vector<Index> faces;
     std::vector<Index> corners;

@@ -26,7 +26,7 @@ struct Pin {
   friend bool operator==(const Pin&, const Pin&) = default;
 };
 
-/// What a refinement remembers of a vertex so that the surface stays: how its tangents differ from those that
+/// Memory of a refinement at a vertex so that the surface stays: how its tangents differ from those that
 /// frames by measure give it (kuriyama.md section 12.7). The numbers follow the edges: moving, turning and
 /// scaling the polyhedron leaves them as they are.
 struct KeptForm {

@@ -231,7 +231,7 @@ class FrameBuilder {
     if (form) add_offset(v, *form);
   }
 
-  /// What a form keeps of each edge of the fan. Edges that it does not know are turned and stretched as those
+  /// Part of a form for each edge of the fan. Edges that it does not know are turned and stretched as those
   /// beside them; none where it knows no edge.
   std::vector<KeptForm::Edge> kept_edges(const KeptForm& form) const {
     const std::size_t n = fan_.edges.size();

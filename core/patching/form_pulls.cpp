@@ -11,7 +11,7 @@
 namespace hariko {
 namespace {
 
-/// Of a length: the energy of mode FAIR makes forces of it.
+/// Power of a length: the energy of mode FAIR makes forces of it.
 constexpr double force_power = 1.5;
 
 /// Half-edges by which ends lead to the left: an end at the target of its half-edge looks from the other

@@ -14,11 +14,11 @@
 
 namespace hariko {
 
-/// What the forms say, in the units of the energy. Sharp edges have none.
+/// Forces of the forms, in the units of the energy. Sharp edges have none.
 std::vector<RimBend> form_pulls(const Polyhedron& polyhedron, const Shaping& shaping,
                                 const VertexFrames& frames);
 
-/// Where along an edge normals are wanted, as shares of its parameter.
+/// Places along an edge where normals are wanted, as shares of its parameter.
 inline constexpr std::array wanted_shares{0.25, 0.5, 0.75};
 /// Unit normals there, from the first vertex on; empty where the edge may lean as it likes.
 using WantedNormals = std::function<std::vector<Vector3>(VertexId first, VertexId second)>;

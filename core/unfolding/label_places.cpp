@@ -14,7 +14,7 @@ namespace hariko {
 
 namespace {
 
-/// Of digits, in heights of capitals; a little more than the fonts of the writers have.
+/// Width of digits, in heights of capitals; a little more than the fonts of the writers have.
 constexpr double digit_width = 0.85, line_height = 1.25;
 constexpr double cell = 8;  ///< mm
 

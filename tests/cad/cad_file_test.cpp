@@ -214,9 +214,9 @@ void round_trip(const std::string& name, const Surface& surface, CadFormat forma
   check_measures(shape, *model, surface);
   const CadMeasure measure = measure_cad(surface, *model);
   EXPECT_LE(measure.largest, usual_cad_tolerance * model->size);
-  // Where two ridges of a skin fade out into one the tangent planes turn within a span: a warning says so.
+  // Two ridges of a skin fade out into one, and tangent planes turn within a span: a warning says so.
   EXPECT_LE(measure.normal_jump, name.find("skin_merge_inside") == 0 ? 0.02 : usual_cad_angle);
-  // What OpenCASCADE makes of an IGES file has fewer digits.
+  // OpenCASCADE's copy of an IGES file has fewer digits.
   const double distance = distance_of(shape, *model, 24);
   EXPECT_LE(distance, (format == CadFormat::iges ? 1e-9 : 1e-12) * model->size);
   if (repetitions(1) < 2) return;

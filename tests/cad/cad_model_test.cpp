@@ -71,7 +71,7 @@ TEST(CadModel, KeepsTheToleranceAndStaysSmooth) {
     ASSERT_TRUE(model.ok());
     const CadMeasure measure = measure_cad(surface, *model);
     EXPECT_LE(measure.largest, usual_cad_tolerance * model->size);
-    // Where two ridges of a skin fade out into one the tangent planes turn within a span: a warning says so.
+    // Two ridges of a skin fade out into one, and tangent planes turn within a span: a warning says so.
     EXPECT_LE(measure.normal_jump, name.find("skin_merge_inside") == 0 ? 0.02 : usual_cad_angle)
         << "edge " << measure.jump_edge;
   });

@@ -171,7 +171,7 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
   EXPECT_EQ(write_document(document), now) << "the fixture is written as this version writes";
 }
 
-/// What this version writes of a document of version 2 that nothing else changes in.
+/// Text that this version writes of a document of version 2 that nothing else changes in.
 std::string as_version_3(std::string text) {
   text.replace(text.find("\"version\": 2"), 12, "\"version\": 3");
   return text;

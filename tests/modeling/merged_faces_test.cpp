@@ -177,7 +177,7 @@ TEST(MergedFaces, PatchesComeFromTheDesignersFaces) {
     EXPECT_NE(source.polyhedron.find(FaceId{static_cast<std::uint32_t>(each.element.id)}), no_index);
     named.insert(each.element.id);
   }
-  // Of the fans all triangles have an outer side but one in each cap at the most.
+  // All triangles of the fans have an outer side but one in each cap at the most.
   EXPECT_GE(named.size(), source.polyhedron.face_count() - 4U);
   for (const Seam& seam : surface.seams())
     if (seam.source.kind == Element::Kind::edge)

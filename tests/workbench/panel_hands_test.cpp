@@ -143,7 +143,7 @@ TEST_F(PanelHands, ATypedUnitIsNotShownAsMetres) {
   EXPECT_NEAR(moved(), 8, 1e-12);
   bench_.key("Enter");
   EXPECT_NEAR(moved(), 8, 1e-12);
-  // Where metres are meant Enter says so.
+  // Enter says that metres are meant.
   for (const char* key : {"G", "Z", "8"}) bench_.key(key);
   letter(U'm');
   bench_.key("Enter");

@@ -1,4 +1,4 @@
-// What is seen of a surface can be taken: curves stand for edges, patches for faces, outlines for objects.
+// Picking on the surface: curves stand for edges, patches for faces, outlines for objects.
 
 #include <gtest/gtest.h>
 
@@ -108,7 +108,7 @@ TEST_F(PickingOnSurface, TheCurveIsTheEdge) {
   EXPECT_FALSE(editor.hovered) << "nobody sees the straight line inside of the surface";
   click(line);
   EXPECT_TRUE(editor.selection.no_elements());
-  // Where the polyhedron alone is shown its lines are the edges.
+  // Lines are the edges if the polyhedron alone is shown.
   set_shown(true, false);
   DisplaySettings display = editor.active_object()->display;
   display.surface = false;

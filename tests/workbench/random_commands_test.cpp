@@ -199,7 +199,7 @@ TEST(RandomCommands, UndoAndRedoGiveBackEqualDocuments) {
       ASSERT_TRUE(state->second == editor.history.current())
           << "another document under the same name, after " << user.last();
       if (fresh) expect_valid(editor.history.current());
-      // What is hidden or locked can be chosen in the list of objects.
+      // Hidden and locked objects can be chosen in the list.
       Document seen = editor.history.current();
       for (auto& object : seen.objects) {
         auto copy = std::make_shared<Object>(*object);

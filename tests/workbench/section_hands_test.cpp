@@ -122,7 +122,7 @@ TEST_F(SectionHands, ThePaletteMakesTwoRails) {
   EXPECT_TRUE(skin().second_rail);
 }
 
-/// What is drawn begins with a circle of a typed size, an ellipse, or the section that is there.
+/// A drawing begins with a circle of a typed size, an ellipse, or the section that is there.
 TEST_F(SectionHands, ASectionIsDrawnFromAShapeAndNumbers) {
   // Shapes are closed, and so are all sections of a skin or none.
   bench_.workbench().commands().run("skin.close_sections");
@@ -130,7 +130,7 @@ TEST_F(SectionHands, ASectionIsDrawnFromAShapeAndNumbers) {
   const std::size_t count = skin().sections.size();
   bench_.workbench().commands().run("skin.draw_section");
   const auto& marks = bench_.workbench().marks().all();
-  // Where the path can be clicked: half way between two of its points.
+  // A place of the path that can be clicked: half way between two of its points.
   ASSERT_TRUE(marks.contains("skin.path.0") && marks.contains("skin.path.1"));
   const Marks::Rect a = marks.at("skin.path.0"), b = marks.at("skin.path.1");
   bench_.move((a.x + b.x + a.width) / 2.0, (a.y + b.y + a.height) / 2.0);

@@ -140,7 +140,7 @@ std::string menu_of(Has has) {
 
 constexpr const char* in_preferences = translatable("A choice for the program, in the preferences.");
 
-/// What the preferences have, by the page where it stands.
+/// Settings of the preferences, by the page where it stands.
 struct Preference {
   const char *id, *label, *help;
   Preferences::Page page;

@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-/// Of the size: the finest and coarsest that make sense to ask for.
+/// Shares of the size: the finest and coarsest that make sense to ask for.
 constexpr double finest = 1e-9, coarsest = 1e-2;
 constexpr double degree = std::numbers::pi / 180;
 constexpr std::array qualities{CadQuality::light, CadQuality::balanced, CadQuality::fine};

@@ -89,7 +89,7 @@ void commit(PanelContext& context, const Objects& objects, const std::string& st
   context.editor.commit(edit_displays(context.editor.history.current(), objects, change), step);
 }
 
-/// What all objects have in common; nothing where they differ.
+/// Value that all objects have in common; nothing where they differ.
 template <class T, class Get>
 std::optional<T> shown_alike(const Objects& objects, const Get& get) {
   return common<T>(objects, [&](const auto& object) -> T { return get(object->display); });

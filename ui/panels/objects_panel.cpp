@@ -62,7 +62,7 @@ void click_row(PanelContext& context, ObjectId id, Modifiers modifiers = {}) {
   const auto has_row = [&](ObjectId row) {
     return std::find(state.shown.begin(), state.shown.end(), row) != state.shown.end();
   };
-  // What was chosen in the view is an end of the range, too.
+  // A choice in the view is an end of the range, too.
   const ObjectId from =
       has_row(state.anchor) && chosen(editor, state.anchor) ? state.anchor : editor.selection.active;
   if (modifiers.shift && has_row(from)) {

@@ -216,8 +216,8 @@ void Preferences::draw(PanelContext& context, float top) {
   const ImVec2 most(screen.x - size.x, screen.y - size.y);
   ImGui::SetNextWindowSize(size);
   const std::string name = std::string(context.tr("Preferences")) + "###preferences";
-  // Where it was put, as far as that is inside of the window, which may have become smaller, or the interface
-  // larger.
+  // The place where it was put, as far as that is inside of the window, which may have become smaller, or the
+  // interface larger.
   const ImGuiWindow* window = ImGui::FindWindowByName(name.c_str());
   if (window && window->WasActive)
     ImGui::SetNextWindowPos({std::clamp(window->Pos.x, 0.0F, std::max(0.0F, most.x)),

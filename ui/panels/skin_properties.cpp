@@ -260,7 +260,7 @@ void grid_rows(Rows& rows, const Skin& skin) {
                 [](Skin& s, int chosen) { s.smooth.parameters = ColumnParameters(chosen); });
 }
 
-/// What is needed once, if ever.
+/// Rows that are needed once, if ever.
 void more_rows(PanelContext& context, Rows& rows, const Object& object) {
   const Skin& skin = *object.skin()->skin;
   rows.mirror(object);

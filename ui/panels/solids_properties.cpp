@@ -146,7 +146,7 @@ void clearance_row(PanelContext& context, const Object& object) {
             object.solids()->input->settings.clearance, edit_setting(object.id, length, clearance));
 }
 
-/// Of the ball: tightness is its radius, seen from the solids' size.
+/// Rows of the ball: tightness is its radius, seen from the solids' size.
 void ball_rows(PanelContext& context, const Object& object) {
   const EnvelopeInput& input = *object.solids()->input;
   const double size = solids_size(input.solids);

@@ -116,7 +116,7 @@ void draw_job(PanelContext& context, float& right) {
   if (draw_work(context, row, right)) context.run("file.cancel_job");
 }
 
-/// What continuity the surface reaches; empty until that is measured, and for facets.
+/// Continuity that the surface reaches; empty until that is measured, and for facets.
 std::string continuity_of(PanelContext& context, const Object& object, const SurfaceView& view) {
   if (object.mesh() || !view.continuity || view.continuity->seams.size() != view.surface.seams().size())
     return {};

@@ -61,7 +61,7 @@ void SteadyRows::end(const Marks& marks, const std::string& typed) {
     above_ = below_ = 0;
     row_.clear();
   } else if (const float moved = place_of(row_) - place_; std::abs(moved) >= 1) {
-    // Where the contents begin against the panel: below its edge, or scrolled by as much.
+    // Offset of the contents from the panel: below its edge, or scrolled by as much.
     const float start = above - scroll - moved;
     const float wanted = std::max(-start, 0.0F);
     above_ = std::max(start, 0.0F);
@@ -73,7 +73,7 @@ void SteadyRows::end(const Marks& marks, const std::string& typed) {
     ImGui::SetScrollY(scroll_);
     --waits_;
   }
-  // What is typed into stays although the pointer rests elsewhere, and so does what opened a list.
+  // A field that is typed into stays although the pointer rests elsewhere, and so does what opened a list.
   const bool same = (popup || (held && held_ == GImGui->ActiveId)) && !row_.empty();
   held_ = GImGui->ActiveId;
   if (!typed.empty())

@@ -27,7 +27,7 @@ void tooltip(const PanelContext& context, const char* help) {
   if (*help && ImGui::IsItemHovered()) show_tip(context.tr(help));
 }
 
-/// What is done without a gesture, after all rows of this frame.
+/// Changes without a gesture, after all rows of this frame.
 void commit(PanelContext& context, const FieldSpec& spec, const ValueChange& change, const EditValues& edit) {
   later(context, edit(context.editor.history.current(), change), spec.step);
 }

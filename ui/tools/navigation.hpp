@@ -11,7 +11,7 @@ namespace hariko {
 
 enum class NavigationAction { orbit, pan, zoom };
 
-/// What a press that drags does to a view in perspective or in parallel projection; nothing when it belongs
+/// Effect of a press that drags on a view in perspective or in parallel projection; nothing when it belongs
 /// to other tools.
 std::optional<NavigationAction> navigation_action(NavigationPreset preset, const PointerEvent& press,
                                                   bool parallel = false);

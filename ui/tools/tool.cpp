@@ -74,7 +74,7 @@ std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2
   const Editor& editor = context.editor;
   std::vector<ElementRef> result;
   if (context.scene.paper()) return result;  // it stands in the place of the objects
-  // What is not shown is not taken.
+  // Elements that are not shown are not taken.
   if (editor.view.surfaces_only && editor.mode != ElementMode::object) return result;
   for (const PickHit& hit : pick_elements(context, pixel)) {
     const ObjectId id = context.scene.object_id(hit.object);

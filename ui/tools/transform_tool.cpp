@@ -72,7 +72,7 @@ void TransformTool::begin(ToolContext& context, const PointerEvent& press) {
   apply_falloff(context);
 }
 
-/// Of sections the first press means their own axes, the second those of the document.
+/// The first press means the own axes of sections, the second those of the document.
 bool TransformTool::lock_key(const KeyPress& press) {
   if (!target_.in_planes()) return lock_.key(press);
   AxisLock next = lock_ == section_plane_lock ? AxisLock{} : AxisLock{lock_.kind, lock_.axis, !lock_.local};

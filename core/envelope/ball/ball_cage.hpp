@@ -21,7 +21,7 @@ struct BallCage {
 /// are relative to `origin`. Hollows that cannot be reached from outside are filled. O(cells of the box).
 BallCage ball_cage(const SplineField& field, const Vector3& origin, double cell);
 
-/// Which ways a quad is halved: across its sides 0 and 2, across its sides 1 and 3.
+/// Ways in which a quad is halved: across its sides 0 and 2, across its sides 1 and 3.
 using QuadCuts = std::array<bool, 2>;
 
 /// Halves quads, and with each all that follow one another across opposite sides, so that no vertex comes to

@@ -18,7 +18,7 @@ constexpr int most_cuts = 3;
 constexpr double least_agreement = 0.77;  ///< cosine of 40 degrees
 constexpr double largest_turn =
     2.2;  ///< radians: a quad over which the surface turns more misses a part of it
-/// Where a patch turns this much of the most along its other way too, it is halved both ways.
+/// Share of the largest turn: a patch that turns as much along its other way too is halved both ways.
 constexpr double even_turn = 0.6;
 
 bool fits(const PatchFit& fit, double tolerance) {

@@ -14,7 +14,7 @@ namespace hariko {
 namespace {
 
 constexpr int fit_intervals = 8;
-/// Where curvature across a side is set right, as fractions of it.
+/// Places where curvature across a side is set right, as fractions of it.
 constexpr std::array<double, 3> bend_places{0.2, 0.5, 0.8};
 
 /// A side with the field of directions across it, in the surface's tangent planes, to its left.

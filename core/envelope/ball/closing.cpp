@@ -122,7 +122,7 @@ class TangentStep {
   const Vector3& way() const { return way_; }
   int active() const { return active_; }
   std::size_t plane(std::size_t i) const { return of_[i]; }
-  /// Of the planes that decide: target + sum of them times their directions is the way.
+  /// Factors of the planes that decide: target + sum of them times their directions is the way.
   double multiplier(std::size_t i) const { return multipliers_[Eigen::Index(i)]; }
 
  private:
@@ -220,7 +220,8 @@ struct Closing::Search {
     return best;
   }
 
-  /// Where both ways ended too near to a solid: farther out on the ray from x there is room for the ball.
+  /// Looks again if both ways ended too near to a solid: farther out on the ray from x there is room for the
+  /// ball.
   void lift(const Vector3& towards) {
     Vector3 way = towards - x;
     if (!(way.norm() > closing.accuracy_)) way = closing.radius_ * Vector3::UnitZ();
@@ -260,7 +261,7 @@ struct Closing::Search {
     return found;
   }
 
-  /// Of two solids the ball rolls along both: how far, where their bend is counted.
+  /// Rolls the ball along both of two solids: how far, where their bend is counted.
   Vector3 rolled(const Vector3& y, const TangentStep& step, std::span<const TangentPlane> planes) const {
     const TangentPlane &a = planes[step.plane(0)], &b = planes[step.plane(1)];
     const Vector3 along = a.direction.cross(b.direction).stableNormalized();

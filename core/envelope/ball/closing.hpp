@@ -24,7 +24,7 @@ class Closing {
       : solids_(solids), radius_(radius), accuracy_(accuracy) {}
 
   double radius() const { return radius_; }
-  /// Of solids `among`, which must have all that a ball near x may touch.
+  /// The closing of solids `among`, which must have all that a ball near x may touch.
   ClosedDistance at(const Vector3& x, std::span<const Index> among) const;
   /// The better of `known` and what is found from another start.
   ClosedDistance improved(const Vector3& x, const ClosedDistance& known, const Vector3& start,

@@ -31,14 +31,14 @@ class GrownUnion {
 
   std::size_t size() const { return solids_.size(); }
   const GrownSolid& operator[](std::size_t i) const { return solids_[i]; }
-  /// Of grown solid i; at least `bound` from it where that is far enough.
+  /// Distance from grown solid i; at least `bound` from it where that is far enough.
   double distance(Index i, const Vector3& point) const {
     return solids_[i].shape.distance(point) - solids_[i].growth;
   }
   double bound(Index i, const Vector3& point) const {
     return (point - solids_[i].shape.centre()).norm() - solids_[i].shape.reach() - solids_[i].growth;
   }
-  /// Of `among`. The first of equal ones.
+  /// The nearest of `among`, the first of equal ones.
   NearestSolid nearest(const Vector3& point, std::span<const Index> among) const;
   const Eigen::AlignedBox3d& box() const { return box_; }  ///< of the grown solids' bounding balls
   std::span<const Index> all() const { return all_; }

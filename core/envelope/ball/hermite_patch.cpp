@@ -30,7 +30,7 @@ Blend<6> quintic_at(double x, double y) {
   return out;
 }
 
-/// Of value, derivative, derivative, value.
+/// Factors of value, derivative, derivative, value.
 Blend<4> hermite_at(double t) {
   Blend<4> out;
   out.value = {1 - 3 * t * t + 2 * t * t * t, t - 2 * t * t + t * t * t, t * t * t - t * t,
@@ -111,7 +111,7 @@ Vector3 rate(const Quintic& c, bool end) {
   return end ? Vector3(5 * (c[5] - c[4])) : Vector3(5 * (c[1] - c[0]));
 }
 
-/// What both blends count twice; twists are `constant` + x `share` with x = p / (p + q), p and q the
+/// The part that both blends count twice; twists are `constant` + x `share` with x = p / (p + q), p and q the
 /// distances from the corner along u and v.
 struct Corners {
   std::array<std::array<Vector3, 4>, 4> constant;
@@ -200,7 +200,7 @@ void add_bend(const std::array<Vector3, 3>& bend, const Blend<3>& along, const B
   out.dst += away.first[0] * first;
 }
 
-/// Of sides the curve alone decides.
+/// Sides are decided by the curve alone.
 void set_side_position(const HermitePatch& p, const Direction& u, const Direction& v, PatchPoint& out) {
   if (v.t == 0)
     out.position = sum(u.quintic.value, p.c0);

@@ -31,8 +31,8 @@ struct HermitePatch {
   HermitePatch() {
     for (auto& side : bend) side.fill(Vector3::Zero());
   }
-  /// Of four sides, counter-clockwise seen from outside, and of the fields into the patch along them. At
-  /// corners fields are the derivatives of the neighbouring sides.
+  /// Makes a patch of four sides, counter-clockwise seen from outside, and the fields into the patch along
+  /// them. At corners fields are the derivatives of the neighbouring sides.
   static HermitePatch from_loop(const std::array<Quintic, 4>& sides, const std::array<Quintic, 4>& inwards);
 };
 

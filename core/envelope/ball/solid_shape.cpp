@@ -100,7 +100,7 @@ SolidShape::SolidShape(const Solid& solid, const Vector3& origin)
   make(solid);
 }
 
-/// Of an ellipse in the half axes of the cross-section: all kinds of points on it.
+/// Points of an ellipse in the half axes of the cross-section: all kinds of points on it.
 void SolidShape::add_ring(double radius, double height, int count) {
   const double turn = half_.x() == half_.y() ? std::numbers::pi / 8 : std::numbers::pi / 2 / (count - 1);
   for (int k = 0; k < count; ++k)
@@ -248,7 +248,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
       const Vector3 middle = form_ == Form::capsule ? Vector3(0, 0, std::clamp(p.z(), -along_, along_))
                                                     : ring_point(torus_angle(p));
       const EllipsoidPlace at = ellipsoid_place(half_, p - middle);
-      // Of a ball the ball itself is the best bound.
+      // The best bound of a ball is the ball itself.
       if (half_.x() == half_.y() && half_.x() == half_.z())
         return {at.distance, at.normal, middle, half_.x()};
       if (at.distance <= 0) return place_inside(p, at.distance, at.normal);

@@ -18,7 +18,8 @@ std::optional<double> ball_radius_at(double tightness, double rounding, double s
 /// From 0 to 1; larger and smaller balls count as those at the ends.
 double tightness_of(std::optional<double> radius, double rounding, double size);
 
-/// What a new object of these solids begins with: a cylinder stays a cylinder, notches are filled softly.
+/// Settings that a new object of these solids begins with: a cylinder stays a cylinder, notches are filled
+/// softly.
 void choose_ball(EnvelopeInput& input);
 /// For settings of documents from before there was the ball: the tightness and the roundness that they had.
 void choose_ball_as_before(EnvelopeInput& input);
