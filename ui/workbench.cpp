@@ -260,6 +260,15 @@ void Workbench::drag_border(const PanelRect& border) {
   ImGui::End();
 }
 
+namespace {
+
+/// Closes every menu and list; Dear ImGui asserts that there is one to close.
+void close_popups(bool restore_focus) {
+  if (!GImGui->OpenPopupStack.empty()) ImGui::ClosePopupToLevel(0, restore_focus);
+}
+
+}  // namespace
+
 bool Workbench::navigates() const {
   const ImGuiWindow* window = GImGui->NavWindow;
   return !keyboard_panel_.empty() || !GImGui->OpenPopupStack.empty() ||
@@ -301,14 +310,14 @@ bool Workbench::navigation_key(const KeyChord& chord) {
     return next_panel(chord.shift), true;
   const std::vector<std::string> menus = commands_.menus();
   if (!busy && plain && !chord.shift && chord.key == GLFW_KEY_F10) {
-    ImGui::ClosePopupToLevel(0, false);
+    close_popups(false);
     panel_state_.wanted_menu = menus.front();
   } else if (!busy && chord.alt && !chord.control && !chord.shift && !commands_.find(chord)) {
     const auto menu = std::find_if(menus.begin(), menus.end(), [&](const std::string& name) {
       return static_cast<int>(name.front()) == chord.key;
     });
     if (menu == menus.end()) return false;
-    ImGui::ClosePopupToLevel(0, false);
+    close_popups(false);
     panel_state_.wanted_menu = *menu;
   }
   if (!panel_state_.wanted_menu.empty()) {
@@ -384,7 +393,7 @@ void Workbench::escape() {
   if (cheat_sheet_.is_open()) return cheat_sheet_.close();
   // Menus and the lists of fields.
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
-    return ImGui::ClosePopupToLevel(0, true);
+    return close_popups(true);
   if (viewport_.cancel_tool()) return;
   if (paper_panel_.cancel_drag(editor_)) return;
   if (editor_.history.in_gesture()) {

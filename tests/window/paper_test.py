@@ -1,6 +1,7 @@
 """A paper model in the real window: unfold, mesh finer, split and join by clicks, tabs, dragging and turning, undo, the folding
 slider, a changed model, export, saving and opening again; and a mesh that cannot be unfolded."""
 
+import glob
 import os
 import re
 import tempfile
@@ -175,9 +176,11 @@ def export(window, folder, now):
         window.type_path(os.path.join(folder, "pages." + ending))
         window.wait(lambda: window.count("exported") == number, "an exported file")
         window.wait_idle()
-    with open(os.path.join(folder, "pages.svg"), encoding="utf-8") as file:
-        svg = file.read()
-    check(len(re.findall('class="face"', svg)) == now["facets"], "the SVG has not every facet")
+    facets = 0
+    for name in glob.glob(os.path.join(folder, "pages*.svg")):  # one file a page
+        with open(name, encoding="utf-8") as file:
+            facets += len(re.findall('class="face"', file.read()))
+    check(facets == now["facets"], f"the SVG files have {facets} of {now['facets']} facets")
     beginnings = {"pdf": b"%PDF-1.4", "dxf": b"0\nSECTION", "png": b"\x89PNG"}
     for ending, beginning in beginnings.items():
         with open(os.path.join(folder, "pages." + ending), "rb") as file:
