@@ -132,6 +132,7 @@ void TestLog::frame(const Editor& editor, const Workbench& workbench, bool idle)
   paper(editor);
   commands(editor, workbench);
   pointer();
+  hovered(editor);
   taken();
   pictures_ = workbench.viewport().pictures_drawn();
   if (idle && !idle_) frame_times(editor.frame_times);
@@ -150,6 +151,13 @@ void TestLog::pointer() {
   if (std::array{at.x, at.y} == pointer_) return;
   pointer_ = {at.x, at.y};
   out_ << event_line("pointer", [&](JsonWriter& json) { json.member("at", pointer_); }) << std::endl;
+}
+
+void TestLog::hovered(const Editor& editor) {
+  const std::string text = editor.hovered ? to_string(editor.hovered->element) : std::string();
+  if (text == hovered_) return;
+  hovered_ = text;
+  out_ << event_line("hovered", [&](JsonWriter& json) { json.member("element", text); }) << std::endl;
 }
 
 void TestLog::taken() {

@@ -34,6 +34,7 @@ class TestLog {
  private:
   void layout(const Workbench& workbench);
   void pointer();
+  void hovered(const Editor& editor);
   void taken();
   void frame_times(const FrameTimes& times);
   void vertices(const Editor& editor, const Workbench& workbench);
@@ -51,7 +52,7 @@ class TestLog {
   std::size_t position_ = 0;
   std::uint64_t serial_ = ~std::uint64_t{0}, pictures_ = 0, frames_ = 0, commands_run_ = 0;
   bool gesture_ = false, dirty_ = false;
-  std::string vertices_line_, paper_line_, selection_, last_notice_, commands_line_, last_note_;
+  std::string vertices_line_, paper_line_, selection_, last_notice_, commands_line_, last_note_, hovered_;
 };
 
 }  // namespace hariko

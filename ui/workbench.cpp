@@ -30,6 +30,21 @@ bool shows_zebra(const Editor& editor) {
   });
 }
 
+/// Closes every menu and list; Dear ImGui asserts that there is one to close.
+void close_popups(bool restore_focus) {
+  if (!GImGui->OpenPopupStack.empty()) ImGui::ClosePopupToLevel(0, restore_focus);
+}
+
+/// Presses the item that the keyboard is on; a number's field opens for typing.
+void activate_item() {
+  ImGuiContext& g = *GImGui;
+  g.NavActivateId = g.NavActivateDownId = g.NavActivatePressedId = g.NavId;
+#if IMGUI_VERSION_NUM < 18900
+  g.NavActivateInputId = g.NavId;
+#endif
+  g.NavActivateFlags = ImGuiActivateFlags_PreferInput;
+}
+
 }  // namespace
 
 Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
@@ -126,6 +141,7 @@ void Workbench::frame() {
   marks_.clear();
   panel_state_.field_opening = false;
   apply_keys();
+  if (std::exchange(activates_, false)) activate_item();
   PanelContext context{editor_,
                        commands_,
                        marks_,
@@ -260,15 +276,6 @@ void Workbench::drag_border(const PanelRect& border) {
   ImGui::End();
 }
 
-namespace {
-
-/// Closes every menu and list; Dear ImGui asserts that there is one to close.
-void close_popups(bool restore_focus) {
-  if (!GImGui->OpenPopupStack.empty()) ImGui::ClosePopupToLevel(0, restore_focus);
-}
-
-}  // namespace
-
 bool Workbench::navigates() const {
   const ImGuiWindow* window = GImGui->NavWindow;
   return !keyboard_panel_.empty() || !GImGui->OpenPopupStack.empty() ||
@@ -329,9 +336,7 @@ bool Workbench::navigation_key(const KeyChord& chord) {
   switch (chord.key) {
     case GLFW_KEY_ENTER:
     case GLFW_KEY_KP_ENTER:
-      // As the space bar does in every version of Dear ImGui.
-      GImGui->NavNextActivateId = GImGui->NavId;
-      GImGui->NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+      activates_ = true;
       return true;
     case GLFW_KEY_UP:
     case GLFW_KEY_DOWN:

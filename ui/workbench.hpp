@@ -134,6 +134,7 @@ class Workbench {
   float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
+  bool activates_ = false;      ///< Enter was pressed on the item that the keyboard is on
   std::string keyboard_panel_;  ///< name of the window that has the keyboard; empty for the views
   FileDialogs files_;
   OffersDialog offers_dialog_;

@@ -1,6 +1,9 @@
 #include "core/exchange/clean_part.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -14,10 +17,19 @@ std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + (count == 1 ? one : several);
 }
 
+/// Three digits of a length that is not negative, never less than it: a tolerance that is typed as it was
+/// told reaches as far.
 std::string length_text(double length) {
-  std::string out;
-  append_real(out, length);
-  return out;
+  const auto digits = [](double value) {
+    std::array<char, 16> out{};
+    return std::string(out.data(),
+                       std::to_chars(out.begin(), out.end(), value, std::chars_format::general, 3).ptr);
+  };
+  std::string text = digits(length);
+  double told = 0;
+  if (parse_real(text, told) == NumberStatus::ok && told < length)
+    text = digits(length + 0.5 * std::pow(10.0, std::floor(std::log10(length)) - 2));
+  return text;
 }
 
 /// Takes a mesh in the place of the part's; its marks go to the new numbers.

@@ -45,6 +45,9 @@ TEST(CleanPart, NearCornersAreToldOrJoined) {
   EXPECT_EQ(told.near, 2U);
   EXPECT_NEAR(told.near_farthest, 1e-7, 1e-12);
   EXPECT_EQ(part.mesh.positions.size(), 6U);
+  ASSERT_EQ(told.messages().size(), 1U);
+  EXPECT_NE(told.messages()[0].remedy.find("--weld 1.42e-06)"), std::string::npos)
+      << "three digits, not less than the square root of 2: " << told.messages()[0].remedy;
   clean(joined, {.near = true}, done);
   EXPECT_EQ(done.near_joined, 2U);
   EXPECT_EQ(joined.mesh.positions.size(), 4U);

@@ -185,6 +185,18 @@ class Window:
         self.press()
         self.release()
 
+    def bring_up(self, name, at=(1100, 600), bottom=740):
+        """Turns the wheel over a panel until a thing that is below its end can be seen."""
+        self.arrive(*at)
+        for _ in range(30):
+            x, y, width, height = self.rect(name)
+            if y + height < bottom:
+                return
+            self.press(5)
+            self.release(5)
+            self.wait_idle()
+        check(False, f"{name} does not come up")
+
     def click_on(self, name):
         """Clicks where the thing is once it rests: two frames after all that came before."""
         at = None

@@ -16,6 +16,20 @@ def middle(window, vertices):
     return tuple(sum(p[i] for p in pixels) / len(pixels) for i in range(3))
 
 
+def move_onto_edge(window, edge, away):
+    """Edges are where their curves are drawn: outside of the straight line, on the side away from a point."""
+    x, y, _ = middle(window, edge)
+    name = f"edge {min(edge)}-{max(edge)}"
+    step = 3 / max(1, ((x - away[0]) ** 2 + (y - away[1]) ** 2) ** 0.5)
+    for number in range(60):
+        at = (x + number * step * (x - away[0]), y + number * step * (y - away[1]))
+        window.arrive(*at)
+        window.wait_idle()
+        if (window.last("hovered") or {"element": ""})["element"] == name:
+            return at
+    check(False, f"{name} is nowhere under the pointer")
+
+
 def nearest_face(window):
     return min(FACES, key=lambda face: middle(window, face)[2])
 
@@ -84,9 +98,9 @@ def steps(window, output):
     # Loop cut through the walls of the extrusion: they are the new faces at the old rim.
     a, b = face[0], face[1]
     window.key("ctrl+shift+a")
-    window.move(*middle(window, (a, b))[:2])
+    at = move_onto_edge(window, (a, b), middle(window, face))
     window.key("ctrl+r")
-    window.move(*[c + 1 for c in middle(window, (a, b))[:2]])
+    window.move(*[c + 1 for c in at])
     window.wait_idle()
     window.screenshot(os.path.join(output, "mesh_loop_cut.png"))
     window.type("2")

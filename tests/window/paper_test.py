@@ -244,8 +244,8 @@ def as_reference(window):
 def refusals(program, source, output):
     with tempfile.TemporaryDirectory() as folder:
         flat, three = os.path.join(folder, "flat.obj"), os.path.join(folder, "three.obj")
-        with open(flat, "w", encoding="ascii") as out:  # the corners of a triangle on one line
-            out.write("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
+        with open(flat, "w", encoding="ascii") as out:  # four corners on one line: no triangle that opening leaves out
+            out.write("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 3 0 0\nf 1 2 3 5\nf 1 5 4\n")
         with open(three, "w", encoding="ascii") as out:  # three triangles on one edge
             out.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")
         refused(program, flat, "E_FACET_DEGENERATE", output, of_polyhedra)

@@ -84,6 +84,7 @@ def session(program, source, output):
             window.key(key)
             step(label)
             keep(name)
+        window.bring_up("combs.longer")
         window.click_on("combs.longer")
         window.wait_idle()
         keep("combs_longer")
@@ -92,12 +93,7 @@ def session(program, source, output):
         position = window.last("document")["position"]
         window.key("alt+s")
         window.wait(lambda: "slider.section" in rects(), "the rows of the section")
-        # Its rows are below the others: the wheel brings them up.
-        window.arrive(1100, 600)
-        for _ in range(8):
-            window.press(5)
-            window.release(5)
-        window.wait(lambda: rects()["slider.section"][1] + 25 < 740, "the rows of the section in the window")
+        window.bring_up("check.section_flipped")
         keep("section_one_half")
         window.click_on("check.section_flipped")
         window.arrive(1100, 600)
