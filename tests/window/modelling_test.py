@@ -172,7 +172,8 @@ def reopen_and_export(program, saved, exported, folder):
         window.close()
     check(edges_are_closed(obj_triangles(exported)), "the exported OBJ is not closed")
     triangles = stl_triangles(stl)
-    check(len(triangles) == len(obj_triangles(exported)),
+    # What the 32-bit numbers of STL lose is taken from the tolerance, so that it may need a few triangles more.
+    check(len(obj_triangles(exported)) <= len(triangles) <= 1.01 * len(obj_triangles(exported)),
           f"the OBJ has {len(obj_triangles(exported))} triangles, the STL {len(triangles)}")
     check(edges_are_closed(triangles), "the exported STL is not closed")
 
