@@ -247,12 +247,29 @@ std::optional<std::pair<Vector3, Vector3>> SurfaceForm::tangents_along_edge(cons
                                      (*from - *to) * bezier_tangent(*own, *to));
 }
 
-std::pair<Vector3, Vector3> SurfaceForm::tangents_across(const Spot& a, const Spot& b) const {
+std::vector<Vector3> SurfaceForm::points_across(const Spot& a, const Spot& b) const {
   std::vector<Vector3> points;
   for (int i = 0; i <= fitted_points; ++i) {
     const double t = double(i) / fitted_points;
     points.push_back(point({a.face, (1 - t) * a.chart + t * b.chart}));
   }
+  return points;
+}
+
+std::vector<Vector3> SurfaceForm::path(const RefinedPoint& from, const RefinedPoint& to) const {
+  const Sight a = sight(from), b = sight(to);
+  for (const Spot& begin : a.spots)
+    for (const Spot& end : b.spots) {
+      if (begin.face != end.face) continue;
+      std::vector<Vector3> points = points_across(begin, end);
+      for (Vector3& position : points) position += input_.origin - source_.origin;
+      return points;
+    }
+  return {};
+}
+
+std::pair<Vector3, Vector3> SurfaceForm::tangents_across(const Spot& a, const Spot& b) const {
+  const std::vector<Vector3> points = points_across(a, b);
   const auto normal = [&](const Spot& spot) {
     const auto [patch, at] = parameter(spot);
     return surface_.surface.normal(patch, at);

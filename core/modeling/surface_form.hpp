@@ -30,6 +30,10 @@ class SurfaceForm {
   /// for edges that the surface does not have.
   std::optional<std::array<Vector3, 4>> curve(EdgeId edge) const;
 
+  /// Points of the surface on the way from one to the other across a face that has both, relative to the
+  /// source's origin; none where no face has both.
+  std::vector<Vector3> path(const RefinedPoint& from, const RefinedPoint& to) const;
+
   /// `after` is a refinement of the source, with new vertices at `places` of the source.
   Result<PolyhedronSource> keep(PolyhedronSource after, const RefinedPoints& places) const;
 
@@ -58,6 +62,7 @@ class SurfaceForm {
   /// Bezier tangents of the curve that leads over the surface from one to the other, at both ends.
   std::optional<std::pair<Vector3, Vector3>> tangents(const Sight& a, const Sight& b) const;
   std::optional<std::pair<Vector3, Vector3>> tangents_along_edge(const Sight& a, const Sight& b) const;
+  std::vector<Vector3> points_across(const Spot& a, const Spot& b) const;
   std::pair<Vector3, Vector3> tangents_across(const Spot& a, const Spot& b) const;
   /// Unit normals along that curve, at `wanted_shares`.
   std::vector<Vector3> normals(const Sight& a, const Sight& b) const;

@@ -90,6 +90,19 @@ TEST_F(FileHands, ArrowsGoThroughTheListAndEnterTakesTheFile) {
   EXPECT_EQ(imported_[0].filename(), "a10.obj");
 }
 
+TEST_F(FileHands, AClickBesideTheEntriesLeavesTheKeyboardAtTheName) {
+  const Marks::Rect last = marks().at("entry.b.stl");
+  bench_.move(last.x + 60, last.y + 120);
+  bench_.press();
+  bench_.release();
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  bench_.type("b.stl");
+  bench_.tap("Enter");
+  bench_.frame();
+  ASSERT_EQ(imported_.size(), 1U);
+  EXPECT_EQ(imported_[0].filename(), "b.stl");
+}
+
 TEST_F(FileHands, AFolderCanBeMadeAndLeft) {
   click("dialog.new_folder");
   click("dialog.new_folder_name");

@@ -54,6 +54,16 @@ TEST_F(PanelHands, TabGoesThroughTheNumbersOfANewBox) {
   EXPECT_TRUE(world_box(*editor().active_object()).sizes().isApprox(Vector3(62, 110, 36), 1e-12));
 }
 
+TEST_F(PanelHands, ShiftTabGoesBack) {
+  run("add.box");
+  enter("field.depth", "50");
+  bench_.tap("Shift+Tab");
+  bench_.type("40");
+  bench_.tap("Enter");
+  EXPECT_EQ(editor().last_operation.numbers()[0].value, 40);
+  EXPECT_EQ(editor().last_operation.numbers()[1].value, 50);
+}
+
 TEST_F(PanelHands, ANewSolidHasOneBlockOfNumbersAndStaysSelected) {
   run("solid.box");
   ASSERT_TRUE(marks().contains("field.solid.width"));
@@ -167,12 +177,29 @@ TEST_F(PanelHands, ManyObjectsHaveTheirCommonPropertiesTogether) {
   ASSERT_TRUE(marks().contains("combo.map"));
   ASSERT_TRUE(marks().contains("combo.mirror"));
   ASSERT_TRUE(marks().contains("field.colour"));
+  // What was mixed becomes the same for all.
+  bench_.click("check.points");
+  bench_.frame();
+  const bool points = editor().document().objects.front()->display.points;
+  for (const auto& object : editor().document().objects) EXPECT_EQ(object->display.points, points);
   bench_.click("combo.map");
   bench_.frame();
   bench_.click("choice.map.2");
   bench_.frame();
   for (const auto& object : editor().document().objects)
     EXPECT_EQ(object->display.map, SurfaceMap::zebra) << object->name;
+}
+
+TEST_F(PanelHands, ListsAnswerToArrowsAndEnter) {
+  run("add.box");
+  bench_.click("combo.map");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  ASSERT_TRUE(marks().contains("choice.map.1"));
+  bench_.tap("Down");
+  bench_.tap("Enter");
+  for (int i = 0; i < 3; ++i) bench_.frame();
+  EXPECT_EQ(editor().active_object()->display.map, SurfaceMap::patches);
+  EXPECT_FALSE(marks().contains("choice.map.1")) << "the list is still open";
 }
 
 TEST_F(PanelHands, TheSizeIsThatOfTheSurfaceAndCanBeTyped) {

@@ -185,7 +185,7 @@ void expect_valid(const Document& document) {
 
 TEST(RandomCommands, UndoAndRedoGiveBackEqualDocuments) {
   int steps = 0;
-  test::for_random(20261121, 5, [&](std::mt19937_64& rng) {
+  test::for_random(20261121, 3, [&](std::mt19937_64& rng) {
     HeadlessWorkbench bench(some_document(rng));
     RandomUser user(bench, rng);
     const Editor& editor = bench.editor();

@@ -454,6 +454,9 @@ void FileDialog::draw(PanelContext& context) {
     ImGui::SameLine();
   }
   draw_list(context, below);
+  // A click on nothing leaves the keyboard at the name.
+  if (ImGui::IsMouseReleased(0) && !ImGui::IsAnyItemActive() && !ImGui::IsAnyItemHovered())
+    focus_name_ = true;
   if (open_) draw_footer(context);
   appearing_ = false;
   if (!open_) ImGui::CloseCurrentPopup();

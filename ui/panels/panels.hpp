@@ -34,12 +34,19 @@ struct OutlinerState {
 
 struct MeasuredSections;
 
+/// A number's text when Shift+Tab gave the keyboard to a field above, which is drawn first.
+struct LeftField {
+  unsigned id = 0;  ///< ImGui's; 0 for none
+  std::string text, from;
+};
+
 /// What panels remember between frames.
 struct PanelState {
-  double typed = 0;            ///< value of the number field of the legend being edited
-  std::string typed_text;      ///< contents of the text field being edited
-  std::string typed_from;      ///< what the number field held before
-  unsigned typing = 0;         ///< ImGui id of the number field being edited, 0 for none
+  double typed = 0;        ///< value of the number field of the legend being edited
+  std::string typed_text;  ///< contents of the text field being edited
+  std::string typed_from;  ///< what the number field held before
+  unsigned typing = 0;     ///< ImGui id of the number field being edited, 0 for none
+  LeftField left;
   bool field_opening = false;  ///< in this frame a field waits for the keyboard
   std::string typing_row;      ///< mark of the number field that has the keyboard in this frame
   SteadyRows steady;           ///< of the properties

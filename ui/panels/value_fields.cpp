@@ -81,6 +81,15 @@ void drag_label(PanelContext& context, const FieldSpec& spec, std::optional<doub
   ImGui::SameLine(context.metrics.px(label_width + 12));
 }
 
+/// A number that was typed over `from`. Esc brings the text back, which has fewer digits than the value: only
+/// another text is an edit.
+void take_typed(PanelContext& context, const FieldSpec& spec, const std::string& text,
+                const std::string& from, const EditValues& edit) {
+  if (text == from) return;
+  const auto change = parse_change(text, spec.quantity);
+  change.ok() ? commit(context, spec, *change, edit) : context.editor.notify(change.error());
+}
+
 /// Arrow keys in a field: what has been typed so far is changed by a step.
 int arrow_keys(ImGuiInputTextCallbackData* data) {
   const auto& quantity = *static_cast<const Quantity*>(data->UserData);
@@ -208,6 +217,8 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
                            ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackHistory,
                            &arrow_keys, &quantity);
   if (ImGui::IsItemActivated()) {
+    if (state.typing != 0 && state.typing != id)
+      state.left = {state.typing, state.typed_text, state.typed_from};
     state.typing = id;
     state.typed_from = shown;
   }
@@ -223,11 +234,10 @@ void number_field(PanelContext& context, const FieldSpec& spec, std::optional<do
   }
   if (ImGui::IsItemDeactivated() && state.typing == id) {
     state.typing = 0;
-    // Esc brings the text back, which has fewer digits than the value: only another text is an edit.
-    if (text != state.typed_from) {
-      const auto change = parse_change(text, spec.quantity);
-      change.ok() ? commit(context, spec, *change, edit) : context.editor.notify(change.error());
-    }
+    take_typed(context, spec, text, state.typed_from, edit);
+  } else if (state.left.id == id) {
+    const LeftField left = std::exchange(state.left, {});
+    take_typed(context, spec, left.text, left.from, edit);
   }
   if (ImGui::IsItemHovered()) {
     const char* how = context.tr("Type a number, 1/4in or sqrt(2); +=, *= and /= change each value.");

@@ -22,6 +22,8 @@ namespace {
 constexpr double fine_share = 0.1;
 constexpr double most_slide = 0.98;
 constexpr int most_shown = 40;  ///< lines before the click
+/// Faces of a polyhedron whose surface is made before the click, in a tenth of a second.
+constexpr Index most_faces_with_form = 2000;
 
 class LoopCutTool final : public PointingTool {
  public:
@@ -47,7 +49,7 @@ class LoopCutTool final : public PointingTool {
       settings.refine_on_surface = !settings.refine_on_surface;
       on_surface_ = settings.refine_on_surface;
       formed_ = nullptr;
-      if (sliding_) show(context);
+      sliding_ ? show(context) : find_cuts(context);
       return ToolState::stay;
     }
     if (input_.key(press)) {
@@ -56,7 +58,7 @@ class LoopCutTool final : public PointingTool {
         options_.slide = number / 100;
       else
         options_.count = static_cast<int>(std::clamp(std::round(number), 1.0, double(max_cuts)));
-      if (sliding_) show(context);
+      sliding_ ? show(context) : find_cuts(context);
       return ToolState::stay;
     }
     if (press.chord.control || press.chord.alt || press.text == 0) return std::nullopt;
@@ -66,7 +68,7 @@ class LoopCutTool final : public PointingTool {
   bool wheel(ToolContext& context, double steps, const PointerEvent&) override {
     if (!sliding_) input_.clear();
     options_.count = std::clamp(options_.count + (steps > 0 ? 1 : -1), 1, 100);
-    if (sliding_) show(context);
+    sliding_ ? show(context) : find_cuts(context);
     return true;
   }
 
@@ -98,6 +100,7 @@ class LoopCutTool final : public PointingTool {
   /// Finds the edge under the pointer, and why it cannot be cut.
   void look(const ToolContext& context) override {
     edge_.reset();
+    cuts_.clear();
     error_.clear();
     PickOptions options;
     options.vertices = options.faces = false;
@@ -111,6 +114,7 @@ class LoopCutTool final : public PointingTool {
     if (!object || !object->polyhedron()) return;
     object_ = id;
     edge_ = EdgeId::from_packed(hit->element.id);
+    find_cuts(context);
   }
 
   bool choose(ToolContext& context) {
@@ -172,34 +176,52 @@ class LoopCutTool final : public PointingTool {
     return form_ ? &*form_ : nullptr;
   }
 
-  /// The lines along which the ring would be cut.
-  void draw_cuts(const ToolContext& context, const ToolOverlay& overlay) const {
+  /// Finds the lines along which the ring would be cut, as they will lie.
+  void find_cuts(const ToolContext& context) {
+    cuts_.clear();
     const Object* object = edge_ ? context.editor.document().find(object_) : nullptr;
-    if (!object || !object->polyhedron()) return;
-    const PolyhedronSource& source = *object->polyhedron();
-    const HalfEdgeMesh& mesh = source.polyhedron.topology();
-    const Index e = source.polyhedron.find(*edge_);
+    const PolyhedronSource* source = object ? object->polyhedron() : nullptr;
+    const Index e = source ? source->polyhedron.find(*edge_) : no_index;
     if (e == no_index) return;
-    const EdgeRing ring = find_edge_ring(source.polyhedron, e);
-    const Projector projector = context.projector();
-    const int shown = std::min(options_.count, most_shown);
-    for (const double share : cut_shares({shown, 0})) {
-      std::vector<std::optional<Vector3>> points;
+    const Polyhedron& polyhedron = source->polyhedron;
+    const EdgeRing ring = find_edge_ring(polyhedron, e);
+    const SurfaceForm* form =
+        on_surface_ && polyhedron.face_count() <= most_faces_with_form ? form_of(context) : nullptr;
+    for (const double share : cut_shares({std::min(options_.count, most_shown), 0})) {
+      std::vector<EdgePoint> points;
       for (std::size_t i = 0; i < ring.edges.size(); ++i) {
-        const Index h = mesh.half_edge_of_edge(ring.edges[i]);
-        const Index start = ring.starts[i];
-        const Index end = start == mesh.origin(h) ? mesh.target(h) : mesh.origin(h);
-        points.push_back(projector.project((1 - share) * world(*object, source, start) +
-                                           share * world(*object, source, end)));
+        const EdgeId id = polyhedron.edge_id(ring.edges[i]);
+        points.push_back({id, polyhedron.vertex_id(ring.starts[i]) == id.low ? share : 1 - share});
       }
       const std::size_t count = points.size();
-      for (std::size_t i = 0; i + (ring.closed ? 0 : 1) < count && count > 1; ++i) {
-        const auto &a = points[i], &b = points[(i + 1) % count];
+      for (std::size_t i = 0; i + (ring.closed ? 0 : 1) < count && count > 1; ++i)
+        cuts_.push_back(line_between(*object, *source, form, points[i], points[(i + 1) % count]));
+    }
+  }
+
+  /// A line across a face in space: over the surface, or straight.
+  static std::vector<Vector3> line_between(const Object& object, const PolyhedronSource& source,
+                                           const SurfaceForm* form, const EdgePoint& a, const EdgePoint& b) {
+    std::vector<Vector3> out = form ? form->path(a, b) : std::vector<Vector3>();
+    if (out.empty())
+      for (const EdgePoint& point : {a, b}) {
+        const Polyhedron& polyhedron = source.polyhedron;
+        out.push_back((1 - point.share) * polyhedron.position(polyhedron.find(point.edge.low)) +
+                      point.share * polyhedron.position(polyhedron.find(point.edge.high)));
+      }
+    for (Vector3& position : out) position = object.transform.apply(source.origin + position);
+    return out;
+  }
+
+  void draw_cuts(const ToolContext& context, const ToolOverlay& overlay) const {
+    const Projector projector = context.projector();
+    for (const std::vector<Vector3>& line : cuts_)
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const auto a = projector.project(line[i]), b = projector.project(line[i + 1]);
         if (a && b)
           overlay.list.AddLine(on_screen(overlay, a->head<2>()), on_screen(overlay, b->head<2>()),
                                palette().hot, overlay.metrics.px(2));
       }
-    }
   }
 
   std::string value_text(const Language& tr) const {
@@ -216,6 +238,7 @@ class LoopCutTool final : public PointingTool {
   NumericInput input_;
   double raw_ = 0;  ///< the slide before it is limited
   bool on_surface_ = true;
+  std::vector<std::vector<Vector3>> cuts_;  ///< lines in space, before the click
   std::optional<SurfaceForm> form_;
   const Object* formed_ = nullptr;  ///< what `form_` was made for
   bool sliding_ = false;
