@@ -114,6 +114,29 @@ TEST(SurfaceForm, NewVerticesLieOnTheSurface) {
   EXPECT_LT(nearest, 1e-12 * before.size());
 }
 
+TEST(SurfaceForm, PathsLeadOverTheSurfaceFromEdgeToEdgeOfAFace) {
+  PolyhedronSource source = box();
+  source.origin += Vector3(500, -70, 3);
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const Shape before(source);
+  const TriangleTree tree(before.points, before.triangles);
+  const HalfEdgeMesh& mesh = source.polyhedron.topology();
+  for (Index e = 0; e < source.polyhedron.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e), across = mesh.next(mesh.next(h));
+    const EdgePoint from{source.polyhedron.edge_id(e), 0.3},
+        to{source.polyhedron.edge_id(mesh.edge(across)), 0.6};
+    const std::vector<Vector3> path = form.path(from, to);
+    ASSERT_GT(path.size(), 2U);
+    for (const Vector3& p : path)
+      EXPECT_LT(tree.nearest(source.origin + p).distance, 1e-3 * before.size())
+          << "to the triangles' own error";
+    const auto curve = form.curve(from.edge).value();
+    const Vector3 start = 0.343 * curve[0] + 0.441 * curve[1] + 0.189 * curve[2] + 0.027 * curve[3];
+    EXPECT_LT((path.front() - start).norm(), 1e-9 * before.size());
+  }
+  EXPECT_TRUE(form.path(EdgePoint{source.polyhedron.edge_id(0)}, EdgePoint{{{900}, {901}}}).empty());
+}
+
 TEST(SurfaceForm, WithoutItNewVerticesLieOnStraightEdges) {
   const PolyhedronSource source = box();
   const PolyhedronSource after = loop_cut(source, source.polyhedron.edge_id(0))->source;
