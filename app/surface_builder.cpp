@@ -100,7 +100,6 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
         combs_ = comb_lines(curvature_combs(last_.surface, combs.density, cancel), last_.surface.origin());
       view.combs = combs_;
     }
-    if (object->solids()) view.handles = surfacer_.handles();
     view.warnings = last_.warnings;
   } catch (const std::exception& failure) {
     // Out of memory, mostly: the document is untouched and the object says so.

@@ -1,13 +1,11 @@
-// Surfaces round solids: cold, while dragging, and with the check of a final result.
+// Surfaces that a ball leaves round solids: while dragging, and final.
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
-#include <string>
 
 #include "core/document/read_solids.hpp"
+#include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
 
 namespace hariko {
@@ -39,25 +37,10 @@ EnvelopeInput ten_solids() {
   return out;
 }
 
-/// The search with its patches, without the check that final results get.
-void envelope_cold(benchmark::State& state) {
-  const EnvelopeInput input = state.range(0) == 4 ? four_solids() : ten_solids();
-  const std::vector<PlacedSolid> solids = place_solids(input);
-  EnclosureSettings settings;
-  settings.strict = false;
-  std::size_t patches = 0, builds = 0;
-  for (auto _ : state) {
-    const EnclosedNetwork found = search_enclosure(solids, settings);
-    patches = found.network.patches.size();
-    builds = std::size_t(found.builds);
-  }
-  state.counters["patches"] = double(patches);
-  state.counters["builds"] = double(builds);
-}
-BENCHMARK(envelope_cold)->Arg(4)->Arg(10)->Unit(benchmark::kMillisecond);
-
 void envelope_drag(benchmark::State& state) {
   EnvelopeInput input = state.range(0) == 4 ? four_solids() : ten_solids();
+  input.settings.rounding = 0.035 * solids_size(input.solids);
+  input.settings.ball_radius = 0.3 * solids_size(input.solids);
   EnvelopeSurfacer surfacer;
   benchmark::DoNotOptimize(surfacer.rebuild(input).ok());
   int step = 0;
@@ -67,47 +50,6 @@ void envelope_drag(benchmark::State& state) {
   }
 }
 BENCHMARK(envelope_drag)->Arg(4)->Arg(10)->Unit(benchmark::kMillisecond);
-
-/// On a field's cage, as tight as can be.
-EnvelopeInput field_scene_of(const std::string& name) {
-  std::ifstream file(std::string(HARIKO_SOURCE_DIR) + "/tests/golden/envelope/" + name + ".json");
-  std::ostringstream text;
-  text << file.rdbuf();
-  EnvelopeInput out = read_scene(text.str()).value();
-  out.settings.method = EnvelopeMethod::field;
-  out.settings.tightness = 1;
-  return out;
-}
-
-/// The last solid.
-void field_drag(benchmark::State& state, const char* name) {
-  EnvelopeInput input = field_scene_of(name);
-  EnvelopeSurfacer surfacer;
-  benchmark::DoNotOptimize(surfacer.rebuild(input).ok());
-  const double from = input.solids.back().position.x();
-  int step = 0;
-  for (auto _ : state) {
-    input.solids.back().position.x() = from + 0.004 * (step++ % 100);
-    benchmark::DoNotOptimize(surfacer.rebuild(input, Quality::drag).ok());
-  }
-}
-
-/// A vertex of the cage.
-void field_pull(benchmark::State& state, const char* name) {
-  EnvelopeInput input = field_scene_of(name);
-  EnvelopeSurfacer surfacer;
-  const EnvelopeSurface first = surfacer.rebuild(input).value();
-  const NetworkVertexKey vertex = first.handles.vertices.front().vertex;
-  int step = 0;
-  for (auto _ : state) {
-    input.settings.offsets.set(vertex, {0.002 * (step++ % 100), 0, 0});
-    benchmark::DoNotOptimize(surfacer.rebuild(input, Quality::drag).ok());
-  }
-}
-BENCHMARK_CAPTURE(field_drag, camera, "camera")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(field_pull, camera, "camera")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(field_drag, ten, "ten")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(field_pull, ten, "ten")->Unit(benchmark::kMillisecond);
 
 void envelope_final(benchmark::State& state) {
   const EnvelopeInput input = state.range(0) == 4 ? four_solids() : ten_solids();

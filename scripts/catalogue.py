@@ -238,9 +238,16 @@ def sentence_patterns(catalogue):
 
 def has_sentence(sentence, patterns, catalogue):
     """As Language::text_of looks for it: whole, or behind what it is about."""
+    return any(rest.strip(".") == "7" or takes(rest, patterns, catalogue) for rest in rests_of(sentence))
+
+
+def rests_of(sentence):
     parts = sentence.split(": ")
-    rests = [": ".join(parts[k:]) for k in range(len(parts))]
-    return any(rest in catalogue or rest.strip(".") == "7" or any(p.fullmatch(rest) for p in patterns) for rest in rests)
+    return [": ".join(parts[k:]) for k in range(len(parts))]
+
+
+def takes(rest, patterns, catalogue):
+    return rest in catalogue or any(p.fullmatch(rest) for p in patterns)
 
 
 class Check:
@@ -284,7 +291,8 @@ class Check:
             return True
         if entry in self.texts or any(text.endswith(": " + entry) for text in self.texts):
             return True
-        if any(has_sentence(sentence, sentence_patterns([entry]), {entry}) for sentence, _ in self.counting):
+        patterns = sentence_patterns([entry])
+        if any(takes(rest, patterns, {entry}) for sentence, _ in self.counting for rest in rests_of(sentence)):
             return True
         # The sentence of a message that is put together of several literals.
         pieces = [piece for piece in PLACEHOLDER.split(entry)[::2] if piece.strip(" .,:")]

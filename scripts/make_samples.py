@@ -224,7 +224,7 @@ BALLS = {
 
 def solids(scene, ball):
     lines = ",\n".join("          " + solid_text(k, solid) for k, solid in enumerate(scene["primitives"]))
-    usual = {"roundness": 0.5, "waist": 0.5, "tightness": 0, "clearance": 0, "detail": 0.09, "merge_deg": 40, "cage_detail": 1}
+    usual = {"roundness": 0.5, "clearance": 0}
     return [
         '        "kind": "solids"',
         f'        "primitives": [\n{lines}\n        ]',
@@ -232,7 +232,6 @@ def solids(scene, ball):
         f'        "rounding": {number(ball[0])}',
         f'        "ball_radius": {json.dumps(ball[1]) if ball[1] == "hull" else number(ball[1])}',
         '        "method": "ball"',
-        '        "surface": "rational"',
         '        "symmetry": "none"',
     ]
 
@@ -320,7 +319,7 @@ def object_text(number_, name, source, cage=True):
 
 def document(*objects):
     return (
-        f'{{\n  "format": "hariko",\n  "version": 3,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
+        f'{{\n  "format": "hariko",\n  "version": 4,\n  "unit": "mm",\n  "next_object_id": {len(objects) + 1},\n'
         '  "objects": [\n' + ",\n".join(objects) + "\n  ]\n}\n"
     )
 

@@ -49,18 +49,6 @@ def extrude(window):
     window.move(x + 60, y - 45)
 
 
-def network(window):
-    window.key("alt+n")
-    window.wait(lambda: any(n.startswith("network.vertex.") for n in window.last("layout")["rects"]), "handles")
-    x, y, width, height = window.rect("viewport")
-    names = [n for n in window.last("layout")["rects"] if n.startswith("network.vertex.")]
-    # The one nearest to the middle, a little outwards.
-    start = min((window.center(n) for n in names),
-                key=lambda p: (p[0] - x - width / 2) ** 2 + (p[1] - y - height / 2) ** 2)
-    window.drag(start, (start[0] + 34, start[1] - 26))
-    window.wait_idle()
-
-
 def four(window):
     window.key("ctrl+alt+q")
     window.wait_idle()
@@ -223,7 +211,6 @@ WINDOWS = {
     "manual_gauss": ("ellipsoid_cap", gauss, {}),
     "manual_skin": ("cube", skin, {}),
     "manual_gestures": ("cube", gestures, {}),
-    "manual_network": ("solids_four", network, {}),
 }
 
 

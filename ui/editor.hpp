@@ -67,8 +67,7 @@ struct ViewSettings {
   } section;
   double x_ray_strength = 0.3;  ///< of hidden lines, 0.05 .. 1
   bool x_ray = false;
-  bool bodies = true;            ///< solids show translucent through the surface round them
-  bool network_handles = false;  ///< vertices and curves round solids can be pulled
+  bool bodies = true;  ///< solids show translucent through the surface round them
   bool grid = true;
 };
 

@@ -10,7 +10,6 @@
 #include "core/analysis/continuity.hpp"
 #include "core/base/message.hpp"
 #include "core/document/document.hpp"
-#include "core/envelope/envelope_handles.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "render/color_map.hpp"
 #include "render/display_mesh.hpp"
@@ -29,7 +28,6 @@ struct SurfaceView {
   std::vector<float> histogram;             ///< of the map's values within the range; empty without a map
   std::shared_ptr<const CombLines> combs;   ///< null unless they are shown
   double milliseconds = 0;                  ///< that the rebuild took, display mesh included
-  EnvelopeHandles handles;                  ///< of solids, in the object's space
   std::vector<Message> warnings;
   std::optional<Message> error;  ///< why there is no newer surface than the one shown
 

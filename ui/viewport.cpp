@@ -84,8 +84,6 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     scene_.update(editor_);  // hovering and clicking look at what is there now
     gizmo_.update(editor_, tool_ != nullptr);
     arrows_.update(editor_);
-    waists_.update(editor_);
-    network_.update(editor_);
     handle_pointer(hovered);
     // A title or a tool may have arranged the views anew.
     place_views(rect);
@@ -93,8 +91,6 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     std::vector<ViewPictures::Shown> shown;
     for (const Place& place : places_) shown.push_back({place.view, size_of(place)});
     gizmo_.update(editor_, tool_ != nullptr);
-    waists_.update(editor_);
-    network_.update(editor_);
     jumps_.update(editor_);
     pictures_.update(editor_, scene_, shown, tool_ != nullptr, jumps_.count());
     for (const Place& place : places_) show(context, place);
@@ -257,12 +253,6 @@ void Viewport::show(PanelContext& context, const Place& place) {
   if (active) {
     arrows_.draw(overlay, hot_arrow_);
     arrows_.mark(context.marks, overlay);
-    if (!tool_) {
-      waists_.draw(overlay, hot_waist_);
-      waists_.mark(context.marks, overlay);
-      network_.draw(overlay, hot_network_);
-      network_.mark(context.marks, overlay);
-    }
     gizmo_.draw(overlay, hot_handle_);
     gizmo_.mark(context.marks, overlay);
   }
@@ -334,12 +324,8 @@ void Viewport::look_for_press(PointerEvent event) {
     const bool plain = event.button == PointerButton::left && !event.shift && !event.control && !event.alt;
     const auto handle = plain ? gizmo_.hit(event.pixel) : std::nullopt;
     const auto arrow = plain && !handle ? arrows_.hit(event.pixel) : std::nullopt;
-    const auto waist = plain && !handle && !arrow ? waists_.hit(event.pixel) : std::nullopt;
-    const auto network = plain && !handle ? network_.hit(event.pixel) : std::nullopt;
-    auto tool = handle    ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
-                : arrow   ? make_normal_tool(editor_.selection.active, *arrow)
-                : waist   ? make_waist_tool(editor_.selection.active, waists_.bridge(*waist))
-                : network ? make_network_tool(editor_.selection.active, network_.handle(*network))
+    auto tool = handle  ? make_transform_tool(handle->kind, DrivenBy::handle, handle->lock)
+                : arrow ? make_normal_tool(editor_.selection.active, *arrow)
                 : editor_.view.surfaces_only ? nullptr
                                              : skin_tool_at({editor_, scene_}, event);
     if (!tool) tool = tool_for(editor_, event);
@@ -412,8 +398,6 @@ void Viewport::start(std::unique_ptr<Tool> tool, const PointerEvent& press) {
   press_ = press;
   hot_handle_.reset();
   hot_arrow_.reset();
-  hot_waist_.reset();
-  hot_network_.reset();
   editor_.hovered.reset();
   ToolContext context{editor_, scene_};
   tool_->begin(context, press);
@@ -474,8 +458,6 @@ bool Viewport::cancel_tool() {
 void Viewport::hover(const Vector2& pixel, bool inside) {
   hot_handle_.reset();
   hot_arrow_.reset();
-  hot_waist_.reset();
-  hot_network_.reset();
   if (std::exchange(on_paper_, false)) editor_.paper.hovered = {};
   if (!inside) {
     editor_.hovered.reset();
@@ -485,9 +467,7 @@ void Viewport::hover(const Vector2& pixel, bool inside) {
   const ToolContext context{editor_, scene_};
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
   if (!hot_handle_) hot_arrow_ = arrows_.hit(pixel);
-  if (!hot_handle_ && !hot_arrow_) hot_waist_ = waists_.hit(pixel);
-  if (!hot_handle_) hot_network_ = network_.hit(pixel);
-  if (hot_handle_ || hot_arrow_ || hot_waist_ || hot_network_) return editor_.hovered.reset();
+  if (hot_handle_ || hot_arrow_) return editor_.hovered.reset();
   if (const PaperSolid* paper = scene_.paper()) {
     const Projector projector = context.projector();
     const double reach = 5 * editor_.pixel_scale * editor_.camera().pixel_length(editor_.viewport);
@@ -511,7 +491,6 @@ std::string Viewport::hint() const {
   const Language& tr = editor_.language;
   if (hot_handle_) return tr("Drag the handle   click to type a number");
   if (hot_arrow_) return tr("Drag turns the normal   click selects the point");
-  if (hot_waist_) return tr("Drag changes the waist of the bridge   click selects its solids");
   if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
   const std::size_t objects = editor_.selection.objects().size();
   const std::string selected =

@@ -13,10 +13,8 @@
 #include "ui/patch_jumps.hpp"
 #include "ui/scene_builder.hpp"
 #include "ui/tools/gizmo.hpp"
-#include "ui/tools/network_handles.hpp"
 #include "ui/tools/outline_handles.hpp"
 #include "ui/tools/tool.hpp"
-#include "ui/tools/waist_handles.hpp"
 #include "ui/view_pictures.hpp"
 
 namespace hariko {
@@ -95,12 +93,8 @@ class Viewport {
   const GaussView* gauss_ = nullptr;
   std::optional<GizmoHandle> hot_handle_;  ///< under the pointer
   OutlineHandles arrows_;
-  std::optional<Index> hot_arrow_;  ///< under the pointer
-  WaistHandles waists_;
-  std::optional<std::size_t> hot_waist_;  ///< under the pointer
-  NetworkHandles network_;
-  std::optional<std::size_t> hot_network_;  ///< under the pointer
-  bool shift_ = false, control_ = false;    ///< as the tool knows them
+  std::optional<Index> hot_arrow_;        ///< under the pointer
+  bool shift_ = false, control_ = false;  ///< as the tool knows them
   PointerEvent press_;
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;

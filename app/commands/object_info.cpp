@@ -73,11 +73,11 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
   out.symmetry = detail::name_of(input.settings.symmetry, detail::symmetry_names);
   out.images = images_of(input).size();
   out.symmetric = made.symmetric;
-  out.method = made.route == EnvelopeRoute::ball ? "ball" : made.network ? "network" : "field";
-  out.level = made.level;
+  out.method = made.network ? "network" : "ball";
   out.enclosed = made.enclosed;
   out.folds = made.folds;
-  out.builds = made.builds;
+  out.coarse = made.coarse;
+  out.cuts = made.cuts;
   if (made.check) {
     out.worst = made.check->worst / made.diagonal;
     out.tested = made.check->tested;

@@ -21,14 +21,14 @@ struct EnvelopeInfo {
   std::string symmetry;    ///< "none", or the axis across the plane
   std::size_t images = 0;  ///< of solids, in that plane
   bool symmetric = false;  ///< the surface is its own image
-  std::string method;      ///< "ball", "network" or "field"
-  int level = 0;           ///< of tightness: 0 as asked for, 9 the filled hull
-  bool enclosed = false;   ///< by the search
+  std::string method;      ///< "ball" or "network"
+  bool enclosed = false;   ///< to 1e-4 of the diagonal
   double worst = 0;        ///< farthest test point outside, by the independent check, over the diagonal
   std::size_t tested = 0, outside = 0;
   std::size_t folds = 0;
   std::size_t crossing = 0;  ///< patches inside of another part of the surface
-  int builds = 0;
+  std::size_t coarse = 0;    ///< patches of the ball that miss its shape
+  int cuts = 0;              ///< rounds in which patches of the ball were halved
 };
 
 /// Of skins: the control mesh and how near the surface is to the sections.

@@ -69,10 +69,10 @@ InfoMembers members_of(const OutlineInfo& outline) {
 
 InfoMembers members_of(const EnvelopeInfo& envelope) {
   InfoMembers out = {
-      {"solids", envelope.solids},     {"method", envelope.method},    {"level", envelope.level},
-      {"enclosed", envelope.enclosed}, {"worst", envelope.worst},      {"tested", envelope.tested},
-      {"outside", envelope.outside},   {"folds", envelope.folds},      {"crossing", envelope.crossing},
-      {"builds", envelope.builds},     {"symmetry", envelope.symmetry}};
+      {"solids", envelope.solids}, {"method", envelope.method},     {"enclosed", envelope.enclosed},
+      {"worst", envelope.worst},   {"tested", envelope.tested},     {"outside", envelope.outside},
+      {"folds", envelope.folds},   {"crossing", envelope.crossing}, {"coarse", envelope.coarse},
+      {"cuts", envelope.cuts},     {"symmetry", envelope.symmetry}};
   if (envelope.symmetry != "none") {
     out.push_back({"images", envelope.images});
     out.push_back({"symmetric", envelope.symmetric});

@@ -13,9 +13,9 @@ std::array<double, 4> about_origin(const Homogeneous& h, const Vector3& origin) 
   return {h.x() + h.w() * origin.x(), h.y() + h.w() * origin.y(), h.z() + h.w() * origin.z(), h.w()};
 }
 
-/// The number of a placed solid, as the file has it: capsules make two of one, and images none.
-auto owner(Index solid, const EnvelopedScene& scene) {
-  return solid == no_index ? std::nullopt : std::optional(scene.image_of[scene.placed[solid].owner]);
+/// The number of a solid of the network, as the file has it: capsules make two of one, and images none.
+auto owner(Index solid, const CurveNetwork& network, const EnvelopedScene& scene) {
+  return solid == no_index ? std::nullopt : std::optional(scene.image_of[network.owners[solid]]);
 }
 
 void write_network(JsonWriter& json, const CurveNetwork& network, const EnvelopeSurface& made,
@@ -24,7 +24,7 @@ void write_network(JsonWriter& json, const CurveNetwork& network, const Envelope
     json.object([&] {
       json.member("position", Vector3(v.position + made.origin));
       json.member("normal", v.normal);
-      json.member("owner", owner(v.solid, scene));
+      json.member("owner", owner(v.solid, network, scene));
     });
   });
   json.list("edges", network.curves, [&](const NetworkCurve& curve) {
@@ -38,7 +38,7 @@ void write_network(JsonWriter& json, const CurveNetwork& network, const Envelope
   json.list("faces", network.cage.faces, [&](const CageFace& face) {
     json.object([&] {
       json.member("loop", face.loop);
-      json.member("owner", owner(face.solid, scene));
+      json.member("owner", owner(face.solid, network, scene));
     });
   });
   json.member("patches", network.patches.size());
@@ -55,14 +55,12 @@ Result<std::string> solids_json(const SolidsSource& source) {
       write_network(json, *made->network, *made, enveloped_scene(*source.input));
     else
       json.member("patches", made->surface.patch_count());
-    json.member("method", made->route == EnvelopeRoute::ball ? "ball" : made->network ? "network" : "field");
+    json.member("method", made->network ? "network" : "ball");
     if (source.input->settings.symmetry != SymmetryPlane::none) json.member("symmetric", made->symmetric);
-    json.member("level", made->level);
     json.member("enclosed", made->enclosed);
-    json.member("worst_violation", (made->check ? made->check->worst : made->worst) / made->diagonal);
+    if (made->check) json.member("worst_violation", made->check->worst / made->diagonal);
     json.member("folds", made->folds);
     if (made->check) json.member("crossing", made->check->covered);
-    json.member("builds", made->builds);
   });
   return json.take() + "\n";
 }

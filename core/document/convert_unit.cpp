@@ -81,9 +81,6 @@ void scale_solids(SolidsSource& source, double factor) {
   input.settings.clearance *= factor;
   input.settings.rounding *= factor;
   if (input.settings.ball_radius) *input.settings.ball_radius *= factor;
-  FlatMap<NetworkVertexKey, Vector3> offsets;
-  for (const auto& [vertex, offset] : input.settings.offsets) offsets.set(vertex, factor * offset);
-  input.settings.offsets = std::move(offsets);
   source.input = std::move(input);
 }
 

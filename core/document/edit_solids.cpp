@@ -6,18 +6,6 @@
 
 namespace hariko {
 
-namespace {
-
-template <class Map, class Gone>
-void forget(Map& map, const Gone& gone) {
-  Map kept;
-  for (const auto& [key, value] : map)
-    if (!gone(key)) kept.set(key, value);
-  map = std::move(kept);
-}
-
-}  // namespace
-
 Result<Document> change_envelope(const Document& document, ObjectId object,
                                  const std::function<void(EnvelopeInput&)>& change) {
   return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {
@@ -81,50 +69,6 @@ Result<Document> remove_solids(const Document& document, ObjectId object,
   }
   return change_envelope(document, object, [&](EnvelopeInput& input) {
     std::erase_if(input.solids, [&](const Solid& solid) { return gone(solid.id); });
-    EnvelopeSettings& settings = input.settings;
-    forget(settings.waists, [&](const SolidPair& pair) { return gone(pair.low) || gone(pair.high); });
-    const auto lost = [&](const NetworkVertexKey& vertex) {
-      return std::ranges::any_of(ids, [&](std::uint32_t id) { return vertex.is_of(id); });
-    };
-    forget(settings.fullness, [&](const NetworkEdgeKey& edge) { return lost(edge.low) || lost(edge.high); });
-    forget(settings.offsets, lost);
-  });
-}
-
-Result<Document> change_waist(const Document& document, ObjectId object, const SolidPair& solids,
-                              double factor) {
-  return change_envelope(document, object, [&](EnvelopeInput& input) {
-    if (factor == 1)
-      input.settings.waists.erase(solids);
-    else
-      input.settings.waists.set(solids, factor);
-  });
-}
-
-Result<Document> change_network_vertex(const Document& document, ObjectId object,
-                                       const NetworkVertexKey& vertex, const Vector3& offset) {
-  return change_envelope(document, object, [&](EnvelopeInput& input) {
-    if (offset.isZero(0))
-      input.settings.offsets.erase(vertex);
-    else
-      input.settings.offsets.set(vertex, offset);
-  });
-}
-
-Result<Document> change_network_curve(const Document& document, ObjectId object, const NetworkEdgeKey& curve,
-                                      double factor) {
-  return change_envelope(document, object, [&](EnvelopeInput& input) {
-    if (factor == 1)
-      input.settings.fullness.erase(curve);
-    else
-      input.settings.fullness.set(curve, factor);
-  });
-}
-
-Result<Document> reset_network(const Document& document, ObjectId object) {
-  return change_envelope(document, object, [](EnvelopeInput& input) {
-    input.settings.offsets = {};
-    input.settings.fullness = {};
   });
 }
 

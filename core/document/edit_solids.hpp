@@ -34,25 +34,8 @@ Result<Document> add_solid(const Document& document, ObjectId object, Solid soli
 Result<Document> array_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids,
                               int copies, const Vector3& step, std::vector<std::uint32_t>& added);
 
-/// Waists, curves and vertices that name removed solids are forgotten with them. Errors as above;
-/// E_LAST_SOLID when none would be left.
+/// Errors as above; E_LAST_SOLID when none would be left.
 Result<Document> remove_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids);
-
-/// Sets the factor on the waist of the bridge between two solids; 1 forgets it. Errors as above.
-Result<Document> change_waist(const Document& document, ObjectId object, const SolidPair& solids,
-                              double factor);
-
-/// Moves a vertex of the network from where its solid has it, in the solid's own axes; zero forgets it.
-/// Errors as above.
-Result<Document> change_network_vertex(const Document& document, ObjectId object,
-                                       const NetworkVertexKey& vertex, const Vector3& offset);
-
-/// Sets the factor on the tangents of a curve of the network; 1 forgets it. Errors as above.
-Result<Document> change_network_curve(const Document& document, ObjectId object, const NetworkEdgeKey& curve,
-                                      double factor);
-
-/// Forgets all vertices and curves that were changed. Errors as above.
-Result<Document> reset_network(const Document& document, ObjectId object);
 
 /// The solid with this id, or null.
 const Solid* find_solid(const Object& object, std::uint32_t id);

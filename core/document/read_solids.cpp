@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
+#include <string>
 
 #include "core/base/printable.hpp"
 #include "core/document/format_names.hpp"
@@ -17,6 +17,9 @@ namespace {
 
 constexpr double scene_roundness = 0.5;
 constexpr std::uint32_t max_number = no_index - 1;
+
+/// In the order of `method_names`.
+enum class FileMethod : std::uint8_t { automatic, network, field, ball };
 
 class SolidsReader {
  public:
@@ -33,24 +36,15 @@ class SolidsReader {
     EnvelopeSettings& s = out.settings;
     s.roundness = scene_roundness;
     number(at, "roundness", s.roundness);
-    number(at, "waist", s.waist);
-    number(at, "tightness", s.tightness);
     number(at, "clearance", s.clearance);
-    number(at, "detail", s.detail);
-    number(at, "merge_deg", s.merge_angle);
-    number(at, "cage_detail", s.cage_detail);
-    bool named = false;
-    reader_.if_member(at, "method", [&](const JsonCursor&) { named = true; });
-    choice(at, "method", method_names, s.method);
     number(at, "rounding", s.rounding);
     reader_.if_member(at, "ball_radius", [&](const JsonCursor& member) {
       if (!member.value().string() || *member.value().string() != "hull")
         s.ball_radius = reader_.number(member);
     });
-    choice(at, "surface", envelope_surface_names, s.patches);
     choice(at, "symmetry", symmetry_names, s.symmetry);
-    overrides(at, s);
-    if (!reader_.failed() && !out.solids.empty()) settle_method(at, named, out);
+    read_before(at);
+    if (!reader_.failed() && !out.solids.empty()) settle_method(at, out);
     return out;
   }
 
@@ -62,14 +56,43 @@ class SolidsReader {
     return out;
   }
 
+  /// Members of files before version 4 that mean nothing any more, where they say anything unusual.
+  void read_before(const JsonCursor& at) {
+    reader_.if_member(at, "method", [&](const JsonCursor& member) {
+      method_ = FileMethod(reader_.choice(member, method_names));
+    });
+    number(at, "tightness", tightness_);
+    const auto lose = [&](std::string_view name, bool unusual) {
+      if (unusual) lost_ += (lost_.empty() ? "" : ", ") + std::string(name);
+    };
+    struct Number {
+      std::string_view name;
+      double usual;
+    };
+    for (const auto& [name, usual] :
+         {Number{"waist", 0.5}, Number{"detail", 0.09}, Number{"merge_deg", 40}, Number{"cage_detail", 1}}) {
+      double value = usual;
+      number(at, name, value);
+      lose(name, value != usual);
+    }
+    choice(at, "surface", envelope_surface_names, fair_);
+    lose("surface", fair_ != 0);
+    for (const std::string_view name : {"waists"sv, "fullness"sv, "offsets"sv})
+      reader_.if_member(at, name, [&](const JsonCursor& list) {
+        bool any = false;
+        reader_.for_each(list, [&](const JsonCursor&) { any = true; });
+        lose(name, any);
+      });
+  }
+
   /// Before there was the ball there were other methods: the network at tightness 0 is still there, all else
   /// becomes the ball. Scenes, which have no version, are of before where they have settings of those
   /// methods.
-  void settle_method(const JsonCursor& at, bool named, EnvelopeInput& out) {
+  void settle_method(const JsonCursor& at, EnvelopeInput& out) {
     EnvelopeSettings& s = out.settings;
     if (std::ranges::any_of(out.solids, [](const Solid& solid) { return !check_solid(solid, 0); })) return;
     const bool with_ball = has_any(at, {"rounding", "ball_radius"});
-    if (s.method == EnvelopeMethod::ball || (!named && with_ball)) {
+    if (method_ == FileMethod::ball || (!method_ && with_ball)) {
       const std::optional<double> radius = s.ball_radius;
       const double rounding = s.rounding;
       choose_ball(out);
@@ -77,14 +100,14 @@ class SolidsReader {
       if (has_any(at, {"ball_radius"})) s.ball_radius = radius;
       return;
     }
-    if (s.method == EnvelopeMethod::network) return;
-    const bool before = named || has_any(at, {"tightness", "waist", "detail", "merge_deg", "cage_detail"});
-    if (!before) {
-      choose_ball(out);
-    } else if (s.method == EnvelopeMethod::automatic && s.tightness == 0) {
+    if (!method_ && !has_any(at, {"tightness", "waist", "detail", "merge_deg", "cage_detail"}))
+      return choose_ball(out);
+    s.lost = std::move(lost_);
+    if (method_ == FileMethod::network || (method_ != FileMethod::field && tightness_ == 0)) {
       s.method = EnvelopeMethod::network;
+      if (tightness_ > 0) s.lost = "tightness" + (s.lost.empty() ? "" : ", " + s.lost);
     } else {
-      choose_ball_as_before(out);
+      choose_ball_as_before(out, tightness_);
       s.from_before = true;
     }
   }
@@ -148,48 +171,11 @@ class SolidsReader {
     }
   }
 
-  std::uint32_t integer(const JsonCursor& row, std::size_t i) {
-    return reader_.integer(JsonCursor(row, i), 0, max_number);
-  }
-
-  /// From entries i and i + 1: an id, or in a valley both ids, and a number.
-  NetworkVertexKey network_vertex(const JsonCursor& row, std::size_t i) {
-    const JsonCursor solid(row, i);
-    NetworkVertexKey out;
-    out.vertex = reader_.integer(JsonCursor(row, i + 1), 0, no_index);
-    if (!solid.value().array()) {
-      out.solid = integer(row, i);
-    } else if (reader_.array_size(solid, 2, 2) == 2) {
-      std::tie(out.solid, out.other) = std::minmax({integer(solid, 0), integer(solid, 1)});
-    }
-    return out;
-  }
-
-  void overrides(const JsonCursor& at, EnvelopeSettings& s) {
-    reader_.if_member(at, "waists", [&](const JsonCursor& list) {
-      reader_.for_each(list, [&](const JsonCursor& row) {
-        if (reader_.array_size(row, 3, 3) != 3) return;
-        s.waists.set(SolidPair::of(integer(row, 0), integer(row, 1)), reader_.number(JsonCursor(row, 2)));
-      });
-    });
-    reader_.if_member(at, "fullness", [&](const JsonCursor& list) {
-      reader_.for_each(list, [&](const JsonCursor& row) {
-        if (reader_.array_size(row, 5, 5) != 5) return;
-        s.fullness.set(NetworkEdgeKey::of(network_vertex(row, 0), network_vertex(row, 2)),
-                       reader_.number(JsonCursor(row, 4)));
-      });
-    });
-    reader_.if_member(at, "offsets", [&](const JsonCursor& list) {
-      reader_.for_each(list, [&](const JsonCursor& row) {
-        if (reader_.array_size(row, 5, 5) != 5) return;
-        Vector3 offset;
-        for (std::size_t i = 0; i < 3; ++i) offset[Eigen::Index(i)] = reader_.number(JsonCursor(row, i + 2));
-        s.offsets.set(network_vertex(row, 0), offset);
-      });
-    });
-  }
-
   JsonReader& reader_;
+  std::optional<FileMethod> method_;
+  double tightness_ = 0;
+  int fair_ = 0;
+  std::string lost_;
 };
 
 }  // namespace

@@ -67,12 +67,7 @@ void write_source(DocumentText& out, const SolidsSource& source) {
     out.number(value);
   };
   number("roundness", settings.roundness);
-  number("waist", settings.waist);
-  number("tightness", settings.tightness);
   number("clearance", settings.clearance);
-  number("detail", settings.detail);
-  number("merge_deg", settings.merge_angle);
-  number("cage_detail", settings.cage_detail);
   number("rounding", settings.rounding);
   out.key("ball_radius");
   if (settings.ball_radius)
@@ -80,34 +75,9 @@ void write_source(DocumentText& out, const SolidsSource& source) {
   else
     out.string("hull");
   out.key("method");
-  out.string(method_names[std::size_t(settings.method)]);
-  out.key("surface");
-  out.string(envelope_surface_names[std::size_t(settings.patches)]);
+  out.string(settings.method == EnvelopeMethod::ball ? "ball" : "network");
   out.key("symmetry");
   out.string(symmetry_names[std::size_t(settings.symmetry)]);
-  out.list("waists", settings.waists, [&](const auto& entry) {
-    out.row(3, [&](std::size_t i) {
-      if (i == 2) return out.number(entry.second);
-      out.number(i == 0 ? entry.first.low : entry.first.high);
-    });
-  });
-  const auto network_vertex = [&](const NetworkVertexKey& key, bool its_number) {
-    if (its_number) return out.number(key.vertex);
-    if (!key.in_valley()) return out.number(key.solid);
-    out.row(2, [&](std::size_t i) { out.number(i == 0 ? key.solid : key.other); });
-  };
-  out.list("fullness", settings.fullness, [&](const auto& entry) {
-    out.row(5, [&](std::size_t i) {
-      if (i == 4) return out.number(entry.second);
-      network_vertex(i < 2 ? entry.first.low : entry.first.high, i % 2 == 1);
-    });
-  });
-  out.list("offsets", settings.offsets, [&](const auto& entry) {
-    out.row(5, [&](std::size_t i) {
-      if (i >= 2) return out.number(entry.second[static_cast<Eigen::Index>(i) - 2]);
-      network_vertex(entry.first, i == 1);
-    });
-  });
   out.kept(*source.kept);
   out.close('}');
 }

@@ -6,7 +6,6 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
-#include "core/envelope/surface_dips.hpp"
 #include "core/envelope/winding.hpp"
 
 namespace hariko {
@@ -27,7 +26,7 @@ struct TestedPoint {
 /// The surface's triangles and the solids.
 class Scene {
  public:
-  Scene(const Surface& surface, std::span<const PlacedSolid> solids, const EnclosureEffort& effort,
+  Scene(const Surface& surface, std::span<const SolidShape> solids, const EnclosureEffort& effort,
         double slack, const CancelToken& cancel)
       : surface_(surface),
         solids_(solids),
@@ -44,7 +43,6 @@ class Scene {
       const auto add = [&](const Vector3& p) {
         if (!hidden(p, s, 0)) out.push_back({p, s});
       };
-      std::ranges::for_each(solids_[s].test_points, add);
       std::ranges::for_each(solids_[s].surface_points(effort_.points), add);
     }
     return out;
@@ -88,30 +86,36 @@ class Scene {
     return out;
   }
 
-  /// Points of solids above the patches that run below them. How far the patch itself is away from them is
-  /// known better than from its triangles.
+  /// Where the surface itself runs inside of a solid, that reaches out of it as far as the surface is deep.
   void add_dips(EnclosureReport& report) const {
-    for (const SurfaceDip& dip : surface_dips(surface_, mesh_, effort_.density, solids_, slack_, cancel_)) {
-      const Vector3 point = dip.point + dip.depth * dip.normal;
-      if (hidden(point, dip.solid, 0)) continue;
-      ++report.tested;
-      // Beyond the triangles, wherever these run: another part of the surface may lie there.
-      const double above = dip.depth + lift * surface_.patch_scale(dip.patch) / effort_.density;
-      if (tree_.winding(dip.point + above * dip.normal) < 0.5)
-        add({point, dip.solid, dip.patch, dip.depth}, report);
-    }
+    std::vector<TestedPoint> deepest(mesh_.positions.size());
+    std::vector<double> depth(mesh_.positions.size(), 0);
+    parallel_for(depth.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !cancel_.cancelled(); ++i)
+        for (Index s = 0; s < solids_.size(); ++s)
+          if (const double d = -solids_[s].distance(mesh_.positions[i]); d > depth[i])
+            depth[i] = d, deepest[i] = {mesh_.positions[i], s};
+    });
+    report.tested += depth.size();
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (const Index i : mesh_.triangles[t])
+        if (double& d = depth[i]; d > slack_) {
+          add({deepest[i].point, deepest[i].solid, Index(t / per_patch_), d}, report);
+          d = 0;
+        }
   }
 
   std::size_t covered_patches() const {
-    const std::size_t patches = per_patch_ > 0 ? mesh_.triangles.size() / per_patch_ : 0;
-    std::vector<std::uint8_t> covered(patches, 0);
-    parallel_for(patches, 16, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint8_t> covered(patches(), 0);
+    parallel_for(covered.size(), 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end && !cancel_.cancelled(); ++p) covered[p] = is_covered(p);
     });
     return std::size_t(std::ranges::count(covered, 1));
   }
 
  private:
+  std::size_t patches() const { return per_patch_ > 0 ? mesh_.triangles.size() / per_patch_ : 0; }
+
   static void add(const OutsidePoint& point, EnclosureReport& report) {
     ++report.outside;
     report.worst = std::max(report.worst, point.distance);
@@ -121,8 +125,7 @@ class Scene {
   /// All within `radius` of the point lies inside of another solid.
   bool hidden(const Vector3& point, Index solid, double radius) const {
     for (Index s = 0; s < solids_.size(); ++s)
-      if (s != solid && solids_[s].depth_with_body(point) > radius + coincident * solids_[s].reach)
-        return true;
+      if (s != solid && solids_[s].distance(point) < -radius - coincident * solids_[s].reach()) return true;
     return false;
   }
 
@@ -156,7 +159,7 @@ class Scene {
   }
 
   const Surface& surface_;
-  std::span<const PlacedSolid> solids_;
+  std::span<const SolidShape> solids_;
   const EnclosureEffort& effort_;
   double slack_;
   const CancelToken& cancel_;
@@ -167,7 +170,7 @@ class Scene {
 
 }  // namespace
 
-EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids,
+EnclosureReport check_enclosure(const Surface& surface, std::span<const SolidShape> solids,
                                 const EnclosureEffort& effort, double slack, const CancelToken& cancel) {
   HARIKO_ASSERT(effort.spacing > 0, "points of sharp curves need a distance from each other");
   const Scene scene(surface, solids, effort, slack, cancel);

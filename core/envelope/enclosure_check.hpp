@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/cancellation.hpp"
-#include "core/envelope/placed_solid.hpp"
+#include "core/envelope/solid_shape.hpp"
 #include "core/surface/surface.hpp"
 
 namespace hariko {
@@ -15,14 +15,14 @@ namespace hariko {
 /// How closely to look.
 struct EnclosureEffort {
   int density = 16;     ///< intervals a patch side of the triangles
-  int points = 500;     ///< spread over each solid, beside its test points
+  int points = 500;     ///< spread over each solid
   double spacing = 0;   ///< > 0, length; of points on sharp curves, where these come near the surface
   bool covered = true;  ///< look for patches inside of other parts of the surface
 };
 
 struct OutsidePoint {
   Vector3 point;
-  Index solid;      ///< placed solid
+  Index solid;
   Index patch;      ///< of the surface, the nearest one
   double distance;  ///< from the surface
 };
@@ -34,11 +34,11 @@ struct EnclosureReport {
   std::size_t covered = 0;  ///< patches of which some lies inside of another part of the surface
 };
 
-/// Tests points that are spread over the solids, points of their sharp curves, and those above places where
-/// the surface runs below a solid (`surface_dips`); what lies inside of another solid is left out. Points
-/// within `slack` (a length) of the surface count as inside. O((points + patches * density^2) log(patches *
-/// density^2)).
-EnclosureReport check_enclosure(const Surface& surface, std::span<const PlacedSolid> solids,
+/// Tests points that are spread over the solids and points of their sharp curves, those inside of other
+/// solids left out, and whether points of the surface lie inside of a solid. Points within `slack` (a length)
+/// of the surface count as inside. Shapes are relative to the surface's origin. O((points + patches *
+/// density^2) log(patches * density^2)).
+EnclosureReport check_enclosure(const Surface& surface, std::span<const SolidShape> solids,
                                 const EnclosureEffort& effort, double slack, const CancelToken& cancel = {});
 
 }  // namespace hariko

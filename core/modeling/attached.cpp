@@ -306,8 +306,6 @@ Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Qua
                                                  const CancelToken& cancel) {
   auto made = enveloper_.rebuild(*source.input, quality, cancel);
   if (!made) return made.error();
-  handles_ = std::move(made->handles);
-  handles_.move(made->origin);
   return whole(std::move(made->surface), std::move(made->warnings));
 }
 

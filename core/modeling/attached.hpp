@@ -41,8 +41,6 @@ class ObjectSurfacer {
                                     const CancelToken& cancel = {});
   /// Of the part of the work that takes long: placing the columns of skins. For any thread.
   const Progress& progress() const { return progress_; }
-  /// Of the last surface round solids, in the object's space.
-  const EnvelopeHandles& handles() const { return handles_; }
 
  private:
   struct Adapted;
@@ -57,7 +55,6 @@ class ObjectSurfacer {
   Result<PolyhedronSurface> inside(const OutlineSource& source, Quality quality, const CancelToken& cancel);
 
   EnvelopeSurfacer enveloper_;
-  EnvelopeHandles handles_;
   SkinSurfacer skinner_;
   const Progress progress_ = Progress::make();
   std::uint64_t patch_revision_ = 0;

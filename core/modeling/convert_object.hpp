@@ -9,8 +9,8 @@ namespace hariko {
 
 /// The object as a polyhedron. Of an outline, which keeps its surface, the control points with their normals
 /// pinned: vertices 0, 1, 2, ... are the outline's points in their order, then the inserted ones. Of solids
-/// with a field's cage that cage, which keeps its surface, too; else the network's vertices with their
-/// normals pinned, whose surface goes through them but is the polyhedron's in between. Name, placement and
+/// the ball's quads or the network's polygons with their normals pinned: the surface goes through the
+/// vertices but is the polyhedron's in between. Name, placement and
 /// display stay, the polyhedron is shown. Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND (a kind that no
 /// polyhedron is made of, or one already), those of `control_points` and `outline_polyhedron`, of
 /// `EnvelopeSurfacer`.

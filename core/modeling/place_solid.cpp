@@ -6,7 +6,7 @@
 
 #include "core/base/rotation.hpp"
 #include "core/document/angles.hpp"
-#include "core/envelope/solid_distance.hpp"
+#include "core/envelope/solid_shape.hpp"
 
 namespace hariko {
 
@@ -47,16 +47,16 @@ std::optional<SolidHit> hit_solids(std::span<const Solid> solids, const Vector3&
                                    const Vector3& direction) {
   std::optional<SolidHit> nearest;
   for (const Solid& solid : solids) {
-    const SolidDistance distance(solid, 0, Vector3::Zero());
+    const SolidShape shape(solid, Vector3::Zero());
     // From where the ray enters the ball round the solid to where it leaves it.
-    const double along = direction.dot(distance.centre() - origin);
-    const double beside = (origin + along * direction - distance.centre()).norm();
-    if (beside > distance.reach() || distance(origin) <= 0) continue;
-    const double half = std::sqrt(distance.reach() * distance.reach() - beside * beside);
-    const double shortest = least_step * distance.reach();
+    const double along = direction.dot(shape.centre() - origin);
+    const double beside = (origin + along * direction - shape.centre()).norm();
+    if (beside > shape.reach() || shape.distance(origin) <= 0) continue;
+    const double half = std::sqrt(shape.reach() * shape.reach() - beside * beside);
+    const double shortest = least_step * shape.reach();
     double t = std::max(0.0, along - half), before = t;
     while (t <= along + half) {
-      const double d = distance(origin + t * direction);
+      const double d = shape.distance(origin + t * direction);
       if (d <= 0) break;
       before = t;
       t += std::max(d, shortest);
@@ -64,12 +64,12 @@ std::optional<SolidHit> hit_solids(std::span<const Solid> solids, const Vector3&
     if (t > along + half || (nearest && before > nearest->distance)) continue;
     for (int round = 0; round < bisections; ++round) {
       const double middle = 0.5 * (before + t);
-      (distance(origin + middle * direction) > 0 ? before : t) = middle;
+      (shape.distance(origin + middle * direction) > 0 ? before : t) = middle;
     }
     const Vector3 point = origin + before * direction;
     // On an edge either face's normal may come; a little before it, it is that of a face the ray runs to.
-    const Vector3 in_front = origin + (before - normal_step * distance.reach()) * direction;
-    nearest = SolidHit{solid.id, point, distance.gradient(in_front), before};
+    const Vector3 in_front = origin + (before - normal_step * shape.reach()) * direction;
+    nearest = SolidHit{solid.id, point, shape.place(in_front).gradient, before};
   }
   return nearest;
 }

@@ -167,13 +167,14 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
 
   EXPECT_EQ(*read_document(write_document(document)), document);
   std::string now = text;
-  now.replace(now.find("\"version\": 1"), 12, "\"version\": 3");
+  now.replace(now.find("\"version\": 1"), 12, "\"version\": 4");
   EXPECT_EQ(write_document(document), now) << "the fixture is written as this version writes";
 }
 
-/// Text that this version writes of a document of version 2 that nothing else changes in.
-std::string as_version_3(std::string text) {
-  text.replace(text.find("\"version\": 2"), 12, "\"version\": 3");
+/// Text that this version writes of a document of an older one that nothing else changes in.
+std::string as_written_now(std::string text, int version) {
+  const std::string of = "\"version\": ";
+  text.replace(text.find(of + std::to_string(version)), of.size() + 1, of + std::to_string(format_version));
   return text;
 }
 
@@ -185,7 +186,8 @@ TEST(Format, SkinsOfVersion2ReadForEver) {
   ASSERT_EQ(skin.sections.size(), 2U);
   EXPECT_FALSE(skin.sections[0].start_chosen);
   EXPECT_TRUE(skin.sections[1].start_chosen);
-  EXPECT_EQ(write_document(*read), as_version_3(text)) << "the fixture is written as this version writes";
+  EXPECT_EQ(write_document(*read), as_written_now(text, 2))
+      << "the fixture is written as this version writes";
 }
 
 TEST(Format, ClosedSectionsOfVersion1BeginWhereTheyWereDrawn) {
@@ -211,7 +213,8 @@ TEST(Format, FixtureOfVersion2ReadsForEver) {
   EXPECT_EQ(read->objects[0]->polyhedron()->frames, Frames::metric);
   EXPECT_TRUE(read->objects[0]->polyhedron()->preparation.split_concave);
   EXPECT_EQ(read->objects[1]->polyhedron()->frames, Frames::equal) << "nothing old changes by itself";
-  EXPECT_EQ(write_document(*read), as_version_3(text)) << "the fixture is written as this version writes";
+  EXPECT_EQ(write_document(*read), as_written_now(text, 2))
+      << "the fixture is written as this version writes";
 }
 
 TEST(Format, SolidsOfVersion2GetTheBall) {
@@ -243,7 +246,29 @@ TEST(Format, FixtureOfVersion3ReadsForEver) {
   ASSERT_TRUE(form);
   ASSERT_EQ(form->edges.size(), 3U);
   EXPECT_EQ(form->edges[1], (KeptForm::Edge{{5}, 0.25, -0.5, {0.125, 0, -0.0625}, {0, 0.5, 150}}));
-  EXPECT_EQ(write_document(*read), text) << "the fixture is written as this version writes";
+  EXPECT_EQ(write_document(*read), as_written_now(text, 3))
+      << "the fixture is written as this version writes";
+}
+
+TEST(Format, SolidsOfVersion3LoseWhatMeansNothingAnyMore) {
+  const std::string text = file_text("tests/document/fixtures/v3_solids.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  ASSERT_EQ(read->objects.size(), 2U);
+  const auto settings = [&](std::size_t i) { return read->objects[i]->solids()->input->settings; };
+  EXPECT_EQ(settings(0).method, EnvelopeMethod::network);
+  EXPECT_EQ(settings(0).lost, "tightness, waist, offsets");
+  EXPECT_EQ(settings(0).clearance, 0.125);
+  EXPECT_EQ(settings(1).method, EnvelopeMethod::ball);
+  EXPECT_EQ(settings(1).lost, "") << "they meant nothing to the ball";
+  EXPECT_EQ(settings(1).ball_radius, 0.5);
+  const std::string written = write_document(*read);
+  for (const char* name :
+       {"\"waist\"", "\"tightness\"", "\"offsets\"", "\"surface\": \"fair\"", "\"detail\""})
+    EXPECT_EQ(written.find(name), std::string::npos) << name;
+  const Result<Document> again = read_document(written);
+  ASSERT_TRUE(again) << message_of(again);
+  EXPECT_EQ(again->objects[0]->solids()->input->settings.lost, "") << "said once";
 }
 
 TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
@@ -300,7 +325,7 @@ TEST(Format, OnlyEssentialsAreNeeded) {
 TEST(Format, EmptyDocument) {
   EXPECT_EQ(
       write_document({}),
-      "{\n  \"format\": \"hariko\",\n  \"version\": 3,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "{\n  \"format\": \"hariko\",\n  \"version\": 4,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
       "\"objects\": []\n}\n");
 }
 

@@ -34,23 +34,11 @@ inline EnvelopeInput any_solids(std::mt19937_64& rng) {
     input.solids.push_back(any_solid(rng, std::uint32_t(3 * i)));
   EnvelopeSettings& settings = input.settings;
   settings.roundness = uniform(rng, 0.1, 1);
-  settings.waist = uniform(rng, 0.1, 1);
-  settings.tightness = uniform(rng, 0, 1);
   settings.clearance = uniform(rng, 0, 1);
-  settings.detail = uniform(rng, 0, 0.3);
-  settings.merge_angle = uniform(rng, 0, 60);
-  settings.cage_detail = uniform(rng, 0.5, 1.5);
   settings.method = chance(rng, 0.5) ? EnvelopeMethod::network : EnvelopeMethod::ball;
   settings.rounding = uniform(rng, 0.01, 1);
   if (chance(rng, 0.5)) settings.ball_radius = uniform(rng, 0.1, 10);
-  settings.patches = static_cast<EnvelopePatches>(uniform_int(rng, 0, 1));
   settings.symmetry = static_cast<SymmetryPlane>(uniform_int(rng, 0, 3));
-  if (chance(rng, 0.5)) settings.waists.set(SolidPair::of(3, 6), uniform(rng, 0.1, 2));
-  if (chance(rng, 0.5)) settings.fullness.set(NetworkEdgeKey::of({3, 1}, {6, 2}), uniform(rng, 0.1, 3));
-  if (chance(rng, 0.5)) settings.offsets.set({3, 4}, random_vector(rng));
-  const NetworkVertexKey in_valley{3, std::uint32_t(rng()), chance(rng, 0.5) ? 3U : 6U};
-  if (chance(rng, 0.5)) settings.offsets.set(in_valley, random_vector(rng));
-  if (chance(rng, 0.5)) settings.fullness.set(NetworkEdgeKey::of(in_valley, {6, 1}), uniform(rng, 0.1, 3));
   return input;
 }
 

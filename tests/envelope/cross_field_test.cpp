@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "core/envelope/rational_curve.hpp"
+#include "core/envelope/network/rational_curve.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {

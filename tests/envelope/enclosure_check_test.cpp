@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include "core/envelope/enclosure_check.hpp"
-#include "core/envelope/solid_distance.hpp"
 #include "core/surface/tessellation.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/support/analytic_patches.hpp"
@@ -20,11 +19,10 @@ Surface wide_torus() {
   return torus(3, 1, 24, 12);
 }
 
-std::vector<PlacedSolid> placed(std::vector<Solid> solids) {
-  EnvelopeInput input;
-  for (std::size_t k = 0; k < solids.size(); ++k) solids[k].id = std::uint32_t(k);
-  input.solids = std::move(solids);
-  return place_solids(input);
+std::vector<SolidShape> shapes_of(const std::vector<Solid>& solids) {
+  std::vector<SolidShape> out;
+  for (const Solid& solid : solids) out.emplace_back(solid, Vector3::Zero());
+  return out;
 }
 
 /// A sphere of radius 2 with a dent in one direction.
@@ -82,7 +80,7 @@ TEST(EnclosureCheck, EdgesThatReachOutBetweenTheirTestPointsAreFound) {
   box.rotation = {0, 45, 0};
   // Nor does a vertex of the triangles lie there.
   box.position = {2 - out + to_edge, 0.1, 0.016};
-  const auto solids = placed({box});
+  const auto solids = shapes_of({box});
   const EnclosureReport found = check_enclosure(wide_torus(), solids, effort, slack);
   EXPECT_NEAR(found.worst, out, 4e-4);
   ASSERT_FALSE(found.points.empty());
@@ -106,7 +104,7 @@ TEST(EnclosureCheck, RimsThatReachOutBetweenTheirTestPointsAreFound) {
   const double wall = 3 + std::sqrt(1 - 0.01);
   const double turn = (0.5 / 48) * 2 * std::numbers::pi;
   drum.position = (wall + out - 3.6) * Vector3(std::cos(turn), std::sin(turn), 0);
-  const EnclosureReport found = check_enclosure(torus(3, 1, 24, 12), placed({drum}), effort, 1e-4);
+  const EnclosureReport found = check_enclosure(torus(3, 1, 24, 12), shapes_of({drum}), effort, 1e-4);
   double farthest = 0;
   for (const OutsidePoint& point : found.points)
     if (std::hypot(point.point.x(), point.point.y()) > 3) farthest = std::max(farthest, point.distance);
@@ -118,7 +116,7 @@ TEST(EnclosureCheck, FacesThatTheSurfaceRunsBelowAreFound) {
   const Vector3 middle(1, 0.2, 0.13);  // of a spot of 0.06 across
   Solid box;
   box.size = {2, 2, 2};
-  const auto solids = placed({box});
+  const auto solids = shapes_of({box});
   for (const Vector3& p : solids[0].surface_points(effort.points)) ASSERT_GT((p - middle).norm(), 0.07);
   const Surface dented = dented_sphere(middle.normalized(), 2 - middle.norm() + out);
   EnclosureEffort fine = effort;
@@ -137,18 +135,8 @@ TEST(EnclosureCheck, BodiesOfCapsulesAreSolid) {
   capsule.kind = SolidKind::capsule;
   capsule.radius = 0.5;
   capsule.length = 3;
-  // Bridges between the balls of one of these were thinner than its body.
-  std::mt19937_64 rng(20262155);
-  const EnvelopeInput input = random_scene(rng);
-  const EnvelopeSurface made = envelope_of(input);
-  EXPECT_TRUE(made.enclosed);
-  for (const Solid& solid : input.solids) {
-    const SolidDistance distance(solid, 0, made.origin);
-    for (const Vector3& p : tessellate(made.surface, 24).positions)
-      EXPECT_GE(distance(p), -1e-4 * made.diagonal);
-  }
   // Where the surface runs into the body between two of its lines, that is found.
-  const auto solids = placed({capsule});
+  const auto solids = shapes_of({capsule});
   const Vector3 middle = 0.5 * Vector3(std::cos(0.19), std::sin(0.19), 0.3);
   const Surface dented = dented_sphere(middle.normalized(), 2 - middle.norm() + 0.01);
   EnclosureEffort fine = effort;
@@ -162,13 +150,13 @@ TEST(EnclosureCheck, WhatLiesInsideOfAnotherSolidIsLeftOut) {
   ball.radius = 1;
   inner.radius = 0.5;
   const Surface surface = sphere(2);
-  const std::size_t alone = check_enclosure(surface, placed({ball}), effort, slack).tested;
-  EXPECT_GE(alone, 100U);
-  EXPECT_EQ(check_enclosure(surface, placed({ball, inner}), effort, slack).tested, alone);
-  // But not what lies on both surfaces.
-  EXPECT_EQ(check_enclosure(surface, placed({ball, ball}), effort, slack).tested, 2 * alone);
+  const std::size_t alone = check_enclosure(surface, shapes_of({ball}), effort, slack).tested;
+  EXPECT_EQ(check_enclosure(surface, shapes_of({ball, inner}), effort, slack).tested, alone);
+  // But not what lies on both surfaces: the points of both count.
+  EXPECT_EQ(check_enclosure(surface, shapes_of({ball, ball}), effort, slack).tested,
+            alone + std::size_t(effort.points));
   inner.position.x() = 3;
-  const EnclosureReport outside = check_enclosure(surface, placed({ball, inner}), effort, slack);
+  const EnclosureReport outside = check_enclosure(surface, shapes_of({ball, inner}), effort, slack);
   EXPECT_GT(outside.tested, alone);
   EXPECT_NEAR(outside.worst, 1.5, 0.02);
 }
@@ -204,23 +192,16 @@ TEST(SharpCurves, LieOnTheirSolids) {
       solid.tube = 0.3 * solid.radius;
       solid.rotation = random_vector(rng, 180);
       solid.position = random_vector(rng, 10);
-      // Distances of stretched capsules are those of their hulls.
-      if (solid.kind != SolidKind::capsule)
-        solid.scale = {uniform(rng, 0.3, 3), uniform(rng, 0.3, 3), uniform(rng, 0.3, 3)};
-      const PlacedSolid on = placed({solid})[0];
+      solid.scale = {uniform(rng, 0.3, 3), uniform(rng, 0.3, 3), uniform(rng, 0.3, 3)};
+      const SolidShape on(solid, Vector3::Zero());
       const auto curves = on.sharp_curves();
-      const SolidDistance distance(solid, 0, Vector3::Zero());
       EXPECT_EQ(curves.size(), expected.count) << int(expected.kind);
       for (const SharpCurve& curve : curves) {
         double length = 0;
         constexpr int steps = 64;
         for (int k = 0; k < steps; ++k) {
           const Vector3 point = curve.at((k + 0.5) / steps);
-          if (on.body.isZero()) {
-            EXPECT_NEAR(on.inside(on.to_unit * (point - on.centre)), 0, 1e-12);
-          } else {
-            EXPECT_NEAR(distance(point), 0, 1e-9);
-          }
+          EXPECT_NEAR(on.distance(point), 0, 1e-9);
           length += (curve.at(double(k + 1) / steps) - curve.at(double(k) / steps)).norm();
         }
         EXPECT_LE(length, curve.length() * (1 + 1e-12));

@@ -7,13 +7,13 @@
 #include <Eigen/Geometry>
 #include <span>
 
-#include "core/envelope/curve_network.hpp"
+#include "core/envelope/network/curve_network.hpp"
 
 namespace hariko::test {
 
 /// Tangents at a vertex lie in its plane, and curvature vectors of matched primitive edges agree and point to
 /// the solid's centre (in the frame where it has equal sizes). `solids`: relative to the network's origin.
-inline void check_vertices(const CurveNetwork& network, std::span<const PlacedSolid> solids) {
+inline void check_vertices(const CurveNetwork& network, std::span<const NetworkSolid> solids) {
   std::vector<std::vector<Vector3>> at(network.cage.vertices.size());
   for (const NetworkCurve& curve : network.curves)
     for (const auto& [v, ribbon] :
@@ -22,7 +22,7 @@ inline void check_vertices(const CurveNetwork& network, std::span<const PlacedSo
       EXPECT_NEAR(ribbon.start_derivative().stableNormalized().dot(vertex.normal), 0, 1e-9);
       EXPECT_LT((ribbon.start() - vertex.position).norm(), 1e-12 * (1 + vertex.position.norm()));
       if (!curve.matched) continue;
-      const PlacedSolid& solid = solids[vertex.solid];
+      const NetworkSolid& solid = solids[vertex.solid];
       Vector3 p[3];
       for (int i = 0; i < 3; ++i)
         p[i] = solid.to_unit * (cartesian(ribbon.curve[std::size_t(i)]) - solid.centre);

@@ -1,4 +1,4 @@
-// The filled hull: networks, patches and enclosure against the measured numbers and the invariants.
+// Networks of curves over the hull: patches and enclosure against the measured numbers and the invariants.
 
 #include <Eigen/Geometry>
 
@@ -16,14 +16,13 @@ void check_invariants(const EnvelopeSurface& made, const EnvelopeInput& input) {
   const CurveNetwork& network = *made.network;
   EXPECT_EQ(
       long(network.cage.vertices.size()) - long(network.curves.size()) + long(network.cage.faces.size()), 2);
-  EXPECT_GT(network.least_weight(), 0.5);
+  for (const NetworkCurve& curve : network.curves)
+    for (const Homogeneous& point : curve.ribbon.curve) EXPECT_GT(point.w(), 0.5);
   const ContinuityReport report = continuity(made.surface);
   EXPECT_LE(report.largest_normal_jump.value() * degrees, 1e-4);
   EXPECT_LE(report.largest_gap, 0);
   EXPECT_TRUE(made.surface.boundary_sides().empty());
-  std::vector<PlacedSolid> solids = place_solids(input);
-  for (PlacedSolid& solid : solids) solid.centre -= made.origin;
-  check_vertices(network, solids);
+  check_vertices(network, network_solids(input, made.origin));
 }
 
 struct Expected {
@@ -68,17 +67,22 @@ TEST(EnvelopeNetwork, SingleAndPairedSolidsHaveTheMeasuredNetworks) {
   }
 }
 
-TEST(EnvelopeNetwork, ScenesOfSeveralSolidsKeepTheInvariants) {
-  for (const char* name : {"four", "four_boxes", "ten_boxes"}) {
+TEST(EnvelopeNetwork, SaysWhatItDoesNotContainAndOffersTheBall) {
+  int missed = 0;
+  for (const char* name : {"four", "four_boxes", "ten_boxes", "camera", "dryer"}) {
     SCOPED_TRACE(name);
     const EnvelopeInput input = golden_scene(name);
-    const auto made = EnvelopeSurfacer().rebuild(input);
-    ASSERT_TRUE(made.ok());
-    check_invariants(*made, input);
-    EXPECT_TRUE(made->enclosed);
-    EXPECT_LE(made->check->worst, 1e-4 * made->diagonal);
-    EXPECT_EQ(made->folds, 0U);
+    const EnvelopeSurface made = envelope_of(input);
+    check_invariants(made, input);
+    ASSERT_TRUE(made.check);
+    EXPECT_EQ(made.enclosed, made.check->worst <= 1e-4 * made.diagonal);
+    EXPECT_EQ(warned(made, w_not_enclosed), !made.enclosed);
+    EXPECT_EQ(warned(made, w_envelope_fold), made.folds > 0);
+    missed += !made.enclosed;
+    for (const Message& message : made.warnings)
+      EXPECT_NE(message.remedy.find("ball"), std::string::npos) << to_string(message);
   }
+  EXPECT_GT(missed, 0) << "nothing is tested";
 }
 
 TEST(EnvelopeNetwork, AUnitBoxHasTheMeasuredValues) {
@@ -136,71 +140,6 @@ TEST(EnvelopeNetwork, ABallIsNearlyABall) {
   ASSERT_TRUE(made.ok());
   // The measured volume is of a mesh inside of the surface.
   EXPECT_NEAR(measure(made->surface).volume.value(), 4.2355, 0.012);
-}
-
-TEST(EnvelopeNetwork, DragsStartFromTheLastResultAndFinalResultsDoNot) {
-  EnvelopeInput input = golden_scene("four");
-  EnvelopeSurfacer warm, cold;
-  ASSERT_TRUE(warm.rebuild(input).ok());
-  for (int step = 0; step < 8; ++step) {
-    input.solids[1].position.x() -= 0.02;
-    ASSERT_TRUE(warm.rebuild(input, Quality::drag).ok());
-  }
-  const auto a = warm.rebuild(input), b = cold.rebuild(input);
-  ASSERT_TRUE(a.ok() && b.ok());
-  ASSERT_EQ(a->surface.patch_count(), b->surface.patch_count());
-  for (Index p = 0; p < a->surface.patch_count(); ++p)
-    EXPECT_EQ(a->surface.patches().evaluate(p, Vector2(0.3, 0.4), Order::first).position,
-              b->surface.patches().evaluate(p, Vector2(0.3, 0.4), Order::first).position);
-}
-
-TEST(EnvelopeNetwork, AnOffsetMovesItsVertexAndSurvivesMovingTheSolid) {
-  EnvelopeInput input = golden_scene("two_apart");
-  input.solids[0].rotation = {0, 0, 30};
-  const auto place = [](const EnvelopeInput& of) {
-    const std::vector<PlacedSolid> solids = place_solids(of);
-    const std::vector<double> growth(solids.size(), 1);
-    HullCageInput cage{solids, growth};
-    cage.diagonal = scene_diagonal(solids);
-    cage.offsets = &of.settings.offsets;
-    for (const CageVertex& vertex : hull_cage(cage).vertices)
-      if (vertex.solid == 0 && vertex.vertex == 0) return vertex.position;
-    ADD_FAILURE() << "the vertex is gone";
-    return Vector3(Vector3::Zero());
-  };
-  const Vector3 before = place(input);
-  const Vector3 offset(-0.2, -0.1, -0.05);
-  input.settings.offsets.set({input.solids[0].id, 0}, offset);
-  const Vector3 turned = solid_rotation(input.solids[0].rotation) * offset;
-  EXPECT_LT((place(input) - before - turned).norm(), 1e-12);
-  const Vector3 shift(0.3, -0.2, 0.1);
-  input.solids[0].position += shift;
-  EXPECT_LT((place(input) - before - turned - shift).norm(), 1e-12);
-  const auto made = EnvelopeSurfacer().rebuild(input);
-  ASSERT_TRUE(made.ok());
-  EXPECT_TRUE(made->enclosed);
-  EXPECT_LE(continuity(made->surface).largest_normal_jump.value() * degrees, 1e-4);
-}
-
-TEST(EnvelopeNetwork, AGridHasThePositionsAndNormalsOfThePatches) {
-  const auto made = EnvelopeSurfacer().rebuild(golden_scene("two_apart"));
-  ASSERT_TRUE(made.ok());
-  constexpr int n = 7;
-  const EnvelopeGrid grid(n);
-  std::vector<Vector3> positions(grid.point_count()), normals(grid.point_count());
-  for (Index p = 0; p < made->surface.patch_count(); ++p) {
-    const EnvelopePatch& patch = made->network->patches[p];
-    grid.evaluate(patch, positions, normals);
-    for (int j = 0; j <= n; ++j)
-      for (int i = 0; i <= n; ++i) {
-        const auto at = std::size_t(j * (n + 1) + i);
-        const PatchPoint point =
-            made->surface.patches().evaluate(p, Vector2(double(i) / n, double(j) / n), Order::first);
-        EXPECT_LT((positions[at] - point.position).norm(), 1e-12);
-        EXPECT_LT((normals[at] - unit_normal(point)).norm(), 1e-9);
-        EXPECT_LT((grid.normal(patch, std::size_t(i), std::size_t(j)) - normals[at]).norm(), 1e-9);
-      }
-  }
 }
 
 TEST(EnvelopeNetwork, APolyhedronThatIsNotConvexIsReplacedByItsHullAndSaysSo) {

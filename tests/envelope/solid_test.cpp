@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "core/envelope/convex_hull.hpp"
+#include "core/envelope/solid_shape.hpp"
 #include "core/envelope/winding.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/support/analytic_patches.hpp"
@@ -62,11 +63,9 @@ TEST(Solids, BadOnesAreNamed) {
   for (const auto& [change, name] :
        std::initializer_list<std::pair<void (*)(EnvelopeSettings&), const char*>>{
            {[](EnvelopeSettings& e) { e.roundness = 1.5; }, "roundness"},
-           {[](EnvelopeSettings& e) { e.waist = 0; }, "waist"},
-           {[](EnvelopeSettings& e) { e.tightness = -0.1; }, "tightness"},
            {[](EnvelopeSettings& e) { e.clearance = -1; }, "clearance"},
-           {[](EnvelopeSettings& e) { e.detail = 0.5; }, "detail"},
-           {[](EnvelopeSettings& e) { e.merge_angle = 90; }, "merge_deg"}}) {
+           {[](EnvelopeSettings& e) { e.ball_radius = 0; }, "ball_radius"},
+           {[](EnvelopeSettings& e) { e.method = EnvelopeMethod::ball; }, "rounding"}}) {
     EnvelopeInput input = one({});
     change(input.settings);
     expect_code(input, e_envelope_setting, name);
@@ -107,6 +106,11 @@ TEST(Solids, ScenesGetTheBallButForWhatWasANetwork) {
   EXPECT_EQ(method(R"(, "tightness": 0.4)").method, EnvelopeMethod::ball);
   EXPECT_TRUE(method(R"(, "tightness": 0.4)").from_before);
   EXPECT_EQ(method(R"(, "method": "network", "tightness": 1)").method, EnvelopeMethod::network);
+  EXPECT_EQ(method(R"(, "method": "network", "tightness": 1)").lost, "tightness");
+  EXPECT_EQ(method(R"(, "tightness": 0, "waist": 0.5)").lost, "") << "as usual";
+  EXPECT_EQ(method(R"(, "tightness": 1, "waist": 0.2, "surface": "fair", "waists": [[0, 1, 2]])").lost,
+            "waist, surface, waists");
+  EXPECT_EQ(method(R"(, "method": "ball", "rounding": 0.1, "waist": 0.2)").lost, "") << "it meant nothing";
   EXPECT_EQ(method(R"(, "rounding": 0.25, "ball_radius": 3)").rounding, 0.25);
   EXPECT_EQ(method(R"(, "rounding": 0.25, "ball_radius": 3)").ball_radius, 3);
   EXPECT_FALSE(method(R"(, "ball_radius": "hull")").ball_radius.has_value());
@@ -118,31 +122,15 @@ TEST(Solids, BoxesHoldTheSolids) {
     const EnvelopeInput input = random_scene(rng);
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Solid& solid : input.solids) boxes.push_back(box_of(solid));
-    for (const PlacedSolid& placed : place_solids(input)) {
+    for (std::size_t k = 0; k < input.solids.size(); ++k) {
+      const SolidShape shape(input.solids[k], Vector3::Zero());
       Eigen::AlignedBox3d tight;
-      for (const Vector3& point : placed.surface_points(400)) {
-        EXPECT_LT(boxes[placed.owner].exteriorDistance(point), 1e-9 * placed.reach);
+      for (const Vector3& point : shape.surface_points(400)) {
+        EXPECT_LT(boxes[k].exteriorDistance(point), 1e-9 * shape.reach());
+        EXPECT_NEAR(shape.distance(point), 0, 1e-9 * shape.reach());
         tight.extend(point);
       }
-      if (input.solids[placed.owner].kind == SolidKind::capsule) continue;  // made of two
-      EXPECT_LT(boxes[placed.owner].sizes().maxCoeff(), 2.5 * tight.sizes().maxCoeff());
-    }
-  });
-}
-
-TEST(Solids, TestPointsLieOnTheSurfaceAndDepthIsABound) {
-  for_random(11, 20, [](std::mt19937_64& rng) {
-    EnvelopeInput input = random_scene(rng);
-    for (Solid& solid : input.solids)
-      solid.scale = Vector3(log_uniform(rng, 0.5, 2), log_uniform(rng, 0.5, 2), 1);
-    for (const PlacedSolid& solid : place_solids(input)) {
-      for (const Vector3& p : solid.test_points) EXPECT_NEAR(solid.depth(p), 0, 1e-9);
-      // No surface point is nearer than the depth says.
-      for (int k = 0; k < 10; ++k) {
-        const Vector3 p = solid.world(random_vector(rng, 0.7));
-        const double depth = solid.depth(p);
-        for (const Vector3& q : solid.surface_points(50)) EXPECT_GE((p - q).norm(), depth - 1e-9);
-      }
+      EXPECT_LT(boxes[k].sizes().maxCoeff(), 2.5 * tight.sizes().maxCoeff());
     }
   });
 }

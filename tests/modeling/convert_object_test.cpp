@@ -120,20 +120,6 @@ TEST(ConvertObject, TheBallsQuadsKeepTheirCornersAndNormals) {
   }
 }
 
-TEST(ConvertObject, AFieldsCageKeepsItsSurfaceToTheLastBit) {
-  const Document document = with_solids("ell_tight", EnvelopeMethod::field);
-  const auto converted = convert_to_polyhedron(document, document.objects[0]->id);
-  ASSERT_TRUE(converted.ok()) << to_string(converted.error());
-  const auto before = object_surface(document, *document.objects[0]);
-  const auto after = object_surface(*converted, *converted->objects[0]);
-  ASSERT_TRUE(before.ok() && after.ok());
-  ASSERT_EQ(before->surface.patch_count(), after->surface.patch_count());
-  for (Index patch = 0; patch < before->surface.patch_count(); ++patch)
-    for (const Vector2& at : {Vector2(0.2, 0.3), Vector2(0, 1), Vector2(0.5, 0.5)})
-      ASSERT_EQ(before->surface.patches().evaluate(patch, at, Order::first).position,
-                after->surface.patches().evaluate(patch, at, Order::first).position);
-}
-
 TEST(ConvertObject, SaysWhatItCannotDo) {
   const Document bad = with_outline("bad_inward", false);
   const ObjectId id = bad.objects[0]->id;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/envelope/placed_solid.hpp"
+#include "core/envelope/solid_shape.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
@@ -21,23 +21,17 @@ Solid random_solid(std::mt19937_64& rng) {
   return solid;
 }
 
-PlacedSolid placed(const Solid& solid) {
-  EnvelopeInput input;
-  input.solids = {solid};
-  return place_solids(input).front();
-}
-
 }  // namespace
 
 TEST(PlaceSolid, ASolidStandsOnItsPlaceWhicheverWayItIsTurned) {
   for_random(11, 40, [](std::mt19937_64& rng) {
-    Solid solid = random_solid(rng);
-    if (solid.kind == SolidKind::capsule) solid.kind = SolidKind::cylinder;  // that makes two placed ones
+    const Solid solid = random_solid(rng);
     const Vector3 at = random_vector(rng, 3), up = random_vector(rng).normalized();
-    const PlacedSolid on = placed(standing_on(solid, at, up));
+    const SolidShape on(standing_on(solid, at, up), Vector3::Zero());
     double lowest = 1e300;
     for (const Vector3& p : on.surface_points(2000)) lowest = std::min(lowest, (p - at).dot(up));
-    for (const Vector3& p : on.test_points) lowest = std::min(lowest, (p - at).dot(up));
+    for (const SharpCurve& curve : on.sharp_curves())
+      for (const double share : {0.0, 0.5, 1.0}) lowest = std::min(lowest, (curve.at(share) - at).dot(up));
     EXPECT_NEAR(lowest, 0, 0.05);
     EXPECT_GE(lowest, -1e-9);
   });
@@ -74,19 +68,18 @@ TEST(PlaceSolid, ARayMeetsTheNearestSolidFromOutside) {
 TEST(PlaceSolid, WhatARayMeetsLiesOnTheSolid) {
   for_random(12, 60, [](std::mt19937_64& rng) {
     Solid solid = random_solid(rng);
-    // A capsule makes two placed solids, the middle of a torus is not inside of it.
-    if (solid.kind == SolidKind::capsule || solid.kind == SolidKind::torus) solid.kind = SolidKind::cone;
+    if (solid.kind == SolidKind::torus) solid.kind = SolidKind::cone;  // its middle is not inside of it
     solid.position = random_vector(rng);
     solid.rotation = random_vector(rng, 180);
-    const PlacedSolid on = placed(solid);
+    const SolidShape on(solid, Vector3::Zero());
     const Vector3 from = solid.position + 8 * random_vector(rng).normalized();
     // Just inside: what only grazes the solid may miss it.
     const Vector3 to =
-        on.centre + 0.98 * (on.surface_points(7)[std::size_t(uniform_int(rng, 0, 6))] - on.centre);
+        on.centre() + 0.98 * (on.surface_points(7)[std::size_t(uniform_int(rng, 0, 6))] - on.centre());
     const auto hit = hit_solids(std::vector{solid}, from, (to - from).normalized());
     ASSERT_TRUE(hit);
     EXPECT_LE(hit->distance, (to - from).norm() + 1e-5);
-    EXPECT_NEAR(on.inside(on.to_unit * (hit->point - on.centre)), 0, 1e-5);
+    EXPECT_NEAR(on.distance(hit->point), 0, 1e-5);
     EXPECT_LT(hit->normal.dot(to - from), 1e-3 * (to - from).norm());
   });
 }

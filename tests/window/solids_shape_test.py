@@ -1,5 +1,4 @@
-"""The surface round solids: its bodies, its plane of symmetry, waists dragged on bridges, a drag that changes its
-patches."""
+"""The surface round solids: its bodies, its plane of symmetry, its methods, a drag that changes its patches."""
 
 import os
 
@@ -12,10 +11,6 @@ def position(window):
 
 def label(window):
     return window.last("document")["label"]
-
-
-def rings(window):
-    return [name for name in window.last("layout")["rects"] if name.startswith("waist.")]
 
 
 def pixels(path):
@@ -43,11 +38,19 @@ def choose_symmetry(window, number, text):
     window.wait_idle()
 
 
-def choose_curves(window):
-    """Bridges with rings are those of the network of curves."""
+def choose_curves(window, output):
+    """The network of curves is one step, and has rows of its own."""
+    before = position(window)
+    window.rect("field.rounding")
     window.click_on("combo.envelope_method")
     window.click_on("choice.envelope_method.1")
     window.wait(lambda: label(window) == "Method of the surface", "the other method")
+    window.wait_idle()
+    window.rect("field.roundness")
+    check("field.rounding" not in window.last("layout")["rects"], "the network has the ball's rows")
+    window.screenshot(os.path.join(output, "solids_curves.png"))
+    window.key("ctrl+z")
+    window.wait(lambda: position(window) == before, "undo of the method")
     window.wait_idle()
 
 
@@ -61,47 +64,6 @@ def make_symmetric(window, output):
     window.wait(lambda: position(window) == before, "undo of the plane")
     window.wait_idle()
     check("solids.symmetric" not in window.last("layout")["rects"], "without a plane there is a row about it")
-
-
-def drag_waist(window, output):
-    window.wait(lambda: rings(window), "rings on the bridges")
-    name = sorted(rings(window))[0]
-    x, y = window.center(name)
-    before = position(window)
-    # Esc leaves the waist as it was.
-    window.arrive(x, y)
-    window.press()
-    for i in range(1, 5):
-        window.move(x + 10 * i, y + 10 * i)
-    window.key("Escape")
-    window.release()
-    window.wait_idle()
-    check(position(window) == before, "Esc did not cancel the drag of the waist")
-    # One of two opposite drags can be held back by the largest or the least waist.
-    window.drag((x, y), (x + 30, y + 30), before_release=lambda: window.screenshot(
-        os.path.join(output, "solids_waist_dragged.png")))
-    window.wait(lambda: position(window) == before + 1, "a dragged waist")
-    window.wait_idle()
-    check(label(window) == "Waist of bridge", "the drag made the step " + label(window))
-    window.key("ctrl+z")
-    window.wait(lambda: position(window) == before, "undo of the waist")
-    window.wait_idle()
-    # A click takes both solids, whose number can be typed.
-    window.click_on(name)
-    window.wait(lambda: window.last("document")["selection"] == "2 solids", "both solids")
-    window.wait_idle()
-    window.click_on("field.bridge_waist")
-    window.key("ctrl+a")
-    window.type("0.2")
-    window.key("Return")
-    window.wait(lambda: label(window) == "Waist of bridge" and position(window) == before + 1, "a typed waist")
-    window.wait_idle()
-    window.screenshot(os.path.join(output, "solids_waist_typed.png"))
-    window.key("ctrl+z")
-    window.wait(lambda: position(window) == before, "undo of the typed waist")
-    window.key("ctrl+shift+a")
-    window.wait(lambda: window.last("document")["selection"] == "nothing selected", "no selection")
-    window.wait_idle()
 
 
 def drag_through(window):
@@ -122,8 +84,7 @@ def session(program, source, output):
     try:
         show_bodies(window, output)
         make_symmetric(window, output)
-        choose_curves(window)
-        drag_waist(window, output)
+        choose_curves(window, output)
         drag_through(window)
     finally:
         window.close()

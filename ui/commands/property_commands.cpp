@@ -24,6 +24,12 @@ bool is_polyhedron(const Object& object) {
 bool is_solids(const Object& object) {
   return object.solids() != nullptr;
 }
+bool is_ball(const Object& object) {
+  return object.solids() && object.solids()->input->settings.method == EnvelopeMethod::ball;
+}
+bool is_network(const Object& object) {
+  return object.solids() && object.solids()->input->settings.method == EnvelopeMethod::network;
+}
 bool is_skin(const Object& object) {
   return object.skin() != nullptr;
 }
@@ -65,15 +71,17 @@ constexpr std::array rows{
     Row{"density", translatable("Density"),
         translatable("Least intervals a patch side on the screen; small models are drawn finer"),
         is_polyhedron},
-    Row{"tightness", translatable("Tightness"),
-        translatable("0 is the hull, 1 follows notches and holes between the solids"), is_solids},
-    Row{"roundness", translatable("Roundness"), translatable("Of the parts round single solids"), is_solids},
-    Row{"waist", translatable("Waist"), translatable("Of the parts between solids: towards 0 they are taut"),
+    Row{"envelope_method", translatable("Method"), translatable("What decides the surface's shape"),
         is_solids},
+    Row{"tightness", translatable("Tightness"),
+        translatable("0 is the rounded hull, 1 rolls the smallest ball into the notches"), is_ball},
+    Row{"rounding", translatable("Rounding"),
+        translatable("Edges are rounded by one and a half times this length; faces lie about as far "
+                     "outside of the solids as it is long"),
+        is_ball},
+    Row{"roundness", translatable("Roundness"), translatable("Of the parts round single solids"), is_network},
     Row{"clearance", translatable("Clearance"), translatable("Distance that is kept from every solid"),
         is_solids},
-    Row{"envelope_detail", translatable("Thinning"),
-        translatable("Corners nearer to each other than this part of the whole are joined"), is_solids},
     Row{"envelope_symmetry", translatable("Symmetry"),
         translatable("A plane through the object's zero, across an axis of the object"), is_solids},
     Row{"skin_method", translatable("Method"), translatable("How the surface spans the sections"), is_skin},

@@ -112,25 +112,6 @@ Reason needs_chosen_solids(const Editor& editor, const WhyNot& needs) {
   return translatable("No solid is selected. Click one.");
 }
 
-Reason needs_pulled(const Editor& editor, const WhyNot& needs) {
-  if (auto reason = needs_solids(editor, needs)) return reason;
-  const EnvelopeSettings& settings = editor.active_object()->solids()->input->settings;
-  if (!settings.offsets.empty() || !settings.fullness.empty()) return {};
-  return translatable("No curve or vertex was pulled by hand.");
-}
-
-Reason needs_network(const Editor& editor, const WhyNot& needs) {
-  if (auto reason = needs_solids(editor, needs)) return reason;
-  if (editor.active_object()->solids()->input->settings.method != EnvelopeMethod::ball) return {};
-  return translatable("What a ball leaves has no curves to pull; choose the method of curves.");
-}
-
-/// Solids and handles are there in the modes for elements only.
-void pull_network(Editor& editor) {
-  editor.view.network_handles = !editor.view.network_handles;
-  if (editor.view.network_handles && editor.mode == ElementMode::object) editor.mode = ElementMode::vertex;
-}
-
 }  // namespace
 
 void add_solid_commands(CommandHost& host) {
@@ -158,19 +139,6 @@ void add_solid_commands(CommandHost& host) {
        "Copy the selected solids several times, each as far from the last; number and distance can be "
        "changed right afterwards.",
        "", "", true, false, [&editor] { make_row(editor); }, chosen});
-  host.table.add({"solid.pull_network", "Solids", "Pull curves by hand",
-                  "Handles on the vertices and curves of the surface, which move them.", "Alt+N", "", false,
-                  true, [&editor] { pull_network(editor); },
-                  [&editor, object] { return needs_network(editor, object); },
-                  [&editor] { return editor.view.network_handles; }});
-  host.table.add({"solid.reset_network", "Solids", "Reset curves",
-                  "Puts all vertices and curves that were pulled back to where the solids have them.", "", "",
-                  true, false,
-                  [&editor] {
-                    editor.commit(reset_network(editor.history.current(), editor.selection.active),
-                                  translatable("Reset curves of solids"));
-                  },
-                  [&editor, object] { return needs_pulled(editor, object); }});
   host.table.add({"solid.to_polyhedron", "Solids", "Convert to polyhedron",
                   "The corners of the surface become a polyhedron whose vertices and normals can be edited.",
                   "", "", true, true, [&editor] { convert(editor); },

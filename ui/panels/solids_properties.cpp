@@ -6,10 +6,8 @@
 #include "core/document/edit_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
 #include "core/envelope/envelope.hpp"
-#include "core/envelope/field_envelope.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/value_fields.hpp"
-#include "ui/tools/network_handles.hpp"
 
 namespace hariko {
 
@@ -17,11 +15,7 @@ namespace {
 
 constexpr std::array method_choices{
     Choice{"Ball", "What a ball leaves that rolls over the solids, rounded"},
-    Choice{"Curves", "A network of curves round the hull of the solids"},
-};
-constexpr std::array patch_choices{
-    Choice{"Rational", "Keeps the character of the solids"},
-    Choice{"Fair", "The calmest surface over the same cage"},
+    Choice{"Curves", "A network of curves round the hull of the solids; it may fold or miss them"},
 };
 constexpr std::array kind_names{
     translatable("Box"),     translatable("Sphere"), translatable("Cylinder"),
@@ -92,11 +86,6 @@ void choice_rows(PanelContext& context, const Object& object) {
                                               choose_ball(input);
                                           }),
                           "Method of the surface");
-  if (!ball)
-    if (const auto chosen = choose(context, "envelope_patches", "Patches", "What spans the curves",
-                                   patch_choices, static_cast<int>(now.patches)))
-      set("Patches of the surface",
-          [&](EnvelopeSettings& settings) { settings.patches = static_cast<EnvelopePatches>(*chosen); });
   if (const auto chosen = choose(context, "envelope_symmetry", "Symmetry",
                                  "A plane through the object's zero, across an axis of the object",
                                  symmetry_choices, static_cast<int>(now.symmetry)))
@@ -104,8 +93,8 @@ void choice_rows(PanelContext& context, const Object& object) {
         [&](EnvelopeSettings& settings) { settings.symmetry = static_cast<SymmetryPlane>(*chosen); });
 }
 
-/// Whether the surface contains the solids, and whether it follows their notches. While it is being made the
-/// rows stay and say nothing, so that those below do not jump.
+/// Whether the surface contains the solids, and whether it is symmetric. While it is being made the rows
+/// stay and say nothing, so that those below do not jump.
 void state_rows(PanelContext& context, const Object& object) {
   const SurfaceView* view = context.editor.view_of(object.id);
   const bool known = view && view->mesh && !view->error && view->quality == Quality::final;
@@ -121,18 +110,11 @@ void state_rows(PanelContext& context, const Object& object) {
   state("Contains", "Points of the solids are tested against the surface", "solids.contains", [&] {
     return says(w_not_enclosed) ? translatable("Not all of the solids") : translatable("All of the solids");
   });
-  const EnvelopeSettings& settings = object.solids()->input->settings;
-  if (settings.symmetry != SymmetryPlane::none)
+  if (object.solids()->input->settings.symmetry != SymmetryPlane::none)
     state("Symmetric", "Whether the surface is its own image in the plane", "solids.symmetric", [&] {
       return says(w_not_symmetric) ? translatable("No: its faces differ on both sides")
                                    : translatable("On both sides of the plane");
     });
-  if (settings.method == EnvelopeMethod::ball || !(settings.tightness > 0)) return;
-  state("Follows", "Notches between the solids", "solids.follows", [&] {
-    return says(w_tightness_reduced) ? translatable("Only the hull of the solids")
-           : says(w_tightness_loose) ? translatable("The wide notches, at a distance")
-                                     : translatable("The notches, as tight as wanted");
-  });
 }
 
 void clearance_row(PanelContext& context, const Object& object) {
@@ -183,57 +165,11 @@ void surface_rows(PanelContext& context, const Object& object) {
     return choice_rows(context, object);
   }
   setting_row(context, object,
-              {"tightness", translatable("Tightness"),
-               translatable("0 is the hull, 1 follows notches and holes between the solids"),
-               translatable("Tightness of the surface"), share(0, 1, 0)},
-              [](EnvelopeSettings& settings) -> double& { return settings.tightness; });
-  setting_row(context, object,
               {"roundness", translatable("Roundness"), translatable("Of the parts round single solids"),
                translatable("Roundness of the surface"), share(0.01, 1, 0.35)},
               [](EnvelopeSettings& settings) -> double& { return settings.roundness; });
-  setting_row(
-      context, object,
-      {"waist", translatable("Waist"), translatable("Of the parts between solids: towards 0 they are taut"),
-       translatable("Waist of the surface"), share(0.01, 1, 0.5)},
-      [](EnvelopeSettings& settings) -> double& { return settings.waist; });
   clearance_row(context, object);
-  setting_row(context, object,
-              {"envelope_detail", translatable("Thinning"),
-               translatable("Corners nearer to each other than this part of the whole are joined"),
-               translatable("Thinning of the surface"), share(0, 0.3, 0.09)},
-              [](EnvelopeSettings& settings) -> double& { return settings.detail; });
-  if (object.solids()->input->settings.tightness > 0)
-    setting_row(
-        context, object,
-        {"cage_detail", translatable("Cells"),
-         translatable("Size of the cells where the surface is tight: smaller is closer to the solids"),
-         translatable("Cells of the surface"), share(0.5, 1.5, 1)},
-        [](EnvelopeSettings& settings) -> double& { return settings.cage_detail; });
   choice_rows(context, object);
-}
-
-/// What was pulled by hand, and the handles for it.
-void network_rows(PanelContext& context, const Object& object) {
-  Editor& editor = context.editor;
-  const bool on = editor.view.network_handles && editor.mode != ElementMode::object;
-  if (check_row(context, "network_handles", "Handles",
-                "Squares on vertices and diamonds on curves can be dragged; a double click puts them back",
-                on))
-    context.run("solid.pull_network");
-  const EnvelopeSettings& settings = object.solids()->input->settings;
-  const std::size_t pulled = settings.offsets.size() + settings.fullness.size();
-  if (pulled > 0) {
-    row_label(context, "By hand", "Vertices and curves that were pulled");
-    if (ImGui::Button((fill(context.tr("Reset {0}"), {std::to_string(pulled)}) + "###reset_network").c_str(),
-                      {-1, 0}))
-      context.run("solid.reset_network");
-    context.marks.item("button.reset_network");
-  }
-  const SurfaceView* view = editor.view_of(object.id);
-  if (!on || !view || !view->mesh || view->error) return;
-  const bool selected = !editor.selection.of(object.id).vertices.empty();
-  if (!selected && view->handles.vertices.size() + view->handles.curves.size() > NetworkHandles::most_handles)
-    hint_text(context, "There are many handles: select some of the solids, or zoom in, to see theirs.");
 }
 
 // Solids.
@@ -358,28 +294,6 @@ void roundness_rows(PanelContext& context, const Object& object, const Ids& ids)
       });
 }
 
-/// Of the bridge between two selected solids.
-void bridge_row(PanelContext& context, const Object& object, const Ids& ids) {
-  if (ids.size() != 2) return;
-  const EnvelopeSettings& settings = object.solids()->input->settings;
-  const SolidPair pair = SolidPair::of(ids[0], ids[1]);
-  const double waist = settings.waist;
-  const Quantity quantity = share(0.01, std::min(1.0, 2 * waist), waist);
-  slider_row(
-      context,
-      {"bridge_waist", translatable("Bridge"),
-       translatable("Waist of the bridge between the two solids alone; the rings on bridges can be dragged"),
-       translatable("Waist of bridge"), quantity},
-      quantity.low, quantity.high, false, std::min(quantity.high, waist * settings.waists.get_or(pair, 1)),
-      [object = object.id, pair, waist, quantity](const Document& document, const ValueChange& change) {
-        const Object* found = document.find(object);
-        const double now = found && found->solids()
-                               ? waist * found->solids()->input->settings.waists.get_or(pair, 1)
-                               : waist;
-        return change_waist(document, object, pair, change.apply(quantity, now) / waist);
-      });
-}
-
 void selected_rows(PanelContext& context, const Object& object, const Ids& ids) {
   heading(context, ids.size() == 1 ? context.tr(kind_name(find_solid(object, ids.front())->kind))
                                    : fill(context.tr("{0} solids"), {std::to_string(ids.size())}).c_str());
@@ -401,7 +315,6 @@ void selected_rows(PanelContext& context, const Object& object, const Ids& ids) 
                [](Solid& solid) -> Vector3& { return solid.scale; });
   if (object.solids()->input->settings.method == EnvelopeMethod::ball) return;
   roundness_rows(context, object, ids);
-  bridge_row(context, object, ids);
 }
 
 void list_rows(PanelContext& context, const Object& object, const Ids& ids) {
@@ -432,9 +345,6 @@ void draw_solids(PanelContext& context, const Object& object) {
   list_rows(context, object, ids);
   if (ids.empty()) hint_text(context, "Click a solid to change it, drag it to move it.");
   surface_rows(context, object);
-  if (object.solids()->input->settings.method == EnvelopeMethod::ball) return;
-  heading(context, "Curves by hand");
-  network_rows(context, object);
 }
 
 }  // namespace hariko

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/envelope/contour.hpp"
+#include "core/envelope/ball/contour.hpp"
 
 namespace hariko {
 
@@ -171,11 +171,15 @@ BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<cons
 }
 
 CageTopology topology_of(const BallCage& cage) {
-  Contour mesh;
-  mesh.vertices.resize(cage.positions.size());
-  mesh.quads = cage.quads;
-  const GridTopology of = topology_of(mesh);
-  return {of.components, of.tunnels};
+  DisjointSets parts(cage.positions.size());
+  for (const auto& quad : cage.quads)
+    for (std::size_t k = 1; k < 4; ++k) parts.join(quad[0], quad[k]);
+  CageTopology out;
+  for (Index v = 0; v < cage.positions.size(); ++v) out.components += parts.find(v) == v;
+  // Closed, of quads: twice as many edges as quads.
+  const long euler = long(cage.positions.size()) - long(cage.quads.size());
+  out.tunnels = out.components - int(euler / 2);
+  return out;
 }
 
 }  // namespace hariko

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/envelope/ball/solid_shape.hpp"
+#include "core/envelope/solid_shape.hpp"
 
 namespace hariko {
 

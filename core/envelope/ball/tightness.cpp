@@ -40,12 +40,12 @@ void choose_ball(EnvelopeInput& input) {
   settings.ball_radius = ball_radius_at(new_tightness, settings.rounding, size);
 }
 
-void choose_ball_as_before(EnvelopeInput& input) {
+void choose_ball_as_before(EnvelopeInput& input, double tightness) {
   EnvelopeSettings& settings = input.settings;
   const double size = solids_size(input.solids);
   settings.method = EnvelopeMethod::ball;
   settings.rounding = rounding_before * size;
-  settings.ball_radius = ball_radius_at(settings.tightness, settings.rounding, size);
+  settings.ball_radius = ball_radius_at(tightness, settings.rounding, size);
 }
 
 }  // namespace hariko

@@ -21,7 +21,7 @@ double tightness_of(std::optional<double> radius, double rounding, double size);
 /// Settings that a new object of these solids begins with: a cylinder stays a cylinder, notches are filled
 /// softly.
 void choose_ball(EnvelopeInput& input);
-/// For settings of documents from before there was the ball: the tightness and the roundness that they had.
-void choose_ball_as_before(EnvelopeInput& input);
+/// For settings of documents from before there was the ball, which had a tightness.
+void choose_ball_as_before(EnvelopeInput& input, double tightness);
 
 }  // namespace hariko

@@ -1,0 +1,389 @@
+#include "core/envelope/network/hull_cage.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+
+#include "core/envelope/convex_hull.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double duplicate_distance = 1e-6;  ///< of the diagonal
+constexpr double hull_tolerance = 1e-9;      ///< of the diagonal
+constexpr double flat_angle = 0.05;          ///< degrees
+constexpr double thinning = 0.09;            ///< of the size: corners nearer to each other are thinned
+constexpr double merge_angle = 40;           ///< degrees: largest one between triangles that make a quad
+constexpr double thin_merge_angle = 75;      ///< degrees, for thin triangles
+constexpr int needle_rounds = 12;
+constexpr double degree = std::numbers::pi / 180;
+
+struct Candidate {
+  Vector3 position;
+  Index solid, vertex;
+};
+
+Vector3 newell_normal(std::span<const Index> loop, std::span<const CageVertex> vertices) {
+  Vector3 sum = Vector3::Zero();
+  const Vector3& o = vertices[loop[0]].position;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    sum += (vertices[loop[i]].position - o).cross(vertices[loop[i + 1]].position - o);
+  return sum.stableNormalized();
+}
+
+/// Turns n towards the mean of the faces' normals until every face has m . n >= its limit.
+void guard_frame(CageVertex& vertex, const std::vector<std::pair<Vector3, double>>& faces) {
+  const auto fits = [&](const Vector3& n) {
+    return std::all_of(faces.begin(), faces.end(),
+                       [&](const auto& face) { return face.first.dot(n) >= face.second; });
+  };
+  if (fits(vertex.normal)) return;
+  Vector3 mean = Vector3::Zero();
+  for (const auto& face : faces) mean += face.first;
+  mean = mean.stableNormalized();
+  const auto blend = [&](double x) -> Vector3 {
+    return ((1 - x) * vertex.normal + x * mean).stableNormalized();
+  };
+  double low = 0, high = 1;
+  for (int round = 0; round < 20; ++round) {
+    const double x = 0.5 * (low + high);
+    (fits(blend(x)) ? high : low) = x;
+  }
+  const Vector3 n = blend(high);
+  if (!(n.dot(vertex.radial) > 0.1)) return;
+  vertex.normal = n;
+  vertex.guarded = true;
+}
+
+class HullCageBuilder {
+ public:
+  HullCageBuilder(std::span<const NetworkSolid> solids, double size) : solids_(solids), size_(size) {}
+
+  NetworkCage build() {
+    collect();
+    std::vector<Index> kept = thinned();
+    for (int round = 0; round <= needle_rounds; ++round) {
+      if (!triangulate(kept)) return {};
+      set_frames();
+      merge_flat();
+      merge_pairs();
+      if (round == needle_rounds || !remove_needle(kept)) break;
+    }
+    return compact();
+  }
+
+ private:
+  void collect() {
+    const double near = duplicate_distance * size_;
+    for (Index s = 0; s < solids_.size(); ++s) {
+      const NetworkSolid& solid = solids_[s];
+      for (Index v = 0; v < solid.unit_vertices.size(); ++v)
+        all_.push_back({solid.world(solid.unit_vertices[v]), s, v});
+    }
+    // Lower solids win: compare within cells of a sorted axis.
+    std::vector<Index> order(all_.size());
+    for (Index i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+      return std::pair(all_[a].position.x(), a) < std::pair(all_[b].position.x(), b);
+    });
+    std::vector<char> gone(all_.size(), 0);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t j = i + 1; j < order.size(); ++j) {
+        if (all_[order[j]].position.x() - all_[order[i]].position.x() > near) break;
+        if ((all_[order[j]].position - all_[order[i]].position).norm() <= near)
+          gone[std::max(order[i], order[j])] = 1;
+      }
+    std::vector<Candidate> left;
+    for (Index i = 0; i < all_.size(); ++i)
+      if (!gone[i]) left.push_back(all_[i]);
+    std::vector<Vector3> positions;
+    for (const Candidate& c : left) positions.push_back(c.position);
+    all_.clear();
+    for (const Index v : convex_hull(positions, hull_tolerance * size_).vertices) all_.push_back(left[v]);
+  }
+
+  std::vector<Index> thinned() {
+    Vector3 mean = Vector3::Zero();
+    for (const Candidate& c : all_) mean += c.position / double(all_.size());
+    std::vector<Index> order(all_.size());
+    for (Index i = 0; i < order.size(); ++i) order[i] = i;
+    // Ties within rounding go by index, so that a symmetric scene does not depend on the last bit.
+    const auto distance = [&](Index i) {
+      return std::round((all_[i].position - mean).norm() / (1e-9 * size_));
+    };
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return distance(a) > distance(b); });
+    std::vector<Index> kept;
+    for (const Index i : order)
+      if (std::ranges::all_of(
+              kept, [&](Index k) { return (all_[k].position - all_[i].position).norm() > thinning * size_; }))
+        kept.push_back(i);
+    std::ranges::sort(kept);
+    return kept;
+  }
+
+  bool triangulate(const std::vector<Index>& kept) {
+    std::vector<Vector3> positions;
+    for (const Index k : kept) positions.push_back(all_[k].position);
+    const ConvexHull hull = convex_hull(positions, hull_tolerance * size_);
+    cage_ = {};
+    for (const Index k : kept) {
+      const NetworkSolid& solid = solids_[all_[k].solid];
+      CageVertex vertex;
+      vertex.solid = all_[k].solid;
+      vertex.position = all_[k].position;
+      vertex.unit = solid.unit_vertices[all_[k].vertex];
+      vertex.radial = (vertex.position - solid.centre).stableNormalized();
+      vertex.normal = (solid.to_unit.transpose() * vertex.unit).stableNormalized();
+      cage_.vertices.push_back(vertex);
+    }
+    for (const auto& t : hull.triangles) cage_.faces.push_back({{t[0], t[1], t[2]}, no_index});
+    return !cage_.faces.empty();
+  }
+
+  Vector3 normal_of(const std::vector<Index>& loop) const { return newell_normal(loop, cage_.vertices); }
+
+  void set_frames() {
+    std::vector<std::vector<std::pair<Vector3, double>>> faces(cage_.vertices.size());
+    for (const CageFace& face : cage_.faces) {
+      const Vector3 m = normal_of(face.loop);
+      const Index owner = cage_.vertices[face.loop[0]].solid;
+      const bool own = std::all_of(face.loop.begin(), face.loop.end(),
+                                   [&](Index v) { return cage_.vertices[v].solid == owner; });
+      for (const Index v : face.loop) faces[v].emplace_back(m, own ? 0.02 : 0.2);
+    }
+    for (std::size_t v = 0; v < faces.size(); ++v) guard_frame(cage_.vertices[v], faces[v]);
+  }
+
+  // --- merging -------------------------------------------------------------------------------------------
+
+  void index_edges() {
+    at_.clear();
+    valence_.assign(cage_.vertices.size(), 0);
+    for (Index f = 0; f < cage_.faces.size(); ++f) {
+      const auto& loop = cage_.faces[f].loop;
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        at_[{loop[i], loop[(i + 1) % loop.size()]}] = f;
+        ++valence_[loop[i]];
+      }
+    }
+  }
+
+  /// The loop of two faces without their common edge a-b; empty where the result is not a simple loop.
+  std::vector<Index> merged(Index f, Index g, Index a, Index b) const {
+    std::vector<Index> out;
+    const auto append = [&](const std::vector<Index>& loop, Index from) {
+      const auto start = std::size_t(std::find(loop.begin(), loop.end(), from) - loop.begin());
+      for (std::size_t k = 0; k + 1 < loop.size(); ++k) out.push_back(loop[(start + k) % loop.size()]);
+    };
+    append(cage_.faces[f].loop, b);  // b ... before a
+    append(cage_.faces[g].loop, a);  // a ... before b
+    std::vector<Index> sorted = out;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
+    return out;
+  }
+
+  /// Least sine of the turns about the loop's normal, and of the sectors between the tangents.
+  double quality(const std::vector<Index>& loop) const {
+    const Vector3 n = normal_of(loop);
+    double least = 1;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const CageVertex& v = cage_.vertices[loop[i]];
+      const Vector3 next = cage_.vertices[loop[(i + 1) % loop.size()]].position - v.position;
+      const Vector3 before = cage_.vertices[loop[(i + loop.size() - 1) % loop.size()]].position - v.position;
+      least = std::min(least, next.stableNormalized().cross(before.stableNormalized()).dot(n));
+      least = std::min(least, v.tangent(next).cross(v.tangent(before)).dot(v.normal));
+      least = std::min(least, n.dot(v.normal));
+    }
+    return least;
+  }
+
+  double dihedral(Index f, Index g) const {
+    const Vector3 m = normal_of(cage_.faces[f].loop), n = normal_of(cage_.faces[g].loop);
+    return std::atan2(m.cross(n).norm(), m.dot(n)) / degree;
+  }
+
+  /// The first of two faces takes the loop without their common edge a-b, the other one is emptied.
+  void replace(Index f, Index g, Index a, Index b, std::vector<Index> loop) {
+    const Index kept = std::min(f, g);
+    at_.erase({a, b});
+    at_.erase({b, a});
+    --valence_[a];
+    --valence_[b];
+    for (std::size_t i = 0; i < loop.size(); ++i) at_[{loop[i], loop[(i + 1) % loop.size()]}] = kept;
+    cage_.faces[std::max(f, g)].loop.clear();
+    cage_.faces[kept].loop = std::move(loop);
+  }
+
+  void merge_flat() {
+    index_edges();
+    bool again = true;
+    while (again) {
+      again = false;
+      for (const auto& [edge, f] : at_) {
+        const auto [a, b] = edge;
+        if (a > b) continue;
+        const Index g = at_.at({b, a});
+        if (f == g || !(dihedral(f, g) < flat_angle) || valence_[a] < 4 || valence_[b] < 4) continue;
+        std::vector<Index> loop = merged(f, g, a, b);
+        if (loop.empty() || !(quality(loop) >= 0.01)) continue;
+        replace(f, g, a, b, std::move(loop));
+        again = true;
+        break;
+      }
+    }
+  }
+
+  /// 2 area / longest^2 and the longest side's square.
+  std::pair<double, double> thinness(const std::vector<Index>& t) const {
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(
+          longest, (cage_.vertices[t[i]].position - cage_.vertices[t[(i + 1) % 3]].position).squaredNorm());
+    const Vector3& a = cage_.vertices[t[0]].position;
+    const double area2 = (cage_.vertices[t[1]].position - a).cross(cage_.vertices[t[2]].position - a).norm();
+    return {area2 / longest, longest};
+  }
+
+  bool can_merge(Index a, Index b) const {
+    const auto f = at_.find({a, b}), g = at_.find({b, a});
+    return f != at_.end() && g != at_.end() && valence_[a] >= 4 && valence_[b] >= 4 &&
+           cage_.faces[f->second].loop.size() == 3 && cage_.faces[g->second].loop.size() == 3;
+  }
+  void merge_triangles(Index a, Index b) {
+    if (!can_merge(a, b)) return;
+    const Index f = at_.at({a, b}), g = at_.at({b, a});
+    if (std::vector<Index> loop = merged(f, g, a, b); !loop.empty()) replace(f, g, a, b, std::move(loop));
+  }
+
+  void merge_pairs() {
+    struct Pair {
+      double score;
+      Index a, b;
+    };
+    std::vector<Pair> pairs;
+    for (const auto& [edge, f] : at_) {
+      const auto [a, b] = edge;
+      if (a > b) continue;
+      const Index g = at_.at({b, a});
+      const auto &lf = cage_.faces[f].loop, &lg = cage_.faces[g].loop;
+      if (lf.size() != 3 || lg.size() != 3) continue;
+      const bool thin = thinness(lf).first < 0.25 || thinness(lg).first < 0.25;
+      const double angle = dihedral(f, g);
+      if (!(angle < (thin ? thin_merge_angle : merge_angle))) continue;
+      const std::vector<Index> loop = merged(f, g, a, b);
+      if (loop.empty()) continue;
+      const double q = quality(loop);
+      if (!(q >= 0.15)) continue;
+      double perimeter = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        perimeter += (cage_.vertices[loop[i]].position - cage_.vertices[loop[(i + 1) % 4]].position).norm();
+      const double diagonal = (cage_.vertices[a].position - cage_.vertices[b].position).norm();
+      pairs.push_back({std::round((q * (1 - angle / 90) + diagonal / perimeter) * 1e9) / 1e9, a, b});
+    }
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
+      return std::tuple(-x.score, x.a, x.b) < std::tuple(-y.score, y.a, y.b);
+    });
+    for (const Pair& pair : pairs) merge_triangles(pair.a, pair.b);
+    std::erase_if(cage_.faces, [](const CageFace& face) { return face.loop.empty(); });
+  }
+
+  /// Removes the tip of the thinnest triangle whose height stands on its longest side; false if there is
+  /// none.
+  bool remove_needle(std::vector<Index>& kept) const {
+    if (kept.size() < 6) return false;
+    double thinnest = 0.13;
+    Index drop = no_index;
+    for (const CageFace& face : cage_.faces) {
+      if (face.loop.size() != 3) continue;
+      const double thin = thinness(face.loop).first;
+      if (!(thin < thinnest)) continue;
+      std::size_t longest = 0;
+      double most = -1;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double length =
+            (cage_.vertices[face.loop[i]].position - cage_.vertices[face.loop[(i + 1) % 3]].position)
+                .squaredNorm();
+        if (length > most) most = length, longest = i;
+      }
+      const Vector3& a = cage_.vertices[face.loop[longest]].position;
+      const Vector3 side = cage_.vertices[face.loop[(longest + 1) % 3]].position - a;
+      const Index tip = face.loop[(longest + 2) % 3];
+      const double foot = (cage_.vertices[tip].position - a).dot(side) / side.squaredNorm();
+      if (foot < 0.08 || foot > 0.92) continue;
+      thinnest = thin;
+      drop = kept[tip];
+    }
+    if (drop == no_index) return false;
+    std::erase(kept, drop);
+    return true;
+  }
+
+  NetworkCage compact() {
+    std::vector<Index> number(cage_.vertices.size(), no_index);
+    NetworkCage out;
+    for (const CageFace& face : cage_.faces)
+      for (const Index v : face.loop) number[v] = 0;
+    for (std::size_t v = 0; v < number.size(); ++v)
+      if (number[v] == 0) {
+        number[v] = Index(out.vertices.size());
+        out.vertices.push_back(cage_.vertices[v]);
+      }
+    for (CageFace& face : cage_.faces) {
+      for (Index& v : face.loop) v = number[v];
+      const Index owner = out.vertices[face.loop[0]].solid;
+      if (std::all_of(face.loop.begin(), face.loop.end(),
+                      [&](Index v) { return out.vertices[v].solid == owner; }))
+        face.solid = owner;
+      out.faces.push_back(std::move(face));
+    }
+    return out;
+  }
+
+  std::span<const NetworkSolid> solids_;
+  double size_;
+  std::vector<Candidate> all_;
+  NetworkCage cage_;
+  std::map<std::pair<Index, Index>, Index> at_;
+  std::vector<int> valence_;
+};
+
+}  // namespace
+
+Vector3 CageVertex::tangent(const Vector3& chord) const {
+  return (chord - normal.dot(chord) / normal.dot(radial) * radial).stableNormalized();
+}
+
+NetworkCage hull_cage(std::span<const NetworkSolid> solids, double size) {
+  return HullCageBuilder(solids, size).build();
+}
+
+bool is_symmetric(const NetworkCage& cage, Eigen::Index axis, double tolerance) {
+  std::vector<Index> image;
+  for (const CageVertex& vertex : cage.vertices) {
+    Vector3 wanted = vertex.position;
+    wanted[axis] *= -1;
+    const auto found = std::ranges::find_if(cage.vertices, [&](const CageVertex& other) {
+      return (other.position - wanted).norm() <= tolerance;
+    });
+    if (found == cage.vertices.end()) return false;
+    image.push_back(Index(found - cage.vertices.begin()));
+  }
+  const auto corners = [](const CageFace& face) {
+    return std::set<Index>(face.loop.begin(), face.loop.end());
+  };
+  std::set<std::set<Index>> known;
+  for (const CageFace& face : cage.faces) known.insert(corners(face));
+  return std::ranges::all_of(cage.faces, [&](const CageFace& face) {
+    std::set<Index> other;
+    for (const Index v : face.loop) other.insert(image[v]);
+    return known.contains(other);
+  });
+}
+
+}  // namespace hariko

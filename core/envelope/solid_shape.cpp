@@ -1,0 +1,323 @@
+#include "core/envelope/solid_shape.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/base/rotation.hpp"
+#include "core/envelope/convex_hull.hpp"
+#include "core/envelope/ellipsoid_distance.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double flat = 1 - 1e-12;  ///< cosine of the angle between parts of one face
+
+std::vector<Vector3> corners(std::uint32_t count, double radius, double z) {
+  std::vector<Vector3> out;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const double a = 2 * std::numbers::pi * k / count;
+    out.emplace_back(radius * std::cos(a), radius * std::sin(a), z);
+  }
+  return out;
+}
+
+Vector3 nearest_on_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const Vector3 e = b - a;
+  return a + std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0) * e;
+}
+
+Vector3 nearest_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c,
+                            const Vector3& n) {
+  if (n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
+      n.dot((a - c).cross(p - c)) >= 0)
+    return p - n.dot(p - a) * n;
+  Vector3 best = nearest_on_segment(p, a, b);
+  for (const Vector3& other : {nearest_on_segment(p, b, c), nearest_on_segment(p, c, a)})
+    if ((p - other).squaredNorm() < (p - best).squaredNorm()) best = other;
+  return best;
+}
+
+/// From outside: `nearest` is the solid's nearest point, `height` the largest over planes.
+SolidPlace place_outside(const Vector3& point, const Vector3& nearest, const Vector3& normal) {
+  const Vector3 away = point - nearest;
+  const double distance = away.norm();
+  return {distance, distance > 0 ? Vector3(away / distance) : normal, nearest, 0};
+}
+SolidPlace place_inside(const Vector3& point, double distance, const Vector3& normal) {
+  return {distance, normal, point, -distance};
+}
+
+/// Angle at which a smooth function of period 2 pi with few minima is least.
+template <class Function>
+double least_angle(const Function& value) {
+  constexpr int samples = 32;
+  constexpr double spacing = 2 * std::numbers::pi / samples;
+  int best = 0;
+  double least = 1e300;
+  for (int k = 0; k < samples; ++k)
+    if (const double f = value(k * spacing); f < least) least = f, best = k;
+  constexpr double golden = 1 / std::numbers::phi;
+  double low = (best - 1) * spacing, high = (best + 1) * spacing;
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  double fa = value(a), fb = value(b);
+  for (int round = 0; round < 36; ++round)
+    if (fa < fb) {
+      high = b, b = a, fb = fa;
+      fa = value(a = high - golden * (high - low));
+    } else {
+      low = a, a = b, fa = fb;
+      fb = value(b = low + golden * (high - low));
+    }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+SolidShape SolidShape::capsule(const Vector3& a, const Vector3& b, double radius) {
+  SolidShape out;
+  out.form_ = Form::capsule;
+  out.centre_ = 0.5 * (a + b);
+  out.along_ = 0.5 * (b - a).norm();
+  if (out.along_ > 0) out.rotation_ = least_rotation(Vector3::UnitZ(), b - a).toRotationMatrix();
+  out.half_ = Vector3::Constant(radius);
+  out.reach_ = out.along_ + radius;
+  out.extremes_ = {{0, 0, out.along_ + radius}, {radius, 0, 0}};
+  return out;
+}
+
+SolidShape::SolidShape(const Solid& solid, const Vector3& origin)
+    : centre_(solid.position - origin), rotation_(solid_rotation(solid.rotation)) {
+  make(solid);
+}
+
+/// Points of an ellipse in the half axes of the cross-section: all kinds of points on it.
+void SolidShape::add_ring(double radius, double height, int count) {
+  const double turn = half_.x() == half_.y() ? std::numbers::pi / 8 : std::numbers::pi / 2 / (count - 1);
+  for (int k = 0; k < count; ++k)
+    extremes_.emplace_back(radius * half_.x() * std::cos(k * turn), radius * half_.y() * std::sin(k * turn),
+                           height);
+}
+
+void SolidShape::make(const Solid& s) {
+  const Vector3 scale = s.scale;
+  const auto scaled = [&](std::vector<Vector3> points) {
+    for (Vector3& p : points) p = p.cwiseProduct(scale);
+    return points;
+  };
+  switch (s.kind) {
+    case SolidKind::box:
+      form_ = Form::box;
+      half_ = s.size.cwiseProduct(scale) / 2;
+      reach_ = half_.norm();
+      extremes_ = {half_};
+      break;
+    case SolidKind::sphere:
+    case SolidKind::capsule:
+      form_ = Form::capsule;
+      half_ = s.radius * scale;
+      along_ = s.kind == SolidKind::sphere ? 0 : s.length / 2 * scale.z();
+      reach_ = half_.maxCoeff() + along_;
+      extremes_ = {{half_.x(), 0, 0}, {0, half_.y(), 0}, {0, 0, half_.z() + along_}};
+      break;
+    case SolidKind::cylinder:
+      form_ = Form::cylinder;
+      half_ = Vector3(s.radius, s.radius, s.height / 2).cwiseProduct(scale);
+      reach_ = std::hypot(half_.head<2>().maxCoeff(), half_.z());
+      add_ring(1, half_.z(), half_.x() == half_.y() ? 2 : 5);
+      break;
+    case SolidKind::cone:
+      form_ = Form::cone;
+      half_ = Vector3(s.radius, s.radius, s.height / 2).cwiseProduct(scale);
+      reach_ = std::max(1.5 * half_.z(), std::hypot(half_.head<2>().maxCoeff(), 0.5 * half_.z()));
+      add_ring(1, -0.5 * half_.z(), half_.x() == half_.y() ? 2 : 5);
+      extremes_.emplace_back(0, 0, 1.5 * half_.z());
+      break;
+    case SolidKind::torus:
+      form_ = Form::torus;
+      half_ = s.tube * scale;
+      ring_ = s.radius * scale.head<2>();
+      reach_ = ring_.maxCoeff() + half_.maxCoeff();
+      extremes_ = {{ring_.x() + half_.x(), 0, 0}, {ring_.x() - half_.x(), 0, 0}, {ring_.x(), 0, half_.z()},
+                   {0, ring_.y() + half_.y(), 0}, {0, ring_.y() - half_.y(), 0}, {0, ring_.y(), half_.z()}};
+      break;
+    case SolidKind::prism: {
+      std::vector<Vector3> points = corners(s.sides, s.radius, -s.height / 2);
+      for (const Vector3& p : corners(s.sides, s.radius, s.height / 2)) points.push_back(p);
+      make_hull(scaled(std::move(points)));
+      break;
+    }
+    case SolidKind::pyramid: {
+      std::vector<Vector3> points = corners(s.sides, s.radius, -s.height / 4);
+      points.emplace_back(0, 0, 0.75 * s.height);
+      make_hull(scaled(std::move(points)));
+      break;
+    }
+    case SolidKind::polyhedron:
+      make_hull(scaled(s.points));
+      break;
+  }
+}
+
+void SolidShape::make_hull(std::vector<Vector3> points) {
+  form_ = Form::hull;
+  double size = 0;
+  for (const Vector3& p : points) size = std::max(size, p.norm());
+  const ConvexHull hull = convex_hull(points, 1e-9 * size);
+  auto made = std::make_shared<Hull>();
+  std::map<std::pair<Index, Index>, Vector3> normals;
+  for (const auto& t : hull.triangles) {
+    Hull::Face face{points[t[0]], points[t[1]], points[t[2]], {}, 0};
+    face.normal = (face.b - face.a).cross(face.c - face.a).stableNormalized();
+    face.offset = face.normal.dot(face.a);
+    made->faces.push_back(face);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto ends = std::minmax(t[i], t[(i + 1) % 3]);
+      const auto [other, fresh] = normals.try_emplace({ends.first, ends.second}, face.normal);
+      if (!fresh && other->second.dot(face.normal) < flat)
+        made->edges.push_back({points[ends.first], points[ends.second]});
+    }
+  }
+  reach_ = 0;
+  for (const Index v : hull.vertices) {
+    reach_ = std::max(reach_, points[v].norm());
+    made->middle += points[v] / double(hull.vertices.size());
+    extremes_.push_back(points[v]);
+  }
+  hull_ = std::move(made);
+}
+
+double SolidShape::distance(const Vector3& point) const {
+  return own_distance(rotation_.transpose() * (point - centre_));
+}
+
+double SolidShape::own_distance(const Vector3& p) const {
+  switch (form_) {
+    case Form::box: {
+      const Vector3 d = p.cwiseAbs() - half_;
+      return d.cwiseMax(0).norm() + std::min(d.maxCoeff(), 0.0);
+    }
+    case Form::capsule:
+      if (half_.x() == half_.y() && half_.x() == half_.z())
+        return Vector3(p.x(), p.y(), p.z() - std::clamp(p.z(), -along_, along_)).norm() - half_.x();
+      break;
+    case Form::torus:
+      if (half_.x() == half_.y() && half_.x() == half_.z())
+        return std::hypot(std::hypot(p.x(), p.y()) - ring_.x(), p.z()) - half_.x();
+      break;
+    default:
+      break;
+  }
+  return own_place(p).distance;
+}
+
+SolidPlace SolidShape::place(const Vector3& point) const {
+  SolidPlace out = own_place(rotation_.transpose() * (point - centre_));
+  out.gradient = rotation_ * out.gradient;
+  out.core = from_own_axes(out.core);
+  return out;
+}
+
+Vector3 SolidShape::ring_point(double angle) const {
+  return {ring_.x() * std::cos(angle), ring_.y() * std::sin(angle), 0};
+}
+
+/// Place of the swept ball that is nearest to a point.
+double SolidShape::torus_angle(const Vector3& p) const {
+  if (ring_.x() == ring_.y()) return std::atan2(p.y(), p.x());
+  return least_angle([&](double a) { return ellipsoid_place(half_, p - ring_point(a)).distance; });
+}
+
+SolidPlace SolidShape::own_place(const Vector3& p) const {
+  switch (form_) {
+    case Form::box: {
+      const Vector3 d = p.cwiseAbs() - half_;
+      Eigen::Index axis;
+      const double most = d.maxCoeff(&axis);
+      const Vector3 normal = Vector3::Unit(axis) * (p[axis] < 0 ? -1 : 1);
+      if (most <= 0) return place_inside(p, most, normal);
+      return place_outside(p, p.cwiseMax(-half_).cwiseMin(half_), normal);
+    }
+    case Form::cylinder:
+      return cylinder_place(p);
+    case Form::cone:
+      return cone_place(p);
+    case Form::capsule:
+    case Form::torus: {
+      const Vector3 middle = form_ == Form::capsule ? Vector3(0, 0, std::clamp(p.z(), -along_, along_))
+                                                    : ring_point(torus_angle(p));
+      const EllipsoidPlace at = ellipsoid_place(half_, p - middle);
+      // The best bound of a ball is the ball itself.
+      if (half_.x() == half_.y() && half_.x() == half_.z())
+        return {at.distance, at.normal, middle, half_.x()};
+      if (at.distance <= 0) return place_inside(p, at.distance, at.normal);
+      return {at.distance, at.normal, middle + at.nearest, 0};
+    }
+    case Form::hull:
+      break;
+  }
+  const Hull::Face* top = nullptr;
+  double height = -1e300;
+  for (const Hull::Face& face : hull_->faces)
+    if (const double h = face.normal.dot(p) - face.offset; h > height) height = h, top = &face;
+  if (height <= 0) return place_inside(p, height, top->normal);
+  Vector3 nearest = nearest_on_triangle(p, top->a, top->b, top->c, top->normal);
+  double square = (p - nearest).squaredNorm();
+  // Straight below the highest plane there is nothing nearer. Triangles of one face may differ by rounding in
+  // the side on which the point lies.
+  const double rounding = 1e-12 * reach_;
+  if (square > height * height * (1 + 1e-12))
+    for (const Hull::Face& face : hull_->faces) {
+      const double h = face.normal.dot(p) - face.offset;
+      if (h < -rounding || (h > 0 && h * h >= square) || &face == top) continue;
+      const Vector3 q = nearest_on_triangle(p, face.a, face.b, face.c, face.normal);
+      if (const double s = (p - q).squaredNorm(); s < square) square = s, nearest = q;
+    }
+  return place_outside(p, nearest, top->normal);
+}
+
+SolidPlace SolidShape::cylinder_place(const Vector3& p) const {
+  const EllipsePlace side = ellipse_place(half_.head<2>(), p.head<2>());
+  const double end = std::abs(p.z()) - half_.z(), sign = p.z() < 0 ? -1 : 1;
+  const Vector3 side_normal(side.normal.x(), side.normal.y(), 0), end_normal(0, 0, sign);
+  if (side.distance <= 0 && end <= 0)
+    return side.distance > end ? place_inside(p, side.distance, side_normal)
+                               : place_inside(p, end, end_normal);
+  Vector3 nearest = p;
+  if (side.distance > 0) nearest.head<2>() = side.nearest;
+  if (end > 0) nearest.z() = sign * half_.z();
+  return place_outside(p, nearest, side.distance > 0 ? side_normal : end_normal);
+}
+
+/// The cone is the convex hull of its tip and of the ellipse of its base.
+SolidPlace SolidShape::cone_place(const Vector3& p) const {
+  const double low = -0.5 * half_.z(), high = 1.5 * half_.z();
+  const Vector3 tip(0, 0, high);
+  const auto rim = [&](double a) { return Vector3(half_.x() * std::cos(a), half_.y() * std::sin(a), low); };
+  // Tangent plane along the line from the tip to the rim.
+  const auto normal = [&](double a) -> Vector3 {
+    return Vector3(std::cos(a) / half_.x(), std::sin(a) / half_.y(), 1 / (high - low)).normalized();
+  };
+  const bool upright = half_.x() == half_.y();
+  const double round = std::atan2(p.y(), p.x());
+  const double steep = upright ? round : least_angle([&](double a) { return -normal(a).dot(p - tip); });
+  const double side = normal(steep).dot(p - tip), base = low - p.z();
+  if (side <= 0 && base <= 0)
+    return side > base ? place_inside(p, side, normal(steep)) : place_inside(p, base, -Vector3::UnitZ());
+  const double at =
+      upright ? round
+              : least_angle([&](double a) { return (p - nearest_on_segment(p, rim(a), tip)).squaredNorm(); });
+  Vector3 nearest = nearest_on_segment(p, rim(at), tip);
+  if (base > 0) {
+    const EllipsePlace edge = ellipse_place(half_.head<2>(), p.head<2>());
+    const Vector2 flat = edge.distance > 0 ? edge.nearest : Vector2(p.head<2>());
+    const Vector3 below(flat.x(), flat.y(), low);
+    if ((p - below).squaredNorm() < (p - nearest).squaredNorm()) nearest = below;
+  }
+  return place_outside(p, nearest, side > 0 ? normal(steep) : Vector3(-Vector3::UnitZ()));
+}
+
+}  // namespace hariko

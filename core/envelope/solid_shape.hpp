@@ -1,0 +1,100 @@
+#pragma once
+
+// Exact signed distances to solids of all kinds in every placement and scale (docs/envelope.md).
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/envelope/solid.hpp"
+
+namespace hariko {
+
+/// How a solid lies to a point.
+struct SolidPlace {
+  double distance = 0;                  ///< negative inside
+  Vector3 gradient = Vector3::UnitZ();  ///< unit, away from the solid
+  /// A ball inside of the solid that is as far from the point as the solid: a bound of the distance
+  /// elsewhere.
+  Vector3 core = Vector3::Zero();
+  double core_radius = 0;
+};
+
+/// A line or a closed ellipse on the surface of a solid where it is sharp, or straight: what spread points
+/// miss first.
+struct SharpCurve {
+  Vector3 base;                        ///< where a line begins; the centre of an ellipse
+  Vector3 along;                       ///< to the line's end; to the ellipse's point of share 0
+  std::optional<Vector3> across = {};  ///< of ellipses: to the point of share 1/4
+  /// share: 0 .. 1 from end to end, or once round.
+  Vector3 at(double share) const;
+  /// Of ellipses a bound: no part is longer than its share of this.
+  double length() const;
+};
+
+/// Distances change by no more than the way from point to point, inside and outside. All solids but the torus
+/// are convex, and so are their distances.
+class SolidShape {
+ public:
+  /// Positions relative to `origin`. `solid` passes `check_solid`.
+  SolidShape(const Solid& solid, const Vector3& origin);
+  /// A ball swept from a to b.
+  static SolidShape capsule(const Vector3& a, const Vector3& b, double radius);
+
+  double distance(const Vector3& point) const;
+  SolidPlace place(const Vector3& point) const;
+
+  const Vector3& centre() const { return centre_; }
+  double reach() const { return reach_; }  ///< no point of the solid is farther from the centre
+  /// Points of the solid, one of each kind of corner, rim and side, in its own axes about its centre: where
+  /// the mean of the distance over a neighbourhood is largest.
+  const std::vector<Vector3>& extremes() const { return extremes_; }
+  /// `count` points spread over the surface, of which convex solids have no empty parts.
+  std::vector<Vector3> surface_points(int count) const;
+  /// Edges, rims, and lines down the sides of cones and along the bodies of capsules.
+  std::vector<SharpCurve> sharp_curves() const;
+  Vector3 from_own_axes(const Vector3& point) const { return centre_ + rotation_ * point; }
+  /// Distance of a point in the solid's own axes about its centre.
+  double own_distance(const Vector3& point) const;
+
+ private:
+  SolidShape() = default;
+  enum class Form : std::uint8_t { box, cylinder, cone, capsule, torus, hull };
+  struct Hull;
+
+  void make(const Solid& solid);
+  void make_hull(std::vector<Vector3> points);
+  void add_ring(double radius, double height, int count);
+  Vector3 half_extent() const;  ///< in the solid's own axes, of what is round about its centre
+  SolidPlace own_place(const Vector3& point) const;
+  SolidPlace cylinder_place(const Vector3& point) const;
+  SolidPlace cone_place(const Vector3& point) const;
+  double torus_angle(const Vector3& point) const;
+  Vector3 ring_point(double angle) const;
+
+  Form form_ = Form::box;
+  Vector3 centre_ = Vector3::Zero();
+  Matrix3 rotation_ = Matrix3::Identity();
+  /// Box: half sizes. Round forms: half axes of the cross-section, half height. Capsule and torus: half axes
+  /// of the ball that is swept.
+  Vector3 half_ = Vector3::Ones();
+  double along_ = 0;                ///< capsule: half of the way of the ball
+  Vector2 ring_ = Vector2::Zero();  ///< torus: half axes of the way of the ball
+  double reach_ = 0;
+  std::vector<Vector3> extremes_;
+  std::shared_ptr<const Hull> hull_;
+};
+
+/// Convex hull of a polyhedron, with planes: a point is inside where every height is at most 0.
+struct SolidShape::Hull {
+  struct Face {
+    Vector3 a, b, c, normal;
+    double offset;
+  };
+  std::vector<Face> faces;
+  std::vector<std::array<Vector3, 2>> edges;  ///< where faces meet at an angle
+  Vector3 middle = Vector3::Zero();           ///< inside
+};
+
+}  // namespace hariko
