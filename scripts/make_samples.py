@@ -303,14 +303,14 @@ def patches(columns, row_count, points):
     ]
 
 
-def object_text(number_, name, source, cage=True):
+def object_text(number_, name, source, cage=True, network=True):
     members = [
         f'      "id": {number_}',
         f'      "name": {json.dumps(name, ensure_ascii=False)}',
         '      "visible": true',
         '      "locked": false',
         '      "transform": {"rotation": [1, 0, 0, 0], "scale": 1, "translation": [0, 0, 0]}',
-        '      "display": {"surface": true, "polyhedron": ' + ("true" if cage else "false") + ', "network": true, "map": "shaded", "density": 8, '
+        '      "display": {"surface": true, "polyhedron": ' + ("true" if cage else "false") + ', "network": ' + ("true" if network else "false") + ', "map": "shaded", "density": 8, '
         '"colour": "#b9b4ac"}',
         '      "source": {\n' + ",\n".join(source) + "\n      }",
     ]
@@ -448,7 +448,7 @@ def main():
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
     for file_name, scene_name, name in SCENES:
         scene = json.loads((GOLDEN / "envelope" / f"{scene_name}.json").read_text())
-        text = document(object_text(1, name, solids(scene, BALLS[file_name])))
+        text = document(object_text(1, name, solids(scene, BALLS[file_name]), network=False))
         (SAMPLES / f"{file_name}.hariko").write_text(text, encoding="utf-8", newline="\n")
     for file_name, sections, method, columns, row_count, name in SKINS:
         layout = json.loads((SECTIONS / f"{sections}.json").read_text())

@@ -45,6 +45,18 @@ void activate_item() {
   g.NavActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
+/// Enter takes the keyboard out of a field; Tab then goes on from there, and does not begin anew.
+void tab_goes_on() {
+#if IMGUI_VERSION_NUM < 18900
+  constexpr int tabbing = ImGuiNavMoveFlags_Tabbing;
+#else
+  constexpr int tabbing = ImGuiNavMoveFlags_IsTabbing;
+#endif
+  ImGuiContext& g = *GImGui;
+  if (g.NavMoveSubmitted && (g.NavMoveFlags & tabbing) != 0 && g.NavTabbingDir == 0 && g.NavId != 0)
+    g.NavTabbingDir = 1;
+}
+
 }  // namespace
 
 Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
@@ -142,6 +154,7 @@ void Workbench::frame() {
   panel_state_.field_opening = false;
   apply_keys();
   if (std::exchange(activates_, false)) activate_item();
+  tab_goes_on();
   PanelContext context{editor_,
                        commands_,
                        marks_,

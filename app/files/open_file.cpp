@@ -13,6 +13,7 @@
 #include "core/base/printable.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/edit_objects.hpp"
+#include "core/document/edit_solids.hpp"
 #include "core/document/file.hpp"
 #include "core/document/format.hpp"
 #include "core/document/read_outline.hpp"
@@ -192,7 +193,8 @@ void open_layout(const std::filesystem::path& file, JsonKind kind, OpenedFile& o
     if (!text.ok()) return text.error();
     auto source = read_layout(kind, *text);
     if (!source.ok()) return source.error();
-    return add_object({}, opened.name, std::move(source).value());
+    const DisplaySettings display = kind == JsonKind::scene ? solids_display() : DisplaySettings{};
+    return add_object({}, opened.name, std::move(source).value(), {}, display);
   }();
   if (made.ok())
     opened.document = made->document;

@@ -6,6 +6,12 @@
 
 namespace hariko {
 
+DisplaySettings solids_display() {
+  DisplaySettings display;
+  display.network = false;
+  return display;
+}
+
 Result<Document> change_envelope(const Document& document, ObjectId object,
                                  const std::function<void(EnvelopeInput&)>& change) {
   return detail::change_object(document, object, true, [&](Object& changed) -> Result<Done> {

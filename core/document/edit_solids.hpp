@@ -11,6 +11,9 @@
 
 namespace hariko {
 
+/// Settings of new solids: the borders of the patches round them, which no designer drew, are not shown.
+DisplaySettings solids_display();
+
 inline constexpr Code e_not_solids{"E_NOT_SOLIDS"};
 inline constexpr Code e_last_solid{"E_LAST_SOLID"};
 

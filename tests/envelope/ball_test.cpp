@@ -226,7 +226,7 @@ TEST(BallEnvelopes, OneBoxIsRoundedByTheSpecifiedAmounts) {
     const double a = k * 0.25 * std::numbers::pi / 100;
     const Vector3 way(std::cos(a), std::sin(a), 0);
     const Vector3 at = reach(made.field, Vector3::Zero(), way, 2) * way;
-    const SurfaceForm form = surface_form(made.field, at);
+    const LevelCurvature form = level_curvature(made.field, at);
     most = std::max(most, -form.along(form.normal.cross(Vector3::UnitZ()).normalized()));
   }
   EXPECT_NEAR(most * sigma, 0.664, 0.03);

@@ -64,6 +64,17 @@ TEST_F(PanelHands, ShiftTabGoesBack) {
   EXPECT_EQ(editor().last_operation.numbers()[1].value, 50);
 }
 
+TEST_F(PanelHands, TabAfterEnterGoesOnFromTheFieldThatWasEntered) {
+  run("add.box");
+  enter("field.width", "62");
+  bench_.tap("Enter");
+  bench_.tap("Tab");
+  bench_.type("110");
+  bench_.tap("Enter");
+  EXPECT_EQ(editor().last_operation.numbers()[0].value, 62);
+  EXPECT_EQ(editor().last_operation.numbers()[1].value, 110);
+}
+
 TEST_F(PanelHands, ANewSolidHasOneBlockOfNumbersAndStaysSelected) {
   run("solid.box");
   ASSERT_TRUE(marks().contains("field.solid.width"));

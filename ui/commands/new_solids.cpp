@@ -140,7 +140,7 @@ bool add_new_solid(Editor& editor, const NewSolid& shape, std::vector<OperationN
   choose_ball(input);
   if (const auto checked = check_envelope(input); !checked) return editor.notify(checked.error()), false;
   auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
-                          SolidsSource{std::move(input), {}}, place);
+                          SolidsSource{std::move(input), {}}, place, solids_display());
   if (!added) return editor.notify(added.error()), false;
   if (!editor.commit(added->document, shape.step)) return false;
   select_solids(editor, added->id, std::array{std::uint32_t(0)});
@@ -156,7 +156,7 @@ Result<Document> with_new_solid(const Editor& editor, const Solid& solid) {
   choose_ball(input);
   if (const auto checked = check_envelope(input); !checked) return checked.error();
   auto added = add_object(document, free_name(document, editor.language(translatable("Solids"))),
-                          SolidsSource{std::move(input), {}});
+                          SolidsSource{std::move(input), {}}, {}, solids_display());
   if (!added) return added.error();
   return std::move(added).value().document;
 }

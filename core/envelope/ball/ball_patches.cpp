@@ -34,8 +34,8 @@ Vector3 arc_tangent(const Vector3& chord, const Vector3& normal) {
   return stretch * flat;
 }
 
-Ribbon ribbon_between(const SplineField& field, const Vector3& a, const SurfaceForm& at_a, const Vector3& b,
-                      const SurfaceForm& at_b) {
+Ribbon ribbon_between(const SplineField& field, const Vector3& a, const LevelCurvature& at_a,
+                      const Vector3& b, const LevelCurvature& at_b) {
   const Vector3 chord = b - a, ta = arc_tangent(chord, at_a.normal), tb = arc_tangent(chord, at_b.normal);
   Ribbon out;
   out.curve = {a,
@@ -95,7 +95,7 @@ void set_bends(const SplineField& field, HermitePatch& patch) {
       const PatchPoint at = evaluate(patch, side_parameter(Domain::square, int(side), t), Order::second);
       const bool along_u = side % 2 == 0;
       const Vector3 &across = along_u ? at.dt : at.ds, &second = along_u ? at.dtt : at.dss;
-      const SurfaceForm form = surface_form(field, at.position);
+      const LevelCurvature form = level_curvature(field, at.position);
       wanted[i] = (form.along(across) - second.dot(form.normal)) / (64 * t * t * t * s * s * s) * form.normal;
     }
     // Through -1, 0, 1 of (t - 1/2) / 0.3.
@@ -109,9 +109,9 @@ void set_bends(const SplineField& field, HermitePatch& patch) {
 }  // namespace
 
 std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage& cage) {
-  std::vector<SurfaceForm> forms(cage.positions.size());
+  std::vector<LevelCurvature> forms(cage.positions.size());
   parallel_for(forms.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) forms[v] = surface_form(field, cage.positions[v]);
+    for (std::size_t v = begin; v < end; ++v) forms[v] = level_curvature(field, cage.positions[v]);
   });
   std::map<std::pair<Index, Index>, Index> numbers;
   std::vector<std::pair<Index, Index>> sides;

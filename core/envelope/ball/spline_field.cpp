@@ -97,7 +97,7 @@ Matrix3 SplineField::hessian(const Vector3& point) const {
   return out / (spacing_ * spacing_);
 }
 
-SurfaceForm surface_form(const SplineField& field, const Vector3& point) {
+LevelCurvature level_curvature(const SplineField& field, const Vector3& point) {
   const Vector3 gradient = field.at(point).gradient;
   const double slope = gradient.norm();
   if (!(slope > 0)) return {};

@@ -41,13 +41,13 @@ class SplineField {
 };
 
 /// Curvature of the level surface through a point in tangent directions a, b: negative where it is convex.
-struct SurfaceForm {
+struct LevelCurvature {
   Vector3 normal = Vector3::UnitZ();  ///< unit, outwards
   Matrix3 form = Matrix3::Zero();     ///< -H / |gradient|
   double slope = 1;                   ///< length of the gradient
   double along(const Vector3& a) const { return a.dot(form * a); }
 };
-SurfaceForm surface_form(const SplineField& field, const Vector3& point);
+LevelCurvature level_curvature(const SplineField& field, const Vector3& point);
 
 /// Newton steps to the zero along the gradient, none longer than `longest`.
 Vector3 projected(const SplineField& field, Vector3 point, int steps, double longest);
