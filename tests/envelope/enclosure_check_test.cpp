@@ -125,7 +125,9 @@ TEST(EnclosureCheck, FacesThatTheSurfaceRunsBelowAreFound) {
   EXPECT_NEAR(found.worst, out, 0.003);
   ASSERT_FALSE(found.points.empty());
   for (const OutsidePoint& point : found.points) {
-    EXPECT_NEAR(point.point.x(), 1, 1e-5);
+    // Points of the face, and vertices of the surface that lie in the box.
+    EXPECT_LE(point.point.x(), 1 + 1e-5);
+    EXPECT_GE(point.point.x(), 1 - out - 1e-5);
     EXPECT_LT((point.point - middle).norm(), 0.1);
   }
 }
@@ -201,7 +203,7 @@ TEST(SharpCurves, LieOnTheirSolids) {
         constexpr int steps = 64;
         for (int k = 0; k < steps; ++k) {
           const Vector3 point = curve.at((k + 0.5) / steps);
-          EXPECT_NEAR(on.distance(point), 0, 1e-9);
+          EXPECT_NEAR(on.distance(point), 0, 1e-8);
           length += (curve.at(double(k + 1) / steps) - curve.at(double(k) / steps)).norm();
         }
         EXPECT_LE(length, curve.length() * (1 + 1e-12));
