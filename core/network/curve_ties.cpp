@@ -10,16 +10,16 @@ namespace hariko {
 namespace {
 
 /// How many times as long as the width between them curves are where ties begin, and where they do not grow
-/// any more.
-constexpr double begins = 8, longest = 1000;
+/// any more. The sides of a cylinder of 32 sides as high as wide, ten times as long as the rim's, are free.
+constexpr double first_beside = 12, first_corner = 8, last_ratio = 1000;
 /// Weights relative to what else pulls at a vertex.
 constexpr double beside_weight = 0.02, corner_weight = 1;
 
 /// Grows smoothly from zero, in the end as the ratio does: a strip resists being twisted as its length over
 /// its width.
-double strength(double ratio) {
-  const double r = std::min(ratio, longest);
-  return r > begins ? (r - begins) * (r - begins) / r : 0.0;
+double strength(double ratio, double first) {
+  const double r = std::min(ratio, last_ratio);
+  return r > first ? (r - first) * (r - first) / r : 0.0;
 }
 
 TangentCoefficients times(double factor, TangentCoefficients tangent) {
@@ -77,11 +77,12 @@ void CurveTies::tie_beside_short_sides(const HalfEdgeMesh& mesh, const VertexFra
     const Index before = mesh.previous(h), after = mesh.next(h), v = mesh.origin(h), w = mesh.target(h);
     const double beside = std::min(length[mesh.edge(before)], length[mesh.edge(after)]);
     const double own = length[mesh.edge(h)];
-    if (!(beside > begins * own)) continue;
-    const double ratio = own * longest > beside ? beside / own : longest;
+    if (!(beside > first_beside * own)) continue;
+    const double ratio = own * last_ratio > beside ? beside / own : last_ratio;
     Tie tie;
     tie.end = {frames.ends[2 * before + 1], times(-1, frames.ends[2 * after])};
-    tie.weight = 2 * beside_weight * strength(ratio) * std::min(pull[v], pull[w]) / (beside * beside);
+    tie.weight =
+        2 * beside_weight * strength(ratio, first_beside) * std::min(pull[v], pull[w]) / (beside * beside);
     tie.vertex = {mesh.origin(before), v, mesh.target(after), w};
     tie.factor = {1.0 / 3, -1.0 / 3, -1.0 / 3, 1.0 / 3};
     add(tie, v, w);
@@ -102,11 +103,12 @@ void CurveTies::tie_to_close_corners(const HalfEdgeMesh& mesh, const VertexFrame
       const double t = arm.dot(chord) / (length * length);
       if (!(t > 0 && t < 1)) continue;
       const double distance = (arm - t * chord).norm(), width = length * 4 * t * (1 - t);
-      if (!(width > begins * distance)) continue;
+      if (!(width > first_corner * distance)) continue;
       const double size = std::hypot(1 - t, t), a = (1 - t) / size, b = t / size;
       Tie tie;
       tie.end = {times(a, frames.ends[2 * h]), times(b, frames.ends[2 * h + 1])};
-      tie.weight = 2 * corner_weight * strength(distance * longest > width ? width / distance : longest) *
+      tie.weight = 2 * corner_weight *
+                   strength(distance * last_ratio > width ? width / distance : last_ratio, first_corner) *
                    std::min(pull[v], pull[w]) / (length * length);
       tie.vertex = {v, w, v, w};
       tie.factor = {-(a - b) / 3, (a - b) / 3, 0, 0};

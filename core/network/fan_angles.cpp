@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/network/smooth_step.hpp"
+
 namespace hariko {
 
 namespace {
@@ -41,16 +43,11 @@ void straighten(std::vector<double>& steps) {
   }
 }
 
-double smooth_step(double x, double from, double to) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 /// Factor by which the turn of a face's rim at its corners is drawn smaller.
 double rim_factor_of(Index sides) {
   const double n = double(sides);
-  return 1 + (rim_factor - 1) * smooth_step(n, first_rim, full_rim) *
-                 (1 - smooth_step(n, last_full_rim, last_rim));
+  return 1 + (rim_factor - 1) * smooth_step((n - first_rim) / (full_rim - first_rim)) *
+                 (1 - smooth_step((n - last_full_rim) / (last_rim - last_full_rim)));
 }
 
 /// The rim of a face of many sides is a flow line, to which the corners of other faces give way. It does not

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/network/fan_angles.hpp"
+#include "core/network/smooth_step.hpp"
 
 namespace hariko {
 
@@ -12,7 +13,7 @@ namespace {
 
 /// Share of the longest edge of a fan that keeps lengths from zero, and the one that keeps those of edges
 /// without any length.
-constexpr double least_share = 0.01, least_of_all = 1e-5;
+constexpr double floor_share = 0.01, zero_share = 1e-3;
 /// Share of the longest edge below which an edge is kept from zero by less.
 constexpr double full_share = 1.0 / 16;
 /// Length relative to that of the shortest edge beside it, below which an edge is short.
@@ -23,11 +24,6 @@ constexpr double agreement = 0.75;
 /// Inflation of a fan that counts where there is none.
 constexpr double least_gain = std::numbers::pi / 180;
 
-double smooth_step(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 /// The two corners beside an edge at one of its ends.
 struct Beside {
   Index left, right;
@@ -36,8 +32,8 @@ struct Beside {
 }  // namespace
 
 double fan_length(double length, double longest) {
-  const double share = least_share * smooth_step(length / (full_share * longest));
-  return std::hypot(length, std::max(share, least_of_all) * longest);
+  const double share = floor_share * smooth_step(length / (full_share * longest));
+  return std::hypot(length, std::max(share, zero_share) * longest);
 }
 
 std::vector<double> steps_beside_short_edges(const HalfEdgeMesh& mesh, const FaceCharts& charts,
