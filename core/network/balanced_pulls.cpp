@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/network/network_rays.hpp"
+#include "core/network/smooth_step.hpp"
 
 namespace hariko {
 
@@ -15,11 +16,6 @@ namespace {
 constexpr double begins = 0.7, complete = 0.9;
 /// Share of the mean length: shorter edges count as ones of this length.
 constexpr double shortest = 1e-6;
-
-double smooth_step(double x) {
-  const double t = std::clamp((x - begins) / (complete - begins), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 }  // namespace
 
@@ -59,7 +55,8 @@ class BalancedPulls::Fan {
       const auto& [a, b] = directions_[i].opposite;
       const Vector3 across = directions_[i].part[0] * unit[a] + directions_[i].part[1] * unit[b];
       const double size = unit[i].norm() * across.norm();
-      if (size > 0) most = std::max(most, smooth_step(unit[i].dot(across) / size));
+      if (size > 0)
+        most = std::max(most, smooth_step((unit[i].dot(across) / size - begins) / (complete - begins)));
     }
     return most;
   }

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/network/smooth_step.hpp"
+
 namespace hariko {
 
 namespace {
@@ -41,16 +43,11 @@ void straighten(std::vector<double>& steps) {
   }
 }
 
-double smooth_step(double x, double from, double to) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 /// Factor by which the turn of a face's rim at its corners is drawn smaller.
 double rim_factor_of(Index sides) {
   const double n = double(sides);
-  return 1 + (rim_factor - 1) * smooth_step(n, first_rim, full_rim) *
-                 (1 - smooth_step(n, last_full_rim, last_rim));
+  return 1 + (rim_factor - 1) * smooth_step((n - first_rim) / (full_rim - first_rim)) *
+                 (1 - smooth_step((n - last_full_rim) / (last_rim - last_full_rim)));
 }
 
 /// The rim of a face of many sides is a flow line, to which the corners of other faces give way. It does not
@@ -125,18 +122,21 @@ std::vector<double> fan_steps(std::span<const double> angles, std::span<const In
   for (double& a : steps) a *= scale;
   if (closed && steps.size() >= 4 && steps.size() % 2 == 0) straighten(steps);
   if (closed) straighten_rims(steps, angles, sides);
+  return steps;
+}
+
+std::vector<double> limited_steps(std::vector<double> steps, std::span<const double> angles, double total) {
+  for (double& a : steps) a = std::max(a, least_step);
+  const double scale = total / sum_of(steps);
+  for (double& a : steps) a *= scale;
   keep_in_limits(steps, angles, total);
   return steps;
 }
 
 std::vector<double> turned_steps(std::vector<double> steps, std::span<const double> turns,
                                  std::span<const double> angles, double total) {
-  for (std::size_t k = 0; k < steps.size(); ++k)
-    steps[k] = std::max(steps[k] + turns[k + 1] - turns[k], least_step);
-  const double scale = total / sum_of(steps);
-  for (double& a : steps) a *= scale;
-  keep_in_limits(steps, angles, total);
-  return steps;
+  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] += turns[k + 1] - turns[k];
+  return limited_steps(std::move(steps), angles, total);
 }
 
 }  // namespace hariko

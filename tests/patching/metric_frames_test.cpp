@@ -198,7 +198,7 @@ TEST(MetricFrames, BendingAndVolumeOfKnownCages) {
     PolygonMesh mesh;
     double bending, volume;
   };
-  // Prisms of 7 sides and more with straightened rims.
+  // Prisms of 7 sides and more with straightened rims, those of 128 with short edges that keep their lengths.
   const std::vector<Row> rows = {
       {"prism 3", tall_prism(3, 2), 26.72, 10.36},
       {"prism 4", tall_prism(4, 2), 27.06, 10.53},
@@ -207,12 +207,12 @@ TEST(MetricFrames, BendingAndVolumeOfKnownCages) {
       {"prism 12", tall_prism(12, 2), 26.54, 10.76},
       {"prism 20", tall_prism(20, 2), 25.79, 11.01},
       {"prism 64", tall_prism(64, 2), 25.66, 11.23},
-      {"prism 128", tall_prism(128, 2), 26.48, 11.24},
+      {"prism 128", tall_prism(128, 2), 26.34, 11.24},
       {"tall prism 3", tall_prism(3, 20), 190.86, 69.53},
       {"tall prism 6", tall_prism(6, 20), 148.35, 77.71},
       {"tall prism 12", tall_prism(12, 20), 134.86, 93.58},
       {"tall prism 32", tall_prism(32, 20), 129.05, 102.33},
-      {"tall prism 128", tall_prism(128, 20), 146.84, 104.02},
+      {"tall prism 128", tall_prism(128, 20), 129.90, 104.79},
       {"coin 6", tall_prism(6, 0.2), 113.28, 1.60},
       {"coin 12", tall_prism(12, 0.2), 182.78, 1.32},
       {"coin 32", tall_prism(32, 0.2), 243.69, 1.11},
@@ -398,9 +398,9 @@ TEST(MetricFrames, DegenerateCagesStayFinite) {
   for (Vector3& p : needle.positions) p.x() *= 1e-9;
   doubled.positions[0] = doubled.positions[1];
   for (Vector3& p : point.positions) p.setZero();
-  expect_bounded(flat, "flat", 4);
-  expect_bounded(needle, "needle", 4);
-  expect_bounded(doubled, "two vertices in one place", 20);
+  expect_bounded(flat, "flat", 5);
+  expect_bounded(needle, "needle", 5);
+  expect_bounded(doubled, "two vertices in one place", 40);
   expect_bounded(point, "all in one place", 1e-6);
 }
 
