@@ -125,18 +125,21 @@ std::vector<double> fan_steps(std::span<const double> angles, std::span<const In
   for (double& a : steps) a *= scale;
   if (closed && steps.size() >= 4 && steps.size() % 2 == 0) straighten(steps);
   if (closed) straighten_rims(steps, angles, sides);
+  return steps;
+}
+
+std::vector<double> limited_steps(std::vector<double> steps, std::span<const double> angles, double total) {
+  for (double& a : steps) a = std::max(a, least_step);
+  const double scale = total / sum_of(steps);
+  for (double& a : steps) a *= scale;
   keep_in_limits(steps, angles, total);
   return steps;
 }
 
 std::vector<double> turned_steps(std::vector<double> steps, std::span<const double> turns,
                                  std::span<const double> angles, double total) {
-  for (std::size_t k = 0; k < steps.size(); ++k)
-    steps[k] = std::max(steps[k] + turns[k + 1] - turns[k], least_step);
-  const double scale = total / sum_of(steps);
-  for (double& a : steps) a *= scale;
-  keep_in_limits(steps, angles, total);
-  return steps;
+  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] += turns[k + 1] - turns[k];
+  return limited_steps(std::move(steps), angles, total);
 }
 
 }  // namespace hariko

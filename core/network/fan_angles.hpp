@@ -13,12 +13,15 @@ namespace hariko {
 /// Angle of each corner in its face's chart, 0 .. 2 pi, per half-edge.
 double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner);
 
-/// The steps of a sector with these corner angles, adding up to `total`; each at least 0.1 degrees and below
-/// a half turn. `sides`: of each corner's face. `closed`: all round the vertex, where opposite edges of an
-/// even number come near to one line, and so do the two edges at the rim of a face of many sides. Continuous
-/// in the angles.
+/// The steps of a sector with these corner angles, adding up to `total`; not yet limited. `sides`: of each
+/// corner's face. `closed`: all round the vertex, where opposite edges of an even number come near to one
+/// line, and so do the two edges at the rim of a face of many sides. Continuous in the angles.
 std::vector<double> fan_steps(std::span<const double> angles, std::span<const Index> sides, double total,
                               bool closed);
+
+/// Steps near these with the sum `total`, each at least 0.1 degrees and below a half turn. Those within the
+/// limits stay as they are, but for what the others need.
+std::vector<double> limited_steps(std::vector<double> steps, std::span<const double> angles, double total);
 
 /// Steps of a sector whose edges are turned by these angles (one more than steps; the last is the first one
 /// again all round a vertex), with the same sum and limits.

@@ -12,8 +12,8 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t grain = 2048;  ///< vertices a task: about 0.1 ms of a step
-/// 0.268^30 and 0.38^60 are below any tolerance that makes sense.
-constexpr int max_steps = 30, max_steps_with_rays = 60;
+/// 0.268^30 and 0.38^60 are below any tolerance that makes sense; ties of curves ask for more steps.
+constexpr int max_steps = 30, max_steps_with_rays = 60, max_steps_with_ties = 400;
 
 std::string name_of(VertexId id) {
   return "Vertex " + std::to_string(id.value);
@@ -52,8 +52,11 @@ Result<NetworkSystem> NetworkSystem::assemble(const Polyhedron& polyhedron, cons
     system.incident_ends_[cursor[mesh.target(h)]++] = 2 * e + 1;
   }
   NetworkWeights weights = network_weights(mesh, system.frames_);
-  if (!weights.ray.empty())
-    system.balanced_ = BalancedPulls(mesh, system.frames_, weights, system.beta_, polyhedron.positions());
+  if (!weights.ray.empty()) {
+    const auto& positions = polyhedron.positions();
+    system.balanced_ = BalancedPulls(mesh, system.frames_, weights, system.beta_, positions);
+    system.ties_ = CurveTies(mesh, system.frames_, weights, system.beta_, positions);
+  }
   system.edge_weight_ = std::move(weights.edge);
   if (!weights.ray.empty())
     system.rays_ = NetworkRays(system.mesh_, system.frames_, system.alpha_, weights.ray, system.balanced_);
@@ -162,6 +165,7 @@ void NetworkSystem::set_conditions(std::span<const BasisCondition> conditions) {
   for (auto& [v, vertex] : conditioned_) {
     Eigen::MatrixXd block = diagonal_block(v);
     rays_.add_diagonal(v, frames_.basis_begin[v], block);
+    ties_.add_diagonal(v, frames_.basis_begin[v], block);
     const Eigen::Index count = block.rows();
     Eigen::MatrixXd free = Eigen::MatrixXd::Zero(3 * count, 3 * count), full = free;
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -201,6 +205,7 @@ std::optional<Message> NetworkSystem::factor_blocks(const Polyhedron& polyhedron
                         "Raise the tension of one of its edges above zero.",
                         element_of(polyhedron.vertex_id(v)));
     rays_.add_diagonal(v, first, block);
+    ties_.add_diagonal(v, first, block);
     const Eigen::MatrixXd inverse =
         fixed ? Eigen::MatrixXd(Eigen::MatrixXd::Zero(count, count)) : inverse_matrix(block);
     for (Index i = 0; i < count; ++i)
@@ -239,6 +244,7 @@ void NetworkSystem::apply(std::span<const Index> vertices, const std::vector<Vec
         if (tangent.basis[1] != no_index) y[tangent.basis[1]] += tangent.c[1] * gradient;
       }
       if (!rays_.empty()) rays_.add_product(v, work.rays, y);
+      ties_.add_product(v, x, y);
     }
   });
 }
@@ -305,6 +311,7 @@ std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
     }
   rays_.add_right_side(vertices, positions, b);
   balanced_.add_right_side(*mesh_, vertices, positions, b);
+  ties_.add_right_side(vertices, positions, b);
   return b;
 }
 
@@ -350,7 +357,7 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
   const std::vector<Vector3> zero(frames_.basis_count(), Vector3::Zero());
   std::vector<Vector3> z = zero, q = zero;
   Workspace work{std::vector<Vector3>(edge_ends_.size(), Vector3::Zero()), rays_.make_workspace(vertices)};
-  const int limit = rays_.empty() ? max_steps : max_steps_with_rays;
+  const int limit = !ties_.empty() ? max_steps_with_ties : rays_.empty() ? max_steps : max_steps_with_rays;
   Solution solution;
   std::vector<Vector3>& x = solution.basis;
   x = starting_point(vertices, options);

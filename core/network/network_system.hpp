@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/network/balanced_pulls.hpp"
+#include "core/network/curve_ties.hpp"
 #include "core/network/network.hpp"
 #include "core/network/network_rays.hpp"
 #include "core/network/vertex_frames.hpp"
@@ -65,7 +66,8 @@ class NetworkSystem {
     /// Pinned tangents are replaced by zero: the answer to a displacement instead of to positions.
     bool homogeneous = false;
   };
-  /// positions: one per vertex. O(edges) a step, at most 30 steps (60 with frames by measure).
+  /// positions: one per vertex. O(edges) a step, at most 30 steps (60 with frames by measure, more where
+  /// curves are tied).
   Solution solve(std::span<const Vector3> positions, const SolveOptions& options) const;
 
   /// Tangents, plane normals and energy of a solution.
@@ -106,6 +108,7 @@ class NetworkSystem {
   std::vector<double> beta_, alpha_;
   std::vector<double> edge_weight_;  ///< per edge, 1 in equal frames
   BalancedPulls balanced_;
+  CurveTies ties_;
   NetworkRays rays_;  ///< none in equal frames
   std::vector<Index> all_vertices_;
   std::vector<TangentCoefficients>

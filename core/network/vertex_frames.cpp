@@ -12,6 +12,7 @@
 #include "core/network/fan_angles.hpp"
 #include "core/network/kept_form.hpp"
 #include "core/network/network.hpp"
+#include "core/network/short_edges.hpp"
 
 namespace hariko {
 
@@ -90,6 +91,7 @@ class FrameBuilder {
     const bool metric = options_.frames == Frames::metric;
     frames_.charts = metric ? metric_charts(polyhedron_, frames_.half_turn) : equal_charts(mesh_);
     if (metric) mark_unit_vertices();
+    if (metric) find_own_steps();
     for (Index v = 0; v < mesh_.vertex_count(); ++v) place_vertex(v);
     if (metric && !options_.joined.empty()) share_gains();
     return std::move(frames_);
@@ -109,6 +111,18 @@ class FrameBuilder {
     for (const auto& [id, pin] : shaping_.pin)
       if (const Index v = polyhedron_.find(id); v != no_index && pin.kind == Pin::Kind::tangents)
         unit_[v] = true;
+  }
+
+  /// Steps round smooth vertices as the corners there give them.
+  void find_own_steps() {
+    own_step_.assign(mesh_.half_edge_count(), 0.0);
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      if (frames_.kind[v] != FrameKind::smooth || unit_[v]) continue;
+      fan_ = fan_of(mesh_, v);
+      const Sector& sector = sectors_[sector_begin_[v]];
+      const std::vector<double> steps = own_steps(sector, seen_angles(sector));
+      for (std::size_t j = 0; j < steps.size(); ++j) own_step_[corner(sector, j)] = steps[j];
+    }
   }
 
   /// Divides the fan into sectors and takes the vertex's basis vectors.
@@ -270,17 +284,30 @@ class FrameBuilder {
     return angles;
   }
 
-  std::vector<double> metric_angles(Sector& sector) const {
+  /// Angles of the corners in the charts of their faces.
+  std::vector<double> seen_angles(const Sector& sector) const {
     std::vector<double> seen(sector.corners);
-    std::vector<Index> sides(sector.corners);
-    for (std::size_t j = 0; j < sector.corners; ++j) {
+    for (std::size_t j = 0; j < sector.corners; ++j)
       seen[j] = corner_angle(mesh_, frames_.charts, corner(sector, j));
+    return seen;
+  }
+
+  std::vector<double> own_steps(const Sector& sector, std::span<const double> seen) const {
+    std::vector<Index> sides(sector.corners);
+    for (std::size_t j = 0; j < sector.corners; ++j)
       sides[j] = mesh_.side_count(mesh_.face(corner(sector, j)));
-    }
+    return fan_steps(seen, sides, sector.opening, sector.image == Sector::Image::smooth);
+  }
+
+  std::vector<double> metric_angles(Sector& sector) const {
+    const std::vector<double> seen = seen_angles(sector);
     if (sector.image == Sector::Image::corner)
       sector.opening = std::clamp(std::accumulate(seen.begin(), seen.end(), 0.0), pi / 6, 2 * pi / 3);
-    const bool closed = sector.image == Sector::Image::smooth;
-    std::vector<double> steps = fan_steps(seen, sides, sector.opening, closed);
+    const bool smooth = sector.image == Sector::Image::smooth;
+    std::vector<double> steps =
+        limited_steps(smooth ? steps_beside_short_edges(mesh_, frames_.charts, fan_.corners, own_step_)
+                             : own_steps(sector, seen),
+                      seen, sector.opening);
     if (!kept_.empty()) {
       std::vector<double> turns;
       for (std::size_t j = 0; j <= sector.corners; ++j)
@@ -303,7 +330,7 @@ class FrameBuilder {
     }
     if (!(longest > 0)) longest = frames_.charts.mean_length;
     for (std::size_t k = 0; k < lengths.size(); ++k) {
-      lengths[k] = std::hypot(lengths[k], 0.01 * longest);
+      lengths[k] = fan_length(lengths[k], longest);
       if (!kept_.empty()) lengths[k] *= std::exp(kept_[k].stretch);
     }
     for (const Sector& sector : sectors) {
@@ -419,7 +446,7 @@ class FrameBuilder {
     };
     for (const FanEdge& each : fan_.edges) longest = std::max(longest, length(each));
     if (!(longest > 0)) longest = frames_.charts.mean_length;
-    for (const FanEdge& each : fan_.edges) sum += std::log(std::hypot(length(each), 0.01 * longest));
+    for (const FanEdge& each : fan_.edges) sum += std::log(fan_length(length(each), longest));
     return sum / double(fan_.edges.size());
   }
 
@@ -433,6 +460,7 @@ class FrameBuilder {
   std::vector<Sector> sectors_;            ///< of all vertices, in order
   std::vector<std::size_t> sector_begin_;  ///< per vertex, plus one
   std::vector<bool> unit_;                 ///< per vertex; empty in equal frames
+  std::vector<double> own_step_;           ///< per corner, 0 round other than smooth vertices
   std::vector<KeptForm::Edge> kept_;       ///< of `fan_`; empty where nothing is kept
   Index next_basis_ = 0;
 };

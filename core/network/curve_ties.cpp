@@ -1,0 +1,151 @@
+#include "core/network/curve_ties.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/network/network_rays.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// How many times as long as the width between them curves are where ties begin, and where they do not grow
+/// any more.
+constexpr double begins = 8, longest = 1000;
+/// Weights relative to what else pulls at a vertex.
+constexpr double beside_weight = 0.02, corner_weight = 1;
+
+/// Grows smoothly from zero, in the end as the ratio does: a strip resists being twisted as its length over
+/// its width.
+double strength(double ratio) {
+  const double r = std::min(ratio, longest);
+  return r > begins ? (r - begins) * (r - begins) / r : 0.0;
+}
+
+TangentCoefficients times(double factor, TangentCoefficients tangent) {
+  for (double& c : tangent.c) c *= factor;
+  return tangent;
+}
+
+Vector3 image(const TangentCoefficients& tangent, const std::vector<Vector3>& basis) {
+  Vector3 out = tangent.c[0] * basis[tangent.basis[0]];
+  if (tangent.basis[1] != no_index) out += tangent.c[1] * basis[tangent.basis[1]];
+  return out;
+}
+
+void add_image(const TangentCoefficients& tangent, const Vector3& value, std::vector<Vector3>& out) {
+  out[tangent.basis[0]] += tangent.c[0] * value;
+  if (tangent.basis[1] != no_index) out[tangent.basis[1]] += tangent.c[1] * value;
+}
+
+/// What pulls at each vertex, per unit of its fan.
+std::vector<double> pulls(const HalfEdgeMesh& mesh, const VertexFrames& frames, const NetworkWeights& weights,
+                          std::span<const double> beta) {
+  std::vector<double> out(mesh.vertex_count(), 0.0);
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.half_edge_of_edge(e);
+    const double weight = weights.edge[e] * beta[e];
+    out[mesh.origin(h)] += weight * frames.length[2 * h] * frames.length[2 * h];
+    out[mesh.target(h)] += weight * frames.length[2 * h + 1] * frames.length[2 * h + 1];
+  }
+  return out;
+}
+
+}  // namespace
+
+CurveTies::CurveTies(const HalfEdgeMesh& mesh, const VertexFrames& frames, const NetworkWeights& weights,
+                     std::span<const double> beta, std::span<const Vector3> positions)
+    : seen_(mesh.vertex_count()) {
+  const std::vector<double> pull = pulls(mesh, frames, weights, beta);
+  tie_beside_short_sides(mesh, frames, pull);
+  tie_to_close_corners(mesh, frames, pull, positions);
+  if (ties_.empty()) seen_.clear();
+}
+
+void CurveTies::add(const Tie& tie, Index first, Index second) {
+  if (!(tie.weight > 0)) return;
+  seen_[first].push_back({ties_.size(), 0});
+  seen_[second].push_back({ties_.size(), 1});
+  ties_.push_back(tie);
+}
+
+/// The sides that meet a short one leave it with tangents that differ from their chords alike.
+void CurveTies::tie_beside_short_sides(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                                       std::span<const double> pull) {
+  const std::vector<double>& length = frames.charts.edge_length;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index before = mesh.previous(h), after = mesh.next(h), v = mesh.origin(h), w = mesh.target(h);
+    const double beside = std::min(length[mesh.edge(before)], length[mesh.edge(after)]);
+    const double own = length[mesh.edge(h)];
+    if (!(beside > begins * own)) continue;
+    const double ratio = own * longest > beside ? beside / own : longest;
+    Tie tie;
+    tie.end = {frames.ends[2 * before + 1], times(-1, frames.ends[2 * after])};
+    tie.weight = 2 * beside_weight * strength(ratio) * std::min(pull[v], pull[w]) / (beside * beside);
+    tie.vertex = {mesh.origin(before), v, mesh.target(after), w};
+    tie.factor = {1.0 / 3, -1.0 / 3, -1.0 / 3, 1.0 / 3};
+    add(tie, v, w);
+  }
+}
+
+/// A side bulges over the foot of a corner by a t + b t', tangents at both of its ends. Which foot it is
+/// decides the parts; their squares add up to one.
+void CurveTies::tie_to_close_corners(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                                     std::span<const double> pull, std::span<const Vector3> positions) {
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index v = mesh.origin(h), w = mesh.target(h);
+    const Vector3 chord = positions[w] - positions[v];
+    const double length = chord.norm();
+    if (!(length > 0)) continue;
+    for (Index k = mesh.next(mesh.next(h)); k != h; k = mesh.next(k)) {
+      const Vector3 arm = positions[mesh.origin(k)] - positions[v];
+      const double t = arm.dot(chord) / (length * length);
+      if (!(t > 0 && t < 1)) continue;
+      const double distance = (arm - t * chord).norm(), width = length * 4 * t * (1 - t);
+      if (!(width > begins * distance)) continue;
+      const double size = std::hypot(1 - t, t), a = (1 - t) / size, b = t / size;
+      Tie tie;
+      tie.end = {times(a, frames.ends[2 * h]), times(b, frames.ends[2 * h + 1])};
+      tie.weight = 2 * corner_weight * strength(distance * longest > width ? width / distance : longest) *
+                   std::min(pull[v], pull[w]) / (length * length);
+      tie.vertex = {v, w, v, w};
+      tie.factor = {-(a - b) / 3, (a - b) / 3, 0, 0};
+      add(tie, v, w);
+    }
+  }
+}
+
+void CurveTies::add_diagonal(Index v, Index first, Eigen::MatrixXd& block) const {
+  if (empty()) return;
+  for (const Seen& seen : seen_[v]) {
+    const TangentCoefficients& end = ties_[seen.tie].end[seen.own];
+    for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t b = 0; b < 2; ++b)
+        if (end.basis[a] != no_index && end.basis[b] != no_index)
+          block(end.basis[a] - first, end.basis[b] - first) += ties_[seen.tie].weight * end.c[a] * end.c[b];
+  }
+}
+
+void CurveTies::add_product(Index v, const std::vector<Vector3>& x, std::vector<Vector3>& y) const {
+  if (empty()) return;
+  for (const Seen& seen : seen_[v]) {
+    const Tie& tie = ties_[seen.tie];
+    add_image(tie.end[seen.own], tie.weight * (image(tie.end[0], x) + image(tie.end[1], x)), y);
+  }
+}
+
+void CurveTies::add_right_side(std::span<const Index> vertices, std::span<const Vector3> positions,
+                               std::vector<Vector3>& b) const {
+  if (empty()) return;
+  for (const Index v : vertices)
+    for (const Seen& seen : seen_[v]) {
+      const Tie& tie = ties_[seen.tie];
+      // Relative to the vertex, so that nothing is lost far from the origin: the factors add up to zero.
+      Vector3 goal = Vector3::Zero();
+      for (std::size_t i = 0; i < tie.vertex.size(); ++i)
+        goal += tie.factor[i] * (positions[tie.vertex[i]] - positions[v]);
+      add_image(tie.end[seen.own], tie.weight * goal, b);
+    }
+}
+
+}  // namespace hariko
