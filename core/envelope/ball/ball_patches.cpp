@@ -34,8 +34,8 @@ Vector3 arc_tangent(const Vector3& chord, const Vector3& normal) {
   return stretch * flat;
 }
 
-Ribbon ribbon_between(const SplineField& field, const Vector3& a, const LevelCurvature& at_a, const Vector3& b,
-                      const LevelCurvature& at_b) {
+Ribbon ribbon_between(const SplineField& field, const Vector3& a, const LevelCurvature& at_a,
+                      const Vector3& b, const LevelCurvature& at_b) {
   const Vector3 chord = b - a, ta = arc_tangent(chord, at_a.normal), tb = arc_tangent(chord, at_b.normal);
   Ribbon out;
   out.curve = {a,
