@@ -12,8 +12,9 @@ namespace {
 constexpr double tolerance_share = 0.1;  ///< of sigma
 constexpr double sample_margin = 0.9;    ///< of the tolerance: patches may be farther off between samples
 constexpr double cube_share = 2;         ///< of sigma: of cubes that are all of one size
-constexpr int most_cuts = 3, most_rounds = 3, drag_rounds = 1;
-constexpr double least_agreement = 0.77;  ///< cosine of 40 degrees
+constexpr int most_cuts = 3, final_rounds = 3, drag_rounds = 1;
+constexpr int fit_intervals = 8, drag_intervals = 4;  ///< between samples along a side of a patch
+constexpr double least_agreement = 0.77;              ///< cosine of 40 degrees
 constexpr double largest_turn =
     2.2;  ///< radians: a quad over which the surface turns more misses a part of it
 /// Share of the largest turn: a patch that turns as much along its other way too is halved both ways.
@@ -38,8 +39,8 @@ struct Fitted {
   std::size_t coarse = 0;  ///< patches that do not fit
   int rounds = 0;          ///< in which quads or cubes were halved
 
-  Fitted(const SplineField& field, BallCage of, double tolerance)
-      : cage(std::move(of)), patches(ball_patches(field, cage)), fits(patch_fits(field, patches)) {
+  Fitted(const SplineField& field, BallCage of, double tolerance, int intervals)
+      : cage(std::move(of)), patches(ball_patches(field, cage)), fits(patch_fits(field, patches, intervals)) {
     for (const PatchFit& fit : fits) coarse += !is_good(fit, tolerance);
   }
   double turn() const {
@@ -51,21 +52,24 @@ struct Fitted {
 
 class Fitting {
  public:
-  Fitting(const SplineField& field, const Vector3& origin, double sigma, const CancelToken& cancel)
+  Fitting(const SplineField& field, const Vector3& origin, double sigma, Quality quality,
+          const CancelToken& cancel)
       : field_(field),
         origin_(origin),
         edge_(cube_share * sigma),
         tolerance_(tolerance_share * sigma),
+        intervals_(quality == Quality::drag ? drag_intervals : fit_intervals),
+        most_rounds_(quality == Quality::drag ? drag_rounds : final_rounds),
         cancel_(cancel) {}
 
   /// Over cubes of one size first, which take the fewest patches; over cubes of several sizes where these
   /// would miss something, or do not fit.
-  std::optional<Fitted> run(int rounds) const {
+  std::optional<Fitted> run() const {
     std::optional<Fitted> best;
     if (CubeTree cubes = surface_cubes(field_, origin_, edge_); !cubes.any_split())
       best = cut_where_needed(over(cubes));
     if (!best || best->coarse > 0) {
-      Fitted halved = halved_where_needed(rounds);
+      Fitted halved = halved_where_needed();
       if (!best || halved.coarse < best->coarse) best = std::move(halved);
     }
     if (best->cage.quads.empty()) return {};
@@ -73,7 +77,7 @@ class Fitting {
   }
 
  private:
-  Fitted over(CubeTree& cubes) const { return {field_, ball_cage(field_, cubes), tolerance_}; }
+  Fitted over(CubeTree& cubes) const { return {field_, ball_cage(field_, cubes), tolerance_, intervals_}; }
 
   /// Halves the patches that do not fit, as long as that helps.
   Fitted cut_where_needed(Fitted of) const {
@@ -81,7 +85,7 @@ class Fitting {
       std::vector<QuadCuts> cuts;
       for (const PatchFit& fit : of.fits)
         cuts.push_back(is_good(fit, tolerance_) ? QuadCuts{false, false} : cuts_of(fit));
-      Fitted next(field_, cut_cage(field_, of.cage, of.patches, cuts, 0.25 * edge_), tolerance_);
+      Fitted next(field_, cut_cage(field_, of.cage, of.patches, cuts, 0.25 * edge_), tolerance_, intervals_);
       if (next.coarse >= 2 * of.coarse) break;
       next.rounds = of.rounds + 1;
       of = std::move(next);
@@ -91,10 +95,10 @@ class Fitting {
 
   /// Halves the cubes below patches that do not fit, as long as there are any and halves left. Of larger
   /// cubes, as sides of patches are half as long as theirs.
-  Fitted halved_where_needed(int rounds) const {
+  Fitted halved_where_needed() const {
     CubeTree cubes = surface_cubes(field_, origin_, 2 * edge_);
     Fitted last = over(cubes), best = last;
-    for (int round = 1; round <= rounds && last.coarse > 0 && !cancel_.cancelled(); ++round) {
+    for (int round = 1; round <= most_rounds_ && last.coarse > 0 && !cancel_.cancelled(); ++round) {
       bool any = false;
       for (std::size_t q = 0; q < last.fits.size(); ++q) {
         const Cube& cube = last.cage.cubes[q];
@@ -113,6 +117,7 @@ class Fitting {
   const SplineField& field_;
   const Vector3& origin_;
   double edge_, tolerance_;
+  int intervals_, most_rounds_;
   const CancelToken& cancel_;
 };
 
@@ -139,8 +144,7 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
   request.mirror = mirror;
   out.field = smoothed_closing(request, &out.lattice, cancel);
   if (cancel.cancelled()) return {};
-  std::optional<Fitted> made =
-      Fitting(out.field, origin, settings.sigma, cancel).run(drag ? drag_rounds : most_rounds);
+  std::optional<Fitted> made = Fitting(out.field, origin, settings.sigma, quality, cancel).run();
   if (cancel.cancelled() || !made) return {};
   out.cage = std::move(made->cage);
   out.topology = topology_of(out.cage);
