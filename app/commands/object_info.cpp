@@ -77,7 +77,7 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
   out.enclosed = made.enclosed;
   out.folds = made.folds;
   out.coarse = made.coarse;
-  out.cuts = made.cuts;
+  out.rounds = made.rounds;
   if (made.check) {
     out.worst = made.check->worst / made.diagonal;
     out.tested = made.check->tested;

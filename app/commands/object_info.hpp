@@ -28,7 +28,7 @@ struct EnvelopeInfo {
   std::size_t folds = 0;
   std::size_t crossing = 0;  ///< patches inside of another part of the surface
   std::size_t coarse = 0;    ///< patches of the ball that miss its shape
-  int cuts = 0;              ///< rounds in which patches of the ball were halved
+  int rounds = 0;            ///< in which cubes below patches of the ball were halved
 };
 
 /// Of skins: the control mesh and how near the surface is to the sections.

@@ -72,7 +72,7 @@ InfoMembers members_of(const EnvelopeInfo& envelope) {
       {"solids", envelope.solids}, {"method", envelope.method},     {"enclosed", envelope.enclosed},
       {"worst", envelope.worst},   {"tested", envelope.tested},     {"outside", envelope.outside},
       {"folds", envelope.folds},   {"crossing", envelope.crossing}, {"coarse", envelope.coarse},
-      {"cuts", envelope.cuts},     {"symmetry", envelope.symmetry}};
+      {"rounds", envelope.rounds}, {"symmetry", envelope.symmetry}};
   if (envelope.symmetry != "none") {
     out.push_back({"images", envelope.images});
     out.push_back({"symmetric", envelope.symmetric});

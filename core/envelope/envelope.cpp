@@ -131,7 +131,7 @@ Result<Done> make_ball(const EnvelopedScene& scene, Quality quality, const Cance
   out.tunnels = made->topology.tunnels;
   out.folds = made->folds;
   out.coarse = made->coarse;
-  out.cuts = made->cuts;
+  out.rounds = made->rounds;
   out.symmetric = scene.mirror.has_value();
   // Patches that are as near to the shape as that lie outside of the solids (docs/envelope.md).
   out.enclosed = made->inward <= made->tolerance;

@@ -40,7 +40,7 @@ struct EnvelopeSurface {
       check;               ///< of the final network, and of a final ball whose patches miss its shape
   std::size_t folds = 0;   ///< patches with a fold
   std::size_t coarse = 0;  ///< patches of the ball that miss its shape
-  int cuts = 0;            ///< rounds in which patches of the ball were halved
+  int rounds = 0;          ///< in which cubes below patches of the ball were halved
   bool symmetric = false;  ///< in the plane of the settings
   std::vector<Message> warnings;
 };

@@ -352,6 +352,30 @@ TEST(BallEnvelopes, ContainRandomScenes) {
   }
 }
 
+TEST(BallEnvelopes, NothingSmallIsMissed) {
+  // Smaller than the cubes, wherever these lie, and far from what is large; and a needle, which stays whole.
+  std::mt19937_64 rng(14);
+  for (int k = 0; k < 6; ++k) {
+    EnvelopeInput input{{box_of_size({1, 1, 1})}, {}};
+    Solid small = solid_of(k % 2 == 0 ? SolidKind::sphere : SolidKind::capsule);
+    small.radius = 0.005;
+    small.length = 0.8;
+    small.position = 2 * random_vector(rng).normalized();
+    small.rotation = random_vector(rng, 180);
+    small.id = 1;
+    input.solids.push_back(small);
+    choose_ball(input);
+    input.settings.ball_radius = 3 * input.settings.rounding;
+    const EnvelopeSurface made = envelope_of(input);
+    EXPECT_EQ(made.components, 2) << k;
+    EXPECT_TRUE(made.enclosed) << k;
+    std::vector<SolidShape> shapes;
+    for (const Solid& solid : input.solids) shapes.emplace_back(solid, made.origin);
+    const double size = solids_size(input.solids);
+    EXPECT_EQ(check_enclosure(made.surface, shapes, {.spacing = 0.02 * size}, 1e-4 * size).outside, 0U) << k;
+  }
+}
+
 TEST(BallEnvelopes, AreTheSameAtEverySizeAndPlace) {
   EnvelopeInput input = golden_scene("ell");
   choose_ball(input);

@@ -1,5 +1,5 @@
 // One solid is dragged in a thousand steps through the others: what the screen shows between two frames. The
-// short version does the steps in the middle, where the solids meet; HARIKO_REPEAT_SCALE=40 does all.
+// short version does the steps in the middle, where the solids meet; HARIKO_REPEAT_SCALE=200 does all.
 
 #include <iostream>
 #include <numeric>
@@ -20,7 +20,7 @@ struct Frame {
 };
 
 Frame frame_of(const EnvelopeSurface& made) {
-  const GridPattern pattern{made.surface.domain(), 6};
+  const GridPattern pattern{made.surface.domain(), 3};
   std::vector<Index> all(made.surface.patch_count());
   std::iota(all.begin(), all.end(), Index{0});
   Frame out;
@@ -103,8 +103,8 @@ Statistics drag(EnvelopeInput input, int steps) {
 }  // namespace
 
 TEST(EnvelopeDrag, ASolidGoesThroughTheOthersWithoutGaps) {
-  const int steps = std::min(all_steps, repetitions(25));
-  for (const char* name : {"four_boxes", "four"}) {
+  const int steps = std::min(all_steps, repetitions(5));
+  for (const char* name : {"four"}) {
     SCOPED_TRACE(name);
     EnvelopeInput input = golden_scene(name);
     choose_ball(input);

@@ -1,8 +1,10 @@
 #include "core/envelope/ball/ball_cage.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/envelope/ball/contour.hpp"
@@ -11,63 +13,228 @@ namespace hariko {
 
 namespace {
 
+constexpr int deepest_level = 3;
+/// Cosine of the angle between normals in a cube: 0 at edges and corners of boxes, -1 of plates and needles.
+constexpr double widest_spread = -0.85;
+constexpr double near_share = 0.45;  ///< of a cube's edge: points as near to the surface are looked at
 constexpr int first_steps = 6;
 constexpr int even_rounds = 8;  ///< more of them make corners of quads blunt
 constexpr double even_share = 0.6;
+constexpr double shortest_side = 0.3;  ///< of a cube's edge: shorter sides are collapsed
 
-/// Nodes outside that are not reached from the grid's rim become inside.
-void fill_hollows(FlagGrid& grid) {
-  const auto size = grid.size();
-  std::vector<char> reached(grid.inside.size(), 0);
-  std::vector<std::array<int, 3>> open{{0, 0, 0}};
-  reached[0] = 1;
-  while (!open.empty()) {
-    const std::array<int, 3> n = open.back();
-    open.pop_back();
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const int by : {-1, 1}) {
-        std::array<int, 3> m = n;
-        m[axis] += by;
-        if (m[axis] < 0 || m[axis] >= size[axis]) continue;
-        const std::size_t at = grid.index(m[0], m[1], m[2]);
-        if (reached[at] || grid.inside[at]) continue;
-        reached[at] = 1;
-        open.push_back(m);
-      }
+/// Halves cubes in which the surface's normals spread too widely for one vertex.
+class CubeSplitter {
+ public:
+  CubeSplitter(const SplineField& field, CubeTree& cubes) : field_(field), cubes_(cubes) {}
+
+  void look_at(const Cube& cube) {
+    if (cube.level >= cubes_.depth()) return;
+    const double edge = cubes_.edge(cube.level);
+    const int steps = cubes_.steps(cube.level);
+    const std::array<int, 3> low{cube.at[0] * steps, cube.at[1] * steps, cube.at[2] * steps};
+    const Vector3 corner = cubes_.point(low);
+    const double middle = field_.value(corner + Vector3::Constant(0.5 * edge));
+    if (std::abs(middle) > std::sqrt(3.0) * 0.5 * edge) return;
+    if (!spreads(corner, edge)) return;
+    cubes_.split(cube);
+    for (int c = 0; c < 8; ++c)
+      look_at({cube.level + 1,
+               {2 * cube.at[0] + (c & 1), 2 * cube.at[1] + (c >> 1 & 1), 2 * cube.at[2] + (c >> 2)}});
   }
-  for (std::size_t i = 0; i < reached.size(); ++i) grid.inside[i] = !reached[i];
-}
 
-struct FlaggedField {
-  FlagGrid grid;
-  std::vector<double> values;
+ private:
+  bool spreads(const Vector3& corner, double edge) {
+    normals_.clear();
+    for (int c = 0; c < 27; ++c) {
+      const Vector3 p = corner + 0.5 * edge * Vector3(c % 3, c / 3 % 3, c / 9);
+      if (std::abs(field_.value(p)) > near_share * edge) continue;
+      const Vector3 normal = field_.at(p).gradient.stableNormalized();
+      for (const Vector3& other : normals_)
+        if (normal.dot(other) < widest_spread) return true;
+      normals_.push_back(normal);
+    }
+    return false;
+  }
+
+  const SplineField& field_;
+  CubeTree& cubes_;
+  std::vector<Vector3> normals_;
 };
 
-FlaggedField flagged(const SplineField& field, const Vector3& origin, double cell) {
-  FlaggedField out;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto axis = Eigen::Index(a);
-    const double low = field.corner()[axis] + origin[axis] + field.spacing();
-    const double high = low + (field.size()[a] - 3) * field.spacing();
-    for (double k = std::ceil(low / cell); k <= std::floor(high / cell); ++k)
-      out.grid.planes[a].push_back(k * cell - origin[axis]);
+/// Faces round each vertex, while sides are collapsed.
+class SideCollapse {
+ public:
+  SideCollapse(Contour& mesh, std::vector<double> sizes) : mesh_(mesh), sizes_(std::move(sizes)) {
+    faces_.resize(mesh.vertices.size());
+    for (Index f = 0; f < mesh.faces.size(); ++f)
+      for (const Index v : mesh.faces[f])
+        if (v != no_index) faces_[v].push_back(f);
   }
-  const auto size = out.grid.size();
-  for (int k = 0; k < size[2]; ++k)
-    for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i) {
-        const double value = field.value(out.grid.point(i, j, k));
-        const bool rim =
-            i == 0 || j == 0 || k == 0 || i + 1 == size[0] || j + 1 == size[1] || k + 1 == size[2];
-        out.values.push_back(value);
-        out.grid.inside.push_back(value < 0 && !rim);
+
+  /// Short sides that are the shortest at both ends, with no other short one across a face: what becomes of
+  /// them does not depend on the order.
+  void run() {
+    std::vector<std::array<Index, 2>> chosen;
+    for (const auto& face : mesh_.faces)
+      for (std::size_t i = 0; i < 4 && face[3] != no_index; ++i)
+        if (const Index a = face[i], b = face[(i + 1) % 4]; a < b && is_lonely(a, b))
+          chosen.push_back({a, b});
+    for (const auto& [a, b] : chosen) collapse(a, b);
+  }
+
+ private:
+  std::vector<Index> neighbours(Index v) const {
+    std::vector<Index> out;
+    for (const Index f : faces_[v]) {
+      const auto& face = mesh_.faces[f];
+      const std::size_t n = face[3] == no_index ? 3 : 4;
+      const auto at = std::size_t(std::ranges::find(face, v) - face.begin());
+      out.push_back(face[(at + 1) % n]);
+    }
+    return out;
+  }
+
+  double length(Index a, Index b) const {
+    return (mesh_.vertices[a].position - mesh_.vertices[b].position).norm();
+  }
+  bool is_short(Index a, Index b) const {
+    return length(a, b) < shortest_side * std::min(sizes_[a], sizes_[b]);
+  }
+  bool is_lonely(Index a, Index b) const {
+    if (!is_short(a, b)) return false;
+    constexpr double clearly = 1 + 1e-6;
+    for (const auto& [v, other] : {std::pair{a, b}, {b, a}})
+      for (const Index next : neighbours(v))
+        if (next != other && length(v, next) < clearly * length(a, b)) return false;
+    return std::ranges::all_of(faces_[a], [&](Index f) {
+      const auto& face = mesh_.faces[f];
+      for (std::size_t i = 0; i < 4 && face[3] != no_index; ++i) {
+        const Index from = face[i], to = face[(i + 1) % 4];
+        if (!((from == a && to == b) || (from == b && to == a))) continue;
+        return !is_short(face[(i + 2) % 4], face[(i + 3) % 4]);
       }
-  fill_hollows(out.grid);
+      return true;
+    });
+  }
+
+  /// Quads at the side become triangles, triangles go; nothing where the mesh would not stay what it is.
+  void collapse(Index a, Index b) {
+    std::vector<Index> quads, triangles, tips;
+    for (const Index f : faces_[a]) {
+      const auto& face = mesh_.faces[f];
+      if (std::ranges::find(face, b) == face.end()) continue;
+      if (face[3] != no_index) {
+        quads.push_back(f);
+        continue;
+      }
+      triangles.push_back(f);
+      for (const Index v : std::span(face).first(3))
+        if (v != a && v != b) tips.push_back(v);
+    }
+    std::vector<Index> of_a = neighbours(a), of_b = neighbours(b), both;
+    for (std::vector<Index>* some : {&of_a, &of_b, &tips}) std::ranges::sort(*some);
+    std::ranges::set_intersection(of_a, of_b, std::back_inserter(both));
+    const std::size_t left = of_a.size() + of_b.size() - 2 - triangles.size();
+    if (quads.size() + triangles.size() != 2 || both != tips || left < 3 || left > 6) return;
+    if (std::ranges::any_of(tips, [&](Index v) { return faces_[v].size() < 4; })) return;
+    mesh_.vertices[a].position = 0.5 * (mesh_.vertices[a].position + mesh_.vertices[b].position);
+    for (const Index f : triangles) {
+      for (const Index v : std::span(mesh_.faces[f]).first(3)) std::erase(faces_[v], f);
+      mesh_.faces[f].fill(no_index);
+    }
+    for (const Index f : quads) {
+      auto& face = mesh_.faces[f];
+      std::erase(faces_[b], f);
+      const auto gone = std::ranges::find(face, b);
+      std::rotate(gone, gone + 1, face.end());
+      face[3] = no_index;
+    }
+    for (const Index f : faces_[b]) {
+      std::ranges::replace(mesh_.faces[f], b, a);
+      faces_[a].push_back(f);
+    }
+    faces_[b].clear();
+  }
+
+  Contour& mesh_;
+  std::vector<double> sizes_;
+  std::vector<std::vector<Index>> faces_;
+};
+
+/// A vertex of two faces says that its cube has too few halves for what is in it.
+Contour whole_contour(const SplineField& field, CubeTree& cubes) {
+  for (;;) {
+    Contour mesh = contour(cubes, field);
+    bool whole = true;
+    for (const ContourVertex& vertex : mesh.vertices)
+      if (vertex.faces < 3 && vertex.cube.level < cubes.depth()) {
+        whole = false;
+        cubes.split(vertex.cube);
+      }
+    if (whole) return mesh;
+  }
+}
+
+/// Parts of the mesh that look inwards bound hollows.
+void drop_hollows(Contour& mesh) {
+  DisjointSets parts(mesh.vertices.size());
+  for (const auto& face : mesh.faces)
+    for (std::size_t i = 1; i < 4 && face[i] != no_index; ++i) parts.join(face[0], face[i]);
+  std::vector<double> volume(mesh.vertices.size(), 0);
+  const auto at = [&](Index v) -> const Vector3& { return mesh.vertices[v].position; };
+  for (const auto& face : mesh.faces)
+    for (std::size_t i = 2; i < 4 && face[i] != no_index; ++i)
+      volume[parts.find(face[0])] += at(face[0]).dot(at(face[i - 1]).cross(at(face[i])));
+  std::erase_if(mesh.faces, [&](const auto& face) { return volume[parts.find(face[0])] < 0; });
+}
+
+BallCage as_it_is(const Contour& mesh) {
+  BallCage out;
+  out.quads = mesh.faces;
+  for (const auto& quad : mesh.faces) out.cubes.push_back(mesh.vertices[quad[0]].cube);
+  for (const ContourVertex& vertex : mesh.vertices) out.positions.push_back(vertex.position);
+  return out;
+}
+
+/// Every face becomes a star of quads about its middle.
+BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour& mesh,
+                 std::vector<double>& sizes) {
+  BallCage out;
+  std::vector<Index> number(mesh.vertices.size(), no_index);
+  std::map<std::pair<Index, Index>, Index> middles;
+  const auto add = [&](const Vector3& p, double size) {
+    out.positions.push_back(projected(field, p, first_steps, 0.5 * size));
+    sizes.push_back(size);
+    return Index(out.positions.size() - 1);
+  };
+  for (const auto& face : mesh.faces) {
+    const std::size_t n = face[3] == no_index ? 3 : 4;
+    std::array<Index, 4> corners{}, sides{};
+    Vector3 sum = Vector3::Zero();
+    double size = 1e300;
+    for (std::size_t i = 0; i < n; ++i) {
+      const ContourVertex &a = mesh.vertices[face[i]], &b = mesh.vertices[face[(i + 1) % n]];
+      const double own = cubes.edge(a.cube.level), other = cubes.edge(b.cube.level);
+      size = std::min(size, own);
+      sum += a.position / double(n);
+      if (number[face[i]] == no_index) number[face[i]] = add(a.position, own);
+      corners[i] = number[face[i]];
+      const auto ends = std::minmax(face[i], face[(i + 1) % n]);
+      const auto [found, fresh] = middles.try_emplace({ends.first, ends.second}, no_index);
+      if (fresh) found->second = add(0.5 * (a.position + b.position), std::min(own, other));
+      sides[i] = found->second;
+    }
+    const Index middle = add(sum, size);
+    for (std::size_t i = 0; i < n; ++i) {
+      out.quads.push_back({corners[i], sides[i], middle, sides[(i + n - 1) % n]});
+      out.cubes.push_back(mesh.vertices[face[i]].cube);
+    }
+  }
   return out;
 }
 
 /// Moves vertices along the surface towards where the quads about them are parallelograms.
-void make_even(const SplineField& field, BallCage& cage) {
+void make_even(const SplineField& field, std::span<const double> sizes, BallCage& cage) {
   std::vector<Vector3> sum(cage.positions.size());
   std::vector<int> count(cage.positions.size());
   for (int round = 0; round < even_rounds; ++round) {
@@ -85,37 +252,52 @@ void make_even(const SplineField& field, BallCage& cage) {
       Vector3 move = sum[v] / count[v] - cage.positions[v];
       const Vector3 normal = field.at(cage.positions[v]).gradient.stableNormalized();
       move -= move.dot(normal) * normal;
-      cage.positions[v] = projected(field, cage.positions[v] + even_share * move, 2, 0.5 * cage.cell);
+      cage.positions[v] = projected(field, cage.positions[v] + even_share * move, 2, 0.25 * sizes[v]);
     }
   }
 }
 
 }  // namespace
 
-BallCage ball_cage(const SplineField& field, const Vector3& origin, double cell) {
-  const FlaggedField flags = flagged(field, origin, cell);
-  const FlagGrid& grid = flags.grid;
-  const Contour found = contour(grid, [&](const Vector3& p) { return field.value(p) < 0; });
-  BallCage out;
-  out.cell = cell;
-  out.quads = found.quads;
-  for (const ContourVertex& vertex : found.vertices) {
-    Vector3 sum = Vector3::Zero();
-    for (const auto& [i, j, k, axis] : vertex.crossings) {
-      std::array<int, 3> m{i, j, k};
-      ++m[std::size_t(axis)];
-      const double f = flags.values[grid.index(i, j, k)], g = flags.values[grid.index(m[0], m[1], m[2])];
-      const double share = f == g ? 0.5 : std::clamp(f / (f - g), 0.0, 1.0);
-      sum += grid.point(i, j, k) + share * (grid.point(m[0], m[1], m[2]) - grid.point(i, j, k));
-    }
-    out.positions.push_back(projected(field, sum / double(vertex.crossings.size()), first_steps, 0.5 * cell));
+CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge) {
+  Vector3 low;
+  std::array<int, 3> size{};
+  for (Eigen::Index a = 0; a < 3; ++a) {
+    const double begin = field.corner()[a] + origin[a],
+                 end = begin + (field.size()[std::size_t(a)] - 1) * field.spacing();
+    low[a] = std::floor(begin / edge) * edge - origin[a];
+    size[std::size_t(a)] = int(std::ceil(end / edge) - std::floor(begin / edge));
   }
-  make_even(field, out);
+  CubeTree out(low, size, edge, deepest_level);
+  CubeSplitter splitter(field, out);
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i) splitter.look_at({0, {i, j, k}});
+  return out;
+}
+
+BallCage ball_cage(const SplineField& field, CubeTree& cubes) {
+  Contour mesh = whole_contour(field, cubes);
+  std::vector<double> sizes;
+  for (ContourVertex& vertex : mesh.vertices) {
+    sizes.push_back(cubes.edge(vertex.cube.level));
+    vertex.position = projected(field, vertex.position, first_steps, 0.5 * sizes.back());
+  }
+  drop_hollows(mesh);
+  BallCage out;
+  if (cubes.any_split()) {
+    SideCollapse(mesh, std::move(sizes)).run();
+    sizes.clear();
+    out = starred(field, cubes, mesh, sizes);
+  } else {
+    out = as_it_is(mesh);
+  }
+  make_even(field, sizes, out);
   return out;
 }
 
 BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
-                  std::span<const QuadCuts> cuts) {
+                  std::span<const QuadCuts> cuts, double longest) {
   // Sides are numbered; those that face each other across a quad are cut together.
   std::map<std::pair<Index, Index>, Index> sides;
   std::vector<std::array<Index, 4>> of_quad;
@@ -137,11 +319,12 @@ BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<cons
 
   BallCage out = cage;
   out.quads.clear();
+  out.cubes.clear();
   std::vector<Index> middle(sides.size(), no_index);
   // New vertices lie on the patches, which are nearer to the surface than chords: those may cross thin parts.
   const auto add_vertex = [&](std::size_t q, double u, double v) {
     out.positions.push_back(
-        projected(field, evaluate(patches[q], Vector2(u, v), Order::first).position, 3, 0.25 * cage.cell));
+        projected(field, evaluate(patches[q], Vector2(u, v), Order::first).position, 3, longest));
     return Index(out.positions.size() - 1);
   };
   for (std::size_t q = 0; q < cage.quads.size(); ++q)
@@ -166,6 +349,7 @@ BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<cons
     } else {
       out.quads.push_back(cage.quads[q]);
     }
+    out.cubes.resize(out.quads.size(), cage.cubes[q]);
   }
   return out;
 }

@@ -11,17 +11,16 @@ namespace {
 
 constexpr double tolerance_share = 0.1;  ///< of sigma
 constexpr double sample_margin = 0.9;    ///< of the tolerance: patches may be farther off between samples
-constexpr double cell_share = 2;         ///< of sigma
-constexpr double finer = 0.8;            ///< from one size of cells to the next
-constexpr int most_sizes = 5, drag_sizes = 2;
-constexpr int most_cuts = 3;
-constexpr double least_agreement = 0.77;  ///< cosine of 40 degrees
+constexpr double cube_share = 2;         ///< of sigma: of cubes that are all of one size
+constexpr int most_cuts = 3, final_rounds = 3, drag_rounds = 1;
+constexpr int fit_intervals = 8, drag_intervals = 4;  ///< between samples along a side of a patch
+constexpr double least_agreement = 0.77;              ///< cosine of 40 degrees
 constexpr double largest_turn =
     2.2;  ///< radians: a quad over which the surface turns more misses a part of it
 /// Share of the largest turn: a patch that turns as much along its other way too is halved both ways.
 constexpr double even_turn = 0.6;
 
-bool fits(const PatchFit& fit, double tolerance) {
+bool is_good(const PatchFit& fit, double tolerance) {
   return std::max(fit.outward, fit.inward) <= sample_margin * tolerance &&
          fit.least_agreement >= least_agreement;
 }
@@ -32,17 +31,17 @@ QuadCuts cuts_of(const PatchFit& fit) {
   return {fit.turn[0] >= even_turn * most, fit.turn[1] >= even_turn * most};
 }
 
+/// Patches over a cage, and how well they fit.
 struct Fitted {
   BallCage cage;
   std::vector<HermitePatch> patches;
   std::vector<PatchFit> fits;
   std::size_t coarse = 0;  ///< patches that do not fit
-  int cuts = 0;
+  int rounds = 0;          ///< in which quads or cubes were halved
 
-  Fitted(const SplineField& field, BallCage of, double tolerance)
-      : cage(std::move(of)), patches(ball_patches(field, cage)), fits(patch_fits(field, patches)) {
-    coarse = std::size_t(
-        std::ranges::count_if(fits, [&](const PatchFit& f) { return !hariko::fits(f, tolerance); }));
+  Fitted(const SplineField& field, BallCage of, double tolerance, int intervals)
+      : cage(std::move(of)), patches(ball_patches(field, cage)), fits(patch_fits(field, patches, intervals)) {
+    for (const PatchFit& fit : fits) coarse += !is_good(fit, tolerance);
   }
   double turn() const {
     double out = 0;
@@ -51,35 +50,76 @@ struct Fitted {
   }
 };
 
-/// Halves the patches that do not fit, as long as that helps.
-Fitted cut_where_needed(const SplineField& field, Fitted of, double tolerance) {
-  while (of.coarse > 0 && of.cuts < most_cuts && of.turn() <= largest_turn) {
-    std::vector<QuadCuts> cuts;
-    for (const PatchFit& fit : of.fits)
-      cuts.push_back(fits(fit, tolerance) ? QuadCuts{false, false} : cuts_of(fit));
-    Fitted next(field, cut_cage(field, of.cage, of.patches, cuts), tolerance);
-    if (next.coarse >= 2 * of.coarse) break;
-    next.cuts = of.cuts + 1;
-    of = std::move(next);
-  }
-  return of;
-}
+class Fitting {
+ public:
+  Fitting(const SplineField& field, const Vector3& origin, double sigma, Quality quality,
+          const CancelToken& cancel)
+      : field_(field),
+        origin_(origin),
+        edge_(cube_share * sigma),
+        tolerance_(tolerance_share * sigma),
+        intervals_(quality == Quality::drag ? drag_intervals : fit_intervals),
+        most_rounds_(quality == Quality::drag ? drag_rounds : final_rounds),
+        cancel_(cancel) {}
 
-/// The largest cells with which all patches fit, or the best there is.
-std::optional<Fitted> fitted(const SplineField& field, const Vector3& origin, double sigma, int sizes,
-                             const CancelToken& cancel) {
-  std::optional<Fitted> best;
-  double cell = cell_share * sigma;
-  for (int size = 0; size < sizes && !cancel.cancelled(); ++size, cell *= finer) {
-    BallCage cage = ball_cage(field, origin, cell);
-    if (cage.quads.empty()) continue;
-    Fitted one = cut_where_needed(field, Fitted(field, std::move(cage), tolerance_share * sigma),
-                                  tolerance_share * sigma);
-    if (!best || one.coarse < best->coarse) best = std::move(one);
-    if (best->coarse == 0) break;
+  /// Over cubes of one size first, which take the fewest patches; over cubes of several sizes where these
+  /// would miss something, or do not fit.
+  std::optional<Fitted> run() const {
+    std::optional<Fitted> best;
+    if (CubeTree cubes = surface_cubes(field_, origin_, edge_); !cubes.any_split())
+      best = cut_where_needed(over(cubes));
+    if (!best || best->coarse > 0) {
+      Fitted halved = halved_where_needed();
+      if (!best || halved.coarse < best->coarse) best = std::move(halved);
+    }
+    if (best->cage.quads.empty()) return {};
+    return best;
   }
-  return best;
-}
+
+ private:
+  Fitted over(CubeTree& cubes) const { return {field_, ball_cage(field_, cubes), tolerance_, intervals_}; }
+
+  /// Halves the patches that do not fit, as long as that helps.
+  Fitted cut_where_needed(Fitted of) const {
+    while (of.coarse > 0 && of.rounds < most_cuts && of.turn() <= largest_turn && !cancel_.cancelled()) {
+      std::vector<QuadCuts> cuts;
+      for (const PatchFit& fit : of.fits)
+        cuts.push_back(is_good(fit, tolerance_) ? QuadCuts{false, false} : cuts_of(fit));
+      Fitted next(field_, cut_cage(field_, of.cage, of.patches, cuts, 0.25 * edge_), tolerance_, intervals_);
+      if (next.coarse >= 2 * of.coarse) break;
+      next.rounds = of.rounds + 1;
+      of = std::move(next);
+    }
+    return of;
+  }
+
+  /// Halves the cubes below patches that do not fit, as long as there are any and halves left. Of larger
+  /// cubes, as sides of patches are half as long as theirs.
+  Fitted halved_where_needed() const {
+    CubeTree cubes = surface_cubes(field_, origin_, 2 * edge_);
+    Fitted last = over(cubes), best = last;
+    for (int round = 1; round <= most_rounds_ && last.coarse > 0 && !cancel_.cancelled(); ++round) {
+      bool any = false;
+      for (std::size_t q = 0; q < last.fits.size(); ++q) {
+        const Cube& cube = last.cage.cubes[q];
+        if (is_good(last.fits[q], tolerance_) || cube.level >= cubes.depth()) continue;
+        any = true;
+        cubes.split(cube);
+      }
+      if (!any) break;
+      last = over(cubes);
+      last.rounds = round;
+      if (last.coarse < best.coarse) best = last;
+    }
+    return best;
+  }
+
+  const SplineField& field_;
+  const Vector3& origin_;
+  double edge_, tolerance_;
+  int intervals_, most_rounds_;
+  const CancelToken& cancel_;
+};
 
 }  // namespace
 
@@ -104,12 +144,11 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
   request.mirror = mirror;
   out.field = smoothed_closing(request, &out.lattice, cancel);
   if (cancel.cancelled()) return {};
-  std::optional<Fitted> made =
-      fitted(out.field, origin, settings.sigma, drag ? drag_sizes : most_sizes, cancel);
+  std::optional<Fitted> made = Fitting(out.field, origin, settings.sigma, quality, cancel).run();
   if (cancel.cancelled() || !made) return {};
   out.cage = std::move(made->cage);
   out.topology = topology_of(out.cage);
-  out.cuts = made->cuts;
+  out.rounds = made->rounds;
   out.coarse = made->coarse;
   for (const PatchFit& fit : made->fits) {
     out.outward = std::max(out.outward, fit.outward);

@@ -28,7 +28,7 @@ struct BallEnvelope {
   std::size_t folds = 0;           ///< patches with normals that look away from the field's
   std::size_t coarse = 0;          ///< patches that are farther from it than `tolerance`
   double tolerance = 0;            ///< length that every solid lies below the field's zero at least
-  int cuts = 0;                    ///< rounds in which patches were halved
+  int rounds = 0;                  ///< in which cubes were halved
   LatticeReport lattice;
 };
 

@@ -81,13 +81,19 @@ class Lattice {
 
   std::span<const Index> among() const { return request_.solids.all(); }
 
-  void evaluate(std::size_t at, const std::array<int, 3>& n) {
-    nodes_[at] = closing_.at(point(n), among());
+  void evaluate(std::size_t at, const std::array<int, 3>& n, const Vector3* start = nullptr) {
+    nodes_[at] = closing_.at(point(n), among(), start);
     state_[at] = State::known;
   }
 
   bool in_band(double low, double high) const {
     return high > deepest * request_.sigma && low < highest * request_.sigma;
+  }
+
+  /// Distance of the solids from another node's centre, less the way to it: a value for this node, too.
+  double value_from(const ClosedDistance& beside, const std::array<int, 3>& of,
+                    const std::array<int, 3>& n) const {
+    return beside.value + (beside.centre - point(of)).norm() - (beside.centre - point(n)).norm();
   }
 
   /// From the coarse nodes about it, which say in what range the value lies.
@@ -100,14 +106,17 @@ class Lattice {
       square += odd;
     }
     const double way = spacing_ * std::sqrt(square);
-    double sum = 0, low = -1e300, high = 1e300;
+    double sum = 0, low = -1e300, high = 1e300, best = -1e300;
+    const Vector3* start = nullptr;
     for (std::size_t c = 0; c < 8; ++c) {
-      const ClosedDistance& beside = nodes_[index(ends[0][c & 1], ends[1][c >> 1 & 1], ends[2][c >> 2])];
+      const std::array<int, 3> m{ends[0][c & 1], ends[1][c >> 1 & 1], ends[2][c >> 2]};
+      const ClosedDistance& beside = nodes_[index(m[0], m[1], m[2])];
       sum += beside.value / 8;
       low = std::max(low, beside.value - way);
       high = std::min(high, beside.value + way);
+      if (const double value = value_from(beside, m, n); value > best) best = value, start = &beside.centre;
     }
-    if (in_band(low, high)) return evaluate(at, n);
+    if (in_band(low, high)) return evaluate(at, n, start);
     nodes_[at].value = sum;
     state_[at] = State::between;
   }
@@ -137,10 +146,8 @@ class Lattice {
           const std::size_t other = index(i, j, k);
           if (state_[other] != State::known || other == at) continue;
           const ClosedDistance& beside = nodes_[other];
-          // Distance of that centre from the solids, less the way to it: a value for this node, too.
-          const double value =
-              beside.value + (beside.centre - point({i, j, k})).norm() - (beside.centre - x).norm();
-          if (value > best) best = value, start = &nodes_[other].centre;
+          if (const double value = value_from(beside, {i, j, k}, n); value > best)
+            best = value, start = &nodes_[other].centre;
         }
     if (start) nodes_[at] = closing_.improved(x, nodes_[at], *start, among());
   }

@@ -13,7 +13,6 @@ namespace hariko {
 
 namespace {
 
-constexpr int fit_intervals = 8;
 /// Places where curvature across a side is set right, as fractions of it.
 constexpr std::array<double, 3> bend_places{0.2, 0.5, 0.8};
 
@@ -151,9 +150,10 @@ std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage&
   return out;
 }
 
-std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches) {
+std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches,
+                                 int intervals) {
   const HermitePatchSet set({patches.begin(), patches.end()});
-  const GridPattern pattern{Domain::square, fit_intervals};
+  const GridPattern pattern{Domain::square, intervals};
   const auto count = std::size_t(pattern.point_count());
   std::vector<PatchFit> out(patches.size());
   parallel_for(patches.size(), 8, [&](std::size_t begin, std::size_t end) {
@@ -176,9 +176,9 @@ std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const Hermi
                       &b = wanted[std::size_t(pattern.index(k, l))];
         return std::atan2(a.cross(b).norm(), a.dot(b));
       };
-      for (int line = 0; line <= fit_intervals; ++line) {
+      for (int line = 0; line <= intervals; ++line) {
         double u = 0, v = 0;
-        for (int i = 0; i < fit_intervals; ++i)
+        for (int i = 0; i < intervals; ++i)
           u += angle(i, line, i + 1, line), v += angle(line, i, line, i + 1);
         fit.turn = {std::max(fit.turn[0], u), std::max(fit.turn[1], v)};
       }

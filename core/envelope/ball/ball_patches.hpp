@@ -19,7 +19,9 @@ struct PatchFit {
   double least_agreement = 1;      ///< of normals: cosine of the largest angle
   std::array<double, 2> turn{};  ///< of the surface's normal along sides 0 and 2, and along 1 and 3; radians
 };
-std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches);
+/// `intervals`: of the samples along a side.
+std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches,
+                                 int intervals = 8);
 
 /// Face k of the cage is the source of patch k.
 Surface ball_surface(const SplineField& field, const BallCage& cage, std::vector<HermitePatch> patches,

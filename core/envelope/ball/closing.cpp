@@ -21,6 +21,7 @@ constexpr int first_rounds = 8;
 constexpr std::size_t most_planes = 4;
 constexpr int most_steps = 8;
 constexpr double least_stiffness = 0.05;
+constexpr double no_value = -1e200;  ///< less than what any centre gives
 
 /// Nearest point to x outside of a few obstacles, among the points that lie on the last one.
 class NearestOutside {
@@ -216,7 +217,7 @@ struct Closing::Search {
       y = *nearest.found();
     }
     slide(y);
-    if (best.value < -1e200) lift(y);
+    if (best.value < no_value) lift(y);
     return best;
   }
 
@@ -235,7 +236,7 @@ struct Closing::Search {
       (has_room(middle) ? high : low) = middle;
     }
     // Never without a value: a ball as far away as its own radius.
-    if (best.value < -1e200)
+    if (best.value < no_value)
       best.value = std::min(room_at(x).distance, 0.0) - closing.radius_, best.centre = x;
   }
 
@@ -307,7 +308,7 @@ ClosedDistance Closing::search(const Vector3& x, const Vector3& start, std::span
   return search.run(start);
 }
 
-ClosedDistance Closing::at(const Vector3& x, std::span<const Index> among) const {
+ClosedDistance Closing::at(const Vector3& x, std::span<const Index> among, const Vector3* start) const {
   const NearestSolid nearest = solids_.nearest(x, among);
   if (nearest.distance >= radius_) return {nearest.distance, x, false};
   const SolidPlace place = solids_[nearest.solid].shape.place(x);
@@ -316,6 +317,11 @@ ClosedDistance Closing::at(const Vector3& x, std::span<const Index> among) const
     return solids_.bound(i, y) >= radius_ - accuracy_ || solids_.distance(i, y) >= radius_ - accuracy_;
   });
   if (free) return {nearest.distance, y, false};
+  if (start) {
+    Search near{*this, x, among};
+    near.slide(*start);
+    if (near.best.value > no_value) return near.best;
+  }
   return search(x, y, among);
 }
 

@@ -24,8 +24,9 @@ class Closing {
       : solids_(solids), radius_(radius), accuracy_(accuracy) {}
 
   double radius() const { return radius_; }
-  /// The closing of solids `among`, which must have all that a ball near x may touch.
-  ClosedDistance at(const Vector3& x, std::span<const Index> among) const;
+  /// The closing of solids `among`, which must have all that a ball near x may touch. `start`: the centre of
+  /// a ball near the one that is sought, which is then found by steps from there alone.
+  ClosedDistance at(const Vector3& x, std::span<const Index> among, const Vector3* start = nullptr) const;
   /// The better of `known` and what is found from another start.
   ClosedDistance improved(const Vector3& x, const ClosedDistance& known, const Vector3& start,
                           std::span<const Index> among) const;

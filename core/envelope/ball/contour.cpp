@@ -1,162 +1,274 @@
 #include "core/envelope/ball/contour.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <cmath>
+#include <unordered_map>
 
 namespace hariko {
 
 namespace {
 
-using Node = std::array<int, 3>;
-using Edge = std::array<int, 4>;  ///< lower node, axis
-using Face = std::array<int, 4>;  ///< lower node, axis of the normal
+using Node = std::array<int, 3>;  ///< in steps of the last level
+
+Node moved(Node node, int axis, int by) {
+  node[std::size_t(axis)] += by;
+  return node;
+}
+
+/// Of a node, or of what begins there along an axis, or lies across it.
+std::uint64_t key_of(const Node& node, int axis = 0) {
+  std::uint64_t out = std::uint64_t(axis);
+  for (const int x : node) out = out << 20 | std::uint64_t(x);
+  return out;
+}
+
+/// Between nodes of different signs, without a node in between.
+struct Crossing {
+  Node node;  ///< the lower one
+  int axis, length;
+  bool rises;  ///< from inside to outside, the way it was met
+};
+
+/// A square between two cubes, without a smaller one in it.
+struct Face {
+  Node node;  ///< the lowest one
+  int axis, level;
+};
 
 class Contouring {
  public:
-  Contouring(const FlagGrid& grid, const std::function<bool(const Vector3&)>& inside)
-      : grid_(grid), inside_(inside) {}
+  Contouring(const CubeTree& cubes, const SplineField& field) : cubes_(cubes), field_(field) {}
 
   Contour make() {
-    for (int round = 0; round < 8; ++round) {
+    find_cubes();
+    constexpr int most_rounds = 8;
+    for (int round = 0; round < most_rounds; ++round) {
       trace();
       if (!flip_doubled()) break;
     }
-    make_quads();
+    make_faces();
     return std::move(out_);
   }
 
  private:
-  bool flag(const Node& n) const { return grid_.inside[grid_.index(n[0], n[1], n[2])] != 0; }
-  static Node moved(Node n, int axis, int by = 1) {
-    n[std::size_t(axis)] += by;
-    return n;
+  double value(const Node& node) {
+    const auto [known, fresh] = values_.try_emplace(key_of(node), 0);
+    if (fresh) known->second = field_.value(cubes_.point(node));
+    return known->second;
   }
-  bool crossed(const Edge& e) const {
-    const Node n{e[0], e[1], e[2]};
-    return flag(n) != flag(moved(n, e[3]));
+  bool inside(const Node& node) { return value(node) < 0; }
+
+  /// Of half an edge: as far as corners, and a quarter for the slope of what is between the nodes of fields.
+  static constexpr double reach = 1.25 * 1.7320508075688772;
+
+  /// Cubes without halves that the surface may cross.
+  void find_cubes() {
+    const auto& size = cubes_.size();
+    for (int k = 0; k < size[2]; ++k)
+      for (int j = 0; j < size[1]; ++j)
+        for (int i = 0; i < size[0]; ++i) find_in({0, {i, j, k}});
+  }
+  void find_in(const Cube& cube) {
+    const int steps = cubes_.steps(cube.level);
+    const Node low{cube.at[0] * steps, cube.at[1] * steps, cube.at[2] * steps};
+    const double half = 0.5 * cubes_.edge(cube.level);
+    const Vector3 middle = cubes_.point(low) + Vector3::Constant(half);
+    if (std::abs(field_.value(middle)) > reach * half) return;
+    if (!cubes_.is_split(cube)) return leaves_.push_back(cube);
+    for (int c = 0; c < 8; ++c)
+      find_in({cube.level + 1,
+               {2 * cube.at[0] + (c & 1), 2 * cube.at[1] + (c >> 1 & 1), 2 * cube.at[2] + (c >> 2)}});
   }
 
-  /// Pairs of crossed edges of a cell's face that are joined.
-  std::vector<std::pair<Edge, Edge>> segments(const Face& face) {
-    const Node n{face[0], face[1], face[2]};
-    const int u = (face[3] + 1) % 3, v = (face[3] + 2) % 3;
-    // Round the face: u low, v high, u high, v low.
-    const Node nu = moved(n, u), nv = moved(n, v);
-    const std::array<Edge, 4> edges{Edge{n[0], n[1], n[2], u}, Edge{nu[0], nu[1], nu[2], v},
-                                    Edge{nv[0], nv[1], nv[2], u}, Edge{n[0], n[1], n[2], v}};
-    std::vector<Edge> crossings;
-    for (const Edge& e : edges)
-      if (crossed(e)) crossings.push_back(e);
-    if (crossings.size() == 2) return {{crossings[0], crossings[1]}};
-    if (crossings.size() != 4) return {};
-    // Corner n lies between edges 3 and 0. If the centre is inside, outside corners are cut off.
-    const bool cut_off_n = flag(n) != centre_inside(face);
-    if (cut_off_n) return {{edges[3], edges[0]}, {edges[1], edges[2]}};
-    return {{edges[0], edges[1]}, {edges[2], edges[3]}};
-  }
-  bool centre_inside(const Face& face) {
-    const auto [known, fresh] = decisions_.try_emplace(face, false);
-    if (fresh) {
-      const int u = (face[3] + 1) % 3, v = (face[3] + 2) % 3;
-      const Node n{face[0], face[1], face[2]}, m = moved(moved(n, u), v);
-      known->second = inside_(0.5 * (grid_.point(n[0], n[1], n[2]) + grid_.point(m[0], m[1], m[2])));
+  /// Whether a cube of this level that touches the edge has halves.
+  bool is_halved(const Node& node, int axis, int level) const {
+    const int steps = cubes_.steps(level);
+    for (int c = 0; c < 4; ++c) {
+      Node low = moved(moved(node, (axis + 1) % 3, c & 1 ? 0 : -1), (axis + 2) % 3, c & 2 ? 0 : -1);
+      const auto at = [&](std::size_t a) { return low[a] < 0 ? -1 : low[a] / steps; };
+      if (cubes_.is_split({level, {at(0), at(1), at(2)}})) return true;
     }
-    return known->second;
+    return false;
+  }
+
+  /// Where the surface crosses the rim of a face, once round.
+  std::vector<Crossing> crossings(const Face& face) {
+    const int steps = cubes_.steps(face.level), u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
+    const std::array<Node, 4> corners{face.node, moved(face.node, u, steps),
+                                      moved(moved(face.node, u, steps), v, steps),
+                                      moved(face.node, v, steps)};
+    std::vector<Crossing> out;
+    for (std::size_t side = 0; side < 4; ++side) {
+      const Node &from = corners[side], &to = corners[(side + 1) % 4], low = std::min(from, to);
+      const int axis = side % 2 == 0 ? u : v;
+      const auto add = [&](const Node& a, const Node& b, int length) {
+        if (inside(a) != inside(b)) out.push_back({std::min(a, b), axis, length, inside(a)});
+      };
+      if (face.level < cubes_.depth() && is_halved(low, axis, face.level)) {
+        const Node middle = moved(low, axis, steps / 2);
+        add(from, middle, steps / 2);
+        add(middle, to, steps / 2);
+      } else {
+        add(from, to, steps);
+      }
+    }
+    return out;
+  }
+
+  /// Pairs of crossings of a face's rim that are joined. If its centre is inside, what is outside is cut off.
+  std::vector<std::array<Crossing, 2>> segments(const Face& face) {
+    const std::vector<Crossing> all = crossings(face);
+    if (all.empty()) return {};
+    bool cut_outside = true;
+    if (all.size() > 2) {
+      const auto [known, fresh] = decisions_.try_emplace(key_of(face.node, face.axis), face, false);
+      if (fresh) {
+        const int half = cubes_.steps(face.level);
+        const Node far = moved(moved(face.node, (face.axis + 1) % 3, half), (face.axis + 2) % 3, half);
+        known->second.second = field_.value(0.5 * (cubes_.point(face.node) + cubes_.point(far))) < 0;
+      }
+      cut_outside = known->second.second;
+    }
+    std::vector<std::array<Crossing, 2>> out;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].rises == cut_outside) out.push_back({all[i], all[(i + 1) % all.size()]});
+    return out;
+  }
+
+  /// Faces between a cube and its neighbours, which may be smaller.
+  std::vector<Face> faces_of(const Cube& cube) const {
+    const int steps = cubes_.steps(cube.level);
+    const Node low{cube.at[0] * steps, cube.at[1] * steps, cube.at[2] * steps};
+    std::vector<Face> out;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int side : {0, 1}) {
+        const Node node = moved(low, axis, side * steps);
+        Cube beside = cube;
+        beside.at[std::size_t(axis)] += side == 0 ? -1 : 1;
+        if (!cubes_.is_split(beside)) {
+          out.push_back({node, axis, cube.level});
+          continue;
+        }
+        for (int c = 0; c < 4; ++c)
+          out.push_back(
+              {moved(moved(node, (axis + 1) % 3, (c & 1) * steps / 2), (axis + 2) % 3, (c >> 1) * steps / 2),
+               axis, cube.level + 1});
+      }
+    return out;
   }
 
   void trace() {
     out_ = {};
     at_.clear();
-    const auto [nx, ny, nz] = grid_.size();
-    for (int k = 0; k + 1 < nz; ++k)
-      for (int j = 0; j + 1 < ny; ++j)
-        for (int i = 0; i + 1 < nx; ++i) trace_cell({i, j, k});
+    for (const Cube& cube : leaves_) trace_cube(cube);
   }
 
-  void trace_cell(const Node& cell) {
-    int count = 0;
-    for (int c = 0; c < 8; ++c)
-      count += flag({cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)});
-    if (count == 0 || count == 8) return;
-    std::map<Edge, std::vector<Edge>> beside;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int side = 0; side < 2; ++side) {
-        const Node n = moved(cell, axis, side);
-        for (const auto& [a, b] : segments({n[0], n[1], n[2], axis})) {
-          beside[a].push_back(b);
-          beside[b].push_back(a);
-        }
+  Vector3 place(const Crossing& at) {
+    const Node to = moved(at.node, at.axis, at.length);
+    const double f = value(at.node), g = value(to);
+    const Vector3 p = cubes_.point(at.node), q = cubes_.point(to);
+    return p + f / (f - g) * (q - p);
+  }
+
+  /// One vertex for every way round the cube from face to face.
+  void trace_cube(const Cube& cube) {
+    struct Link {
+      std::array<Crossing, 2> ends;
+      bool done = false;
+    };
+    std::vector<Link> links;
+    for (const Face& face : faces_of(cube))
+      for (const auto& segment : segments(face)) links.push_back({segment});
+    const auto same = [](const Crossing& a, const Crossing& b) {
+      return a.node == b.node && a.axis == b.axis;
+    };
+    for (Link& first : links) {
+      if (first.done) continue;
+      ContourVertex vertex{cube};
+      const auto number = Index(out_.vertices.size());
+      Crossing at = first.ends[0];
+      Link* link = &first;
+      while (link) {
+        link->done = true;
+        vertex.position += place(at);
+        ++vertex.faces;
+        at_[key_of(at.node, at.axis)].push_back({cube, at, number});
+        at = same(link->ends[0], at) ? link->ends[1] : link->ends[0];
+        link = nullptr;
+        for (Link& next : links)
+          if (!next.done && (same(next.ends[0], at) || same(next.ends[1], at))) link = &next;
       }
-    std::set<Edge> done;
-    for (const auto& [first, others] : beside) {
-      if (done.contains(first)) continue;
-      ContourVertex vertex;
-      vertex.cell = cell;
-      Edge at = first, before = first;
-      do {
-        done.insert(at);
-        vertex.crossings.push_back(at);
-        at_[{cell, at}] = Index(out_.vertices.size());
-        const auto& next = beside.at(at);
-        const Edge to =
-            next[0] == before && next.size() > 1 && !(vertex.crossings.size() == 1) ? next[1] : next[0];
-        before = at;
-        at = to;
-      } while (!done.contains(at));
-      out_.vertices.push_back(std::move(vertex));
+      vertex.position /= vertex.faces;
+      out_.vertices.push_back(vertex);
     }
   }
 
-  /// Where both segments of a face belong to one vertex on both sides, two quads would share two edges.
+  Index vertex_at(const Cube& cube, const Crossing& at) const {
+    const auto found = at_.find(key_of(at.node, at.axis));
+    if (found == at_.end()) return no_index;
+    for (const Corner& corner : found->second)
+      if (corner.cube.level == cube.level && corner.cube.at == cube.at) return corner.vertex;
+    return no_index;
+  }
+
+  /// Where two segments of a face belong to one vertex on both sides, two faces would share two edges.
   bool flip_doubled() {
     bool flipped = false;
-    for (auto& [face, decision] : decisions_) {
+    for (auto& [key, decision] : decisions_) {
+      const Face& face = decision.first;
       const auto cut = segments(face);
-      if (cut.size() != 2) continue;
-      const Node here{face[0], face[1], face[2]}, before = moved(here, face[3], -1);
-      const auto one_vertex = [&](const Node& cell) {
-        const auto a = at_.find({cell, cut[0].first}), b = at_.find({cell, cut[1].first});
-        return a != at_.end() && b != at_.end() && a->second == b->second;
+      const auto one_vertex = [&](int side) {
+        const Cube cube = cubes_.leaf(moved(face.node, face.axis, side));
+        const Index first = vertex_at(cube, cut[0][0]);
+        return first != no_index && first == vertex_at(cube, cut[1][0]);
       };
-      if (!one_vertex(here) || !one_vertex(before)) continue;
-      decision = !decision;
+      if (cut.size() != 2 || !one_vertex(0) || !one_vertex(-1)) continue;
+      decision.second = !decision.second;
       flipped = true;
     }
     return flipped;
   }
 
-  void make_quads() {
-    const auto size = grid_.size();
-    for (int axis = 0; axis < 3; ++axis)
-      for (int k = 0; k < size[2]; ++k)
-        for (int j = 0; j < size[1]; ++j)
-          for (int i = 0; i < size[0]; ++i) {
-            const Node n{i, j, k};
-            if (n[std::size_t(axis)] + 1 >= size[std::size_t(axis)] || !crossed({i, j, k, axis})) continue;
-            const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-            const Edge edge{i, j, k, axis};
-            // Counter-clockwise seen from the end of the axis.
-            const std::array<Node, 4> cells{moved(moved(n, u, -1), v, -1), moved(n, v, -1), n,
-                                            moved(n, u, -1)};
-            std::array<Index, 4> quad;
-            for (std::size_t c = 0; c < 4; ++c) quad[c] = at_.at({cells[c], edge});
-            if (!flag(n)) std::reverse(quad.begin(), quad.end());
-            out_.quads.push_back(quad);
-          }
+  void make_faces() {
+    std::vector<std::uint64_t> keys;
+    for (const auto& [key, corners] : at_) keys.push_back(key);
+    std::ranges::sort(keys);
+    for (const std::uint64_t key : keys) {
+      const Crossing& edge = at_.at(key).front().crossing;
+      const int u = (edge.axis + 1) % 3, v = (edge.axis + 2) % 3;
+      // Counter-clockwise seen from the end of the axis.
+      std::vector<Index> loop;
+      for (const auto& [by_u, by_v] : {std::pair{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}) {
+        const Index vertex = vertex_at(cubes_.leaf(moved(moved(edge.node, u, by_u), v, by_v)), edge);
+        if (loop.empty() || loop.back() != vertex) loop.push_back(vertex);
+      }
+      if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+      if (!inside(edge.node)) std::ranges::reverse(loop);
+      std::array<Index, 4> face{no_index, no_index, no_index, no_index};
+      std::ranges::copy(loop, face.begin());
+      out_.faces.push_back(face);
+    }
   }
 
-  const FlagGrid& grid_;
-  const std::function<bool(const Vector3&)>& inside_;
-  std::map<Face, bool> decisions_;
-  std::map<std::pair<Node, Edge>, Index> at_;
+  struct Corner {
+    Cube cube;
+    Crossing crossing;
+    Index vertex;
+  };
+
+  const CubeTree& cubes_;
+  const SplineField& field_;
+  std::unordered_map<std::uint64_t, double> values_;
+  std::vector<Cube> leaves_;
+  std::unordered_map<std::uint64_t, std::pair<Face, bool>> decisions_;  ///< whether a centre is inside
+  std::unordered_map<std::uint64_t, std::vector<Corner>> at_;           ///< of crossed edges
   Contour out_;
 };
 
 }  // namespace
 
-Contour contour(const FlagGrid& grid, const std::function<bool(const Vector3&)>& inside) {
-  return Contouring(grid, inside).make();
+Contour contour(const CubeTree& cubes, const SplineField& field) {
+  return Contouring(cubes, field).make();
 }
 
 }  // namespace hariko
