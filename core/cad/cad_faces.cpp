@@ -17,7 +17,7 @@ namespace {
 /// measured.
 constexpr double fit_share = 0.78;
 /// Likewise of the angle between faces.
-constexpr double angle_share = 0.7;
+constexpr double angle_share = 0.8;
 /// How often knots are added.
 constexpr int most_rounds = 12;
 /// Steps of conjugate gradients towards common tangent planes, and how often neighbours that these disturb
@@ -169,10 +169,15 @@ class FaceMaker {
       std::vector<char> missed(looked.size(), 0);
       bool some = false;
       for (std::size_t e = 0; e < looked.size(); ++e)
-        if (!active[e] && ties_.worst(Index(e)) > 1) missed[e] = some = true;
+        if (ties_.worst(Index(e)) > 1) missed[e] = some = true;
       if (!some) break;
-      for (std::size_t e = 0; e < looked.size(); ++e) missed[e] = missed[e] || active[e];
       active = edges_of(neighbours(missed));
+      if (widening > 0) {
+        each(active, 4, [&](Index e) { ties_.retie(e); });
+        each(neighbours(active), 1, [&](Index f) {
+          if (faces_[f].fit) faces_[f].fit->set_ties(ties_.ties(f));
+        });
+      }
       agree(active);
       looked = edges_of(neighbours(active));
     }
@@ -280,7 +285,7 @@ class FaceMaker {
       const std::size_t beside = use.side == 1 || use.side == 2 ? across.span_count() - 1 : 0;
       const double depth = width(across, beside);
       for (const EdgePlace& at : ties_.places(e)) {
-        if (!(at.turn.miss() > std::max(1.0, 0.5 * worst))) continue;
+        if (!(ties_.miss(at) > std::max(1.0, 0.5 * worst))) continue;
         const std::size_t span = ties_.span(edge, u, at.x);
         along_marks[span] = 1;
         if (span == 0 || span + 1 == along.span_count() || width(along, span) < 0.4 * depth)

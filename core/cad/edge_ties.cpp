@@ -105,9 +105,9 @@ bool EdgeTies::measure(const CadEdge& edge, EdgePlace& at) const {
     at.normal += unit_normal(p);
   }
   at.normal = (at.normal - at.normal.dot(tangent) * tangent).stableNormalized();
-  const Vector3 left = at.normal.cross(tangent);
+  at.left = at.normal.cross(tangent);
   for (std::size_t u = 0; u < 2; ++u) {
-    at.speed[u] = at.across[u].dot(left);
+    at.speed[u] = at.across[u].dot(at.left);
     const double sine = std::abs(at.speed[u]) / at.across[u].norm();
     if (!(sine > 1e-5)) return false;
     at.sine = std::min(at.sine, sine / 0.05);
@@ -129,9 +129,8 @@ void EdgeTies::tie_turn(const CadEdge& edge, EdgePlace& at) const {
 void EdgeTies::retie(Index number) {
   const CadEdge& edge = edges_.edges()[number];
   for (EdgePlace& at : places_[number]) {
-    const Vector3 left = at.normal.cross(evaluate(edge.curve, at.x).derivative.stableNormalized());
     for (std::size_t u = 0; u < 2; ++u) {
-      const double has = at.speed[u] * at.turn.tie[u].sum(faces_.surface(edge.uses[u].piece)).dot(left);
+      const double has = at.speed[u] * at.turn.tie[u].sum(faces_.surface(edge.uses[u].piece)).dot(at.left);
       // A face that is far off for want of knots tells little.
       at.speed[u] *= std::clamp(has / at.speed[u], 0.3, 3.0);
     }
@@ -141,16 +140,21 @@ void EdgeTies::retie(Index number) {
 
 void EdgeTies::compare(Index number) {
   const CadEdge& edge = edges_.edges()[number];
-  for (EdgePlace& at : places_[number])
+  for (EdgePlace& at : places_[number]) {
+    std::array<double, 2> angle{};
     for (std::size_t u = 0; u < 2; ++u) {
-      const SplineSurface& face = faces_.surface(edge.uses[u].piece);
-      at.turn.has[u] = at.turn.tie[u].of(face);
+      const Vector3 across = at.turn.tie[u].sum(faces_.surface(edge.uses[u].piece));
+      at.turn.has[u] = across.dot(at.normal);
+      // Where a face hardly leads away from its edge, or back, more knots along the edge would not help.
+      angle[u] = at.turn.has[u] / std::clamp(across.dot(at.left), 0.5, 2.0);
     }
+    at.jump = std::abs(angle[0] - angle[1]);
+  }
 }
 
 double EdgeTies::worst(Index edge) const {
   double out = 0;
-  for (const EdgePlace& at : places_[edge]) out = std::max(out, at.turn.miss());
+  for (const EdgePlace& at : places_[edge]) out = std::max(out, miss(at));
   return out;
 }
 

@@ -19,8 +19,6 @@ struct Agreed {
   std::array<double, 2> weight{1, 1};    ///< parts of the sides
   std::array<bool, 2> free{true, true};  ///< exact faces stay
 
-  /// How many times the limit both differ.
-  double miss() const { return std::abs(has[0] - has[1]) / limit; }
   /// That what both have is nearest to.
   double mean() const {
     if (!free[0] || !free[1]) return has[free[0] ? 1 : 0];
@@ -42,7 +40,9 @@ struct EdgePlace {
   /// The lesser sine between the edge and the derivatives across it, at most 0.05, in parts of that: hardly
   /// determined planes, where sides of a corner run on straight, count little.
   double sine = 1;
-  Agreed turn;  ///< against the plane, radians
+  Vector3 left = Vector3::Zero();  ///< unit, in the plane and perpendicular to the curve
+  Agreed turn;                     ///< against the plane, radians
+  double jump = 0;                 ///< between both faces, radians, not linear
 };
 
 /// The faces that are being made, as ties see them.
@@ -69,7 +69,8 @@ class EdgeTies {
   void retie(Index edge);
   /// Reads what both faces have.
   void compare(Index edge);
-  /// How many times the limits both faces differ.
+  /// How many times the limit both faces differ in a place, and at most.
+  double miss(const EdgePlace& at) const { return at.sine * at.jump / limits_.angle; }
   double worst(Index edge) const;
   std::vector<EdgePlace>& places(Index edge) { return places_[edge]; }
   const std::vector<EdgePlace>& places(Index edge) const { return places_[edge]; }
