@@ -17,7 +17,7 @@ namespace {
 /// measured.
 constexpr double fit_share = 0.78;
 /// Likewise of the angle between faces.
-constexpr double angle_share = 0.8;
+constexpr double angle_share = 0.7;
 /// How often knots are added.
 constexpr int most_rounds = 12;
 /// Steps of conjugate gradients towards common tangent planes, and how often neighbours that these disturb
