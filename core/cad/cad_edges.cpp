@@ -1,13 +1,21 @@
 #include "core/cad/cad_edges.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/parallel.hpp"
-#include "core/cad/face_fit.hpp"
+#include "core/cad/side_tie.hpp"
 
 namespace hariko {
+
+namespace {
+
+/// Cosine of the angle within which normals at a vertex are one.
+constexpr double common_normal = 0.9999;
+
+}  // namespace
 
 void insert_break(std::vector<double>& breaks, double at) {
   const auto above = std::lower_bound(breaks.begin(), breaks.end(), at - 1e-9);
@@ -19,6 +27,7 @@ CadEdges::CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken&
     : task_(task), sides_(plan.sides) {
   task_.limits.distance *= curve_share;
   take(plan);
+  bend_ends(plan.vertex_count);
   fit_divided_sides(cancel);
   parallel_for(edges_.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end && !cancel.cancelled(); ++e) fit(edges_[e]);
@@ -26,19 +35,111 @@ CadEdges::CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken&
   take_vertices(plan.vertex_count);
 }
 
-CurvePoint CadEdges::side_point(Index number, int side, double x, bool smooth) const {
+TracedPoint CadEdges::side_point(Index number, int side, double x, bool smooth) const {
   const CadPiece& own = (*task_.pieces)[number];
   const Vector2 at = own.parameter(side, x);
   const PatchPoint p = evaluate(*task_.surface, own, at.x(), at.y());
   const Vector3 along = side % 2 == 0 ? p.ds : p.dt;
-  return {p.position, side < 2 ? along : Vector3(-along),
-          smooth && has_normal(p) ? unit_normal(p) : Vector3(Vector3::Zero())};
+  static const std::optional<End> none;
+  TracedPoint out{p.position, side < 2 ? along : Vector3(-along)};
+  if (!smooth || !has_normal(p)) return out;
+  out.normal = unit_normal(p);
+  const auto& ends = ends_[number][std::size_t(side)];
+  const auto& end = x <= 0 ? ends[0] : x >= own.length(side) ? ends[1] : none;
+  if (end) out.normal = end->normal, out.bend = end->wanted;
+  return out;
+}
+
+/// Limits from inside, as patches may have other derivatives in a corner.
+CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
+  const CadUse& use = edge.uses[0];
+  const CadPiece& own = piece(use);
+  End out;
+  std::array<Vector3, 3> normals, directions;
+  const double from = at_end ? use.end : use.begin, step = (at_end ? -1e-3 : 1e-3) * (use.end - use.begin);
+  double speed = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector2 at = own.parameter(use.side, from + double(k + 1) * step);
+    const PatchPoint p = evaluate(*task_.surface, own, at.x(), at.y());
+    if (!has_normal(p)) return out;
+    const Vector3 along = (use.side % 2 == 0 ? p.ds : p.dt) * (use.side < 2 ? 1 : -1) * (at_end ? -1 : 1);
+    normals[k] = unit_normal(p);
+    directions[k] = along.stableNormalized();
+    if (k == 0) speed = along.norm();
+  }
+  // By parabolas through three places.
+  out.normal = (3 * normals[0] - 3 * normals[1] + normals[2]).normalized();
+  out.direction = (3 * directions[0] - 3 * directions[1] + directions[2]).normalized();
+  const Vector3 turned = (4 * normals[1] - normals[2] - 3 * normals[0]) / (2 * std::abs(step));
+  out.bend = -turned.dot(directions[0]) / speed;
+  return out;
+}
+
+/// Where only smooth edges meet round a vertex, the normal curvatures of their curves become those of one
+/// quadratic form, the nearest to the surface's: else no smooth faces with continuous second derivatives fit
+/// between them (vertex enclosure), and knots would crowd there.
+void CadEdges::bend_ends(Index vertex_count) {
+  ends_.resize(sides_.size());
+  struct Meeting {
+    Index edge;
+    bool at_end;
+  };
+  std::vector<std::vector<Meeting>> round(vertex_count);
+  std::vector<char> fits(vertex_count, 1);
+  for (Index e = 0; e < edges_.size(); ++e) {
+    const CadEdge& edge = edges_[e];
+    for (const bool at_end : {false, true}) {
+      const Index vertex = at_end ? edge.end : edge.begin;
+      round[vertex].push_back({e, at_end});
+      if (!edge.smooth || edge.use_count < 2 || !ends_side(edge.uses[0], at_end) ||
+          !ends_side(edge.uses[1], !at_end))
+        fits[vertex] = 0;
+    }
+  }
+  for (Index v = 0; v < vertex_count; ++v) {
+    if (!fits[v] || round[v].size() < 3) continue;
+    std::vector<End> ends;
+    Vector3 normal = Vector3::Zero();
+    for (const Meeting& meeting : round[v]) {
+      ends.push_back(end_of(edges_[meeting.edge], meeting.at_end));
+      normal += ends.back().normal;
+    }
+    normal.stableNormalize();
+    const bool smooth = std::all_of(ends.begin(), ends.end(),
+                                    [&](const End& end) { return end.normal.dot(normal) > common_normal; });
+    if (!smooth) continue;
+    const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
+    Eigen::MatrixXd rows(Eigen::Index(ends.size()), 3);
+    Eigen::VectorXd bends(Eigen::Index(ends.size()));
+    for (Eigen::Index k = 0; k < bends.size(); ++k) {
+      const Vector3& d = ends[std::size_t(k)].direction;
+      rows.row(k) << d.dot(x) * d.dot(x), 2 * d.dot(x) * d.dot(y), d.dot(y) * d.dot(y);
+      bends[k] = ends[std::size_t(k)].bend;
+    }
+    const Eigen::VectorXd common = rows * rows.colPivHouseholderQr().solve(bends);
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const Meeting& meeting = round[v][k];
+      for (std::size_t u = 0; u < 2; ++u) {
+        const CadUse& use = edges_[meeting.edge].uses[u];
+        auto& end = ends_[use.piece][std::size_t(use.side)][(u == 0) == meeting.at_end ? 1 : 0];
+        end = End{ends[k].direction, normal, ends[k].bend};
+        if (task_.bends) end->wanted = common[Eigen::Index(k)];
+      }
+    }
+  }
 }
 
 /// `spline`: the space of the curve where the surface is a spline there; else the fit begins with `start`.
 FittedCurve CadEdges::curve(const SplineSpace& spline, const SplineSpace& start, Index number, int side,
                             bool smooth) const {
   const auto function = [&](double x) { return side_point(number, side, x, smooth); };
+  const auto& ends = ends_[number][std::size_t(side)];
+  const auto stays = [&](const std::optional<End>& end) {
+    const double length = (function(spline.end()).position - function(spline.begin()).position).norm();
+    return !end || !end->wanted ||
+           std::abs(*end->wanted - end->bend) * length * length < task_.limits.distance;
+  };
+  if (!stays(ends[0]) || !stays(ends[1])) return fit_curve(start, function, task_.limits);
   if (auto equal = equal_curve(spline, function, 0.5 * task_.rounding)) return {std::move(*equal), true};
   return fit_curve(start, function, task_.limits);
 }

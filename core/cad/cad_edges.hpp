@@ -19,6 +19,8 @@ struct EdgeTask {
   /// Nearer than this a spline is the surface, as numbers from a file are rounded and continuing a polynomial
   /// multiplies that.
   double rounding = 0;
+  /// No face is a spline, so that curves may leave the surface's also where those are splines.
+  bool bends = false;
 };
 
 /// Edges, vertices, and what faces take from them.
@@ -44,10 +46,23 @@ class CadEdges {
   const CadPiece& piece(const CadUse& use) const { return (*task_.pieces)[use.piece]; }
   double length(const CadUse& use) const { return piece(use).length(use.side); }
   bool whole(const CadUse& use) const { return use.begin == 0 && use.end == length(use); }
+  /// The end, or the beginning, of a use is that of its side.
+  bool ends_side(const CadUse& use, bool at_end) const {
+    return at_end ? use.end == length(use) : use.begin == 0;
+  }
   bool is_first(const CadEdge& edge, Index piece, int side) const {
     return edge.uses[0].piece == piece && edge.uses[0].side == side;
   }
-  CurvePoint side_point(Index piece, int side, double x, bool smooth) const;
+  /// End of an edge, as the surface has it.
+  struct End {
+    Vector3 direction = Vector3::Zero();  ///< unit, away from the vertex
+    Vector3 normal = Vector3::Zero();     ///< unit; zero where there is none
+    double bend = 0;                      ///< normal curvature along the edge
+    std::optional<double> wanted = {};    ///< that which it is to have
+  };
+  End end_of(const CadEdge& edge, bool at_end) const;
+  void bend_ends(Index vertex_count);
+  TracedPoint side_point(Index piece, int side, double x, bool smooth) const;
   FittedCurve curve(const SplineSpace& spline, const SplineSpace& start, Index piece, int side,
                     bool smooth) const;
   void take(const CadPlan& plan);
@@ -62,6 +77,8 @@ class CadEdges {
   std::vector<Vector3> vertices_;
   std::vector<std::array<std::vector<Index>, 4>> sides_;  ///< edges of each piece
   std::vector<std::array<SplineCurve, 4>> divided_;       ///< curves of sides with several edges
+  /// Normals and normal curvatures that the curves of sides are to have in their ends, counter-clockwise.
+  std::vector<std::array<std::array<std::optional<End>, 2>, 4>> ends_;
 };
 
 /// Share of the distance that curves between faces may take.

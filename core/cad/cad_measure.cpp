@@ -7,7 +7,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/cad/cad_edges.hpp"
-#include "core/cad/face_fit.hpp"
+#include "core/cad/side_tie.hpp"
 
 namespace hariko {
 

@@ -37,18 +37,21 @@ bool may_be_quartics(const Surface& surface, double size) {
 struct Attempt {
   CadPieces pieces;
   int degree;
+  bool bends = false;  ///< as EdgeTask
 };
 /// Cubics and polynomial Bezier patches have their own degree; the rest is fitted, by what is lightest.
+/// Attempts end as soon as they weigh more than those before: first what most often is the lightest.
 std::vector<Attempt> attempts_for(const Surface& surface, const CadModelOptions& options) {
   const PatchSet* patches = &surface.patches();
   if (subdivision_patches(surface) || dynamic_cast<const BicubicPatchSet*>(patches))
     return {{CadPieces::faces, cubic}};
   if (const auto* bezier = dynamic_cast<const BezierPatchSet*>(patches))
     if (const auto degree = bezier_degree(*bezier)) return {{CadPieces::faces, *degree}};
-  if (dynamic_cast<const G2PatchSet*>(patches)) return {{CadPieces::faces, quintic}};
-  if (surface.domain() == Domain::square) return {{CadPieces::faces, cubic}, {CadPieces::faces, quintic}};
+  if (dynamic_cast<const G2PatchSet*>(patches)) return {{CadPieces::faces, quintic, true}};
+  if (surface.domain() == Domain::square)
+    return {{CadPieces::faces, quintic, true}, {CadPieces::faces, cubic}};
   if (options.exact) return {{CadPieces::patches, quintic}};
-  return {{CadPieces::patches, cubic}, {CadPieces::faces, quintic}};
+  return {{CadPieces::faces, quintic, true}, {CadPieces::patches, cubic}};
 }
 
 Eigen::AlignedBox3d box_of(const Surface& surface) {
@@ -105,8 +108,8 @@ class Maker {
   double size() const { return size_; }
 
   /// Nothing where the model would weigh more than `heaviest`, or cancelled.
-  std::optional<CadModel> make(int degree, std::size_t heaviest, const Progress& progress) const {
-    const EdgeTask task{&surface_, &pieces_, degree, limits_, size_, rounding()};
+  std::optional<CadModel> make(const Attempt& attempt, std::size_t heaviest, const Progress& progress) const {
+    const EdgeTask task{&surface_, &pieces_, attempt.degree, limits_, size_, rounding(), attempt.bends};
     const CadEdges edges(task, plan_, cancel_);
     if (cancel_.cancelled()) return {};
     auto faces = cad_faces(task, edges, heaviest, cancel_, progress);
@@ -176,7 +179,7 @@ Result<CadModel> make_cad_model(const Surface& surface, const CadModelOptions& o
       const double next = done + 1.0 / double(attempts.size());
       const Maker maker(surface, attempt.pieces, options, cancel);
       const std::size_t heaviest = best ? weight(*best) : std::numeric_limits<std::size_t>::max();
-      if (auto made = maker.make(attempt.degree, heaviest, progress.part(done, next))) best = std::move(made);
+      if (auto made = maker.make(attempt, heaviest, progress.part(done, next))) best = std::move(made);
       done = next;
     }
   }

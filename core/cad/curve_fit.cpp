@@ -34,7 +34,7 @@ SpanPlaces gauss_places(int count) {
 
 /// The direction in an end, unit; zero where there is none. Points of patches may have derivatives there that
 /// are not those along the side, where two sides run on straight: the limit from inside decides then.
-Vector3 end_direction(const std::function<CurvePoint(double)>& function, double end, double inward) {
+Vector3 end_direction(const std::function<TracedPoint(double)>& function, double end, double inward) {
   const auto direction = [&](double x) -> Vector3 {
     return (inward > 0 ? 1 : -1) * function(x).derivative.stableNormalized();
   };
@@ -49,12 +49,16 @@ struct Unknown {
   Vector3 direction;
 };
 
+/// How far the control points next to those beside the ends are from the tangent planes there, where given.
+using EndHeights = std::array<std::optional<double>, 2>;
+
 /// The curve of a space by least squares; the ends are given, and directions in them where they are known.
 class CurveSolver {
  public:
-  CurveSolver(const SplineSpace& space, const std::function<CurvePoint(double)>& function)
+  CurveSolver(const SplineSpace& space, const std::function<TracedPoint(double)>& function,
+              const EndHeights& heights)
       : space_(space), knots_(space.knots()), function_(function) {
-    const CurvePoint begin = function(space.begin()), end = function(space.end());
+    const TracedPoint begin = function(space.begin()), end = function(space.end());
     points_.assign(space.size(), Vector3::Zero());
     points_.front() = begin.position;
     points_.back() = end.position;
@@ -62,12 +66,23 @@ class CurveSolver {
     for (std::size_t k = 1; k < last; ++k) {
       const bool near_begin = k == 1, near_end = k + 1 == last;
       const double length = space.end() - space.begin();
-      const Vector3 tangent = near_begin ? end_direction(function, space.begin(), length)
-                              : near_end ? end_direction(function, space.end(), -length)
-                                         : Vector3(Vector3::Zero());
+      Vector3 tangent = near_begin ? end_direction(function, space.begin(), length)
+                        : near_end ? end_direction(function, space.end(), -length)
+                                   : Vector3(Vector3::Zero());
+      // In the plane that all curves of the vertex have in common.
+      if (const TracedPoint& from = near_begin ? begin : end; (near_begin || near_end) && !tangent.isZero(0))
+        tangent = (tangent - tangent.dot(from.normal) * from.normal).stableNormalized();
       if (near_begin || near_end) points_[k] = near_begin ? begin.position : end.position;
       if (!(near_begin && near_end) && !tangent.isZero(0)) {
         unknowns_.push_back({k, tangent});
+        continue;
+      }
+      if ((k == 2 && heights[0]) || (k + 2 == last && heights[1])) {
+        const TracedPoint& from = k == 2 ? begin : end;
+        points_[k] = from.position + *heights[k == 2 ? 0 : 1] * from.normal;
+        const Vector3 one = from.normal.unitOrthogonal();
+        unknowns_.push_back({k, one});
+        unknowns_.push_back({k, from.normal.cross(one)});
         continue;
       }
       for (int axis = 0; axis < 3; ++axis) unknowns_.push_back({k, Vector3::Unit(axis)});
@@ -95,7 +110,7 @@ class CurveSolver {
            std::vector<double>& right) const {
     const double width = space_.breaks[span + 1] - space_.breaks[span];
     const double x = space_.breaks[span] + fraction * width;
-    const CurvePoint want = function_(x);
+    const TracedPoint want = function_(x);
     const SplineBasis basis = spline_basis(space_, knots_, x);
     const std::size_t end = basis.first + std::size_t(space_.degree);
     Vector3 miss = want.position;
@@ -118,13 +133,44 @@ class CurveSolver {
 
   const SplineSpace& space_;
   std::vector<double> knots_;
-  const std::function<CurvePoint(double)>& function_;
+  const std::function<TracedPoint(double)>& function_;
   std::vector<Vector3> points_;
   std::vector<Unknown> unknowns_;  ///< by points, ascending
 };
 
+/// Heights that give a curve the curvatures that its ends are to have: the second derivative's normal part is
+/// the curvature times the square of the first's length.
+EndHeights end_heights(const SplineCurve& curve, const std::function<TracedPoint(double)>& function) {
+  EndHeights out;
+  const SplineSpace& space = curve.space;
+  if (space.size() < 6) return out;
+  const double degree = space.degree;
+  const std::size_t spans = space.span_count();
+  for (const bool at_end : {false, true}) {
+    const double x = at_end ? space.end() : space.begin();
+    const TracedPoint point = function(x);
+    if (!point.bend || point.normal.isZero(0)) continue;
+    const double first = span_width(space, at_end ? spans - 1 : 0),
+                 both = spans > 1 ? first + span_width(space, at_end ? spans - 2 : 1) : first;
+    out[at_end ? 1 : 0] =
+        *point.bend * evaluate(curve, x).derivative.squaredNorm() * first * both / (degree * (degree - 1));
+  }
+  return out;
+}
+
+/// Least squares in one space. How fast the curve leaves its ends decides how high they must bend.
+SplineCurve nearest_curve(const SplineSpace& space, const std::function<TracedPoint(double)>& function) {
+  SplineCurve out = CurveSolver(space, function, {}).run();
+  for (int round = 0; round < 3; ++round) {
+    const EndHeights heights = end_heights(out, function);
+    if (!heights[0] && !heights[1]) break;
+    out = CurveSolver(space, function, heights).run();
+  }
+  return out;
+}
+
 /// How many times the limits a curve misses another in a place.
-double miss_at(const SplineCurve& curve, double x, const CurvePoint& want, const FitLimits& limits) {
+double miss_at(const SplineCurve& curve, double x, const TracedPoint& want, const FitLimits& limits) {
   const SplinePoint got = evaluate(curve, x);
   const Vector3 tangent = want.derivative.stableNormalized(), miss = want.position - got.position;
   const double along = miss.dot(tangent);
@@ -165,7 +211,7 @@ const SpanPlaces& span_places(int count) {
 }
 
 std::optional<SplineCurve> equal_curve(const SplineSpace& space,
-                                       const std::function<CurvePoint(double)>& function, double rounding) {
+                                       const std::function<TracedPoint(double)>& function, double rounding) {
   const SplineInterpolation interpolation(space);
   SplineCurve curve{space, {}};
   for (const double x : interpolation.places()) curve.points.push_back(function(x).position);
@@ -178,11 +224,11 @@ std::optional<SplineCurve> equal_curve(const SplineSpace& space,
   return curve;
 }
 
-FittedCurve fit_curve(const SplineSpace& start, const std::function<CurvePoint(double)>& function,
+FittedCurve fit_curve(const SplineSpace& start, const std::function<TracedPoint(double)>& function,
                       const FitLimits& limits) {
   SplineSpace space = start;
   for (;;) {
-    FittedCurve out{CurveSolver(space, function).run(), true};
+    FittedCurve out{nearest_curve(space, function), true};
     std::vector<double> misses(space.span_count(), 0);
     for (std::size_t i = 0; i < misses.size(); ++i)
       for (const double f : {0.04, 0.13, 0.26, 0.4, 0.5, 0.6, 0.74, 0.87, 0.96}) {

@@ -36,9 +36,11 @@ struct SpanPlaces {
 const SpanPlaces& span_places(int count);
 
 /// Point of a curve on a surface.
-struct CurvePoint {
+struct TracedPoint {
   Vector3 position = Vector3::Zero(), derivative = Vector3::Zero();
   Vector3 normal = Vector3::Zero();  ///< of the surface, unit; zero where tangents may turn freely
+  /// Normal curvature of the surface along the curve, which the end of a fitted curve is to have.
+  std::optional<double> bend = {};
 };
 
 struct FittedCurve {
@@ -47,12 +49,13 @@ struct FittedCurve {
 };
 /// A curve of a space that equals the given one, if there is one.
 std::optional<SplineCurve> equal_curve(const SplineSpace& space,
-                                       const std::function<CurvePoint(double)>& function, double rounding);
+                                       const std::function<TracedPoint(double)>& function, double rounding);
 
-/// By least squares, with the end points and the directions in the ends given, from the spans of `start` on,
+/// By least squares, with the end points and the directions in the ends given, and the curvatures where they
+/// are, from the spans of `start` on,
 /// which are halved where the curve is farther off than the distance or leaves the tangent plane by more than
 /// the angle `turn`. The ends are the function's there, bit for bit.
-FittedCurve fit_curve(const SplineSpace& start, const std::function<CurvePoint(double)>& function,
+FittedCurve fit_curve(const SplineSpace& start, const std::function<TracedPoint(double)>& function,
                       const FitLimits& limits);
 
 /// The spline of another space that equals a curve: to rounding where the space has it.

@@ -3,15 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace hariko {
 
 namespace {
 
-/// How much the angle along sides counts beside the distance inside: the angle is to be met by the first
-/// rows.
-constexpr double side_share = 4;
 /// How much the length and the lean of the derivative across a side count beside the angle.
 constexpr double slope_share = 0.05;
 
@@ -123,17 +121,6 @@ class RectangleSums {
 
 }  // namespace
 
-bool has_normal(const PatchPoint& point) {
-  return point.ds.cross(point.dt).norm() > 1e-5 * point.ds.norm() * point.dt.norm();
-}
-
-double inner_slope(const SplineSpace& across, bool at_end) {
-  const std::size_t last = across.span_count();
-  const double width =
-      at_end ? across.breaks[last] - across.breaks[last - 1] : across.breaks[1] - across.breaks[0];
-  return (at_end ? -across.degree : across.degree) / width;
-}
-
 FaceFit::Direction FaceFit::direction(const SplineSpace& space) {
   Direction out;
   // A single span needs as many places as it has functions, and more show what is missed between them.
@@ -179,6 +166,7 @@ FaceFit::FaceFit(Model model, SplineSpace s, SplineSpace t, std::array<std::vect
     for (std::size_t i = 0; i < s_.at.size(); ++i) {
       misses_.push_back(miss.at(i, j));
       targets_.emplace_back(sample(i, j).position + frame(sample(i, j)) * misses_.back());
+      areas_.push_back(sample(i, j).ds.cross(sample(i, j).dt));
     }
 }
 
@@ -187,7 +175,8 @@ void FaceFit::slide() {
     for (std::size_t i = 0; i < s_.at.size(); ++i) {
       const std::size_t k = j * s_.at.size() + i;
       const PatchPoint& point = samples_[k];
-      const Vector3 off = fitted(i, j).position - targets_[k];
+      const PatchPoint got = fitted(i, j);
+      const Vector3 off = got.position - targets_[k];
       const double e = point.ds.squaredNorm(), f = point.ds.dot(point.dt), g = point.dt.squaredNorm();
       const double area = e * g - f * f, a = point.ds.dot(off), b = point.dt.dot(off);
       if (!(area > 1e-4 * e * g)) continue;
@@ -197,8 +186,9 @@ void FaceFit::slide() {
       at.y() = std::clamp(at.y(), surface_.t.begin(), surface_.t.end());
       samples_[k] = model_(at.x(), at.y());
       targets_[k] = samples_[k].position + frame(samples_[k]) * misses_[k];
+      areas_[k] = unit_normal(samples_[k]) * got.ds.cross(got.dt).norm();
     }
-  forget();
+  matrix_.reset();
 }
 
 /// Places of a span: from the first on, and the end.
@@ -207,12 +197,13 @@ std::pair<std::size_t, std::size_t> FaceFit::samples_of(const Direction& directi
   return {std::size_t(from - direction.span.begin()), std::size_t(to - direction.span.begin())};
 }
 
-void FaceFit::set_side(int side, std::vector<SidePlace> places) {
-  sides_[std::size_t(side)] = std::move(places);
+void FaceFit::set_ties(std::vector<FaceTie> ties) {
+  ties_ = std::move(ties);
+  matrix_.reset();
 }
 
-void FaceFit::forget() {
-  matrix_.reset();
+void FaceFit::want(std::span<const double> values) {
+  for (std::size_t k = 0; k < ties_.size(); ++k) ties_[k].wanted = values[k];
 }
 
 /// Number of the control point (i, j) inside, along the shorter direction first.
@@ -265,45 +256,53 @@ void FaceFit::add_rectangle(std::size_t column, std::size_t row, double weight) 
     }
 }
 
-/// each(i, j, coefficient) for the control points that turn the tangent plane in a place of a side.
-template <class Each>
-void FaceFit::for_side(int side, const SidePlace& place, const Each& each) const {
-  const bool horizontal = side % 2 == 0, at_end = side == 1 || side == 2;
-  const SplineSpace &along = horizontal ? surface_.s : surface_.t,
-                    &across = horizontal ? surface_.t : surface_.s;
-  const std::size_t outer = at_end ? across.size() - 1 : 0, inner = at_end ? outer - 1 : 1;
-  const double slope = inner_slope(across, at_end);
-  const SplineBasis basis = spline_basis(along, along.knots(), place.at);
-  for (std::size_t r = 0; r <= std::size_t(along.degree); ++r) {
-    const std::size_t at = basis.first + r;
-    const double c = slope * basis.value[r] / place.speed;
-    horizontal ? each(at, inner, c) : each(inner, at, c);
-    horizontal ? each(at, outer, -c) : each(outer, at, -c);
-  }
-}
-
-/// Weight of a miss of the derivative across a side, in parts of the derivative.
-Matrix3 FaceFit::side_metric(const SidePlace& place) {
+void FaceFit::add_tie(const FaceTie& tie) {
+  const Vector3& normal = tie.tie.normal;
   constexpr double along = slope_share * slope_share;
-  return along * Matrix3::Identity() + (1 - along) * place.normal * place.normal.transpose();
-}
-
-void FaceFit::add_side(int side, const SidePlace& place, double weight) {
-  const Matrix3 counts = weight * side_metric(place);
+  const Matrix3 counts =
+      tie.weight * (along * Matrix3::Identity() + (1 - along) * normal * normal.transpose());
+  Vector3 miss = tie.rest;
   std::vector<std::pair<std::size_t, double>> local;
-  Vector3 miss = (place.across - place.across.dot(place.normal) * place.normal) / place.speed;
-  for_side(side, place, [&](std::size_t i, std::size_t j, double c) {
-    if (i > 0 && i <= inner_s_ && j > 0 && j <= inner_t_)
-      local.emplace_back(unknown(i, j), c);
+  for (const PointShare& at : tie.tie.shares) {
+    if (is_free(at))
+      local.emplace_back(unknown(at.i, at.j), at.factor);
     else
-      miss -= c * surface_.points[surface_.index(i, j)];
-  });
+      miss -= at.factor * surface_.points[surface_.index(at.i, at.j)];
+  }
   const Vector3 pull = counts * miss;
   for (const auto& [k, value] : local) {
     for (std::size_t axis = 0; axis < 3; ++axis) right_[3 * k + axis] += value * pull[Eigen::Index(axis)];
     for (const auto& [l, other] : local)
       if (l <= k) add_block(k, l, value * other, counts);
   }
+}
+
+/// The volume between the surface and the face, of which the least squares alone leave some: squares do not
+/// see on which side of the surface a face lies.
+void FaceFit::add_volume() {
+  volume_.assign(right_.size(), 0);
+  volume_wanted_ = 0;
+  for (std::size_t j = 0; j < t_.at.size(); ++j)
+    for (std::size_t i = 0; i < s_.at.size(); ++i) {
+      const Vector3 area = s_.weight[i] * t_.weight[j] * areas_[j * s_.at.size() + i];
+      volume_wanted_ += area.dot(sample(i, j).position);
+      for (std::size_t v = 0; v <= std::size_t(surface_.t.degree); ++v)
+        for (std::size_t u = 0; u <= std::size_t(surface_.s.degree); ++u) {
+          const PointShare at{s_.basis[i].first + u, t_.basis[j].first + v,
+                              s_.basis[i].value[u] * t_.basis[j].value[v]};
+          if (!is_free(at)) {
+            volume_wanted_ -= at.factor * area.dot(surface_.points[surface_.index(at.i, at.j)]);
+            continue;
+          }
+          const std::size_t k = 3 * unknown(at.i, at.j);
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            volume_[k + axis] += at.factor * area[Eigen::Index(axis)];
+        }
+    }
+  volume_move_ = volume_;
+  matrix_->solve(volume_move_);
+  const double change = std::inner_product(volume_.begin(), volume_.end(), volume_move_.begin(), 0.0);
+  for (double& move : volume_move_) move = change > 0 ? move / change : 0;
 }
 
 void FaceFit::assemble(const FitLimits& limits) {
@@ -318,26 +317,28 @@ void FaceFit::assemble(const FitLimits& limits) {
   for (std::size_t row_number = 0; row_number < surface_.t.span_count(); ++row_number)
     for (std::size_t column = 0; column < surface_.s.span_count(); ++column)
       add_rectangle(column, row_number, distance);
-  const double angle = side_share * side_share / (limits.angle * limits.angle);
-  for (int side = 0; side < 4; ++side)
-    for (const SidePlace& place : sides_[std::size_t(side)]) add_side(side, place, place.weight * angle);
-  if (!matrix_->factor()) matrix_.reset();
+  for (const FaceTie& tie : ties_) add_tie(tie);
+  if (matrix_->factor())
+    add_volume();
+  else
+    matrix_.reset();
 }
 
 void FaceFit::solve(const FitLimits& limits) {
   if (!matrix_) assemble(limits);
   if (!matrix_) return;
   std::vector<double> right = right_;
-  const double angle = side_share * side_share / (limits.angle * limits.angle);
-  for (int side = 0; side < 4; ++side)
-    for (const SidePlace& place : sides_[std::size_t(side)])
-      for_side(side, place, [&](std::size_t i, std::size_t j, double c) {
-        if (!(i > 0 && i <= inner_s_ && j > 0 && j <= inner_t_)) return;
-        const Vector3 pull = place.weight * angle * c * place.turn * place.normal;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          right[3 * unknown(i, j) + axis] += pull[Eigen::Index(axis)];
-      });
+  for (const FaceTie& tie : ties_)
+    for (const PointShare& at : tie.tie.shares) {
+      if (!is_free(at)) continue;
+      const Vector3 pull = tie.weight * tie.wanted * at.factor * tie.tie.normal;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        right[3 * unknown(at.i, at.j) + axis] += pull[Eigen::Index(axis)];
+    }
   matrix_->solve(right);
+  const double missing =
+      volume_wanted_ - std::inner_product(volume_.begin(), volume_.end(), right.begin(), 0.0);
+  for (std::size_t k = 0; k < right.size(); ++k) right[k] += missing * volume_move_[k];
   for (std::size_t j = 1; j <= inner_t_; ++j)
     for (std::size_t i = 1; i <= inner_s_; ++i) {
       const double* at = right.data() + 3 * unknown(i, j);
@@ -408,7 +409,7 @@ FaceMiss FaceFit::miss(const FitLimits& limits) const {
   for (std::size_t j = 0; j < t_.at.size(); ++j)
     for (std::size_t i = 0; i < s_.at.size(); ++i) {
       const PatchPoint &want = sample(i, j), got = fitted(i, j);
-      const Vector3 off = got.position - targets_[j * s_.at.size() + i];
+      const Vector3 off = got.position - want.position;
       double& here = times[j * s_.at.size() + i];
       if (!has_normal(want)) {
         here = off.norm() / limits.distance;

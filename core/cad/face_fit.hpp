@@ -6,29 +6,20 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 
 #include "core/base/banded_cholesky.hpp"
 #include "core/cad/curve_fit.hpp"
+#include "core/cad/side_tie.hpp"
 
 namespace hariko {
 
-/// Not where both derivatives are parallel, or nearly: there rounding decides about the normal.
-bool has_normal(const PatchPoint& point);
-
-/// Coefficient of the control points beside a side in the derivative across it, by s or t; those on the side
-/// have the negative one.
-double inner_slope(const SplineSpace& across, bool at_end);
-
-/// A tangent plane that a face is tied to in a place of a side.
-struct SidePlace {
-  double at = 0;                     ///< by s or t
-  double weight = 0;                 ///< part of the side
-  Vector3 normal = Vector3::Zero();  ///< unit, perpendicular to the boundary
-  /// Parts of the surface's derivative by t or s across the side: the part in the plane and perpendicular to
-  /// the boundary.
-  double speed = 0;
-  Vector3 across = Vector3::Zero();  ///< that derivative, which the face keeps nearly
-  double turn = 0;  ///< by which the face is to be turned against the plane, about the boundary, radians
+/// A number of a face that is to have a wanted value.
+struct FaceTie {
+  SideTie tie;
+  double weight = 0;               ///< of the square of what it misses
+  Vector3 rest = Vector3::Zero();  ///< the sum whose component the tie is, without that: kept nearly
+  double wanted = 0;
 };
 
 /// How many times the limits a face misses the surface, and spans that finer knots would help.
@@ -44,14 +35,17 @@ class FaceFit {
   FaceFit(Model model, SplineSpace s, SplineSpace t, std::array<std::vector<Vector3>, 4> boundary);
 
   const SplineSurface& surface() const { return surface_; }
-  void set_side(int side, std::vector<SidePlace> places);
-  /// Least squares of what is off by the limits; before that all points inside are zero.
+  /// For the next `solve`.
+  void set_ties(std::vector<FaceTie> ties);
+  /// Other wanted values of the same ties.
+  void want(std::span<const double> values);
+  /// Least squares of what is off by the limits, with as much on one side of the surface as on the other:
+  /// what is between them has no volume. Before that all points inside are zero.
   void solve(const FitLimits& limits);
   /// Takes the points of the surface that lie under those of the fit, so that the next `solve` is free to run
   /// along the surface.
   void slide();
-  /// Frees what `solve` keeps for the next time.
-  void forget();
+  /// Against the surface itself.
   FaceMiss miss(const FitLimits& limits) const;
 
  private:
@@ -68,10 +62,11 @@ class FaceFit {
   static std::pair<std::size_t, std::size_t> samples_of(const Direction& direction, std::size_t span);
   void add_rectangle(std::size_t column, std::size_t row, double weight);
   void add_block(std::size_t a, std::size_t b, double factor, const Matrix3& block);
-  template <class Each>
-  void for_side(int side, const SidePlace& place, const Each& each) const;
-  void add_side(int side, const SidePlace& place, double weight);
-  static Matrix3 side_metric(const SidePlace& place);
+  bool is_free(const PointShare& share) const {
+    return share.i > 0 && share.i <= inner_s_ && share.j > 0 && share.j <= inner_t_;
+  }
+  void add_tie(const FaceTie& tie);
+  void add_volume();
   std::vector<double> residual(const SplineSpace& space, const Direction& own, bool by_s) const;
 
   Model model_;
@@ -81,10 +76,13 @@ class FaceFit {
   std::vector<Vector3> misses_;  ///< of the boundary, at the samples, in the surface's frames
   std::vector<PatchPoint> samples_;
   std::vector<Vector3> targets_;  ///< the samples' positions, brought to the boundary
-  std::array<std::vector<SidePlace>, 4> sides_;
+  std::vector<Vector3> areas_;    ///< along the normals, of the samples' parts
+  std::vector<FaceTie> ties_;
   std::size_t inner_s_, inner_t_;
   std::unique_ptr<BandedCholesky> matrix_;
   std::vector<double> right_;
+  std::vector<double> volume_, volume_move_;  ///< derivative of the volume, and what changes it at least cost
+  double volume_wanted_ = 0;
 };
 
 /// The spline of given spaces that has the surface's values at the Greville places inside, and the boundary.

@@ -84,7 +84,7 @@ TEST(Spline, CurvesAreFittedByOneSpanWhereItIsEnough) {
   // radius.
   const auto circle = [](double x) {
     const double turn = 0.5 * std::numbers::pi * x;
-    return CurvePoint{10 * Vector3(std::cos(turn), std::sin(turn), 0),
+    return TracedPoint{10 * Vector3(std::cos(turn), std::sin(turn), 0),
                       5 * std::numbers::pi * Vector3(-std::sin(turn), std::cos(turn), 0), Vector3::Zero()};
   };
   const auto off = [](const SplineCurve& curve) {
@@ -131,7 +131,7 @@ TEST(Spline, FitsHalveKnotsWhereTheCurveIsNotSmooth) {
   // |x - 1/3|^1.5: the first derivative is continuous, the second is not finite.
   const auto kink = [](double x) {
     const double d = x - 1.0 / 3, root = std::sqrt(std::abs(d));
-    return CurvePoint{{x, std::abs(d) * root, 0}, {1, (d < 0 ? -1.5 : 1.5) * root, 0}, Vector3::Zero()};
+    return TracedPoint{{x, std::abs(d) * root, 0}, {1, (d < 0 ? -1.5 : 1.5) * root, 0}, Vector3::Zero()};
   };
   const FittedCurve fitted = fit_curve({5, {0, 1}}, kink, {1e-4, 1, 1});
   ASSERT_TRUE(fitted.reached);
