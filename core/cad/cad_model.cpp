@@ -90,6 +90,12 @@ std::size_t weight(const CadModel& model) {
   return out;
 }
 
+/// Faces that miss the tolerance: these count before the weight does.
+std::size_t unreached(const CadModel& model) {
+  return std::size_t(std::count_if(model.faces.begin(), model.faces.end(),
+                                   [](const CadFace& face) { return !face.reached; }));
+}
+
 /// Makes models of one surface, of one degree each.
 class Maker {
  public:
@@ -178,8 +184,10 @@ Result<CadModel> make_cad_model(const Surface& surface, const CadModelOptions& o
     for (const Attempt& attempt : attempts) {
       const double next = done + 1.0 / double(attempts.size());
       const Maker maker(surface, attempt.pieces, options, cancel);
-      const std::size_t heaviest = best ? weight(*best) : std::numeric_limits<std::size_t>::max();
-      if (auto made = maker.make(attempt, heaviest, progress.part(done, next))) best = std::move(made);
+      const std::size_t missed = best ? unreached(*best) : std::numeric_limits<std::size_t>::max();
+      const std::size_t heaviest = missed == 0 ? weight(*best) : std::numeric_limits<std::size_t>::max();
+      auto made = maker.make(attempt, heaviest, progress.part(done, next));
+      if (made && (missed == 0 || unreached(*made) < missed)) best = std::move(made);
       done = next;
     }
   }

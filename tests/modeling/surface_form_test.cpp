@@ -266,10 +266,9 @@ TEST(SurfaceForm, LiveMirrorsAndAppliedOnesAgree) {
   half.mirror = mirror;
   const Shape live(half), applied(baked(half).value());
   EXPECT_LT(distance(live, applied), 1e-6);
+  const TriangleTree tree(live.points, live.triangles);
   for (const Vector3& p : live.points)
-    EXPECT_LT(TriangleTree(live.points, live.triangles).nearest({-p.x(), p.y(), p.z()}).distance,
-              1e-3 * live.size())
-        << "its own image";
+    EXPECT_LT(tree.nearest({-p.x(), p.y(), p.z()}).distance, 1e-3 * live.size()) << "its own image";
 }
 
 TEST(SurfaceForm, RefinementsKeepTheSurface) {
