@@ -149,8 +149,9 @@ Result<Done> make_network(const EnvelopedScene& scene, Quality quality, const Ca
   if (cage.faces.empty())
     return make_error(e_envelope_flat, "The solids are too flat for a surface round them.",
                       "Make one of them thicker.");
-  out.symmetric = scene.mirror && is_symmetric(cage, *scene.mirror, symmetry_tolerance * out.diagonal);
   out.network = std::make_shared<const CurveNetwork>(curve_network(std::move(cage), solids));
+  out.symmetric =
+      scene.mirror && is_symmetric(*out.network, *scene.mirror, symmetry_tolerance * out.diagonal);
   out.surface = network_surface(*out.network, out.origin);
   if (quality == Quality::drag) return Done{};
   out.folds = folded_patches(out.surface);

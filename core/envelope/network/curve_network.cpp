@@ -192,4 +192,30 @@ CurveNetwork curve_network(NetworkCage cage, std::span<const NetworkSolid> solid
   return NetworkBuilder(std::move(cage), solids).build();
 }
 
+bool is_symmetric(const CurveNetwork& network, Eigen::Index axis, double tolerance) {
+  const auto are_images = [&](const Vector3& a, Vector3 b) {
+    b[axis] *= -1;
+    return (a - b).norm() <= tolerance;
+  };
+  const std::vector<CageVertex>& vertices = network.cage.vertices;
+  std::vector<Index> image;
+  for (const CageVertex& vertex : vertices) {
+    const auto found = std::ranges::find_if(
+        vertices, [&](const CageVertex& other) { return are_images(vertex.position, other.position); });
+    if (found == vertices.end()) return false;
+    image.push_back(Index(found - vertices.begin()));
+  }
+  const auto curve_has_image = [&](const NetworkCurve& curve) {
+    const Index other = network.find(image[curve.low], image[curve.high]);
+    return other != no_index && are_images(curve.ribbon.middle(), network.curves[other].ribbon.middle());
+  };
+  const auto star_has_image = [&](const std::optional<FaceSplit>& star) {
+    return !star || std::ranges::any_of(network.splits, [&](const std::optional<FaceSplit>& other) {
+      return other && are_images(star->centre, other->centre);
+    });
+  };
+  return std::ranges::all_of(network.curves, curve_has_image) &&
+         std::ranges::all_of(network.splits, star_has_image);
+}
+
 }  // namespace hariko

@@ -43,6 +43,10 @@ struct CurveNetwork {
 /// Curves and patches over a cage of these solids.
 CurveNetwork curve_network(NetworkCage cage, std::span<const NetworkSolid> solids);
 
+/// Whether every curve and every star has an image in the plane through zero at right angles to the axis, to
+/// within a length. O(vertices^2).
+bool is_symmetric(const CurveNetwork& network, Eigen::Index axis, double tolerance);
+
 /// All patches and their seams as a surface relative to `origin`. Where some face is split, quads are cut
 /// into four parts, so that every seam is a whole side of both patches. Provenance: the cage's faces; seams
 /// name the cage's edges by numbers of vertices.

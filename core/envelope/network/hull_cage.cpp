@@ -363,27 +363,4 @@ NetworkCage hull_cage(std::span<const NetworkSolid> solids, double size) {
   return HullCageBuilder(solids, size).build();
 }
 
-bool is_symmetric(const NetworkCage& cage, Eigen::Index axis, double tolerance) {
-  std::vector<Index> image;
-  for (const CageVertex& vertex : cage.vertices) {
-    Vector3 wanted = vertex.position;
-    wanted[axis] *= -1;
-    const auto found = std::ranges::find_if(cage.vertices, [&](const CageVertex& other) {
-      return (other.position - wanted).norm() <= tolerance;
-    });
-    if (found == cage.vertices.end()) return false;
-    image.push_back(Index(found - cage.vertices.begin()));
-  }
-  const auto corners = [](const CageFace& face) {
-    return std::set<Index>(face.loop.begin(), face.loop.end());
-  };
-  std::set<std::set<Index>> known;
-  for (const CageFace& face : cage.faces) known.insert(corners(face));
-  return std::ranges::all_of(cage.faces, [&](const CageFace& face) {
-    std::set<Index> other;
-    for (const Index v : face.loop) other.insert(image[v]);
-    return known.contains(other);
-  });
-}
-
 }  // namespace hariko

@@ -36,7 +36,4 @@ struct NetworkCage {
 /// empty where all corners lie in a plane. `size`: that of the scene, a length.
 NetworkCage hull_cage(std::span<const NetworkSolid> solids, double size);
 
-/// Whether every face has an image in the plane through zero at right angles to the axis. O(vertices^2).
-bool is_symmetric(const NetworkCage& cage, Eigen::Index axis, double tolerance);
-
 }  // namespace hariko
