@@ -40,7 +40,8 @@ struct Attempt {
   bool bends = false;  ///< as EdgeTask
 };
 /// Cubics and polynomial Bezier patches have their own degree; the rest is fitted, by what is lightest.
-/// Attempts end as soon as they weigh more than those before: first what most often is the lightest.
+/// Attempts end as soon as they weigh more than those before: first cubics of single patches, whose time is
+/// bounded however tight the tolerance is.
 std::vector<Attempt> attempts_for(const Surface& surface, const CadModelOptions& options) {
   const PatchSet* patches = &surface.patches();
   if (subdivision_patches(surface) || dynamic_cast<const BicubicPatchSet*>(patches))
@@ -49,9 +50,9 @@ std::vector<Attempt> attempts_for(const Surface& surface, const CadModelOptions&
     if (const auto degree = bezier_degree(*bezier)) return {{CadPieces::faces, *degree}};
   if (dynamic_cast<const G2PatchSet*>(patches)) return {{CadPieces::faces, quintic, true}};
   if (surface.domain() == Domain::square)
-    return {{CadPieces::faces, quintic, true}, {CadPieces::faces, cubic}};
+    return {{CadPieces::faces, cubic}, {CadPieces::faces, quintic, true}};
   if (options.exact) return {{CadPieces::patches, quintic}};
-  return {{CadPieces::faces, quintic, true}, {CadPieces::patches, cubic}};
+  return {{CadPieces::patches, cubic}, {CadPieces::faces, quintic, true}};
 }
 
 Eigen::AlignedBox3d box_of(const Surface& surface) {
