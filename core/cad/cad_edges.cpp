@@ -75,7 +75,7 @@ CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
   return out;
 }
 
-/// Where only smooth edges meet round a vertex, the normal curvatures of their curves become those of one
+/// Round a vertex where only smooth edges meet, the normal curvatures of their curves become those of one
 /// quadratic form, the nearest to the surface's: else no smooth faces with continuous second derivatives fit
 /// between them (vertex enclosure), and knots would crowd there.
 void CadEdges::bend_ends(Index vertex_count) {

@@ -184,7 +184,7 @@ class FaceMaker {
     each(looked, 4, [&](Index e) { ties_.compare(e); });
   }
 
-  /// What faces have is linear in what they are wanted to have, and what both of an edge have in common, by
+  /// The faces' values are linear in the wanted ones, and those that both faces of an edge have in common, by
   /// least squares of all faces together, is where the wanted is the mean of both: conjugate gradients.
   void agree(const std::vector<char>& active) {
     const std::vector<char> faces = neighbours(active);

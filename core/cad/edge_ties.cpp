@@ -145,7 +145,7 @@ void EdgeTies::compare(Index number) {
     for (std::size_t u = 0; u < 2; ++u) {
       const Vector3 across = at.turn.tie[u].sum(faces_.surface(edge.uses[u].piece));
       at.turn.has[u] = across.dot(at.normal);
-      // Where a face hardly leads away from its edge, or back, more knots along the edge would not help.
+      // More knots along the edge do not help a face that hardly leads away from it, or back.
       angle[u] = at.turn.has[u] / std::clamp(across.dot(at.left), 0.5, 2.0);
     }
     at.jump = std::abs(angle[0] - angle[1]);

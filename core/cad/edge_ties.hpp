@@ -19,12 +19,12 @@ struct Agreed {
   std::array<double, 2> weight{1, 1};    ///< parts of the sides
   std::array<bool, 2> free{true, true};  ///< exact faces stay
 
-  /// That what both have is nearest to.
+  /// The value that those of both faces are nearest to.
   double mean() const {
     if (!free[0] || !free[1]) return has[free[0] ? 1 : 0];
     return (weight[0] * has[0] + weight[1] * has[1]) / (weight[0] + weight[1]);
   }
-  /// Of the square of what one is off.
+  /// The cost of a unit of the squared difference from the mean.
   double cost() const { return (weight[0] + weight[1]) / (limit * limit); }
 };
 
@@ -33,8 +33,8 @@ struct EdgePlace {
   double x = 0;  ///< of the edge
   double width = 0;
   Vector3 normal = Vector3::Zero();  ///< the surface's, perpendicular to the curve; zero where there is none
-  /// Of each face: the part in the plane and perpendicular to the boundary of its derivative by t or s across
-  /// the side, and that derivative of the surface, which the face keeps nearly.
+  /// A value for each face: the part of its derivative across the side that is in the plane and perpendicular
+  /// to the boundary; and that derivative of the surface, which the face keeps nearly.
   std::array<double, 2> speed{};
   std::array<Vector3, 2> across{};
   /// The lesser sine between the edge and the derivatives across it, at most 0.05, in parts of that: hardly
@@ -74,7 +74,7 @@ class EdgeTies {
   double worst(Index edge) const;
   std::vector<EdgePlace>& places(Index edge) { return places_[edge]; }
   const std::vector<EdgePlace>& places(Index edge) const { return places_[edge]; }
-  /// Of a free face; `wanted` gives their values in the same order.
+  /// Conditions of a free face; `wanted` gives their values in the same order.
   std::vector<FaceTie> ties(Index face) const;
   std::vector<double> wanted(Index face) const;
   /// The span of a face along the side of a use, of a place of the edge.

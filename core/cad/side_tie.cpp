@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-/// What a side runs along, and what leads away from it.
+/// Knots along a side, and those that lead away from it.
 struct SideSpaces {
   const SplineSpace &along, &across;
   bool horizontal, at_end;

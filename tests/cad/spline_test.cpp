@@ -85,7 +85,7 @@ TEST(Spline, CurvesAreFittedByOneSpanWhereItIsEnough) {
   const auto circle = [](double x) {
     const double turn = 0.5 * std::numbers::pi * x;
     return TracedPoint{10 * Vector3(std::cos(turn), std::sin(turn), 0),
-                      5 * std::numbers::pi * Vector3(-std::sin(turn), std::cos(turn), 0), Vector3::Zero()};
+                       5 * std::numbers::pi * Vector3(-std::sin(turn), std::cos(turn), 0), Vector3::Zero()};
   };
   const auto off = [](const SplineCurve& curve) {
     double out = 0;

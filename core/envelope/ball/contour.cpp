@@ -15,7 +15,7 @@ Node moved(Node node, int axis, int by) {
   return node;
 }
 
-/// Of a node, or of what begins there along an axis, or lies across it.
+/// The key of a node, or of the edge that begins there along an axis, or of the face across it.
 std::uint64_t key_of(const Node& node, int axis = 0) {
   std::uint64_t out = std::uint64_t(axis);
   for (const int x : node) out = out << 20 | std::uint64_t(x);
