@@ -17,9 +17,10 @@ std::optional<std::vector<CadFace>> cad_faces(const EdgeTask& task, const CadEdg
                                               std::size_t heaviest, const CancelToken& cancel,
                                               const Progress& progress);
 
-/// Control points of a face, and as many more as it has corners and edges.
+/// Control points of a face, and as many more as its loop, edges and vertices weigh in a STEP file: of 95
+/// bytes a control point and 2,780 a face, measured over files of 20 to 400 faces.
 inline std::size_t weight_of(const SplineSpace& s, const SplineSpace& t) {
-  return s.size() * t.size() + 8;
+  return s.size() * t.size() + 29;
 }
 
 /// The face of a piece if it is a spline of the task's degree, to rounding.
