@@ -16,7 +16,7 @@ TEST_F(CadExport, WritesAndReportsOrSaysWhatIsMissing) {
     return;
   }
   ASSERT_EQ(result.exit_code, 0) << result.error;
-  EXPECT_NE(result.out.find("72 faces"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("cube: 6 faces"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("1 solids, 0 open shells, valid"), std::string::npos) << result.out;
   const std::string text = read_text(out);
   EXPECT_TRUE(text.starts_with("ISO-10303-21;"));
