@@ -86,7 +86,7 @@ class Scene {
     return out;
   }
 
-  /// Where the surface itself runs inside of a solid, that reaches out of it as far as the surface is deep.
+  /// Adds vertices of the surface inside of a solid: it reaches out there as far as the vertex is deep.
   void add_dips(EnclosureReport& report) const {
     std::vector<TestedPoint> deepest(mesh_.positions.size());
     std::vector<double> depth(mesh_.positions.size(), 0);

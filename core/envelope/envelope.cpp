@@ -45,7 +45,8 @@ Result<Done> examine(const EnvelopedScene& scene, EnvelopeSurface& out, const Ca
   return Done{};
 }
 
-/// What a check found. Curves over a hull cannot be mended by the designer as the ball can.
+/// Adds warnings of what a check found. The ball has remedies of its own; curves over a hull have none but
+/// the ball.
 void add_warnings(bool network, EnvelopeSurface& out) {
   const auto add = [&](Code code, std::string text, const char* of_ball) {
     out.warnings.push_back(make_warning(
@@ -75,7 +76,7 @@ void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warning
                                       "Make it of several convex solids."));
 }
 
-/// Of files from before there was the ball.
+/// Adds the warning of files that are older than the ball.
 void add_file_warnings(const EnvelopeSettings& settings, std::vector<Message>& warnings) {
   if (!settings.from_before && settings.lost.empty()) return;
   std::string text =
@@ -95,7 +96,7 @@ void add_file_warnings(const EnvelopeSettings& settings, std::vector<Message>& w
                                       : "Look at the surface, or choose the ball."));
 }
 
-/// Of what the ball's patches miss.
+/// Adds warnings of what the ball's patches miss.
 void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, EnvelopeSurface& out) {
   if (rounding > asked)
     out.warnings.push_back(

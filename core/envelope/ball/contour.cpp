@@ -58,7 +58,8 @@ class Contouring {
   }
   bool inside(const Node& node) { return value(node) < 0; }
 
-  /// Of half an edge: as far as corners, and a quarter for the slope of what is between the nodes of fields.
+  /// The search radius in half edges: the distance of a corner, and a quarter more for the slope of fields
+  /// between their nodes.
   static constexpr double reach = 1.25 * 1.7320508075688772;
 
   /// Cubes without halves that the surface may cross.
@@ -91,7 +92,7 @@ class Contouring {
     return false;
   }
 
-  /// Where the surface crosses the rim of a face, once round.
+  /// Crossings of the surface with the boundary of a face, in order.
   std::vector<Crossing> crossings(const Face& face) {
     const int steps = cubes_.steps(face.level), u = (face.axis + 1) % 3, v = (face.axis + 2) % 3;
     const std::array<Node, 4> corners{face.node, moved(face.node, u, steps),
@@ -211,7 +212,7 @@ class Contouring {
     return no_index;
   }
 
-  /// Where two segments of a face belong to one vertex on both sides, two faces would share two edges.
+  /// Flips faces whose two segments belong to one vertex on both sides: their quads would share two edges.
   bool flip_doubled() {
     bool flipped = false;
     for (auto& [key, decision] : decisions_) {

@@ -98,7 +98,7 @@ struct EnvelopePatchSet::Frame {
     return gregory::rails(patch.c0, patch.cross_c0, patch.cross_c1, patch.c1, u.cubic, u.sextic,
                           Order::second);
   }
-  /// Of outer sides the curve alone decides, from both patches with the same bits.
+  /// Sets points of outer sides from the curve alone, so that both patches give the same bits.
   void set_side_position(double s, double t, PatchPoint& point) const {
     const auto set = [&](std::size_t side, double x) {
       if (!part.sides[side].outer) return false;
