@@ -72,15 +72,14 @@ sanitizer_tests() {
 }
 
 fuzz() {
-  build fuzz
   step "Fuzzers"
   local fuzzers=()
-  mapfile -t fuzzers < <(find build/fuzz/tests/fuzz -maxdepth 1 -type f -executable | sort)
+  mapfile -t fuzzers < <(find build/debug/tests/fuzz -maxdepth 1 -type f -executable | sort)
   if [ ${#fuzzers[@]} -eq 0 ]; then
-    echo "test.sh: the fuzz build has no fuzzers" >&2
+    echo "test.sh: the sanitizer build has no fuzzers" >&2
     return 1
   fi
-  mkdir -p build/fuzz/artifacts
+  mkdir -p build/debug/artifacts
   export -f run_fuzzer
   printf '%s\n' "${fuzzers[@]}" | xargs -P2 -I{} bash -euo pipefail -c 'run_fuzzer {}'
 }
@@ -89,11 +88,11 @@ run_fuzzer() {
   local name format corpus
   name=$(basename "$1")
   format=${name%_fuzz}
-  corpus=build/fuzz/corpus/$name
+  corpus=build/debug/corpus/$name
   mkdir -p "$corpus"
   local report
   report=$("$1" -max_total_time=60 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
-    "-artifact_prefix=build/fuzz/artifacts/$name-" "-dict=tests/fuzz/$format.dict" \
+    "-artifact_prefix=build/debug/artifacts/$name-" "-dict=tests/fuzz/$format.dict" \
     "$corpus" "tests/fuzz/seeds/$format" tests/golden assets/samples 2>&1 | tail -n 25) ||
     { printf '%s\n== Fuzzer %s failed\n' "$report" "$name"; return 1; }
   printf '\n== Fuzzer %s, one minute\n%s\n' "$name" "$report"

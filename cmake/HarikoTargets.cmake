@@ -1,8 +1,8 @@
 # What nearly every file includes, compiled once for libraries and once for test programs, whose flags differ.
 # The benchmarks' build goes without, and compiles every file alone: it shows where a file relies on what only others
-# include. (The fuzzers' compiler is another one.)
+# include.
 set(HARIKO_PRECOMPILE ON)
-if(HARIKO_FUZZ OR HARIKO_BENCH)
+if(HARIKO_BENCH)
   set(HARIKO_PRECOMPILE OFF)
 endif()
 set(HARIKO_PRECOMPILED_SOURCE "${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp")

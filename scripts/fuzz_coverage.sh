@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Lines of each reader that its fuzzer reaches, as a table: the fuzzers built with clang's coverage instrumentation,
-# run over the seeds and the corpora that ./test.sh --full has left in build/fuzz/corpus, and then for a while.
+# run over the seeds and the corpora that ./test.sh --full has left in build/debug/corpus, and then for a while.
 #   scripts/fuzz_coverage.sh [SECONDS] [FORMAT...]   each fuzzer's time beyond the corpora (default: 0); which (default: all)
 # Needs the packages of scripts/dependencies.sh build full, and llvm-14.
 set -euo pipefail
@@ -9,9 +9,9 @@ formats=("${@:2}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 profiles=build/coverage/profiles
 
-cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_CXX_COMPILER=clang++ \
+cmake -S . -B build/coverage -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++ \
   "-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping" \
-  -DHARIKO_CAD=OFF -DHARIKO_FUZZ=ON -DHARIKO_TESTS=OFF -DHARIKO_WINDOW=OFF >/dev/null
+  -DHARIKO_CAD=OFF -DHARIKO_FUZZ=ON -DHARIKO_SANITIZE=ON -DHARIKO_TESTS=OFF -DHARIKO_WINDOW=OFF >/dev/null
 if [ ${#formats[@]} -eq 0 ]; then mapfile -t formats < <(basename -s _fuzz.cpp tests/fuzz/*_fuzz.cpp); fi
 cmake --build build/coverage --target "${formats[@]/%/_fuzz}"
 
@@ -39,7 +39,7 @@ for format in "${formats[@]}"; do
   found=build/coverage/corpus/$name
   mkdir -p "$found"
   inputs=("$found" "tests/fuzz/seeds/$format" tests/golden assets/samples)
-  if [ -d "build/fuzz/corpus/$name" ]; then inputs+=("build/fuzz/corpus/$name"); fi
+  if [ -d "build/debug/corpus/$name" ]; then inputs+=("build/debug/corpus/$name"); fi
   limit=(-runs=0)
   if [ "$seconds" -gt 0 ]; then limit=("-max_total_time=$seconds"); fi
   LLVM_PROFILE_FILE="$profiles/$name.profraw" "$fuzzer" "${limit[@]}" -rss_limit_mb=4096 "-dict=tests/fuzz/$format.dict" \

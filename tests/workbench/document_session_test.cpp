@@ -1,82 +1,19 @@
 // The open document and its file, driven as the window drives it: samples, saving, locks, changes by other
 // programs, recovery.
 
-#include "app/document_session.hpp"
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
-#include <optional>
-#include <thread>
 
-#include "core/document/edits.hpp"
-#include "core/document/file.hpp"
-#include "tests/support/random_polyhedra.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/session_rig.hpp"
 
 namespace hariko {
 namespace {
 
-using test::HeadlessWorkbench;
+using test::box;
+using test::OpenFile;
+using test::Session;
 using test::spill;
-
-Document box(const std::string& name = "Box") {
-  return document_from_mesh(test::prism(4), name).value();
-}
-
-/// A window without a window, with folders of its own.
-class Session {
- public:
-  explicit Session(const std::filesystem::path& folder)
-      : bench_(box(), {800, 560}, actions()),
-        session_(bench_.editor(), bench_.workbench(), {folder / "config", folder / "state", folder / "cache"},
-                 folder / "samples",
-                 {[] {}, [] {}, [this](const char* what, const auto&) { happened_.emplace_back(what); }}) {}
-
-  DocumentSession& operator*() { return session_; }
-  DocumentSession* operator->() { return &session_; }
-  Editor& editor() { return bench_.editor(); }
-  HeadlessWorkbench& bench() { return bench_; }
-  bool happened(const std::string& what) const {
-    return std::find(happened_.begin(), happened_.end(), what) != happened_.end();
-  }
-  bool shows(const std::string& mark) { return bench_.workbench().marks().all().contains(mark); }
-
-  /// Until all work on files is done and shown.
-  void settle() {
-    while (!session_.idle()) {
-      session_.publish();
-      std::this_thread::yield();
-    }
-    session_.update();
-    bench_.frame();
-    bench_.frame();
-  }
-  void click(const std::string& mark) {
-    bench_.click(mark);
-    settle();
-  }
-  void rename_object(const std::string& name) {
-    Editor& editor = bench_.editor();
-    const Document& document = editor.history.current();
-    ASSERT_TRUE(editor.commit(hariko::rename_object(document, document.objects[0]->id, name), "Rename"));
-    session_.update();
-  }
-
- private:
-  FileActions actions() {
-    FileActions actions;
-    actions.open = [this](const auto& path) { session_.open(path); };
-    actions.save = [this](const auto& path, auto then) { session_.save(path, std::move(then)); };
-    return actions;
-  }
-
-  std::vector<std::string> happened_;
-  HeadlessWorkbench bench_;
-  DocumentSession session_;
-};
 
 TEST(DocumentSession, ASampleOpensAsACopyWithoutAFile) {
   const test::TemporaryFolder folder;
@@ -114,35 +51,6 @@ TEST(DocumentSession, AnotherFileOfTheSameNameIsNoSample) {
   EXPECT_EQ(session.editor().path, file);
   EXPECT_TRUE(std::filesystem::exists(lock_path_of(file)));
 }
-
-/// A document in a file, as most sessions begin.
-class OpenFile : public ::testing::Test {
- protected:
-  OpenFile() { EXPECT_TRUE(save_document(box("Saved"), file_).ok()); }
-  void SetUp() override {
-    session_.emplace(folder_.path());
-    (*session_)->open(file_);
-    session_->settle();
-    ASSERT_EQ(session_->editor().path, file_);
-  }
-  /// The name of the object that a file holds.
-  static std::string name_in(const std::filesystem::path& file) {
-    const auto document = load_document(file);
-    return document.ok() ? document->objects[0]->name : to_string(document.error());
-  }
-  std::string last_notice() {
-    const auto& notices = session_->editor().notices();
-    return notices.empty() ? std::string() : notices.back().text;
-  }
-  void save() {
-    session_->bench().key("Ctrl+S");
-    session_->settle();
-  }
-
-  test::TemporaryFolder folder_;
-  std::filesystem::path file_ = folder_.path() / "model.hariko";
-  std::optional<Session> session_;
-};
 
 TEST_F(OpenFile, SavingWritesTheDocumentAndCountsAsSaved) {
   session_->rename_object("Changed");
@@ -373,48 +281,6 @@ TEST_F(Recovery, DiscardingAsksByNameAndRemovesTheWork) {
   session_->click("prompt.discard_recovery");
   EXPECT_TRUE(store.leftovers(0).empty());
   EXPECT_TRUE(offers().empty());
-}
-
-/// A cube of which two faces are turned and one edge has a third face.
-std::string broken_obj() {
-  return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 2 0 2\nv 2 1 2\n"
-         "f 1 4 3 2\nf 5 8 7 6\nf 1 2 6 5\nf 7 3 2 6\nf 3 4 8 7\nf 4 1 5 8\nf 6 7 10 9\n";
-}
-
-TEST_F(OpenFile, ABrokenMeshIsRepairedKeptAsFacetsOrLeft) {
-  const auto mesh = folder_.path() / "broken.obj";
-  test::spill(mesh, broken_obj());
-  (*session_)->open(mesh);
-  session_->settle();
-  ASSERT_TRUE(session_->shows("prompt.repair"));
-  const std::string text = session_->bench().workbench().question()->text;
-  EXPECT_NE(text.find("broken.obj"), std::string::npos) << text;
-  EXPECT_NE(text.find("edge "), std::string::npos) << "no element is named: " << text;
-  session_->click("prompt.cancel");
-  EXPECT_EQ(session_->editor().path, file_) << "Cancel opened something";
-
-  (*session_)->open(mesh);
-  session_->settle();
-  session_->click("prompt.reference");
-  ASSERT_TRUE(session_->editor().document().objects[0]->mesh());
-  EXPECT_EQ(session_->editor().document().objects[0]->mesh()->mesh->face_count(), 7U);
-
-  (*session_)->open(mesh);
-  session_->settle();
-  session_->click("prompt.repair");
-  const PolyhedronSource* source = session_->editor().document().objects[0]->polyhedron();
-  ASSERT_NE(source, nullptr);
-  EXPECT_EQ(source->polyhedron.face_count(), 7);
-  EXPECT_FALSE(session_->editor().path.has_value());
-  EXPECT_NE(last_notice().find("turned"), std::string::npos) << last_notice();
-}
-
-TEST_F(OpenFile, AMeshOfWhichNothingIsLeftSaysSo) {
-  const auto mesh = folder_.path() / "empty.obj";
-  test::spill(mesh, "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\nf 1 1 2\n");
-  (*session_)->open(mesh);
-  session_->settle();
-  EXPECT_FALSE(session_->shows("prompt.repair"));
 }
 
 }  // namespace

@@ -1,0 +1,152 @@
+// Meshes that are opened: broken ones, open ones, dense ones, and what the dialog says of them.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <iomanip>
+#include <sstream>
+
+#include "core/exchange/mesh_file.hpp"
+#include "core/modeling/primitives.hpp"
+#include "core/modeling/sharp_edges.hpp"
+#include "tests/workbench/session_rig.hpp"
+
+namespace hariko {
+namespace {
+
+using test::OpenFile;
+
+/// A cube of which two faces are turned and one edge has a third face.
+std::string broken_obj() {
+  return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 2 0 2\nv 2 1 2\n"
+         "f 1 4 3 2\nf 5 8 7 6\nf 1 2 6 5\nf 7 3 2 6\nf 3 4 8 7\nf 4 1 5 8\nf 6 7 10 9\n";
+}
+
+TEST_F(OpenFile, ABrokenMeshIsRepairedKeptAsFacetsOrLeft) {
+  const auto mesh = folder_.path() / "broken.obj";
+  test::spill(mesh, broken_obj());
+  (*session_)->open(mesh);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.repair"));
+  const std::string text = session_->bench().workbench().question()->text;
+  EXPECT_NE(text.find("broken.obj"), std::string::npos) << text;
+  EXPECT_NE(text.find("edge "), std::string::npos) << "no element is named: " << text;
+  session_->click("prompt.cancel");
+  EXPECT_EQ(session_->editor().path, file_) << "Cancel opened something";
+
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->click("prompt.reference");
+  ASSERT_TRUE(session_->editor().document().objects[0]->mesh());
+  EXPECT_EQ(session_->editor().document().objects[0]->mesh()->mesh->face_count(), 7U);
+
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->click("prompt.repair");
+  const PolyhedronSource* source = session_->editor().document().objects[0]->polyhedron();
+  ASSERT_NE(source, nullptr);
+  EXPECT_EQ(source->polyhedron.face_count(), 7);
+  EXPECT_FALSE(session_->editor().path.has_value());
+  EXPECT_NE(last_notice().find("turned"), std::string::npos) << last_notice();
+}
+
+TEST_F(OpenFile, AMeshOfWhichNothingIsLeftSaysSo) {
+  const auto mesh = folder_.path() / "empty.obj";
+  test::spill(mesh, "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\nf 1 1 2\n");
+  (*session_)->open(mesh);
+  session_->settle();
+  EXPECT_FALSE(session_->shows("prompt.repair"));
+}
+
+/// A unit cube of six loose squares. The corners of the last lie `near` beside those of the others, and two
+/// of them `far`.
+std::string loose_cube(double near, double far) {
+  std::ostringstream text;
+  const int squares[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                             {2, 3, 7, 6}, {0, 4, 7, 3}, {1, 2, 6, 5}};
+  const int corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                             {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  for (int square = 0; square < 6; ++square)
+    for (int corner = 0; corner < 4; ++corner) {
+      const int* at = corners[squares[square][corner]];
+      const double aside = square < 5 ? 0 : corner < 2 ? near : far;
+      text << "v " << at[0] << ' ' << at[1] << ' ' << std::setprecision(10) << at[2] + aside << '\n';
+    }
+  for (int first = 1; first < 24; first += 4)
+    text << "f " << first << ' ' << first + 1 << ' ' << first + 2 << ' ' << first + 3 << '\n';
+  return text.str();
+}
+
+TEST_F(OpenFile, CornersThatAreNearlyTheSameAreJoinedAsFarAsIsTyped) {
+  const auto mesh = folder_.path() / "loose.obj";
+  test::spill(mesh, loose_cube(2e-7, 0.004));
+  const auto vertices = [this] {
+    const PolyhedronSource* source = session_->editor().document().objects[0]->polyhedron();
+    return source ? source->polyhedron.vertex_count() : 0;
+  };
+  (*session_)->open(mesh);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.join"));
+  EXPECT_NE(session_->bench().workbench().question()->text.find("loose.obj"), std::string::npos);
+  session_->click("prompt.join");
+  EXPECT_EQ(vertices(), 10) << "two corners are further off than the tolerance";
+
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->click("prompt.keep");
+  EXPECT_EQ(vertices(), 12) << "corners at one place are joined, others are not";
+
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->bench().click("export.join_tolerance");
+  session_->bench().tap("Ctrl+A");
+  session_->bench().type("0.01");
+  session_->click("prompt.join");
+  EXPECT_EQ(vertices(), 8);
+  EXPECT_EQ(session_->editor().document().objects[0]->polyhedron()->polyhedron.edge_count(), 12);
+}
+
+TEST_F(OpenFile, ADenseMeshIsAskedAboutAndBecomesWhatIsChosen) {
+  const auto mesh = folder_.path() / "dense.obj";
+  const PolygonMesh torus = make_primitive(TorusShape{2, 0.5, 100, 60, {}}).value();
+  ASSERT_TRUE(write_mesh_file(mesh, std::array{NamedPolygons{"torus", &torus}}).ok());
+  (*session_)->open(mesh);
+  session_->settle();
+  ASSERT_TRUE(session_->shows("prompt.reference"));
+  EXPECT_NE(session_->bench().workbench().question()->text.find("6000"), std::string::npos);
+  session_->click("prompt.cancel");
+  EXPECT_EQ(session_->editor().path, file_) << "Cancel opened something";
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->click("prompt.reference");
+  EXPECT_TRUE(session_->editor().document().objects[0]->mesh());
+  (*session_)->open(mesh);
+  session_->settle();
+  session_->click("prompt.cage");
+  EXPECT_TRUE(session_->editor().document().objects[0]->polyhedron());
+}
+
+TEST_F(OpenFile, TheDialogSaysWhatMeshesBecome) {
+  const PolygonMesh prism = make_primitive(PrismShape{12, 1, 2, {}}).value();
+  ASSERT_TRUE(
+      write_mesh_file(folder_.path() / "housing.obj", std::array{NamedPolygons{"housing", &prism}}).ok());
+  const auto open_by_dialog = [this](const std::vector<std::string>& clicks) {
+    session_->bench().workbench().commands().run("file.open");
+    for (int i = 0; i < 3; ++i) session_->bench().frame();
+    session_->bench().click("entry.housing.obj");
+    for (const std::string& mark : clicks) {
+      for (int i = 0; i < 3; ++i) session_->bench().frame();
+      session_->bench().click(mark);
+    }
+    session_->click("dialog.accept");
+  };
+  open_by_dialog({"import.creases"});
+  const PolyhedronSource* cage = session_->editor().document().objects[0]->polyhedron();
+  ASSERT_NE(cage, nullptr);
+  EXPECT_EQ(cage->shaping->crease.size(), 24U) << "the rims of the lids, sharper than 30 degrees";
+  open_by_dialog({"import.use", "import.use.2"});
+  EXPECT_TRUE(session_->editor().document().objects[0]->mesh());
+}
+
+}  // namespace
+}  // namespace hariko
