@@ -51,6 +51,7 @@ void FileDialog::open(Request request) {
     start = start.parent_path();
   }
   if (!request_.saving) name_.clear();
+  if (start.empty() || !fs::is_directory(start, error)) start = chosen_folder_;
   if (start.empty() || !fs::is_directory(start, error)) start = fs::current_path(error);
   go_to(start);
   places_.clear();
@@ -117,6 +118,7 @@ void FileDialog::submit(bool overwrite) {
     return;
   }
   open_ = false;
+  chosen_folder_ = folder_;
   const auto accept = request_.accept;  // which may open the dialog again
   accept(path);
 }
@@ -293,8 +295,6 @@ void FileDialog::draw_list(PanelContext& context, float below) {
   ImGui::EndChild();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
   ImGui::BeginChild("files", {0, -below}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-  // A click beside the entries leaves the keyboard where it was.
-  if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) focus_name_ = true;
   const fs::path shown = folder_;
   ImGuiListClipper clipper;
   // Nothing may be drawn when a click has closed the dialog: the clipper cannot measure a row then.

@@ -59,8 +59,8 @@ class FileDialog {
   std::optional<std::size_t> only_;  ///< when opening: the one extension whose files are shown
   FolderOrder order_ = FolderOrder::name;
   bool descending_ = false;
-  std::optional<std::string> new_folder_;  ///< its name while it is typed
-  std::filesystem::path folder_;
+  std::optional<std::string> new_folder_;         ///< its name while it is typed
+  std::filesystem::path folder_, chosen_folder_;  ///< shown, and of the file that was accepted last
   std::vector<FolderEntry> entries_;
   std::optional<std::size_t> at_;  ///< the entry that the arrow keys are at
   bool scroll_ = false;

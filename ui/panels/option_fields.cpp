@@ -18,7 +18,7 @@ bool option_field(const char* id, const char* help, Marks& marks, float width, c
                   std::string& text, double& value) {
   if (text.empty()) text = format_quantity(quantity, value);
   ImGui::SetNextItemWidth(width);
-  ImGui::InputText((std::string("##") + id).c_str(), &text);
+  ImGui::InputText((std::string("##") + id).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
   marks.item(std::string("export.") + id);
   if (ImGui::IsItemHovered()) show_tip(help);
   if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
