@@ -7,9 +7,10 @@
 #include "app/application.hpp"
 #include "app/commands/command_line/run_command.hpp"
 #include "app/crash_report.hpp"
+#include "core/base/sanitizer.hpp"
 
 int main(int argc, char** argv) {
-#ifndef __SANITIZE_ADDRESS__  // whose own report says more
+#ifndef HARIKO_ADDRESS_SANITIZER  // whose own report says more
   hariko::report_crashes();
 #endif
   // A file that gets too large for a limit is an error of its writing, not the end of the program.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include "core/base/sanitizer.hpp"
 #include "core/document/edits.hpp"
 #include "tests/document/random_documents.hpp"
 
@@ -222,7 +223,7 @@ TEST(History, AThousandMovesOf20000FacesFitIn64Megabytes) {
   EXPECT_EQ(history.position(), 1000U) << "nothing was forgotten";
   EXPECT_LT(history.bytes(), std::size_t(64) << 20);
   RecordProperty("history_bytes", std::to_string(history.bytes()));
-#ifndef __SANITIZE_ADDRESS__  // the sanitizer's allocator does not answer mallinfo2
+#ifndef HARIKO_ADDRESS_SANITIZER  // the sanitizer's allocator does not answer mallinfo2
   const std::size_t heap = heap_bytes() - heap_before;
   RecordProperty("heap_bytes", std::to_string(heap));
   EXPECT_LT(heap, std::size_t(64) << 20);

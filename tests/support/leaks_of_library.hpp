@@ -1,6 +1,8 @@
 #pragma once
 
-#ifdef __SANITIZE_ADDRESS__
+#include "core/base/sanitizer.hpp"
+
+#ifdef HARIKO_ADDRESS_SANITIZER
 #include <sanitizer/lsan_interface.h>
 #endif
 
@@ -9,7 +11,7 @@ namespace hariko::test {
 /// As long as it lives, what a foreign library allocates may be left behind: the leak checker looks away.
 class LeaksOfLibrary {
  public:
-#ifdef __SANITIZE_ADDRESS__
+#ifdef HARIKO_ADDRESS_SANITIZER
   LeaksOfLibrary() {
     __lsan_disable();
   }
