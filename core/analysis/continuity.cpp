@@ -109,9 +109,10 @@ struct NormalJump {
 
 NormalJump jump_between(const Vector3& a, const Vector3& b) {
   const double sine = a.cross(b).norm(), cosine = a.dot(b);
-  const double planes = std::atan2(sine, std::abs(cosine));
-  if (cosine < 0 && planes <= fold_angle) return {planes, true};
-  return {std::atan2(sine, cosine), false};
+  const double angle = std::atan2(sine, cosine);
+  const double planes = std::numbers::pi - angle;
+  if (cosine < 0 && planes <= fold_angle) return {std::atan2(sine, -cosine), true};
+  return {angle, false};
 }
 
 /// Unit normal, zero where the derivatives span less than the threshold.
@@ -130,10 +131,12 @@ double turn_by_rounding(const PatchPoint& point) {
          point.ds.cross(point.dt).norm();
 }
 
-/// True at vertices of very high tension, whose tangents are tiny.
+/// True at vertices of very high tension, whose tangents are tiny: `turn_by_rounding` above 1e-11.
 bool beyond_resolution(const PatchPoint& point) {
-  constexpr double resolution = 1e-11;
-  return turn_by_rounding(point) > resolution;
+  constexpr double share = 1e-15 / 1e-11;  // rounding to resolution
+  const double s = point.ds.squaredNorm(), t = point.dt.squaredNorm();
+  return share * share * point.position.squaredNorm() * (s + t + 2 * std::sqrt(s * t)) >
+         point.ds.cross(point.dt).squaredNorm();
 }
 
 /// `planes`: normals of the nodes at both ends.
@@ -193,7 +196,7 @@ ContinuityReport continuity(const Surface& surface, const CancelToken& cancel) {
   const std::vector<double> means = mean_jacobians(surface);
   const SeamSampler first_order(surface, Order::first), second_order(surface, Order::second);
   std::vector<SeamContinuity> each(seams.size());
-  parallel_for(seams.size(), 8, [&](std::size_t begin, std::size_t end) {
+  parallel_for(seams.size(), 64, [&](std::size_t begin, std::size_t end) {
     if (cancel.cancelled()) return;
     SeamPoints normals(first_order.count()), curvatures(second_order.count());
     for (std::size_t i = begin; i < end; ++i) {

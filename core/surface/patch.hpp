@@ -89,11 +89,11 @@ class PatchSet {
   /// The same with both orders of derivatives.
   virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                              std::span<PatchPoint> points) const = 0;
+  virtual CornerSecondOrder second_order_at_corner(Index patch, int corner) const = 0;
+
   /// Evaluation of any parameters where they are the same on many patches: a set of patches with common basis
   /// functions makes their tables here, once. The result must not outlive the set.
   virtual std::unique_ptr<const BatchEvaluation> batch(std::vector<Vector2> parameters) const;
-
-  virtual CornerSecondOrder second_order_at_corner(Index patch, int corner) const = 0;
 };
 
 /// Unit vector along ds x dt; zero where the two are parallel to within 1e-12 of their lengths' product, or
