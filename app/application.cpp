@@ -11,6 +11,7 @@
 
 #include "app/assets_folder.hpp"
 #include "app/background_work.hpp"
+#include "app/conversion_jobs.hpp"
 #include "app/crash_offers.hpp"
 #include "app/crash_report.hpp"
 #include "app/display_loss.hpp"
@@ -69,6 +70,7 @@ class Application {
         meshes_(editor_, &GlWindow::wake, [this] { log_.file("meshed", {}); }),
         paper_(editor_, long_, &GlWindow::wake),
         skins_(editor_, long_, edits_, [this](const char* what, const auto& path) { happened(what, path); }),
+        conversions_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { happened(what, path); }),
@@ -185,7 +187,7 @@ class Application {
     actions.export_pictures = [this](PictureOrder order) { exchange_.export_pictures(std::move(order)); };
     actions.export_drawing = [this](DrawingOrder order) { exchange_.export_drawing(std::move(order)); };
     actions.export_control = [this](const auto& path) { skins_.export_control(path); };
-    actions.convert_skin = [this](ObjectId object) { skins_.convert(object); };
+    actions.convert = [this](ObjectId object) { conversions_.convert(object); };
     actions.add_section = [this](ObjectId object, double place) { skins_.add_section(object, place); };
     actions.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
     actions.record = [this](const auto& path) { record_to_ = path; };
@@ -439,6 +441,7 @@ class Application {
   MeshPreviewer meshes_;
   PaperEngine paper_;
   SkinJobs skins_;
+  ConversionJobs conversions_;
   Workbench workbench_;
   ExchangeJobs exchange_;
   GaussEngine gauss_;

@@ -5,27 +5,11 @@
 #include "app/files/control_mesh_file.hpp"
 #include "app/files/left_out.hpp"
 #include "core/document/edits.hpp"
-#include "core/modeling/skin_polyhedron.hpp"
 #include "core/skinning/add_section.hpp"
 #include "ui/columns_job.hpp"
 #include "ui/skin_edits.hpp"
 
 namespace hariko {
-
-void SkinJobs::convert(ObjectId id) {
-  const auto object = editor_.history.current().find_shared(id);
-  if (!object || !object->skin()) return;
-  if (converting_) converting_->cancel.cancel();
-  files_.run_cancellable(
-      fill(translatable("Converting {0}"), {object->name}),
-      [object](const CancelToken& cancel, const Progress& progress) {
-        return skin_polyhedron(*object->skin()->skin, cancel, progress);
-      },
-      [this, object, number = ++conversions_](const Result<SkinPolyhedron>& made) {
-        if (number == conversions_) take(*object, made);
-      });
-  converting_ = editor_.jobs.back();
-}
 
 void SkinJobs::add_section(ObjectId id, double place) {
   // Asked for twice before it is there, by two clicks on one spot.
@@ -79,29 +63,6 @@ const Object* SkinJobs::still(const Object& object, const char* changed) const {
   if (now->skin()->skin == object.skin()->skin) return now;
   editor_.notify(Notice::Kind::warning, editor_.language(changed));
   return nullptr;
-}
-
-void SkinJobs::take(const Object& object, const Result<SkinPolyhedron>& made) {
-  if (!made.ok()) {
-    if (made.error().code != e_cancelled) editor_.notify(made.error());
-    return;
-  }
-  const Object* now =
-      still(object, translatable("The skin was changed while it was converted. Convert it again."));
-  if (!now) return;
-  if (editor_.history.in_gesture()) editor_.cancel_preview();
-  auto added = add_object(editor_.history.current(), now->name, Source(made->source), now->transform);
-  if (!added) return editor_.notify(added.error());
-  const double scale = now->transform.scale;
-  if (!editor_.commit(set_visible(added->document, object.id, false), translatable("Convert to polyhedron")))
-    return;
-  editor_.selection.clear_objects();
-  editor_.selection.active = added->id;
-  for (const Message& warning : made->warnings) editor_.notify(warning);
-  editor_.notify(Notice::Kind::info,
-                 fill(editor_.language("The surface of the polyhedron is at most {0} from the skin."),
-                      {format_number(made->distance * scale, 3)}));
-  log_("converted", {});
 }
 
 void SkinJobs::take(const MadeSection& made) {

@@ -10,7 +10,6 @@
 
 #include "app/background_work.hpp"
 #include "app/rebuild_engine.hpp"
-#include "core/modeling/skin_polyhedron.hpp"
 #include "core/skinning/skin_edit.hpp"
 
 namespace hariko {
@@ -19,15 +18,11 @@ namespace hariko {
 class SkinJobs {
  public:
   using Log = std::function<void(const char* what, const std::filesystem::path&)>;
-  /// `files`: where conversions and exports wait for each other; `edits`: for work that an edit waits for.
-  /// `log`: told when something is done, "control_exported", "converted", "section_added" or "export_failed".
+  /// `files`: where exports wait for each other; `edits`: for work that an edit waits for. `log`: told when
+  /// something is done, "control_exported", "section_added" or "export_failed".
   SkinJobs(Editor& editor, BackgroundWork& files, BackgroundWork& edits, Log log)
       : editor_(editor), files_(files), edits_(edits), log_(std::move(log)) {}
 
-  /// Makes a polyhedron of a skin as it is now; a conversion that is on its way is cancelled. One step at the
-  /// end: the polyhedron comes and the skin is hidden. A skin that was changed meanwhile stays as it is, and
-  /// a notice says so.
-  void convert(ObjectId object);
   /// Takes a section from the surface of a skin, at a place of its path, once those that were asked for
   /// before are there: one step each, by `settle`, after which the new points are selected. A skin that was
   /// changed meanwhile stays as it is, and a notice says so; cancelling one section cancels those that wait.
@@ -52,15 +47,12 @@ class SkinJobs {
   void make_section();
   /// The skin, if it still is what work began with; else null, after saying `changed`.
   const Object* still(const Object& object, const char* changed) const;
-  void take(const Object& object, const Result<SkinPolyhedron>& made);
   void take(const MadeSection& made);
 
   Editor& editor_;
   BackgroundWork &files_, &edits_;
   Log log_;
-  std::shared_ptr<const Job> converting_;
   std::shared_ptr<const Job> adding_;   ///< the section that is made
-  int conversions_ = 0;                 ///< asked for
   std::deque<WantedSection> wanted_;    ///< the first one is being made
   std::optional<MadeSection> made_;     ///< waits for `settle`
   std::shared_ptr<const Job> placing_;  ///< among the editor's jobs

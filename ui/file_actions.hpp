@@ -34,8 +34,8 @@ struct FileActions {
   std::function<void(DrawingOrder)> export_drawing;
   /// Writes the control meshes of the visible skins.
   std::function<void(const std::filesystem::path&)> export_control;
-  /// Makes a polyhedron of a skin, which is hidden then. Only the last one asked for counts.
-  std::function<void(ObjectId)> convert_skin;
+  /// Makes a polyhedron of a skin or of solids, which are hidden then. Only the last one asked for counts.
+  std::function<void(ObjectId)> convert;
   /// Adds a section to a skin, at a place of its path: a step when it is there.
   std::function<void(ObjectId, double place)> add_section;
   /// Writes the pages of the paper model that is shown.

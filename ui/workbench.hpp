@@ -81,7 +81,7 @@ class Workbench {
   /// Brings a row of the properties into sight, and the keyboard to its field.
   void show_property(std::string id) { panel_state_.wanted_row = std::move(id); }
   FileDialogs& files() { return files_; }
-  void convert_skin(ObjectId object) { actions_.convert_skin(object); }
+  void convert(ObjectId object) { actions_.convert(object); }
   void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
   void stop_recording() { actions_.stop_recording(); }
   void show_log_folder() { actions_.show_log_folder(); }

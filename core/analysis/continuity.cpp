@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "core/analysis/curvature.hpp"
 #include "core/base/assert.hpp"
@@ -35,33 +37,70 @@ std::vector<double> mean_jacobians(const Surface& surface) {
   return out;
 }
 
-/// The two sides of a seam as curves over one fraction x.
-class SeamSides {
- public:
-  SeamSides(const Surface& surface, const Seam& seam) : surface_(surface), seam_(seam) {}
+/// Fractions x of a seam at which its sides are compared.
+std::vector<double> fractions_of(Order order) {
+  std::vector<double> out;
+  if (order == Order::first)
+    for (int k = 0; k < normal_samples; ++k) out.push_back(double(k) / (normal_samples - 1));
+  else
+    for (int k = 0; k < curvature_samples; ++k) out.push_back((k + 0.5) / curvature_samples);
+  return out;
+}
 
-  PatchPoint first(double x, Order order) const {
-    return at(seam_.first, seam_.first_begin + x * (seam_.first_end - seam_.first_begin), order);
+/// Points of both sides of seams, of one order. Whole sides are evaluated by the tables of their number,
+/// parts of sides point by point.
+class SeamSampler {
+ public:
+  SeamSampler(const Surface& surface, Order order)
+      : surface_(surface), order_(order), fractions_(fractions_of(order)) {
+    for (int side = 0; side < corner_count(surface.domain()); ++side) {
+      std::vector<Vector2> parameters;
+      for (const double x : fractions_) parameters.push_back(side_parameter(surface.domain(), side, x));
+      sides_.push_back(surface.patches().batch(std::move(parameters)));
+    }
   }
-  PatchPoint second(double x, Order order) const {
-    return at(seam_.second, seam_.second_begin + x * (seam_.second_end - seam_.second_begin), order);
-  }
-  /// Normal of the node at x = 0 or 1, zero when there is no node or the node has no tangent plane.
-  Vector3 node_normal(bool at_end) const {
-    const double fraction = at_end ? seam_.first_end : seam_.first_begin;
-    if (fraction != 0 && fraction != 1) return Vector3::Zero();
-    const int corner = (seam_.first.side + (fraction == 1 ? 1 : 0)) % corner_count(surface_.domain());
-    return surface_.node_normal(surface_.node(seam_.first.patch, corner));
+
+  std::size_t count() const { return fractions_.size(); }
+
+  /// out[k] at fraction k of the part of the side from `begin` to `end`.
+  void sample(PatchSide side, double begin, double end, std::span<PatchPoint> out) const {
+    const bool forward = begin == 0 && end == 1;
+    if (!forward && !(begin == 1 && end == 0)) {
+      for (std::size_t k = 0; k < count(); ++k)
+        out[k] = surface_.patches().evaluate(
+            side.patch, side_parameter(surface_.domain(), side.side, begin + fractions_[k] * (end - begin)),
+            order_);
+      return;
+    }
+    const Index patch[] = {side.patch};
+    sides_[side.side]->evaluate(patch, order_, out);
+    if (!forward) std::reverse(out.begin(), out.end());
   }
 
  private:
-  PatchPoint at(PatchSide side, double fraction, Order order) const {
-    return surface_.patches().evaluate(side.patch, side_parameter(surface_.domain(), side.side, fraction),
-                                       order);
-  }
   const Surface& surface_;
-  const Seam& seam_;
+  Order order_;
+  std::vector<double> fractions_;
+  std::vector<std::unique_ptr<const BatchEvaluation>> sides_;
 };
+
+/// Points of both sides of one seam.
+struct SeamPoints {
+  std::vector<PatchPoint> first, second;
+  explicit SeamPoints(std::size_t count) : first(count), second(count) {}
+  void take(const SeamSampler& sampler, const Seam& seam) {
+    sampler.sample(seam.first, seam.first_begin, seam.first_end, first);
+    sampler.sample(seam.second, seam.second_begin, seam.second_end, second);
+  }
+};
+
+/// Normal of the node at an end of a seam, zero when there is no node or the node has no tangent plane.
+Vector3 node_normal(const Surface& surface, const Seam& seam, bool at_end) {
+  const double fraction = at_end ? seam.first_end : seam.first_begin;
+  if (fraction != 0 && fraction != 1) return Vector3::Zero();
+  const int corner = (seam.first.side + (fraction == 1 ? 1 : 0)) % corner_count(surface.domain());
+  return surface.node_normal(surface.node(seam.first.patch, corner));
+}
 
 struct NormalJump {
   double angle = 0;
@@ -70,9 +109,10 @@ struct NormalJump {
 
 NormalJump jump_between(const Vector3& a, const Vector3& b) {
   const double sine = a.cross(b).norm(), cosine = a.dot(b);
-  const double planes = std::atan2(sine, std::abs(cosine));
-  if (cosine < 0 && planes <= fold_angle) return {planes, true};
-  return {std::atan2(sine, cosine), false};
+  const double angle = std::atan2(sine, cosine);
+  const double planes = std::numbers::pi - angle;
+  if (cosine < 0 && planes <= fold_angle) return {std::atan2(sine, -cosine), true};
+  return {angle, false};
 }
 
 /// Unit normal, zero where the derivatives span less than the threshold.
@@ -91,23 +131,25 @@ double turn_by_rounding(const PatchPoint& point) {
          point.ds.cross(point.dt).norm();
 }
 
-/// True at vertices of very high tension, whose tangents are tiny.
+/// True at vertices of very high tension, whose tangents are tiny: `turn_by_rounding` above 1e-11.
 bool beyond_resolution(const PatchPoint& point) {
-  constexpr double resolution = 1e-11;
-  return turn_by_rounding(point) > resolution;
+  constexpr double share = 1e-15 / 1e-11;  // rounding to resolution
+  const double s = point.ds.squaredNorm(), t = point.dt.squaredNorm();
+  return share * share * point.position.squaredNorm() * (s + t + 2 * std::sqrt(s * t)) >
+         point.ds.cross(point.dt).squaredNorm();
 }
 
-void compare_normals(const SeamSides& sides, double first_threshold, double second_threshold,
-                     SeamContinuity& out) {
+/// `planes`: normals of the nodes at both ends.
+void compare_normals(const SeamPoints& points, const std::array<Vector3, 2>& planes, double first_threshold,
+                     double second_threshold, SeamContinuity& out) {
   for (int k = 0; k < normal_samples; ++k) {
-    const double x = double(k) / (normal_samples - 1);
-    const PatchPoint p = sides.first(x, Order::first), q = sides.second(x, Order::first);
+    const PatchPoint &p = points.first[std::size_t(k)], &q = points.second[std::size_t(k)];
     out.gap = std::max(out.gap, (p.position - q.position).norm());
 
     Vector3 n = normal_above(p, first_threshold), m = normal_above(q, second_threshold);
     NormalJump jump;
     const bool end = k == 0 || k == normal_samples - 1;
-    if (const Vector3 plane = end ? sides.node_normal(k > 0) : Vector3::Zero(); !plane.isZero(0)) {
+    if (const Vector3 plane = end ? planes[k > 0 ? 1 : 0] : Vector3::Zero(); !plane.isZero(0)) {
       if (n.isZero(0) || beyond_resolution(p)) n = plane;
       if (m.isZero(0) || beyond_resolution(q)) m = plane;
       const NormalJump a = jump_between(n, plane), b = jump_between(m, plane);
@@ -128,17 +170,16 @@ void compare_normals(const SeamSides& sides, double first_threshold, double seco
   }
 }
 
-void compare_curvatures(const SeamSides& sides, SeamContinuity& out) {
+void compare_curvatures(const SeamPoints& points, SeamContinuity& out) {
   double jump = 0, norm = 0;
-  for (int k = 0; k < curvature_samples; ++k) {
-    const double x = (k + 0.5) / curvature_samples;
-    const auto a = curvature(sides.first(x, Order::second)), b = curvature(sides.second(x, Order::second));
+  for (std::size_t k = 0; k < points.first.size(); ++k) {
+    const auto a = shape_operator(points.first[k]), b = shape_operator(points.second[k]);
     if (!a || !b) continue;
     ++out.curvature_samples;
-    const double difference = (a->tensor - b->tensor).norm();
+    const double difference = (a->tensor() - b->tensor()).norm();
     out.largest_curvature_jump = std::max(out.largest_curvature_jump, difference);
     jump += difference * difference;
-    const double mean = (a->tensor.norm() + b->tensor.norm()) / 2;
+    const double mean = (std::sqrt(a->squares()) + std::sqrt(b->squares())) / 2;
     norm += mean * mean;
   }
   if (out.curvature_samples == 0) return;
@@ -153,14 +194,19 @@ ContinuityReport continuity(const Surface& surface, const CancelToken& cancel) {
   if (surface.patch_count() == 0) return report;
   const std::vector<Seam>& seams = surface.seams();
   const std::vector<double> means = mean_jacobians(surface);
+  const SeamSampler first_order(surface, Order::first), second_order(surface, Order::second);
   std::vector<SeamContinuity> each(seams.size());
-  parallel_for(seams.size(), 8, [&](std::size_t begin, std::size_t end) {
+  parallel_for(seams.size(), 64, [&](std::size_t begin, std::size_t end) {
     if (cancel.cancelled()) return;
+    SeamPoints normals(first_order.count()), curvatures(second_order.count());
     for (std::size_t i = begin; i < end; ++i) {
-      const SeamSides sides(surface, seams[i]);
-      compare_normals(sides, degenerate_share * means[seams[i].first.patch],
-                      degenerate_share * means[seams[i].second.patch], each[i]);
-      compare_curvatures(sides, each[i]);
+      const Seam& seam = seams[i];
+      normals.take(first_order, seam);
+      compare_normals(normals, {node_normal(surface, seam, false), node_normal(surface, seam, true)},
+                      degenerate_share * means[seam.first.patch], degenerate_share * means[seam.second.patch],
+                      each[i]);
+      curvatures.take(second_order, seam);
+      compare_curvatures(curvatures, each[i]);
     }
   });
   if (cancel.cancelled()) return report;

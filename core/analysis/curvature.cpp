@@ -5,36 +5,78 @@
 
 namespace hariko {
 
-std::optional<Curvature> curvature(const PatchPoint& point) {
-  Curvature out;
-  out.normal = unit_normal(point);
-  if (out.normal.isZero(0)) return std::nullopt;
+namespace {
 
-  // Orthonormal tangent frame e1, e2 with ds = a e1, dt = b e1 + c e2.
-  const double a = point.ds.stableNorm();
-  const Vector3 e1 = point.ds / a;
-  const Vector3 e2 = out.normal.cross(e1);
-  const double b = point.dt.dot(e1), c = point.dt.dot(e2);
+/// ds and dt are parallel where the sine of the angle between them is at most this (as in `unit_normal`).
+constexpr double parallel = 1e-12;
 
-  // Second fundamental form against the inward normal, carried over to the frame.
+/// By parameters along which ds and dt have length one.
+std::optional<ShapeOperator> of_extreme_lengths(const PatchPoint& point) {
+  const double s = point.ds.stableNorm(), t = point.dt.stableNorm();
+  if (!(s > 0 && t > 0) || !std::isfinite(s) || !std::isfinite(t)) return std::nullopt;
+  PatchPoint even = point;
+  even.ds = point.ds / s;
+  even.dt = point.dt / t;
+  even.dss = point.dss / s / s;
+  even.dst = point.dst / s / t;
+  even.dtt = point.dtt / t / t;
+  return shape_operator(even);
+}
+
+}  // namespace
+
+Matrix3 ShapeOperator::tensor() const {
+  return t11 * e1 * e1.transpose() + t12 * (e1 * e2.transpose() + e2 * e1.transpose()) +
+         t22 * e2 * e2.transpose();
+}
+
+std::optional<ShapeOperator> shape_operator(const PatchPoint& point) {
+  // First fundamental form [e f; f g] and area element w, w^2 = e g - f^2. Squares of lengths that doubles
+  // hold with all their digits; others are brought to unit length first, which the shape operator feels as a
+  // change of parameters.
+  constexpr double least = 1e-100, most = 1e100;
+  const double e = point.ds.squaredNorm(), g = point.dt.squaredNorm();
+  if (!(e > least && e < most && g > least && g < most)) return of_extreme_lengths(point);
+
+  ShapeOperator out;
+  const Vector3 cross = point.ds.cross(point.dt);
+  const double square = cross.squaredNorm();
+  if (!(square > parallel * parallel * (e * g))) return std::nullopt;
+  const double f = point.ds.dot(point.dt), inverse_w = 1 / std::sqrt(square), inverse_e = 1 / e;
+  out.normal = inverse_w * cross;
+  out.e1 = std::sqrt(inverse_e) * point.ds;
+  out.e2 = out.normal.cross(out.e1);
+
+  // Second fundamental form [l m; m n] against the inward normal, carried over to the frame e1, e2 with
+  // ds = a e1, dt = b e1 + c e2, where a^2 = e, b / c = f / w and 1 / c^2 = e / w^2.
   const double l = -point.dss.dot(out.normal), m = -point.dst.dot(out.normal), n = -point.dtt.dot(out.normal);
-  const double t11 = l / (a * a);
-  const double t12 = (m / a - b * t11) / c;
-  const double t22 = ((n / c - 2 * b * t12) - b * b / c * t11) / c;
+  const double slope = f * inverse_w;
+  out.t11 = l * inverse_e;
+  out.t12 = (m - f * out.t11) * inverse_w;
+  out.t22 = n * e * (inverse_w * inverse_w) - slope * (2 * out.t12 + slope * out.t11);
+  const bool finite =
+      std::isfinite(out.mean()) && std::isfinite(out.t11 - out.t22) && std::isfinite(out.gauss());
+  if (!finite) return std::nullopt;
+  return out;
+}
 
-  out.mean = (t11 + t22) / 2;
-  out.gauss = t11 * t22 - t12 * t12;
-  const double half = (t11 - t22) / 2;
-  const double radius = std::hypot(half, t12);
+std::optional<Curvature> curvature(const PatchPoint& point) {
+  const auto shape = shape_operator(point);
+  if (!shape) return std::nullopt;
+  Curvature out;
+  out.normal = shape->normal;
+  out.mean = shape->mean();
+  out.gauss = shape->gauss();
+  const double half = (shape->t11 - shape->t22) / 2;
+  const double radius = std::hypot(half, shape->t12);
   out.k1 = out.mean + radius;
   out.k2 = out.mean - radius;
-  if (!std::isfinite(out.k1) || !std::isfinite(out.k2) || !std::isfinite(out.gauss)) return std::nullopt;
+  if (!std::isfinite(out.k1) || !std::isfinite(out.k2)) return std::nullopt;
 
-  const double angle = radius > 0 ? std::atan2(t12, half) / 2 : 0;
-  out.direction1 = std::cos(angle) * e1 + std::sin(angle) * e2;
-  out.direction2 = -std::sin(angle) * e1 + std::cos(angle) * e2;
-  out.tensor = t11 * e1 * e1.transpose() + t12 * (e1 * e2.transpose() + e2 * e1.transpose()) +
-               t22 * e2 * e2.transpose();
+  const double angle = radius > 0 ? std::atan2(shape->t12, half) / 2 : 0;
+  out.direction1 = std::cos(angle) * shape->e1 + std::sin(angle) * shape->e2;
+  out.direction2 = -std::sin(angle) * shape->e1 + std::cos(angle) * shape->e2;
+  out.tensor = shape->tensor();
   return out;
 }
 

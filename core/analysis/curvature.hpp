@@ -20,6 +20,24 @@ struct Curvature {
   Matrix3 tensor = Matrix3::Zero();
 };
 
+/// The shape operator in an orthonormal frame of the tangent plane: the symmetric matrix [t11 t12; t12 t22]
+/// whose eigenvalues are the principal curvatures, with the signs of `Curvature`. 1/length.
+struct ShapeOperator {
+  Vector3 normal = Vector3::Zero(), e1 = Vector3::Zero(), e2 = Vector3::Zero();
+  double t11 = 0, t12 = 0, t22 = 0;
+
+  double mean() const { return (t11 + t22) / 2; }
+  double gauss() const { return t11 * t22 - t12 * t12; }
+  /// k1^2 + k2^2, which is also the squared Frobenius norm of the tensor.
+  double squares() const { return t11 * t11 + 2 * (t12 * t12) + t22 * t22; }
+  /// As `Curvature::tensor`.
+  Matrix3 tensor() const;
+};
+
+/// From position and both orders of derivatives; a third of the time of `curvature`, which needs the angle of
+/// the principal directions. Nothing where `curvature` gives nothing.
+std::optional<ShapeOperator> shape_operator(const PatchPoint& point);
+
 /// From position and both orders of derivatives. Nothing where ds and dt are parallel (as in `unit_normal`)
 /// or a result is not finite. At umbilics the directions are any two orthogonal ones.
 std::optional<Curvature> curvature(const PatchPoint& point);

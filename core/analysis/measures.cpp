@@ -1,6 +1,7 @@
 #include "core/analysis/measures.hpp"
 
 #include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "core/analysis/curvature.hpp"
@@ -18,17 +19,17 @@ struct PatchMeasures {
   Vector3 facing = Vector3::Zero();  ///< integral of the normal over the area
 };
 
-PatchMeasures measure_patch(const PatchSet& patches, Index patch, const DomainRule& rule) {
+PatchMeasures measure_patch(std::span<const PatchPoint> points, const DomainRule& rule) {
   PatchMeasures sum;
   for (std::size_t k = 0; k < rule.points.size(); ++k) {
-    const PatchPoint point = patches.evaluate(patch, rule.points[k], Order::second);
+    const PatchPoint& point = points[k];
     const Vector3 cross = point.ds.cross(point.dt);
     const double area = rule.weights[k] * cross.norm();
     sum.area += area;
     sum.volume += rule.weights[k] * point.position.dot(cross) / 3;
     sum.moment += area * point.position;
     sum.facing += rule.weights[k] * cross;
-    if (const auto at = curvature(point)) sum.bending += area * (at->k1 * at->k1 + at->k2 * at->k2);
+    if (const auto at = shape_operator(point)) sum.bending += area * at->squares();
   }
   return sum;
 }
@@ -39,11 +40,16 @@ Measures measure(const Surface& surface, const CancelToken& cancel) {
   Measures out;
   if (surface.patch_count() == 0) return out;
   const DomainRule rule = gauss_rule(surface.domain(), 10);
+  const auto batch = surface.patches().batch(rule.points);
   std::vector<PatchMeasures> each(surface.patch_count());
   parallel_for(each.size(), 8, [&](std::size_t begin, std::size_t end) {
     if (cancel.cancelled()) return;
-    for (std::size_t p = begin; p < end; ++p)
-      each[p] = measure_patch(surface.patches(), static_cast<Index>(p), rule);
+    std::vector<PatchPoint> points(rule.points.size());
+    for (std::size_t p = begin; p < end; ++p) {
+      const Index patch[] = {static_cast<Index>(p)};
+      batch->evaluate(patch, Order::second, points);
+      each[p] = measure_patch(points, rule);
+    }
   });
   if (cancel.cancelled()) return out;
 

@@ -1,6 +1,7 @@
 #include "core/analysis/statistics.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct Sum {
     range.least = std::min(range.least, by.least);
     range.greatest = std::max(range.greatest, by.greatest);
   }
-  void add(const Curvature& at) {
-    add({{at.gauss, at.gauss}, {at.mean, at.mean}, {at.k1, at.k1}, {at.k2, at.k2}});
+  void add(const ShapeOperator& at) {
+    const double mean = at.mean(), gauss = at.gauss(), radius = std::hypot((at.t11 - at.t22) / 2, at.t12);
+    add({{gauss, gauss}, {mean, mean}, {mean + radius, mean + radius}, {mean - radius, mean - radius}});
     any = true;
   }
   void add(const CurvatureStatistics& by) {
@@ -60,7 +62,7 @@ std::optional<CurvatureStatistics> curvature_statistics(const Surface& surface, 
             skip[static_cast<std::size_t>(pattern.side(c)[0])] = 1;
         for (std::size_t i = 0; i < count; ++i)
           if (!skip[i])
-            if (const auto at = curvature(points[i])) each[task].add(*at);
+            if (const auto at = shape_operator(points[i])) each[task].add(*at);
       }
     }
   });

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.hpp"
+
 namespace hariko {
 
 namespace {
@@ -135,6 +137,27 @@ SurfaceFoot SurfaceFeet::foot(const Vector3& point) const {
   }
   best.distance = std::sqrt(nearest);
   return best;
+}
+
+double farthest_from(const Surface& surface, const Surface& other, const CancelToken& cancel,
+                     const Progress& progress) {
+  if (surface.patch_count() == 0) return 0;
+  const SurfaceSampler sampler(other);
+  const SurfaceFeet feet(sampler);
+  const Vector3 shift = surface.origin() - other.origin();
+  const GridPattern pattern{surface.domain(), 4};
+  const auto count = std::size_t(pattern.point_count());
+  std::vector<double> each(surface.patch_count(), 0.0);
+  parallel_for(each.size(), 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vector3> positions(count), normals(count);
+    for (std::size_t p = begin; p < end && !cancel.cancelled(); ++p) {
+      const Index patch[] = {Index(p)};
+      surface.patches().evaluate_grid(patch, pattern, positions, normals);
+      for (const Vector3& at : positions) each[p] = std::max(each[p], feet.foot(at + shift).distance);
+    }
+  });
+  progress.report(1);
+  return *std::max_element(each.begin(), each.end());
 }
 
 }  // namespace hariko

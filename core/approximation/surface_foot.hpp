@@ -4,6 +4,8 @@
 
 #include "core/approximation/surface_sampler.hpp"
 #include "core/approximation/triangle_tree.hpp"
+#include "core/base/cancellation.hpp"
+#include "core/base/progress.hpp"
 
 namespace hariko {
 
@@ -36,5 +38,10 @@ class SurfaceFeet {
   std::vector<Vector3> points_;              ///< of all patches
   TriangleTree tree_;
 };
+
+/// Largest distance that a surface was found to have from `other`, at 15 points of each of its patches
+/// (square ones: 25). O(patches log patches). Not to be used when cancelled.
+double farthest_from(const Surface& surface, const Surface& other, const CancelToken& cancel = {},
+                     const Progress& progress = {});
 
 }  // namespace hariko

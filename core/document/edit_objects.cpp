@@ -98,6 +98,12 @@ bool has_room(const Document& document, std::size_t count) {
          document.next_object_id.value <= no_index - count;
 }
 
+std::map<ObjectId, const Object*> by_id(const Document& document) {
+  std::map<ObjectId, const Object*> out;
+  for (const auto& object : document.objects) out.emplace(object->id, object.get());
+  return out;
+}
+
 }  // namespace
 
 Result<Added> add_object(const Document& document, std::string name, Source source,
@@ -140,17 +146,19 @@ Result<Document> append_document(const Document& document, const Document& other
 }
 
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects) {
+  const std::map<ObjectId, const Object*> known = by_id(document);
   for (const ObjectId id : objects) {
-    const Object* object = document.find(id);
-    if (!object) return detail::unknown_object(id);
-    if (object->locked) return detail::locked_object(*object);
+    const auto found = known.find(id);
+    if (found == known.end()) return detail::unknown_object(id);
+    if (found->second->locked) return detail::locked_object(*found->second);
   }
+  const std::set<ObjectId> chosen(objects.begin(), objects.end());
   Document result = document;
   std::vector<std::shared_ptr<const Object>> gone;
   std::erase_if(result.objects, [&](const auto& object) {
-    const bool chosen = std::find(objects.begin(), objects.end(), object->id) != objects.end();
-    if (chosen) gone.push_back(object);
-    return chosen;
+    if (!chosen.contains(object->id)) return false;
+    gone.push_back(object);
+    return true;
   });
   for (auto& object : result.objects) {
     if (!object->polyhedron() || object->polyhedron()->attachments->empty()) continue;
@@ -163,11 +171,11 @@ Result<Document> delete_objects(const Document& document, std::span<const Object
 
 Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
                                  std::size_t position) {
+  const std::map<ObjectId, const Object*> known = by_id(document);
   for (const ObjectId id : objects)
-    if (!document.find(id)) return detail::unknown_object(id);
-  const auto moves = [&](const auto& object) {
-    return std::find(objects.begin(), objects.end(), object->id) != objects.end();
-  };
+    if (!known.contains(id)) return detail::unknown_object(id);
+  const std::set<ObjectId> chosen(objects.begin(), objects.end());
+  const auto moves = [&](const auto& object) { return chosen.contains(object->id); };
   const std::size_t place = std::min(position, document.objects.size());
   const auto middle = document.objects.begin() + static_cast<std::ptrdiff_t>(place);
   Document result = document;
@@ -228,13 +236,13 @@ Result<Document> set_visible(const Document& document, ObjectId object, bool vis
 }
 
 Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects) {
+  const std::set<ObjectId> shown(objects.begin(), objects.end());
   Document out = document;
-  for (const auto& object : document.objects) {
-    const bool visible = std::find(objects.begin(), objects.end(), object->id) != objects.end();
-    if (object->visible == visible) continue;
-    auto changed = set_visible(out, object->id, visible);
-    if (!changed) return changed.error();
-    out = std::move(changed).value();
+  for (auto& object : out.objects) {
+    if (object->visible == shown.contains(object->id)) continue;
+    Object changed = *object;
+    changed.visible = !changed.visible;
+    object = std::make_shared<const Object>(std::move(changed));
   }
   return out;
 }

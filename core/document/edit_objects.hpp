@@ -51,7 +51,7 @@ Result<Document> rename_object(const Document& document, ObjectId object, std::s
 /// Errors: E_UNKNOWN_OBJECT.
 Result<Document> set_visible(const Document& document, ObjectId object, bool visible);
 
-/// The document with these objects visible and no others. Objects without a change are shared. O(objects^2).
+/// The document with these objects visible and no others. Objects without a change are shared. O(n log n).
 Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects);
 Result<Document> set_locked(const Document& document, ObjectId object, bool locked);
 

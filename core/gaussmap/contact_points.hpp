@@ -1,6 +1,6 @@
 #pragma once
 
-// Points and curvature of the surface from the support values of its sites (gaussmap.md 4.4). Internal to
+// Points and curvature of the surface from the support values of its sites (gaussmap.md 4). Internal to
 // core/gaussmap.
 
 #include <span>

@@ -19,10 +19,10 @@ inline constexpr Code w_too_many_points{"W_POINT_LIMIT"};
 inline constexpr Code w_gap{"W_GAP"};
 inline constexpr Code w_umbilic_used{"W_UMBILIC_USED"};
 
-/// How the size of a part of the Gauss sphere is taken (gaussmap.md 4.3).
+/// How the size of a part of the Gauss sphere is taken (gaussmap.md 4).
 enum class CellMeasure { solid_angle, gnomonic };
 
-/// Mode paper: which area the plane's place is solved for (gaussmap.md 4.5).
+/// Mode paper: which area the plane's place is solved for (gaussmap.md 4).
 enum class PaperRule {
   neighbour,       ///< the clipped facet of the neighbour with the largest relative excess: the paper's words
   all_neighbours,  ///< the mean of the solutions of all neighbours

@@ -11,7 +11,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-/// The operators of gaussmap.md 4.1 on the polytope around the unit sphere: w = a^-1 (J h + b) is close to
+/// The operators of gaussmap.md 4 on the polytope around the unit sphere: w = a^-1 (J h + b) is close to
 /// the sum of the radii of curvature, Lambda is the Laplacian.
 struct Operators {
   SparseMatrix jacobian, laplacian;  ///< J, Lambda; rows and columns of all sites
@@ -101,7 +101,7 @@ std::optional<Vector> solve_umbilic(const Operators& operators, const Vector& kn
 
 std::optional<Vector> solve_curvature(const Operators& operators, const Vector& known, Eigen::Index inner,
                                       const std::vector<RadiusSum>& sums) {
-  constexpr double pull = 100;  // mu of gaussmap.md 4.2
+  constexpr double pull = 100;  // mu of gaussmap.md 4
   const SparseMatrix radii = scaled_rows(operators.areas.cwiseInverse(), operators.jacobian);
   const SparseMatrix unknown = radii.rightCols(inner);
   Vector weights = Vector::Zero(known.size()), wanted = Vector::Zero(known.size());

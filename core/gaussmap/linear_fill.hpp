@@ -1,6 +1,6 @@
 #pragma once
 
-// Support values of inner sites by one sparse linear solve (gaussmap.md 4.1 and 4.2). Internal to
+// Support values of inner sites by one sparse linear solve (gaussmap.md 4). Internal to
 // core/gaussmap.
 
 #include "core/base/result.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 // Support values whose facets have prescribed areas: a discrete Minkowski problem with fixed planes on the
-// boundary (gaussmap.md 4.3). Internal to core/gaussmap.
+// boundary (gaussmap.md 4). Internal to core/gaussmap.
 
 #include "core/gaussmap/boundary_data.hpp"
 #include "core/gaussmap/control_points.hpp"

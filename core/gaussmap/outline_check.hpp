@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// How the surface's control points are found (gaussmap.md 0).
+/// How the surface's control points are found (gaussmap.md 4).
 enum class GaussMode { curvature, umbilic, minkowski, paper, position };
 
 inline constexpr Code e_outline_too_few{"E_TOO_FEW"};

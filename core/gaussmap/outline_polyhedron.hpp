@@ -1,7 +1,7 @@
 #pragma once
 
 // Control points become a polyhedron whose surface runs through the outline with its normals
-// (gaussmap.md 4.7).
+// (gaussmap.md 4).
 
 #include "core/gaussmap/control_points.hpp"
 #include "core/network/shaping.hpp"

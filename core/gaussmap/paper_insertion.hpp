@@ -1,6 +1,6 @@
 #pragma once
 
-// The paper's own method: planes placed one after another (gaussmap.md 4.5). It does not converge; it is kept
+// The paper's own method: planes placed one after another (gaussmap.md 4). It does not converge; it is kept
 // for comparison. Internal to core/gaussmap.
 
 #include "core/gaussmap/boundary_data.hpp"

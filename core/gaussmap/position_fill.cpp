@@ -115,7 +115,7 @@ Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vect
     for (Eigen::Index i = 0; i < inner; ++i)
       mesh.points[std::size_t(boundary + i)] += share * move.row(i).transpose();
     ++out.iterations;
-    // The weights lag behind the shape, so steps do not vanish; the energy settles (gaussmap.md 4.8).
+    // The weights lag behind the shape, so steps do not vanish; the energy settles (gaussmap.md 4).
     const double energy = residual.cwiseAbs2().rowwise().sum().cwiseQuotient(geometry.areas).sum();
     out.settled = share == 1 && std::abs(before - energy) <= 1e-5 * energy;
     if (out.iterations == most_steps)  // near a minimal surface nearly no energy is left to compare with

@@ -1,6 +1,6 @@
 #pragma once
 
-// Inner vertices of a mesh whose loops and normals along them are given: least bending (gaussmap.md 4.8).
+// Inner vertices of a mesh whose loops and normals along them are given: least bending (gaussmap.md 4).
 // Internal to core/gaussmap.
 
 #include "core/base/cancellation.hpp"

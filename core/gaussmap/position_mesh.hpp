@@ -1,6 +1,6 @@
 #pragma once
 
-// A mesh between loops that does not need the Gauss map: for the mode position (gaussmap.md 4.8). Internal to
+// A mesh between loops that does not need the Gauss map: for the mode position (gaussmap.md 4). Internal to
 // core/gaussmap.
 
 #include <array>

@@ -32,7 +32,7 @@ Vector3 centroid(const SphereMesh& mesh, Index site) {
   return sum.normalized();
 }
 
-/// Within the circle over the arc of a loop from a boundary site, where no site may be (gaussmap.md 3.4).
+/// Within the circle over the arc of a loop from a boundary site, where no site may be (gaussmap.md 3).
 bool in_cap(const SphereMesh& mesh, Index from, const Vector3& site) {
   if (!mesh.is_boundary(from)) return false;
   const Vector3 &a = mesh.site(from), &b = mesh.site(mesh.next(from));

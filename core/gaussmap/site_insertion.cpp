@@ -11,7 +11,7 @@ namespace hariko {
 namespace {
 
 /// Sites on one circle have a flat hull: one more point, the pole of the circle away from the image, makes it
-/// solid. None when the sites span space (gaussmap.md 3.2).
+/// solid. None when the sites span space (gaussmap.md 3).
 std::optional<Vector3> guard_for(const std::vector<std::vector<Vector3>>& loops,
                                  const std::vector<Vector3>& sites) {
   Vector3 mean = Vector3::Zero(), axis = Vector3::Zero();

@@ -40,7 +40,7 @@ class SphereMesh {
   const Ring& ring(Index site) const { return rings_[site]; }
 
   /// Corners of the site's Voronoi cell, counter-clockwise, unit; a boundary cell is clipped to the image and
-  /// begins at the site itself (gaussmap.md 3.6).
+  /// begins at the site itself (gaussmap.md 3).
   std::vector<Vector3> cell(Index site) const;
   /// Signed solid angle of the cell. The cells of all sites partition the image.
   double solid_angle(Index site) const;

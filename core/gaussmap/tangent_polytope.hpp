@@ -40,7 +40,7 @@ class TangentPolytope {
 };
 
 /// A point well inside of all planes: the mean of `points`, moved towards the centre of the largest ball
-/// where that is nearly on a plane (gaussmap.md 4.3). None when the planes leave no room.
+/// where that is nearly on a plane (gaussmap.md 4). None when the planes leave no room.
 std::optional<Vector3> inner_point(std::span<const Vector3> normals, std::span<const double> support,
                                    std::span<const Vector3> points, double size);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Automatic tension: short edges are stretched more than long ones, so that a long edge beside them does not
-// push their tangents sideways (kuriyama.md section 7.6).
+// push their tangents sideways (kuriyama.md section 7).
 
 #include "core/network/shaping.hpp"
 #include "core/polyhedron/polyhedron.hpp"

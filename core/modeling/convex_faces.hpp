@@ -1,7 +1,7 @@
 #pragma once
 
 // Concave faces cut into convex ones on the way to the surface; the designer's polyhedron keeps them
-// (kuriyama.md section 7.7).
+// (kuriyama.md section 11).
 
 #include <memory>
 #include <optional>

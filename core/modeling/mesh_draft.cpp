@@ -55,32 +55,56 @@ void drop_attachments(PolyhedronSource& source) {
 MeshDraft::MeshDraft(const PolyhedronSource& source)
     : source_(source), next_vertex_{0}, next_face_{0}, shaping_(*source.shaping) {
   const Polyhedron& polyhedron = source_.polyhedron;
-  for (Index v = 0; v < polyhedron.vertex_count(); ++v)
-    vertices_.emplace_hint(vertices_.end(), polyhedron.vertex_id(v), Vertex{polyhedron.position(v), {}});
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    std::vector<VertexId> corners;
-    for (const Index v : polyhedron.topology().face_vertices(f)) corners.push_back(polyhedron.vertex_id(v));
-    link(polyhedron.face_id(f), corners);
-    faces_.emplace_hint(faces_.end(), polyhedron.face_id(f), std::move(corners));
-  }
-  if (!vertices_.empty()) next_vertex_.value = vertices_.rbegin()->first.value + 1;
-  if (!faces_.empty()) next_face_.value = faces_.rbegin()->first.value + 1;
+  const HalfEdgeMesh& topology = polyhedron.topology();
+  source_corners_.reserve(topology.half_edge_count());
+  for (Index h = 0; h < topology.half_edge_count(); ++h)
+    source_corners_.push_back(polyhedron.vertex_id(topology.origin(h)));
+  if (const Index count = polyhedron.vertex_count(); count > 0)
+    next_vertex_.value = polyhedron.vertex_id(count - 1).value + 1;
+  if (const Index count = polyhedron.face_count(); count > 0)
+    next_face_.value = polyhedron.face_id(count - 1).value + 1;
 }
 
-const MeshDraft::Vertex& MeshDraft::at(VertexId id) const {
-  const auto found = vertices_.find(id);
-  HARIKO_ASSERT(found != vertices_.end(), "the vertex must be in the draft");
-  return found->second;
+bool MeshDraft::contains(FaceId id) const {
+  if (changed_faces_.contains(id)) return true;
+  return source_.polyhedron.find(id) != no_index && !removed_faces_.contains(id);
 }
 
-MeshDraft::Vertex& MeshDraft::at(VertexId id) {
-  return const_cast<Vertex&>(std::as_const(*this).at(id));
+const Vector3& MeshDraft::position(VertexId id) const {
+  if (const auto found = changed_vertices_.find(id); found != changed_vertices_.end())
+    return found->second.position;
+  const Index v = source_.polyhedron.find(id);
+  HARIKO_ASSERT(v != no_index, "the vertex must be in the draft");
+  return source_.polyhedron.position(v);
+}
+
+std::vector<FaceId> MeshDraft::faces_at(VertexId id) const {
+  if (const auto found = changed_vertices_.find(id); found != changed_vertices_.end())
+    return found->second.faces;
+  const Polyhedron& polyhedron = source_.polyhedron;
+  const HalfEdgeMesh& topology = polyhedron.topology();
+  const Index v = polyhedron.find(id);
+  HARIKO_ASSERT(v != no_index, "the vertex must be in the draft");
+  std::vector<FaceId> out;
+  Index h = topology.outgoing(v);
+  for (Index corner = 0; corner < topology.corner_count(v); ++corner, h = topology.rotate(h))
+    out.push_back(polyhedron.face_id(topology.face(h)));
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+MeshDraft::Vertex& MeshDraft::edit(VertexId id) {
+  const auto found = changed_vertices_.lower_bound(id);
+  if (found != changed_vertices_.end() && found->first == id) return found->second;
+  return changed_vertices_.emplace_hint(found, id, Vertex{position(id), faces_at(id)})->second;
 }
 
 std::span<const VertexId> MeshDraft::face(FaceId id) const {
-  const auto found = faces_.find(id);
-  HARIKO_ASSERT(found != faces_.end(), "the face must be in the draft");
-  return found->second;
+  if (const auto found = changed_faces_.find(id); found != changed_faces_.end()) return found->second;
+  const Index f = source_.polyhedron.find(id);
+  HARIKO_ASSERT(f != no_index && !removed_faces_.contains(id), "the face must be in the draft");
+  const HalfEdgeMesh& topology = source_.polyhedron.topology();
+  return std::span(source_corners_).subspan(topology.face_begin(f), topology.side_count(f));
 }
 
 std::vector<Vector3> MeshDraft::corners(FaceId id) const {
@@ -90,22 +114,32 @@ std::vector<Vector3> MeshDraft::corners(FaceId id) const {
 }
 
 std::vector<VertexId> MeshDraft::vertices() const {
+  const Polyhedron& polyhedron = source_.polyhedron;
   std::vector<VertexId> out;
-  out.reserve(vertices_.size());
-  for (const auto& entry : vertices_) out.push_back(entry.first);
+  out.reserve(polyhedron.vertex_count() + changed_vertices_.size());
+  for (Index v = 0; v < polyhedron.vertex_count(); ++v) out.push_back(polyhedron.vertex_id(v));
+  // New ids are greater than all of the source, but for the one that says that they are used up.
+  for (auto at = changed_vertices_.upper_bound(out.empty() ? VertexId{0} : out.back());
+       at != changed_vertices_.end(); ++at)
+    out.push_back(at->first);
   return out;
 }
 
 std::vector<FaceId> MeshDraft::faces() const {
+  const Polyhedron& polyhedron = source_.polyhedron;
   std::vector<FaceId> out;
-  out.reserve(faces_.size());
-  for (const auto& entry : faces_) out.push_back(entry.first);
+  out.reserve(polyhedron.face_count() + changed_faces_.size());
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    if (const FaceId id = polyhedron.face_id(f); !removed_faces_.contains(id)) out.push_back(id);
+  const FaceId last =
+      polyhedron.face_count() > 0 ? polyhedron.face_id(polyhedron.face_count() - 1) : FaceId{0};
+  for (auto at = changed_faces_.upper_bound(last); at != changed_faces_.end(); ++at) out.push_back(at->first);
   return out;
 }
 
 std::vector<FaceId> MeshDraft::faces_at(EdgeId id) const {
   if (!contains(id.low) || !contains(id.high)) return {};
-  const auto &low = at(id.low).faces, &high = at(id.high).faces;
+  const std::vector<FaceId> low = faces_at(id.low), high = faces_at(id.high);
   std::vector<FaceId> out;
   for (const FaceId f : low.size() <= high.size() ? low : high) {
     const auto corners = face(f);
@@ -120,7 +154,7 @@ std::vector<FaceId> MeshDraft::faces_at(EdgeId id) const {
 
 void MeshDraft::link(FaceId face, std::span<const VertexId> corners) {
   for (const VertexId v : corners) {
-    std::vector<FaceId>& faces = at(v).faces;
+    std::vector<FaceId>& faces = edit(v).faces;
     const auto place = std::lower_bound(faces.begin(), faces.end(), face);
     if (place == faces.end() || *place != face) faces.insert(place, face);
   }
@@ -128,7 +162,7 @@ void MeshDraft::link(FaceId face, std::span<const VertexId> corners) {
 
 void MeshDraft::unlink(FaceId face, std::span<const VertexId> corners) {
   for (const VertexId v : corners) {
-    std::vector<FaceId>& faces = at(v).faces;
+    std::vector<FaceId>& faces = edit(v).faces;
     const auto place = std::lower_bound(faces.begin(), faces.end(), face);
     if (place != faces.end() && *place == face) faces.erase(place);
   }
@@ -139,7 +173,7 @@ void MeshDraft::unlink(FaceId face, std::span<const VertexId> corners) {
 VertexId MeshDraft::add_vertex(const Vector3& position) {
   const VertexId id = next_vertex_;
   if (next_vertex_ != VertexId{}) ++next_vertex_.value;
-  vertices_.insert_or_assign(id, Vertex{position, {}});
+  changed_vertices_.insert_or_assign(id, Vertex{position, {}});
   return id;
 }
 
@@ -152,21 +186,22 @@ VertexId MeshDraft::add_vertex(const Vector3& position, const RefinedPoint& plac
 FaceId MeshDraft::add_face(std::vector<VertexId> corners) {
   const FaceId id = next_face_;
   if (next_face_ != FaceId{}) ++next_face_.value;
-  if (faces_.contains(id)) remove_face(id);
+  if (contains(id)) remove_face(id);
   link(id, corners);
-  faces_.emplace(id, std::move(corners));
+  changed_faces_.emplace(id, std::move(corners));
   return id;
 }
 
 void MeshDraft::set_face(FaceId id, std::vector<VertexId> corners) {
   unlink(id, face(id));
   link(id, corners);
-  faces_.at(id) = std::move(corners);
+  changed_faces_.insert_or_assign(id, std::move(corners));
 }
 
 void MeshDraft::remove_face(FaceId id) {
   unlink(id, face(id));
-  faces_.erase(id);
+  changed_faces_.erase(id);
+  if (source_.polyhedron.find(id) != no_index) removed_faces_.insert(id);
 }
 
 void MeshDraft::split_edge(EdgeId edge, VertexId middle) {
@@ -180,7 +215,7 @@ void MeshDraft::split_edge(EdgeId edge, VertexId middle) {
       corners.push_back(old[i]);
       if (EdgeId::of(old[i], old[(i + 1) % old.size()]) == edge) corners.push_back(middle);
     }
-    faces_.at(f) = std::move(corners);
+    changed_faces_.insert_or_assign(f, std::move(corners));
     link(f, std::span<const VertexId>(&middle, 1));
   }
   inherit(edge, EdgeId::of(edge.low, middle));
@@ -214,43 +249,86 @@ void MeshDraft::inherit(VertexId from, VertexId to) {
 // An automatic border vertex is a corner exactly when it has two edges: new edges must not round corners, nor
 // new points make them.
 void MeshDraft::keep_outline(const Polyhedron& after) {
-  const auto edges_at = [](const Polyhedron& polyhedron, VertexId id) {
-    const Index v = polyhedron.find(id);
-    return v != no_index && polyhedron.topology().is_border_vertex(v) ? polyhedron.topology().valence(v) : 0;
+  const auto edges_at = [&after](VertexId id) {
+    const Index v = after.find(id);
+    return v != no_index && after.topology().is_border_vertex(v) ? after.topology().valence(v) : 0;
   };
   for (const VertexId id : outline_points_)
-    if (edges_at(after, id) == 2 && !shaping_.tag.contains(id)) shaping_.tag.set(id, VertexTag::smooth);
+    if (edges_at(id) == 2 && !shaping_.tag.contains(id)) shaping_.tag.set(id, VertexTag::smooth);
   const Polyhedron& before = source_.polyhedron;
+  const HalfEdgeMesh& topology = before.topology();
   for (Index v = 0; v < before.vertex_count(); ++v) {
+    if (!topology.is_border_vertex(v) || topology.valence(v) != 2) continue;
     const VertexId id = before.vertex_id(v);
-    if (edges_at(before, id) == 2 && edges_at(after, id) > 2 && !shaping_.tag.contains(id) &&
-        !released_corners_.contains(id))
+    if (edges_at(id) > 2 && !shaping_.tag.contains(id) && !released_corners_.contains(id))
       shaping_.tag.set(id, VertexTag::corner);
   }
 }
 
-Result<PolyhedronSource> MeshDraft::finish() && {
+Result<Polyhedron> MeshDraft::build() const {
+  const Polyhedron& source = source_.polyhedron;
+  const HalfEdgeMesh& topology = source.topology();
   PolygonMesh mesh;
   std::vector<VertexId> vertex_ids;
   std::vector<FaceId> face_ids;
-  std::map<VertexId, Index> dense;
-  for (const auto& [id, vertex] : vertices_) {
-    if (vertex.faces.empty()) continue;
-    dense.emplace_hint(dense.end(), id, static_cast<Index>(mesh.positions.size()));
-    mesh.positions.push_back(vertex.position);
+  mesh.positions.reserve(source.vertex_count() + changed_vertices_.size());
+  vertex_ids.reserve(source.vertex_count() + changed_vertices_.size());
+  // Numbers of the vertices that have faces: of the source by their number there, of new ones by id.
+  std::vector<Index> number(source.vertex_count(), no_index);
+  std::map<VertexId, Index> new_number;
+  const auto put = [&](VertexId id, const Vector3& position) {
+    mesh.positions.push_back(position);
     vertex_ids.push_back(id);
+    return static_cast<Index>(vertex_ids.size() - 1);
+  };
+  auto changed = changed_vertices_.begin();
+  for (Index v = 0; v < source.vertex_count(); ++v) {
+    const VertexId id = source.vertex_id(v);
+    if (changed == changed_vertices_.end() || changed->first != id) {
+      if (topology.outgoing(v) != no_index) number[v] = put(id, source.position(v));
+      continue;
+    }
+    if (!changed->second.faces.empty()) number[v] = put(id, changed->second.position);
+    ++changed;
   }
-  std::vector<Index> face;
-  for (const auto& [id, corners] : faces_) {
-    face.clear();
-    for (const VertexId v : corners) face.push_back(dense.at(v));
-    mesh.add_face(face);
+  for (; changed != changed_vertices_.end(); ++changed)
+    if (!changed->second.faces.empty())
+      new_number.emplace_hint(new_number.end(), changed->first,
+                              put(changed->first, changed->second.position));
+
+  std::vector<Index> corners;
+  const auto put_face = [&](FaceId id, std::span<const VertexId> ids) {
+    corners.clear();
+    for (const VertexId v : ids) {
+      const Index known = source.find(v);
+      corners.push_back(known != no_index ? number[known] : new_number.at(v));
+    }
+    mesh.add_face(corners);
     face_ids.push_back(id);
+  };
+  auto changed_face = changed_faces_.begin();
+  for (Index f = 0; f < source.face_count(); ++f) {
+    const FaceId id = source.face_id(f);
+    if (changed_face != changed_faces_.end() && changed_face->first == id) {
+      put_face(id, changed_face->second);
+      ++changed_face;
+    } else if (!removed_faces_.contains(id)) {
+      corners.clear();
+      for (const Index v : topology.face_vertices(f)) corners.push_back(number[v]);
+      mesh.add_face(corners);
+      face_ids.push_back(id);
+    }
   }
-  if (vertices_.contains(VertexId{}) || faces_.contains(FaceId{}))
+  for (; changed_face != changed_faces_.end(); ++changed_face)
+    put_face(changed_face->first, changed_face->second);
+  return Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids));
+}
+
+Result<PolyhedronSource> MeshDraft::finish() && {
+  if (changed_vertices_.contains(VertexId{}) || changed_faces_.contains(FaceId{}))
     return make_error(e_too_many_elements, "The numbers for new vertices or faces are used up.",
                       "Export the object and import it again: that numbers its elements afresh.");
-  Result<Polyhedron> built = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids));
+  Result<Polyhedron> built = build();
   if (!built) return refusal(built.error(), source_.polyhedron);
   keep_outline(*built);
   PolyhedronSource out = std::move(source_);

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/document/edge_set.hpp"
-
 namespace hariko::detail {
 namespace {
 
@@ -57,8 +55,7 @@ Shaping shaping_on(const Polyhedron& after, const Shaping& shaping, const Polyhe
     const Index v = after.find(id);
     return v != no_index && after.topology().outgoing(v) != no_index;
   };
-  const EdgeSet edges(after);
-  const auto has_edge = [&](EdgeId id) { return edges.contains(id); };
+  const auto has_edge = [&](EdgeId id) { return after.find(id) != no_index; };
 
   Shaping out;
   out.alpha = kept_entries(shaping.alpha, has_vertex);

@@ -30,26 +30,6 @@ Shaping shaping_of(const Surface& skin) {
   return out;
 }
 
-double distance_between(const Surface& polyhedron, const Surface& skin, const CancelToken& cancel,
-                        const Progress& progress) {
-  constexpr int density = 4;
-  const SurfaceSampler sampler(skin);
-  const SurfaceFeet feet(sampler);
-  const Vector3 shift = polyhedron.origin() - skin.origin();
-  double out = 0;
-  for (Index patch = 0; patch < polyhedron.patch_count() && !cancel.cancelled(); ++patch) {
-    progress.report(double(patch) / polyhedron.patch_count());
-    for (int i = 0; i <= density; ++i)
-      for (int j = 0; i + j <= density; ++j) {
-        const Vector3 p = polyhedron.patches()
-                              .evaluate(patch, {double(i) / density, double(j) / density}, Order::first)
-                              .position;
-        out = std::max(out, feet.foot(p + shift).distance);
-      }
-  }
-  return out;
-}
-
 }  // namespace
 
 Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& cancel,
@@ -74,7 +54,7 @@ Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& canc
   if (!built)
     out.warnings.push_back(built.error());
   else
-    out.distance = distance_between(built->surface, made->surface, cancel, progress.part(0.5, 1));
+    out.distance = farthest_from(built->surface, made->surface, cancel, progress.part(0.5, 1));
   if (cancel.cancelled()) return make_error(e_cancelled, "The conversion was cancelled.");
   return out;
 }

@@ -26,7 +26,7 @@ struct Network {
   std::vector<Vector3> end;    ///< per half-edge: T(b -> a)
   std::vector<Vector3>
       normal;  ///< per vertex: unit Tc x Ts of the tangent plane, zero at corners and isolated vertices
-  double energy = 0;   ///< sigma of equation (3), scaled as in kuriyama.md section 1.3
+  double energy = 0;   ///< sigma of equation (3), scaled as in kuriyama.md section 1
   int iterations = 0;  ///< conjugate-gradient steps of the solve
 };
 

@@ -18,6 +18,17 @@ HARIKO_INLINE bool position_normal_body(const QuarticPatch& patch, const Quartic
                                       positions, normals);
 }
 
+HARIKO_INLINE void first_order_body(const QuarticPatch& patch, const QuarticGridTable& table,
+                                    std::size_t points, PatchPoint* out) {
+  using grid_kernel::lane;
+  grid_kernel::for_blocks(
+      PatchControls{patch}, table.first.data(), table.blocks, points,
+      [&](std::size_t first, std::size_t count, const grid_kernel::Triple* a) __attribute__((always_inline)) {
+        for (std::size_t i = 0; i < count; ++i)
+          out[first + i] = {lane(a[0], i), lane(a[1], i), lane(a[2], i)};
+      });
+}
+
 HARIKO_INLINE void second_order_body(const QuarticPatch& patch, const QuarticGridTable& table,
                                      std::size_t points, PatchPoint* out) {
   using grid_kernel::lane, grid_kernel::lanes, grid_kernel::sum_block;
@@ -37,6 +48,10 @@ bool position_normal_base(const QuarticPatch& patch, const QuarticGridTable& tab
                           Vector3* positions, Vector3* normals) {
   return position_normal_body(patch, table, points, positions, normals);
 }
+void first_order_base(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
+                      PatchPoint* out) {
+  first_order_body(patch, table, points, out);
+}
 void second_order_base(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
                        PatchPoint* out) {
   second_order_body(patch, table, points, out);
@@ -47,6 +62,11 @@ __attribute__((target("avx2"))) bool position_normal_avx2(const QuarticPatch& pa
                                                           const QuarticGridTable& table, std::size_t points,
                                                           Vector3* positions, Vector3* normals) {
   return position_normal_body(patch, table, points, positions, normals);
+}
+__attribute__((target("avx2"))) void first_order_avx2(const QuarticPatch& patch,
+                                                      const QuarticGridTable& table, std::size_t points,
+                                                      PatchPoint* out) {
+  first_order_body(patch, table, points, out);
 }
 __attribute__((target("avx2"))) void second_order_avx2(const QuarticPatch& patch,
                                                        const QuarticGridTable& table, std::size_t points,
@@ -59,9 +79,9 @@ __attribute__((target("avx2"))) void second_order_avx2(const QuarticPatch& patch
 
 QuarticKernel quartic_kernel() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) return {position_normal_avx2, second_order_avx2};
+  if (__builtin_cpu_supports("avx2")) return {position_normal_avx2, first_order_avx2, second_order_avx2};
 #endif
-  return {position_normal_base, second_order_base};
+  return {position_normal_base, first_order_base, second_order_base};
 }
 
 }  // namespace hariko

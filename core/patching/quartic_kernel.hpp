@@ -13,6 +13,9 @@ struct QuarticKernel {
   /// Positions and unit normals; a normal is zero where the derivatives are parallel (then returns true).
   bool (*position_normal)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
                           Vector3* positions, Vector3* normals);
+  /// Points with first derivatives; the others are set to zero.
+  void (*first_order)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
+                      PatchPoint* out);
   void (*second_order)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,
                        PatchPoint* out);
 };

@@ -165,6 +165,47 @@ void QuarticPatchSet::evaluate_grid(std::span<const Index> patches, const GridPa
   }
 }
 
+namespace {
+
+/// Tables of the basis functions at the parameters; those on sides by the curve of the side.
+class QuarticBatch final : public BatchEvaluation {
+ public:
+  QuarticBatch(const QuarticPatchArray& patches, std::span<const Vector2> parameters)
+      : patches_(patches), table_(quartic_point_table(parameters)), count_(parameters.size()) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Vector2& p = parameters[i];
+      if (const OnSide on = side_of(1 - p.x() - p.y(), p.x(), p.y()); on.side >= 0)
+        on_sides_.emplace_back(i, on);
+    }
+  }
+
+  void evaluate(std::span<const Index> patches, Order order, std::span<PatchPoint> points) const override {
+    HARIKO_ASSERT(points.size() >= patches.size() * count_, "output array is too small");
+    const auto kernel = order == Order::second ? kernel_.second_order : kernel_.first_order;
+    PatchPoint* out = points.data();
+    for (const Index index : patches) {
+      const QuarticPatch& patch = patches_[index];
+      kernel(patch, table_, count_, out);
+      for (const auto& [i, on] : on_sides_)
+        out[i].position = evaluate_side(patch, on.side, on.x, on.one_minus_x);
+      out += count_;
+    }
+  }
+
+ private:
+  const QuarticPatchArray& patches_;
+  QuarticGridTable table_;
+  std::size_t count_;
+  std::vector<std::pair<std::size_t, OnSide>> on_sides_;
+  QuarticKernel kernel_ = quartic_kernel();
+};
+
+}  // namespace
+
+std::unique_ptr<const BatchEvaluation> QuarticPatchSet::batch(std::vector<Vector2> parameters) const {
+  return std::make_unique<QuarticBatch>(patches_, parameters);
+}
+
 CornerSecondOrder QuarticPatchSet::second_order_at_corner(Index patch, int corner) const {
   const QuarticPatch& p = patches_[patch];
   const std::size_t first = 12 + 2 * static_cast<std::size_t>(corner);

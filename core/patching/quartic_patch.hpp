@@ -56,6 +56,7 @@ class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
+  std::unique_ptr<const BatchEvaluation> batch(std::vector<Vector2> parameters) const override;
   /// Exact where the corner's two inner points coincide (to 1e-12 of the patch's size): the patch is an
   /// ordinary quartic there.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;

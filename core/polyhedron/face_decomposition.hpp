@@ -1,7 +1,7 @@
 #pragma once
 
 // A polygon that need not be planar, cut by diagonals: into triangles, or into convex pieces (kuriyama.md
-// section 7.7).
+// section 11).
 
 #include <array>
 #include <functional>

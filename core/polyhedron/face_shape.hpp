@@ -17,7 +17,7 @@ enum class FaceShape { convex, concave, self_crossing };
 
 /// Projects the corners along Newell's normal (where that vanishes, onto the plane of the two longest
 /// independent diagonals). `self_crossing`: two sides cross inside both. `concave`: a corner turns inwards by
-/// a triangle of more than 1e-4 of the polygon's area (the reflex test of kuriyama.md section 7.7). Polygons
+/// a triangle of more than 1e-4 of the polygon's area (the reflex test of kuriyama.md section 11). Polygons
 /// within a line are convex. Typically O(n log n) in the number of corners; the search for crossings stops
 /// after 2,000,000 pairs of sides.
 FaceShape classify_face(std::span<const Vector3> corners);

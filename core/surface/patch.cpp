@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 #include "core/base/assert.hpp"
 
@@ -73,6 +74,32 @@ std::vector<int> GridPattern::side(int side) const {
     out[static_cast<std::size_t>(k)] = point;
   }
   return out;
+}
+
+namespace {
+
+/// One point after the other.
+class SinglePoints final : public BatchEvaluation {
+ public:
+  SinglePoints(const PatchSet& patches, std::vector<Vector2> parameters)
+      : patches_(patches), parameters_(std::move(parameters)) {}
+
+  void evaluate(std::span<const Index> patches, Order order, std::span<PatchPoint> points) const override {
+    HARIKO_ASSERT(points.size() >= patches.size() * parameters_.size(), "output array is too small");
+    std::size_t at = 0;
+    for (const Index patch : patches)
+      for (const Vector2& parameter : parameters_) points[at++] = patches_.evaluate(patch, parameter, order);
+  }
+
+ private:
+  const PatchSet& patches_;
+  std::vector<Vector2> parameters_;
+};
+
+}  // namespace
+
+std::unique_ptr<const BatchEvaluation> PatchSet::batch(std::vector<Vector2> parameters) const {
+  return std::make_unique<SinglePoints>(*this, std::move(parameters));
 }
 
 Vector3 unit_normal(const PatchPoint& point) {

@@ -61,6 +61,15 @@ struct GridPattern {
   std::vector<int> side(int side) const;
 };
 
+/// Evaluation of one list of parameters on many patches of a set; see `PatchSet::batch`.
+class BatchEvaluation {
+ public:
+  virtual ~BatchEvaluation() = default;
+  /// points[k * n + i] is the point of patches[k] at parameter i of n, as `PatchSet::evaluate` gives it to
+  /// within rounding; positions on sides have its very bits. Thread-safe.
+  virtual void evaluate(std::span<const Index> patches, Order order, std::span<PatchPoint> points) const = 0;
+};
+
 /// Patches of one type, immutable. Implementations are values behind a shared pointer; all calls are
 /// thread-safe.
 class PatchSet {
@@ -80,8 +89,11 @@ class PatchSet {
   /// The same with both orders of derivatives.
   virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                              std::span<PatchPoint> points) const = 0;
-
   virtual CornerSecondOrder second_order_at_corner(Index patch, int corner) const = 0;
+
+  /// Evaluation of any parameters where they are the same on many patches: a set of patches with common basis
+  /// functions makes their tables here, once. The result must not outlive the set.
+  virtual std::unique_ptr<const BatchEvaluation> batch(std::vector<Vector2> parameters) const;
 };
 
 /// Unit vector along ds x dt; zero where the two are parallel to within 1e-12 of their lengths' product, or

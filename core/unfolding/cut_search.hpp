@@ -1,6 +1,7 @@
 #pragma once
 
-// Where to cut: overlap-free growth from several starts, then the ejection search (approximation.md 8.2).
+// Where to cut: overlap-free growth from several starts, then the ejection search (unfolding.md, "The method
+// that is used").
 
 #include <optional>
 #include <vector>

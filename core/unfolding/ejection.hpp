@@ -1,7 +1,7 @@
 #pragma once
 
 // Ejection search: fewer pieces by breaking one up and placing its facets where they push out the least
-// (approximation.md 8.2). Internal to core/unfolding.
+// (unfolding.md, "The method that is used"). Internal to core/unfolding.
 
 #include <cstdint>
 #include <functional>

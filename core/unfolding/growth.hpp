@@ -1,7 +1,7 @@
 #pragma once
 
-// Growing pieces facet by facet, and joining them, so that nothing ever overlaps (approximation.md 8.2).
-// Internal to core/unfolding.
+// Growing pieces facet by facet, and joining them, so that nothing ever overlaps (unfolding.md, "The method
+// that is used"). Internal to core/unfolding.
 
 #include "core/base/cancellation.hpp"
 #include "core/unfolding/facet_forest.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 // Packing pieces on pages: bitmaps of what they cover, many turns, first free place from the lower left
-// (approximation.md 8.5).
+// (unfolding.md, "Tabs, strips, pages").
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-// The method of Yamamoto and Saitoh (section 5) as the paper has it, made precise in approximation.md 7. A
+// The method of Yamamoto and Saitoh (section 5) as the paper has it, made precise in unfolding.md. A
 // reference: it leaves overlaps and many pieces on real shapes; `search_cuts` is the method to use.
 
 #include <vector>

@@ -13,8 +13,8 @@ inline constexpr double page_spacing = 20;
 /// Of Helvetica and its like, for a font size of 1.
 inline constexpr double helvetica_capital_height = 0.718;
 
-/// The layout for programs (approximation.md 9): every face of the mesh once with its corners in the mesh's
-/// order (faces that were cut up: each part), and all folds between them, also those without a line.
+/// The layout for programs (unfolding.md, "Files"): every face of the mesh once with its corners in the
+/// mesh's order (faces that were cut up: each part), and all folds between them, also those without a line.
 /// Coordinates are exact: they read back as the same doubles.
 std::string write_layout_json(const SheetDrawing& drawing);
 

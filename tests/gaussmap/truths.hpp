@@ -224,7 +224,7 @@ inline GroundTruth catenoid_strip(std::size_t lower, std::size_t upper) {
   };
   return {"catenoid", {{ring(-0.9, lower, false), ring(0.7, upper, true)}}, catenoid()};
 }
-/// As many points as gaussmap.md 4.8 was measured with.
+/// As many points as gaussmap.md 4 was measured with.
 inline GroundTruth catenoid_strip(std::size_t count) {
   return catenoid_strip(count, count * 7 / 8);
 }

@@ -37,7 +37,7 @@ std::vector<Vector3> corners_of(const Polyhedron& polyhedron, Index f) {
   return out;
 }
 
-/// The u-shaped outline of kuriyama.md 7.7 as a prism.
+/// The u-shaped outline of kuriyama.md 11 as a prism.
 PolygonMesh concave_prism() {
   PolygonMesh mesh;
   const std::array<Vector2, 8> outline{Vector2{-2, -1}, {2, -1}, {2, 1.4},  {1, 1.4},

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 
+#include "core/approximation/surface_foot.hpp"
 #include "core/base/file_io.hpp"
 #include "core/document/edit_elements.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/read_outline.hpp"
 #include "core/document/read_solids.hpp"
 #include "core/envelope/ball/tightness.hpp"
+#include "core/envelope/envelope.hpp"
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/outline_check.hpp"
 #include "core/modeling/attached.hpp"
@@ -34,7 +36,7 @@ TEST(ConvertObject, TheSurfaceStaysAsItIsToTheLastBit) {
       SCOPED_TRACE(name + std::string(g2 ? " g2" : " fair"));
       const Document document = with_outline(name, g2);
       const ObjectId id = document.objects[0]->id;
-      const auto converted = convert_to_polyhedron(document, id);
+      const auto converted = convert_outline(document, id);
       ASSERT_TRUE(converted.ok()) << to_string(converted.error());
       const PolyhedronSource* polyhedron = converted->objects[0]->polyhedron();
       ASSERT_TRUE(polyhedron);
@@ -68,22 +70,34 @@ Document with_solids(const std::string& name, EnvelopeMethod method) {
   return add_object({}, "Solids", SolidsSource{std::move(input), {}}).value().document;
 }
 
+/// What the polyhedron's surface says of itself is looked for again.
+void expect_told_distances(const SolidsPolyhedron& converted, const EnvelopeSurface& made,
+                           const EnvelopeInput& input, const Surface& surface) {
+  EXPECT_LE(converted.distance, 0.03 * made.diagonal);
+  EXPECT_NEAR(farthest_from(surface, made.surface), converted.distance, 1e-9 * made.diagonal);
+  std::vector<SolidShape> shapes;
+  for (const Solid& solid : input.solids) shapes.emplace_back(solid, surface.origin());
+  const EnclosureReport seen = check_enclosure(surface, shapes, {.points = 2000, .covered = false}, 0);
+  EXPECT_LE(seen.worst, std::max(1.2 * converted.outside, 3e-4 * made.diagonal));
+}
+
 TEST(ConvertObject, ANetworksVerticesAreInterpolatedWithTheirNormals) {
   for (const auto* name : {"two_apart", "four_boxes"}) {
     SCOPED_TRACE(name);
     const Document document = with_solids(name, EnvelopeMethod::network);
-    const auto converted = convert_to_polyhedron(document, document.objects[0]->id);
+    const SolidsSource& solids = *document.objects[0]->solids();
+    const auto converted = solids_polyhedron(solids);
     ASSERT_TRUE(converted.ok()) << to_string(converted.error());
-    const Object& object = *converted->objects[0];
-    ASSERT_TRUE(object.polyhedron());
-    EXPECT_TRUE(object.display.polyhedron);
-    const auto made = EnvelopeSurfacer().rebuild(*document.objects[0]->solids()->input);
+    EXPECT_EQ(converted->source.frames, Frames::metric);
+    const auto made = EnvelopeSurfacer().rebuild(*solids.input);
     ASSERT_TRUE(made.ok() && made->network);
-    const auto surface = object_surface(*converted, object);
+    const auto added = add_object({}, "Polyhedron", converted->source).value();
+    const auto surface = object_surface(added.document, *added.document.objects[0]);
     ASSERT_TRUE(surface.ok()) << to_string(surface.error());
     const auto& vertices = made->network->cage.vertices;
-    ASSERT_EQ(object.polyhedron()->polyhedron.vertex_count(), vertices.size());
+    ASSERT_EQ(converted->source.polyhedron.vertex_count(), vertices.size());
     EXPECT_TRUE(surface->surface.boundary_sides().empty());
+    expect_told_distances(*converted, *made, *solids.input, surface->surface);
     // Every corner of a patch that lies on a vertex has the vertex's normal.
     std::vector<char> met(vertices.size(), 0);
     for (Index patch = 0; patch < surface->surface.patch_count(); ++patch)
@@ -105,12 +119,12 @@ TEST(ConvertObject, TheBallsQuadsKeepTheirCornersAndNormals) {
   EnvelopeInput input = *document.objects[0]->solids()->input;
   choose_ball(input);
   input.settings.rounding *= 2.5;
-  document = add_object({}, "Solids", SolidsSource{std::move(input), {}}).value().document;
-  const auto made = EnvelopeSurfacer().rebuild(*document.objects[0]->solids()->input);
+  const SolidsSource solids{input, {}};
+  const auto made = EnvelopeSurfacer().rebuild(input);
   ASSERT_TRUE(made.ok() && made->cage);
-  const auto converted = convert_to_polyhedron(document, document.objects[0]->id);
+  const auto converted = solids_polyhedron(solids);
   ASSERT_TRUE(converted.ok()) << to_string(converted.error());
-  const PolyhedronSource& source = *converted->objects[0]->polyhedron();
+  const PolyhedronSource& source = converted->source;
   ASSERT_EQ(source.polyhedron.vertex_count(), made->surface.node_count());
   EXPECT_EQ(source.polyhedron.face_count(), made->surface.patch_count());
   for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) {
@@ -118,18 +132,23 @@ TEST(ConvertObject, TheBallsQuadsKeepTheirCornersAndNormals) {
     ASSERT_TRUE(pin);
     EXPECT_EQ(pin->vectors[0], made->surface.node_normal(v));
   }
+  const auto added = add_object({}, "Polyhedron", source).value();
+  const auto surface = object_surface(added.document, *added.document.objects[0]);
+  ASSERT_TRUE(surface.ok());
+  expect_told_distances(*converted, *made, input, surface->surface);
+  EXPECT_LE(converted->distance, 0.01 * made->diagonal);
 }
 
 TEST(ConvertObject, SaysWhatItCannotDo) {
   const Document bad = with_outline("bad_inward", false);
   const ObjectId id = bad.objects[0]->id;
-  EXPECT_EQ(convert_to_polyhedron(bad, id).error().code, e_not_convex);
-  EXPECT_EQ(convert_to_polyhedron(bad, ObjectId{77}).error().code, e_unknown_object);
-  EXPECT_EQ(convert_to_polyhedron(set_locked(bad, id, true).value(), id).error().code, e_locked);
+  EXPECT_EQ(convert_outline(bad, id).error().code, e_not_convex);
+  EXPECT_EQ(convert_outline(bad, ObjectId{77}).error().code, e_unknown_object);
+  EXPECT_EQ(convert_outline(set_locked(bad, id, true).value(), id).error().code, e_locked);
   const Document cap = with_outline("sphere_cap", false);
-  const auto once = convert_to_polyhedron(cap, id);
+  const auto once = convert_outline(cap, id);
   ASSERT_TRUE(once.ok());
-  EXPECT_EQ(convert_to_polyhedron(*once, id).error().code, e_wrong_kind);
+  EXPECT_EQ(convert_outline(*once, id).error().code, e_wrong_kind);
 }
 
 }  // namespace

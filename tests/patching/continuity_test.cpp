@@ -194,5 +194,34 @@ TEST(Continuity, GridEvaluationEqualsTheScalarForm) {
   }
 }
 
+TEST(Continuity, BatchesEqualSinglePoints) {
+  std::mt19937_64 rng(16);
+  std::vector<QuarticPatch> patches(5);
+  for (QuarticPatch& patch : patches)
+    for (Vector3& control : patch.control) control = random_vector(rng);
+  const QuarticPatchSet set(QuarticPatchArray(patches), std::make_shared<QuarticTables>());
+  std::vector<Vector2> parameters{{0, 0}, {1, 0}, {0, 1}, {0.2, 0.3}, {1e-9, 1e-9}};
+  for (int side = 0; side < 3; ++side)
+    for (const double x : {0.0, 0.125, 0.3, 1.0})
+      parameters.push_back(side_parameter(Domain::triangle, side, x));
+  const std::size_t n = parameters.size();
+  const auto batch = set.batch(parameters);
+  const std::vector<Index> wanted{3, 0, 4};
+  std::vector<PatchPoint> points(wanted.size() * n);
+  for (const Order order : {Order::first, Order::second}) {
+    batch->evaluate(wanted, order, points);
+    for (std::size_t k = 0; k < wanted.size(); ++k)
+      for (std::size_t i = 0; i < n; ++i) {
+        const PatchPoint one = set.evaluate(wanted[k], parameters[i], order), &many = points[k * n + i];
+        const bool on_side = i < 3 || i >= 5;
+        EXPECT_LE((many.position - one.position).norm(), on_side ? 0 : 1e-14) << i;
+        EXPECT_LT((many.ds - one.ds).norm() + (many.dt - one.dt).norm(), 1e-13) << i;
+        EXPECT_LT((many.dss - one.dss).norm() + (many.dst - one.dst).norm() + (many.dtt - one.dtt).norm(),
+                  1e-12)
+            << i;
+      }
+  }
+}
+
 }  // namespace
 }  // namespace hariko::test

@@ -1,4 +1,4 @@
-// The search for cuts: no overlaps, and no more pieces than approximation.md 10 allows.
+// The search for cuts: no overlaps, and no more pieces than allowed below.
 
 #include "core/unfolding/cut_search.hpp"
 
@@ -172,7 +172,7 @@ TEST(CutSearch, CanBeCancelledAndReports) {
 }
 
 TEST(ReferenceMethod, LeavesWhatTheSpecificationFound) {
-  // Pieces and overlaps that the repair leaves, approximation.md 7.
+  // Pieces and overlaps that the repair leaves (unfolding.md).
   const auto check = [](const PolygonMesh& mesh, std::size_t pieces, std::size_t overlaps) {
     const auto graph = FacetGraph::build(mesh);
     ASSERT_TRUE(graph.ok());

@@ -215,7 +215,7 @@ class HeadlessWorkbench {
     complete(actions.export_pages);
     complete(actions.export_pictures);
     complete(actions.export_control);
-    complete(actions.convert_skin);
+    complete(actions.convert);
     complete(actions.add_section);
     complete(actions.recover);
     complete(actions.discard_recovery);

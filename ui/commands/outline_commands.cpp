@@ -260,7 +260,7 @@ void add_outline_commands(CommandHost& host) {
       "",
       [&editor] {
         const ObjectId id = editor.selection.active;
-        if (editor.commit(convert_to_polyhedron(editor.history.current(), id),
+        if (editor.commit(convert_outline(editor.history.current(), id),
                           translatable("Convert to polyhedron")))
           editor.selection.prune(editor.document());
       },

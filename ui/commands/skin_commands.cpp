@@ -272,8 +272,8 @@ void add_skin_commands(CommandHost& host) {
   add_path_commands(host);
   host.table.add({"skin.to_polyhedron", "Skin", "Convert to polyhedron",
                   "A polyhedron through points of the surface, with its tangent planes; the skin is hidden.",
-                  "", "", false, true,
-                  [&host, &editor] { host.workbench.convert_skin(shown_skin(editor)->id); }, skin});
+                  "", "", false, true, [&host, &editor] { host.workbench.convert(shown_skin(editor)->id); },
+                  skin});
 }
 
 }  // namespace hariko

@@ -4,13 +4,13 @@
 #include <memory>
 
 #include "core/document/edit_solids.hpp"
-#include "core/modeling/convert_object.hpp"
 #include "core/modeling/primitives.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/commands/new_object.hpp"
 #include "ui/commands/new_solids.hpp"
 #include "ui/tools/place_solid_tool.hpp"
 #include "ui/viewport.hpp"
+#include "ui/workbench.hpp"
 
 namespace hariko {
 
@@ -93,13 +93,6 @@ void make_row(Editor& editor) {
                             make);
 }
 
-void convert(Editor& editor) {
-  // Solids and vertices are numbered alike: those that were chosen mean nothing on the polyhedron.
-  if (editor.commit(convert_to_polyhedron(editor.history.current(), editor.selection.active),
-                    translatable("Convert to polyhedron")))
-    editor.selection.clear_elements();
-}
-
 Reason needs_solids(const Editor& editor, const WhyNot& needs) {
   if (auto reason = needs()) return reason;
   if (editor.active_object()->solids()) return {};
@@ -139,10 +132,12 @@ void add_solid_commands(CommandHost& host) {
        "Copy the selected solids several times, each as far from the last; number and distance can be "
        "changed right afterwards.",
        "", "", true, false, [&editor] { make_row(editor); }, chosen});
-  host.table.add({"solid.to_polyhedron", "Solids", "Convert to polyhedron",
-                  "The corners of the surface become a polyhedron whose vertices and normals can be edited.",
-                  "", "", true, true, [&editor] { convert(editor); },
-                  [&editor, object] { return needs_solids(editor, object); }});
+  host.table.add(
+      {"solid.to_polyhedron", "Solids", "Convert to polyhedron",
+       "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
+       "solids are hidden.",
+       "", "", true, true, [&host, &editor] { host.workbench.convert(editor.selection.active); },
+       [&editor, object] { return needs_solids(editor, object); }});
 }
 
 }  // namespace hariko
