@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/document/edit_solids.hpp"
+#include "core/document/edits.hpp"
 #include "core/modeling/convert_object.hpp"
 #include "core/modeling/primitives.hpp"
 #include "ui/commands/command_host.hpp"
@@ -93,11 +94,17 @@ void make_row(Editor& editor) {
                             make);
 }
 
+/// The solids stay, hidden, beside the polyhedron.
 void convert(Editor& editor) {
+  const Document& document = editor.history.current();
+  const Object& object = *editor.active_object();
+  const auto kept =
+      add_object(document, free_name(document, object.name), object.source, object.transform, object.display);
+  if (!kept) return editor.notify(kept.error());
+  Result<Document> result = set_visible(kept->document, kept->id, false);
+  if (result) result = convert_to_polyhedron(*result, object.id);
   // Solids and vertices are numbered alike: those that were chosen mean nothing on the polyhedron.
-  if (editor.commit(convert_to_polyhedron(editor.history.current(), editor.selection.active),
-                    translatable("Convert to polyhedron")))
-    editor.selection.clear_elements();
+  if (editor.commit(result, translatable("Convert to polyhedron"))) editor.selection.clear_elements();
 }
 
 Reason needs_solids(const Editor& editor, const WhyNot& needs) {
@@ -139,10 +146,12 @@ void add_solid_commands(CommandHost& host) {
        "Copy the selected solids several times, each as far from the last; number and distance can be "
        "changed right afterwards.",
        "", "", true, false, [&editor] { make_row(editor); }, chosen});
-  host.table.add({"solid.to_polyhedron", "Solids", "Convert to polyhedron",
-                  "The corners of the surface become a polyhedron whose vertices and normals can be edited.",
-                  "", "", true, true, [&editor] { convert(editor); },
-                  [&editor, object] { return needs_solids(editor, object); }});
+  host.table.add(
+      {"solid.to_polyhedron", "Solids", "Convert to polyhedron",
+       "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
+       "solids are kept, hidden.",
+       "", "", true, true, [&editor] { convert(editor); },
+       [&editor, object] { return needs_solids(editor, object); }});
 }
 
 }  // namespace hariko
