@@ -5,7 +5,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "ui/panels/panels.hpp"
@@ -13,10 +12,6 @@
 namespace hariko {
 
 namespace {
-
-/// Windows of panels, as they stand from above.
-constexpr std::array panels{"Objects", "Properties", "History",      "Meshing", "Guide",
-                            "Paper",   "Folding",    "Gauss sphere", "Steps",   "Tools"};
 
 /// Presses the item that the keyboard is on; a number's field opens for typing.
 void activate_item() {
@@ -85,10 +80,15 @@ void KeyboardFocus::leave_panel() {
 }
 
 void KeyboardFocus::next_panel(bool back) {
+  // From above, as they stand.
   std::vector<std::string> shown;
-  for (const char* name : panels)
-    if (const ImGuiWindow* window = ImGui::FindWindowByName(name); window && window->WasActive)
-      shown.emplace_back(name);
+  for (const ImGuiWindow* window :
+       {ImGui::FindWindowByName("Objects"), ImGui::FindWindowByName("Properties"),
+        ImGui::FindWindowByName("History"), ImGui::FindWindowByName("Meshing"),
+        ImGui::FindWindowByName("Guide"), ImGui::FindWindowByName("Paper"),
+        ImGui::FindWindowByName("Folding"), ImGui::FindWindowByName("Gauss sphere"),
+        ImGui::FindWindowByName("Steps"), ImGui::FindWindowByName("Tools")})
+    if (window && window->WasActive) shown.emplace_back(window->Name);
   const auto at = std::find(shown.begin(), shown.end(), panel_);
   const auto count = static_cast<std::ptrdiff_t>(shown.size());
   std::ptrdiff_t next = at == shown.end() ? (back ? count - 1 : 0) : (at - shown.begin()) + (back ? -1 : 1);
