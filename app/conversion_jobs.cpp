@@ -66,8 +66,9 @@ void ConversionJobs::take(const Object& object, const Result<Made>& made) {
   if (editor_.history.in_gesture()) editor_.cancel_preview();
   DisplaySettings display = now->display;
   display.polyhedron = true;
+  const Document& document = editor_.history.current();
   auto added =
-      add_object(editor_.history.current(), now->name, Source(made->source), now->transform, display);
+      add_object(document, free_name(document, now->name), Source(made->source), now->transform, display);
   if (!added) return editor_.notify(added.error());
   if (!editor_.commit(set_visible(added->document, object.id, false), translatable("Convert to polyhedron")))
     return;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "render/ray_cast.hpp"
+#include "render/shown_edges.hpp"
 
 namespace hariko {
 
@@ -147,19 +147,6 @@ std::optional<ScreenEdge> screen_edge(const SceneObject& object, const Projector
   return out;
 }
 
-/// Whether a curve runs from the edge's first vertex to its second or the other way; nothing where it does
-/// not join them, as the image of an edge does.
-std::optional<bool> direction_of_curve(const SceneObject& object, Index edge, const Vector3& begin,
-                                       std::span<const CurveSegment> segments) {
-  const Vector3 end = object.mesh_vertex(segments.back().vertices[2]);
-  const Vector3 first = world_position(object, object.polyhedron->edges[edge][0]);
-  const Vector3 last = world_position(object, object.polyhedron->edges[edge][1]);
-  const double close = 1e-3 * ((last - first).norm() + (end - begin).norm());
-  if ((begin - first).norm() <= close && (end - last).norm() <= close) return true;
-  if ((begin - last).norm() <= close && (end - first).norm() <= close) return false;
-  return std::nullopt;
-}
-
 /// Everything that one pick needs, and the hits so far.
 class Search {
  public:
@@ -267,9 +254,8 @@ void Search::add_curves(std::size_t o, std::vector<PickHit>& hits) const {
     for (const EdgeCurves::Run& run : curves.of(e)) {
       near.clear();
       const auto segments = curves.segments(run);
-      const Vector3 begin = object.mesh_vertex(segments.front().vertices[1]);
       const double step = 1.0 / static_cast<double>(segments.size());
-      Vector3 last = begin;
+      Vector3 last = object.mesh_vertex(segments.front().vertices[1]);
       auto last_pixel = projector_.project(last);
       for (std::size_t i = 0; i < segments.size(); ++i) {
         const Vector3 here = object.mesh_vertex(segments[i].vertices[2]);
@@ -288,7 +274,7 @@ void Search::add_curves(std::size_t o, std::vector<PickHit>& hits) const {
         return a.distance != b.distance ? a.distance < b.distance : a.depth < b.depth;
       });
       if (best == near.end()) continue;
-      const auto forward = direction_of_curve(object, e, begin, segments);
+      const auto forward = runs_forward(object, e, run);
       best->share = forward ? std::optional(*forward ? *best->share : 1 - *best->share) : std::nullopt;
       hits.push_back(*best);
     }

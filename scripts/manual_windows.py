@@ -49,6 +49,27 @@ def extrude(window):
     window.move(x + 60, y - 45)
 
 
+def cut(window):
+    """A box, and where three cuts across it will lie."""
+    hands.empty_document(window)
+    hands.choose(window, "Add", "command.add.box")
+    hands.label(window, "Add box")
+    window.click_on("field.depth")
+    window.key("ctrl+a")
+    window.type("180")
+    window.key("Return")
+    window.wait_idle()
+    window.key("Home")
+    window.wait_idle()
+    window.key("2")
+    corners = sorted(window.last("vertices")["objects"]["1"].values(), key=lambda pixel: pixel[2])[:2]
+    window.arrive(sum(p[0] for p in corners) / 2, sum(p[1] for p in corners) / 2)
+    window.key("ctrl+r")
+    for number in (2, 3):
+        window.xdotool("click", "4")
+        window.wait_idle()
+
+
 def four(window):
     window.key("ctrl+alt+q")
     window.wait_idle()
@@ -163,6 +184,7 @@ def skin(window):
     hands.empty_document(window)
     hands.choose(window, "Add", "command.add.skin")
     hands.label(window, "Add skin")
+    window.click_on("section.skin_more")
     window.click_on("combo.skin_mirror")
     window.click_on("choice.skin_mirror.2")
     hands.label(window, "Mirror of the skin")
@@ -193,6 +215,7 @@ WINDOWS = {
     "manual_start": (None, nothing, {}),
     "manual_four": ("car", four, {}),
     "manual_extrude": ("fig2", extrude, {}),
+    "manual_cut": ("cube", cut, {}),
     "manual_zebra": ("car", zebra, {}),
     "manual_mean": ("car", mean, {}),
     "manual_section": ("cube", section, {}),

@@ -1,6 +1,8 @@
 #include "ui/export_text.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "ui/panels/quantity.hpp"
@@ -22,9 +24,15 @@ std::string length_text(Unit unit, double length) {
 }  // namespace
 
 std::string file_size_text(std::uintmax_t bytes) {
-  if (bytes < 10'000) return std::to_string(bytes) + " B";
-  if (bytes < 10'000'000) return std::to_string(bytes / 1000) + " kB";
-  return std::to_string(bytes / 1'000'000) + " MB";
+  if (bytes < 1000) return std::to_string(bytes) + " B";
+  constexpr std::array units{" kB", " MB", " GB"};
+  std::size_t unit = 0;
+  auto size = static_cast<double>(bytes) / 1000;
+  for (; unit + 1 < units.size() && size >= 999.5; ++unit) size /= 1000;
+  // Two digits at least: files of like sizes are told apart.
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), size < 9.95 ? "%.1f" : "%.0f", size);
+  return text.data() + std::string(units[unit]);
 }
 
 std::string export_text(const Language& tr, const std::filesystem::path& path, const ExportReport& report,

@@ -84,8 +84,7 @@ void FileDialogs::export_triangles() {
                 [this](const std::filesystem::path& name) {
                   if (export_options_.draw(editor_, marks_, metrics_, name))
                     actions_.count_export(name, export_options_.settings());
-                },
-                [] { return ExportOptions::rows; }});
+                }});
   export_options_.begin(editor_, proposal);
   actions_.count_export(proposal, export_options_.settings());
   counting_ = true;
@@ -102,8 +101,7 @@ void FileDialogs::export_cad() {
                 [this](const std::filesystem::path& name) {
                   if (cad_options_.draw(editor_, marks_, metrics_, name))
                     actions_.count_cad(cad_options_.settings());
-                },
-                [] { return CadOptions::rows; }});
+                }});
   cad_options_.begin(editor_);
   actions_.count_cad(cad_options_.settings());
   counting_ = true;
@@ -148,7 +146,6 @@ void FileDialogs::picture(bool turntable) {
     if (!turntable && lower_ending(name) == ".svg") return drawing_options_.draw(editor_, marks_, metrics_);
     draw_picture_options(editor_, marks_, metrics_, picture_settings_, turntable);
   };
-  request.option_rows = [turntable] { return picture_option_rows(turntable); };
   if (turntable)
     request.replaces = [this](const std::filesystem::path& path) -> std::optional<std::filesystem::path> {
       std::error_code unknown;
@@ -162,16 +159,14 @@ void FileDialogs::picture(bool turntable) {
 void FileDialogs::open(std::function<void(const std::filesystem::path&)> accept) {
   dialog_.open({translatable("Open"), translatable("Open"), false, openable_endings(!why_no_cad_files()),
                 folder_proposal(), std::move(accept),
-                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); },
-                [] { return mesh_option_rows; }});
+                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
 }
 
 void FileDialogs::import() {
   dialog_.open({translatable("Import"), translatable("Import"), false,
                 importable_endings(!why_no_cad_files()), folder_proposal(),
                 [this](const auto& path) { actions_.import_file(path); },
-                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); },
-                [] { return mesh_option_rows; }});
+                [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
 }
 
 void FileDialogs::export_keys() {

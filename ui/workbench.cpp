@@ -10,6 +10,7 @@
 #include "ui/commands/patch_commands.hpp"
 #include "ui/commands/skin_commands.hpp"
 #include "ui/icons.hpp"
+#include "ui/menu_letters.hpp"
 #include "ui/panels/beside.hpp"
 #include "ui/selection_text.hpp"
 
@@ -17,44 +18,11 @@ namespace hariko {
 
 namespace {
 
-/// After the last frame. (io.WantTextInput is as old as the frame before that: a key that follows a click at
-/// once would miss the field.)
-bool text_field_active() {
-  return GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID;
-}
-
 bool shows_zebra(const Editor& editor) {
   const auto& objects = editor.document().objects;
   return std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
     return object->visible && shown_map(editor.view.map, *object) == SurfaceMap::zebra;
   });
-}
-
-/// Closes every menu and list; Dear ImGui asserts that there is one to close.
-void close_popups(bool restore_focus) {
-  if (!GImGui->OpenPopupStack.empty()) ImGui::ClosePopupToLevel(0, restore_focus);
-}
-
-/// Presses the item that the keyboard is on; a number's field opens for typing.
-void activate_item() {
-  ImGuiContext& g = *GImGui;
-  g.NavActivateId = g.NavActivateDownId = g.NavActivatePressedId = g.NavId;
-#if IMGUI_VERSION_NUM < 18900
-  g.NavActivateInputId = g.NavId;
-#endif
-  g.NavActivateFlags = ImGuiActivateFlags_PreferInput;
-}
-
-/// Enter takes the keyboard out of a field; Tab then goes on from there, and does not begin anew.
-void tab_goes_on() {
-#if IMGUI_VERSION_NUM < 18900
-  constexpr int tabbing = ImGuiNavMoveFlags_Tabbing;
-#else
-  constexpr int tabbing = ImGuiNavMoveFlags_IsTabbing;
-#endif
-  ImGuiContext& g = *GImGui;
-  if (g.NavMoveSubmitted && (g.NavMoveFlags & tabbing) != 0 && g.NavTabbingDir == 0 && g.NavId != 0)
-    g.NavTabbingDir = 1;
 }
 
 }  // namespace
@@ -153,8 +121,7 @@ void Workbench::frame() {
   marks_.clear();
   panel_state_.field_opening = false;
   apply_keys();
-  if (std::exchange(activates_, false)) activate_item();
-  tab_goes_on();
+  keyboard_.begin_frame(preferences_.is_open());
   PanelContext context{editor_,
                        commands_,
                        marks_,
@@ -183,13 +150,7 @@ void Workbench::frame() {
   palette_.draw(context, menu);
   cheat_sheet_.draw(context, menu);
   draw_cursor_note(context);
-  // Flags of the next frame: arrows and Enter belong to the items only where the keyboard was given to them.
-  ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsMouseClicked(0)) leave_panel();
-  if (navigates())
-    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  else
-    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  keyboard_.end_frame(preferences_.is_open());
   // Shade at once: nothing is drawn again while nothing happens, so it cannot fade in.
   GImGui->DimBgRatio = 1;
   files_.draw(context);
@@ -242,7 +203,7 @@ void Workbench::layout(PanelContext& context, float menu) {
     if (const std::string note = status_note(); !note.empty()) context.tool_hint = note;
   status_ = context.tool_hint;
   draw_status_line(context, {{0, screen.y - status}, screen});
-  draw_notices(context, view);
+  draw_notices(context, model);  // buttons of panels beside it stay free
 
   drag_border({{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}});
   drag_list_end(
@@ -289,82 +250,28 @@ void Workbench::drag_border(const PanelRect& border) {
   ImGui::End();
 }
 
-bool Workbench::navigates() const {
-  const ImGuiWindow* window = GImGui->NavWindow;
-  return !keyboard_panel_.empty() || !GImGui->OpenPopupStack.empty() ||
-         (preferences_.is_open() && window &&
-          window->RootWindow == ImGui::FindWindowByName("###preferences"));
-}
-
-void Workbench::leave_panel() {
-  if (keyboard_panel_.empty()) return;
-  keyboard_panel_.clear();
-  GImGui->NavDisableHighlight = true;
-}
-
-void Workbench::next_panel(bool back) {
-  // From above, as they stand.
-  std::vector<std::string> panels;
-  for (const ImGuiWindow* window :
-       {ImGui::FindWindowByName("Objects"), ImGui::FindWindowByName("Properties"),
-        ImGui::FindWindowByName("History"), ImGui::FindWindowByName("Meshing"),
-        ImGui::FindWindowByName("Guide"), ImGui::FindWindowByName("Paper"), ImGui::FindWindowByName("Tools")})
-    if (window && window->WasActive) panels.emplace_back(window->Name);
-  const auto at = std::find(panels.begin(), panels.end(), keyboard_panel_);
-  const auto count = static_cast<std::ptrdiff_t>(panels.size());
-  std::ptrdiff_t next = at == panels.end() ? (back ? count - 1 : 0) : (at - panels.begin()) + (back ? -1 : 1);
-  if (next < 0 || next >= count) return leave_panel();
-  keyboard_panel_ = panels[static_cast<std::size_t>(next)];
-  ImGuiWindow* window = ImGui::FindWindowByName(keyboard_panel_.c_str());
-  ImGui::FocusWindow(window);
-  ImGui::NavInitWindow(window, true);
-  GImGui->NavDisableHighlight = false;
-  GImGui->NavDisableMouseHover = true;
-}
-
 bool Workbench::navigation_key(const KeyChord& chord) {
   const bool plain = !chord.control && !chord.alt;
   const bool busy = prompt_.is_open() || files_.is_open() || offers_dialog_.is_open() || palette_.is_open() ||
                     cheat_sheet_.is_open() || viewport_.tool_active();
   if (!busy && plain && chord.key == GLFW_KEY_F6 && editor_.has_document)
-    return next_panel(chord.shift), true;
+    return keyboard_.next_panel(chord.shift), true;
   const std::vector<std::string> menus = commands_.menus();
-  if (!busy && plain && !chord.shift && chord.key == GLFW_KEY_F10) {
-    close_popups(false);
-    panel_state_.wanted_menu = menus.front();
-  } else if (!busy && chord.alt && !chord.control && !chord.shift && !commands_.find(chord)) {
-    const auto menu = std::find_if(menus.begin(), menus.end(), [&](const std::string& name) {
-      return static_cast<int>(name.front()) == chord.key;
-    });
-    if (menu == menus.end()) return false;
+  const std::string* menu = nullptr;
+  if (!busy && plain && !chord.shift && chord.key == GLFW_KEY_F10)
+    menu = &menus.front();
+  else if (!busy && !chord.control && !chord.shift &&
+           (chord.alt ? !commands_.find(chord) : panel_state_.menu_open && !text_field_active()))
+    menu = menu_of_letter(menus, chord.key);
+  if (menu) {
     close_popups(false);
     panel_state_.wanted_menu = *menu;
   }
   if (!panel_state_.wanted_menu.empty()) {
-    GImGui->NavDisableHighlight = false;
-    GImGui->NavDisableMouseHover = true;
+    show_keyboard_focus();
     return true;
   }
-  if (!navigates() || text_field_active() || chord.control || chord.alt) return false;
-  switch (chord.key) {
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-      activates_ = true;
-      return true;
-    case GLFW_KEY_UP:
-    case GLFW_KEY_DOWN:
-    case GLFW_KEY_LEFT:
-    case GLFW_KEY_RIGHT:
-    case GLFW_KEY_TAB:
-    case GLFW_KEY_SPACE:
-    case GLFW_KEY_HOME:
-    case GLFW_KEY_END:
-    case GLFW_KEY_PAGE_UP:
-    case GLFW_KEY_PAGE_DOWN:
-      return true;
-    default:
-      return false;
-  }
+  return keyboard_.navigates(preferences_.is_open()) && !text_field_active() && keyboard_.item_key(chord);
 }
 
 void Workbench::key(const KeyPress& press) {
@@ -403,7 +310,7 @@ void Workbench::escape() {
   if (const auto& popups = GImGui->OpenPopupStack;
       !popups.empty() && popups.back().Window && (popups.back().Window->Flags & ImGuiWindowFlags_Modal) == 0)
     return ImGui::ClosePopupToLevel(popups.Size - 1, true);
-  if (!text_field_active() && !keyboard_panel_.empty()) return leave_panel();
+  if (!text_field_active() && keyboard_.in_panel()) return keyboard_.leave_panel();
   if (prompt_.is_open()) return prompt_.dismiss();
   if (files_.is_open()) return files_.close();
   if (offers_dialog_.is_open()) return offers_dialog_.close();

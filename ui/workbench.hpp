@@ -7,6 +7,7 @@
 
 #include "ui/commands/command_host.hpp"
 #include "ui/file_dialogs.hpp"
+#include "ui/keyboard_focus.hpp"
 #include "ui/panels/cheat_sheet.hpp"
 #include "ui/panels/command_palette.hpp"
 #include "ui/panels/context_menu.hpp"
@@ -94,14 +95,8 @@ class Workbench {
  private:
   void add_commands();
   void escape();
-  /// Whether the keyboard goes from item to item: in menus, lists and dialogs, and in the panel that F6
-  /// chose.
-  bool navigates() const;
-  /// F6, F10 and Alt with a letter; keys that go from item to item. True when the key is taken.
+  /// F6, F10, letters of menus, and keys that go from item to item. True when the key is taken.
   bool navigation_key(const KeyChord& chord);
-  /// Gives the keyboard to the next panel (Shift: the one before), or back to the views.
-  void next_panel(bool back);
-  void leave_panel();
   /// A command chosen by its key: what it refuses is explained where the pointer is.
   void run_from_key(const Command& command);
   void explain_at_pointer(const std::string& text);
@@ -134,8 +129,7 @@ class Workbench {
   float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;
-  bool activates_ = false;      ///< Enter was pressed on the item that the keyboard is on
-  std::string keyboard_panel_;  ///< name of the window that has the keyboard; empty for the views
+  KeyboardFocus keyboard_;
   FileDialogs files_;
   OffersDialog offers_dialog_;
   Prompt prompt_;

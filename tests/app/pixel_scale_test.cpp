@@ -46,9 +46,10 @@ TEST(PixelScale, SnappingReachesAsFarAsItLooks) {
     rig.editor.pixel_scale = scale;
     rig.choose({6});
     const TransformTarget target = TransformTarget::of(rig.editor);
+    const SnapPlaces places(rig.context());
     const Vector2 away(0, -1);  // above the model: nothing else is near
-    EXPECT_TRUE(snap_to_elements(rig.context(), target, other + 0.95 * snap_radius * scale * away));
-    EXPECT_FALSE(snap_to_elements(rig.context(), target, other + 1.05 * snap_radius * scale * away));
+    EXPECT_TRUE(places.nearest(rig.context(), target, other + 0.95 * snap_radius * scale * away));
+    EXPECT_FALSE(places.nearest(rig.context(), target, other + 1.05 * snap_radius * scale * away));
   }
 }
 

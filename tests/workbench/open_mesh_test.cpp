@@ -150,5 +150,22 @@ TEST_F(OpenFile, TheDialogSaysWhatMeshesBecome) {
   EXPECT_TRUE(session_->editor().document().objects[0]->mesh());
 }
 
+TEST_F(OpenFile, EachObjectOfAnObjFileStaysOneOfItsOwn) {
+  const auto mesh = folder_.path() / "two.obj";
+  const PolygonMesh housing = make_primitive(PrismShape{12, 1, 2, {}}).value();
+  const PolygonMesh knob = make_primitive(BoxShape{{1, 1, 1}, {1, 1, 1}, {}}).value();
+  ASSERT_TRUE(
+      write_mesh_file(mesh, std::array{NamedPolygons{"Housing", &housing}, NamedPolygons{"Knob", &knob}})
+          .ok());
+  (*session_)->open(mesh);
+  session_->settle();
+  const auto& objects = session_->editor().document().objects;
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0]->name, "Housing");
+  EXPECT_EQ(objects[1]->name, "Knob");
+  EXPECT_EQ(objects[0]->polyhedron()->polyhedron.face_count(), 14U);
+  EXPECT_EQ(objects[1]->polyhedron()->polyhedron.face_count(), 6U);
+}
+
 }  // namespace
 }  // namespace hariko

@@ -111,6 +111,7 @@ TEST_F(SectionHands, ThePanelFoldsToWhatIsNeededFirst) {
   for (const char* row : {"combo.skin_method", "check.skin_closed", "combo.skin_frame", "section.skin_more"})
     EXPECT_TRUE(marks.contains(row)) << row;
   EXPECT_FALSE(marks.contains("combo.skin_fit"));
+  EXPECT_FALSE(marks.contains("button.skin_turn")) << "one click makes a twisted tube";
   bench_.workbench().commands().run("property.skin_fit");
   for (int i = 0; i < 4; ++i) bench_.frame();
   EXPECT_TRUE(marks.contains("combo.skin_fit")) << "what is asked for by name comes into sight";

@@ -130,6 +130,28 @@ TEST(StartPage, EveryCardIsReachedByTabAndComesIntoSight) {
   EXPECT_EQ(seen.size(), cards);
 }
 
+TEST(StartPage, UnsavedWorkHasItsPlaceBeforeItIsKnown) {
+  StartPageBench bench;
+  RecentFile file;
+  file.path = "/somewhere/mouse.hariko";
+  Offers& offers = bench->workbench().offers();
+  offers.recent.push_back(file);
+  offers.recovery_places = 1;
+  bench->frame();
+  const int before = bench.marks().at("recent.mouse.hariko").y;
+  ASSERT_TRUE(bench.marks().contains("recovery.place.0"));
+  RecoveryOffer offer;
+  offer.id = "1";
+  offers.recoveries.push_back(offer);
+  offers.recoveries_known = true;
+  bench->frame();
+  ASSERT_TRUE(bench.marks().contains("recovery.recover"));
+  EXPECT_EQ(bench.marks().at("recent.mouse.hariko").y, before) << "the list goes away under the pointer";
+  offers.recoveries.clear();  // it was nothing
+  bench->frame();
+  EXPECT_EQ(bench.marks().at("recent.mouse.hariko").y, before);
+}
+
 TEST(StartPage, FitsNarrowWindowsInBothLanguages) {
   for (const bool japanese : {false, true}) {
     SCOPED_TRACE(japanese);

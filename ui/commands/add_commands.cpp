@@ -53,8 +53,11 @@ void add_primitive(CommandHost& host, const char* name, const char* step, const 
     if (!added) return added.error();
     return OperationResult{std::move(added).value().document, added->id};
   };
-  if (editor.last_operation.run(editor, step, numbers(new_object_radius(editor)), add) && first)
+  if (!editor.last_operation.run(editor, step, numbers(new_object_radius(editor)), add)) return;
+  if (first)
     editor.wants_framing = true;
+  else
+    bring_into_sight(editor, editor.selection.active);
 }
 
 MakeSource from_mesh(MakeMesh make) {

@@ -3,11 +3,30 @@
 #include <algorithm>
 
 #include "core/cad/kernel/cad_file.hpp"
+#include "core/document/edits.hpp"
+#include "core/modeling/primitives.hpp"
 #include "ui/commands/command_host.hpp"
+#include "ui/commands/new_object.hpp"
 #include "ui/icons.hpp"
 #include "ui/workbench.hpp"
 
 namespace hariko {
+
+namespace {
+
+void open_box(Editor& editor) {
+  const Unit unit = editor.settings.unit;
+  const double size = 2 * first_object_radius(unit);
+  const auto mesh = make_primitive(BoxShape{{size, size, size}, {1, 1, 1}, {}});
+  if (!mesh.ok()) return editor.notify(mesh.error());
+  auto made = document_from_mesh(*mesh, editor.language("Box"));
+  if (!made.ok()) return editor.notify(made.error());
+  Document document = std::move(made).value();
+  document.unit = unit;
+  editor.open(std::move(document), {});
+}
+
+}  // namespace
 
 void add_file_commands(CommandHost& host) {
   CommandTable& table = host.table;
@@ -16,6 +35,8 @@ void add_file_commands(CommandHost& host) {
   const WhyNot document = needs_document(editor);
   table.add({"file.new", "File", "New", "Begin an empty document.", "Ctrl+N", icon::file, false, false,
              [&workbench] { workbench.new_document(); }});
+  table.add({"file.new_from_box", "File", "New from box", "Begin a document with a box.", "", icon::object,
+             false, false, [&workbench, &editor] { workbench.guarded([&editor] { open_box(editor); }); }});
   table.add({"file.open", "File", "Open\u2026", "Open a Hariko document or a mesh.", "Ctrl+O", icon::open,
              false, false, [&workbench] {
                workbench.files().open([&workbench](const auto& path) { workbench.open_guarded(path); });

@@ -32,6 +32,19 @@ double new_object_radius(const Editor& editor) {
   return first_object_radius(editor.document().unit);
 }
 
+void bring_into_sight(Editor& editor, ObjectId object) {
+  const Object* found = editor.document().find(object);
+  const Box3 box = found ? world_box(*found) : Box3();
+  if (box.isEmpty()) return;
+  const Projector projector(editor.camera(), editor.viewport);
+  for (int i = 0; i < 8; ++i) {
+    const auto at = projector.project(box.corner(static_cast<Box3::CornerType>(i)));
+    const bool inside = at && at->x() >= 0 && at->y() >= 0 && at->x() <= editor.viewport.width &&
+                        at->y() <= editor.viewport.height;
+    if (!inside) return editor.frame_all();
+  }
+}
+
 double first_object_radius(Unit unit) {
   constexpr double radius = 50;  // mm
   return nice_length(radius / millimetres_per(unit));

@@ -6,6 +6,7 @@
 #include "core/modeling/convert_object.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/commands/new_object.hpp"
+#include "ui/commands/view_room.hpp"
 #include "ui/outlines.hpp"
 #include "ui/tools/loop_tool.hpp"
 #include "ui/viewport.hpp"
@@ -161,8 +162,7 @@ void add_sphere(CommandHost& host) {
                   "", false, true,
                   [&gauss, &editor] {
                     gauss.shown = !gauss.shown;
-                    // Half the view is left, which would cut the model off.
-                    if (gauss.shown) editor.wants_framing = true;
+                    change_room_of_views(editor, gauss.shown);
                   },
                   [&gauss, outline = needs_outline(editor)]() -> Reason {
                     if (gauss.shown) return {};

@@ -4,6 +4,7 @@
 
 #include "core/unfolding/edit_unfolding.hpp"
 #include "ui/commands/command_host.hpp"
+#include "ui/commands/view_room.hpp"
 #include "ui/paper_edits.hpp"
 #include "ui/workbench.hpp"
 
@@ -40,10 +41,11 @@ void add_view_commands_of_paper(CommandHost& host) {
   host.table.add({"paper.show", "Paper", "Paper view", "Show the pages of a paper model beside the model.",
                   "Ctrl+P", "", false, false,
                   [&editor] {
+                    // What is seen as a whole may be the paper, as long as it shows.
+                    if (editor.paper.shown) change_room_of_views(editor, false);
                     editor.paper.shown = !editor.paper.shown;
                     editor.paper.wants_framing = true;
-                    // Half the view is left, which would cut the model off.
-                    if (editor.paper.shown) editor.wants_framing = true;
+                    if (editor.paper.shown) change_room_of_views(editor, true);
                   },
                   document, [&editor] { return editor.paper.shown; }});
   host.table.add({"paper.in_space", "Paper", "Paper in the view",

@@ -135,7 +135,7 @@ void add_solid_commands(CommandHost& host) {
   host.table.add(
       {"solid.to_polyhedron", "Solids", "Convert to polyhedron",
        "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
-       "solids are hidden.",
+       "solids are kept, hidden.",
        "", "", true, true, [&host, &editor] { host.workbench.convert(editor.selection.active); },
        [&editor, object] { return needs_solids(editor, object); }});
 }

@@ -61,17 +61,17 @@ void CadOptions::quality_row(const Editor& editor, Marks& marks, const Metrics& 
   };
   option_label(tr, metrics, translatable("Quality"));
   for (std::size_t i = 0; i < qualities.size(); ++i) {
-    if (i > 0) ImGui::SameLine();
+    if (i > 0) beside_or_below(metrics, check_width(tr(quality_names[i])));
     if (ImGui::RadioButton((std::string(tr(quality_names[i])) + "##cad_quality").c_str(),
                            chosen(qualities[i])))
       take_quality(qualities[i], unit);
     marks.item(std::string("export.cad_quality.") + quality_ids[i]);
   }
-  ImGui::SameLine(0, metrics.px(16));
+  beside_or_below(metrics, check_width(tr("exact splines")), 16);
   ImGui::Checkbox((std::string(tr("exact splines")) + "##cad_exact").c_str(), &settings_.choices.exact);
   marks.item("export.cad_exact");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", tr("What is a spline stays it, also where fewer control points would do"));
+    show_tip(tr("What is a spline stays it, also where fewer control points would do"));
 }
 
 void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics) {
@@ -83,7 +83,7 @@ void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics
   option_field("cad_tolerance",
                tr("The farthest that faces may be from the surface where they cannot be the surface itself"),
                marks, metrics.px(110), length, tolerance_text_, settings_.choices.tolerance);
-  ImGui::SameLine(0, metrics.px(16));
+  beside_or_below(metrics, labelled_width(tr("Angle"), metrics.px(80)), 16);
   ImGui::TextUnformatted(tr("Angle"));
   ImGui::SameLine();
   Quantity turn = angle_quantity();
@@ -121,7 +121,7 @@ void CadOptions::unit_row(const Editor& editor, Marks& marks, const Metrics& met
     ImGui::EndCombo();
   }
   if (ImGui::IsItemHovered()) show_tip(tr("Of the numbers in the file. Sizes stay what they are."));
-  ImGui::SameLine(0, metrics.px(16));
+  beside_or_below(metrics, labelled_width(tr("Scale"), metrics.px(80)), 16);
   ImGui::TextUnformatted(tr("Scale"));
   ImGui::SameLine();
   const double before = choices.scale;
@@ -153,7 +153,7 @@ void CadOptions::result_rows(const Editor& editor, Marks& marks) const {
   if (!count_) {
     ImGui::TextDisabled("%s", tr("Fitting faces\u2026"));
   } else if (count_->ok()) {
-    ImGui::TextUnformatted(cad_count_text(tr, count_->value(), editor.document().unit).c_str());
+    ImGui::TextWrapped("%s", cad_count_text(tr, count_->value(), editor.document().unit).c_str());
     marks.item("export.result");
   } else {
     const TextColour colour(palette().error);

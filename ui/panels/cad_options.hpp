@@ -16,8 +16,6 @@ namespace hariko {
 
 class CadOptions {
  public:
-  static constexpr int rows = 7;
-
   /// For the document in the editor: a tolerance in proportion to what is visible, the first time or when the
   /// one chosen before does not suit it.
   void begin(const Editor& editor);

@@ -146,7 +146,7 @@ void direction_row(PanelContext& context, ZebraSettings& zebra) {
   Vector3 seen = turned ? Vector3(to_camera * zebra.direction) : zebra.direction;
   const float radius = m.px(24);
   const ImVec2 at = ImGui::GetCursorScreenPos(), middle(at.x + radius, at.y + radius);
-  ImGui::InvisibleButton("##ball", {2 * radius, 2 * radius});
+  pointer_button("##ball", {2 * radius, 2 * radius});
   context.marks.item("ball.stripes");
   if (ImGui::IsItemActive()) {
     const ImVec2 mouse = ImGui::GetIO().MousePos;

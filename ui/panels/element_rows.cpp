@@ -96,7 +96,8 @@ void vertex_section(PanelContext& context, const SelectedIds<VertexId>& selected
   const auto alpha_of = [](const Shaping& of, VertexId id) { return of.alpha.get_or(id, 0); };
   const Quantity quantity = tension_quantity(0, max_alpha, 0);
   slider_row(context,
-             {"alpha", "Tension \u03b1", "Pulls the curves to the vertex: 0 is relaxed, 10 makes a point",
+             {"alpha", "Tension \u03b1",
+              "Pulls the curves to the vertex: 0 is relaxed, from 10 on it looks like a point",
               counted("Tension of vertex", "Tension of {0} vertices", ids.size()), quantity},
              0, max_alpha, true, common<double>(ids, [&](VertexId id) { return alpha_of(shaping, id); }),
              [selected, quantity, alpha_of](const Document& document, const ValueChange& change) {

@@ -63,14 +63,14 @@ void ExportOptions::tolerance_row(const Editor& editor, Marks& marks, const Metr
   length.high = size_;
   option_field("distance", tr("The farthest that the surface may be from its triangles"), marks,
                metrics.px(110), length, distance_text_, settings_.distance);
-  ImGui::SameLine();
+  beside_or_below(metrics, labelled_width(tr("Angle"), metrics.px(80)));
   ImGui::TextUnformatted(tr("Angle"));
   ImGui::SameLine();
   double angle = settings_.angle * to_degrees;
   if (option_field("angle", tr("The largest angle between the surface and its triangles; 0 for any"), marks,
                    metrics.px(80), degrees(), angle_text_, angle))
     settings_.angle = angle / to_degrees;
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("fewest triangles")));
   ImGui::Checkbox((std::string(tr("fewest triangles")) + "##optimise").c_str(), &settings_.optimise);
   marks.item("export.optimise");
   if (ImGui::IsItemHovered())
@@ -98,7 +98,7 @@ void ExportOptions::result_row(const Editor& editor, Marks& marks) const {
             fill(tr("turned by {0} at the most"), {format_quantity(degrees(), count.angle * to_degrees)});
     if (!count.reached) text += "   \u00b7   " + std::string(tr("the tolerance is not reached everywhere"));
   }
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextWrapped("%s", text.c_str());
   marks.item("export.result");
 }
 
@@ -117,11 +117,11 @@ void ExportOptions::kind_row(const Editor& editor, Marks& marks, const Metrics& 
     }
     ImGui::EndCombo();
   }
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("selected objects only")));
   ImGui::Checkbox((std::string(tr("selected objects only")) + "##selected").c_str(),
                   &settings_.only_selected);
   marks.item("export.selected");
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("move to zero")));
   ImGui::Checkbox((std::string(tr("move to zero")) + "##zero").c_str(), &settings_.choices.to_zero);
   marks.item("export.zero");
   if (ImGui::IsItemHovered())
@@ -154,12 +154,12 @@ void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& 
   } else {
     ImGui::TextUnformatted(tr("metres, as the format says"));
   }
-  ImGui::SameLine(0, metrics.px(16));
+  beside_or_below(metrics, labelled_width(tr("Scale"), metrics.px(80)), 16);
   ImGui::TextUnformatted(tr("Scale"));
   ImGui::SameLine();
   option_field("scale", tr("All lengths are multiplied by it"), marks, metrics.px(80), scale_quantity(),
                scale_text_, choices.scale);
-  ImGui::SameLine(0, metrics.px(16));
+  beside_or_below(metrics, labelled_width(tr("Up"), 4 * ImGui::GetFrameHeight()), 16);
   if (!format.up) return ImGui::TextUnformatted(format.unit ? tr("z is up") : tr("y is up"));
   ImGui::TextUnformatted(tr("Up"));
   for (const bool y_up : {false, true}) {
@@ -168,7 +168,7 @@ void ExportOptions::file_row(const Editor& editor, Marks& marks, const Metrics& 
     marks.item(y_up ? "export.up.y" : "export.up.z");
   }
   if (!format.encoding) return;
-  ImGui::SameLine(0, metrics.px(16));
+  beside_or_below(metrics, check_width(tr("as text")), 16);
   ImGui::Checkbox((std::string(tr("as text")) + "##ascii").c_str(), &choices.ascii);
   marks.item("export.ascii");
   if (ImGui::IsItemHovered())

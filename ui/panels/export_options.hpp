@@ -17,8 +17,6 @@ namespace hariko {
 
 class ExportOptions {
  public:
-  static constexpr int rows = 4;
-
   /// For the document in the editor and a file of this name: a tolerance in proportion to what is visible,
   /// the first time or when the one chosen before does not suit it.
   void begin(const Editor& editor, const std::filesystem::path& name);

@@ -57,6 +57,7 @@ void FileDialog::open(Request request) {
   places_.clear();
   open_ = appearing_ = true;
   ask_overwrite_ = false;
+  footer_height_ = 0;
 }
 
 bool FileDialog::matches(const fs::path& file) const {
@@ -153,7 +154,8 @@ void FileDialog::draw_places(PanelContext& context, float width, float height) {
     places_ = usual_places(home(), folder_of("XDG_CONFIG_HOME", home() / ".config"), recent);
   }
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
-  ImGui::BeginChild("places", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild("places", {width, height}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   bool titled = false;
   for (const Place& place : places_) {
     if (place.id.starts_with("recent") && !std::exchange(titled, true)) heading(context, "Recent");
@@ -290,11 +292,12 @@ void FileDialog::draw_list(PanelContext& context, float below) {
   const float wide = ImGui::GetContentRegionAvail().x;
   const float date = ImGui::CalcTextSize("0000-00-00 00:00").x + m.px(24), size = m.px(76);
   const float date_at = wide - date, size_at = date_at - size;
-  ImGui::BeginChild("header", {0, ImGui::GetFrameHeight()});
+  ImGui::BeginChild("header", {0, ImGui::GetFrameHeight()}, false, ImGuiWindowFlags_NavFlattened);
   draw_header(context, size_at, date_at);
   ImGui::EndChild();
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
-  ImGui::BeginChild("files", {0, -below}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::BeginChild("files", {0, -below}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
   const fs::path shown = folder_;
   ImGuiListClipper clipper;
   // Nothing may be drawn when a click has closed the dialog: the clipper cannot measure a row then.
@@ -400,6 +403,7 @@ void FileDialog::draw_name(PanelContext& context) {
 
 void FileDialog::draw_footer(PanelContext& context) {
   const Metrics& m = context.metrics;
+  const float top = ImGui::GetCursorPosY();
   if (request_.extensions.size() > 1) draw_format(context);
   if (request_.options) request_.options(name_);
   draw_name(context);
@@ -422,6 +426,7 @@ void FileDialog::draw_footer(PanelContext& context) {
   const bool pressed =
       main_button(ask_overwrite_ ? context.tr("Replace") : context.tr(request_.action).c_str(), {button, 0});
   context.marks.item("dialog.accept");
+  footer_height_ = ImGui::GetCursorPosY() - top;
   if (open_ && pressed) submit(ask_overwrite_);
 }
 
@@ -442,12 +447,9 @@ void FileDialog::draw(PanelContext& context) {
     return;
   }
   draw_path(context);
-  const int options =
-      (request_.options ? request_.option_rows() : 0) + (request_.extensions.size() > 1 ? 1 : 0);
-  const float row = ImGui::GetFrameHeight();
-  const float below = row * static_cast<float>(options + 2) + m.px(26) +
-                      ImGui::GetStyle().ItemSpacing.y * static_cast<float>(std::max(options - 1, 0)) +
-                      (error_.empty() && !ask_overwrite_ ? 0 : row + m.px(6));
+  // Before the settings have been drawn once nobody knows how high they are.
+  constexpr float usual_rows = 4;
+  const float below = footer_height_ > 0 ? footer_height_ : usual_rows * ImGui::GetFrameHeightWithSpacing();
   // In a narrow window the files need the room.
   if (const float places = m.px(places_width); ImGui::GetWindowWidth() > 4 * places) {
     draw_places(context, places, -below);

@@ -25,7 +25,6 @@ class FileDialog {
     std::function<void(const std::filesystem::path&)> accept;
     /// Draws further settings above the buttons, for a file of the name typed so far.
     std::function<void(const std::filesystem::path&)> options = {};
-    std::function<int()> option_rows = [] { return 1; };  ///< how many rows these take
     /// When saving, a file that accepting this name would replace; without it the file of that name itself.
     std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)> replaces = {};
   };
@@ -66,7 +65,8 @@ class FileDialog {
   bool scroll_ = false;
   std::vector<Place> places_;
   std::string name_, error_;
-  std::string replaced_;  ///< what the question about replacing names
+  float footer_height_ = 0;  ///< of the last frame; 0 before the first
+  std::string replaced_;     ///< what the question about replacing names
 };
 
 }  // namespace hariko

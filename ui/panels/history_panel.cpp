@@ -60,7 +60,7 @@ void draw_history(PanelContext& context, const PanelRect& rect) {
       show_tip(fill(context.tr("Memory of all steps, of {0} at the most; the oldest are forgotten first."),
                     {megabytes(editor.history.byte_limit())}));
     if (open) {
-      ImGui::BeginChild("steps");
+      ImGui::BeginChild("steps", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
       const std::vector<std::string> labels = editor.history.labels();
       ImGuiListClipper clipper;
       clipper.Begin(static_cast<int>(labels.size()) + 1);

@@ -71,7 +71,7 @@ void KeyPage::draw(PanelContext& context) {
   context.marks.item("preferences.keys.export");
   if (wanted_ && !recording_.empty()) draw_conflict(context);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(4), m.px(4)));
-  if (ImGui::BeginChild("list")) {
+  if (ImGui::BeginChild("list", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
     for (const std::string& menu : context.commands.menus()) {
       bool titled = false;
       for (const Command& command : context.commands.all()) {

@@ -1,9 +1,15 @@
 // The menu bar: the command table by menus, and the name of the document. Where the window is narrow the
 // field becomes a button, and menus that still have no room go into one at the end.
 
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cctype>
 #include <numeric>
+#include <utility>
 
 #include "ui/icons.hpp"
+#include "ui/menu_letters.hpp"
 #include "ui/panels/command_menu.hpp"
 
 namespace hariko {
@@ -43,15 +49,49 @@ MenuBarFit fit_menu_bar(const PanelContext& context, const std::vector<std::stri
   return {count, false};
 }
 
+/// The letter that opens a menu, while letters are shown: underlined in its name, or on a small plate beside
+/// a name in other letters. With Alt alone those are left out that commands have.
+void draw_letter(const PanelContext& context, const std::string& menu, ImDrawList& bar, ImVec2 at) {
+  using MenuLetters = PanelState::MenuLetters;
+  const MenuLetters how = context.state.menu_letters;
+  if (how == MenuLetters::hidden) return;
+  const std::vector<std::string> menus = context.commands.menus();
+  const auto number = static_cast<std::size_t>(std::find(menus.begin(), menus.end(), menu) - menus.begin());
+  const char letter = menu_letters(menus)[number];
+  if (letter == 0) return;
+  if (how == MenuLetters::with_alt && context.commands.find(KeyChord{letter, false, false, true})) return;
+  const std::string name = context.tr(menu);
+  const float height = ImGui::GetTextLineHeight(), line = context.metrics.px(2);
+  const auto place = std::find_if(name.begin(), name.end(), [letter](char c) {
+    return std::toupper(static_cast<unsigned char>(c)) == letter;
+  });
+  if (place != name.end()) {
+    const std::string before(name.begin(), place), own(1, *place);
+    const float left = at.x + ImGui::CalcTextSize(before.c_str()).x, bottom = at.y + height;
+    bar.AddLine({left, bottom}, {left + ImGui::CalcTextSize(own.c_str()).x, bottom}, palette().accent, line);
+    return;
+  }
+  const std::string own(1, letter);
+  const ImVec2 size = ImGui::CalcTextSize(own.c_str());
+  const ImVec2 low(at.x + ImGui::CalcTextSize(name.c_str()).x - size.x / 2, at.y + height / 3);
+  bar.AddRectFilled({low.x - line, low.y}, {low.x + size.x + line, low.y + size.y}, palette().accent, line);
+  bar.AddText(low, palette().on_accent, own.c_str());
+}
+
 void draw_menu(PanelContext& context, const std::string& menu) {
   const std::string label = menu_label(context, menu);
   if (context.state.wanted_menu == menu) {
     context.state.wanted_menu.clear();
     ImGui::OpenPopup(label.c_str());
   }
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  at.y += GImGui->CurrentWindow->DC.CurrLineTextBaseOffset;
+  ImDrawList& bar = *ImGui::GetWindowDrawList();
   const bool shown = ImGui::BeginMenu(label.c_str());
   context.marks.item("menu." + menu);
+  draw_letter(context, menu, bar, {at.x + ImGui::GetStyle().ItemSpacing.x / 2, at.y});
   if (!shown) return;
+  context.state.menu_open = true;
   draw_menu_nodes(context, menu_tree(context.commands, menu), "command.");
   ImGui::EndMenu();
 }
@@ -89,6 +129,9 @@ float draw_menu_bar(PanelContext& context) {
   ImGui::PopStyleVar();
   if (!open) return 0;
   const std::vector<std::string> menus = context.commands.menus();
+  context.state.menu_letters = std::exchange(context.state.menu_open, false) ? PanelState::MenuLetters::alone
+                               : ImGui::GetIO().KeyAlt ? PanelState::MenuLetters::with_alt
+                                                       : PanelState::MenuLetters::hidden;
   const MenuBarFit fit = fit_menu_bar(context, menus);
   for (std::size_t i = 0; i < fit.menus; i++) draw_menu(context, menus[i]);
   if (fit.menus < menus.size()) {

@@ -6,8 +6,6 @@
 
 namespace hariko {
 
-inline constexpr int mesh_option_rows = 2;
-
 /// Marks: "import.use", "import.use.<number>", "import.creases", "import.crease_angle".
 void draw_mesh_options(Editor& editor, Marks& marks, const Metrics& metrics);
 

@@ -363,7 +363,7 @@ void draw_objects(PanelContext& context, const PanelRect& rect) {
       hint_text(context, "Nothing here yet. Add a shape, or drop a mesh on the window.");
     else if (rows.empty())
       hint_text(context, "Nothing is called like that.");
-    ImGui::BeginChild("rows");
+    ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(m.px(4), m.px(2)));
     const float row = m.px(28);
     const auto active = std::find(state.shown.begin(), state.shown.end(), editor.selection.active);

@@ -90,7 +90,7 @@ void recovery_card(PanelContext& context, const RecoveryOffer& offer, float widt
 bool recent_card(PanelContext& context, const RecentFile& file, ImVec2 size) {
   const Metrics& m = context.metrics;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  bool clicked = ImGui::InvisibleButton(file.path.c_str(), size);
+  bool clicked = area_button(file.path.c_str(), size);
   context.marks.item("recent." + file.path.filename().string());
   if (by_key(context, file.path.string())) clicked = true;
   const bool hovered = ImGui::IsItemHovered();
@@ -121,7 +121,7 @@ void empty_card(PanelContext& context, std::size_t number, float width) {
   const Metrics& m = context.metrics;
   const ImVec2 at = ImGui::GetCursorScreenPos(), size(width, m.px(card_height));
   ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x, at.y + size.y}, palette().panel, m.px(6));
-  ImGui::Dummy(size);
+  ImGui::Dummy({size.x, size.y + m.px(8) + 1});  // as much room as a card takes
   context.marks.item("recovery.place." + std::to_string(number));
   fitted_text({at.x + m.px(16), at.y + m.px(10)}, width - m.px(32), palette().dim_text,
               context.offers.recoveries_known
@@ -161,7 +161,10 @@ void OffersDialog::draw(PanelContext& context) {
   if (!open_ && !shown) return;
   const Language& tr = context.tr;
   const Metrics& m = context.metrics;
-  if (open_ && !shown) ImGui::OpenPopup(id);
+  if (open_ && !shown) {
+    ImGui::OpenPopup(id);
+    show_keyboard_focus();  // Enter takes the first offer until the keys go to another one
+  }
   const bool recovery = kind_ == Kind::recovery;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = std::min(m.px(recovery                ? 620

@@ -7,11 +7,31 @@
 
 namespace hariko {
 
+namespace {
+
+constexpr float option_column = 96;  ///< where fields begin, design pixels
+
+}  // namespace
+
 void option_label(const Language& tr, const Metrics& metrics, const char* text) {
-  constexpr float width = 96;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(tr(text));
-  ImGui::SameLine(metrics.px(width));
+  ImGui::SameLine(metrics.px(option_column));
+}
+
+void beside_or_below(const Metrics& metrics, float width, float gap) {
+  ImGui::SameLine(0, metrics.px(gap));
+  if (ImGui::GetCursorPosX() + width <= ImGui::GetWindowContentRegionMax().x) return;
+  ImGui::NewLine();
+  ImGui::SetCursorPosX(metrics.px(option_column));
+}
+
+float check_width(const char* words) {
+  return ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(words).x;
+}
+
+float labelled_width(const char* words, float field) {
+  return ImGui::CalcTextSize(words).x + ImGui::GetStyle().ItemSpacing.x + field;
 }
 
 bool option_field(const char* id, const char* help, Marks& marks, float width, const Quantity& quantity,

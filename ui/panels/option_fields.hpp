@@ -12,6 +12,13 @@ namespace hariko {
 /// The left column of a row; the next item starts at a common column.
 void option_label(const Language& tr, const Metrics& metrics, const char* text);
 
+/// What follows, so many pixels wide, stands beside the last item where there is room, else in the next row,
+/// where fields begin. `gap`: design pixels.
+void beside_or_below(const Metrics& metrics, float width, float gap = 8);
+/// How wide a box with its words is, and words with a field of so many pixels behind them.
+float check_width(const char* words);
+float labelled_width(const char* words, float field);
+
 /// A number with its unit that may be typed, of the given width in pixels; mark: "export.<id>". `text` is
 /// what stands in the field, empty for the value's own. True when the value changed.
 bool option_field(const char* id, const char* help, Marks& marks, float width, const Quantity& quantity,

@@ -22,11 +22,11 @@ constexpr std::array mode_choices{
            "Uses the Gaussian curvature along the loops; it fixes how the surface bends across them"},
     Choice{"Umbilic", "As round as the loops and their normals allow; for domes and saddles"},
     Choice{"Minkowski", "Spreads the curvature inside so that areas fit exactly; for domes only"},
-    Choice{"Paper", "The construction as first published, for comparison: it does not converge"},
+    Choice{"As published", "The construction as first published, for comparison: it does not converge"},
     Choice{"Position", "Bends as little as it can; curvature of both signs and folds are allowed"},
 };
 constexpr std::array mode_steps{translatable("Outline mode Curvature"), translatable("Outline mode Umbilic"),
-                                translatable("Outline mode Minkowski"), translatable("Outline mode Paper"),
+                                translatable("Outline mode Minkowski"), translatable("Outline mode As published"),
                                 translatable("Outline mode Position")};
 constexpr std::array sign_choices{
     Choice{"Dome", "The surface bends to one side everywhere"},

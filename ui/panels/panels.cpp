@@ -1,5 +1,9 @@
 #include "ui/panels/panels.hpp"
 
+#include <imgui_internal.h>
+
+#include <utility>
+
 #include "ui/icons.hpp"
 #include "ui/panels/tips.hpp"
 
@@ -42,6 +46,27 @@ bool main_button(const char* label, ImVec2 size) {
   return pressed;
 }
 
+bool area_button(const char* id, ImVec2 size) {
+  const bool pressed = ImGui::InvisibleButton(id, size);
+  ImGui::RenderNavHighlight({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::GetItemID());
+  return pressed;
+}
+
+bool pointer_button(const char* id, ImVec2 size) {
+  // Tab counts every item while it looks for the next one, whatever its flags are.
+  const bool looking = std::exchange(GImGui->NavMoveScoringItems, false);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
+  const bool pressed = ImGui::InvisibleButton(id, size);
+  ImGui::PopItemFlag();
+  GImGui->NavMoveScoringItems = looking;
+  return pressed;
+}
+
+void show_keyboard_focus() {
+  GImGui->NavDisableHighlight = false;
+  GImGui->NavDisableMouseHover = true;
+}
+
 void heading(const PanelContext& context, const char* text) {
   ImGui::Dummy({0, context.metrics.px(2)});
   const TextColour colour(palette().dim_text);
@@ -53,7 +78,7 @@ bool icon_button(const PanelContext& context, const char* icon, const char* id, 
   const ImVec2 box(context.metrics.px(size), context.metrics.px(size));
   ImGui::PushID(id);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::InvisibleButton("button", box);
+  const bool pressed = area_button("button", box);
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + box.x, at.y + box.y);

@@ -53,10 +53,13 @@ struct PanelState {
   /// Steps of fields of this frame, made when all panels are drawn: until then the rows stand as they stood,
   /// and Tab finds the next one.
   std::vector<std::function<void()>> steps;
-  std::string wanted_menu;   ///< the menu that a key opens, in English; empty for none
-  std::string wanted_row;    ///< id of the field or list that a command asked for
-  std::string pointed_row;   ///< the one that has a ring
-  double pointed_until = 0;  ///< by Editor::now
+  std::string wanted_menu;  ///< the menu that a key opens, in English; empty for none
+  bool menu_open = false;   ///< a menu of the bar was drawn last
+  enum class MenuLetters { hidden, with_alt, alone };
+  MenuLetters menu_letters = MenuLetters::hidden;  ///< how keys open menus now, which the bar shows
+  std::string wanted_row;                          ///< id of the field or list that a command asked for
+  std::string pointed_row;                         ///< the one that has a ring
+  double pointed_until = 0;                        ///< by Editor::now
   OutlinerState outliner;
   bool history_open = false;
   std::uint64_t history_shown = 0;  ///< serial of the state that the list of steps has scrolled to
@@ -131,6 +134,12 @@ void draw_guide(PanelContext& context, const PanelRect& rect);
 
 /// The button that most people want next, in the accent colour.
 bool main_button(const char* label, ImVec2 size = {0, 0});
+/// A place that is pressed like a button, with the ring of the keyboard; the caller draws what it shows.
+bool area_button(const char* id, ImVec2 size);
+/// A place that the pointer alone presses or drags: keys go past it.
+bool pointer_button(const char* id, ImVec2 size);
+/// What the keyboard is at gets its ring, as after a key that went there.
+void show_keyboard_focus();
 /// A small heading; translates it.
 void heading(const PanelContext& context, const char* text);
 /// A borderless button with an icon and a tooltip, which it translates; `on` tints it.

@@ -9,20 +9,13 @@
 
 #include "core/drawing/write_drawing_svg.hpp"
 #include "render/picture.hpp"
+#include "ui/panels/option_fields.hpp"
 #include "ui/panels/quantity.hpp"
 #include "ui/panels/tips.hpp"
 
 namespace hariko {
 
 namespace {
-
-constexpr float label_width = 96;
-
-void label(const Language& tr, const Metrics& metrics, const char* text) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(tr(text));
-  ImGui::SameLine(metrics.px(label_width));
-}
 
 void check(const Language& tr, Marks& marks, const char* id, const char* text, const char* help,
            bool& value) {
@@ -46,7 +39,7 @@ void size_row(const Language& tr, PixelSize view, Marks& marks, const Metrics& m
   using Size = PictureSettings::Size;
   const std::array names{fill(tr("As the view, {0}"), {text_of(view)}), std::string("1920 \u00d7 1080"),
                          std::string("3840 \u00d7 2160 (4K)"), std::string(tr("Custom"))};
-  label(tr, metrics, translatable("Size"));
+  option_label(tr, metrics, translatable("Size"));
   ImGui::SetNextItemWidth(metrics.px(220));
   const bool open = ImGui::BeginCombo("##size", names[static_cast<std::size_t>(settings.size)].c_str());
   marks.item("picture.size");
@@ -74,7 +67,7 @@ void DrawingOptions::page_row(const Editor& editor, Marks& marks, const Metrics&
   Quantity length = length_quantity(Unit::millimetre, most_page_side);
   length.low = least_page_side;
   length.high = most_page_side;
-  label(tr, metrics, translatable("Width"));
+  option_label(tr, metrics, translatable("Width"));
   if (width_text_.empty()) width_text_ = format_quantity(length, settings_.width);
   ImGui::SetNextItemWidth(metrics.px(110));
   ImGui::InputText("##page_width", &width_text_);
@@ -99,40 +92,36 @@ void DrawingOptions::remember(const DrawingSettings& settings) {
 void DrawingOptions::draw(const Editor& editor, Marks& marks, const Metrics& metrics) {
   const Language& tr = editor.language;
   page_row(editor, marks, metrics);
-  label(tr, metrics, translatable("Lines"));
+  option_label(tr, metrics, translatable("Lines"));
   check(
       tr, marks, "network", translatable("network"),
       translatable("The curves that the surfaces are spanned by. Outlines, borders, creases and sections are "
                    "always drawn."),
       settings_.network);
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("hidden lines")));
   check(tr, marks, "hidden", translatable("hidden lines"),
         translatable("What surfaces hide, as dashes in layers of their own."), settings_.hidden);
-}
-
-int picture_option_rows(bool turntable) {
-  return turntable ? 3 : 2;
 }
 
 void draw_picture_options(const Editor& editor, Marks& marks, const Metrics& metrics,
                           PictureSettings& settings, bool turntable) {
   const Language& tr = editor.language;
   size_row(tr, editor.viewport, marks, metrics, settings);
-  label(tr, metrics, translatable("Show"));
+  option_label(tr, metrics, translatable("Show"));
   check(tr, marks, "transparent", translatable("transparent background"),
         translatable("Only the model is drawn; what lies behind shows through."), settings.transparent);
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("grid")));
   check(tr, marks, "grid", translatable("grid"), translatable("Where the view shows it."), settings.grid);
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("selection")));
   check(tr, marks, "selection", translatable("selection"), translatable("The marks of what is selected."),
         settings.selection);
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("legend")));
   check(tr, marks, "legend", translatable("legend"),
         translatable("The scale of the map of the chosen object, where one shows."), settings.legend);
   if (!turntable) return;
-  label(tr, metrics, translatable("Pictures"));
+  option_label(tr, metrics, translatable("Pictures"));
   whole_number(marks, metrics, "count", settings.turntable_pictures, most_turntable_pictures);
-  ImGui::SameLine();
+  beside_or_below(metrics, check_width(tr("whole model in every picture")));
   check(tr, marks, "fit", translatable("whole model in every picture"),
         translatable("Moves the camera back as far as the model needs while it turns."), settings.fit);
 }

@@ -11,10 +11,8 @@ namespace hariko {
 /// Rows below the cursor; `turntable` adds those of a series. Changes the settings.
 void draw_picture_options(const Editor& editor, Marks& marks, const Metrics& metrics,
                           PictureSettings& settings, bool turntable);
-/// How many rows these are.
-int picture_option_rows(bool turntable);
 
-/// The same for line drawings, in as many rows as one picture has.
+/// The same for line drawings.
 class DrawingOptions {
  public:
   void draw(const Editor& editor, Marks& marks, const Metrics& metrics);

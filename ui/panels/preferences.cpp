@@ -238,10 +238,11 @@ void Preferences::draw(PanelContext& context, float top) {
   ImGui::PopStyleVar(2);
   context.marks.window("preferences");
   if (drawn) {
-    if (ImGui::BeginChild("pages", {m.px(pages_width), 0})) draw_pages(context);
+    if (ImGui::BeginChild("pages", {m.px(pages_width), 0}, false, ImGuiWindowFlags_NavFlattened))
+      draw_pages(context);
     ImGui::EndChild();
     ImGui::SameLine(0, m.px(16));
-    if (ImGui::BeginChild("page")) draw_page(context);
+    if (ImGui::BeginChild("page", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) draw_page(context);
     ImGui::EndChild();
   }
   ImGui::End();

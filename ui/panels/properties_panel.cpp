@@ -31,9 +31,9 @@ constexpr std::array mode_choices{
     Choice{"Fair", "Balances the curvature inside the faces: the smoothest result"},
     Choice{"G2", "Curvature runs on without a break over edges and through vertices"},
     Choice{"Target", "Puts face centres where the boundary curves aim"},
-    Choice{"Paper", "The construction as first published"},
+    Choice{"As published", "The construction as first published"},
 };
-constexpr std::array mode_steps{"Surface Fair", "Surface G2", "Surface Target", "Surface Paper"};
+constexpr std::array mode_steps{"Surface Fair", "Surface G2", "Surface Target", "Surface as published"};
 constexpr std::array<Mode, 4> modes{Mode::fair, Mode::g2, Mode::target, Mode::paper};
 constexpr std::array mirror_choices{
     Choice{"None", "All of the object is modelled"},

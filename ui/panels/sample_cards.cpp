@@ -31,7 +31,7 @@ void fill_with(const Picture& picture, ImVec2 low, ImVec2 high, float radius) {
 bool draw_card(PanelContext& context, const Card& card, ImVec2 size, std::size_t lines) {
   const Metrics& m = context.metrics;
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + size.x, low.y + size.y);
-  bool chosen = ImGui::InvisibleButton(card.id.c_str(), size);
+  bool chosen = area_button(card.id.c_str(), size);
   context.marks.item(card.id);
   const bool hovered = ImGui::IsItemHovered();
   const float radius = m.px(6);

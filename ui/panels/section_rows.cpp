@@ -112,7 +112,8 @@ void draw_section_rows(PanelContext& context, const Object& object) {
   } else {
     const bool many = misses.size() > most_rows;
     if (many)
-      ImGui::BeginChild("skin_misses", {0, (float(most_rows) + 0.5F) * ImGui::GetFrameHeightWithSpacing()});
+      ImGui::BeginChild("skin_misses", {0, (float(most_rows) + 0.5F) * ImGui::GetFrameHeightWithSpacing()},
+                        false, ImGuiWindowFlags_NavFlattened);
     for (std::size_t k = 0; k < misses.size(); ++k) {
       const std::string number = std::to_string(k + 1), name = fill(tr("Section {0}"), {number}),
                         mark = "skin.miss." + std::to_string(k);

@@ -255,7 +255,8 @@ void SkinOverlay::draw(const Editor& editor, const Projector& projector, const T
   const Wrong wrong = wrong_of(editor, *object);
   const SkinHit hit = pointer ? sight.hit(projector, *pointer, editor.pixel_scale) : SkinHit{};
   if (object->skin()->skin->mirror) draw_mirror(drawing, *object->skin()->skin, marks);
-  draw_irregularities(drawing, view, sight);
+  // Colours of a map are to be read as they are.
+  if (shown_map(editor.view.map, *object) == SurfaceMap::shaded) draw_irregularities(drawing, view, sight);
   draw_lines(drawing, view);
   for (const auto& path : view.paths)
     drawing.polyline(path, wrong.path ? palette().error : colours.path, wrong.path ? 2.4F : 1.6F);

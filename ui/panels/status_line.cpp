@@ -56,7 +56,7 @@ bool draw_work(PanelContext& context, const WorkRow& row, float& right) {
   if (!row.button) return false;
   ImGui::SetCursorScreenPos({at.x + words + bar + padding, at.y - m.px(2)});
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + box, low.y + height + m.px(4));
-  const bool pressed = ImGui::InvisibleButton(row.mark, {high.x - low.x, high.y - low.y});
+  const bool pressed = area_button(row.mark, {high.x - low.x, high.y - low.y});
   context.marks.item(row.mark);
   list.AddRectFilled(low, high, ImGui::IsItemHovered() ? palette().field_hover : palette().field, m.px(4));
   list.AddText({low.x + padding, low.y + m.px(2)}, palette().text, row.button);

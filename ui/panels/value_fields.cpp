@@ -57,10 +57,7 @@ void drag_label(PanelContext& context, const FieldSpec& spec, std::optional<doub
                 const EditValues& edit) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = context.metrics.px(label_width);
-  // For the pointer alone: keys type into the field.
-  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
-  ImGui::InvisibleButton("label", {width, ImGui::GetFrameHeight()});
-  ImGui::PopItemFlag();
+  pointer_button("label", {width, ImGui::GetFrameHeight()});  // keys type into the field
   context.marks.item(std::string("label.") + spec.id);
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);

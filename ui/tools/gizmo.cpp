@@ -121,6 +121,33 @@ void Gizmo::place(const Editor& editor) {
     arc.mark = arc.line[parts / 2];
     shapes_.push_back(std::move(arc));
   }
+  leave_out_covered();
+}
+
+/// Seen at a slant handles lie over each other: of those whose middle another one has, arrows and boxes stay.
+void Gizmo::leave_out_covered() {
+  const auto arcs_last = [](const Shape& shape) {
+    return shape.handle.lock.kind == AxisLock::Kind::axis && shape.handle.kind != TransformKind::rotate ? 0
+           : shape.closed                                                                               ? 1
+                                                                                                        : 2;
+  };
+  std::stable_sort(shapes_.begin(), shapes_.end(),
+                   [&](const Shape& a, const Shape& b) { return arcs_last(a) < arcs_last(b); });
+  std::vector<Shape> left;
+  for (Shape& shape : shapes_) {
+    const bool free = std::none_of(left.begin(), left.end(), [&](const Shape& other) {
+      return other.reaches(shape.mark, hit_radius * scale_) || shape.reaches(other.mark, hit_radius * scale_);
+    });
+    if (free) left.push_back(std::move(shape));
+  }
+  shapes_ = std::move(left);
+}
+
+bool Gizmo::Shape::reaches(const Vector2& pixel, double radius) const {
+  if (closed && holds(line, pixel)) return true;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    if (distance_to_segment(pixel, line[i], line[i + 1]) < radius) return true;
+  return false;
 }
 
 void Gizmo::place_plane(const Projector& projector) {

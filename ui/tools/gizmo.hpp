@@ -39,9 +39,11 @@ class Gizmo {
     std::vector<Vector2> line;  ///< pixels; closed and filled for squares
     bool closed = false;
     Vector2 mark = Vector2::Zero();
+    bool reaches(const Vector2& pixel, double radius) const;
   };
   void place(const Editor& editor);
   void place_plane(const Projector& projector);
+  void leave_out_covered();
 
   // What the pivot was made for.
   Document document_;

@@ -11,6 +11,7 @@
 #include "ui/operations.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 #include "ui/tools/refine_position.hpp"
+#include "ui/tools/refined_lines.hpp"
 
 namespace hariko {
 
@@ -24,7 +25,7 @@ struct Place {
   enum class Kind { vertex, edge, middle, point };
   Kind kind = Kind::vertex;
   CutPoint point;
-  std::optional<Vector3> shown = std::nullopt;  ///< where the pointer is on the curve of the edge
+  std::optional<Vector3> shown = std::nullopt;  ///< where the pointer is on what is shown of the edge
 };
 
 bool same(const CutPoint& a, const CutPoint& b) {
@@ -40,7 +41,7 @@ class KnifeTool final : public Tool {
 
   void begin(ToolContext& context, const PointerEvent& press) override {
     pointer_ = press.pixel;
-    on_surface_ = context.editor.settings.refine_on_surface;
+    lines_.on_surface = context.editor.settings.refine_on_surface;
     look(context, press.control);
   }
 
@@ -58,12 +59,15 @@ class KnifeTool final : public Tool {
       return confirm(context);
     if (chord.key == GLFW_KEY_BACKSPACE) {
       if (!legs_.empty()) legs_.pop_back();
+      lay_lines(context);
       look(context, false);
       return ToolState::stay;
     }
     if (is_position_key(press)) {
       Settings& settings = context.editor.settings;
-      settings.refine_on_surface = on_surface_ = !settings.refine_on_surface;
+      settings.refine_on_surface = lines_.on_surface = !settings.refine_on_surface;
+      lay_lines(context);
+      look(context, false);
       return ToolState::stay;
     }
     if (chord.control || chord.alt || press.text == 0) return std::nullopt;
@@ -73,19 +77,15 @@ class KnifeTool final : public Tool {
   void cancel(ToolContext&) override {}
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
-    if (const Object* object = cut_object(context)) {
-      const std::vector<CutPoint> cut = path();
-      draw_line(context, overlay, *object, cut, true);
-      if (place_ && !legs_.empty() && error_.empty()) {
-        std::vector<CutPoint> next{cut.back()};
-        next.insert(next.end(), ahead_.begin(), ahead_.end());
-        draw_line(context, overlay, *object, next, false);
-      } else if (!legs_.empty()) {
-        if (const auto from = pixel_of(context, *object, cut.back()))
-          draw_dashed_line(overlay, *from, pointer_, error_.empty() ? palette().hot : palette().warning);
-      }
-      if (place_) draw_place(context, overlay, *object);
+    draw_line(context, overlay, made_, true);
+    if (!made_.points.empty()) {
+      if (!next_.line.empty() && error_.empty())
+        draw_line(context, overlay, next_, false);
+      else if (const auto from = context.projector().project(made_.points.back()))
+        draw_dashed_line(overlay, from->head<2>(), pointer_,
+                         error_.empty() ? palette().hot : palette().warning);
     }
+    if (place_) draw_place(context, overlay);
     const Language& tr = context.editor.language;
     draw_value_label(overlay, pointer_, error_.empty() ? value_text(tr) : error_, !error_.empty());
   }
@@ -95,12 +95,16 @@ class KnifeTool final : public Tool {
            tr("Click vertices and edges   Ctrl: middle of the edge   Backspace: last point   Enter cuts   "
               "Esc "
               "cancels") +
-           "   " + position_hint(tr, on_surface_);
+           "   " + position_hint(tr, lines_.on_surface);
   }
 
  private:
   /// What one click added: the points that the line passes, and its end.
   using Leg = std::vector<CutPoint>;
+  /// A part of the path as it will lie, in the document's space.
+  struct Laid {
+    std::vector<Vector3> points, line;
+  };
 
   const Object* cut_object(const ToolContext& context) const {
     const Object* object = context.editor.document().find(object_);
@@ -113,21 +117,27 @@ class KnifeTool final : public Tool {
     return out;
   }
 
-  static Vector3 world(const Object& object, const CutPoint& point) {
-    const PolyhedronSource& source = *object.polyhedron();
-    return object.transform.apply(source.origin + position_of(source.polyhedron, point));
+  Laid lay(const ToolContext& context, const Object& object, const std::vector<CutPoint>& points) {
+    Laid out;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      out.points.push_back(lines_.point(context.editor, object, points[i]));
+      if (i == 0) continue;
+      const auto piece = lines_.line(context.editor, object, points[i - 1], points[i]);
+      out.line.insert(out.line.end(), piece.begin(), piece.end());
+    }
+    return out;
   }
 
-  static std::optional<Vector2> pixel_of(const ToolContext& context, const Object& object,
-                                         const CutPoint& point) {
-    const auto at = context.projector().project(world(object, point));
-    return at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;
+  void lay_lines(const ToolContext& context) {
+    const Object* object = cut_object(context);
+    made_ = object ? lay(context, *object, path()) : Laid();
   }
 
   /// Finds the place under the pointer and the way to it, or why there is none.
   void look(const ToolContext& context, bool middles) {
     place_.reset();
     ahead_.clear();
+    next_ = {};
     error_.clear();
     PickOptions options;
     options.vertex_radius = middles ? 0 : vertex_radius;
@@ -142,13 +152,16 @@ class KnifeTool final : public Tool {
       if (hit.kind == Element::Kind::edge && !hit.share) continue;  // the image of an edge cannot be cut
       object_ = id;
       place_ = place_of(context, *object, hit, middles);
-      if (hit.on_curve && place_->kind == Place::Kind::edge) place_->shown = hit.point;
+      if (place_->kind == Place::Kind::edge)
+        place_->shown = hit.point;
+      else
+        place_->shown = lines_.point(context.editor, *object, place_->point);
       break;
     }
     if (place_ && !legs_.empty()) look_ahead(context);
   }
 
-  Place place_of(const ToolContext& context, const Object& object, const PickHit& hit, bool middles) const {
+  Place place_of(const ToolContext& context, const Object& object, const PickHit& hit, bool middles) {
     if (hit.kind == Element::Kind::vertex)
       return {Place::Kind::vertex, VertexId{static_cast<std::uint32_t>(hit.element.id)}};
     const EdgeId edge = EdgeId::from_packed(hit.element.id);
@@ -157,8 +170,8 @@ class KnifeTool final : public Tool {
     for (const CutPoint& point : path()) {
       const auto* on = std::get_if<EdgePoint>(&point);
       if (!on || on->edge != edge) continue;
-      const auto at = pixel_of(context, object, point);
-      if (at && (*at - pointer_).norm() < point_radius * context.editor.pixel_scale)
+      const auto at = context.projector().project(lines_.point(context.editor, object, point));
+      if (at && (at->head<2>() - pointer_).norm() < point_radius * context.editor.pixel_scale)
         return {Place::Kind::point, point};
     }
     const auto& ends = context.scene.scene().objects[hit.object].polyhedron;
@@ -172,20 +185,40 @@ class KnifeTool final : public Tool {
   /// The line from the last point to the place, as it runs over the faces where it is seen.
   void look_ahead(const ToolContext& context) {
     const Object& object = *cut_object(context);
+    const PolyhedronSource& source = *object.polyhedron();
     const CutPoint from = legs_.back().back();
     if (same(from, place_->point)) return;
+    const auto straight = [&](const CutPoint& point) {
+      return object.transform.apply(source.origin + position_of(source.polyhedron, point));
+    };
     const Camera camera = context.editor.camera();
-    const Vector3 a = world(object, from), b = world(object, place_->point);
+    const Vector3 a = straight(from), b = straight(place_->point);
     const Vector3 normal =
         camera.orthographic ? camera.forward().cross(b - a) : (a - camera.eye()).cross(b - camera.eye());
-    auto between = cut_between(object.polyhedron()->polyhedron, from, place_->point,
-                               object.transform.rotation.conjugate() * normal);
+    auto between =
+        cut_between(source.polyhedron, from, place_->point, object.transform.rotation.conjugate() * normal);
     if (!between) {
       error_ = context.editor.language.text_of(between.error());
       return;
     }
     ahead_ = std::move(between).value();
+    if (lines_.on_surface) cross_curves(context, object, from);
     ahead_.push_back(place_->point);
+    std::vector<CutPoint> next{from};
+    next.insert(next.end(), ahead_.begin(), ahead_.end());
+    next_ = lay(context, object, next);
+  }
+
+  /// Edges on the way are crossed where the line on the screen crosses their curves.
+  void cross_curves(const ToolContext& context, const Object& object, const CutPoint& from) {
+    const Vector3 a = lines_.point(context.editor, object, from),
+                  b = lines_.point(context.editor, object, place_->point);
+    for (CutPoint& point : ahead_) {
+      auto* on = std::get_if<EdgePoint>(&point);
+      if (!on) continue;
+      const double share = share_seen_between(context, object_, *on, a, b);
+      if (share > least_share && share < 1 - least_share) on->share = share;
+    }
   }
 
   void put(const ToolContext& context) {
@@ -196,7 +229,7 @@ class KnifeTool final : public Tool {
     if (!error_.empty()) return;
     if (legs_.empty()) {
       legs_.push_back({place_->point});
-      return;
+      return lay_lines(context);
     }
     if (ahead_.empty()) return;  // the last point once more
     std::vector<CutPoint> longer = path();
@@ -208,6 +241,8 @@ class KnifeTool final : public Tool {
     }
     legs_.push_back(ahead_);
     ahead_.clear();
+    next_ = {};
+    lay_lines(context);
   }
 
   /// `keeping` the surface's form, if that is wanted: what the path is tried with need not.
@@ -231,20 +266,18 @@ class KnifeTool final : public Tool {
     return ToolState::commit;
   }
 
-  void draw_line(const ToolContext& context, const ToolOverlay& overlay, const Object& object,
-                 const std::vector<CutPoint>& points, bool made) const {
-    std::optional<Vector2> last;
+  static void draw_line(const ToolContext& context, const ToolOverlay& overlay, const Laid& laid, bool made) {
+    const Projector projector = context.projector();
     const float half = overlay.metrics.px(3);
-    for (const CutPoint& point : points) {
-      const auto at = pixel_of(context, object, point);
-      if (at && last)
-        overlay.list.AddLine(on_screen(overlay, *last), on_screen(overlay, *at), palette().hot,
-                             overlay.metrics.px(made ? 2.0F : 1.4F));
-      last = at;
+    for (std::size_t i = 0; i + 1 < laid.line.size(); ++i) {
+      const auto a = projector.project(laid.line[i]), b = projector.project(laid.line[i + 1]);
+      if (a && b)
+        overlay.list.AddLine(on_screen(overlay, a->head<2>()), on_screen(overlay, b->head<2>()),
+                             palette().hot, overlay.metrics.px(made ? 2.0F : 1.4F));
     }
-    for (const CutPoint& point : points)
-      if (const auto at = pixel_of(context, object, point)) {
-        const ImVec2 p = on_screen(overlay, *at);
+    for (const Vector3& point : laid.points)
+      if (const auto at = projector.project(point)) {
+        const ImVec2 p = on_screen(overlay, at->head<2>());
         if (made)
           overlay.list.AddRectFilled({p.x - half, p.y - half}, {p.x + half, p.y + half}, palette().hot);
         else
@@ -253,12 +286,10 @@ class KnifeTool final : public Tool {
   }
 
   /// What the point would snap to: a square round vertices and points, a triangle on middles, a circle else.
-  void draw_place(const ToolContext& context, const ToolOverlay& overlay, const Object& object) const {
-    auto at = pixel_of(context, object, place_->point);
-    if (place_->shown)
-      if (const auto shown = context.projector().project(*place_->shown)) at = shown->head<2>();
+  void draw_place(const ToolContext& context, const ToolOverlay& overlay) const {
+    const auto at = place_->shown ? context.projector().project(*place_->shown) : std::nullopt;
     if (!at) return;
-    const ImVec2 p = on_screen(overlay, *at);
+    const ImVec2 p = on_screen(overlay, at->head<2>());
     const float r = overlay.metrics.px(7), thick = overlay.metrics.px(1.8F);
     const ImU32 colour = error_.empty() ? palette().text : palette().warning;
     const auto mark = [&](ImU32 in, float width) {
@@ -292,12 +323,13 @@ class KnifeTool final : public Tool {
     return text;
   }
 
-  bool on_surface_ = true;  ///< new points lie on the surface, not on straight edges
+  RefinedLines lines_;
   Vector2 pointer_ = Vector2::Zero();
   ObjectId object_;        ///< the one that is cut, or was pointed at last
   std::vector<Leg> legs_;  ///< one for every click
   std::optional<Place> place_;
   std::vector<CutPoint> ahead_;  ///< from the last point to the place, without the former
+  Laid made_, next_;             ///< the path, and the line from its end to the place
   std::string error_;
 };
 

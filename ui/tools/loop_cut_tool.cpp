@@ -14,6 +14,7 @@
 #include "ui/tools/overlay_drawing.hpp"
 #include "ui/tools/pointing_tool.hpp"
 #include "ui/tools/refine_position.hpp"
+#include "ui/tools/refined_lines.hpp"
 
 namespace hariko {
 
@@ -22,8 +23,6 @@ namespace {
 constexpr double fine_share = 0.1;
 constexpr double most_slide = 0.98;
 constexpr int most_shown = 40;  ///< lines before the click
-/// Faces of a polyhedron whose surface is made before the click, in a tenth of a second.
-constexpr Index most_faces_with_form = 2000;
 
 class LoopCutTool final : public PointingTool {
  public:
@@ -47,8 +46,7 @@ class LoopCutTool final : public PointingTool {
     if (!input_.active() && is_position_key(press)) {
       Settings& settings = context.editor.settings;
       settings.refine_on_surface = !settings.refine_on_surface;
-      on_surface_ = settings.refine_on_surface;
-      formed_ = nullptr;
+      lines_.on_surface = settings.refine_on_surface;
       sliding_ ? show(context) : find_cuts(context);
       return ToolState::stay;
     }
@@ -73,7 +71,7 @@ class LoopCutTool final : public PointingTool {
   }
 
   void begin(ToolContext& context, const PointerEvent& press) override {
-    on_surface_ = context.editor.settings.refine_on_surface;
+    lines_.on_surface = context.editor.settings.refine_on_surface;
     PointingTool::begin(context, press);
   }
 
@@ -89,7 +87,7 @@ class LoopCutTool final : public PointingTool {
     return value_text(tr) + "   |   " +
            (sliding_ ? tr("Click places the cut   digits type %   Shift fine   Esc cancels")
                      : tr("Click an edge   wheel or digits: number of cuts   Esc cancels")) +
-           "   " + position_hint(tr, on_surface_);
+           "   " + position_hint(tr, lines_.on_surface);
   }
 
  private:
@@ -120,7 +118,7 @@ class LoopCutTool final : public PointingTool {
   bool choose(ToolContext& context) {
     if (!edge_) return false;
     options_.slide = 0;
-    on_surface_ = context.editor.settings.refine_on_surface;
+    lines_.on_surface = context.editor.settings.refine_on_surface;
     show(context);
     sliding_ = error_.empty();
     if (!sliding_) context.editor.cancel_preview();
@@ -146,8 +144,10 @@ class LoopCutTool final : public PointingTool {
 
   void show(ToolContext& context) {
     Editor& editor = context.editor;
+    const Object* object = editor.history.current().find(object_);
+    const SurfaceForm* form = object ? lines_.form_of(editor, *object) : nullptr;
     const auto done = edit_polyhedron(editor.history.current(), object_, [&](const PolyhedronSource& source) {
-      return loop_cut(source, *edge_, options_, form_of(context));
+      return loop_cut(source, *edge_, options_, form);
     });
     error_ = done ? std::string() : editor.language.text_of(done.error());
     if (!done) return editor.cancel_preview();
@@ -165,17 +165,6 @@ class LoopCutTool final : public PointingTool {
     return ToolState::commit;
   }
 
-  /// The form that the cut keeps, made once for each object; none where it lies on straight edges.
-  const SurfaceForm* form_of(const ToolContext& context) {
-    const Object* object = context.editor.history.current().find(object_);
-    if (!object || !object->polyhedron()) return nullptr;
-    if (object != formed_) {
-      form_ = form_for_refinement(context.editor, *object->polyhedron());
-      formed_ = object;
-    }
-    return form_ ? &*form_ : nullptr;
-  }
-
   /// Finds the lines along which the ring would be cut, as they will lie.
   void find_cuts(const ToolContext& context) {
     cuts_.clear();
@@ -185,8 +174,6 @@ class LoopCutTool final : public PointingTool {
     if (e == no_index) return;
     const Polyhedron& polyhedron = source->polyhedron;
     const EdgeRing ring = find_edge_ring(polyhedron, e);
-    const SurfaceForm* form =
-        on_surface_ && polyhedron.face_count() <= most_faces_with_form ? form_of(context) : nullptr;
     for (const double share : cut_shares({std::min(options_.count, most_shown), 0})) {
       std::vector<EdgePoint> points;
       for (std::size_t i = 0; i < ring.edges.size(); ++i) {
@@ -195,22 +182,8 @@ class LoopCutTool final : public PointingTool {
       }
       const std::size_t count = points.size();
       for (std::size_t i = 0; i + (ring.closed ? 0 : 1) < count && count > 1; ++i)
-        cuts_.push_back(line_between(*object, *source, form, points[i], points[(i + 1) % count]));
+        cuts_.push_back(lines_.line(context.editor, *object, points[i], points[(i + 1) % count]));
     }
-  }
-
-  /// A line across a face in space: over the surface, or straight.
-  static std::vector<Vector3> line_between(const Object& object, const PolyhedronSource& source,
-                                           const SurfaceForm* form, const EdgePoint& a, const EdgePoint& b) {
-    std::vector<Vector3> out = form ? form->path(a, b) : std::vector<Vector3>();
-    if (out.empty())
-      for (const EdgePoint& point : {a, b}) {
-        const Polyhedron& polyhedron = source.polyhedron;
-        out.push_back((1 - point.share) * polyhedron.position(polyhedron.find(point.edge.low)) +
-                      point.share * polyhedron.position(polyhedron.find(point.edge.high)));
-      }
-    for (Vector3& position : out) position = object.transform.apply(source.origin + position);
-    return out;
   }
 
   void draw_cuts(const ToolContext& context, const ToolOverlay& overlay) const {
@@ -237,10 +210,8 @@ class LoopCutTool final : public PointingTool {
   LoopCutOptions options_;
   NumericInput input_;
   double raw_ = 0;  ///< the slide before it is limited
-  bool on_surface_ = true;
+  RefinedLines lines_;
   std::vector<std::vector<Vector3>> cuts_;  ///< lines in space, before the click
-  std::optional<SurfaceForm> form_;
-  const Object* formed_ = nullptr;  ///< what `form_` was made for
   bool sliding_ = false;
   ElementSet result_;
   std::string error_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace hariko {
 
@@ -12,6 +13,19 @@ double power_of_ten(int n) {
   double power = 1;
   for (int i = 0; i < n; ++i) power *= 10;
   return power;
+}
+
+/// The middle of a curve as the surface has it, of which the mesh is a picture; in the object's space.
+/// `parameters`: of the mesh's pattern.
+Vector3 middle_of_curve(const Surface& surface, std::span<const Vector2> parameters,
+                        std::span<const CurveSegment> segments) {
+  const CurveSegment& middle = segments[segments.size() / 2];
+  const auto per_patch = static_cast<Index>(parameters.size());
+  const Vector2& begin = parameters[middle.vertices[1] % per_patch];
+  const Vector2& end = parameters[middle.vertices[2] % per_patch];
+  const Vector2 at = segments.size() % 2 == 0 ? begin : Vector2((begin + end) / 2);
+  return surface.origin() +
+         surface.patches().evaluate(middle.vertices[1] / per_patch, at, Order::first).position;
 }
 
 }  // namespace
@@ -45,42 +59,60 @@ std::optional<Vector3> point_on_ground(const ToolContext& context, const Ray& ra
   return point;
 }
 
-std::optional<SnapTarget> snap_to_elements(const ToolContext& context, const TransformTarget& target,
-                                           const Vector2& pixel) {
+SnapPlaces::SnapPlaces(const ToolContext& context) {
+  const Document& document = context.editor.history.current();
+  const Scene& scene = context.scene.scene();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object* object = document.find(context.scene.object_id(i));
+    const Polyhedron* cage = object && object->visible ? object->cage() : nullptr;
+    if (!cage) continue;
+    for (Index v = 0; v < cage->vertex_count(); ++v)
+      vertices_.push_back({object->id, cage->vertex_id(v), cage->vertex_id(v),
+                           object->transform.apply(object->cage_origin() + cage->position(v))});
+    if (scene.objects[i].polyhedron) add_middles(context, i, *object);
+  }
+}
+
+void SnapPlaces::add_middles(const ToolContext& context, std::size_t scene_object, const Object& object) {
+  const SceneObject& shown = context.scene.scene().objects[scene_object];
+  const SurfaceView* view = context.editor.view_of(object.id);
+  const bool curves = shown.curves_pickable() && view && view->mesh == shown.mesh;
+  const std::vector<Vector2> parameters =
+      curves ? shown.mesh->pattern().parameters() : std::vector<Vector2>();
+  const Polyhedron& cage = *object.cage();
+  for (Index e = 0; e < shown.polyhedron->edges.size(); ++e) {
+    const EdgeId id = shown.polyhedron->edge_id(e);
+    const Index low = cage.find(id.low), high = cage.find(id.high);
+    if (low == no_index || high == no_index) continue;
+    if (shown.line_pickable(e))
+      middles_.push_back(
+          {object.id, id.low, id.high,
+           object.transform.apply(object.cage_origin() + (cage.position(low) + cage.position(high)) / 2)});
+    if (!curves) continue;
+    for (const EdgeCurves::Run& run : shown.edge_curves->of(e))
+      middles_.push_back({object.id, id.low, id.high,
+                          object.transform.apply(
+                              middle_of_curve(view->surface, parameters, shown.edge_curves->segments(run)))});
+  }
+}
+
+std::optional<SnapTarget> SnapPlaces::nearest(const ToolContext& context, const TransformTarget& target,
+                                              const Vector2& pixel) const {
   const Projector projector = context.projector();
   std::optional<SnapTarget> best;
   double least = snap_radius * context.editor.pixel_scale;
-  const auto offer = [&](SnapTarget::Kind kind, const Vector3& point) {
-    const auto at = projector.project(point);
-    if (!at) return;
-    const double distance = (at->head<2>() - pixel).norm();
-    if (distance >= least) return;
-    least = distance;
-    best = {kind, point};
-  };
-  // Of the committed document: what moves is not looked at, and its place must not depend on the last frame.
-  const auto each = [&](const auto& visit) {
-    for (const auto& object : context.editor.history.current().objects)
-      if (object->visible && object->cage()) visit(*object, *object->cage());
-  };
-  const auto world = [](const Object& object, const Polyhedron& cage, Index v) {
-    return object.transform.apply(object.cage_origin() + cage.position(v));
-  };
-  each([&](const Object& object, const Polyhedron& cage) {
-    for (Index v = 0; v < cage.vertex_count(); ++v)
-      if (target.stands(object.id, cage.vertex_id(v)))
-        offer(SnapTarget::Kind::vertex, world(object, cage, v));
-  });
-  if (best) return best;
-  each([&](const Object& object, const Polyhedron& polyhedron) {
-    for (Index e = 0; e < polyhedron.edge_count(); ++e) {
-      const EdgeId id = polyhedron.edge_id(e);
-      if (!target.stands(object.id, id.low) || !target.stands(object.id, id.high)) continue;
-      offer(SnapTarget::Kind::midpoint, (world(object, polyhedron, polyhedron.find(id.low)) +
-                                         world(object, polyhedron, polyhedron.find(id.high))) /
-                                            2);
+  const auto look = [&](SnapTarget::Kind kind, const std::vector<Place>& places) {
+    for (const Place& place : places) {
+      const auto at = projector.project(place.point);
+      const double distance = at ? (at->head<2>() - pixel).norm() : least;
+      if (distance >= least || !target.stands(place.object, place.a) || !target.stands(place.object, place.b))
+        continue;
+      least = distance;
+      best = {kind, place.point};
     }
-  });
+  };
+  look(SnapTarget::Kind::vertex, vertices_);
+  if (!best) look(SnapTarget::Kind::midpoint, middles_);
   return best;
 }
 

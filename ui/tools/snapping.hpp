@@ -3,6 +3,7 @@
 // Snapping: places that a drag jumps to.
 
 #include <optional>
+#include <vector>
 
 #include "ui/tools/tool.hpp"
 #include "ui/tools/transform_target.hpp"
@@ -18,9 +19,28 @@ struct SnapTarget {
 /// Design pixels round the pointer within which a vertex or the middle of an edge attracts.
 inline constexpr double snap_radius = 14;
 
-/// The vertex or middle of an edge under the pointer that the target does not move; vertices first.
-std::optional<SnapTarget> snap_to_elements(const ToolContext& context, const TransformTarget& target,
-                                           const Vector2& pixel);
+/// Vertices and middles of edges that a drag can jump to, as they are when it begins: what moves is not
+/// looked at, and where it snaps does not depend on how far it was dragged before. The middle of an edge is
+/// where the edge is shown: on its curve on the surface, on the straight line of the polyhedron, or both.
+class SnapPlaces {
+ public:
+  SnapPlaces() = default;
+  /// Of the committed document, which the scene shows. O(elements).
+  explicit SnapPlaces(const ToolContext& context);
+  /// The one under the pointer that the target does not move; vertices first.
+  std::optional<SnapTarget> nearest(const ToolContext& context, const TransformTarget& target,
+                                    const Vector2& pixel) const;
+
+ private:
+  struct Place {
+    ObjectId object;
+    VertexId a, b;  ///< the vertex twice, or the ends of the edge
+    Vector3 point;  ///< in the document's space
+  };
+  void add_middles(const ToolContext& context, std::size_t scene_object, const Object& object);
+
+  std::vector<Place> vertices_, middles_;
+};
 
 /// A decimal step: mantissa * 10^exponent.
 struct DecimalStep {

@@ -49,6 +49,7 @@ void TransformTool::begin(ToolContext& context, const PointerEvent& press) {
     lock_ = section_plane_lock;
     input_.resize(fields());
   }
+  if (!places_ && by_ != DrivenBy::typing) places_.emplace(context);
   anchor_ = target_.pivot();
   // The grabbed point stays under the pointer.
   if (by_ == DrivenBy::element)
@@ -86,6 +87,7 @@ void TransformTool::restart(ToolContext& context, TransformKind kind) {
   PointerEvent at;
   at.pixel = pointer_;
   auto next = std::make_unique<TransformTool>(kind, by_ == DrivenBy::typing ? by_ : DrivenBy::command);
+  next->places_ = std::move(places_);  // what the scene shows now is the preview
   context.editor.cancel_preview();
   successor_ = std::move(next);
 }
@@ -204,7 +206,7 @@ Vector3 TransformTool::snapped(const ToolContext& context, const Vector3& transl
       if ((i == lock_.axis) != (lock_.kind == AxisLock::Kind::axis)) local[i] = 0;
     return axes * local;
   };
-  snap_ = snap_to_elements(context, target_, pointer_);
+  snap_ = places_ ? places_->nearest(context, target_, pointer_) : std::nullopt;
   if (snap_) return allowed(snap_->point - source_);
   DecimalStep step = grid_step(context, source_);
   if (fine_) step = step.tenth();

@@ -66,6 +66,7 @@ class TransformTool final : public Tool {
   DrivenBy by_;
   AxisLock lock_;
   TransformTarget target_;
+  std::optional<SnapPlaces> places_;  ///< that a move can jump to
   NumericInput input_;
   std::unique_ptr<Tool> successor_;
 

@@ -1,0 +1,292 @@
+// Small things of every day: places of commands, units, views that come back, files, dialogs that fit.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "app/file_pictures.hpp"
+#include "core/cad/kernel/cad_file.hpp"
+#include "core/document/edits.hpp"
+#include "core/document/file.hpp"
+#include "core/modeling/primitives.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/export_text.hpp"
+#include "ui/menu_tree.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+Document sample_of(const char* name) {
+  return load_document(test::source_folder() + "/assets/samples/" + name + ".hariko").value();
+}
+
+class Everyday : public ::testing::Test {
+ protected:
+  explicit Everyday(Document document = document_from_mesh(test::prism(4), "Box").value())
+      : bench_(std::move(document), {1280, 800}) {}
+  Editor& editor() { return bench_.editor(); }
+  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
+  void frames(int count = 6) {
+    for (int i = 0; i < count; ++i) bench_.frame();
+  }
+  void run(const char* id) {
+    const auto outcome = bench_.workbench().commands().run(id);
+    ASSERT_TRUE(outcome.ran) << id << ": " << outcome.reason;
+    frames();
+  }
+
+  HeadlessWorkbench bench_;
+};
+
+TEST_F(Everyday, ANewBoxStandsBesideANewDocumentAndQuitComesLast) {
+  std::vector<std::string> ids;
+  for (const MenuNode& node : menu_tree(bench_.workbench().commands(), "File"))
+    if (node.command) ids.push_back(node.command->id);
+  const auto place = [&](const char* id) { return std::find(ids.begin(), ids.end(), id) - ids.begin(); };
+  EXPECT_EQ(place("file.new_from_box"), place("file.new") + 1);
+  EXPECT_EQ(ids.back(), "file.quit");
+}
+
+TEST_F(Everyday, AnExtrudedLengthHasItsUnit) {
+  bench_.key("3");
+  editor().selection.select({editor().selection.active, element_of(FaceId{0})}, Selection::How::replace);
+  frames();
+  bench_.move(600, 400);
+  bench_.key("E");
+  bench_.move(640, 360);
+  const std::string hint = bench_.workbench().viewport().hint();
+  EXPECT_NE(hint.find(" mm "), std::string::npos) << hint;
+  bench_.key("Esc");
+}
+
+TEST_F(Everyday, AfterAViewFromTheSideTheFreeOneIsInPerspectiveAgain) {
+  ASSERT_FALSE(editor().camera().orthographic);
+  bench_.key("Num 3");
+  frames();
+  EXPECT_TRUE(editor().camera().orthographic);
+  bench_.key("Num 0");
+  frames();
+  EXPECT_FALSE(editor().camera().orthographic);
+}
+
+TEST_F(Everyday, SomethingNewThatReachesOutOfTheViewIsFramed) {
+  bench_.wait_for_surfaces();
+  Camera near = editor().camera();
+  near.distance /= 8;
+  editor().set_camera(near);
+  frames();
+  run("add.prism");
+  const Projector projector(editor().camera(), editor().viewport);
+  const Box3 box = world_box(*editor().active_object());
+  for (int i = 0; i < 8; ++i) {
+    const auto at = projector.project(box.corner(Box3::CornerType(i)));
+    ASSERT_TRUE(at);
+    EXPECT_GE(at->x(), 0);
+    EXPECT_LE(at->x(), editor().viewport.width);
+    EXPECT_GE(at->y(), 0);
+    EXPECT_LE(at->y(), editor().viewport.height);
+  }
+  // What can be seen whole leaves the view alone.
+  const Camera before = editor().camera();
+  run("add.box");
+  EXPECT_EQ(editor().camera().distance, before.distance);
+}
+
+/// Whatever side one looks from, a handle that is shown is taken where it is shown.
+TEST_F(Everyday, HandlesOfTheGizmoDoNotCoverEachOther) {
+  bench_.key("Ctrl+A");
+  std::size_t handles = 0;
+  for (const auto& [x, y] : {std::pair(0.0, 0.0),
+                             {0.4, 0.1},
+                             {0.8, -0.2},
+                             {1.5, 0.3},
+                             {2.2, -0.4},
+                             {0.3, 0.6},
+                             {-0.7, 0.45},
+                             {3.0, 0.2}}) {
+    editor().set_camera(Camera::standard(StandardView::iso).orbit(x, y));
+    run("view.frame_all");
+    bench_.move(640, 790);
+    std::vector<std::pair<std::string, Marks::Rect>> shown;
+    for (const auto& [mark, rect] : marks())
+      if (mark.starts_with("gizmo.")) shown.emplace_back(mark, rect);
+    for (const auto& [mark, rect] : shown) {
+      SCOPED_TRACE(mark);
+      bench_.move(rect.x + rect.width / 2.0, rect.y + rect.height / 2.0);
+      bench_.press();
+      bench_.release();
+      const std::string hint = bench_.workbench().viewport().hint();
+      const bool moves = mark.starts_with("gizmo.move."), turns = mark.starts_with("gizmo.rotate.");
+      EXPECT_TRUE(hint.starts_with(moves ? "Move" : turns ? "Rotate" : "Scale")) << hint;
+      for (const char axis : {'x', 'y', 'z'})
+        if (moves)
+          EXPECT_EQ(mark.substr(11).find(axis) != std::string::npos,
+                    hint.substr(0, hint.find("   |   ")).find(char(axis - 'a' + 'A')) != std::string::npos)
+              << hint;
+      bench_.key("Esc");
+      bench_.move(640, 790);
+      ++handles;
+    }
+  }
+  EXPECT_GE(handles, 8U * 7U) << "too few of them are shown";
+}
+
+TEST_F(Everyday, FilesOfLikeSizesHaveOneKindOfNumber) {
+  EXPECT_EQ(file_size_text(0), "0 B");
+  EXPECT_EQ(file_size_text(999), "999 B");
+  EXPECT_EQ(file_size_text(2357), "2.4 kB");
+  EXPECT_EQ(file_size_text(61'234), "61 kB");
+  EXPECT_EQ(file_size_text(999'499), "999 kB");
+  EXPECT_EQ(file_size_text(999'500), "1.0 MB");
+  EXPECT_EQ(file_size_text(4'419'000), "4.4 MB");
+  EXPECT_EQ(file_size_text(12'345'678'901), "12 GB");
+}
+
+TEST_F(Everyday, NoticesLeaveTheButtonsOfPanelsBesideFree) {
+  run("paper.show");
+  editor().notify(Notice::Kind::info, std::string(400, 'a'));
+  frames();
+  ASSERT_TRUE(marks().contains("notice.0"));
+  const Marks::Rect notice = marks().at("notice.0"), border = marks().at("paper.border");
+  EXPECT_LE(notice.x + notice.width, border.x + border.width);
+}
+
+class WithOutline : public Everyday {
+ protected:
+  WithOutline() : Everyday(sample_of("sphere_cap")) {}
+};
+
+TEST_F(WithOutline, APanelThatClosesGivesTheViewItsRoomBack) {
+  bench_.wait_for_surfaces();
+  run("view.frame_all");
+  const double whole = editor().camera().distance;
+  for (const char* panel : {"outline.sphere", "paper.show"}) {
+    SCOPED_TRACE(panel);
+    run(panel);
+    EXPECT_GT(editor().camera().distance, 1.01 * whole) << "half of the view would cut the model off";
+    run(panel);
+    EXPECT_NEAR(editor().camera().distance, whole, 1e-6 * whole);
+  }
+  // A part that was come close to stays.
+  run("outline.sphere");
+  Camera near = editor().camera();
+  near.distance *= 0.4;
+  editor().set_camera(near);
+  run("outline.sphere");
+  EXPECT_EQ(editor().camera().distance, near.distance);
+}
+
+class WithSolids : public Everyday {
+ protected:
+  WithSolids() : Everyday(sample_of("solids_one")) {}
+};
+
+TEST_F(WithSolids, ConvertedSolidsAreKeptHidden) {
+  const ObjectId id = editor().selection.active;
+  const Document before = editor().document();
+  const auto input = editor().active_object()->solids()->input;
+  run("solid.to_polyhedron");
+  EXPECT_EQ(editor().selection.active, id);
+  ASSERT_TRUE(editor().active_object()->polyhedron());
+  ASSERT_EQ(editor().document().objects.size(), before.objects.size() + 1);
+  const Object& kept = *editor().document().objects.back();
+  ASSERT_TRUE(kept.solids());
+  EXPECT_EQ(kept.solids()->input, input);
+  EXPECT_FALSE(kept.visible);
+  EXPECT_NE(kept.name, editor().active_object()->name);
+  editor().undo();
+  EXPECT_EQ(editor().document(), before) << "one step";
+}
+
+class WithSkin : public Everyday {
+ protected:
+  WithSkin() : Everyday(sample_of("skin_merge_inside")) {}
+};
+
+TEST_F(WithSkin, NothingLiesOverTheColoursOfAMap) {
+  bench_.wait_for_surfaces();
+  const auto tinted = [&] {
+    frames();
+    const ImU32 merge = IM_COL32(0xb0, 0x6c, 0xe8, 0);
+    std::size_t count = 0;
+    const ImDrawData* drawn = ImGui::GetDrawData();
+    for (int i = 0; i < drawn->CmdListsCount; ++i)
+      for (const ImDrawVert& vertex : drawn->CmdLists[i]->VtxBuffer) {
+        const ImU32 alpha = vertex.col >> IM_COL32_A_SHIFT;
+        count += (vertex.col & 0x00ffffff) == merge && alpha > 0 && alpha < 0x40 ? 1 : 0;
+      }
+    return count;
+  };
+  const std::size_t plain = tinted();
+  EXPECT_GT(plain, 0U) << "triangles are tinted without a map";
+  bench_.key("Alt+Z");
+  bench_.wait_for_surfaces();
+  EXPECT_EQ(tinted(), 0U);
+}
+
+/// "selected objects only" was cut off.
+TEST(Dialogs, FitNarrowWindowsInBothLanguages) {
+  for (const bool japanese : {false, true}) {
+    SCOPED_TRACE(japanese);
+    HeadlessWorkbench bench(document_from_mesh(test::prism(4), "Box").value(), {800, 600});
+    bench.set_scale(1.5F);
+    if (japanese) {
+      bench.editor().language = Language::load(test::source_folder() + "/assets/languages/ja.json").value();
+      FontRequest fonts;
+      fonts.scale = 1.5F;
+      for (const char32_t character : bench.editor().language.characters())
+        fonts.characters.insert(character);
+      bench.set_fonts(fonts);
+    }
+    std::vector<const char*> dialogs{"file.export", "file.export_picture", "file.export_turntable",
+                                     "file.import"};
+    if (!why_no_cad_files()) dialogs.push_back("file.export_cad");
+    for (const char* id : dialogs) {
+      SCOPED_TRACE(id);
+      ASSERT_TRUE(bench.workbench().commands().run(id).ran);
+      for (int i = 0; i < 6; ++i) bench.frame();
+      const auto& marks = bench.workbench().marks().all();
+      ASSERT_TRUE(marks.contains("dialog.accept"));
+      const Marks::Rect accept = marks.at("dialog.accept");
+      const int right = accept.x + accept.width;
+      int fields = 0;
+      for (const auto& [mark, rect] : marks) {
+        if (!mark.starts_with("export.") && !mark.starts_with("picture.") && !mark.starts_with("import."))
+          continue;
+        ++fields;
+        EXPECT_LE(rect.x + rect.width, right + 1) << mark;
+        EXPECT_LE(rect.y + rect.height, accept.y) << mark;
+      }
+      EXPECT_GE(fields, 2);
+      EXPECT_LE(accept.y + accept.height, 600);
+      bench.key("Esc");
+      for (int i = 0; i < 4; ++i) bench.frame();
+    }
+  }
+}
+
+TEST(RecentFiles, ACadFileHasAPicture) {
+  if (const auto missing = why_no_cad_files()) GTEST_SKIP() << missing->text;
+  const auto context = OffscreenContext::create();
+  ASSERT_TRUE(context.ok());
+  auto renderer = Renderer::create();
+  ASSERT_TRUE(renderer.ok());
+  Renderer drawing = std::move(renderer).value();
+  const Scene scene = file_scene(test::source_folder() + "/tests/cases/step_box_planes.step", {});
+  ASSERT_FALSE(scene.objects.empty());
+  const auto picture = draw_picture(drawing, scene, {160, 120});
+  ASSERT_TRUE(picture);
+  std::set<std::array<std::uint8_t, 3>> colours;
+  for (std::size_t i = 0; i + 3 < picture->rgba.size(); i += 4)
+    colours.insert({picture->rgba[i], picture->rgba[i + 1], picture->rgba[i + 2]});
+  EXPECT_GT(colours.size(), 3U) << "a body, and not its background alone";
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,159 @@
+// Every menu, dialog and panel by the keyboard alone: where it is can be seen, and Esc leads back.
+
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "app/samples.hpp"
+#include "core/document/edits.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/random_polyhedra.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/menu_letters.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+class Focus : public ::testing::Test {
+ protected:
+  Focus() {
+    // A colour that nothing else has.
+    ImGui::GetStyle().Colors[ImGuiCol_NavHighlight] = {1, 0, 1, 1};
+    bench_.workbench().samples() = find_samples(test::source_folder() + "/assets");
+    std::ofstream(folder_.path() / "model.hariko") << "x";
+    RecentFile file;
+    file.path = folder_.path() / "model.hariko";
+    bench_.workbench().offers().recent.push_back(file);
+    bench_.editor().path = folder_.path() / "model.hariko";
+    frames();
+  }
+  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
+  void frames(int count = 4) {
+    for (int i = 0; i < count; ++i) bench_.frame();
+  }
+  /// Whether the ring of the keyboard is drawn, or a field takes what is typed.
+  static bool can_be_seen() {
+    if (GImGui->ActiveId != 0 && GImGui->ActiveId == GImGui->InputTextState.ID) return true;
+    const ImU32 ring = ImGui::GetColorU32(ImGuiCol_NavHighlight);
+    const ImDrawData* drawn = ImGui::GetDrawData();
+    for (int i = 0; i < drawn->CmdListsCount; ++i)
+      for (const ImDrawVert& vertex : drawn->CmdLists[i]->VtxBuffer)
+        if (vertex.col == ring) return true;
+    return false;
+  }
+  /// Presses a key some times; the items that it went to, all of which can be seen.
+  std::set<ImGuiID> go(const char* key, int times, const std::string& where) {
+    std::set<ImGuiID> items;
+    for (int i = 0; i < times; ++i) {
+      bench_.tap(key);
+      frames(3);
+      if (GImGui->NavId == 0 && GImGui->ActiveId == 0) continue;
+      items.insert(GImGui->ActiveId != 0 ? GImGui->ActiveId : GImGui->NavId);
+      EXPECT_TRUE(can_be_seen()) << where << ", " << key << " number " << i;
+    }
+    return items;
+  }
+
+  test::TemporaryFolder folder_;
+  HeadlessWorkbench bench_{document_from_mesh(test::prism(4), "Box").value(), {1280, 800}};
+};
+
+TEST_F(Focus, EveryMenuHasALetterOfItsOwn) {
+  const std::vector<std::string> menus = bench_.workbench().commands().menus();
+  const std::vector<char> letters = menu_letters(menus);
+  const std::set<char> different(letters.begin(), letters.end());
+  EXPECT_EQ(different.size(), menus.size());
+  EXPECT_FALSE(different.contains('\0'));
+  EXPECT_EQ(letters.front(), 'F');
+  for (std::size_t i = 0; i < menus.size(); ++i) {
+    bench_.tap("F10");
+    frames();
+    bench_.tap(std::string(1, letters[i]));
+    frames();
+    std::string first;
+    for (const Command& command : bench_.workbench().commands().all())
+      if (first.empty() && command.in_menu && command.menu == menus[i]) first = command.id;
+    EXPECT_TRUE(marks().contains("command." + first)) << menus[i] << " by " << letters[i];
+    EXPECT_GE(go("Down", 3, menus[i]).size(), 2U) << "arrows do not go through " << menus[i];
+    bench_.tap("Esc");
+    frames();
+    EXPECT_FALSE(marks().contains("command." + first)) << menus[i];
+  }
+}
+
+TEST_F(Focus, WithAltALetterOpensItsMenuWhereNoCommandHasTheChord) {
+  const CommandTable& table = bench_.workbench().commands();
+  const std::vector<std::string> menus = table.menus();
+  const std::vector<char> letters = menu_letters(menus);
+  int opened = 0;
+  for (std::size_t i = 0; i < menus.size(); ++i) {
+    const std::string chord = std::string("Alt+") + letters[i];
+    const Command* owner = table.find(KeyChord::parse(chord).value());
+    const auto before = bench_.workbench().command_log().number;
+    bench_.tap(chord);
+    frames();
+    const bool open = !GImGui->OpenPopupStack.empty();
+    EXPECT_EQ(open, owner == nullptr) << chord;
+    if (owner) EXPECT_GT(bench_.workbench().command_log().number, before) << chord;
+    opened += open ? 1 : 0;
+    bench_.tap("Esc");
+    frames();
+  }
+  EXPECT_GE(opened, 7);
+}
+
+TEST_F(Focus, TabGoesThroughEveryDialogAndEscCloses) {
+  const std::vector<std::pair<const char*, std::size_t>> dialogs{
+      {"file.open", 8},    {"file.import", 8},         {"file.save_as", 6},          {"file.save_copy", 6},
+      {"file.export", 10}, {"file.export_picture", 8}, {"file.export_turntable", 8}, {"file.samples", 8},
+      {"file.recent", 2},  {"edit.preferences", 6}};
+  for (const auto& [id, least] : dialogs) {
+    SCOPED_TRACE(id);
+    ASSERT_TRUE(bench_.workbench().commands().run(id).ran);
+    frames(6);
+    EXPECT_GE(go("Tab", 24, id).size(), least);
+    EXPECT_GE(go("Shift+Tab", 4, id).size(), 2U);
+    const bool preferences = std::string_view(id) == "edit.preferences";
+    bench_.tap("Esc");
+    frames();
+    if (preferences && marks().contains("preferences")) bench_.tap("Esc");  // the first one left a field
+    frames();
+    EXPECT_TRUE(GImGui->OpenPopupStack.empty());
+    EXPECT_FALSE(marks().contains("preferences"));
+  }
+}
+
+TEST_F(Focus, EnterTakesTheOfferThatTheKeyboardIsAt) {
+  ASSERT_TRUE(bench_.workbench().commands().run("file.recent").ran);
+  frames();
+  EXPECT_TRUE(can_be_seen()) << "no card has the keyboard";
+  bench_.tap("Enter");
+  frames();
+  EXPECT_TRUE(GImGui->OpenPopupStack.empty()) << "Enter did nothing";
+}
+
+TEST_F(Focus, F6AndTabGoThroughEveryPanel) {
+  std::set<std::string> seen;
+  for (int i = 0; i < 12; ++i) {
+    bench_.tap("F6");
+    frames();
+    if (GImGui->NavDisableHighlight) break;
+    const std::string name = GImGui->NavWindow->RootWindow->Name;
+    seen.insert(name);
+    EXPECT_GE(go("Tab", 6, name).size(), name == "History" ? 1U : 2U) << name;
+    if (GImGui->ActiveId != 0) {
+      bench_.tap("Enter");
+      frames();
+    }
+  }
+  EXPECT_EQ(seen, (std::set<std::string>{"Objects", "Properties", "History", "Tools"}));
+}
+
+}  // namespace
+}  // namespace hariko

@@ -1,0 +1,294 @@
+// Whole jobs done by hand, from an empty document to files, with a count of what the hands do: a click, a
+// double click, a drag, a turn of the wheel, a chord and a number or name that is typed are one action each
+// (docs/manual.md, "What a job takes").
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "core/cad/kernel/cad_file.hpp"
+#include "core/document/object_box.hpp"
+#include "core/skinning/edit_section.hpp"
+#include "render/shown_edges.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/workbench/headless_workbench.hpp"
+#include "ui/tools/transform_target.hpp"
+
+namespace hariko {
+namespace {
+
+using test::HeadlessWorkbench;
+
+class Jobs : public ::testing::Test {
+ protected:
+  Editor& editor() { return bench_.editor(); }
+  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
+
+  // What hands do.
+  void click(const std::string& mark) {
+    ++actions_;
+    ASSERT_TRUE(marks().contains(mark)) << mark;
+    bench_.click(mark);
+    frames(3);
+  }
+  void click(const Vector2& at, int times = 1) {
+    ++actions_;
+    bench_.move(at.x(), at.y());
+    for (int i = 0; i < times; ++i) {
+      bench_.press();
+      bench_.release();
+    }
+    frames(2);
+  }
+  void drag(const Vector2& from, const Vector2& to, int button = 0) {
+    ++actions_;
+    bench_.move(from.x(), from.y());
+    bench_.press(button);
+    bench_.move((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+    bench_.move(to.x(), to.y());
+    bench_.release(button);
+    frames(2);
+  }
+  void wheel(double steps) {
+    ++actions_;
+    bench_.wheel(steps);
+    frames(1);
+  }
+  void press(std::initializer_list<const char*> chords) {
+    for (const char* chord : chords) {
+      ++actions_;
+      bench_.tap(chord);
+    }
+    frames(2);
+  }
+  /// A number or a name: into the field that has the keyboard, else for the running tool.
+  void type(std::string_view text) {
+    ++actions_;
+    if (ImGui::GetIO().WantTextInput) return bench_.type(text);
+    for (const char c : text) {
+      KeyChord chord;
+      chord.key = c;
+      bench_.workbench().key({chord, static_cast<char32_t>(c)});
+      bench_.frame();
+    }
+  }
+
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) bench_.frame();
+  }
+  void wait() {
+    bench_.wait_for_surfaces();
+    for (int i = 0; i < 8; ++i) bench_.frame();  // and for the flight of the view
+  }
+  Vector2 pixel(const Vector3& world) {
+    const ImVec2 corner = bench_.workbench().viewport().rect().min;
+    return Projector(editor().camera(), editor().viewport).project(world)->head<2>() +
+           Vector2(double(corner.x), double(corner.y));
+  }
+  /// The middle of the curve of the edge whose straight line has its middle nearest to a place.
+  Vector2 curve_near(const Vector3& place) {
+    const SceneObject& object = bench_.workbench().viewport().scene().scene().objects[0];
+    const DisplayPolyhedron& lines = *object.polyhedron;
+    const auto end = [&](Index v) { return object.to_world(lines.origin, lines.positions[v]); };
+    Index best = 0;
+    double least = 1e300;
+    for (Index e = 0; e < lines.edges.size(); ++e) {
+      const double far = ((end(lines.edges[e][0]) + end(lines.edges[e][1])) / 2 - place).norm();
+      if (far < least) least = far, best = e;
+    }
+    const std::vector<Vector3> curve = shown_curve(object, best);
+    return pixel(curve[curve.size() / 2]);
+  }
+  void save(const char* name) {
+    press({"Ctrl+S"});
+    frames(4);
+    type((folder_.path() / name).string());
+    press({"Enter"});
+    ASSERT_EQ(saved_, folder_.path() / name);
+  }
+  void expect_at_most(int most, const char* job) {
+    std::printf("%s: %d actions\n", job, actions_);
+    RecordProperty("actions", actions_);
+    EXPECT_LE(actions_, most) << job;
+  }
+
+ private:
+  FileActions files() {
+    FileActions out;
+    out.save = [this](const auto& path, auto) { saved_ = path; };
+    out.export_cad = [this](const auto& path, const auto&) { exported_ = path; };
+    return out;
+  }
+
+ protected:
+  test::TemporaryFolder folder_;
+  std::filesystem::path saved_, exported_;
+  int actions_ = 0;
+  HeadlessWorkbench bench_{Document(), {1440, 900}, files()};
+};
+
+/// A computer mouse: a body of 62 x 110 x 36 mm, symmetric, lower at its ends and with a waist, a sharp seam
+/// and a tense nose, looked at with zebra, saved and written as STEP.
+TEST_F(Jobs, AMouseTakesAtMostSixtyActions) {
+  click("menu.Add");
+  click("command.add.box");
+  wait();
+  click("field.width");
+  type("62");
+  press({"Tab"});
+  type("110");
+  press({"Tab"});
+  type("36");
+  press({"Enter"});
+  click("combo.mirror");
+  click("choice.mirror.1");
+  wait();
+  bench_.move(400, 880);
+  press({"Home"});
+  wait();
+
+  // Two cuts across, where the body is to be bent.
+  const Vector2 edge = curve_near({31, 0, 18});
+  bench_.move(edge.x(), edge.y());
+  press({"Ctrl+R"});
+  wheel(1);
+  click(edge);
+  click(edge);
+  wait();
+  ASSERT_EQ(editor().history.undo_label(), "2 loop cuts");
+
+  // From the side: the back lower, the front lower still.
+  press({"Num 3", "1"});
+  wait();
+  const auto shape = [&](const Vector3& from, const Vector3& to, std::initializer_list<const char*> keys,
+                         const char* amount) {
+    drag(pixel(from), pixel(to));
+    EXPECT_FALSE(editor().selection.of_active().vertices.empty());
+    press(keys);
+    type(amount);
+    press({"Enter"});
+    wait();
+  };
+  shape({0, 80, 45}, {0, 40, 8}, {"G", "Z"}, "-8");
+  shape({0, -80, 45}, {0, -40, 8}, {"G", "Z"}, "-14");
+  // From above: a waist.
+  press({"Num 7"});
+  wait();
+  shape({-60, -30, 0}, {60, -8, 0}, {"S", "X"}, "0.85");
+
+  // The seam and the nose.
+  press({"Num 0", "Ctrl+Shift+A", "2"});
+  wait();
+  click(curve_near({31, 0, 18}), 2);
+  press({"C"});
+  press({"1"});
+  wait();
+  const PolyhedronSource& source = *editor().active_object()->polyhedron();
+  VertexId nose{};
+  double least = 1e300;
+  for (Index v = 0; v < source.polyhedron.vertex_count(); ++v) {
+    const Vector3 at = source.origin + source.polyhedron.position(v);
+    if ((at - Vector3(31, -55, 4)).norm() < least)
+      least = (at - Vector3(31, -55, 4)).norm(), nose = source.polyhedron.vertex_id(v);
+  }
+  click(pixel(*place_of(editor().document(), {editor().selection.active, element_of(nose)})));
+  EXPECT_EQ(editor().selection.of_active().vertices, std::set<VertexId>{nose});
+  press({"T"});
+  type("3");
+  press({"Enter"});
+  wait();
+
+  // Looked at, saved and written for CAD.
+  press({"Alt+Z"});
+  drag({500, 700}, {620, 660}, 2);
+  press({"V", "V", "Alt+Z"});
+  save("mouse.hariko");
+  if (!why_no_cad_files()) {
+    click("menu.File");
+    click("command.file.export_cad");
+    frames(4);
+    type((folder_.path() / "mouse.step").string());
+    press({"Enter"});
+    EXPECT_EQ(exported_, folder_.path() / "mouse.step");
+  }
+
+  const Shaping& shaping = *editor().active_object()->polyhedron()->shaping;
+  EXPECT_GE(shaping.crease.size(), 2U);
+  EXPECT_EQ(shaping.alpha.get_or(nose, 0), 3);
+  EXPECT_TRUE(editor().active_object()->polyhedron()->mirror);
+  EXPECT_NEAR(world_box(*editor().active_object()).sizes().y(), 110, 1e-9);
+  expect_at_most(60, "mouse");
+}
+
+/// A tube over three sections of given sizes, one of them scaled afterwards, closed at its ends.
+TEST_F(Jobs, ATubeOfThreeSectionsTakesAtMostForty) {
+  click("menu.Skin");
+  click("command.skin.draw");
+  wait();
+  // The path on the ground.
+  for (const Vector3& at : {Vector3(-80, -20, 0), Vector3(0, 20, 0), Vector3(80, -20, 0)}) click(pixel(at));
+  press({"Enter"});
+  wait();
+  const auto ellipse = [&](const char* width, const char* height) {
+    press({"E"});
+    type(width);
+    press({"Tab"});
+    type(height);
+    press({"Enter", "Enter"});
+    wait();
+  };
+  ellipse("40", "25");
+  ellipse("30", "20");
+  ASSERT_EQ(editor().history.undo_label(), "Draw skin") << bench_.workbench().viewport().hint();
+  press({"Home"});
+  wait();
+
+  click("menu.Skin");
+  click("command.skin.draw_section");
+  const Skin& two = *editor().active_object()->skin()->skin;
+  click(pixel(evaluate(two.path, 0.5).position));
+  wait();
+  ellipse("60", "30");
+  ASSERT_EQ(editor().history.undo_label(), "Draw section") << bench_.workbench().viewport().hint();
+  // What was drawn is selected.
+  press({"S"});
+  type("1.2");
+  press({"Enter"});
+  wait();
+  EXPECT_EQ(editor().history.undo_label().substr(0, 5), "Scale");
+  click("combo.skin_caps");
+  click("choice.skin_caps.1");
+  press({"Alt+Z"});
+  drag({500, 700}, {620, 660}, 2);
+  save("tube.hariko");
+
+  const Skin& skin = *editor().active_object()->skin()->skin;
+  EXPECT_EQ(skin.sections.size(), 3U);
+  for (const SkinSection& section : skin.sections) EXPECT_TRUE(section.closed);
+  expect_at_most(40, "tube");
+}
+
+/// A curved panel from a closed curve with tilted normals.
+TEST_F(Jobs, AnOutlineTakesAtMostFifteen) {
+  click("menu.Add");
+  click("command.add.outline");
+  wait();
+  for (const Vector3& at :
+       {Vector3(-60, -40, 0), Vector3(60, -40, 0), Vector3(60, 40, 0), Vector3(-60, 40, 0)})
+    click(pixel(at));
+  press({"Enter"});
+  wait();
+  ASSERT_TRUE(editor().active_object() && editor().active_object()->outline());
+  press({"Ctrl+A"});
+  click("field.outline_tilt");
+  type("30");
+  press({"Enter"});
+  wait();
+  press({"Alt+Z"});
+  save("panel.hariko");
+  expect_at_most(15, "outline");
+}
+
+}  // namespace
+}  // namespace hariko
