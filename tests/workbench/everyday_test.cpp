@@ -182,28 +182,6 @@ TEST_F(WithOutline, APanelThatClosesGivesTheViewItsRoomBack) {
   EXPECT_EQ(editor().camera().distance, near.distance);
 }
 
-class WithSolids : public Everyday {
- protected:
-  WithSolids() : Everyday(sample_of("solids_one")) {}
-};
-
-TEST_F(WithSolids, ConvertedSolidsAreKeptHidden) {
-  const ObjectId id = editor().selection.active;
-  const Document before = editor().document();
-  const auto input = editor().active_object()->solids()->input;
-  run("solid.to_polyhedron");
-  EXPECT_EQ(editor().selection.active, id);
-  ASSERT_TRUE(editor().active_object()->polyhedron());
-  ASSERT_EQ(editor().document().objects.size(), before.objects.size() + 1);
-  const Object& kept = *editor().document().objects.back();
-  ASSERT_TRUE(kept.solids());
-  EXPECT_EQ(kept.solids()->input, input);
-  EXPECT_FALSE(kept.visible);
-  EXPECT_NE(kept.name, editor().active_object()->name);
-  editor().undo();
-  EXPECT_EQ(editor().document(), before) << "one step";
-}
-
 class WithSkin : public Everyday {
  protected:
   WithSkin() : Everyday(sample_of("skin_merge_inside")) {}
