@@ -15,12 +15,6 @@ namespace {
 constexpr double enclosure_tolerance = 1e-4;  ///< of the diagonal
 constexpr double curve_spacing = 1e-3;        ///< likewise: of tested points on edges and rims
 constexpr double symmetry_tolerance = 1e-6;   ///< likewise
-constexpr double least_ball = 3;              ///< of the rounding
-/// Share of the solids' size: lattices of finer roundings would not fit into memory.
-constexpr double least_rounding = 1.0 / 160;
-/// Multiple of the solids' size. What such a ball leaves is the hull to a sixteenth of a thousandth of the
-/// size.
-constexpr double hull_ball = 2000;
 
 std::string percent(double part) {
   char text[32];
@@ -116,10 +110,7 @@ void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, 
 Result<Done> make_ball(const EnvelopedScene& scene, Quality quality, const CancelToken& cancel,
                        EnvelopeSurface& out) {
   const EnvelopeSettings& wanted = scene.input.settings;
-  BallSettings ball;
-  ball.sigma = std::max(wanted.rounding, least_rounding * out.diagonal);
-  ball.radius = std::max(wanted.ball_radius.value_or(hull_ball * out.diagonal), least_ball * ball.sigma);
-  ball.clearance = wanted.clearance;
+  const BallSettings ball = ball_settings(wanted, out.diagonal);
   std::optional<BallEnvelope> made =
       ball_envelope(scene.input.solids, ball, out.origin, scene.mirror, quality, cancel);
   if (cancel.cancelled()) return cancelled();

@@ -100,6 +100,22 @@ TEST_F(PanelHands, ACopiedRowOfSolidsStaysSelectedWhileItsNumberIsChanged) {
   EXPECT_EQ(editor().selection.of(editor().selection.active).vertices.size(), 5U);
 }
 
+TEST_F(PanelHands, ABarBridgesTwoSolidsAndIsSelected) {
+  run("solid.sphere");
+  run("solid.row");
+  enter("field.copies", "2");
+  bench_.tap("Enter");
+  run("solid.bridge");
+  ASSERT_TRUE(marks().contains("field.solid.radius"));
+  enter("field.solid.radius", "1.5");
+  bench_.tap("Enter");
+  const std::vector<Solid> solids = editor().active_object()->solids()->input->solids;
+  ASSERT_EQ(solids.size(), 4U);
+  EXPECT_EQ(solids.back().kind, SolidKind::capsule);
+  EXPECT_EQ(solids.back().radius, 1.5);
+  EXPECT_TRUE(marks().contains("solid.outside")) << "nothing says how far faces lie outside";
+}
+
 TEST_F(PanelHands, RowsUnderThePointerStayWhenRowsAboveGo) {
   run("add.box");
   ASSERT_TRUE(marks().contains("field.width")) << "the numbers of the step stand above";

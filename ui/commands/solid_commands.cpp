@@ -1,9 +1,13 @@
 // Commands of the Solids menu: solids round which a surface goes. They are added to the active object where
 // it is made of solids, else they begin a new one. Their numbers can be adjusted right afterwards.
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 #include "core/document/edit_solids.hpp"
+#include "core/envelope/ball/tightness.hpp"
+#include "core/envelope/bridge.hpp"
 #include "core/modeling/primitives.hpp"
 #include "ui/commands/command_host.hpp"
 #include "ui/commands/new_object.hpp"
@@ -93,6 +97,29 @@ void make_row(Editor& editor) {
                             make);
 }
 
+/// A bar between the two selected solids; its radius is that of a selected solid.
+void bridge(Editor& editor) {
+  const Object& object = *editor.active_object();
+  const std::vector<std::uint32_t> ids = selected_solids(editor);
+  const Solid &a = *find_solid(object, ids[0]), &b = *find_solid(object, ids[1]);
+  constexpr double share = 0.25;
+  const double radius = share * std::min(box_of(a).sizes().minCoeff(), box_of(b).sizes().minCoeff());
+  const std::uint32_t bar = next_solid_id(*object.solids()->input);
+  if (editor.commit(add_solid(editor.history.current(), object.id, bridge_between(a, b, radius)),
+                    translatable("Bridge solids")))
+    select_solids(editor, editor.selection.active, std::array{bar});
+}
+
+/// Makes one part of a surface that has several.
+void join(Editor& editor) {
+  bool joined = false;
+  const auto result = change_envelope(editor.history.current(), editor.selection.active,
+                                      [&](EnvelopeInput& input) { joined = join_parts(input); });
+  if (result.ok() && !joined)
+    return editor.notify(Notice::Kind::info, editor.language("The surface is one part already."));
+  editor.commit(result, translatable("Join parts"));
+}
+
 Reason needs_solids(const Editor& editor, const WhyNot& needs) {
   if (auto reason = needs()) return reason;
   if (editor.active_object()->solids()) return {};
@@ -103,6 +130,20 @@ Reason needs_chosen_solids(const Editor& editor, const WhyNot& needs) {
   if (auto reason = needs_solids(editor, needs)) return reason;
   if (editor.mode != ElementMode::object && !editor.selection.of(editor.selection.active).empty()) return {};
   return translatable("No solid is selected. Click one.");
+}
+
+Reason needs_two_solids(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs_solids(editor, needs)) return reason;
+  const std::vector<std::uint32_t> ids = selected_solids(editor);
+  const auto is_there = [&](std::uint32_t id) { return find_solid(*editor.active_object(), id) != nullptr; };
+  if (editor.mode != ElementMode::object && ids.size() == 2 && std::ranges::all_of(ids, is_there)) return {};
+  return translatable("A bridge needs two selected solids.");
+}
+
+Reason needs_ball(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs_solids(editor, needs)) return reason;
+  if (editor.active_object()->solids()->input->settings.method == EnvelopeMethod::ball) return {};
+  return translatable("The surface is a network of curves.");
 }
 
 }  // namespace
@@ -132,6 +173,12 @@ void add_solid_commands(CommandHost& host) {
        "Copy the selected solids several times, each as far from the last; number and distance can be "
        "changed right afterwards.",
        "", "", true, false, [&editor] { make_row(editor); }, chosen});
+  host.table.add({"solid.bridge", "Solids", "Bridge solids", "Put a bar between the two selected solids.", "",
+                  "", true, false, [&editor] { bridge(editor); },
+                  [&editor, object] { return needs_two_solids(editor, object); }});
+  host.table.add({"solid.join_parts", "Solids", "Join parts",
+                  "Enlarge the ball to the smallest that makes one part of the surface.", "", "", true, false,
+                  [&editor] { join(editor); }, [&editor, object] { return needs_ball(editor, object); }});
   host.table.add(
       {"solid.to_polyhedron", "Solids", "Convert to polyhedron",
        "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "

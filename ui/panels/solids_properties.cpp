@@ -34,6 +34,8 @@ constexpr std::array symmetry_choices{
     Choice{"Across z", "Solids have images beyond the plane across the z axis; the surface is symmetric"},
 };
 
+constexpr double ball_roundness = 0.3;  ///< own roundness of a solid to begin with
+
 Quantity share(double low, double high, double standard) {
   Quantity quantity = plain_quantity(3, 0.02);
   quantity.low = low;
@@ -270,10 +272,15 @@ void size_rows(PanelContext& context, const Object& object, const Ids& ids) {
 
 void roundness_rows(PanelContext& context, const Object& object, const Ids& ids) {
   const auto solids = solids_of(object, ids);
+  const EnvelopeSettings& settings = object.solids()->input->settings;
+  const bool ball = settings.method == EnvelopeMethod::ball;
   const auto own = common<bool>(solids, [](const Solid& solid) { return solid.roundness.has_value(); });
-  const double standard = object.solids()->input->settings.roundness;
-  if (const auto on = check_row(context, "own_roundness", "Roundness",
-                                "Round this solid more or less than the others", own))
+  const double standard = ball ? ball_roundness : settings.roundness;
+  if (const auto on =
+          check_row(context, "own_roundness", "Roundness",
+                    ball ? translatable("Round the edges of this solid more than those of the others")
+                         : translatable("Round this solid more or less than the others"),
+                    own))
     context.editor.commit(change_solids(context.editor.history.current(), object.id, ids,
                                         [&](Solid& solid) {
                                           if (*on)
@@ -292,6 +299,17 @@ void roundness_rows(PanelContext& context, const Object& object, const Ids& ids)
           solid.roundness = change.apply(quantity, solid.roundness.value_or(standard));
         });
       });
+}
+
+/// How far the ball's surface lies outside; of one solid, as each takes a while.
+void outside_row(PanelContext& context, const Object& object, const Ids& ids) {
+  const EnvelopeInput& input = *object.solids()->input;
+  if (input.settings.method != EnvelopeMethod::ball || ids.size() != 1) return;
+  row_label(context, "Faces outside", "How far flat faces of the surface lie outside of those of this solid");
+  const double outside =
+      faces_outside(*find_solid(object, ids.front()), input.settings, solids_size(input.solids));
+  ImGui::TextUnformatted(format_quantity(length_of(context, object), outside).c_str());
+  context.marks.item("solid.outside");
 }
 
 void selected_rows(PanelContext& context, const Object& object, const Ids& ids) {
@@ -313,8 +331,8 @@ void selected_rows(PanelContext& context, const Object& object, const Ids& ids) 
   solid_vector(context, object, ids, "Scale", "Along the solid's own axes",
                {"solid.scale_x", "solid.scale_y", "solid.scale_z"}, "Scale solid", scale,
                [](Solid& solid) -> Vector3& { return solid.scale; });
-  if (object.solids()->input->settings.method == EnvelopeMethod::ball) return;
   roundness_rows(context, object, ids);
+  outside_row(context, object, ids);
 }
 
 void list_rows(PanelContext& context, const Object& object, const Ids& ids) {

@@ -20,6 +20,9 @@ constexpr double near_share = 0.45;  ///< of a cube's edge: points as near to th
 constexpr int first_steps = 6;
 constexpr int even_rounds = 8;  ///< more of them make corners of quads blunt
 constexpr double even_share = 0.6;
+constexpr int spread_rounds = 8;
+constexpr double least_ratio = 0.1;    ///< of neighbouring sides of a quad
+constexpr double least_corner = 0.2;   ///< sine of a quad's corner
 constexpr double shortest_side = 0.3;  ///< of a cube's edge: shorter sides are collapsed
 
 /// Halves cubes in which the surface's normals spread too widely for one vertex.
@@ -80,6 +83,7 @@ class SideCollapse {
         if (const Index a = face[i], b = face[(i + 1) % 4]; a < b && is_lonely(a, b))
           chosen.push_back({a, b});
     for (const auto& [a, b] : chosen) collapse(a, b);
+    std::erase_if(mesh_.faces, [](const auto& face) { return face[0] == no_index; });
   }
 
  private:
@@ -188,11 +192,24 @@ void drop_hollows(Contour& mesh) {
   std::erase_if(mesh.faces, [&](const auto& face) { return volume[parts.find(face[0])] < 0; });
 }
 
-BallCage as_it_is(const Contour& mesh) {
+/// Faces as they are, all quads; without the vertices of hollows.
+BallCage as_it_is(const Contour& mesh, std::vector<double>& sizes) {
   BallCage out;
-  out.quads = mesh.faces;
-  for (const auto& quad : mesh.faces) out.cubes.push_back(mesh.vertices[quad[0]].cube);
-  for (const ContourVertex& vertex : mesh.vertices) out.positions.push_back(vertex.position);
+  std::vector<Index> number(mesh.vertices.size(), no_index);
+  std::vector<double> kept;
+  for (auto quad : mesh.faces) {
+    out.cubes.push_back(mesh.vertices[quad[0]].cube);
+    for (Index& v : quad) {
+      if (number[v] == no_index) {
+        number[v] = Index(out.positions.size());
+        out.positions.push_back(mesh.vertices[v].position);
+        kept.push_back(sizes[v]);
+      }
+      v = number[v];
+    }
+    out.quads.push_back(quad);
+  }
+  sizes = std::move(kept);
   return out;
 }
 
@@ -233,29 +250,86 @@ BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour&
   return out;
 }
 
-/// Moves vertices along the surface towards where the quads about them are parallelograms.
-void make_even(const SplineField& field, std::span<const double> sizes, BallCage& cage) {
-  std::vector<Vector3> sum(cage.positions.size());
-  std::vector<int> count(cage.positions.size());
-  for (int round = 0; round < even_rounds; ++round) {
-    std::ranges::fill(sum, Vector3::Zero());
-    std::ranges::fill(count, 0);
-    for (const auto& quad : cage.quads) {
-      const auto at = [&](std::size_t i) -> const Vector3& { return cage.positions[quad[i % 4]]; };
-      const Vector3 middle = 0.25 * ((at(0) + at(2)) + (at(1) + at(3)));
-      for (std::size_t i = 0; i < 4; ++i) {
-        sum[quad[i]] += 0.5 * (middle + (at(i + 1) + at(i + 3)) - at(i + 2));
-        ++count[quad[i]];
-      }
+/// Moves vertices along the surface to where the quads about them are even.
+class Evening {
+ public:
+  Evening(const SplineField& field, std::span<const double> sizes, BallCage& cage)
+      : field_(field),
+        sizes_(sizes),
+        cage_(cage),
+        sum_(cage.positions.size()),
+        count_(cage.positions.size()) {}
+
+  void run() {
+    for (int round = 0; round < even_rounds; ++round) {
+      add_up([&](const Corner& c) { return 0.5 * (c.middle + (c.before + c.after) - c.opposite); });
+      move();
     }
-    for (Index v = 0; v < cage.positions.size(); ++v) {
-      Vector3 move = sum[v] / count[v] - cage.positions[v];
-      const Vector3 normal = field.at(cage.positions[v]).gradient.stableNormalized();
-      move -= move.dot(normal) * normal;
-      cage.positions[v] = projected(field, cage.positions[v] + even_share * move, 2, 0.25 * sizes[v]);
+    for (int round = 0; round < spread_rounds && find_crowded(); ++round) {
+      add_up([](const Corner& c) { return c.middle; });
+      move();
     }
   }
-}
+
+ private:
+  struct Corner {
+    Vector3 middle, before, after, opposite;
+  };
+
+  /// The mean over the quads about each vertex of where they want it. Parallelograms are what the first
+  /// rounds want; that goes beyond the quads' corners, and may put vertices with few quads on each other.
+  /// Their middles lie between the corners.
+  template <class Wanted>
+  void add_up(const Wanted& wanted) {
+    std::ranges::fill(sum_, Vector3::Zero());
+    std::ranges::fill(count_, 0);
+    for (const auto& quad : cage_.quads) {
+      const auto at = [&](std::size_t i) -> const Vector3& { return cage_.positions[quad[i % 4]]; };
+      const Vector3 middle = 0.25 * ((at(0) + at(2)) + (at(1) + at(3)));
+      for (std::size_t i = 0; i < 4; ++i) {
+        sum_[quad[i]] += wanted(Corner{middle, at(i + 3), at(i + 1), at(i + 2)});
+        ++count_[quad[i]];
+      }
+    }
+  }
+
+  void move() {
+    for (Index v = 0; v < cage_.positions.size(); ++v) {
+      if (!crowded_.empty() && !crowded_[v]) continue;
+      Vector3 way = sum_[v] / count_[v] - cage_.positions[v];
+      const Vector3 normal = field_.at(cage_.positions[v]).gradient.stableNormalized();
+      way -= way.dot(normal) * normal;
+      cage_.positions[v] = projected(field_, cage_.positions[v] + even_share * way, 2, 0.25 * sizes_[v]);
+    }
+  }
+
+  /// Vertices of quads with a corner that is nearly straight, nearly closed, or turned over.
+  bool find_crowded() {
+    crowded_.assign(cage_.positions.size(), 0);
+    bool any = false;
+    for (const auto& quad : cage_.quads) {
+      bool bad = false;
+      for (std::size_t i = 0; i < 4 && !bad; ++i) {
+        const Vector3 &p = cage_.positions[quad[i]], a = cage_.positions[quad[(i + 1) % 4]] - p,
+                      b = cage_.positions[quad[(i + 3) % 4]] - p;
+        const double shorter = std::min(a.norm(), b.norm()), longer = std::max(a.norm(), b.norm());
+        bad = shorter < least_ratio * longer ||
+              a.cross(b).dot(field_.at(p).gradient.stableNormalized()) < least_corner * shorter * longer;
+      }
+      if (!bad) continue;
+      any = true;
+      for (const Index v : quad) crowded_[v] = 1;
+    }
+    return any;
+  }
+
+  const SplineField& field_;
+  std::span<const double> sizes_;
+  BallCage& cage_;
+  std::vector<Vector3> sum_;
+  std::vector<int> count_;
+  std::vector<char> crowded_;  ///< of a vertex; empty: all are moved
+};
 
 }  // namespace
 
@@ -290,9 +364,9 @@ BallCage ball_cage(const SplineField& field, CubeTree& cubes) {
     sizes.clear();
     out = starred(field, cubes, mesh, sizes);
   } else {
-    out = as_it_is(mesh);
+    out = as_it_is(mesh, sizes);
   }
-  make_even(field, sizes, out);
+  Evening(field, sizes, out).run();
   return out;
 }
 

@@ -4,14 +4,20 @@
 #include <cmath>
 
 #include "core/envelope/ball/ball_patches.hpp"
+#include "core/envelope/ball/pinches.hpp"
 
 namespace hariko {
 
 namespace {
 
-constexpr double tolerance_share = 0.1;  ///< of sigma
-constexpr double sample_margin = 0.9;    ///< of the tolerance: patches may be farther off between samples
-constexpr double cube_share = 2;         ///< of sigma: of cubes that are all of one size
+constexpr double least_ball = 3;  ///< of sigma
+/// Share of the solids' size: lattices of finer roundings would not fit into memory.
+constexpr double least_rounding = 1.0 / 160;
+/// Multiple of the solids' size. What such a ball leaves is the hull to a sixteenth of a thousandth of the
+/// size.
+constexpr double hull_ball = 2000;
+constexpr double sample_margin = 0.9;  ///< of the tolerance: patches may be farther off between samples
+constexpr double cube_share = 2;       ///< of sigma: of cubes that are all of one size
 constexpr int most_cuts = 3, final_rounds = 3, drag_rounds = 1;
 constexpr int fit_intervals = 8, drag_intervals = 4;  ///< between samples along a side of a patch
 constexpr double least_agreement = 0.77;              ///< cosine of 40 degrees
@@ -57,7 +63,7 @@ class Fitting {
       : field_(field),
         origin_(origin),
         edge_(cube_share * sigma),
-        tolerance_(tolerance_share * sigma),
+        tolerance_(patch_tolerance * sigma),
         intervals_(quality == Quality::drag ? drag_intervals : fit_intervals),
         most_rounds_(quality == Quality::drag ? drag_rounds : final_rounds),
         cancel_(cancel) {}
@@ -123,26 +129,45 @@ class Fitting {
 
 }  // namespace
 
+BallSettings ball_settings(const EnvelopeSettings& settings, double size) {
+  BallSettings out;
+  out.sigma = std::max(settings.rounding, least_rounding * size);
+  out.radius = std::max(settings.ball_radius.value_or(hull_ball * size), least_ball * out.sigma);
+  out.clearance = settings.clearance;
+  return out;
+}
+
+BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
+                     std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel) {
+  std::vector<GrownSolid> grown;
+  for (const Solid& solid : solids)
+    grown.push_back(
+        grown_solid(solid, origin, settings.sigma, settings.clearance + patch_tolerance * settings.sigma));
+  const GrownUnion all(std::move(grown));
+  LatticeRequest request{all};
+  request.radius = settings.radius;
+  request.sigma = settings.sigma;
+  request.passes = quality == Quality::drag ? drag_passes : final_passes;
+  request.origin = origin;
+  request.mirror = mirror;
+  BallField out;
+  out.field = smoothed_closing(request, &out.lattice, cancel);
+  if (!cancel.cancelled())
+    out.pinches = close_pinches(out.field, settings.sigma, mirror, mirror ? -origin[*mirror] : 0);
+  return out;
+}
+
+BallCage cage_of(const BallField& field, const Vector3& origin, double sigma) {
+  CubeTree cubes = surface_cubes(field.field, origin, cube_share * sigma);
+  return ball_cage(field.field, cubes);
+}
+
 std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const BallSettings& settings,
                                           const Vector3& origin, std::optional<Eigen::Index> mirror,
                                           Quality quality, const CancelToken& cancel) {
   BallEnvelope out;
-  out.tolerance = tolerance_share * settings.sigma;
-  std::vector<GrownSolid> grown;
-  for (const Solid& solid : solids) {
-    SolidShape shape(solid, origin);
-    const double growth = growth_constant(shape, settings.sigma) + settings.clearance + out.tolerance;
-    grown.push_back({std::move(shape), growth});
-  }
-  const GrownUnion all(std::move(grown));
-  const bool drag = quality == Quality::drag;
-  LatticeRequest request{all};
-  request.radius = settings.radius;
-  request.sigma = settings.sigma;
-  request.passes = drag ? drag_passes : final_passes;
-  request.origin = origin;
-  request.mirror = mirror;
-  out.field = smoothed_closing(request, &out.lattice, cancel);
+  out.tolerance = patch_tolerance * settings.sigma;
+  static_cast<BallField&>(out) = ball_field(solids, settings, origin, mirror, quality, cancel);
   if (cancel.cancelled()) return {};
   std::optional<Fitted> made = Fitting(out.field, origin, settings.sigma, quality, cancel).run();
   if (cancel.cancelled() || !made) return {};

@@ -7,6 +7,7 @@
 #include "core/base/result.hpp"
 #include "core/envelope/ball/ball_cage.hpp"
 #include "core/envelope/ball/ball_lattice.hpp"
+#include "core/envelope/solid.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/surface/surface.hpp"
 
@@ -19,18 +20,36 @@ struct BallSettings {
   double clearance = 0;  ///< that is kept from every solid
 };
 
-struct BallEnvelope {
+/// Of sigma: patches may be so far from the field's zero, and solids lie below it by as much.
+inline constexpr double patch_tolerance = 0.1;
+
+/// Of solids of a size (the diagonal of the box round them): the hull as a very large ball, neither rounding
+/// nor ball too small to be computed.
+BallSettings ball_settings(const EnvelopeSettings& settings, double size);
+
+/// A field whose zero is the surface.
+struct BallField {
+  SplineField field;
+  LatticeReport lattice;
+  std::size_t pinches = 0;  ///< necks that were joined and holes that were closed
+};
+
+struct BallEnvelope : BallField {
   Surface surface;
   BallCage cage;
-  SplineField field;
   CageTopology topology;
   double outward = 0, inward = 0;  ///< farthest samples of patches from the field's zero, lengths
   std::size_t folds = 0;           ///< patches with normals that look away from the field's
   std::size_t coarse = 0;          ///< patches that are farther from it than `tolerance`
   double tolerance = 0;            ///< length that every solid lies below the field's zero at least
   int rounds = 0;                  ///< in which cubes were halved
-  LatticeReport lattice;
 };
+
+/// The first step of `ball_envelope`.
+BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
+                     std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel = {});
+/// A cage over cubes of the usual size: enough to count parts.
+BallCage cage_of(const BallField& field, const Vector3& origin, double sigma);
 
 /// `solids` with the images of those beyond the plane across `mirror`, relative to `origin`. Nothing where
 /// there is no surface; cancelled work gives nothing, too. O(nodes of the lattice).

@@ -1,6 +1,8 @@
 #include "core/envelope/ball/ball_lattice.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 
 #include "core/base/parallel.hpp"
@@ -16,13 +18,28 @@ constexpr double margin = 5.5;       ///< of sigma, round the solids
 constexpr double accuracy = 1e-3;    ///< of sigma
 constexpr double noticeable = 1e-2;  ///< of sigma: a neighbour's centre that is so much better is tried
 
+/// Factors of the ball's radius. A ball stops fitting between parallel walls at once and leaves the whole
+/// slot; of five the values' mean takes five smaller steps. The one in the middle is the ball itself.
+constexpr std::array<double, 5> slot_factors{0.75, 0.87, 1, 1.15, 1.33};
+constexpr std::size_t own_ball = 2;
+/// Shares of the radius by which the smallest of these balls reaches deeper than the largest. In the corner
+/// of a box it is 0.42: what is less is no slot, what is more than the second all slot.
+constexpr double no_slot = 0.45, all_slot = 0.75;
+
+std::vector<Closing> slot_balls(const LatticeRequest& request) {
+  std::vector<Closing> out;
+  for (const double factor : slot_factors)
+    out.emplace_back(request.solids, factor * request.radius, accuracy * request.sigma);
+  return out;
+}
+
 class Lattice {
  public:
   Lattice(const LatticeRequest& request, const CancelToken& cancel)
       : request_(request),
         cancel_(cancel),
         spacing_(lattice_spacing(request.sigma, request.passes)),
-        closing_(request.solids, request.radius, accuracy * request.sigma) {
+        balls_(slot_balls(request)) {
     const Eigen::AlignedBox3d& box = request.solids.box();
     for (Eigen::Index a = 0; a < 3; ++a) {
       double low = box.min()[a] + request.origin[a], high = box.max()[a] + request.origin[a];
@@ -39,20 +56,17 @@ class Lattice {
   SplineField make(LatticeReport* report) {
     visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n); });
     improve(2);
+    find_slots();
     visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
       if (state_[at] == State::open) refine(at, n);
     });
     improve(1);
     std::vector<double> values(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) values[i] = nodes_[i].value;
+    if (report) *report = counted();
+    if (!slots_.empty()) average_slots(values);
     if (request_.mirror) even(values);
     for (int pass = 0; pass < request_.passes; ++pass) smooth(values);
-    if (report) {
-      report->nodes = nodes_.size();
-      report->evaluated =
-          std::size_t(std::ranges::count_if(state_, [](State s) { return s == State::known; }));
-      report->crease = std::size_t(std::ranges::count_if(nodes_, [](const auto& n) { return n.crease; }));
-    }
     return SplineField(point({0, 0, 0}), spacing_, size_, std::move(values));
   }
 
@@ -79,10 +93,16 @@ class Lattice {
     });
   }
 
+  LatticeReport counted() const {
+    return {nodes_.size(),
+            std::size_t(std::ranges::count_if(state_, [](State s) { return s == State::known; })),
+            std::size_t(std::ranges::count_if(nodes_, [](const auto& n) { return n.crease; }))};
+  }
+
   std::span<const Index> among() const { return request_.solids.all(); }
 
   void evaluate(std::size_t at, const std::array<int, 3>& n, const Vector3* start = nullptr) {
-    nodes_[at] = closing_.at(point(n), among(), start);
+    nodes_[at] = balls_[ball_].at(point(n), among(), start);
     state_[at] = State::known;
   }
 
@@ -96,27 +116,30 @@ class Lattice {
     return beside.value + (beside.centre - point(of)).norm() - (beside.centre - point(n)).norm();
   }
 
+  /// One of the eight coarse nodes about a node, which are not all different.
+  static std::array<int, 3> coarse_node(const std::array<int, 3>& n, std::size_t corner) {
+    std::array<int, 3> out = n;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (n[a] & 1) out[a] += corner >> a & 1 ? 1 : -1;
+    return out;
+  }
+
   /// From the coarse nodes about it, which say in what range the value lies.
   void refine(std::size_t at, const std::array<int, 3>& n) {
-    std::array<std::array<int, 2>, 3> ends;
-    double square = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const int odd = n[a] & 1;
-      ends[a] = {n[a] - odd, n[a] + odd};
-      square += odd;
-    }
-    const double way = spacing_ * std::sqrt(square);
+    const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
     double sum = 0, low = -1e300, high = 1e300, best = -1e300;
     const Vector3* start = nullptr;
+    bool in_slot = false;
     for (std::size_t c = 0; c < 8; ++c) {
-      const std::array<int, 3> m{ends[0][c & 1], ends[1][c >> 1 & 1], ends[2][c >> 2]};
+      const std::array<int, 3> m = coarse_node(n, c);
       const ClosedDistance& beside = nodes_[index(m[0], m[1], m[2])];
       sum += beside.value / 8;
       low = std::max(low, beside.value - way);
       high = std::min(high, beside.value + way);
       if (const double value = value_from(beside, m, n); value > best) best = value, start = &beside.centre;
+      in_slot = in_slot || (!slots_.empty() && slots_[index(m[0], m[1], m[2])] > 0);
     }
-    if (in_band(low, high)) return evaluate(at, n, start);
+    if (in_slot || in_band(low, high)) return evaluate(at, n, start);
     nodes_[at].value = sum;
     state_[at] = State::between;
   }
@@ -149,7 +172,49 @@ class Lattice {
           if (const double value = value_from(beside, {i, j, k}, n); value > best)
             best = value, start = &nodes_[other].centre;
         }
-    if (start) nodes_[at] = closing_.improved(x, nodes_[at], *start, among());
+    if (start) nodes_[at] = balls_[ball_].improved(x, nodes_[at], *start, among());
+  }
+
+  /// How much the coarse nodes lie in a slot: from 0 to 1.
+  void find_slots() {
+    const Closing &smaller = balls_.front(), &larger = balls_.back();
+    if (no_slot * request_.radius > request_.solids.box().diagonal().norm()) return;
+    std::vector<double> shares(nodes_.size(), 0);
+    std::atomic<bool> any = false;
+    visit(2, [&](std::size_t at, const std::array<int, 3>& n) {
+      const ClosedDistance& here = nodes_[at];
+      if (here.value >= larger.radius()) return;
+      const Vector3 x = point(n);
+      const double deep = here.crease ? smaller.at(x, among()).value : here.value;
+      const double gain = (deep - larger.at(x, among()).value) / request_.radius;
+      const double t = std::clamp((gain - no_slot) / (all_slot - no_slot), 0.0, 1.0);
+      shares[at] = t * t * (3 - 2 * t);
+      if (t > 0) any = true;
+    });
+    if (any) slots_ = std::move(shares);
+  }
+
+  /// Towards the mean over all five balls, by how much a node lies in a slot. Whatever the weights are, no
+  /// value is larger than the solids' distances, as none of the five is.
+  void average_slots(std::vector<double>& values) {
+    std::vector<double> shares(nodes_.size(), 0);
+    visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+      for (std::size_t c = 0; c < 8; ++c) {
+        const std::array<int, 3> m = coarse_node(n, c);
+        shares[at] += slots_[index(m[0], m[1], m[2])] / 8;
+      }
+      state_[at] = shares[at] > 0 ? State::known : State::between;
+    });
+    const std::vector<double> own = values;
+    for (ball_ = 0; ball_ < balls_.size(); ++ball_) {
+      if (ball_ == own_ball) continue;
+      visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+        if (shares[at] > 0) evaluate(at, n);
+      });
+      improve(1);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        if (shares[i] > 0) values[i] += shares[i] / double(balls_.size()) * (nodes_[i].value - own[i]);
+    }
   }
 
   /// The larger of a node's value and that of its image: both are safe.
@@ -189,11 +254,13 @@ class Lattice {
   const LatticeRequest& request_;
   const CancelToken& cancel_;
   double spacing_;
-  Closing closing_;
-  Vector3 low_;  ///< of the first node, in spacings from the object's zero
+  std::vector<Closing> balls_;
+  std::size_t ball_ = own_ball;  ///< the one that is rolled
+  Vector3 low_;                  ///< of the first node, in spacings from the object's zero
   std::array<int, 3> size_{};
   std::vector<ClosedDistance> nodes_;
   std::vector<State> state_;
+  std::vector<double> slots_;  ///< shares of the coarse nodes; empty without slots
 };
 
 }  // namespace

@@ -110,16 +110,17 @@ class TangentStep {
   TangentStep(const Vector3& target, std::span<const TangentPlane> planes, double slack)
       : target_(target), planes_(planes), slack_(slack) {
     offer(target, {}, 0);
-    for (std::size_t i = 0; i < planes.size(); ++i) {
+    // A way beyond all planes whose factors push away from them is the nearest: no other one is.
+    for (std::size_t i = 0; i < planes.size() && !found(); ++i) {
       on_planes({i}, 1);
-      for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t j = 0; j < i && !found(); ++j) {
         on_planes({i, j}, 2);
-        for (std::size_t k = 0; k < j; ++k) on_planes({i, j, k}, 3);
+        for (std::size_t k = 0; k < j && !found(); ++k) on_planes({i, j, k}, 3);
       }
     }
   }
 
-  bool found() const { return least_ < 1e300; }
+  bool found() const { return found_; }
   const Vector3& way() const { return way_; }
   int active() const { return active_; }
   std::size_t plane(std::size_t i) const { return of_[i]; }
@@ -129,11 +130,9 @@ class TangentStep {
  private:
   void offer(const Vector3& way, const std::array<std::size_t, 3>& of, int active,
              const Vector3& multipliers = Vector3::Zero()) {
-    const double square = (way - target_).squaredNorm();
-    if (!(square < least_)) return;
     for (const TangentPlane& plane : planes_)
       if (plane.direction.dot(way) < plane.least - slack_) return;
-    least_ = square;
+    found_ = true;
     way_ = way;
     of_ = of;
     active_ = active;
@@ -160,7 +159,8 @@ class TangentStep {
 
   const Vector3& target_;
   std::span<const TangentPlane> planes_;
-  double slack_, least_ = 1e300;
+  double slack_;
+  bool found_ = false;
   Vector3 way_ = Vector3::Zero(), multipliers_ = Vector3::Zero();
   std::array<std::size_t, 3> of_{};
   int active_ = 0;

@@ -43,7 +43,8 @@ class Contouring {
     find_cubes();
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
-      trace();
+      do trace();
+      while (add_missed());
       if (!flip_doubled()) break;
     }
     make_faces();
@@ -212,6 +213,29 @@ class Contouring {
     return no_index;
   }
 
+  /// The cubes about an edge that the surface crosses, counter-clockwise seen from the end of the axis.
+  std::array<Cube, 4> cubes_about(const Crossing& edge) const {
+    const int u = (edge.axis + 1) % 3, v = (edge.axis + 2) % 3;
+    const auto beside = [&](int by_u, int by_v) {
+      return cubes_.leaf(moved(moved(edge.node, u, by_u), v, by_v));
+    };
+    return {beside(-1, -1), beside(0, -1), beside(0, 0), beside(-1, 0)};
+  }
+
+  /// Adds cubes that share a crossed edge and were passed over, as the field changes faster than by the way
+  /// there. False where there are none.
+  bool add_missed() {
+    std::vector<Cube> missed;
+    for (const auto& [key, corners] : at_)
+      for (const Cube& cube : cubes_about(corners.front().crossing))
+        if (vertex_at(cube, corners.front().crossing) == no_index) missed.push_back(cube);
+    const auto same = [](const Cube& a, const Cube& b) { return a.level == b.level && a.at == b.at; };
+    std::ranges::sort(missed, {}, [](const Cube& cube) { return std::pair(cube.level, cube.at); });
+    missed.erase(std::unique(missed.begin(), missed.end(), same), missed.end());
+    leaves_.insert(leaves_.end(), missed.begin(), missed.end());
+    return !missed.empty();
+  }
+
   /// Flips faces whose two segments belong to one vertex on both sides: their quads would share two edges.
   bool flip_doubled() {
     bool flipped = false;
@@ -236,11 +260,9 @@ class Contouring {
     std::ranges::sort(keys);
     for (const std::uint64_t key : keys) {
       const Crossing& edge = at_.at(key).front().crossing;
-      const int u = (edge.axis + 1) % 3, v = (edge.axis + 2) % 3;
-      // Counter-clockwise seen from the end of the axis.
       std::vector<Index> loop;
-      for (const auto& [by_u, by_v] : {std::pair{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}) {
-        const Index vertex = vertex_at(cubes_.leaf(moved(moved(edge.node, u, by_u), v, by_v)), edge);
+      for (const Cube& cube : cubes_about(edge)) {
+        const Index vertex = vertex_at(cube, edge);
         if (loop.empty() || loop.back() != vertex) loop.push_back(vertex);
       }
       if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();

@@ -6,13 +6,28 @@
 #include <numeric>
 
 #include "core/envelope/ball/ball_lattice.hpp"
+#include "core/envelope/ball/soft_solid.hpp"
 
 namespace hariko {
 
 namespace {
 
+/// Distances of points in a solid's own axes from the solid that is followed instead of it.
+class FollowedDistance {
+ public:
+  FollowedDistance(const SolidShape& solid, const SolidShape& followed)
+      : solid_(solid), followed_(&followed == &solid ? nullptr : &followed) {}
+  double operator()(const Vector3& own) const {
+    return followed_ ? followed_->distance(solid_.from_own_axes(own)) : solid_.own_distance(own);
+  }
+
+ private:
+  const SolidShape& solid_;
+  const SolidShape* followed_;  ///< null: the solid itself
+};
+
 /// Mean of the distance with the weights of the final lattice, whose node lies at the point.
-double mean_distance(const SolidShape& shape, const Vector3& at, double sigma) {
+double mean_distance(const FollowedDistance& distance, const Vector3& at, double sigma) {
   // Three times (1 2 1) / 4, then the B-spline's (1 4 1) / 6 at its node.
   static constexpr std::array<double, 9> weights = [] {
     std::array<double, 9> out{};
@@ -34,18 +49,18 @@ double mean_distance(const SolidShape& shape, const Vector3& at, double sigma) {
     for (int j = -4; j <= 4; ++j) {
       double row = 0;
       for (int i = -4; i <= 4; ++i)
-        row += weights[std::size_t(i + 4)] * shape.own_distance(at + spacing * Vector3(i, j, k));
+        row += weights[std::size_t(i + 4)] * distance(at + spacing * Vector3(i, j, k));
       sum += weights[std::size_t(j + 4)] * weights[std::size_t(k + 4)] * row;
     }
   return sum;
 }
 
 /// By seven points only: to compare corners of polyhedra that have many.
-double rough_mean_distance(const SolidShape& shape, const Vector3& at, double sigma) {
+double rough_mean_distance(const FollowedDistance& distance, const Vector3& at, double sigma) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-1.0, 1.0})
-      sum += shape.own_distance(at + side * std::sqrt(3.0) * sigma * Vector3::Unit(axis));
+      sum += distance(at + side * std::sqrt(3.0) * sigma * Vector3::Unit(axis));
   return sum / 6;
 }
 
@@ -53,19 +68,31 @@ constexpr std::size_t most_corners = 12;  ///< that are looked at closely
 
 }  // namespace
 
-double growth_constant(const SolidShape& shape, double sigma) {
-  std::vector<Vector3> at = shape.extremes();
+double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
+  const FollowedDistance distance(solid, followed);
+  std::vector<Vector3> at = solid.extremes();
   if (at.size() > most_corners) {
     std::vector<std::pair<double, Index>> order;
-    for (Index i = 0; i < at.size(); ++i) order.emplace_back(-rough_mean_distance(shape, at[i], sigma), i);
+    for (Index i = 0; i < at.size(); ++i) order.emplace_back(-rough_mean_distance(distance, at[i], sigma), i);
     std::ranges::sort(order);
     std::vector<Vector3> kept;
     for (std::size_t i = 0; i < most_corners; ++i) kept.push_back(at[order[i].second]);
     at = std::move(kept);
   }
   double out = 0;
-  for (const Vector3& p : at) out = std::max(out, mean_distance(shape, p, sigma));
+  for (const Vector3& p : at) out = std::max(out, mean_distance(distance, p, sigma));
   return out;
+}
+
+GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room) {
+  SolidShape shape(solid, origin);
+  if (!solid.roundness) {
+    const double growth = growth_constant(shape, shape, sigma) + room;
+    return {std::move(shape), growth};
+  }
+  SolidShape followed(softened(solid), origin);
+  const double growth = growth_constant(shape, followed, sigma) + room;
+  return {std::move(followed), growth};
 }
 
 GrownUnion::GrownUnion(std::vector<GrownSolid> solids) : solids_(std::move(solids)) {

@@ -10,15 +10,19 @@
 
 namespace hariko {
 
-/// Largest mean of a solid's distance over the solid, taken with the kernel of width `sigma` (its standard
-/// deviation along each axis). A surface where the mean is zero once this is subtracted contains the solid.
-/// The same wherever the solid stands.
-double growth_constant(const SolidShape& shape, double sigma);
+/// Largest mean, over a solid, of the distance to the one that is `followed` instead of it, taken with the
+/// kernel of width `sigma` (its standard deviation along each axis). A surface where the mean is zero once
+/// this is subtracted contains the solid. The same wherever the solid stands.
+double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma);
 
 struct GrownSolid {
   SolidShape shape;
   double growth = 0;  ///< subtracted from the distance
 };
+
+/// The solid, or what is followed instead of one with a roundness of its own, relative to `origin`. `room`: a
+/// length that it is grown by beyond its constant.
+GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room);
 
 struct NearestSolid {
   Index solid = no_index;

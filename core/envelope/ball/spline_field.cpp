@@ -72,10 +72,7 @@ Sum SplineField::sum(const Vector3& point) const {
   Sum out;
   for (int k = 0; k < 4; ++k)
     for (int j = 0; j < 4; ++j) {
-      const std::size_t row =
-          (std::size_t(low[2] + k - 1) * std::size_t(size_[1]) + std::size_t(low[1] + j - 1)) *
-              std::size_t(size_[0]) +
-          std::size_t(low[0] - 1);
+      const std::size_t row = index(low[0] - 1, low[1] + j - 1, low[2] + k - 1);
       out.add(weights_.data() + row, x, y, z, j, k);
     }
   return out;
@@ -95,6 +92,21 @@ Matrix3 SplineField::hessian(const Vector3& point) const {
   Matrix3 out;
   out << s.xx, s.xy, s.zx, s.xy, s.yy, s.yz, s.zx, s.yz, s.zz;
   return out / (spacing_ * spacing_);
+}
+
+void SplineField::lower(const Vector3& at, double by, double radius) {
+  std::array<int, 3> first, last;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double middle = (at[Eigen::Index(a)] - corner_[Eigen::Index(a)]) / spacing_;
+    first[a] = std::max(int(std::ceil(middle - radius / spacing_)), 0);
+    last[a] = std::min(int(std::floor(middle + radius / spacing_)), size_[a] - 1);
+  }
+  for (int k = first[2]; k <= last[2]; ++k)
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i) {
+        const double square = (corner_ + spacing_ * Vector3(i, j, k) - at).squaredNorm() / (radius * radius);
+        if (square < 1) weights_[index(i, j, k)] -= by * (1 - square) * (1 - square) * (1 - square);
+      }
 }
 
 LevelCurvature level_curvature(const SplineField& field, const Vector3& point) {

@@ -26,6 +26,11 @@ class SplineField {
   FieldPoint at(const Vector3& point) const;
   Matrix3 hessian(const Vector3& point) const;
 
+  /// Lowers the coefficients about a point, by `by` there and less away from it, to nothing at `radius`.
+  void lower(const Vector3& at, double by, double radius);
+
+  /// The coefficient of a node.
+  double weight(int i, int j, int k) const { return weights_[index(i, j, k)]; }
   const Vector3& corner() const { return corner_; }
   double spacing() const { return spacing_; }
   const std::array<int, 3>& size() const { return size_; }
@@ -33,6 +38,9 @@ class SplineField {
  private:
   template <class Sum>
   Sum sum(const Vector3& point) const;
+  std::size_t index(int i, int j, int k) const {
+    return (std::size_t(k) * std::size_t(size_[1]) + std::size_t(j)) * std::size_t(size_[0]) + std::size_t(i);
+  }
 
   Vector3 corner_ = Vector3::Zero();
   double spacing_ = 1;

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/envelope/ball/ball_envelope.hpp"
+#include "core/envelope/ball/grown_solids.hpp"
+#include "core/envelope/scene_symmetry.hpp"
+
 namespace hariko {
 
 namespace {
@@ -11,6 +15,15 @@ constexpr double largest_ball = 8;   ///< of the solids' size
 constexpr double smallest_ball = 3;  ///< of the rounding
 constexpr double new_rounding = 0.02, new_tightness = 0.5;
 constexpr double rounding_before = 0.045;
+constexpr int join_rounds = 8;
+
+int part_count(const EnvelopeInput& input) {
+  const EnvelopedScene scene = enveloped_scene(input);
+  const BallSettings settings = ball_settings(input.settings, solids_size(scene.input.solids));
+  const BallField field =
+      ball_field(scene.input.solids, settings, scene.origin, scene.mirror, Quality::final);
+  return topology_of(cage_of(field, scene.origin, settings.sigma)).components;
+}
 
 }  // namespace
 
@@ -46,6 +59,39 @@ void choose_ball_as_before(EnvelopeInput& input, double tightness) {
   settings.method = EnvelopeMethod::ball;
   settings.rounding = rounding_before * size;
   settings.ball_radius = ball_radius_at(tightness, settings.rounding, size);
+}
+
+double faces_outside(const Solid& solid, const EnvelopeSettings& settings, double size) {
+  const BallSettings ball = ball_settings(settings, size);
+  const GrownSolid grown =
+      grown_solid(solid, solid.position, ball.sigma, ball.clearance + patch_tolerance * ball.sigma);
+  // The faces of what is followed lie below those of a solid with a roundness of its own.
+  const SolidShape shape(solid, solid.position);
+  const Vector3& middle = grown.shape.centre();
+  return grown.growth + shape.distance(middle) - grown.shape.distance(middle);
+}
+
+bool join_parts(EnvelopeInput& input) {
+  EnvelopeInput trial = input;
+  if (part_count(trial) <= 1) return false;
+  const double size = solids_size(input.solids);
+  double low = std::log(ball_settings(input.settings, size).radius);
+  double high = std::max(low, std::log(largest_ball * size));
+  std::optional<double> joined;
+  for (int round = 0; round <= join_rounds; ++round) {
+    // The largest first: where it does not join them, only the hull does.
+    const double middle = round == 0 ? high : 0.5 * (low + high);
+    trial.settings.ball_radius = std::exp(middle);
+    if (part_count(trial) <= 1) {
+      joined = trial.settings.ball_radius;
+      high = middle;
+    } else {
+      if (round == 0) break;
+      low = middle;
+    }
+  }
+  input.settings.ball_radius = joined;
+  return true;
 }
 
 }  // namespace hariko

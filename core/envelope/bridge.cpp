@@ -1,0 +1,46 @@
+#include "core/envelope/bridge.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "core/envelope/solid_shape.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double drawn_share = 0.05;  ///< of the middles, against the weight 1 of the way between the ends
+constexpr int bridge_rounds = 100;
+constexpr double shortest_bridge = 1e-3;  ///< of the radius: a capsule has a length
+
+Vector3 nearest_in(const SolidShape& shape, const Vector3& point) {
+  const SolidPlace place = shape.place(point);
+  return place.distance > 0 ? Vector3(point - place.distance * place.gradient) : point;
+}
+
+}  // namespace
+
+Solid bridge_between(const Solid& a, const Solid& b, double radius) {
+  const Vector3 origin = 0.5 * (a.position + b.position);
+  const SolidShape from(a, origin), to(b, origin);
+  // The way and the pulls to the middles are least together: each end in turn.
+  Vector3 p = from.centre(), q = to.centre();
+  for (int round = 0; round < bridge_rounds; ++round) {
+    q = nearest_in(to, (p + drawn_share * to.centre()) / (1 + drawn_share));
+    p = nearest_in(from, (q + drawn_share * from.centre()) / (1 + drawn_share));
+  }
+  Solid out;
+  out.kind = SolidKind::capsule;
+  out.radius = radius;
+  out.length = std::max((q - p).norm(), shortest_bridge * radius);
+  out.position = origin + 0.5 * (p + q);
+  const Vector3 way = q - p;
+  constexpr double degrees = 180 / std::numbers::pi;
+  const double aside = std::hypot(way.x(), way.y());
+  out.rotation = {0, degrees * std::atan2(aside, way.z()),
+                  aside > 0 ? degrees * std::atan2(way.y(), way.x()) : 0};
+  return out;
+}
+
+}  // namespace hariko
