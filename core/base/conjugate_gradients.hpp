@@ -49,6 +49,11 @@ struct ConjugateGradientsOptions {
       1e-13;  ///< residual in the preconditioner's norm, relative to that of the right-hand side
   int max_steps = 600;
   bool resumed = false;  ///< x and room are as an earlier call left them, and its tolerance holds
+  /// x is a start, and room.residual what it leaves of the right-hand side; room.square is x times its image,
+  /// and saves preconditioning the right-hand side itself.
+  bool begun = false;
+  /// As an earlier call left them, but room.residual was computed anew: begin again from there.
+  bool corrected = false;
 };
 struct ConjugateGradientsReport {
   int iterations = 0;
@@ -62,29 +67,47 @@ template <class Field, class Coefficient = Coefficients3>
 struct ConjugateGradientsRoom {
   Field residual, preconditioned, direction, image;
   Coefficient square{}, enough{};  ///< of the residual in the preconditioner's norm: now, and in the end
+  Field preconditioned_image{};    ///< where the preconditioner gives it
 };
 
 /// `system`: apply(x, y), precondition(r, z), both symmetric and positive definite; dot(a, b), one number a
-/// coordinate, summed in a fixed order; combine(y, a, b, x): y = a y + b x.
+/// coordinate, summed in a fixed order; combine(y, a, b, x): y = a y + b x. A system whose preconditioner
+/// knows what the matrix makes of its result has precondition(r, z, image of z) instead; then steps need no
+/// apply.
 template <class System, class Field, class Coefficient>
 ConjugateGradientsReport conjugate_gradients(System& system, Field& x,
                                              ConjugateGradientsRoom<Field, Coefficient>& room,
                                              const ConjugateGradientsOptions& options,
                                              const CancelToken& cancel) {
   namespace detail = conjugate_gradients_detail;
-  auto& [r, z, p, q, rz, enough] = room;
+  Field &r = room.residual, &z = room.preconditioned, &p = room.direction, &q = room.image;
+  Field& w = room.preconditioned_image;
+  Coefficient &rz = room.square, &enough = room.enough;
+  constexpr bool gives_image = requires {
+    system.precondition(r, z, w);
+  };
+  const auto precondition = [&] {
+    if constexpr (gives_image)
+      system.precondition(r, z, w);
+    else
+      system.precondition(r, z);
+    return system.dot(r, z);
+  };
+  const auto turn = [&](const Coefficient& kept, const Coefficient& one) {
+    system.combine(p, kept, one, z);
+    if constexpr (gives_image) system.combine(q, kept, one, w);
+  };
   if (!options.resumed) {
-    system.precondition(r, z);
-    rz = system.dot(r, z);
+    const Coefficient start = rz;
+    rz = precondition();
     const auto one = detail::one(rz);
-    enough = detail::enough(rz, options.tolerance);
+    if (!options.corrected) enough = detail::enough(options.begun ? start + rz : rz, options.tolerance);
     if (options.warm) {
       system.apply(x, q);
       system.combine(r, one, -one, q);
-      system.precondition(r, z);
-      rz = system.dot(r, z);
+      rz = precondition();
     }
-    system.combine(p, one, one, z);
+    turn(0 * one, one);
   }
   const auto one = detail::one(rz);
   ConjugateGradientsReport report;
@@ -97,13 +120,12 @@ ConjugateGradientsReport conjugate_gradients(System& system, Field& x,
       report.cancelled = true;
       break;
     }
-    system.apply(p, q);
+    if constexpr (!gives_image) system.apply(p, q);
     const auto step = detail::ratio(rz, system.dot(p, q));
     system.combine(x, one, step, p);
     system.combine(r, one, -step, q);
-    system.precondition(r, z);
-    const Coefficient next = system.dot(r, z);
-    system.combine(p, detail::ratio(next, rz), one, z);
+    const Coefficient next = precondition();
+    turn(detail::ratio(next, rz), one);
     rz = next;
     ++report.iterations;
   }

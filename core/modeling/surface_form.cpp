@@ -9,7 +9,6 @@
 #include "core/modeling/kept_tangents.hpp"
 #include "core/modeling/surface_input.hpp"
 #include "core/network/vertex_frames.hpp"
-#include "core/patching/form_pulls.hpp"
 
 namespace hariko {
 namespace {
@@ -283,36 +282,6 @@ std::optional<std::pair<Vector3, Vector3>> SurfaceForm::tangents(const Sight& a,
     for (const Spot& to : b.spots)
       if (from.face == to.face) return tangents_across(from, to);
   return std::nullopt;
-}
-
-std::vector<Vector3> SurfaceForm::normals_across(const Spot& a, const Spot& b, bool by_length) const {
-  const auto at = [&](double t) { return Spot{a.face, (1 - t) * a.chart + t * b.chart}; };
-  std::vector<double> along{0};
-  for (int i = 1; by_length && i <= fitted_points; ++i)
-    along.push_back(along.back() +
-                    (point(at(double(i) / fitted_points)) - point(at(double(i - 1) / fitted_points))).norm());
-  std::vector<Vector3> out;
-  for (const double share : wanted_shares) {
-    double t = share;
-    if (by_length && along.back() > 0) {
-      std::size_t i = 1;
-      while (i + 1 < along.size() && along[i] < share * along.back()) ++i;
-      const double part = (share * along.back() - along[i - 1]) / std::max(along[i] - along[i - 1], 1e-300);
-      t = (double(i - 1) + std::clamp(part, 0.0, 1.0)) / fitted_points;
-    }
-    const auto [patch, parameters] = parameter(at(t));
-    out.push_back(surface_.surface.normal(patch, parameters));
-    if (out.back().isZero(0)) return {};
-  }
-  return out;
-}
-
-std::vector<Vector3> SurfaceForm::normals(const Sight& a, const Sight& b) const {
-  const bool along = tangents_along_edge(a, b).has_value();
-  for (const Spot& from : a.spots)
-    for (const Spot& to : b.spots)
-      if (from.face == to.face) return normals_across(from, to, !along);
-  return {};
 }
 
 Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const RefinedPoints& places) const {

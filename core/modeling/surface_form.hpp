@@ -64,9 +64,6 @@ class SurfaceForm {
   std::optional<std::pair<Vector3, Vector3>> tangents_along_edge(const Sight& a, const Sight& b) const;
   std::vector<Vector3> points_across(const Spot& a, const Spot& b) const;
   std::pair<Vector3, Vector3> tangents_across(const Spot& a, const Spot& b) const;
-  /// Unit normals along that curve, at `wanted_shares`.
-  std::vector<Vector3> normals(const Sight& a, const Sight& b) const;
-  std::vector<Vector3> normals_across(const Spot& a, const Spot& b, bool by_length) const;
 
   PolyhedronSource source_;
   PolyhedronSurfaceInput input_;  ///< the prepared polyhedron
