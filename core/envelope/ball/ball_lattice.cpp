@@ -22,6 +22,7 @@ constexpr double noticeable = 1e-2;  ///< of sigma: a neighbour's centre that is
 /// slot; of five the values' mean takes five smaller steps. The one in the middle is the ball itself.
 constexpr std::array<double, 5> slot_factors{0.75, 0.87, 1, 1.15, 1.33};
 constexpr std::size_t own_ball = 2;
+constexpr int slot_step = 4;
 /// Shares of the radius by which the smallest of these balls reaches deeper than the largest. In the corner
 /// of a box it is 0.42: what is less is no slot, what is more than the second all slot.
 constexpr double no_slot = 0.45, all_slot = 0.75;
@@ -44,9 +45,9 @@ class Lattice {
     for (Eigen::Index a = 0; a < 3; ++a) {
       double low = box.min()[a] + request.origin[a], high = box.max()[a] + request.origin[a];
       if (request.mirror == a) high = std::max(high, -low), low = -high;
-      // Ends are even, so that every second node is one of the coarse lattice.
-      low_[a] = 2 * std::floor((low - margin * request.sigma) / spacing_ / 2);
-      const double last = 2 * std::ceil((high + margin * request.sigma) / spacing_ / 2);
+      // Every second node from the ends is one of the coarse lattice, every fourth one is asked for slots.
+      low_[a] = slot_step * std::floor((low - margin * request.sigma) / spacing_ / slot_step);
+      const double last = slot_step * std::ceil((high + margin * request.sigma) / spacing_ / slot_step);
       size_[std::size_t(a)] = int(last - low_[a]) + 1;
     }
     nodes_.resize(std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]));
@@ -116,11 +117,11 @@ class Lattice {
     return beside.value + (beside.centre - point(of)).norm() - (beside.centre - point(n)).norm();
   }
 
-  /// One of the eight coarse nodes about a node, which are not all different.
-  static std::array<int, 3> coarse_node(const std::array<int, 3>& n, std::size_t corner) {
+  /// One of the eight nodes about a node among every `step`th, which are not all different.
+  static std::array<int, 3> coarse_node(const std::array<int, 3>& n, std::size_t corner, int step) {
     std::array<int, 3> out = n;
     for (std::size_t a = 0; a < 3; ++a)
-      if (n[a] & 1) out[a] += corner >> a & 1 ? 1 : -1;
+      if (const int past = n[a] % step; past > 0) out[a] += (corner >> a & 1 ? step : 0) - past;
     return out;
   }
 
@@ -129,16 +130,15 @@ class Lattice {
     const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
     double sum = 0, low = -1e300, high = 1e300, best = -1e300;
     const Vector3* start = nullptr;
-    bool in_slot = false;
     for (std::size_t c = 0; c < 8; ++c) {
-      const std::array<int, 3> m = coarse_node(n, c);
+      const std::array<int, 3> m = coarse_node(n, c, 2);
       const ClosedDistance& beside = nodes_[index(m[0], m[1], m[2])];
       sum += beside.value / 8;
       low = std::max(low, beside.value - way);
       high = std::min(high, beside.value + way);
       if (const double value = value_from(beside, m, n); value > best) best = value, start = &beside.centre;
-      in_slot = in_slot || (!slots_.empty() && slots_[index(m[0], m[1], m[2])] > 0);
     }
+    const bool in_slot = !slots_.empty() && slots_[at] > 0;
     if (in_slot || in_band(low, high)) return evaluate(at, n, start);
     nodes_[at].value = sum;
     state_[at] = State::between;
@@ -175,45 +175,55 @@ class Lattice {
     if (start) nodes_[at] = balls_[ball_].improved(x, nodes_[at], *start, among());
   }
 
-  /// How much the coarse nodes lie in a slot: from 0 to 1.
+  /// How much nodes lie in a slot, from 0 to 1: asked at every fourth one.
   void find_slots() {
     const Closing &smaller = balls_.front(), &larger = balls_.back();
     if (no_slot * request_.radius > request_.solids.box().diagonal().norm()) return;
-    std::vector<double> shares(nodes_.size(), 0);
+    std::vector<double> asked(nodes_.size(), 0);
     std::atomic<bool> any = false;
-    visit(2, [&](std::size_t at, const std::array<int, 3>& n) {
+    visit(slot_step, [&](std::size_t at, const std::array<int, 3>& n) {
       const ClosedDistance& here = nodes_[at];
       if (here.value >= larger.radius()) return;
       const Vector3 x = point(n);
-      const double deep = here.crease ? smaller.at(x, among()).value : here.value;
-      const double gain = (deep - larger.at(x, among()).value) / request_.radius;
+      const auto value_of = [&](const Closing& other) {
+        const Vector3 start = x + other.radius() / request_.radius * (here.centre - x);
+        return other.at(x, among(), &start).value;
+      };
+      const double gain =
+          ((here.crease ? value_of(smaller) : here.value) - value_of(larger)) / request_.radius;
       const double t = std::clamp((gain - no_slot) / (all_slot - no_slot), 0.0, 1.0);
-      shares[at] = t * t * (3 - 2 * t);
+      asked[at] = t * t * (3 - 2 * t);
       if (t > 0) any = true;
     });
-    if (any) slots_ = std::move(shares);
+    if (!any) return;
+    slots_.assign(nodes_.size(), 0);
+    visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+      for (std::size_t c = 0; c < 8; ++c) {
+        double weight = 1;
+        for (std::size_t a = 0; a < 3; ++a) {
+          const double along = n[a] % slot_step / double(slot_step);
+          weight *= c >> a & 1 ? along : 1 - along;
+        }
+        if (weight == 0) continue;
+        const std::array<int, 3> m = coarse_node(n, c, slot_step);
+        slots_[at] += weight * asked[index(m[0], m[1], m[2])];
+      }
+    });
   }
 
   /// Towards the mean over all five balls, by how much a node lies in a slot. Whatever the weights are, no
   /// value is larger than the solids' distances, as none of the five is.
   void average_slots(std::vector<double>& values) {
-    std::vector<double> shares(nodes_.size(), 0);
-    visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
-      for (std::size_t c = 0; c < 8; ++c) {
-        const std::array<int, 3> m = coarse_node(n, c);
-        shares[at] += slots_[index(m[0], m[1], m[2])] / 8;
-      }
-      state_[at] = shares[at] > 0 ? State::known : State::between;
-    });
+    for (std::size_t i = 0; i < nodes_.size(); ++i) state_[i] = slots_[i] > 0 ? State::known : State::between;
     const std::vector<double> own = values;
     for (ball_ = 0; ball_ < balls_.size(); ++ball_) {
       if (ball_ == own_ball) continue;
       visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
-        if (shares[at] > 0) evaluate(at, n);
+        if (slots_[at] > 0) evaluate(at, n);
       });
       improve(1);
       for (std::size_t i = 0; i < values.size(); ++i)
-        if (shares[i] > 0) values[i] += shares[i] / double(balls_.size()) * (nodes_[i].value - own[i]);
+        if (slots_[i] > 0) values[i] += slots_[i] / double(balls_.size()) * (nodes_[i].value - own[i]);
     }
   }
 
@@ -260,7 +270,7 @@ class Lattice {
   std::array<int, 3> size_{};
   std::vector<ClosedDistance> nodes_;
   std::vector<State> state_;
-  std::vector<double> slots_;  ///< shares of the coarse nodes; empty without slots
+  std::vector<double> slots_;  ///< how much nodes lie in a slot; empty without slots
 };
 
 }  // namespace
