@@ -57,32 +57,33 @@ BENCHMARK_CAPTURE(surface, paper, Mode::paper)->Apply(sizes);
 BENCHMARK_CAPTURE(surface, fair, Mode::fair)->Apply(sizes);
 BENCHMARK_CAPTURE(surface, g2, Mode::g2)->Apply(sizes);
 
-void cold(benchmark::State& state, Mode mode, bool round) {
+void cold(benchmark::State& state, Mode mode, Frames frames) {
   PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, mode, Vector3::Zero()};
-  input.round = round;
+  input.frames = frames;
   for (auto _ : state) {
     PolyhedronSurfacer surfacer;
     benchmark::DoNotOptimize(surfacer.rebuild(input));
   }
 }
-BENCHMARK_CAPTURE(cold, fair, Mode::fair, false)->Apply(sizes);
-BENCHMARK_CAPTURE(cold, g2, Mode::g2, false)->Apply(sizes);
-BENCHMARK_CAPTURE(cold, g2_round, Mode::g2, true)->Apply(sizes);
+BENCHMARK_CAPTURE(cold, fair, Mode::fair, Frames::equal)->Apply(sizes);
+BENCHMARK_CAPTURE(cold, fair_metric, Mode::fair, Frames::metric)->Apply(sizes);
+BENCHMARK_CAPTURE(cold, g2, Mode::g2, Frames::equal)->Apply(sizes);
+BENCHMARK_CAPTURE(cold, g2_metric, Mode::g2, Frames::metric)->Apply(sizes);
 
-/// Bytes a face of mode G2: matrices where faces are equal and where no two are (round), and controls.
+/// Bytes a face of mode G2: matrices where faces are equal and where no two are (frames by measure), and
+/// controls.
 void g2_memory(benchmark::State& state) {
-  PolyhedronSurfaceInput input{bench_torus(state.range(0)), {}, Mode::fair, Vector3::Zero()};
-  const Polyhedron& polyhedron = input.polyhedron;
-  const NetworkSystem network = NetworkSystem::assemble(polyhedron, {}).value();
-  PolyhedronSurfacer surfacer;
-  const auto reference = surfacer.rebuild(input);
+  const Polyhedron polyhedron = bench_torus(state.range(0));
   for (auto _ : state) {
-    G2System system(polyhedron.shared_topology(), network);
     const double faces = polyhedron.face_count();
-    state.counters["shared"] = double(system.matrix_bytes()) / faces;
-    system.bend_over(
-        reference_points(dynamic_cast<const QuarticPatchSet&>(reference->surface.patches()).array()));
-    state.counters["round"] = double(system.matrix_bytes()) / faces;
+    const auto bytes = [&](Frames frames) {
+      const NetworkSystem network = NetworkSystem::assemble(polyhedron, {}, {frames}).value();
+      return double(G2System(polyhedron.shared_topology(), network).matrix_bytes()) / faces;
+    };
+    state.counters["shared"] = bytes(Frames::equal);
+    state.counters["metric"] = bytes(Frames::metric);
+    const NetworkSystem network = NetworkSystem::assemble(polyhedron, {}).value();
+    const G2System system(polyhedron.shared_topology(), network);
     const FaceChart& chart = system.chart(0);
     state.counters["controls"] = 24.0 * (chart.control_count() + 7 * chart.sides());
     state.counters["unknowns"] = system.unknown_count() / faces;

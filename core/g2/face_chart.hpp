@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
-#include "core/g2/jet2.hpp"
+#include "core/g2/jet3.hpp"
 
 namespace hariko {
 
@@ -26,20 +26,37 @@ inline constexpr int side_control_count = 5;
 enum SideDeparture { departs_curve_a, departs_cross_a, departs_curve_b, departs_cross_b };
 inline constexpr int side_departure_count = 4;
 
-/// Shared by all faces with the same corner angles. Controls are numbered: six a corner, five a side, then
+/// How the two edges of a corner lie in the chart of its vertex (y of g2.md section 1).
+struct CornerShape {
+  double angle = 0;  ///< between them, in (0, pi]; pi means a straight corner, whose second tangent is free
+  double out = 1, in = 1;  ///< lengths of the edge that opens the corner and of the one that closes it
+  /// Distance from these edges that counts as one across them; both faces of an edge have the same.
+  double across_out = 1, across_in = 1;
+  friend auto operator<=>(const CornerShape&, const CornerShape&) = default;
+};
+
+/// Shared by all faces with the same corners. Controls are numbered: six a corner, five a side, then
 /// the coefficients of the centre's polynomial in (x, y) / circumradius by ascending degree, then the
 /// departures of joined sides. All in the face's own numbering of corners, which begins at the rotation that
 /// makes equal faces equal.
 class FaceChart {
  public:
-  /// `angles`: angular step of the sector at each corner, in (0, pi]; pi means a straight corner, whose
-  /// second tangent is free. `joined`: sides whose ribbons may depart from the corners, ascending.
-  explicit FaceChart(std::vector<double> angles, const std::vector<int>& joined = {});
+  /// `joined`: sides whose ribbons may depart from the corners, ascending.
+  explicit FaceChart(std::vector<CornerShape> corners, const std::vector<int>& joined = {});
 
-  int sides() const { return static_cast<int>(angles_.size()); }
-  double angle(int corner) const { return angles_[static_cast<std::size_t>(corner)]; }
+  int sides() const { return static_cast<int>(corners_.size()); }
+  const CornerShape& corner(int j) const { return corners_[static_cast<std::size_t>(j)]; }
+  double angle(int j) const { return corner(j).angle; }
+  double cosine(int corner) const { return cosine_[static_cast<std::size_t>(corner)]; }
+  double sine(int corner) const { return sine_[static_cast<std::size_t>(corner)]; }
   bool straight(int corner) const { return straight_[static_cast<std::size_t>(corner)]; }
   const Vector2& vertex(int corner) const { return vertices_[static_cast<std::size_t>(corner)]; }
+  double radius() const { return radius_; }
+  double apothem() const { return apothem_; }
+  /// Distance from a side, in apothems, at which its ribbon ends.
+  double reach(int side) const { return reach_[static_cast<std::size_t>(side)]; }
+  /// That of a side which is as long as the face is deep.
+  double full_reach() const { return full_reach_; }
   double area() const;
 
   int corner_control(int corner, CornerControl which) const { return corner_control_count * corner + which; }
@@ -60,13 +77,16 @@ class FaceChart {
   std::span<const int> active_controls(int side) const { return active_[static_cast<std::size_t>(side)]; }
 
   /// Room for `basis`; one a thread.
-  struct Scratch {
-    std::vector<Jet2> all, distance;
+  template <class Jet>
+  struct Room {
+    std::vector<Jet> all, distance;
   };
+  using Scratch = Room<Jet2>;
   /// The functions of the active controls of a triangle at a point of it, with derivatives by the chart's x
   /// and y, aligned with `active_controls(side)`. At a vertex and closer than 1e-6 to it: those of the
-  /// vertex's quadratic alone. Bit for bit the same from both triangles where they meet.
-  void basis(int side, const Vector2& point, std::span<Jet2> out, Scratch& scratch) const;
+  /// vertex's quadratic alone. Bit for bit the same from both triangles where they meet. For Jet2 and Jet3.
+  template <class Jet>
+  void basis(int side, const Vector2& point, std::span<Jet> out, Room<Jet>& room) const;
 
   /// Coefficients of a side's curve at fraction t from the corner controls at both ends and E0:
   /// (P_a, g1_a, g11_a, P_b, g1_b, g11_b, E0), g1_b and g11_b along the edge seen from b.
@@ -75,28 +95,47 @@ class FaceChart {
   };
   static Curve curve(double t);
   /// Coefficients of the seven become those of ten of the face's controls, because g1_b and g11_b turn with
-  /// the angle at b.
+  /// the angle at b, and tangents are as long as their edges in the vertices' charts.
   static constexpr int curve_control_count = 10;
   std::array<int, curve_control_count> curve_controls(int side) const;
   std::array<double, curve_control_count> spread_curve(int side, const double (&seven)[7]) const;
 
  private:
+  template <class Jet>
   struct CornerMap {
-    Jet2 t, s;
+    Jet t, s;
   };
-  Jet2 line(const Vector2& point, const Vector2& at, const Vector2& along, const Vector2& other) const;
-  CornerMap outgoing(int corner, const Vector2& point) const;
-  CornerMap incoming(int corner, const Vector2& point) const;
-  void vertex_jet(int corner, const Vector2& point, std::vector<Jet2>& all) const;
-  void add_ribbon(int side, const Vector2& point, const Jet2& weight, Scratch& scratch) const;
-  void add_centre(const Vector2& point, const Jet2& weight, std::vector<Jet2>& all) const;
+  /// Coordinates of a point in the frame of a corner's two sides.
+  template <class Jet>
+  struct CornerPoint {
+    Jet alpha, beta;
+  };
+  template <class Jet>
+  CornerPoint<Jet> in_corner(int corner, const Vector2& point) const;
+  template <class Jet>
+  CornerMap<Jet> outgoing(int corner, const Vector2& point) const;
+  template <class Jet>
+  CornerMap<Jet> incoming(int corner, const Vector2& point) const;
+  template <class Jet>
+  void vertex_jet(int corner, const Vector2& point, std::vector<Jet>& all) const;
+  template <class Jet>
+  void add_ribbon(int side, const Vector2& point, const Jet& weight, Room<Jet>& room) const;
+  template <class Jet>
+  void add_centre(const Vector2& point, const Jet& weight, std::vector<Jet>& all) const;
+  double slenderness(int side) const;
+  double regular_cosine() const;
+  /// s per unit of the corner's second coordinate beside the edge that opens it and the one that closes it.
+  double rise_out(int corner) const;
+  double rise_in(int corner) const;
 
-  std::vector<double> angles_, cosine_, sine_;
+  std::vector<CornerShape> corners_;
+  std::vector<double> cosine_, sine_;
   std::vector<bool> straight_;
   std::vector<int> departure_;  ///< per side: its first departure's control, or -1
   int departure_count_ = 0;
   std::vector<Vector2> vertices_, normals_;  ///< normals: inward, of unit length
-  double radius_ = 0, apothem_ = 0, reach_ = 1;
+  double radius_ = 0, apothem_ = 0, full_reach_ = 1;
+  std::vector<double> reach_;  ///< per side
   int degree_ = 4;
   std::vector<std::vector<int>> near_sides_;  ///< per triangle: sides whose ribbon reaches into it, ascending
   std::vector<std::vector<int>> active_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "core/base/assert.hpp"
 #include "core/base/dense_solver.hpp"
@@ -13,23 +14,26 @@ namespace {
 
 constexpr int triangle_points = 8;  ///< in each direction
 constexpr int curve_points = 6;
+constexpr int most_held_sides = 12;
 
 /// Adds up rows^T rows over all quadrature points of a face; rows(side, point, basis, out) fills one point's.
-template <int RowCount, class Rows>
-Eigen::MatrixXd integrate(const ChartSamples& samples, const Rows& rows) {
-  const FaceChart& chart = *samples.chart;
+template <int RowCount, class Jet, class Rows>
+Eigen::MatrixXd integrate(const SamplesOf<Jet>& samples, const Rows& rows) {
+  const FaceChart& chart = samples.chart();
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(chart.control_count(), chart.control_count());
   Eigen::MatrixXd all, square;
   for (int side = 0; side < chart.sides(); ++side) {
     const std::span<const int> active = chart.active_controls(side);
-    const ChartSamples::Side& of = samples.sides[std::size_t(side)];
+    const std::vector<ChartPoint>& points = samples.points(side);
     const auto width = static_cast<Eigen::Index>(active.size());
-    all.resize(RowCount * Eigen::Index(of.points.size()), width);
+    all.resize(RowCount * Eigen::Index(points.size()), width);
     Eigen::Matrix<double, RowCount, Eigen::Dynamic> own(RowCount, width);
-    for (std::size_t i = 0; i < of.points.size(); ++i) {
-      rows(side, i, of.at(i), own);
-      all.middleRows(RowCount * Eigen::Index(i), RowCount) = std::sqrt(of.points[i].weight) * own;
-    }
+    samples.with_basis(side, [&](const auto& basis) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        rows(side, i, basis.at(i), own);
+        all.middleRows(RowCount * Eigen::Index(i), RowCount) = std::sqrt(points[i].weight) * own;
+      }
+    });
     square = lower_gram_matrix(all);
     for (Eigen::Index a = 0; a < width; ++a)
       for (Eigen::Index b = 0; b <= a; ++b)
@@ -48,66 +52,56 @@ Eigen::MatrixXd part(const Eigen::MatrixXd& from, const std::vector<int>& rows,
   return out;
 }
 
-}  // namespace
-
-std::vector<ChartPoint> chart_quadrature(const FaceChart& chart, int side) {
-  const Vector2 &a = chart.vertex(side), &b = chart.vertex((side + 1) % chart.sides());
-  const double determinant = std::abs(a.x() * b.y() - a.y() * b.x());
-  const auto gauss = gauss_legendre_unit(triangle_points);
-  std::vector<ChartPoint> out;
-  for (const auto& gs : gauss)
-    for (const auto& gt : gauss) {
-      const double v = gs.node * (1 - gt.node), w = gs.node * gt.node;
-      out.push_back({{v, w}, v * a + w * b, gs.weight * gt.weight * gs.node * determinant});
-    }
+/// The rule on [0, 1], on every part of it between the places.
+std::vector<GaussPoint> split_rule(std::vector<double> places) {
+  places.insert(places.begin(), 0.0);
+  places.push_back(1.0);
+  std::vector<GaussPoint> out;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double width = places[i + 1] - places[i];
+    for (const GaussPoint& g : gauss_legendre_unit(triangle_points))
+      out.push_back({places[i] + width * g.node, width * g.weight});
+  }
   return out;
 }
 
-ControlPlaces::ControlPlaces(const FaceChart& chart) {
+/// Between the centre and a side: both sides of the end of its ribbon.
+std::vector<GaussPoint> radial_points(const FaceChart& chart, int side) {
+  if (chart.reach(side) >= 1) return split_rule({});
+  return split_rule({1 - chart.reach(side)});
+}
+
+/// Along a side: where the ribbons of the sides beside it end early.
+std::vector<GaussPoint> lateral_points(const FaceChart& chart, int side) {
   const int n = chart.sides();
-  for (int j = 0; j < n; ++j)
-    for (const CornerControl which : {corner_g11, corner_g12, corner_g22})
-      unknown.push_back(chart.corner_control(j, which));
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < side_control_count; ++i) unknown.push_back(chart.side_control(j, SideControl(i)));
-  for (int j = 0; j < n; ++j) {
-    given.push_back(chart.corner_control(j, corner_p));
-    given.push_back(chart.corner_control(j, corner_g1));
-    (chart.straight(j) ? unknown : given).push_back(chart.corner_control(j, corner_g2));
-  }
-  for (int i = chart.first_departure_control(); i < chart.control_count(); ++i) given.push_back(i);
-  for (int i = chart.first_centre_control(); i < chart.first_departure_control(); ++i) centre.push_back(i);
+  const auto end = [&](int beside) {
+    return chart.reach(beside) * chart.apothem() / std::sin(2 * std::numbers::pi / n);
+  };
+  const auto early = [&](int beside) { return chart.reach(beside) < 0.8 * chart.full_reach(); };
+  std::vector<double> places;
+  const int before = (side + n - 1) % n, after = (side + 1) % n;
+  if (early(before)) places.push_back(std::min(end(before), 0.5));
+  if (early(after) && (places.empty() || 1 - end(after) > places[0]))
+    places.push_back(std::max(1 - end(after), 0.5));
+  if (places.size() == 2 && places[0] == places[1]) places.pop_back();
+  return split_rule(places);
 }
 
-ChartSamples::ChartSamples(const FaceChart& of) : chart(&of) {
-  FaceChart::Scratch scratch;
-  for (int side = 0; side < of.sides(); ++side) {
-    Side made{chart_quadrature(of, side), {}};
-    const std::size_t width = of.active_controls(side).size();
-    made.basis.resize(width * made.points.size());
-    for (std::size_t i = 0; i < made.points.size(); ++i)
-      of.basis(side, made.points[i].point, std::span(made.basis).subspan(i * width, width), scratch);
-    sides.push_back(std::move(made));
-  }
+std::vector<double> numbers_of(const FaceWeights& w) {
+  std::vector<double> out{w.tau,
+                          w.plate,
+                          w.measure.weight,
+                          w.measure.inverse(0, 0),
+                          w.measure.inverse(0, 1),
+                          w.measure.inverse(1, 0),
+                          w.measure.inverse(1, 1)};
+  for (const auto* each : {&w.curve, &w.tangent_out, &w.tangent_in})
+    out.insert(out.end(), each->begin(), each->end());
+  return out;
 }
 
-Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& rows) {
-  return integrate<3>(samples, rows);
-}
-
-Eigen::MatrixXd plate_matrix(const ChartSamples& samples) {
-  return integrate<3>(samples, [](int, std::size_t, std::span<const Jet2> basis, auto& rows) {
-    for (std::size_t k = 0; k < basis.size(); ++k)
-      rows.col(Eigen::Index(k)) << basis[k].xx, std::numbers::sqrt2 * basis[k].xy, basis[k].yy;
-  });
-}
-
-Eigen::MatrixXd membrane_matrix(const ChartSamples& samples) {
-  return integrate<2>(samples, [](int, std::size_t, std::span<const Jet2> basis, auto& rows) {
-    for (std::size_t k = 0; k < basis.size(); ++k) rows.col(Eigen::Index(k)) << basis[k].x, basis[k].y;
-  });
-}
-
+/// Of the squared distance between a side's curve and the cubic with the same ends and end tangents.
+using CurveMatrix = Eigen::Matrix<double, FaceChart::curve_control_count, FaceChart::curve_control_count>;
 CurveMatrix curve_matrix(const FaceChart& chart, int side) {
   CurveMatrix out = CurveMatrix::Zero();
   for (const auto& [t, weight] : gauss_legendre_unit(curve_points)) {
@@ -124,59 +118,152 @@ CurveMatrix curve_matrix(const FaceChart& chart, int side) {
   return out;
 }
 
+}  // namespace
+
+std::vector<ChartPoint> chart_quadrature(const FaceChart& chart, int side) {
+  const Vector2 &a = chart.vertex(side), &b = chart.vertex((side + 1) % chart.sides());
+  const double determinant = std::abs(a.x() * b.y() - a.y() * b.x());
+  const std::vector<GaussPoint> lateral = lateral_points(chart, side);
+  std::vector<ChartPoint> out;
+  for (const auto& gs : radial_points(chart, side))
+    for (const auto& gt : lateral) {
+      const double v = gs.node * (1 - gt.node), w = gs.node * gt.node;
+      out.push_back({{v, w}, v * a + w * b, gs.weight * gt.weight * gs.node * determinant});
+    }
+  return out;
+}
+
+ControlPlaces::ControlPlaces(const FaceChart& chart) {
+  const int n = chart.sides();
+  for (int j = 0; j < n; ++j)
+    for (const CornerControl which : {corner_g11, corner_g12, corner_g22})
+      unknown.push_back(chart.corner_control(j, which));
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < side_control_count; ++i) unknown.push_back(chart.side_control(j, SideControl(i)));
+  for (int j = 0; j < n; ++j)
+    for (const CornerControl which : {corner_g1, corner_g2})
+      unknown.push_back(chart.corner_control(j, which));
+  for (int j = 0; j < n; ++j) given.push_back(chart.corner_control(j, corner_p));
+  for (int i = chart.first_departure_control(); i < chart.control_count(); ++i) given.push_back(i);
+  for (int i = chart.first_centre_control(); i < chart.first_departure_control(); ++i) centre.push_back(i);
+}
+
+template <class Jet>
+SamplesOf<Jet>::SamplesOf(const FaceChart& of) : chart_(&of) {
+  for (int side = 0; side < of.sides(); ++side) points_.push_back(chart_quadrature(of, side));
+  if (of.sides() > most_held_sides) return;
+  for (int side = 0; side < of.sides(); ++side) basis_.push_back(make(side));
+}
+
+template <class Jet>
+typename SamplesOf<Jet>::Basis SamplesOf<Jet>::make(int side) const {
+  Basis out;
+  out.width = chart_->active_controls(side).size();
+  out.value.resize(out.width * points(side).size());
+  FaceChart::Room<Jet> room;
+  for (std::size_t i = 0; i < points(side).size(); ++i)
+    chart_->basis(side, points(side)[i].point, std::span(out.value).subspan(i * out.width, out.width), room);
+  return out;
+}
+template class SamplesOf<Jet2>;
+template class SamplesOf<Jet3>;
+
+Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& rows) {
+  return integrate<3>(samples, rows);
+}
+
+Eigen::Matrix3d second_order_change(const ChartMeasure& measure) {
+  const Eigen::Matrix2d& b = measure.inverse;
+  const double root = std::numbers::sqrt2;
+  const double p = b(0, 0), q = b(1, 0), r = b(0, 1), s = b(1, 1);  // d/du = p d/dx + q d/dy, d/dv = r, s
+  Eigen::Matrix3d out;
+  out << p * p, root * p * q, q * q, root * p * r, p * s + q * r, root * q * s, r * r, root * r * s, s * s;
+  return out;
+}
+
+namespace {
+
+/// The same of (xxx, sqrt(3) xxy, sqrt(3) xyy, yyy).
+Eigen::Matrix4d third_order_change(const ChartMeasure& measure) {
+  const Eigen::Matrix2d& b = measure.inverse;
+  const double root = std::numbers::sqrt3;
+  const double p = b(0, 0), q = b(1, 0), r = b(0, 1), s = b(1, 1);
+  Eigen::Matrix4d out;
+  out.row(0) << p * p * p, root * p * p * q, root * p * q * q, q * q * q;
+  out.row(1) << root * p * p * r, p * p * s + 2 * p * q * r, q * q * r + 2 * p * q * s, root * q * q * s;
+  out.row(2) << root * p * r * r, r * r * q + 2 * r * s * p, s * s * p + 2 * r * s * q, root * q * s * s;
+  out.row(3) << r * r * r, root * r * r * s, root * r * s * s, s * s * s;
+  return out;
+}
+
+}  // namespace
+
+Eigen::MatrixXd plate_matrix(const SamplesOf<Jet3>& samples, double third, const ChartMeasure& measure) {
+  const Eigen::Matrix3d second = second_order_change(measure);
+  const Eigen::Matrix4d change = std::sqrt(third) * third_order_change(measure);
+  const Eigen::MatrixXd out = integrate<7>(samples, [&](int, std::size_t, std::span<const Jet3> basis,
+                                                        auto& rows) {
+    for (std::size_t k = 0; k < basis.size(); ++k) {
+      const Jet3& f = basis[k];
+      auto column = rows.col(Eigen::Index(k));
+      column.template head<3>().noalias() = second * Eigen::Vector3d(f.xx, std::numbers::sqrt2 * f.xy, f.yy);
+      column.template tail<4>().noalias() =
+          change * Eigen::Vector4d(f.xxx, std::numbers::sqrt3 * f.xxy, std::numbers::sqrt3 * f.xyy, f.yyy);
+    }
+  });
+  return measure.weight * out;
+}
+
+Eigen::MatrixXd membrane_matrix(const SamplesOf<Jet3>& samples, const ChartMeasure& measure) {
+  const Eigen::Matrix2d change = measure.inverse.transpose();
+  const Eigen::MatrixXd out =
+      integrate<2>(samples, [&](int, std::size_t, std::span<const Jet3> basis, auto& rows) {
+        for (std::size_t k = 0; k < basis.size(); ++k)
+          rows.col(Eigen::Index(k)).noalias() = change * Eigen::Vector2d(basis[k].x, basis[k].y);
+      });
+  return measure.weight * out;
+}
+
+bool operator<(const FaceWeights& a, const FaceWeights& b) {
+  return numbers_of(a) < numbers_of(b);
+}
+
+void add_network_terms(const FaceChart& chart, const FaceWeights& weights, Eigen::MatrixXd& energy) {
+  for (int j = 0; j < chart.sides(); ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const auto controls = chart.curve_controls(j);
+    const CurveMatrix curve = curve_matrix(chart, j);
+    for (std::size_t a = 0; a < controls.size(); ++a)
+      for (std::size_t b = 0; b < controls.size(); ++b)
+        energy(controls[a], controls[b]) += weights.curve[at] * curve(Eigen::Index(a), Eigen::Index(b));
+    const int g1 = chart.corner_control(j, corner_g1), g2 = chart.corner_control(j, corner_g2);
+    const CornerShape& corner = chart.corner(j);
+    const double out = weights.tangent_out[at] * corner.out * corner.out;
+    const double in = weights.tangent_in[at] * corner.in * corner.in;
+    const double c = chart.cosine(j), s = chart.sine(j);
+    energy(g1, g1) += out + in * c * c;
+    energy(g1, g2) += in * c * s;
+    energy(g2, g1) += in * c * s;
+    energy(g2, g2) += in * s * s;
+  }
+}
+
 CondensedFace condense(const ControlPlaces& places, const Eigen::MatrixXd& energy) {
   const Eigen::MatrixXd cu = part(energy, places.centre, places.unknown);
   const Eigen::MatrixXd cg = part(energy, places.centre, places.given);
-  Eigen::MatrixXd centre(cu.rows(), cu.cols() + cg.cols());
-  centre << cu, cg;
-  const auto solved = solve_definite(part(energy, places.centre, places.centre), centre);
+  const Eigen::Index size = cu.rows();
+  Eigen::MatrixXd right(size, cu.cols() + cg.cols() + size);
+  right << cu, cg, -Eigen::MatrixXd::Identity(size, size);
+  const auto solved = solve_definite(part(energy, places.centre, places.centre), right);
   HARIKO_ASSERT(solved, "the energy of a face's centre is positive definite");
-  centre = -*solved;
+  const Eigen::MatrixXd centre = -solved->leftCols(cu.cols() + cg.cols());
+  const Eigen::MatrixXd inverse = -solved->rightCols(size);
   const Eigen::MatrixXd uu = part(energy, places.unknown, places.unknown) +
                              transposed_product(cu, Eigen::MatrixXd(centre.leftCols(cu.cols())));
   const Eigen::MatrixXd ug = part(energy, places.unknown, places.given) +
                              transposed_product(cu, Eigen::MatrixXd(centre.rightCols(cg.cols())));
-  return {PaddedMatrix(0.5 * (uu + uu.transpose())), PaddedMatrix(ug), PaddedMatrix(centre)};
-}
-
-ChartEnergy::ChartEnergy(std::vector<double> angles, const std::vector<int>& joined)
-    : chart(std::move(angles), joined), places(chart) {
-  const ChartSamples samples(chart);
-  plate = plate_matrix(samples);
-  membrane = membrane_matrix(samples);
-  for (int side = 0; side < chart.sides(); ++side) curve.push_back(curve_matrix(chart, side));
-}
-
-Eigen::MatrixXd face_energy(const ChartEnergy& chart, const Eigen::MatrixXd& plate, double tau,
-                            std::span<const double> curve_weight) {
-  Eigen::MatrixXd energy = plate;
-  if (tau != 0) energy += tau * chart.membrane;
-  for (std::size_t j = 0; j < curve_weight.size(); ++j) {
-    const auto controls = chart.chart.curve_controls(static_cast<int>(j));
-    for (std::size_t a = 0; a < controls.size(); ++a)
-      for (std::size_t b = 0; b < controls.size(); ++b)
-        energy(controls[a], controls[b]) +=
-            curve_weight[j] * chart.curve[j](Eigen::Index(a), Eigen::Index(b));
-  }
-  return energy;
-}
-
-std::shared_ptr<const ChartEnergy> G2Elements::chart(const std::vector<double>& angles,
-                                                     const std::vector<int>& joined) {
-  auto& slot = charts_[{angles, joined}];
-  if (!slot) slot = std::make_shared<const ChartEnergy>(angles, joined);
-  return slot;
-}
-
-std::shared_ptr<const CondensedFace> G2Elements::element(const std::shared_ptr<const ChartEnergy>& chart,
-                                                         double tau, std::span<const double> curve_weight) {
-  std::vector<double> key{tau};
-  key.insert(key.end(), curve_weight.begin(), curve_weight.end());
-  auto& slot = elements_[{chart.get(), key}];
-  if (!slot)
-    slot = std::make_shared<const CondensedFace>(
-        condense(chart->places, face_energy(*chart, chart->plate, tau, curve_weight)));
-  return slot;
+  return {PaddedMatrix(0.5 * (uu + uu.transpose())), PaddedMatrix(ug), PaddedMatrix(centre),
+          PaddedMatrix(0.5 * (inverse + inverse.transpose()))};
 }
 
 }  // namespace hariko

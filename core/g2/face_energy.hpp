@@ -4,8 +4,6 @@
 // eliminated (g2.md section 5).
 
 #include <functional>
-#include <map>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,13 +16,18 @@ namespace hariko {
 
 /// Weights of the energy (g2.md section 5).
 struct G2Weights {
-  double curve = 1e4;         ///< of the distance between an edge's curve and the network's
-  double curve_tension = 50;  ///< more of it per unit of membrane weight
-  double sharp_curve = 1e6;   ///< more of it on borders and creases
-  double tension = 2;         ///< membrane energy per unit of excess tension
+  double third = 0.015;          ///< of third derivatives
+  double tension = 2;            ///< membrane energy per unit of excess tension
+  double curve = 100;            ///< of the distance between an edge's curve and the cubic of its tangents
+  double curve_tension = 50;     ///< more of it per unit of membrane weight
+  double sharp_curve = 1e6;      ///< more of it on borders and creases
+  double tangent = 1;            ///< of the distance between tangents and the network's
+  double tangent_tension = 100;  ///< more of it per unit of tension
+  double sharp_tangent = 1e4;    ///< more of it on borders and creases
 };
 
-/// A point of the face's quadrature: 8 x 8 Gauss points in each triangle, collapsed at the centre.
+/// A point of the face's quadrature: 8 x 8 Gauss points in each triangle, collapsed at the centre; as many on
+/// both sides of where ribbons end before it, the triangle's own and those beside.
 struct ChartPoint {
   Vector2 barycentric;  ///< (v, w) in the triangle of the side
   Vector2 point;        ///< in the chart
@@ -32,78 +35,98 @@ struct ChartPoint {
 };
 std::vector<ChartPoint> chart_quadrature(const FaceChart& chart, int side);
 
-/// Places of a chart's controls in local vectors: first what is unknown (three of each corner, five of each
-/// side, then the second tangents of straight corners), then what the network and joins give, then the
-/// centre's.
+/// Places of a chart's controls in local vectors: first what is unknown (three second derivatives of each
+/// corner, five of each side, two first derivatives of each corner), then what is given, then the centre's.
 struct ControlPlaces {
   std::vector<int> unknown, given, centre;
   explicit ControlPlaces(const FaceChart& chart);
 };
 
-/// The quadrature of a chart with the functions at its points.
-struct ChartSamples {
-  const FaceChart* chart;
-  struct Side {
-    std::vector<ChartPoint> points;
-    std::vector<Jet2> basis;  ///< of each point: one function an active control
-    std::span<const Jet2> at(std::size_t point) const {
-      const std::size_t width = basis.size() / points.size();
-      return std::span(basis).subspan(point * width, width);
+/// The quadrature of a chart with the functions at its points. Those of faces with many sides are made anew
+/// whenever they are asked for, since they are large.
+template <class Jet>
+class SamplesOf {
+ public:
+  struct Basis {
+    std::vector<Jet> value;  ///< of each point: one function an active control
+    std::size_t width = 0;
+    std::span<const Jet> at(std::size_t point) const {
+      return std::span(value).subspan(point * width, width);
     }
   };
-  std::vector<Side> sides;
 
-  explicit ChartSamples(const FaceChart& of);
+  explicit SamplesOf(const FaceChart& of);
+
+  const FaceChart& chart() const { return *chart_; }
+  int sides() const { return chart_->sides(); }
+  const std::vector<ChartPoint>& points(int side) const { return points_[static_cast<std::size_t>(side)]; }
+  /// body(basis)
+  template <class Body>
+  void with_basis(int side, const Body& body) const {
+    if (basis_.empty())
+      body(make(side));
+    else
+      body(basis_[static_cast<std::size_t>(side)]);
+  }
+
+ private:
+  Basis make(int side) const;
+
+  const FaceChart* chart_;
+  std::vector<std::vector<ChartPoint>> points_;
+  std::vector<Basis> basis_;
+};
+using ChartSamples = SamplesOf<Jet2>;
+
+/// A shape of the face that its chart is measured with: the chart's derivatives are taken by the coordinates
+/// of its image, of the same area. Identity: the regular polygon.
+struct ChartMeasure {
+  Eigen::Matrix2d inverse = Eigen::Matrix2d::Identity();
+  double weight = 1;
 };
 
 /// Derivatives of the functions of a triangle at a point (its number in the quadrature of the side) become
-/// the rows whose squares the energy sums; the default takes (xx, sqrt(2) xy, yy).
+/// the rows whose squares the energy sums.
 using BendingRows = std::function<void(int side, std::size_t point, std::span<const Jet2> basis,
                                        Eigen::Ref<Eigen::Matrix<double, 3, Eigen::Dynamic>> rows)>;
 Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& rows);
-Eigen::MatrixXd plate_matrix(const ChartSamples& samples);
-Eigen::MatrixXd membrane_matrix(const ChartSamples& samples);
-/// Of the squared distance between a side's curve and the cubic with the same ends and end tangents, over
-/// `FaceChart::curve_controls`.
-using CurveMatrix = Eigen::Matrix<double, FaceChart::curve_control_count, FaceChart::curve_control_count>;
-CurveMatrix curve_matrix(const FaceChart& chart, int side);
+
+/// Second derivatives squared plus `third` times third ones.
+Eigen::MatrixXd plate_matrix(const SamplesOf<Jet3>& samples, double third, const ChartMeasure& measure);
+Eigen::MatrixXd membrane_matrix(const SamplesOf<Jet3>& samples, const ChartMeasure& measure);
+/// (xx, sqrt(2) xy, yy) by the chart's coordinates become those by the measure's.
+Eigen::Matrix3d second_order_change(const ChartMeasure& measure);
+
+/// What a face is weighted with, in its chart's order of sides.
+struct FaceWeights {
+  double tau = 0;    ///< membrane
+  double plate = 1;  ///< share of the energy over the chart
+  std::vector<double> curve;
+  std::vector<double> tangent_out, tangent_in;  ///< at the corners: of the edges that open and close them
+  ChartMeasure measure;
+
+  friend bool operator<(const FaceWeights& a, const FaceWeights& b);
+};
+
+/// Adds the terms of the sides' curves (squared distance between a curve and the cubic with the same ends and
+/// end tangents) and of the tangents at corners.
+void add_network_terms(const FaceChart& chart, const FaceWeights& weights, Eigen::MatrixXd& energy);
 
 /// A face's part of the system after its centre is eliminated.
 struct CondensedFace {
-  PaddedMatrix matrix;  ///< unknowns by unknowns
-  PaddedMatrix load;    ///< unknowns by given controls
-  PaddedMatrix centre;  ///< centre's coefficients by (unknowns, then given)
+  PaddedMatrix matrix;   ///< unknowns by unknowns
+  PaddedMatrix load;     ///< unknowns by given controls
+  PaddedMatrix centre;   ///< centre's coefficients by (unknowns, then given)
+  PaddedMatrix inverse;  ///< of the centre's own matrix
 };
 CondensedFace condense(const ControlPlaces& places, const Eigen::MatrixXd& energy);
 
-/// A chart with what all its faces share.
-struct ChartEnergy {
+/// A chart with the places of its controls.
+struct PlacedChart {
   FaceChart chart;
   ControlPlaces places;
-  Eigen::MatrixXd plate, membrane;
-  std::vector<CurveMatrix> curve;  ///< per side
-
-  ChartEnergy(std::vector<double> angles, const std::vector<int>& joined);
+  PlacedChart(const std::vector<CornerShape>& corners, const std::vector<int>& joined)
+      : chart(corners, joined), places(chart) {}
 };
-
-/// Charts and elements by what they depend on; equal faces share them. Not thread-safe.
-class G2Elements {
- public:
-  std::shared_ptr<const ChartEnergy> chart(const std::vector<double>& angles, const std::vector<int>& joined);
-  /// `tau`: membrane weight; `curve_weight`: one a side.
-  std::shared_ptr<const CondensedFace> element(const std::shared_ptr<const ChartEnergy>& chart, double tau,
-                                               std::span<const double> curve_weight);
-  std::size_t chart_count() const { return charts_.size(); }
-  std::size_t element_count() const { return elements_.size(); }
-
- private:
-  std::map<std::pair<std::vector<double>, std::vector<int>>, std::shared_ptr<const ChartEnergy>> charts_;
-  std::map<std::pair<const ChartEnergy*, std::vector<double>>, std::shared_ptr<const CondensedFace>>
-      elements_;
-};
-
-/// plate + tau * membrane + the sides' curves.
-Eigen::MatrixXd face_energy(const ChartEnergy& chart, const Eigen::MatrixXd& plate, double tau,
-                            std::span<const double> curve_weight);
 
 }  // namespace hariko

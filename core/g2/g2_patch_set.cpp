@@ -48,7 +48,8 @@ G2GridTable make_table(const FaceChart& chart, int side, int density, G2Tables::
   std::vector<Jet2> basis(active.size());
   for (std::size_t i = 0; i < table.blocks * width; ++i) {
     // The last block repeats the last point.
-    chart.basis(side, chart_point(a, b, parameters[std::min(i, parameters.size() - 1)]), basis, scratch);
+    chart.basis(side, chart_point(a, b, parameters[std::min(i, parameters.size() - 1)]),
+                std::span<Jet2>(basis), scratch);
     for (std::size_t k = 0; k < active.size(); ++k) {
       const TriangleRow row = in_triangle(basis[k], a, b);
       double* at = table.value.data() + ((i / width) * active.size() + k) * 3 * width + i % width;
@@ -100,7 +101,7 @@ PatchPoint G2PatchSet::evaluate(Index patch, const Vector2& parameter, Order ord
   const std::span<const int> active = chart.active_controls(side);
   FaceChart::Scratch scratch;
   std::vector<Jet2> basis(active.size());
-  chart.basis(side, chart_point(a, b, parameter), basis, scratch);
+  chart.basis(side, chart_point(a, b, parameter), std::span<Jet2>(basis), scratch);
   PatchPoint point;
   for (std::size_t k = 0; k < active.size(); ++k) {
     const TriangleRow row = in_triangle(basis[k], a, b);
@@ -128,7 +129,7 @@ PatchPoint G2PatchSet::evaluate_chart(Index at, const Vector2& point, Order orde
   const std::span<const int> active = chart.active_controls(side);
   FaceChart::Scratch scratch;
   std::vector<Jet2> basis(active.size());
-  chart.basis(side, point, basis, scratch);
+  chart.basis(side, point, std::span<Jet2>(basis), scratch);
   PatchPoint out;
   for (std::size_t k = 0; k < active.size(); ++k) {
     const Vector3& d = face(at)[std::size_t(active[k])];
@@ -163,17 +164,14 @@ std::array<Vector3, 4> G2PatchSet::side_cross_derivative(Index patch) const {
   HARIKO_ASSERT(controls[std::size_t(chart.side_control(a, side_e1))].isZero(0) &&
                     controls[std::size_t(chart.side_control(a, side_e1_odd))].isZero(0),
                 "the side's cross derivative is cubic");
-  const auto turn = [&](int corner) {
-    const double angle = chart.angle(corner);
-    return chart.straight(corner) ? Vector2(-1, 0) : Vector2(std::cos(angle), std::sin(angle));
-  };
-  const double sa = chart.straight(a) ? 1 : turn(a).y(), sb = chart.straight(b) ? 1 : turn(b).y();
-  const double c = turn(b).x(), s = turn(b).y();
-  const Vector3 value_a = sa * at(a, corner_g2), first_a = sa * at(a, corner_g12);
+  const CornerShape &at_a = chart.corner(a), &at_b = chart.corner(b);
+  const double c = chart.cosine(b), s = chart.sine(b), sb = at_b.across_in;
+  const Vector3 value_a = at_a.across_out * at(a, corner_g2),
+                first_a = at_a.across_out * at_a.out * at(a, corner_g12);
   // In the frame of the edge that closes corner b, as in `FaceChart::add_ribbon`.
   const Vector3 value_b = -sb * (c * at(b, corner_g2) - s * at(b, corner_g1));
   const Vector3 first_b =
-      sb * ((c * c - s * s) * at(b, corner_g12) + c * s * (at(b, corner_g22) - at(b, corner_g11)));
+      sb * at_b.in * ((c * c - s * s) * at(b, corner_g12) + c * s * (at(b, corner_g22) - at(b, corner_g11)));
   return {value_a, value_a + first_a / 3, value_b - first_b / 3, value_b};
 }
 

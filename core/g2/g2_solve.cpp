@@ -98,27 +98,29 @@ class G2System::Restricted {
   }
 
   void right_side(const Given& given, Field& b) {
-    Field joined;  // given unknowns, others zero
-    if (given.sides) {
-      joined.assign(system_.unknowns_.count, zero<Value>());
-      for (const auto& [unknown, value] : given.sides->unknowns) joined[unknown] = part<Value>(value);
-    }
+    Field known;  // given unknowns, others zero
+    const auto values = system_.known(given);
+    if (!values.empty()) known.assign(system_.unknowns_.count, zero<Value>());
+    for (const auto& [unknown, value] : values) known[unknown] = part<Value>(value);
     for_faces([&](Index f, std::size_t first, std::size_t count, Value* in) {
       const std::size_t width = system_.charts_[f]->places.given.size();
-      std::vector<Vector3> known(width);
-      system_.given_controls(f, given, system_.face_mean(f, given), known.data());
+      std::vector<Vector3> corners(width), asked(count, Vector3::Zero());
+      system_.given_controls(f, given, system_.face_mean(f, given), corners.data());
+      system_.add_tangents(f, *given.network, asked.data());
+      if (given.target)
+        for (std::size_t i = 0; i < count; ++i) asked[i] += (*given.target)[f].load[i];
       Field load(width), more(count);
-      for (std::size_t i = 0; i < width; ++i) load[i] = part<Value>(known[i]);
+      for (std::size_t i = 0; i < width; ++i) load[i] = part<Value>(corners[i]);
       Value* out = local_.data() + first;
       hariko::multiply(system_.element_[f]->load, load.data(), out);
-      if (given.sides) {
-        for (std::size_t i = 0; i < count; ++i) in[i] = joined[system_.slot_unknown(f, int(i))];
+      if (!known.empty()) {
+        for (std::size_t i = 0; i < count; ++i) in[i] = known[system_.slot_unknown(f, int(i))];
         system_.turn<Turn::plain>(f, in);
         hariko::multiply(system_.element_[f]->matrix, in, more.data());
         for (std::size_t i = 0; i < count; ++i) out[i] += more[i];
       }
+      for (std::size_t i = 0; i < count; ++i) out[i] = part<Value>(asked[i]) - out[i];
       system_.turn<Turn::transposed>(f, out);
-      for (std::size_t i = 0; i < count; ++i) out[i] = -out[i];
     });
     collect(b, false);
   }
@@ -176,7 +178,7 @@ template <G2System::Turn which, class Value>
 void G2System::turn(Index face, Value* local) const {
   constexpr bool inverse = which == Turn::inverse || which == Turn::inverse_transposed;
   constexpr bool transposed = which == Turn::transposed || which == Turn::inverse_transposed;
-  const int n = static_cast<int>(mesh_->side_count(face)), slots = unknown_slots(face);
+  const int n = static_cast<int>(mesh_->side_count(face));
   for (int j = 0; j < n; ++j) {
     const Index h = half_edge(face, j);
     const Matrix3& m = inverse ? inverse_turn_[h] : unknowns_.corner[h].turn;
@@ -187,9 +189,13 @@ void G2System::turn(Index face, Value* local) const {
     const auto& sign = unknowns_.side[h].sign;
     for (int i = 0; i < 5; ++i) local[3 * n + 5 * j + i] *= sign[std::size_t(i)];
   }
-  for (int k = 8 * n; k < slots; ++k) {
-    const int control = charts_[face]->places.unknown[std::size_t(k)];
-    local[k] *= unknowns_.corner[half_edge(face, control / corner_control_count)].tangent_sign;
+  for (int j = 0; j < n; ++j) {
+    const Index h = half_edge(face, j);
+    const Eigen::Matrix2d& m = inverse ? inverse_tangent_turn_[h] : unknowns_.corner[h].tangent_turn;
+    Value* x = local + 8 * n + 2 * j;
+    const Value a = x[0], b = x[1];
+    x[0] = m(0, 0) * a + (transposed ? m(1, 0) : m(0, 1)) * b;
+    x[1] = (transposed ? m(0, 1) : m(1, 0)) * a + m(1, 1) * b;
   }
 }
 template void G2System::turn<G2System::Turn::plain>(Index, Vector3*) const;
@@ -267,8 +273,7 @@ G2System::Solution G2System::solve_in(std::shared_ptr<const Region> region, cons
     else
       solution.unknowns[region->global[i]] = x[i];
   }
-  if (given.sides)
-    for (const auto& [unknown, value] : given.sides->unknowns) solution.unknowns[unknown] = value;
+  for (const auto& [unknown, value] : known(given)) solution.unknowns[unknown] = value;
   if constexpr (std::is_same_v<Value, double>) {
     if (!report.converged)
       solution.paused =

@@ -10,11 +10,11 @@ namespace hariko {
 
 namespace {
 
-/// What an end of a border side sees of its corner's sector. Form along the side, second derivative along and
-/// across it, and the second tangent of a straight corner.
+/// What an end of a border side sees of its corner's sector: the form along the side, and the second
+/// derivative along and across it.
 struct SideEnd {
   Index corner = no_index;
-  Index along = no_index, across = no_index, tangent = no_index;
+  Index along = no_index, across = no_index;
 };
 
 /// The side's half-edge opens the first sector of its origin's fan, and closes the last one of its target's.
@@ -25,7 +25,6 @@ SideEnd end_of(const HalfEdgeMesh& mesh, const G2Unknowns& unknowns, Index half_
   // At a smooth line (along, H12, H22); at a corner vertex (c_a, m, c_b), where a side that closes has c_b.
   out.along = corner.unknown[at_origin || !corner.between_sharp_edges ? 0 : 2];
   out.across = corner.unknown[1];
-  out.tangent = corner.tangent;
   return out;
 }
 
@@ -63,9 +62,7 @@ class Resolver {
   }
   bool at_corner_vertex(const SideEnd& end) const { return unknowns_.corner[end.corner].between_sharp_edges; }
   /// Angle between the two sharp edges of the sector.
-  double opening(const SideEnd& end) const {
-    return frames_.step[end.corner] * double(unknowns_.corner[end.corner].sector_size);
-  }
+  double opening(const SideEnd& end) const { return unknowns_.corner[end.corner].opening; }
   /// r1' = sigma g12.
   double sigma(const SideEnd& end) const {
     const double step = frames_.step[end.corner];
@@ -92,8 +89,10 @@ class Resolver {
       want(end.across, mixed);
     }
     const std::optional<Vector3>& tangent = at_origin ? side.tangent_origin : side.tangent_target;
-    HARIKO_ASSERT(tangent.has_value() == (end.tangent != no_index), "straight corners need a second tangent");
-    if (tangent) want(end.tangent, unknowns_.corner[end.corner].tangent_sign * *tangent);
+    const CornerUnknowns& corner = unknowns_.corner[end.corner];
+    HARIKO_ASSERT(tangent.has_value() == is_straight(frames_.step[end.corner]),
+                  "straight corners need a second tangent");
+    if (tangent) want(corner.tangent[1], *tangent / corner.tangent_turn(1, 1));
   }
 
   void depart(GivenSides::Side& side, bool at_origin) {
@@ -127,8 +126,8 @@ const GivenSides::Side* GivenSides::find(Index half_edge) const {
   return found != sides.end() && found->given.half_edge == half_edge ? &*found : nullptr;
 }
 
-std::vector<bool> given_unknowns(const HalfEdgeMesh& mesh, const G2Unknowns& unknowns,
-                                 const std::vector<GivenRibbon>& ribbons) {
+std::vector<bool> given_unknowns(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                                 const G2Unknowns& unknowns, const std::vector<GivenRibbon>& ribbons) {
   std::vector<bool> out(unknowns.count, false);
   for (Index h = 0; h < ribbons.size(); ++h) {
     if (ribbons[h] == GivenRibbon::none) continue;
@@ -141,7 +140,7 @@ std::vector<bool> given_unknowns(const HalfEdgeMesh& mesh, const G2Unknowns& unk
       out[end.along] = true;
       if (ribbons[h] != GivenRibbon::cross) continue;
       out[end.across] = true;
-      if (end.tangent != no_index) out[end.tangent] = true;
+      if (is_straight(frames.step[end.corner])) out[unknowns.corner[end.corner].tangent[1]] = true;
     }
   }
   return out;

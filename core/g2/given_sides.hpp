@@ -49,8 +49,8 @@ struct GivenSides {
 };
 
 /// Flags: unknowns that the sides give, whatever their values. `ribbons`: per half-edge, or empty.
-std::vector<bool> given_unknowns(const HalfEdgeMesh& mesh, const G2Unknowns& unknowns,
-                                 const std::vector<GivenRibbon>& ribbons);
+std::vector<bool> given_unknowns(const HalfEdgeMesh& mesh, const VertexFrames& frames,
+                                 const G2Unknowns& unknowns, const std::vector<GivenRibbon>& ribbons);
 
 GivenSides resolve_given_sides(const HalfEdgeMesh& mesh, const VertexFrames& frames,
                                const G2Unknowns& unknowns, std::vector<GivenSide> sides);

@@ -4,6 +4,11 @@
 
 namespace hariko {
 
+/// Value and derivatives of a function of one variable.
+struct Derivatives {
+  double v, d, dd, ddd;
+};
+
 struct Jet2 {
   double v = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
@@ -34,21 +39,23 @@ inline Jet2 operator*(const Jet2& a, const Jet2& b) {
           a.v * b.xy + a.x * b.y + a.y * b.x + a.xy * b.v,
           a.v * b.yy + 2 * (a.y * b.y) + a.yy * b.v};
 }
-/// f(a) from f, f' and f'' at a.v
-inline Jet2 compose(double f, double f1, double f2, const Jet2& a) {
-  return {f,
-          f1 * a.x,
-          f1 * a.y,
-          f2 * (a.x * a.x) + f1 * a.xx,
-          f2 * (a.x * a.y) + f1 * a.xy,
-          f2 * (a.y * a.y) + f1 * a.yy};
+/// f(a) from the derivatives of f at a.v
+inline Jet2 compose(const Derivatives& f, const Jet2& a) {
+  return {f.v,
+          f.d * a.x,
+          f.d * a.y,
+          f.dd * (a.x * a.x) + f.d * a.xx,
+          f.dd * (a.x * a.y) + f.d * a.xy,
+          f.dd * (a.y * a.y) + f.d * a.yy};
 }
-inline Jet2 reciprocal(const Jet2& a) {
+template <class Jet>
+Jet reciprocal(const Jet& a) {
   const double r = 1 / a.v;
-  return compose(r, -r * r, 2 * r * r * r, a);
+  return compose(Derivatives{r, -r * r, 2 * r * r * r, -6 * r * r * r * r}, a);
 }
-inline Jet2 cube(const Jet2& a) {
-  return compose(a.v * a.v * a.v, 3 * a.v * a.v, 6 * a.v, a);
+template <class Jet>
+Jet cube(const Jet& a) {
+  return compose(Derivatives{a.v * a.v * a.v, 3 * a.v * a.v, 6 * a.v, 6}, a);
 }
 
 }  // namespace hariko

@@ -27,6 +27,13 @@ Matrix3 from_sharp_edges(double phi) {
   return m;
 }
 
+/// The frame (J1, J2) of a corner sector with opening phi from its sharp edges' images.
+Eigen::Matrix2d frame_from_sharp_edges(double phi) {
+  Eigen::Matrix2d m;
+  m << 1, 0, -std::cos(phi) / std::sin(phi), 1 / std::sin(phi);
+  return m;
+}
+
 class UnknownBuilder {
  public:
   UnknownBuilder(const HalfEdgeMesh& mesh, const VertexFrames& frames) : mesh_(mesh), frames_(frames) {}
@@ -65,32 +72,48 @@ class UnknownBuilder {
     return corners;
   }
 
-  /// Corners of one sector, whose form is base * (x[unknown...]).
-  void add_sector(std::span<const Index> corners, const std::array<Index, 3>& unknown, const Matrix3& base) {
-    Index tangent = no_index;
+  struct Sector {
+    std::array<Index, 3> form;
+    Matrix3 form_base = Matrix3::Identity();
+    std::array<Index, 2> tangent;
+    Eigen::Matrix2d tangent_base = Eigen::Matrix2d::Identity();
+    bool between_sharp_edges = false;
+  };
+
+  /// Corners of one sector: form and derivative of the first are base * (x[unknown...]).
+  void add_sector(std::span<const Index> corners, const Sector& sector) {
+    double opening = 0, angle = 0;
+    for (const Index h : corners) opening += frames_.step[h];
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const double step = frames_.step[corners[k]];
       CornerUnknowns& corner = out_.corner[corners[k]];
-      corner.unknown = unknown;
-      corner.sector_size = static_cast<Index>(corners.size());
-      if (!is_straight(step)) {
-        const double angle = double(k) * step;
-        corner.turn = turned(std::cos(angle), std::sin(angle)) * base;
-        continue;
+      corner.unknown = sector.form;
+      corner.tangent = sector.tangent;
+      corner.opening = opening;
+      corner.between_sharp_edges = sector.between_sharp_edges;
+      if (is_straight(step)) {
+        // Half turns leave a quadratic form as it is and reverse both tangents.
+        corner.turn = sector.form_base;
+        corner.tangent_turn = (k % 2 == 0 ? 1.0 : -1.0) * sector.tangent_base;
+      } else {
+        const double c = std::cos(angle), s = std::sin(angle);
+        corner.turn = turned(c, s) * sector.form_base;
+        Eigen::Matrix2d turn;
+        turn << c, s, -s, c;
+        corner.tangent_turn = turn * sector.tangent_base;
       }
-      // Half turns leave a quadratic form as it is and reverse both tangents.
-      if (tangent == no_index) tangent = take(1);
-      corner.turn = base;
-      corner.tangent = tangent;
-      corner.tangent_sign = k % 2 == 0 ? 1 : -1;
+      angle += step;
     }
   }
 
   void add_vertex(Index v) {
     const std::vector<Index> corners = fan(v);
     if (frames_.kind[v] == FrameKind::smooth || frames_.kind[v] == FrameKind::straight) {
-      const Index h = take(3);
-      add_sector(corners, {h, h + 1, h + 2}, Matrix3::Identity());
+      const Index h = take(5);
+      Sector sector;
+      sector.form = {h, h + 1, h + 2};
+      sector.tangent = {h + 3, h + 4};
+      add_sector(corners, sector);
       return;
     }
     std::vector<std::size_t> begin;  // of each sector
@@ -102,21 +125,32 @@ class UnknownBuilder {
       return std::span<const Index>(corners).subspan(begin[i], begin[i + 1] - begin[i]);
     };
     if (frames_.kind[v] == FrameKind::sharp_line) {
-      const Index along = take(1);
+      const Index along = take(1), tangent = take(1);
       for (std::size_t i = 0; i < sectors; ++i) {
-        const Index across = take(2);
-        add_sector(part(i), {along, across, across + 1}, Matrix3::Identity());
+        const Index across = take(3);
+        Sector sector;
+        sector.form = {along, across, across + 1};
+        sector.tangent = {tangent, across + 2};
+        sector.tangent_base(0, 0) = i % 2 == 0 ? 1 : -1;  // each begins with an edge of its own
+        add_sector(part(i), sector);
       }
       return;
     }
     HARIKO_ASSERT(frames_.kind[v] == FrameKind::corner, "every vertex with faces has a frame");
     const bool closed = !mesh_.is_border_vertex(v);
-    const Index edges = static_cast<Index>(closed ? sectors : sectors + 1), first = take(edges);
+    const Index edges = static_cast<Index>(closed ? sectors : sectors + 1), first = take(edges),
+                first_tangent = take(edges);
     for (std::size_t i = 0; i < sectors; ++i) {
-      const Index a = first + static_cast<Index>(i), b = first + static_cast<Index>((i + 1) % edges);
-      const double phi = frames_.step[part(i)[0]] * double(part(i).size());
-      add_sector(part(i), {a, take(1), b}, from_sharp_edges(phi));
-      for (const Index corner : part(i)) out_.corner[corner].between_sharp_edges = true;
+      const Index a = static_cast<Index>(i), b = static_cast<Index>((i + 1) % edges);
+      double phi = 0;
+      for (const Index h : part(i)) phi += frames_.step[h];
+      Sector sector;
+      sector.form = {first + a, take(1), first + b};
+      sector.form_base = from_sharp_edges(phi);
+      sector.tangent = {first_tangent + a, first_tangent + b};
+      sector.tangent_base = frame_from_sharp_edges(phi);
+      sector.between_sharp_edges = true;
+      add_sector(part(i), sector);
     }
   }
 

@@ -1,10 +1,12 @@
 #pragma once
 
-// G2Unknowns: the unknown vectors of mode G2 (second derivatives of sectors, freedoms of edges), and how the
+// G2Unknowns: the unknown vectors of mode G2 (derivatives of sectors, freedoms of edges), and how the
 // controls of corners and sides depend on them (g2.md section 2).
 
 #include <array>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "core/network/vertex_frames.hpp"
 #include "core/polyhedron/half_edge_mesh.hpp"
@@ -15,13 +17,13 @@ namespace hariko {
 struct CornerUnknowns {
   std::array<Index, 3> unknown{no_index, no_index, no_index};
   Matrix3 turn = Matrix3::Identity();
-  /// Straight corners only: g2 = tangent_sign * x[tangent]. Elsewhere the network gives g2.
-  Index tangent = no_index;
-  double tangent_sign = 1;
+  /// (g1, g2) = tangent_turn * (x[tangent[0]], x[tangent[1]]).
+  std::array<Index, 2> tangent{no_index, no_index};
+  Eigen::Matrix2d tangent_turn = Eigen::Matrix2d::Identity();
+  double opening = 0;  ///< of the sector
   /// Corner vertices: the unknowns are H(a, a), H(a, b), H(b, b) of the sharp edges a and b that bound the
   /// sector.
   bool between_sharp_edges = false;
-  Index sector_size = 0;  ///< corners of the sector
 };
 
 /// The five controls of a half-edge's side: control i = sign[i] * x[unknown[i]].
@@ -30,10 +32,11 @@ struct SideUnknowns {
   std::array<double, 5> sign;
 };
 
-/// Depends on connectivity and tags only. Per closed sector three vectors (its quadratic form); at a smooth
-/// sharp line the form along the line is common to all sectors; at a corner vertex each sharp edge has one
-/// vector, common to its sectors, and each sector one more. Per edge one vector of its curve, shared even by
-/// a crease's sides, and four of its cross derivatives, which a crease has on each side.
+/// Per closed sector five vectors (its derivative and its quadratic form); at a smooth sharp line the
+/// derivative and the form along the line are common to all sectors; at a corner vertex each sharp edge has
+/// one of each, common to its sectors, and each sector one more of the form. Per edge one vector of its
+/// curve, shared even by a crease's sides, and four of its cross derivatives, which a crease has on each
+/// side.
 struct G2Unknowns {
   Index count = 0;
   std::vector<CornerUnknowns> corner;  ///< per half-edge: the corner at its origin

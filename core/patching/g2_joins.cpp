@@ -30,7 +30,8 @@ class SideMaker {
     side.has_cross = true;
     side.tangent_origin = straight_tangent(join.half_edge);
     side.tangent_target = straight_tangent(mesh_.next(join.half_edge));
-    const double speed = 3 * joined_.coefficients[j].lambda / constants_.x[join.half_edge];
+    const double speed =
+        3 * joined_.coefficients[j].lambda / (gain(join.half_edge) * constants_.x[join.half_edge]);
     std::array<Vector3, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = join.row[i] - p[i];
     const Vector3 first_a = 3 * (p[1] - p[0]), first_b = 3 * (p[3] - p[2]);
@@ -42,12 +43,22 @@ class SideMaker {
   }
 
  private:
+  /// Factor of split tangents along the chain of joined sides that a half-edge belongs to. Half turns have
+  /// none of their own.
+  double gain(Index half_edge) const {
+    for (Index h = half_edge;;) {
+      for (const Index corner : {h, mesh_.next(h)})
+        if (!frames_.half_turn[corner]) return frames_.split_gain[corner];
+      h = mesh_.next(h);
+      if (h == half_edge || mesh_.twin(h) != no_index) return 1;
+    }
+  }
   /// Second tangent of a half-turn corner: towards the face's middle the chart's derivative is three split
   /// tangents, over f diagonals.
   std::optional<Vector3> straight_tangent(Index corner) const {
     if (!is_straight(frames_.step[corner])) return std::nullopt;
     for (const PrescribedSplit& split : joined_.geometry.splits)
-      if (split.half_edge == corner) return 3 * split.tangent / constants_.x[corner];
+      if (split.half_edge == corner) return 3 * split.tangent / (gain(corner) * constants_.x[corner]);
     HARIKO_ASSERT(false, "joined half-turn corners have a given split tangent");
     return std::nullopt;
   }

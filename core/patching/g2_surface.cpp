@@ -18,11 +18,12 @@ constexpr int g2_steps_a_frame = 14;
 
 }  // namespace
 
-ReferencePoints reference_points(const QuarticPatchArray& patches) {
-  const std::vector<Vector2> parameters = reference_parameters();
-  return [patches, table = quartic_point_table(parameters), kernel = quartic_kernel()](
-             Index patch, std::span<PatchPoint> out) {
-    kernel.second_order(patches[patch], table, out.size(), out.data());
+ReferencePatches reference_patches(const QuarticPatchArray& patches) {
+  return [patches, kernel = quartic_kernel()](Index patch, std::span<const ChartPoint> at,
+                                              std::span<PatchPoint> out) {
+    std::vector<Vector2> parameters;
+    for (const ChartPoint& point : at) parameters.push_back(point.barycentric);
+    kernel.second_order(patches[patch], quartic_point_table(parameters), out.size(), out.data());
   };
 }
 

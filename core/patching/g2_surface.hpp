@@ -11,8 +11,8 @@
 
 namespace hariko {
 
-/// The points of a surface of mode FAIR that bending is measured over.
-ReferencePoints reference_points(const QuarticPatchArray& patches);
+/// A surface of mode FAIR, to take curvature from.
+ReferencePatches reference_patches(const QuarticPatchArray& patches);
 
 /// Controls of all faces.
 std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2System::Given& given,
@@ -32,8 +32,8 @@ struct G2DragResponse {
 };
 
 /// Requires `!system.network.couples_coordinates()`. Solves within the rings of faces that matter, with the
-/// matrix as it is: where it measures bending over a reference, that stays frozen. Takes some steps only;
-/// `refine` takes as many more.
+/// matrix as it is: where it measures bending over a reference, that stays frozen, as do target curvatures.
+/// Takes some steps only; `refine` takes as many more.
 G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> moved,
                                 std::vector<double> weight, const CancelToken& cancel = {});
 void refine(const SurfaceSystem& system, G2DragResponse& response, const CancelToken& cancel = {});

@@ -22,9 +22,14 @@ constexpr double drag_negligible = 1e-10;
 /// Half-edges up to which frames by measure follow a drag: a surface is then made anew in a frame's time.
 constexpr Index largest_live_frames = 1000;
 
+/// Equal angles and regular faces are the paper's; the other modes take what they are told.
+Frames frames_of(const PolyhedronSurfaceInput& input) {
+  return input.mode == Mode::paper ? Frames::equal : input.frames;
+}
+
 std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
   const bool fair = mode == Mode::fair;
-  const Index limit = fair ? largest_fair_side_count : largest_g2_side_count;
+  const Index limit = largest_fair_side_count;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     const Index sides = polyhedron.topology().side_count(f);
     if (sides <= limit) continue;
@@ -46,6 +51,18 @@ double size_of(std::span<const Vector3> positions) {
   Eigen::AlignedBox3d box;
   for (const Vector3& p : positions) box.extend(p);
   return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+/// Flags, per vertex; empty where nothing is pinned.
+std::vector<bool> pinned_vertices(const PolyhedronSurfaceInput& input) {
+  std::vector<bool> out;
+  for (const auto& [id, pin] : input.shaping.pin) {
+    const Index v = input.polyhedron.find(id);
+    if (v == no_index) continue;
+    out.resize(input.polyhedron.vertex_count());
+    out[v] = true;
+  }
+  return out;
 }
 
 /// What moved between two states of a polyhedron, each vertex by a share of one displacement.
@@ -107,6 +124,7 @@ struct PolyhedronSurfacer::State {
   std::vector<Vector3> last_basis;
   FairSystem::Field last_unknowns;
   G2System::Field last_g2;
+  G2Target g2_target;  ///< of the last surface; stays while dragging
 
   // The last `final` result, the base of a drag.
   struct Base {
@@ -139,28 +157,22 @@ struct PolyhedronSurfacer::State {
       system->fair =
           std::make_unique<FairSystem>(system->mesh, system->network, system->constants, system->given_side);
   }
-  bool wants_round(const PolyhedronSurfaceInput& input) const;
   std::optional<QuarticPatchArray> fair_patches(const std::vector<Vector3>& positions, const Network& network,
                                                 const JoinGeometry& joined,
                                                 const FairSystem::SolveOptions& options,
                                                 const CancelToken& cancel, SolveReport& report);
   std::shared_ptr<const G2PatchSet> solve_g2(const std::vector<Vector3>& positions, const Network& network,
-                                             const JoinPlan::Solution& joined, bool round, Quality quality,
-                                             const CancelToken& cancel, SolveReport& report);
+                                             const JoinPlan::Solution& joined, Quality quality,
+                                             const CancelToken& cancel, SolveReport& report,
+                                             std::shared_ptr<Network>& drawn);
   Result<PolyhedronSurface> solve(const PolyhedronSurfaceInput& input, Quality quality,
                                   const CancelToken& cancel);
 };
 
-bool PolyhedronSurfacer::State::wants_round(const PolyhedronSurfaceInput& input) const {
-  if (input.mode != Mode::g2) return false;
-  const std::vector<double>& alpha = system->network.alpha();
-  return input.round || std::any_of(alpha.begin(), alpha.end(), [](double a) { return a > 0; });
-}
-
 Result<NetworkSystem> PolyhedronSurfacer::State::assemble(const PolyhedronSurfaceInput& input) const {
   const std::vector<Index> joined = joins.half_edges();
   return NetworkSystem::assemble(joins.polyhedron(), input.shaping,
-                                 {frames_in(input.mode, input.frames), joins.requests(), joined});
+                                 {frames_of(input), joins.requests(), joined});
 }
 
 std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input,
@@ -170,12 +182,13 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
       aliases == input.aliases || (aliases && input.aliases && *aliases == *input.aliases);
   auto plan = JoinPlan::make(input.polyhedron, input.shaping, input.joins);
   if (!plan) return plan.error();
-  const Frames frames = frames_in(input.mode, input.frames);
+  const Frames frames = frames_of(input);
   const bool metric = frames == Frames::metric;
   const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
                               system->network.frames().charts.frames == frames && joins.same_structure(*plan);
-  const bool frozen =
-      quality == Quality::drag && input.polyhedron.topology().half_edge_count() > largest_live_frames;
+  const bool large =
+      input.mode == Mode::g2 || input.polyhedron.topology().half_edge_count() > largest_live_frames;
+  const bool frozen = quality == Quality::drag && large;
   const bool same_charts = !metric || frozen || plan->polyhedron().positions() == charted;
   const bool same = same_structure && same_charts && shaping == input.shaping;
   const bool same_but_pins = same_structure && !metric && equal_but_pins(shaping, input.shaping);
@@ -188,6 +201,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   base.reset();
   response.reset();
   g2_response.reset();
+  g2_target.clear();
   if (!same_mesh) {
     last_basis.clear();
     last_unknowns = {};
@@ -203,12 +217,14 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   system =
       SurfaceSystem{mesh, std::move(network).value(), {}, input.mode, nullptr, nullptr, joins.smooth_sides()};
   system->constants = patch_constants(*mesh, system->network.frames());
-  if (input.mode == Mode::fair) system->rims = clamped_rims(input.polyhedron, input.shaping);
-  if (input.mode == Mode::fair && metric)
-    system->pulls = form_pulls(joins.polyhedron(), input.shaping, system->network.frames());
+  const bool fair = input.mode == Mode::fair || input.mode == Mode::g2;
+  if (fair) system->rims = clamped_rims(input.polyhedron, input.shaping);
+  if (fair && metric) system->pulls = form_pulls(joins.polyhedron(), input.shaping, system->network.frames());
   if (input.mode == Mode::fair) make_fair();
-  if (input.mode == Mode::g2)
+  if (input.mode == Mode::g2) {
     system->g2 = std::make_unique<G2System>(mesh, system->network, G2Weights{}, given_ribbons(joins));
+    system->g2->fix_tangents(pinned_vertices(input));
+  }
   parts = polyhedron_surface_parts(input.polyhedron, system->network.frames(), aliases.get(),
                                    input.mode == Mode::g2 ? Continuity::g2 : Continuity::g1);
   return std::nullopt;
@@ -226,7 +242,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare_pins(const PolyhedronS
     return network.error();
   }
   system->network = std::move(network).value();
-  if (input.mode == Mode::fair) {
+  if (system->g2) system->g2->fix_tangents(pinned_vertices(input));
+  if (input.mode == Mode::fair || input.mode == Mode::g2) {
     std::vector<Index> rims = clamped_rims(input.polyhedron, input.shaping);
     if (rims != system->rims) base.reset();
     system->rims = std::move(rims);
@@ -336,37 +353,46 @@ Result<NetworkSystem::Solution> PolyhedronSurfacer::State::solve_network(std::sp
   return second;
 }
 
-/// Patches of mode G2 over a solved network; nothing when cancelled.
+/// Patches of mode G2 over a solved network; nothing when cancelled. Target curvatures come from the surface
+/// of mode FAIR, and from the surface that these give. `drawn` becomes the network with the surface's
+/// tangents.
 std::shared_ptr<const G2PatchSet> PolyhedronSurfacer::State::solve_g2(
     const std::vector<Vector3>& positions, const Network& network, const JoinPlan::Solution& joined,
-    bool round, Quality quality, const CancelToken& cancel, SolveReport& report) {
-  if (quality == Quality::final) {
-    if (round) {
-      make_fair();
-      auto reference = fair_patches(positions, network, joined.geometry, {}, cancel, report);
-      if (!reference) return nullptr;
-      system->g2->bend_over(reference_points(*reference));
-    } else {
-      system->g2->bend_over_charts();
-    }
-  }
+    Quality quality, const CancelToken& cancel, SolveReport& report, std::shared_ptr<Network>& drawn) {
+  G2System& g2 = *system->g2;
   G2System::SolveOptions options;
   if (quality == Quality::drag) {
     options.tolerance = drag_tolerance;
-    if (last_g2.size() == system->g2->unknown_count()) options.start = &last_g2;
+    if (last_g2.size() == g2.unknown_count()) options.start = &last_g2;
   }
   std::optional<GivenSides> sides;
   if (!joins.empty())
-    sides =
-        system->g2->resolve(given_sides(joins, joined, system->network.frames(), system->constants, network));
-  const G2System::Given given{positions, &network, sides ? &*sides : nullptr};
-  auto solution = system->g2->solve(given, options, cancel);
+    sides = g2.resolve(given_sides(joins, joined, system->network.frames(), system->constants, network));
+  G2System::Given given{positions, &network, sides ? &*sides : nullptr, &g2_target};
+  G2System::Solution first;
+  if (quality == Quality::final || g2_target.empty()) {
+    make_fair();
+    const auto fair = fair_patches(positions, network, joined.geometry, {}, cancel, report);
+    if (!fair) return nullptr;
+    const G2System::References by_fair = g2.over(reference_patches(*fair));
+    g2.bend_over(by_fair);
+    g2_target = g2.target(by_fair, positions);
+    if (quality == Quality::final) {
+      first = g2.solve(given, options, cancel);
+      if (first.cancelled || cancel.cancelled()) return nullptr;
+      const G2System::References by_first = g2.over(g2_patches(g2, given, first.unknowns));
+      g2.bend_over(by_first);
+      g2_target = g2.target(by_first, positions, &by_fair);
+      options.start = &first.unknowns;
+    }
+  }
+  auto solution = g2.solve(given, options, cancel);
   if (solution.cancelled || cancel.cancelled()) return nullptr;
-  report.g2_iterations = solution.iterations;
-  report.g2_converged = solution.converged;
-  report.round = system->g2->round();
+  report.g2_iterations = first.iterations + solution.iterations;
+  report.g2_converged = first.converged && solution.converged;
   last_g2 = std::move(solution.unknowns);
-  return g2_patches(*system->g2, given, last_g2);
+  drawn = std::make_shared<Network>(g2.network_of(given, last_g2));
+  return g2_patches(g2, given, last_g2);
 }
 
 /// Patches of the other modes; nothing when cancelled.
@@ -407,8 +433,10 @@ Result<PolyhedronSurface> PolyhedronSurfacer::State::solve(const PolyhedronSurfa
   std::shared_ptr<const PatchSet> patches;
   CornerNormal normal;
   if (system->g2) {
-    fresh.g2 = solve_g2(positions, *network, joined, wants_round(input), quality, cancel, out.report);
+    std::shared_ptr<Network> drawn;
+    fresh.g2 = solve_g2(positions, *network, joined, quality, cancel, out.report, drawn);
     if (!fresh.g2) return cancelled();
+    network = drawn;
     patches = fresh.g2;
     normal = [&](Index patch, int corner) { return fresh.g2->corner_normal(patch, corner); };
   } else {

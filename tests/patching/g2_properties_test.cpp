@@ -20,9 +20,13 @@ PolyhedronSurface build(const PolyhedronSurfaceInput& input) {
   return std::move(result).value();
 }
 
-PolyhedronSurfaceInput input_of(const Polyhedron& polyhedron, const Shaping& shaping = {}) {
-  return {polyhedron, shaping, Mode::g2, Vector3::Zero()};
+PolyhedronSurfaceInput input_of(const Polyhedron& polyhedron, const Shaping& shaping = {},
+                                Frames frames = Frames::equal) {
+  PolyhedronSurfaceInput input{polyhedron, shaping, Mode::g2, Vector3::Zero()};
+  input.frames = frames;
+  return input;
 }
+constexpr Frames both_frames[] = {Frames::equal, Frames::metric};
 
 /// `size`: of the object. Where it is flat, curvature is rounding and there is nothing to be relative to. Few
 /// points may jump by more, all where the surface almost folds, and by no more than rounding explains.
@@ -55,26 +59,30 @@ TEST(G2Properties, ReferenceModelsAreCurvatureContinuous) {
                                                         {"car", ""},
                                                         {"concave", ""},
                                                         {"prism6", ""}};
-  for (const auto& [name, tension] : models) {
-    SCOPED_TRACE(std::string(name) + tension);
-    const auto input = golden_input(std::string(name) + ".obj", Mode::g2, tension);
-    expect_continuous(build(input), size_of(input.polyhedron));
-  }
+  for (const Frames frames : both_frames)
+    for (const auto& [name, tension] : models) {
+      SCOPED_TRACE(std::string(name) + tension + (frames == Frames::metric ? " by measure" : ""));
+      auto input = golden_input(std::string(name) + ".obj", Mode::g2, tension);
+      input.frames = frames;
+      expect_continuous(build(input), size_of(input.polyhedron));
+    }
 }
 
 TEST(G2Properties, RandomPolyhedraAreCurvatureContinuous) {
   for_random(400, 16, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     const Shaping shaping = random_shaping(polyhedron, rng, 10, 0.01, 100);
-    expect_continuous(build(input_of(polyhedron, shaping)), size_of(polyhedron));
+    for (const Frames frames : both_frames)
+      expect_continuous(build(input_of(polyhedron, shaping, frames)), size_of(polyhedron));
   });
 }
 
 TEST(G2Properties, CurvatureVariesInProportionToTheDistanceFromAVertex) {
   for_random(430, 10, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
-    const auto surface = build(input_of(polyhedron));
-    const auto frames = build_vertex_frames(polyhedron, {}).value();
+    const Frames chosen = chance(rng, 0.5) ? Frames::metric : Frames::equal;
+    const auto surface = build(input_of(polyhedron, {}, chosen));
+    const auto frames = build_vertex_frames(polyhedron, {}, {chosen}).value();
     const double rms = std::max(jumps_of(surface.surface).rms, 1e-9 / size_of(polyhedron));
     const Spread near = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-3, rms);
     const Spread far = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-2, rms);
@@ -86,7 +94,8 @@ TEST(G2Properties, CurvatureVariesInProportionToTheDistanceFromAVertex) {
 TEST(G2Properties, DerivativesMatchCentralDifferences) {
   for_random(440, 8, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
-    const auto surface = build(input_of(polyhedron, random_shaping(polyhedron, rng, 1, 0.1, 10)));
+    const Frames frames = chance(rng, 0.5) ? Frames::metric : Frames::equal;
+    const auto surface = build(input_of(polyhedron, random_shaping(polyhedron, rng, 1, 0.1, 10), frames));
     const PatchSet& patches = surface.surface.patches();
     for (int i = 0; i < 30; ++i) {
       const Index patch = static_cast<Index>(rng() % patches.patch_count());
@@ -112,7 +121,8 @@ TEST(G2Properties, DerivativesMatchCentralDifferences) {
 TEST(G2Properties, GridsEqualSinglePointsBitForBit) {
   for_random(450, 6, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
-    const auto surface = build(input_of(polyhedron));
+    const Frames frames = chance(rng, 0.5) ? Frames::metric : Frames::equal;
+    const auto surface = build(input_of(polyhedron, {}, frames));
     const PatchSet& patches = surface.surface.patches();
     const GridPattern pattern{Domain::triangle, uniform_int(rng, 1, 7)};
     const std::vector<Vector2> parameters = pattern.parameters();
@@ -160,19 +170,15 @@ double difference(const Surface& a, const Surface& b, const Matrix3& map, const 
   return largest;
 }
 
-TEST(G2Properties, AffineMapsOfTheInputMapTheSurface) {
+TEST(G2Properties, SimilaritiesOfTheInputMapTheSurface) {
   for_random(470, 8, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
-    Shaping shaping = random_shaping(polyhedron, rng, 10, 0.1, 10);
-    const bool affine = chance(rng, 0.5);
-    Matrix3 map;
-    if (affine) {
-      shaping.alpha = {};  // with alpha, bending is measured over a surface and knows similarities only
-      map << random_vector(rng), random_vector(rng), random_vector(rng);
-    } else {
-      map = uniform(rng, 0.01, 100) *
-            Eigen::AngleAxisd(uniform(rng, 0, 3), random_vector(rng).normalized()).toRotationMatrix();
-    }
+    const Shaping shaping = random_shaping(polyhedron, rng, 10, 0.1, 10);
+    const Frames frames = chance(rng, 0.5) ? Frames::metric : Frames::equal;
+    const double scales[] = {1e-3, 0.1, 10, 1e6};
+    const double scale = scales[rng() % 4];
+    const Matrix3 map =
+        scale * Eigen::AngleAxisd(uniform(rng, 0, 3), random_vector(rng).normalized()).toRotationMatrix();
     const Vector3 move = random_vector(rng, 10 * map.norm());
     std::vector<Index> all;
     std::vector<Vector3> moved;
@@ -180,8 +186,8 @@ TEST(G2Properties, AffineMapsOfTheInputMapTheSurface) {
       all.push_back(v);
       moved.push_back(map * polyhedron.position(v) + move);
     }
-    const auto before = build(input_of(polyhedron, shaping));
-    const auto after = build(input_of(polyhedron.with_positions(all, moved).value(), shaping));
+    const auto before = build(input_of(polyhedron, shaping, frames));
+    const auto after = build(input_of(polyhedron.with_positions(all, moved).value(), shaping, frames));
     EXPECT_LT(difference(after.surface, before.surface, map, move), 1e-9 * map.norm() * size_of(polyhedron));
   });
 }
@@ -194,15 +200,12 @@ void expect_same_bits(const PolyhedronSurface& a, const PolyhedronSurface& b) {
 
 TEST(G2Properties, TheNumberOfThreadsDoesNotMatter) {
   std::mt19937_64 rng(480);
-  PolygonMesh mesh = torus(40, 20);
+  PolygonMesh mesh = torus(20, 12);
   perturb(mesh, rng, 0.1);
-  auto input = input_of(Polyhedron::build(mesh).value());
-  for (const bool round : {false, true}) {
-    input.round = round;
-    const auto many = build(input);
-    const ParallelLimit one(1);
-    expect_same_bits(many, build(input));
-  }
+  const auto input = input_of(Polyhedron::build(mesh).value());
+  const auto many = build(input);
+  const ParallelLimit one(1);
+  expect_same_bits(many, build(input));
 }
 
 double largest_difference(const G2PatchSet& a, const G2PatchSet& b, const std::vector<Index>* but = nullptr) {
@@ -218,16 +221,16 @@ double largest_difference(const G2PatchSet& a, const G2PatchSet& b, const std::v
   return largest;
 }
 
-void drag_and_compare(const Polyhedron& start, const Shaping& shaping, bool round,
-                      std::vector<Index> vertices, std::mt19937_64& rng) {
-  auto input = input_of(start, shaping);
-  input.round = round;
+/// Largest distance between a point of a drag's last frame and the surface that follows its end.
+void drag_and_compare(const Polyhedron& start, const Shaping& shaping, Frames frames,
+                      std::vector<Index> vertices, double length, double largest_jump, std::mt19937_64& rng) {
+  auto input = input_of(start, shaping, frames);
   PolyhedronSurfacer surfacer;
   const auto before = surfacer.rebuild(input).value();
   PolyhedronSurface dragged;
   for (int frame = 0; frame < 3 || !dragged.settled; ++frame) {
     ASSERT_LT(frame, 40);
-    const Vector3 move = random_vector(rng, 0.05 * size_of(start));
+    const Vector3 move = length * random_vector(rng).normalized();
     std::vector<Vector3> positions;
     for (const Index v : vertices) positions.push_back(start.position(v) + move);
     input.polyhedron = start.with_positions(vertices, positions).value();
@@ -237,39 +240,46 @@ void drag_and_compare(const Polyhedron& start, const Shaping& shaping, bool roun
   }
   EXPECT_EQ(largest_difference(g2_set(dragged), g2_set(before), &*dragged.changed), 0);
   const auto cold = build(input);
-  if (!before.report.round) {
-    EXPECT_LT(largest_difference(g2_set(dragged), g2_set(cold)), 1e-9 * size_of(start));
-  }
+  EXPECT_LT(difference(dragged.surface, cold.surface, Matrix3::Identity(), Vector3::Zero()), largest_jump);
   expect_same_bits(surfacer.rebuild(input, Quality::final).value(), cold);
 }
 
-TEST(G2Properties, ADragIsTheFullSolutionAndItsReleaseAColdStart) {
-  for_random(490, 6, [](std::mt19937_64& rng) {
+TEST(G2Properties, ADragIsContinuousAndItsReleaseAColdStart) {
+  for_random(490, 4, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     const Index v = static_cast<Index>(rng() % polyhedron.vertex_count());
-    drag_and_compare(polyhedron, {}, chance(rng, 0.3), {v}, rng);
-    drag_and_compare(polyhedron, random_shaping(polyhedron, rng, 10, 0.1, 10), false, {v}, rng);
+    const double move = 0.01 * size_of(polyhedron);
+    // Target curvatures, and frames by measure, rest meanwhile: the difference is a part of the move.
+    for (const Frames frames : both_frames) {
+      drag_and_compare(polyhedron, {}, frames, {v}, move, move, rng);
+      drag_and_compare(polyhedron, random_shaping(polyhedron, rng, 10, 0.1, 10), frames, {v}, move, move,
+                       rng);
+    }
   });
 }
 
 TEST(G2Properties, ADragInALargeModelTouchesTheRingsThatMatter) {
   std::mt19937_64 rng(495);
-  PolygonMesh mesh = torus(90, 44);
+  PolygonMesh mesh = torus(45, 30);
   perturb(mesh, rng, 0.1);
-  drag_and_compare(Polyhedron::build(mesh).value(), {}, false, {1234, 1235}, rng);
+  const Polyhedron polyhedron = Polyhedron::build(mesh).value();
+  const double size = size_of(polyhedron);
+  drag_and_compare(polyhedron, {}, Frames::equal, {1234, 1235}, 0.01 * size, 0.002 * size, rng);
 }
 
-TEST(G2Properties, FacesWithMoreSidesThanTheLimitAreRefused) {
-  for (const int sides : {32, 33}) {
-    PolyhedronSurfacer surfacer;
-    const Polyhedron polyhedron = Polyhedron::build(prism(sides)).value();
-    const auto result = surfacer.rebuild(input_of(polyhedron));
-    EXPECT_EQ(result.ok(), sides <= int(largest_g2_side_count));
-    if (result.ok())
-      expect_continuous(*result, size_of(polyhedron));
-    else
-      EXPECT_EQ(result.error().code.name, e_too_many_sides.name);
-  }
+TEST(G2Properties, FacesHaveThreeTo128Sides) {
+  for (const int sides : {3, 7, 13, 64, 128, 129})
+    for (const Frames frames : both_frames) {
+      SCOPED_TRACE(sides);
+      PolyhedronSurfacer surfacer;
+      const Polyhedron polyhedron = Polyhedron::build(prism(sides)).value();
+      const auto result = surfacer.rebuild(input_of(polyhedron, {}, frames));
+      EXPECT_EQ(result.ok(), sides <= int(largest_fair_side_count));
+      if (result.ok())
+        expect_continuous(*result, size_of(polyhedron));
+      else
+        EXPECT_EQ(result.error().code.name, e_too_many_sides.name);
+    }
 }
 
 }  // namespace

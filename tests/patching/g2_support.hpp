@@ -80,8 +80,8 @@ inline Jumps jumps_of(const Surface& surface) {
 }
 
 /// Largest minus smallest mean and Gaussian curvature on circles round vertices of one sector, in the
-/// vertex's own chart: 9 directions a corner, radius in edges. Relative to rms curvature: (rms, rms^2). Worst
-/// vertex.
+/// vertex's own chart: 9 directions a corner, radius in mean edges of the vertex. Relative to rms curvature:
+/// (rms, rms^2). Worst vertex.
 struct Spread {
   double mean = 0, gauss = 0;
 };
@@ -102,19 +102,20 @@ inline Spread spread_round(const HalfEdgeMesh& mesh, const VertexFrames& frames,
       const Vector2 &at = chart.vertex(corner), forward = chart.vertex((corner + 1) % n) - at,
                     back = chart.vertex((corner + n - 1) % n) - at;
       for (int i = 0; i < 9; ++i) {
-        // y = (alpha + beta cos d, beta sin d) at this angle and radius; at straight corners (alpha - beta,
-        // q).
-        const double d = chart.angle(corner), angle = d * (i + 0.5) / 9;
+        // y = (out alpha + in beta cos d, in beta sin d) at this angle and radius; at straight corners
+        // out (alpha - beta, q).
+        const CornerShape& shape = chart.corner(corner);
+        const double d = shape.angle, angle = d * (i + 0.5) / 9;
         double alpha = 0, beta = 0;
         if (chart.straight(corner)) {
-          const double s = std::sin(angle),
-                       c = std::cos(angle);  // alpha - beta = c, 2 alpha beta = s (alpha + beta)
+          const double s = std::sin(angle) / shape.out,
+                       c = std::cos(angle) / shape.out;  // alpha - beta = c, 2 alpha beta = s (alpha + beta)
           const double sum = s + std::sqrt(s * s + c * c);
           alpha = (sum + c) / 2;
           beta = (sum - c) / 2;
         } else {
-          beta = std::sin(angle) / std::sin(d);
-          alpha = std::cos(angle) - beta * std::cos(d);
+          beta = std::sin(angle) / (shape.in * std::sin(d));
+          alpha = (std::cos(angle) - shape.in * beta * std::cos(d)) / shape.out;
         }
         const auto k =
             curvature(set.evaluate_chart(f, at + radius * (alpha * forward + beta * back), Order::second));

@@ -67,7 +67,7 @@ void expect_joined(std::mt19937_64& rng, std::span<const Mode> wanted, Largest& 
   std::vector<std::pair<Mode, Frames>> ways;
   for (const Mode mode : wanted) {
     ways.emplace_back(mode, Frames::equal);
-    if (mode == Mode::target || mode == Mode::fair) ways.emplace_back(mode, Frames::metric);
+    if (mode != Mode::paper) ways.emplace_back(mode, Frames::metric);
   }
   for (const auto& [mode, frames] : ways) {
     PolyhedronSurfacer surfacer;

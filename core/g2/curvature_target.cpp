@@ -1,0 +1,217 @@
+#include "core/g2/curvature_target.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/assert.hpp"
+#include "core/base/dense_solver.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr double least_metric = 1e-6;  ///< of the mean over the face
+constexpr int form_degree = 4;
+constexpr int form_terms = (form_degree + 1) * (form_degree + 2) / 2;
+
+template <class Each>  // each(side, point, the same with weight)
+void for_points(const ChartSamples& samples, const Each& each) {
+  for (int side = 0; side < samples.sides(); ++side)
+    for (std::size_t i = 0; i < samples.points(side).size(); ++i)
+      each(static_cast<std::size_t>(side), i, samples.points(side)[i]);
+}
+
+/// add(side, point, the same with weight, functions, their controls)
+template <class Add>
+void for_functions(const ChartSamples& samples, const Add& add) {
+  for (int side = 0; side < samples.sides(); ++side) {
+    const std::span<const int> active = samples.chart().active_controls(side);
+    samples.with_basis(side, [&](const ChartSamples::Basis& basis) {
+      for (std::size_t i = 0; i < samples.points(side).size(); ++i)
+        add(static_cast<std::size_t>(side), i, samples.points(side)[i], basis.at(i), active);
+    });
+  }
+}
+
+struct FormBasis {
+  std::array<double, form_terms> v, x, y;
+};
+/// Products of powers of x / R and y / R, with derivatives by x and y.
+FormBasis form_basis(const Vector2& point, double radius) {
+  const double unit = 1 / radius;
+  std::array<double, form_degree + 1> x{1}, y{1};
+  for (std::size_t i = 1; i <= form_degree; ++i) {
+    x[i] = x[i - 1] * point.x() * unit;
+    y[i] = y[i - 1] * point.y() * unit;
+  }
+  FormBasis out;
+  std::size_t k = 0;
+  for (std::size_t degree = 0; degree <= form_degree; ++degree)
+    for (std::size_t j = 0; j <= degree; ++j, ++k) {
+      const std::size_t i = degree - j;
+      out.v[k] = x[i] * y[j];
+      out.x[k] = i == 0 ? 0 : unit * double(i) * x[i - 1] * y[j];
+      out.y[k] = j == 0 ? 0 : unit * double(j) * x[i] * y[j - 1];
+    }
+  return out;
+}
+
+/// (11, 12, 22) in the chart's coordinates: L t L^T.
+std::array<double, 3> in_chart(const FramedPoint& p) {
+  const double a = p.l11, b = p.l21, c = p.l22;
+  return {a * a * p.t[0], a * (b * p.t[0] + c * p.t[1]),
+          b * b * p.t[0] + 2 * b * c * p.t[1] + c * c * p.t[2]};
+}
+
+/// Rows (11, sqrt(2) 12, 22) of second covariant derivatives in the frame, times the root of the area
+/// element.
+struct CovariantRows {
+  double a, b, c, root;
+  Eigen::Vector2d gxx, gxy, gyy;
+
+  CovariantRows(const ReferencePoint& s, const FramedPoint& p)
+      : a(1 / p.l11), b(-p.l21 / (p.l11 * p.l22)), c(1 / p.l22), root(std::sqrt(p.l11 * p.l22)) {
+    // Inverse metric: L^-T L^-1.
+    Eigen::Matrix2d inverse;
+    inverse << a * a + b * b, b * c, b * c, c * c;
+    const auto christoffel = [&](const Vector3& second) -> Eigen::Vector2d {
+      return inverse * Eigen::Vector2d(second.dot(s.x), second.dot(s.y));
+    };
+    gxx = christoffel(s.xx), gxy = christoffel(s.xy), gyy = christoffel(s.yy);
+  }
+  Eigen::Vector3d operator()(const Jet2& f) const {
+    const double xx = f.xx - gxx[0] * f.x - gxx[1] * f.y, xy = f.xy - gxy[0] * f.x - gxy[1] * f.y;
+    const double yy = f.yy - gyy[0] * f.x - gyy[1] * f.y;
+    return {root * (a * a * xx), root * std::numbers::sqrt2 * a * (b * xx + c * xy),
+            root * (b * b * xx + 2 * b * c * xy + c * c * yy)};
+  }
+};
+
+}  // namespace
+
+FramedFace framed(const ChartSamples& samples, const FaceReference& reference) {
+  double mean = 0;
+  for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
+    const ReferencePoint& s = reference[side][i];
+    mean += point.weight * (s.x.squaredNorm() + s.y.squaredNorm()) / (2 * samples.chart().area());
+  });
+  FramedFace out;
+  if (!(mean > 0)) return out;
+  for (std::size_t side = 0; side < reference.size(); ++side) {
+    auto& own = out.emplace_back();
+    for (const ReferencePoint& s : reference[side]) {
+      FramedPoint p;
+      const double floor = least_metric * mean, g11 = s.x.squaredNorm() + floor, g12 = s.x.dot(s.y),
+                   g22 = s.y.squaredNorm() + floor;
+      p.l11 = std::sqrt(g11);
+      p.l21 = g12 / p.l11;
+      p.l22 = std::sqrt(g22 - p.l21 * p.l21);
+      p.normal = s.x.cross(s.y).stableNormalized();
+      if (!p.normal.allFinite()) p.normal.setZero();
+      const double h11 = s.xx.dot(p.normal), h12 = s.xy.dot(p.normal), h22 = s.yy.dot(p.normal);
+      const double a = 1 / p.l11, b = -p.l21 / (p.l11 * p.l22), c = 1 / p.l22;
+      p.t = {a * a * h11, a * (b * h11 + c * h12), b * b * h11 + 2 * b * c * h12 + c * c * h22};
+      own.push_back(p);
+    }
+  }
+  return out;
+}
+
+void smooth_forms(const ChartSamples& samples, double width, FramedFace& face) {
+  const FaceChart& chart = samples.chart();
+  Eigen::Matrix2d mean = Eigen::Matrix2d::Zero();
+  std::size_t count = 0;
+  for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
+    const FramedPoint& p = face[side][i];
+    Eigen::Matrix2d g;
+    g << p.l11 * p.l11, p.l11 * p.l21, p.l11 * p.l21, p.l21 * p.l21 + p.l22 * p.l22;
+    mean += point.weight / chart.area() * g;
+    ++count;
+  });
+  const double half = (mean(0, 0) + mean(1, 1)) / 2;
+  const double smaller = half - std::hypot((mean(0, 0) - mean(1, 1)) / 2, mean(0, 1));
+  const double length = width * 2 * chart.apothem() * std::sqrt(std::max(smaller, 0.0));
+  Eigen::MatrixXd rows(3 * Eigen::Index(count), form_terms + 3);
+  Eigen::Index at = 0;
+  for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
+    const FramedPoint& p = face[side][i];
+    const FormBasis f = form_basis(point.point, chart.radius());
+    const double weight = std::sqrt(point.weight * p.l11 * p.l22), bent = length * weight;
+    const double a = 1 / p.l11, b = -p.l21 / (p.l11 * p.l22), c = 1 / p.l22;
+    for (int k = 0; k < form_terms; ++k) {
+      const auto term = static_cast<std::size_t>(k);
+      rows(at, k) = weight * f.v[term];
+      rows(at + 1, k) = bent * (a * f.x[term]);
+      rows(at + 2, k) = bent * (b * f.x[term] + c * f.y[term]);
+    }
+    for (int i3 = 0; i3 < 3; ++i3) {
+      rows(at, form_terms + i3) = weight * p.t[std::size_t(i3)];
+      rows(at + 1, form_terms + i3) = rows(at + 2, form_terms + i3) = 0;
+    }
+    at += 3;
+  });
+  const Eigen::MatrixXd gram = Eigen::MatrixXd(lower_gram_matrix(rows).selfadjointView<Eigen::Lower>());
+  Eigen::MatrixXd matrix = gram.topLeftCorner(form_terms, form_terms);
+  matrix.diagonal().array() += 1e-10 * matrix.trace() / form_terms;
+  const auto solved = solve_definite(matrix, Eigen::MatrixXd(gram.topRightCorner(form_terms, 3)));
+  HARIKO_ASSERT(solved, "the fit of a form is positive definite");
+  for_points(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point) {
+    const FormBasis f = form_basis(point.point, chart.radius());
+    for (int i3 = 0; i3 < 3; ++i3) {
+      double sum = 0;
+      for (int k = 0; k < form_terms; ++k) sum += f.v[std::size_t(k)] * (*solved)(k, i3);
+      face[side][i].t[std::size_t(i3)] = sum;
+    }
+  });
+}
+
+std::vector<Vector3> chart_load(const ChartSamples& samples, const FaceReference& reference,
+                                const FramedFace& own, const FramedFace& smooth, double share,
+                                const ChartMeasure& measure) {
+  std::vector<Vector3> out(std::size_t(samples.chart().control_count()), Vector3::Zero());
+  const Eigen::Matrix3d change = second_order_change(measure);
+  const Eigen::Matrix3d square = measure.weight * (change.transpose() * change);
+  for_functions(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point,
+                             std::span<const Jet2> basis, std::span<const int> active) {
+    const ReferencePoint& s = reference[side][i];
+    const FramedPoint& p = own[side][i];
+    const auto h = in_chart(p), smoothed = in_chart(smooth[side][i]);
+    const double weight = share * point.weight;
+    Eigen::Matrix3d target;
+    target.row(0) = weight * (s.xx - (h[0] - smoothed[0]) * p.normal);
+    target.row(1) = weight * std::numbers::sqrt2 * (s.xy - (h[1] - smoothed[1]) * p.normal);
+    target.row(2) = weight * (s.yy - (h[2] - smoothed[2]) * p.normal);
+    const Eigen::Matrix3d load = (square * target).transpose();
+    for (std::size_t k = 0; k < active.size(); ++k)
+      out[std::size_t(active[k])] +=
+          load * Eigen::Vector3d(basis[k].xx, std::numbers::sqrt2 * basis[k].xy, basis[k].yy);
+  });
+  return out;
+}
+
+Eigen::MatrixXd metric_plate(const ChartSamples& samples, const FaceReference& reference,
+                             const FramedFace& frames) {
+  return bending_matrix(samples, [&](int side, std::size_t point, std::span<const Jet2> basis, auto rows) {
+    const auto at = static_cast<std::size_t>(side);
+    const CovariantRows covariant(reference[at][point], frames[at][point]);
+    for (std::size_t k = 0; k < basis.size(); ++k) rows.col(Eigen::Index(k)) = covariant(basis[k]);
+  });
+}
+
+std::vector<Vector3> metric_load(const ChartSamples& samples, const FaceReference& reference,
+                                 const FramedFace& smooth) {
+  std::vector<Vector3> out(std::size_t(samples.chart().control_count()), Vector3::Zero());
+  for_functions(samples, [&](std::size_t side, std::size_t i, const ChartPoint& point,
+                             std::span<const Jet2> basis, std::span<const int> active) {
+    const FramedPoint& p = smooth[side][i];
+    const CovariantRows covariant(reference[side][i], p);
+    const double weight = point.weight * std::sqrt(p.l11 * p.l22);
+    const Eigen::Vector3d form(p.t[0], std::numbers::sqrt2 * p.t[1], p.t[2]);
+    for (std::size_t k = 0; k < active.size(); ++k)
+      out[std::size_t(active[k])] += weight * form.dot(covariant(basis[k])) * p.normal;
+  });
+  return out;
+}
+
+}  // namespace hariko

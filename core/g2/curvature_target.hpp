@@ -1,0 +1,42 @@
+#pragma once
+
+// The curvature that a face asks for: that of a reference, smoothed over the face's width (g2.md section 8).
+
+#include <array>
+#include <vector>
+
+#include "core/g2/face_reference.hpp"
+
+namespace hariko {
+
+/// Second fundamental form of the reference and its metric at a point.
+struct FramedPoint {
+  Vector3 normal;           ///< unit; zero where the reference has none
+  double l11, l21, l22;     ///< g = L L^T in the chart's coordinates
+  std::array<double, 3> t;  ///< (11, 12, 22) in the orthonormal frame of L
+};
+using FramedFace = std::vector<std::vector<FramedPoint>>;
+
+/// Metrics are kept above 1e-6 of their mean over the face, so that folds stay finite. Empty where the
+/// reference has shrunk to a point.
+FramedFace framed(const ChartSamples& samples, const FaceReference& reference);
+
+/// Replaces t by polynomials of degree four in the chart's coordinates, as smooth as a length of `width`
+/// times the face's narrowest chart width asks for.
+void smooth_forms(const ChartSamples& samples, double width, FramedFace& face);
+
+/// One vector a control: the integral of the target's second derivatives times the control's function, over
+/// the chart. The target has the tangential part of the reference's second derivatives and the forms of
+/// `smooth`, times `share`.
+std::vector<Vector3> chart_load(const ChartSamples& samples, const FaceReference& reference,
+                                const FramedFace& own, const FramedFace& smooth, double share,
+                                const ChartMeasure& measure);
+
+/// Bending over the reference itself: the integral of squared second covariant derivatives, and the load of
+/// the forms of `smooth` for it.
+Eigen::MatrixXd metric_plate(const ChartSamples& samples, const FaceReference& reference,
+                             const FramedFace& frames);
+std::vector<Vector3> metric_load(const ChartSamples& samples, const FaceReference& reference,
+                                 const FramedFace& smooth);
+
+}  // namespace hariko
