@@ -44,8 +44,8 @@ struct CadSettings {
   /// True when both give the same faces, however their numbers are written.
   bool same_faces(const CadSettings& other) const {
     return choices.tolerance == other.choices.tolerance && choices.angle == other.choices.angle &&
-           choices.exact == other.choices.exact && choices.scale == other.choices.scale &&
-           only_selected == other.only_selected;
+           choices.exact == other.choices.exact && choices.whole_faces == other.choices.whole_faces &&
+           choices.scale == other.choices.scale && only_selected == other.only_selected;
   }
 };
 

@@ -18,8 +18,11 @@ std::string text_of(const CadExportReport& report, Unit unit) {
   for (const CadObjectReport& object : report.objects) {
     out += object.name + ": " + std::to_string(object.faces) + " faces, " + std::to_string(object.exact) +
            " of them exact, " + std::to_string(object.control_points) + " control points, " +
-           std::to_string(object.edges) + " edges, " + (object.closed ? "closed" : "open") +
-           "\n  distance: largest " + number(object.distance) + length + ", tolerance " +
+           std::to_string(object.edges) + " edges, " + (object.closed ? "closed" : "open");
+    if (!object.not_exact.empty())
+      out += "\n  not exact: " + std::to_string(object.faces - object.exact) + " faces of " +
+             std::string(object.not_exact);
+    out += "\n  distance: largest " + number(object.distance) + length + ", tolerance " +
            number(object.tolerance) + length;
     if (object.unreached > 0) out += ", not kept by " + std::to_string(object.unreached) + " faces";
     out += "\n  normal jump across smooth edges: " + number(object.normal_jump * 180 / std::numbers::pi) +

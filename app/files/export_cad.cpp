@@ -59,6 +59,7 @@ CadModelOptions options_of(const CadChoices& choices, double scale, double unit)
   out.share = own ? 0 : grade.share;
   out.angle = choices.angle > 0 ? choices.angle : grade.angle;
   out.exact = choices.exact;
+  out.whole_faces = choices.whole_faces;
   return out;
 }
 
@@ -93,6 +94,7 @@ Result<MadeObject> make_object(const Document& document, const Object& object, c
   report.faces = out.model.faces.size();
   report.edges = out.model.edges.size();
   report.exact = measure.exact;
+  if (choices.exact && report.exact < report.faces) report.not_exact = why_not_exact(built->surface);
   report.control_points = measure.control_points;
   report.closed = out.model.closed();
   report.distance = scale * measure.largest;

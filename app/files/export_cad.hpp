@@ -24,6 +24,7 @@ inline constexpr Code w_cad_names{"W_CAD_NAMES"};
 struct CadObjectReport {
   std::string name;
   std::size_t faces = 0, exact = 0, edges = 0, control_points = 0;
+  std::string_view not_exact;  ///< why some faces are not, where that was asked for
   bool closed = false;
   double distance = 0;        ///< largest measured between the surface and its faces
   double tolerance = 0;       ///< that was asked for

@@ -91,6 +91,7 @@ void visit_cad(AnyChoices& c, Visitor& visitor) {
       Names<CadQuality>{
           {"light", CadQuality::light}, {"balanced", CadQuality::balanced}, {"fine", CadQuality::fine}});
   visitor.flag("exact", c.exact);
+  visitor.flag("whole_faces", c.whole_faces);
   visitor.choice(
       "unit", c.unit,
       Names<Unit>{

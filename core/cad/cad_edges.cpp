@@ -38,7 +38,7 @@ CadEdges::CadEdges(const EdgeTask& task, const CadPlan& plan, const CancelToken&
 TracedPoint CadEdges::side_point(Index number, int side, double x, bool smooth) const {
   const CadPiece& own = (*task_.pieces)[number];
   const Vector2 at = own.parameter(side, x);
-  const PatchPoint p = evaluate(*task_.surface, own, at.x(), at.y());
+  const PatchPoint p = (*task_.points)[number].at(at.x(), at.y());
   const Vector3 along = side % 2 == 0 ? p.ds : p.dt;
   static const std::optional<End> none;
   TracedPoint out{p.position, side < 2 ? along : Vector3(-along)};
@@ -60,7 +60,7 @@ CadEdges::End CadEdges::end_of(const CadEdge& edge, bool at_end) const {
   double speed = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector2 at = own.parameter(use.side, from + double(k + 1) * step);
-    const PatchPoint p = evaluate(*task_.surface, own, at.x(), at.y());
+    const PatchPoint p = (*task_.points)[use.piece].at(at.x(), at.y());
     if (!has_normal(p)) return out;
     const Vector3 along = (use.side % 2 == 0 ? p.ds : p.dt) * (use.side < 2 ? 1 : -1) * (at_end ? -1 : 1);
     normals[k] = unit_normal(p);

@@ -11,8 +11,8 @@ namespace hariko {
 
 /// Ingredients of the edges of a model.
 struct EdgeTask {
-  const Surface* surface = nullptr;
   const std::vector<CadPiece>* pieces = nullptr;
+  const std::vector<PieceEvaluator>* points = nullptr;  ///< of the pieces
   int degree = 3;
   FitLimits limits;
   double size = 0;

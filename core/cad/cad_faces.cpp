@@ -27,15 +27,8 @@ constexpr int most_steps = 24, most_widenings = 3;
 /// Places of a span, none of them a Greville place of a single one: there every interpolation is right.
 constexpr std::array<std::pair<double, double>, 3> exact_looks{{{0.37, 0.61}, {0.11, 0.83}, {0.91, 0.13}}};
 
-FaceFit::Model model_of(const EdgeTask& task, Index piece) {
-  return [&surface = *task.surface, &own = (*task.pieces)[piece]](double s, double t) {
-    return evaluate(surface, own, s, t);
-  };
-}
-
-std::array<std::vector<Vector3>, 4> boundary_of(const CadEdges& edges, Index piece, const SplineSpace& s,
-                                                const SplineSpace& t) {
-  std::array<std::vector<Vector3>, 4> out;
+FaceBoundary boundary_of(const CadEdges& edges, Index piece, const SplineSpace& s, const SplineSpace& t) {
+  FaceBoundary out;
   for (int side = 0; side < 4; ++side)
     out[std::size_t(side)] = edges.boundary(piece, side, side % 2 == 0 ? s : t);
   return out;
@@ -113,9 +106,14 @@ class FaceMaker {
         return;
       }
       std::tie(face.s, face.t) = spaces_of(task_, edges_, f);
-      face.fit = std::make_unique<FaceFit>(model_of(task_, f), face.s, face.t,
-                                           boundary_of(edges_, f, face.s, face.t));
+      face.fit = new_fit(f);
     });
+  }
+  /// A fit in the present spaces of a face.
+  std::unique_ptr<FaceFit> new_fit(Index f) const {
+    const Face& face = faces_[f];
+    return std::make_unique<FaceFit>((*task_.points)[f], face.s, face.t,
+                                     boundary_of(edges_, f, face.s, face.t), limits_, face.fit.get());
   }
 
   const SplineSurface& surface(Index f) const {
@@ -132,14 +130,14 @@ class FaceMaker {
     each(faces, 1, [&](Index f) {
       if (!faces_[f].fit) return;
       faces_[f].fit->set_ties(ties_.ties(f));
-      faces_[f].fit->solve(limits_);
+      faces_[f].fit->solve();
       faces_[f].fit->slide();
     });
     each(chosen, 4, [&](Index e) { ties_.retie(e); });
     each(faces, 1, [&](Index f) {
       if (!faces_[f].fit) return;
       faces_[f].fit->set_ties(ties_.ties(f));
-      faces_[f].fit->solve(limits_);
+      faces_[f].fit->solve();
     });
   }
   /// Faces of chosen edges, and `also`.
@@ -196,7 +194,7 @@ class FaceMaker {
       each(faces, 1, [&](Index f) {
         if (!faces_[f].fit) return;
         faces_[f].fit->want(ties_.wanted(f));
-        faces_[f].fit->solve(limits_);
+        faces_[f].fit->solve_rows();
       });
       each(active, 4, [&](Index e) { ties_.compare(e); });
     };
@@ -239,6 +237,9 @@ class FaceMaker {
     }
     for (std::size_t k = 0; k < n; ++k) agreed[k]->wanted = at[k];
     look();
+    each(faces, 1, [&](Index f) {
+      if (faces_[f].fit) faces_[f].fit->solve();
+    });
   }
 
   /// Knots where faces or edges miss the limits; the faces that got some.
@@ -260,8 +261,7 @@ class FaceMaker {
       const bool s = halve(face.s, misses[f].s), t = halve(face.t, misses[f].t);
       if (!s && !t) return;
       out[f] = 1;
-      face.fit = std::make_unique<FaceFit>(model_of(task_, f), face.s, face.t,
-                                           boundary_of(edges_, f, face.s, face.t));
+      face.fit = new_fit(f);
     });
     return out;
   }
@@ -311,7 +311,7 @@ class FaceMaker {
 
 std::optional<CadFace> exact_cad_face(const EdgeTask& task, const CadEdges& edges, Index piece) {
   const auto [s, t] = spaces_of(task, edges, piece);
-  const FaceFit::Model model = model_of(task, piece);
+  const PieceEvaluator& model = (*task.points)[piece];
   CadFace out;
   out.surface = interpolated(s, t, model, boundary_of(edges, piece, s, t));
   const SplineEvaluator spline(out.surface);
@@ -325,7 +325,7 @@ std::optional<CadFace> exact_cad_face(const EdgeTask& task, const CadEdges& edge
     for (std::size_t i = 0; i < s.span_count(); ++i)
       for (const auto& [f, g] : exact_looks) {
         const double x = inside(s, i, f), y = inside(t, j, g);
-        distance = std::max(distance, (model(x, y).position - spline.at(x, y).position).norm());
+        distance = std::max(distance, (model.at(x, y).position - spline.at(x, y).position).norm());
         if (!known && distance > task.rounding) return {};
       }
   out.exact = distance <= exact_face * task.size;

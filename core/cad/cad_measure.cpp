@@ -39,19 +39,21 @@ std::vector<double> places(const SplineSpace& space, int samples) {
   return out;
 }
 
-/// From a point to the surface, at the foot of the perpendicular near (s, t), by Newton's steps. Each place
-/// of the surface is at least as far away as the nearest.
-double distance_near(const Surface& surface, const CadPiece& piece, double s, double t, const Vector3& from) {
+/// From a point to the surface, at the foot of the perpendicular near (s, t), by Newton's steps; or some
+/// upper bound of it that is no more than `enough`. Each place of the surface is at least as far away as the
+/// nearest.
+double distance_near(const PieceEvaluator& surface, const CadPiece& piece, double s, double t,
+                     const Vector3& from, double enough) {
   double nearest = std::numeric_limits<double>::infinity();
   constexpr int steps = 4;
   for (int step = 0; step < steps; ++step) {
-    const PatchPoint point = evaluate(surface, piece, s, t);
+    const PatchPoint point = surface.at(s, t);
     const Vector3 miss = from - point.position;
     const double e = point.ds.squaredNorm(), f = point.ds.dot(point.dt), g = point.dt.squaredNorm();
     const double area = e * g - f * f, a = point.ds.dot(miss), b = point.dt.dot(miss);
     const double before = nearest;
     nearest = std::min(nearest, miss.norm());
-    if (nearest == 0 || !(nearest < 0.9 * before) || !(area > 1e-10 * e * g)) break;
+    if (nearest <= enough || !(nearest < 0.9 * before) || !(area > 1e-10 * e * g)) break;
     s = std::clamp(s + (g * a - f * b) / area, 0.0, piece.s.back());
     t = std::clamp(t + (e * b - f * a) / area, 0.0, piece.t.back());
   }
@@ -60,13 +62,16 @@ double distance_near(const Surface& surface, const CadPiece& piece, double s, do
 
 double face_distance(const Surface& surface, const CadModel& model, Index face, int samples) {
   const SplineSurface& spline = model.faces[face].surface;
-  const SplineEvaluator evaluator(spline);
+  const CadPiece& piece = model.pieces[face];
+  const PieceEvaluator near(surface, piece);
+  const std::vector<double> s = places(spline.s, samples), t = places(spline.t, samples);
+  const std::vector<PatchPoint> points =
+      evaluate_grid(spline, spline_bases(spline.s, s), spline_bases(spline.t, t));
   double largest = 0;
-  for (const double t : places(spline.t, samples))
-    for (const double s : places(spline.s, samples)) {
-      largest =
-          std::max(largest, distance_near(surface, model.pieces[face], s, t, evaluator.at(s, t).position));
-    }
+  for (std::size_t j = 0; j < t.size(); ++j)
+    for (std::size_t i = 0; i < s.size(); ++i)
+      largest = std::max(largest,
+                         distance_near(near, piece, s[i], t[j], points[j * s.size() + i].position, largest));
   return largest;
 }
 

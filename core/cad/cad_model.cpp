@@ -51,6 +51,7 @@ std::vector<Attempt> attempts_for(const Surface& surface, const CadModelOptions&
   if (dynamic_cast<const G2PatchSet*>(patches)) return {{CadPieces::faces, quintic, true}};
   if (surface.domain() == Domain::square)
     return {{CadPieces::faces, cubic}, {CadPieces::faces, quintic, true}};
+  if (options.whole_faces) return {{CadPieces::faces, quintic, true}};
   if (options.exact) return {{CadPieces::patches, quintic}};
   return {{CadPieces::patches, cubic}, {CadPieces::faces, quintic, true}};
 }
@@ -105,6 +106,7 @@ class Maker {
         cancel_(cancel),
         pieces_(cad_pieces(surface, which)),
         plan_(plan_cad(surface, pieces_)) {
+    for (const CadPiece& piece : pieces_) points_.emplace_back(surface, piece);
     const Eigen::AlignedBox3d box = box_of(surface);
     size_ = box.isEmpty() ? 0 : box.diagonal().norm();
     limits_.distance = std::max(options.tolerance, options.share * size_);
@@ -116,7 +118,7 @@ class Maker {
 
   /// Nothing where the model would weigh more than `heaviest`, or cancelled.
   std::optional<CadModel> make(const Attempt& attempt, std::size_t heaviest, const Progress& progress) const {
-    const EdgeTask task{&surface_, &pieces_, attempt.degree, limits_, size_, rounding(), attempt.bends};
+    const EdgeTask task{&pieces_, &points_, attempt.degree, limits_, size_, rounding(), attempt.bends};
     const CadEdges edges(task, plan_, cancel_);
     if (cancel_.cancelled()) return {};
     auto faces = cad_faces(task, edges, heaviest, cancel_, progress);
@@ -124,7 +126,7 @@ class Maker {
   }
   /// Nothing where not all faces are splines of the degree without knots, or cancelled.
   std::optional<CadModel> make_exact(int degree) const {
-    EdgeTask task{&surface_, &pieces_, degree, limits_, size_, rounding()};
+    EdgeTask task{&pieces_, &points_, degree, limits_, size_, rounding()};
     task.limits = FitLimits{infinite, infinite, infinite};
     const CadEdges edges(task, plan_, cancel_);
     std::vector<CadFace> faces;
@@ -161,6 +163,7 @@ class Maker {
   const Surface& surface_;
   const CancelToken& cancel_;
   std::vector<CadPiece> pieces_;
+  std::vector<PieceEvaluator> points_;
   CadPlan plan_;
   FitLimits limits_;
   double size_ = 0;
@@ -173,11 +176,22 @@ bool CadModel::closed() const {
                      [](const CadEdge& edge) { return edge.use_count == 2 || edge.degenerate; });
 }
 
+std::string_view why_not_exact(const Surface& surface) {
+  const PatchSet* patches = &surface.patches();
+  if (dynamic_cast<const QuarticPatchSet*>(patches))
+    return "rational triangles, whose inner points do not coincide in pairs";
+  if (dynamic_cast<const G2PatchSet*>(patches)) return "rational patches of mode G2";
+  if (subdivision_patches(surface))
+    return "patches round extraordinary vertices, which are endless rows of splines";
+  if (dynamic_cast<const BezierPatchSet*>(patches)) return "rational patches, or such of a degree above 9";
+  return "rational patches";
+}
+
 Result<CadModel> make_cad_model(const Surface& surface, const CadModelOptions& options,
                                 const CancelToken& cancel, const Progress& progress) {
   if (surface.patch_count() == 0) return CadModel{};
   std::optional<CadModel> best;
-  if (may_be_quartics(surface, box_of(surface).diagonal().norm()))
+  if (!options.whole_faces && may_be_quartics(surface, box_of(surface).diagonal().norm()))
     best = Maker(surface, CadPieces::patches, options, cancel).make_exact(quartic_degree);
   if (!best || !options.exact) {
     const std::vector<Attempt> attempts = attempts_for(surface, options);

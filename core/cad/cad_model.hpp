@@ -5,6 +5,7 @@
 
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/cancellation.hpp"
@@ -58,9 +59,16 @@ struct CadModelOptions {
   double angle = usual_cad_angle;  ///< likewise between faces along smooth edges, radians
   bool exact =
       false;  ///< faces that are splines are exact, also where others of less weight keep the tolerance
+  /// Triangles round the split point of a face of four sides are one face, also where more faces of them have
+  /// less weight.
+  bool whole_faces = false;
 };
 /// Of the diagonal: closer than this, a face is the surface.
 inline constexpr double exact_face = 1e-12;
+
+/// Why faces of a surface that are no splines of the degree in use are none, in a few words: "rational
+/// triangles ...".
+std::string_view why_not_exact(const Surface& surface);
 
 /// Errors: E_CANCELLED. What is not a spline of the degree in use, or weighs more than a fit would, is fitted
 /// by splines of degree 3 or 5, whichever has less control points. O(patches) for a fixed tolerance.

@@ -106,6 +106,7 @@ std::vector<CadPiece> chart_pieces(const G2PatchSet& patches) {
   return out;
 }
 
+/// Corner of a regular polygon of radius 1.
 Vector2 fan_vertex(std::size_t k, std::size_t n) {
   const double turn = 2 * std::numbers::pi * double(k % n) / double(n);
   return {std::cos(turn), std::sin(turn)};
@@ -159,33 +160,21 @@ std::vector<CadPiece> fan_pieces(const Surface& surface) {
   return out;
 }
 
-/// Point of a fan by its polygon's coordinates, with derivatives by them.
-PatchPoint fan_point(const Surface& surface, const std::vector<Index>& fan, const Vector2& at) {
-  const std::size_t n = fan.size();
-  const auto cross = [](const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); };
-  std::size_t k = 0;
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double inside = std::min(cross(fan_vertex(i, n), at), cross(at, fan_vertex(i + 1, n)));
-    if (inside > deepest) deepest = inside, k = i;
-  }
-  const Vector2 a = fan_vertex(k, n), b = fan_vertex(k + 1, n);
-  const double area = cross(a, b);
-  Vector2 parameter(cross(at, b) / area, cross(a, at) / area);
-  parameter = parameter.cwiseMax(0.0);
-  if (parameter.sum() > 1) parameter /= parameter.sum();
-  PatchPoint point = surface.patches().evaluate(fan[k], parameter, Order::first);
-  const Vector3 by_x = (b.y() * point.ds - a.y() * point.dt) / area,
-                by_y = (a.x() * point.dt - b.x() * point.ds) / area;
-  point.ds = by_x;
-  point.dt = by_y;
-  return point;
-}
-
-PatchPoint cell_surface(const Surface& surface, const CadCell& cell, const Vector2& at) {
-  if (!cell.fan.empty()) return fan_point(surface, cell.fan, at);
-  return cell.chart ? g2_patches(surface)->evaluate_chart(cell.patch, at, Order::first)
-                    : surface.patches().evaluate(cell.patch, at, Order::first);
+/// Derivatives by the variables p and q, of which the present ones are the linear functions with rows `by_p`
+/// and `by_q`.
+PatchPoint by_linear(const PatchPoint& point, const Vector2& by_p, const Vector2& by_q) {
+  const auto second = [&](const Vector2& a, const Vector2& b) -> Vector3 {
+    return a.x() * b.x() * point.dss + (a.x() * b.y() + a.y() * b.x()) * point.dst +
+           a.y() * b.y() * point.dtt;
+  };
+  PatchPoint out;
+  out.position = point.position;
+  out.ds = by_p.x() * point.ds + by_p.y() * point.dt;
+  out.dt = by_q.x() * point.ds + by_q.y() * point.dt;
+  out.dss = second(by_p, by_p);
+  out.dst = second(by_p, by_q);
+  out.dtt = second(by_q, by_q);
+  return out;
 }
 
 }  // namespace
@@ -234,17 +223,57 @@ std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which) {
   return out;
 }
 
-PatchPoint evaluate(const Surface& surface, const CadPiece& piece, double s, double t) {
+PieceEvaluator::PieceEvaluator(const Surface& surface, const CadPiece& piece)
+    : patches_(&surface.patches()),
+      fast_(facet_evaluation(surface.patches())),
+      charts_(g2_patches(surface)),
+      piece_(&piece) {
+  const std::size_t n = piece.cells.front().fan.size();
+  for (std::size_t k = 0; k < n; ++k) polygon_.push_back(fan_vertex(k, n));
+}
+
+PatchPoint PieceEvaluator::patch_point(Index patch, const Vector2& at, Order order) const {
+  if (!fast_ || order == Order::second) return patches_->evaluate(patch, at, order);
+  PatchPoint out;
+  fast_->first_order(patch, {&at, 1}, {&out, 1});
+  return out;
+}
+
+/// By the polygon's coordinates.
+PatchPoint PieceEvaluator::fan_point(const CadCell& cell, const Vector2& at, Order order) const {
+  const std::size_t n = polygon_.size();
+  const auto cross = [](const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); };
+  std::size_t k = 0;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double inside = std::min(cross(polygon_[i], at), cross(at, polygon_[(i + 1) % n]));
+    if (inside > deepest) deepest = inside, k = i;
+  }
+  const Vector2 &a = polygon_[k], &b = polygon_[(k + 1) % n];
+  const double area = cross(a, b);
+  Vector2 parameter(cross(at, b) / area, cross(a, at) / area);
+  parameter = parameter.cwiseMax(0.0);
+  if (parameter.sum() > 1) parameter /= parameter.sum();
+  return by_linear(patch_point(cell.fan[k], parameter, order), Vector2(b.y(), -a.y()) / area,
+                   Vector2(-b.x(), a.x()) / area);
+}
+
+PatchPoint PieceEvaluator::at(double s, double t, Order order) const {
+  const CadPiece& piece = *piece_;
   const std::size_t column = span_of(piece.s, s), row = span_of(piece.t, t);
   const CadCell& cell = piece.cells[row * piece.columns() + column];
   const double width = piece.s[column + 1] - piece.s[column], height = piece.t[row + 1] - piece.t[row];
   const CellPoint at = cell_point(cell, (s - piece.s[column]) / width, (t - piece.t[row]) / height);
-  PatchPoint point = cell_surface(surface, cell, at.at);
-  const Vector3 by_s = (at.by_s.x() * point.ds + at.by_s.y() * point.dt) / width;
-  const Vector3 by_t = (at.by_t.x() * point.ds + at.by_t.y() * point.dt) / height;
-  point.ds = by_s;
-  point.dt = by_t;
-  return point;
+  const PatchPoint point = !cell.fan.empty() ? fan_point(cell, at.at, order)
+                           : cell.chart      ? charts_->evaluate_chart(cell.patch, at.at, order)
+                                             : patch_point(cell.patch, at.at, order);
+  PatchPoint out = by_linear(point, at.by_s / width, at.by_t / height);
+  if (order == Order::second) {  // the cell's map is bilinear
+    const auto& c = cell.corners;
+    const Vector2 twist = (c[0] - c[1] + c[2] - c[3]) / (width * height);
+    out.dst += twist.x() * point.ds + twist.y() * point.dt;
+  }
+  return out;
 }
 
 }  // namespace hariko

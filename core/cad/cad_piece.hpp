@@ -7,10 +7,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/surface/facet_evaluation.hpp"
 #include "core/surface/surface.hpp"
 #include "core/surface/tensor_bezier.hpp"
 
 namespace hariko {
+
+class G2PatchSet;
 
 /// Part of a patch's side, or a curve inside of a patch that pieces have in common: then `side.patch` is
 /// no_index and `inner` is the curve's number; begin < end means along it.
@@ -70,8 +73,22 @@ std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which = CadPi
 /// The largest degree of the patches, by s or t, where splines can hold all of them: none is rational.
 std::optional<int> bezier_degree(const BezierPatchSet& patches);
 
-/// Point of a piece with derivatives by s and t.
-PatchPoint evaluate(const Surface& surface, const CadPiece& piece, double s, double t);
+/// Points of one piece, with derivatives by s and t. The surface and the piece must outlive it. Thread-safe.
+class PieceEvaluator {
+ public:
+  PieceEvaluator(const Surface& surface, const CadPiece& piece);
+  PatchPoint at(double s, double t, Order order = Order::first) const;
+
+ private:
+  PatchPoint patch_point(Index patch, const Vector2& at, Order order) const;
+  PatchPoint fan_point(const CadCell& cell, const Vector2& at, Order order) const;
+
+  const PatchSet* patches_;
+  const FacetEvaluation* fast_;  ///< the same patches; none where they have no faster evaluation
+  const G2PatchSet* charts_;
+  const CadPiece* piece_;
+  std::vector<Vector2> polygon_;  ///< of the fan
+};
 
 /// Splines of squares: rectangles of patches that are pieces of one spline (cad_pieces): bicubic ones, and
 /// Bezier patches of the degree that `bezier_degree` gives, whose knots may be at uneven distances.

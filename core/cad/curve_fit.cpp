@@ -49,6 +49,25 @@ struct Unknown {
   Vector3 direction;
 };
 
+/// A curve at Gauss places of a space's spans.
+struct CurveSamples {
+  std::vector<TracedPoint> points;
+  std::vector<double> weight;
+  std::vector<SplineBasis> basis;
+
+  CurveSamples(const SplineSpace& space, const std::function<TracedPoint(double)>& function) {
+    const SpanPlaces& places = span_places(space.degree + 2);
+    std::vector<double> at;
+    for (std::size_t span = 0; span < space.span_count(); ++span)
+      for (std::size_t g = 0; g < places.at.size(); ++g) {
+        at.push_back(space.breaks[span] + places.at[g] * span_width(space, span));
+        points.push_back(function(at.back()));
+        weight.push_back(places.weight[g] * span_width(space, span));
+      }
+    basis = spline_bases(space, at);
+  }
+};
+
 /// How far the control points next to those beside the ends are from the tangent planes there, where given.
 using EndHeights = std::array<std::optional<double>, 2>;
 
@@ -56,8 +75,8 @@ using EndHeights = std::array<std::optional<double>, 2>;
 class CurveSolver {
  public:
   CurveSolver(const SplineSpace& space, const std::function<TracedPoint(double)>& function,
-              const EndHeights& heights)
-      : space_(space), knots_(space.knots()), function_(function) {
+              const CurveSamples& samples, const EndHeights& heights)
+      : space_(space), samples_(samples) {
     const TracedPoint begin = function(space.begin()), end = function(space.end());
     points_.assign(space.size(), Vector3::Zero());
     points_.front() = begin.position;
@@ -94,10 +113,7 @@ class CurveSolver {
     if (unknowns_.empty()) return out;
     BandedCholesky matrix(unknowns_.size(), std::size_t(3 * space_.degree + 2));
     std::vector<double> right(unknowns_.size(), 0);
-    const SpanPlaces& places = span_places(space_.degree + 2);
-    for (std::size_t span = 0; span < space_.span_count(); ++span)
-      for (std::size_t g = 0; g < places.at.size(); ++g)
-        add(span, places.at[g], places.weight[g], matrix, right);
+    for (std::size_t k = 0; k < samples_.points.size(); ++k) add(k, matrix, right);
     if (!matrix.factor()) return out;
     matrix.solve(right);
     for (std::size_t u = 0; u < unknowns_.size(); ++u)
@@ -106,18 +122,15 @@ class CurveSolver {
   }
 
  private:
-  void add(std::size_t span, double fraction, double weight, BandedCholesky& matrix,
-           std::vector<double>& right) const {
-    const double width = space_.breaks[span + 1] - space_.breaks[span];
-    const double x = space_.breaks[span] + fraction * width;
-    const TracedPoint want = function_(x);
-    const SplineBasis basis = spline_basis(space_, knots_, x);
+  void add(std::size_t sample, BandedCholesky& matrix, std::vector<double>& right) const {
+    const TracedPoint& want = samples_.points[sample];
+    const SplineBasis& basis = samples_.basis[sample];
     const std::size_t end = basis.first + std::size_t(space_.degree);
     Vector3 miss = want.position;
     for (std::size_t k = basis.first; k <= end; ++k) miss -= basis.value[k - basis.first] * points_[k];
     const Vector3 tangent = want.derivative.stableNormalized();
     const auto weighted = [&](const Vector3& v) -> Vector3 {
-      return width * weight * (v - (1 - along_share * along_share) * v.dot(tangent) * tangent);
+      return samples_.weight[sample] * (v - (1 - along_share * along_share) * v.dot(tangent) * tangent);
     };
     const auto from = std::lower_bound(unknowns_.begin(), unknowns_.end(), basis.first,
                                        [](const Unknown& u, std::size_t k) { return u.point < k; });
@@ -132,8 +145,7 @@ class CurveSolver {
   }
 
   const SplineSpace& space_;
-  std::vector<double> knots_;
-  const std::function<TracedPoint(double)>& function_;
+  const CurveSamples& samples_;
   std::vector<Vector3> points_;
   std::vector<Unknown> unknowns_;  ///< by points, ascending
 };
@@ -160,11 +172,12 @@ EndHeights end_heights(const SplineCurve& curve, const std::function<TracedPoint
 
 /// Least squares in one space. How fast the curve leaves its ends decides how high they must bend.
 SplineCurve nearest_curve(const SplineSpace& space, const std::function<TracedPoint(double)>& function) {
-  SplineCurve out = CurveSolver(space, function, {}).run();
+  const CurveSamples samples(space, function);
+  SplineCurve out = CurveSolver(space, function, samples, {}).run();
   for (int round = 0; round < 3; ++round) {
     const EndHeights heights = end_heights(out, function);
     if (!heights[0] && !heights[1]) break;
-    out = CurveSolver(space, function, heights).run();
+    out = CurveSolver(space, function, samples, heights).run();
   }
   return out;
 }

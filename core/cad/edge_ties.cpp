@@ -10,6 +10,8 @@ namespace {
 
 /// How much ties count beside the distance inside: they are to be met by the first rows.
 constexpr double tie_share = 4;
+/// How much the length and the lean of the derivative across a side count beside the angle.
+constexpr double slope_share = 0.05;
 
 /// The place nearest to x.
 const EdgePlace* nearest(const std::vector<EdgePlace>& places, double x) {
@@ -83,9 +85,8 @@ void EdgeTies::place(Index number) {
 }
 
 PatchPoint EdgeTies::side_point(const CadUse& use, double x) const {
-  const CadPiece& piece = (*task_.pieces)[use.piece];
-  const Vector2 at = piece.parameter(use.side, x);
-  return evaluate(*task_.surface, piece, at.x(), at.y());
+  const Vector2 at = (*task_.pieces)[use.piece].parameter(use.side, x);
+  return (*task_.points)[use.piece].at(at.x(), at.y());
 }
 
 /// Normal and speeds; false where there is no normal.
@@ -174,7 +175,8 @@ std::vector<FaceTie> EdgeTies::ties(Index face) const {
   for_places(face, [&](const EdgePlace& at, std::size_t u) {
     const Agreed& turn = at.turn;
     out.push_back({turn.tie[u], tie_share * tie_share * turn.weight[u] / (turn.limit * turn.limit),
-                   (at.across[u] - at.across[u].dot(at.normal) * at.normal) / at.speed[u], turn.wanted});
+                   (at.across[u] - at.across[u].dot(at.normal) * at.normal) / at.speed[u],
+                   slope_share * slope_share, turn.wanted});
   });
   return out;
 }

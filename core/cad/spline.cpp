@@ -76,6 +76,14 @@ SplineBasis spline_basis(const SplineSpace& space, const std::vector<double>& kn
   return out;
 }
 
+std::vector<SplineBasis> spline_bases(const SplineSpace& space, std::span<const double> places) {
+  const std::vector<double> knots = space.knots();
+  std::vector<SplineBasis> out;
+  out.reserve(places.size());
+  for (const double x : places) out.push_back(spline_basis(space, knots, x));
+  return out;
+}
+
 SplinePoint evaluate(const SplineCurve& curve, double x) {
   const SplineBasis basis = spline_basis(curve.space, curve.space.knots(), x);
   SplinePoint out;
@@ -112,6 +120,31 @@ PatchPoint SplineEvaluator::at(double s, double t, Order order) const {
     out.dst += b.derivative[j] * row_s;
     out.dtt += b.second[j] * row;
   }
+  return out;
+}
+
+std::vector<PatchPoint> evaluate_grid(const SplineSurface& surface, std::span<const SplineBasis> s,
+                                      std::span<const SplineBasis> t) {
+  const std::size_t count = s.size(), rows = surface.t.size();
+  std::vector<Vector3> value(rows * count, Vector3::Zero()), slope = value;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t u = 0; u <= std::size_t(surface.s.degree); ++u) {
+        const Vector3& p = surface.points[surface.index(s[i].first + u, row)];
+        value[row * count + i] += s[i].value[u] * p;
+        slope[row * count + i] += s[i].derivative[u] * p;
+      }
+  std::vector<PatchPoint> out(count * t.size());
+  for (std::size_t j = 0; j < t.size(); ++j)
+    for (std::size_t v = 0; v <= std::size_t(surface.t.degree); ++v) {
+      const std::size_t from = (t[j].first + v) * count;
+      for (std::size_t i = 0; i < count; ++i) {
+        PatchPoint& point = out[j * count + i];
+        point.position += t[j].value[v] * value[from + i];
+        point.ds += t[j].value[v] * slope[from + i];
+        point.dt += t[j].derivative[v] * value[from + i];
+      }
+    }
   return out;
 }
 

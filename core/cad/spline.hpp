@@ -41,6 +41,7 @@ struct SplineBasis {
   std::array<double, max_spline_degree + 1> value{}, derivative{}, second{};
 };
 SplineBasis spline_basis(const SplineSpace& space, const std::vector<double>& knots, double x);
+std::vector<SplineBasis> spline_bases(const SplineSpace& space, std::span<const double> places);
 
 struct SplineCurve {
   SplineSpace space;
@@ -70,6 +71,11 @@ class SplineEvaluator {
   const SplineSurface& surface_;
   std::vector<double> knots_s_, knots_t_;
 };
+
+/// Points with first derivatives at every pair of places, those of `s` one after another: (i, j) is
+/// out[j s.size() + i]. O(degree) a point.
+std::vector<PatchPoint> evaluate_grid(const SplineSurface& surface, std::span<const SplineBasis> s,
+                                      std::span<const SplineBasis> t);
 
 /// The spline of a space that has given values at the space's Greville places. Splines of the space are
 /// reproduced to rounding.

@@ -28,6 +28,8 @@ struct CadChoices {
   double angle = 0;  ///< between faces along smooth edges, radians; 0: as the quality says
   CadQuality quality = CadQuality::balanced;
   bool exact = false;            ///< what is a spline stays it, also where a fit weighs less
+  /// One CAD face for each face of a polyhedron that has four sides, also where several weigh less.
+  bool whole_faces = false;
   Unit unit = Unit::millimetre;  ///< that the file is written in
   double scale = 1;              ///< of all lengths
   bool ap242 = false;            ///< the newer schema of STEP, instead of AP214

@@ -157,7 +157,8 @@ TEST(CadModel, FansAreTheSurfaceOfTheirTriangles) {
   for (const CadPiece& piece : cad_pieces(surface, CadPieces::faces)) {
     ASSERT_EQ(piece.cells[0].fan.size(), 4U);
     // The middle is the split point, and sides run as those of the triangles.
-    const PatchPoint middle = evaluate(surface, piece, 0.5, 0.5);
+    const PieceEvaluator points(surface, piece);
+    const PatchPoint middle = points.at(0.5, 0.5);
     EXPECT_LT(
         (middle.position - surface.patches().evaluate(piece.cells[0].fan[0], {0, 0}, Order::first).position)
             .norm(),
@@ -169,7 +170,7 @@ TEST(CadModel, FansAreTheSurfaceOfTheirTriangles) {
                                  .evaluate(piece.cells[0].fan[std::size_t(side)],
                                            side_parameter(Domain::triangle, 1, x), Order::first)
                                  .position;
-        EXPECT_LT((evaluate(surface, piece, at.x(), at.y()).position - want).norm(), 1e-12);
+        EXPECT_LT((points.at(at.x(), at.y()).position - want).norm(), 1e-12);
       }
   }
 }
@@ -197,6 +198,18 @@ TEST(CadModel, ExactFacesStayWhereTheyAreAskedFor) {
   ASSERT_TRUE(fitted.ok() && exact.ok());
   EXPECT_LE(measure_cad(produced[0].surface, *fitted).control_points,
             measure_cad(produced[0].surface, *exact).control_points);
+}
+
+TEST(CadModel, FacesStayWholeWhereThatIsAskedFor) {
+  const auto produced = surfaces_of({"cube"});
+  ASSERT_EQ(produced.size(), 1U);
+  const Surface& surface = produced[0].surface;
+  for (const double share : {1e-3, 2e-5}) {
+    const auto model = make_cad_model(surface, {.share = share, .angle = degree, .whole_faces = true});
+    ASSERT_TRUE(model.ok());
+    EXPECT_EQ(model->faces.size(), 6U);
+    EXPECT_LE(measure_cad(surface, *model).largest, share * model->size);
+  }
 }
 
 TEST(CadModel, PolynomialPatchesAreExact) {

@@ -53,6 +53,25 @@ TEST(Spline, DerivativesAreThoseOfDifferences) {
   });
 }
 
+TEST(Spline, GridsArePointsOneByOne) {
+  for_random(4270, 10, [](std::mt19937_64& rng) {
+    SplineSurface surface{random_space(rng), random_space(rng), {}};
+    for (std::size_t i = 0; i < surface.s.size() * surface.t.size(); ++i)
+      surface.points.push_back(random_point(rng));
+    const std::vector<double> s{surface.s.begin(), uniform(rng, 0, surface.s.end()), surface.s.end()},
+        t{surface.t.begin(), uniform(rng, 0, surface.t.end()), surface.t.breaks[1], surface.t.end()};
+    const auto grid = evaluate_grid(surface, spline_bases(surface.s, s), spline_bases(surface.t, t));
+    const SplineEvaluator one(surface);
+    for (std::size_t j = 0; j < t.size(); ++j)
+      for (std::size_t i = 0; i < s.size(); ++i) {
+        const PatchPoint want = one.at(s[i], t[j]), &got = grid[j * s.size() + i];
+        EXPECT_LT((got.position - want.position).norm(), 1e-13);
+        EXPECT_LT((got.ds - want.ds).norm(), 1e-11);
+        EXPECT_LT((got.dt - want.dt).norm(), 1e-11);
+      }
+  });
+}
+
 TEST(Spline, SecondDerivativesAreThoseOfDifferences) {
   for_random(4250, 20, [](std::mt19937_64& rng) {
     const SplineSpace space = random_space(rng);

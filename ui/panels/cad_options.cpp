@@ -72,6 +72,12 @@ void CadOptions::quality_row(const Editor& editor, Marks& marks, const Metrics& 
   marks.item("export.cad_exact");
   if (ImGui::IsItemHovered())
     show_tip(tr("What is a spline stays it, also where fewer control points would do"));
+  ImGui::SameLine(0, metrics.px(16));
+  ImGui::Checkbox((std::string(tr("whole faces")) + "##cad_whole_faces").c_str(),
+                  &settings_.choices.whole_faces);
+  marks.item("export.cad_whole_faces");
+  if (ImGui::IsItemHovered())
+    show_tip(tr("Each face with four sides stays one face in the file, also where several weigh less"));
 }
 
 void CadOptions::tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics) {

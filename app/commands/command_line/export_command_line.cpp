@@ -43,6 +43,10 @@ void ExportCommandLine::add_to(CLI::App& app) {
       command_->add_flag(
           "--exact", arguments_.cad.exact,
           "Of STEP and IGES: what is a spline stays it, also where fewer control points would do"),
+      command_->add_flag(
+          "--whole-faces", arguments_.cad.whole_faces,
+          "Of STEP and IGES: a face of a polyhedron with four sides stays one face, also where "
+          "several weigh less"),
       command_->add_flag("--ap242", arguments_.cad.ap242, "STEP in the newer schema AP242, not AP214")};
   command_->add_flag("--control", arguments_.control,
                      "Writes the control meshes of skins, with creases, as OBJ instead");
