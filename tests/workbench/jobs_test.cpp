@@ -1,6 +1,5 @@
 // Whole jobs done by hand, from an empty document to files, with a count of what the hands do: a click, a
-// double click, a drag, a turn of the wheel, a chord and a number or name that is typed are one action each
-// (docs/manual.md, "What a job takes").
+// double click, a drag, a turn of the wheel, a chord and a number or name that is typed are one action each.
 
 #include <gtest/gtest.h>
 
