@@ -205,7 +205,7 @@ TEST(CadModel, FacesStayWholeWhereThatIsAskedFor) {
   const auto produced = surfaces_of({"cube"});
   ASSERT_EQ(produced.size(), 1U);
   const Surface& surface = produced[0].surface;
-  for (const double share : {1e-3, 2e-5}) {
+  for (const double share : {1e-3, 2e-4}) {
     const auto model = make_cad_model(surface, {.share = share, .angle = degree, .whole_faces = true});
     ASSERT_TRUE(model.ok());
     EXPECT_EQ(model->faces.size(), 6U);
