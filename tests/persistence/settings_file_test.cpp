@@ -46,7 +46,7 @@ ExportMemory exports() {
   ExportSettings& ply = memory.formats[".ply"];
   ply.by = ExportSettings::By::density;
   ply.density = 40;
-  memory.cad = {1e-4, 0.002, CadQuality::fine, true, Unit::metre, 2.5, true};
+  memory.cad = {1e-4, 0.002, CadQuality::fine, true, true, Unit::metre, 2.5, true};
   memory.picture = {PictureSettings::Size::custom, {640, 480}, true, false, true, false, 12, false};
   memory.drawing = {99.5, false, true};
   return memory;
