@@ -73,11 +73,13 @@ Document with_solids(const std::string& name, EnvelopeMethod method) {
 /// What the polyhedron's surface says of itself is looked for again.
 void expect_told_distances(const SolidsPolyhedron& converted, const EnvelopeSurface& made,
                            const EnvelopeInput& input, const Surface& surface) {
-  EXPECT_LE(converted.distance, 0.03 * made.diagonal);
+  // A network has few corners, between which a polyhedron's surface goes its own way.
+  EXPECT_LE(converted.distance, (made.network ? 0.1 : 0.01) * made.diagonal);
   EXPECT_NEAR(farthest_from(surface, made.surface), converted.distance, 1e-9 * made.diagonal);
   std::vector<SolidShape> shapes;
   for (const Solid& solid : input.solids) shapes.emplace_back(solid, surface.origin());
-  const EnclosureReport seen = check_enclosure(surface, shapes, {.points = 2000, .covered = false}, 0);
+  const EnclosureReport seen = check_enclosure(
+      surface, shapes, {.points = 2000, .spacing = 1e-3 * made.diagonal, .covered = false}, 0);
   EXPECT_LE(seen.worst, std::max(1.2 * converted.outside, 3e-4 * made.diagonal));
 }
 
@@ -136,7 +138,6 @@ TEST(ConvertObject, TheBallsQuadsKeepTheirCornersAndNormals) {
   const auto surface = object_surface(added.document, *added.document.objects[0]);
   ASSERT_TRUE(surface.ok());
   expect_told_distances(*converted, *made, input, surface->surface);
-  EXPECT_LE(converted->distance, 0.01 * made->diagonal);
 }
 
 TEST(ConvertObject, SaysWhatItCannotDo) {
