@@ -84,8 +84,8 @@ TEST(G2Properties, CurvatureVariesInProportionToTheDistanceFromAVertex) {
     const auto surface = build(input_of(polyhedron, {}, chosen));
     const auto frames = build_vertex_frames(polyhedron, {}, {chosen}).value();
     const double rms = std::max(jumps_of(surface.surface).rms, 1e-9 / size_of(polyhedron));
-    const Spread near = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-3, rms);
-    const Spread far = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-2, rms);
+    const Spread near = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-4, rms);
+    const Spread far = spread_round(polyhedron.topology(), frames, g2_set(surface), 1e-3, rms);
     EXPECT_LE(near.mean, 0.15 * far.mean + 1e-7);
     EXPECT_LE(near.gauss, 0.15 * far.gauss + 1e-7);
   });
