@@ -169,10 +169,18 @@ void DocumentSession::install(const std::shared_ptr<Opened>& opened, Mode mode) 
   for (std::size_t i = 0; i < std::min(most_warnings, opened->file.messages.size()); ++i)
     editor_.notify(opened->file.messages[i]);
   const auto& objects = opened->file.document->objects;
-  if (opened->file.native && std::any_of(objects.begin(), objects.end(), [](const auto& object) {
-        const PolyhedronSource* source = object->polyhedron();
-        return source && source->mode == hariko::Mode::fair && source->frames == Frames::equal;
-      }))
+  const auto any_equal = [&](hariko::Mode mode) {
+    return opened->file.native && std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+             const PolyhedronSource* source = object->polyhedron();
+             return source && source->mode == mode && source->frames == Frames::equal;
+           });
+  };
+  if (any_equal(hariko::Mode::g2))
+    editor_.notify(Notice::Kind::info,
+                   editor_.language(translatable("Surfaces G2 of this document are rounder than they were "
+                                                 "before. Shape > Surfaces by measure makes them even over "
+                                                 "uneven cages.")));
+  else if (any_equal(hariko::Mode::fair))
     editor_.notify(
         Notice::Kind::info,
         editor_.language(translatable("Surfaces of this document are made by equal angles, as they were. "

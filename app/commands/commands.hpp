@@ -43,7 +43,6 @@ struct SolidsConstruction {
 /// How surfaces are made, instead of what the document says, and from what.
 struct Construction {
   std::optional<Mode> mode;                 ///< of polyhedra; of outlines, where it is `fair` or `g2`
-  bool round = false;                       ///< of polyhedra: turns it on; never off
   std::optional<Frames> frames = {};        ///< of polyhedra
   std::optional<bool> merge_coplanar = {};  ///< of polyhedra: faces in one plane
   OutlineConstruction outlines = {};

@@ -76,7 +76,6 @@ Document with_construction(Document document, const Construction& construction) 
     auto changed = std::make_shared<Object>(*object);
     if (auto* polyhedron = std::get_if<PolyhedronSource>(&changed->source)) {
       polyhedron->mode = construction.mode.value_or(polyhedron->mode);
-      polyhedron->round = polyhedron->round || construction.round;
       polyhedron->frames = construction.frames.value_or(polyhedron->frames);
       bool& merges = polyhedron->preparation.merge_coplanar;
       merges = construction.merge_coplanar.value_or(merges);

@@ -167,7 +167,6 @@ Result<std::string> evaluation_json(const PolyhedronSource& half) {
     });
     json.member("sample_uvw", barycentric_samples);
     json.object("metrics", [&] { write_metrics(json, mesh, surface, patches); });
-    if (source.mode == Mode::g2) json.member("round", built->report.round);
     if (source.mode == Mode::paper || source.mode == Mode::target)
       json.member("dif_max", largest_ring_residual(source, *patches));
   });

@@ -259,13 +259,6 @@ Result<Document> set_frames(const Document& document, ObjectId object, Frames fr
   });
 }
 
-Result<Document> set_round(const Document& document, ObjectId object, bool round) {
-  return change_polyhedron(document, object, [&](PolyhedronSource& source) -> Result<Done> {
-    source.round = round;
-    return Done{};
-  });
-}
-
 Result<Done> check_alpha(double alpha) {
   return check_tension(alpha, 0, max_alpha, "a number from 0 to 1000");
 }

@@ -65,8 +65,6 @@ Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
 Result<Document> set_frames(const Document& document, ObjectId object, Frames frames);
 /// Errors: E_AUTOMATIC_TENSION_RANGE.
 Result<Document> set_preparation(const Document& document, ObjectId object, const Preparation& preparation);
-/// Whether mode G2 measures bending over the surface of mode FAIR.
-Result<Document> set_round(const Document& document, ObjectId object, bool round);
 
 /// Begins, changes or ends a live mirror; the half stays as it is. Errors: E_MIRROR_INVALID.
 Result<Document> set_mirror(const Document& document, ObjectId object, const std::optional<Mirror>& mirror);

@@ -300,8 +300,8 @@ std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, 
   reader.if_member(at, "frames", [&](const JsonCursor& member) {
     frames = static_cast<Frames>(reader.choice(member, frames_names));
   });
-  bool round = false;
-  reader.if_member(at, "round", [&](const JsonCursor& member) { round = reader.boolean(member); });
+  // A choice that mode G2 had: it means nothing any more.
+  reader.if_member(at, "round", [&](const JsonCursor& member) { (void)reader.boolean(member); });
   std::optional<Mirror> mirror;
   reader.if_member(at, "mirror", [&](const JsonCursor& member) { mirror = read_mirror(reader, member); });
   Preparation preparation;
@@ -332,7 +332,6 @@ std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, 
                           kept_members(at, polyhedron_members, text),
                           mirror,
                           preparation,
-                          round,
                           std::move(attachments),
                           frames};
 }

@@ -43,12 +43,9 @@ struct PolyhedronSource {
   /// The polyhedron is one half; the surface is made from both (core/modeling/mirrored.hpp).
   std::optional<Mirror> mirror = {};
   Preparation preparation = {};
-  /// Mode G2: bending is measured over the surface of mode FAIR, which makes faces rounder. Other modes keep
-  /// it.
-  bool round = false;
   /// Border edges that are joined to patches. An entry whose edge is gone or inside now means nothing.
   Shared<Attachments> attachments = {};
-  /// Modes TARGET and FAIR; other modes keep it.
+  /// Mode PAPER keeps it, but has equal frames.
   Frames frames = Frames::equal;
 
   /// Takes a mesh with absolute positions, chooses the origin (`origin_for`) and subtracts it. Errors: those

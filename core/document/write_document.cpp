@@ -94,10 +94,6 @@ void write_source(Writer& out, const PolyhedronSource& source) {
     out.key("frames");
     out.string(detail::name_of(source.frames, detail::frames_names));
   }
-  if (source.round) {
-    out.key("round");
-    out.raw("true");
-  }
   if (source.mirror) {
     out.key("mirror");
     out.raw("{\"axis\": ");

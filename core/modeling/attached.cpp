@@ -29,7 +29,7 @@ bool is_attached(const Object& polyhedron, ObjectId patches, bool only_followed)
 
 bool same_input(const PolyhedronSurfaceInput& a, const PolyhedronSurfaceInput& b) {
   return a.polyhedron == b.polyhedron && a.shaping == b.shaping && a.mode == b.mode && a.origin == b.origin &&
-         a.joins == b.joins && a.round == b.round && a.frames == b.frames;
+         a.joins == b.joins && a.frames == b.frames;
 }
 
 /// The image of a join of the half, in the whole: images of faces follow the half's in order, and run the

@@ -18,8 +18,7 @@ constexpr double coplanar_angle = 1e-6;
 constexpr std::size_t most_warnings = 100;
 
 Index most_sides(Mode mode) {
-  if (mode == Mode::fair) return largest_fair_side_count;
-  return mode == Mode::g2 ? largest_g2_side_count : no_index;
+  return mode == Mode::fair || mode == Mode::g2 ? largest_fair_side_count : no_index;
 }
 
 /// Merges faces pair by pair, each time over all the sides that the pair has in common.

@@ -65,7 +65,6 @@ Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source, Qua
   }
 
   PolyhedronSurfaceInput input{prepared->polyhedron, *prepared->shaping, source.mode, source.origin, {}};
-  input.round = source.round;
   input.frames = source.frames;
   if (prepared->mirror) {
     auto whole = mirrored(*prepared, kept.whole ? &*kept.whole : nullptr);

@@ -73,7 +73,7 @@ enum class Frames { equal, metric };
 
 /// The frames that a surface of this mode has.
 inline Frames frames_in(Mode mode, Frames frames) {
-  return mode == Mode::target || mode == Mode::fair ? frames : Frames::equal;
+  return mode == Mode::paper ? Frames::equal : frames;
 }
 
 }  // namespace hariko

@@ -1,5 +1,6 @@
 #include "core/patching/g2_joins.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/patching/join_frame.hpp"
@@ -17,7 +18,10 @@ class SideMaker {
         joined_(joined),
         frames_(frames),
         constants_(constants),
-        network_(network) {}
+        network_(network),
+        half_edges_(plan.half_edges()) {
+    std::sort(half_edges_.begin(), half_edges_.end());
+  }
 
   GivenSide make(std::size_t j) const {
     const Join& join = plan_.joins()[j];
@@ -28,10 +32,10 @@ class SideMaker {
     side.second_target = 6 * (p[3] - 2 * p[2] + p[1]);
     if (join.continuity == Continuity::g0) return side;
     side.has_cross = true;
-    side.tangent_origin = straight_tangent(join.half_edge);
-    side.tangent_target = straight_tangent(mesh_.next(join.half_edge));
-    const double speed =
-        3 * joined_.coefficients[j].lambda / (gain(join.half_edge) * constants_.x[join.half_edge]);
+    const double factor = gain(join.half_edge);
+    side.tangent_origin = straight_tangent(join.half_edge, factor);
+    side.tangent_target = straight_tangent(mesh_.next(join.half_edge), factor);
+    const double speed = 3 * joined_.coefficients[j].lambda / (factor * constants_.x[join.half_edge]);
     std::array<Vector3, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = join.row[i] - p[i];
     const Vector3 first_a = 3 * (p[1] - p[0]), first_b = 3 * (p[3] - p[2]);
@@ -46,19 +50,23 @@ class SideMaker {
   /// Factor of split tangents along the chain of joined sides that a half-edge belongs to. Half turns have
   /// none of their own.
   double gain(Index half_edge) const {
-    for (Index h = half_edge;;) {
-      for (const Index corner : {h, mesh_.next(h)})
-        if (!frames_.half_turn[corner]) return frames_.split_gain[corner];
-      h = mesh_.next(h);
-      if (h == half_edge || mesh_.twin(h) != no_index) return 1;
-    }
+    const auto turns = [&](Index corner) { return frames_.half_turn[corner]; };
+    const auto joined = [&](Index h) {
+      return std::binary_search(half_edges_.begin(), half_edges_.end(), h);
+    };
+    Index h = half_edge;
+    while (turns(h) && joined(mesh_.previous(h)) && mesh_.previous(h) != half_edge) h = mesh_.previous(h);
+    if (!turns(h)) return frames_.split_gain[h];
+    h = half_edge;
+    while (turns(mesh_.next(h)) && joined(mesh_.next(h)) && mesh_.next(h) != half_edge) h = mesh_.next(h);
+    return turns(mesh_.next(h)) ? 1 : frames_.split_gain[mesh_.next(h)];
   }
   /// Second tangent of a half-turn corner: towards the face's middle the chart's derivative is three split
   /// tangents, over f diagonals.
-  std::optional<Vector3> straight_tangent(Index corner) const {
+  std::optional<Vector3> straight_tangent(Index corner, double factor) const {
     if (!is_straight(frames_.step[corner])) return std::nullopt;
     for (const PrescribedSplit& split : joined_.geometry.splits)
-      if (split.half_edge == corner) return 3 * split.tangent / (gain(corner) * constants_.x[corner]);
+      if (split.half_edge == corner) return 3 * split.tangent / (factor * constants_.x[corner]);
     HARIKO_ASSERT(false, "joined half-turn corners have a given split tangent");
     return std::nullopt;
   }
@@ -80,6 +88,7 @@ class SideMaker {
   const VertexFrames& frames_;
   const PatchConstants& constants_;
   const Network& network_;
+  std::vector<Index> half_edges_;  ///< joined ones, ascending
 };
 
 }  // namespace

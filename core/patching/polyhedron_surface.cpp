@@ -22,11 +22,6 @@ constexpr double drag_negligible = 1e-10;
 /// Half-edges up to which frames by measure follow a drag: a surface is then made anew in a frame's time.
 constexpr Index largest_live_frames = 1000;
 
-/// Equal angles and regular faces are the paper's; the other modes take what they are told.
-Frames frames_of(const PolyhedronSurfaceInput& input) {
-  return input.mode == Mode::paper ? Frames::equal : input.frames;
-}
-
 std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
   const bool fair = mode == Mode::fair;
   const Index limit = largest_fair_side_count;
@@ -172,7 +167,7 @@ struct PolyhedronSurfacer::State {
 Result<NetworkSystem> PolyhedronSurfacer::State::assemble(const PolyhedronSurfaceInput& input) const {
   const std::vector<Index> joined = joins.half_edges();
   return NetworkSystem::assemble(joins.polyhedron(), input.shaping,
-                                 {frames_of(input), joins.requests(), joined});
+                                 {frames_in(input.mode, input.frames), joins.requests(), joined});
 }
 
 std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfaceInput& input,
@@ -182,7 +177,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
       aliases == input.aliases || (aliases && input.aliases && *aliases == *input.aliases);
   auto plan = JoinPlan::make(input.polyhedron, input.shaping, input.joins);
   if (!plan) return plan.error();
-  const Frames frames = frames_of(input);
+  const Frames frames = frames_in(input.mode, input.frames);
   const bool metric = frames == Frames::metric;
   const bool same_structure = same_mesh && same_names && system && system->mode == input.mode &&
                               system->network.frames().charts.frames == frames && joins.same_structure(*plan);

@@ -28,20 +28,18 @@ struct SolveReport {
   bool fair_converged = true;
   int g2_iterations = 0;
   bool g2_converged = true;
-  bool round = false;  ///< mode G2 measured bending over the surface of mode FAIR
 };
 
 /// `final`: a function of the input alone, from a cold start. `drag`: may reuse the last result; where
 /// vertices moved by shares of one common displacement since the last `final` result, it differs from `final`
-/// by less than 1e-6 of the displacement (mode G2: 1e-9 of the object's size, with a reference as it was) and
-/// touches only the patches that feel it. Frames by measure that rest (see `frames`) add what they would have
-/// changed.
+/// by less than 1e-6 of the displacement (mode G2: 1e-9 of the object's size, with target curvatures as they
+/// were) and touches only the patches that feel it. Frames by measure that rest (see `frames`) add what they
+/// would have changed.
 enum class Quality { drag, final };
 
-/// Mode FAIR keeps a dense matrix of (4n)^2 numbers for an n-sided face; more sides than this are refused.
+/// Mode FAIR keeps a dense matrix of (4n)^2 numbers for an n-sided face, mode G2 one of (10n)^2; more sides
+/// than this are refused.
 inline constexpr Index largest_fair_side_count = 128;
-/// Mode G2: beyond this, faces ripple whatever their shape (g2.md section 9).
-inline constexpr Index largest_g2_side_count = 32;
 
 struct PolyhedronSurfaceInput {
   Polyhedron polyhedron;
@@ -52,11 +50,8 @@ struct PolyhedronSurfaceInput {
   std::shared_ptr<const ElementAliases> aliases = {};
   /// Border edges that take the sides of bicubic patches: their vertices lie where the sides end.
   std::vector<Join> joins = {};
-  /// Mode G2: measure bending over the surface of mode FAIR (g2.md section 8). Done anyway where some alpha
-  /// is above zero. While dragging, the reference is that of the last `final` result.
-  bool round = false;
-  /// Modes TARGET and FAIR; the others keep equal frames. While a large object is dragged, frames by measure
-  /// are those of the last `final` result.
+  /// Mode PAPER keeps equal frames. While an object of mode G2 or a large one is dragged, frames by measure are
+  /// those of the last `final` result.
   Frames frames = Frames::equal;
 };
 

@@ -158,7 +158,7 @@ TEST(MergedFaces, NoFaceGetsMoreSidesThanTheModeTakes) {
     PolyhedronSource source = merging(triangulated(prism(200)));
     source.mode = mode;
     const Polyhedron polyhedron = with_merged_faces(source)->source.polyhedron;
-    const Index most = mode == Mode::fair ? largest_fair_side_count : largest_g2_side_count;
+    const Index most = largest_fair_side_count;
     Index found = 0;
     for (Index f = 0; f < polyhedron.face_count(); ++f)
       found = std::max(found, polyhedron.topology().side_count(f));

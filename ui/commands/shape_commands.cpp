@@ -135,8 +135,7 @@ template <class Visit>
 void for_framed(const Document& document, const Visit& visit) {
   for (const auto& object : document.objects) {
     const PolyhedronSource* source = object->polyhedron();
-    if (source && object->visible && !object->locked &&
-        (source->mode == Mode::fair || source->mode == Mode::target))
+    if (source && object->visible && !object->locked && source->mode != Mode::paper)
       visit(*object, source->frames);
   }
 }

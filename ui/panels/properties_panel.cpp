@@ -248,22 +248,6 @@ void mirror_row(PanelContext& context, const Objects& objects) {
   context.marks.item("button.apply_mirror");
 }
 
-/// Only mode G2 knows it.
-void round_row(PanelContext& context, const Objects& objects) {
-  Objects curved;
-  for (const auto& object : objects)
-    if (object->polyhedron() && object->polyhedron()->mode == Mode::g2) curved.push_back(object);
-  if (curved.empty()) return;
-  const auto round = common<bool>(curved, [](const auto& object) { return object->polyhedron()->round; });
-  const auto on = check_row(context, "round", "Rounder",
-                            "Measures bending over the surface itself: rounder, and slower to finish", round);
-  if (!on) return;
-  Result<Document> result = context.editor.history.current();
-  for (const auto& object : curved)
-    if (result.ok()) result = set_round(*result, object->id, *on);
-  context.editor.commit(result, *on ? "Rounder surface" : "Plain surface");
-}
-
 Result<Document> edit_preparations(const Document& document, const Objects& objects,
                                    const std::function<void(Preparation&)>& change) {
   Result<Document> result = document;
@@ -277,12 +261,12 @@ Result<Document> edit_preparations(const Document& document, const Objects& obje
   return result;
 }
 
-/// Modes TARGET and FAIR know it.
+/// Mode PAPER does not know it.
 void frames_row(PanelContext& context, const Objects& objects) {
   Objects shaped;
   for (const auto& object : objects)
     if (const PolyhedronSource* source = object->polyhedron())
-      if (source->mode == Mode::fair || source->mode == Mode::target) shaped.push_back(object);
+      if (source->mode != Mode::paper) shaped.push_back(object);
   if (shaped.empty()) return;
   const auto metric =
       common<bool>(shaped, [](const auto& object) { return object->polyhedron()->frames == Frames::metric; });
@@ -343,7 +327,6 @@ void object_section(PanelContext& context, const Objects& objects) {
     hint_text(context, "Locked: unlock it in the list above to change it.");
   mode_row(context, objects);
   frames_row(context, objects);
-  round_row(context, objects);
   mirror_row(context, objects);
   preparation_rows(context, objects);
   if (objects.size() == 1) patch_section(context, *objects.front());

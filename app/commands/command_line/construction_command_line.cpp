@@ -2,9 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/console.hpp"
+
 namespace hariko {
 
 namespace {
+
+constexpr Code w_option_ignored{"W_OPTION_IGNORED"};
 
 Mode mode_of(const std::string& word) {
   return word == "paper"    ? Mode::paper
@@ -20,13 +24,13 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
       ->check(CLI::IsMember({"paper", "target", "fair", "g2"}));
   command
       .add_option("--frames", frames_,
-                  "Whether angles and lengths of the polyhedra count in modes target and fair")
+                  "Whether angles and lengths of the polyhedra count in modes target, fair and g2")
       ->check(CLI::IsMember({"equal", "metric"}));
   command
       .add_option("--merge-coplanar", merge_coplanar_,
                   "Whether triangles of polyhedra that lie in one plane are merged on the way to the surface")
       ->check(CLI::IsMember({"on", "off"}));
-  command.add_flag("--round", round_, "Mode g2 measures bending over the surface of mode fair");
+  command.add_flag("--round", round_, "Does nothing: mode g2 is round by itself");
   outlines_.add_to(command);
   solids_.add_to(command);
   reading_.add_to(command);
@@ -35,7 +39,9 @@ void ConstructionCommandLine::add_to(CLI::App& command) {
 Construction ConstructionCommandLine::construction() const {
   Construction out;
   if (!mode_.empty()) out.mode = mode_of(mode_);
-  out.round = round_;
+  if (round_)
+    report("", make_warning(w_option_ignored, "--round has no meaning any more: mode g2 is round by itself.",
+                            "Leave the option out."));
   if (!frames_.empty()) out.frames = frames_ == "metric" ? Frames::metric : Frames::equal;
   if (!merge_coplanar_.empty()) out.merge_coplanar = merge_coplanar_ == "on";
   out.outlines = outlines_.construction();

@@ -18,7 +18,7 @@ class ConstructionCommandLine {
 
  private:
   std::string mode_, frames_, merge_coplanar_;
-  bool round_ = false;
+  bool round_ = false;  ///< asked for what mode G2 does anyway
   OutlineCommandLine outlines_;
   SolidsCommandLine solids_;
   ReadingCommandLine reading_;
