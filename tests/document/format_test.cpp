@@ -271,6 +271,18 @@ TEST(Format, SolidsOfVersion3LoseWhatMeansNothingAnyMore) {
   EXPECT_EQ(again->objects[0]->solids()->input->settings.lost, "") << "said once";
 }
 
+TEST(Format, FixtureOfVersion4ReadsForEver) {
+  std::string text = file_text("tests/document/fixtures/v4.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  const PolyhedronSource& source = *read->objects[0]->polyhedron();
+  EXPECT_EQ(source.mode, Mode::g2);
+  EXPECT_EQ(source.frames, Frames::metric);
+  const std::string round = "        \"round\": true,\n";
+  text.erase(text.find(round), round.size());
+  EXPECT_EQ(write_document(*read), as_written_now(text, 4)) << "round surfaces are a choice no more";
+}
+
 TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
   const std::string text = file_text("tests/document/fixtures/v3.hariko");
   const auto with = [&](const std::string& from, const std::string& to) {
