@@ -167,7 +167,7 @@ TEST(Format, FixtureOfVersion1ReadsForEver) {
 
   EXPECT_EQ(*read_document(write_document(document)), document);
   std::string now = text;
-  now.replace(now.find("\"version\": 1"), 12, "\"version\": 4");
+  now.replace(now.find("\"version\": 1"), 12, "\"version\": " + std::to_string(format_version));
   EXPECT_EQ(write_document(document), now) << "the fixture is written as this version writes";
 }
 
