@@ -140,7 +140,6 @@ inline PolyhedronSource any_polyhedron(std::mt19937_64& rng) {
           any_kept(rng),
           any_mirror(rng),
           {chance(rng, 0.3), chance(rng, 0.3), chance(rng, 0.3) ? uniform(rng, 0, 1) : 0},
-          chance(rng, 0.3),
           std::move(attachments),
           chance(rng, 0.5) ? Frames::metric : Frames::equal};
 }
