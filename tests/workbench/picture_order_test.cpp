@@ -212,11 +212,11 @@ TEST(PictureOrder, TheDialogGivesTheOrder) {
   HeadlessWorkbench bench(box_document(), {800, 560}, actions);
   bench.wait_for_surfaces();
   ASSERT_TRUE(bench.workbench().commands().run("file.export_turntable").ran);
-  bench.frame();
-  bench.frame();
+  for (int i = 0; i < 5; ++i) bench.frame();  // rows of options find their places
   for (const char* mark : {"picture.size", "picture.count", "picture.transparent", "dialog.name"})
     EXPECT_TRUE(bench.workbench().marks().all().contains(mark)) << mark;
   bench.click("picture.transparent");
+  for (int i = 0; i < 3; ++i) bench.frame();
   bench.click("dialog.accept");
   bench.frame();
   ASSERT_TRUE(given.has_value());

@@ -72,7 +72,7 @@ void CadOptions::quality_row(const Editor& editor, Marks& marks, const Metrics& 
   marks.item("export.cad_exact");
   if (ImGui::IsItemHovered())
     show_tip(tr("What is a spline stays it, also where fewer control points would do"));
-  ImGui::SameLine(0, metrics.px(16));
+  beside_or_below(metrics, check_width(tr("whole faces")), 16);
   ImGui::Checkbox((std::string(tr("whole faces")) + "##cad_whole_faces").c_str(),
                   &settings_.choices.whole_faces);
   marks.item("export.cad_whole_faces");
