@@ -1,4 +1,4 @@
-// What `hariko info` and the status line measure of a surface, and one facet deleted from a large mesh, by
+// Measures, continuity and statistics of a surface, and one facet deleted from a large mesh, by
 // the number of faces. Single-threaded unless HARIKO_BENCH_THREADS says otherwise.
 
 #include <benchmark/benchmark.h>

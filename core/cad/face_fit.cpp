@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// What is off along the surface by less than this part of the limit stays where it is.
+/// Share of the limit below which places that are off along the surface stay where they are.
 constexpr double slide_share = 0.05;
 /// Rows of control points beside a side that the derivative across it depends on.
 constexpr std::size_t tied_rows = 1;

@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-/// Of each span, the place number of another space's equal span at which its places begin.
+/// For each span, the number of the first place of another space's equal span.
 std::vector<std::optional<std::size_t>> equal_spans(const FitPlaces& own, const FitPlaces& other) {
   std::vector<std::optional<std::size_t>> out(own.space.span_count());
   if (own.per_span != other.per_span) return out;

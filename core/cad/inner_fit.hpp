@@ -29,8 +29,8 @@ class InnerFit {
   InnerFit(const InnerFit&) = delete;
   InnerFit& operator=(const InnerFit&) = delete;
 
-  /// What the control points inside are to add up to at the places; and the derivatives of a volume by those
-  /// sums, with the volume.
+  /// Sets the values that control points inside are to add up to at the places, and the derivatives of a
+  /// volume by those sums, with the volume.
   void aim(std::span<const Vector3> targets, std::span<const Vector3> areas, double volume);
   /// For the next solution. `boundary`: zero inside.
   void tie(std::span<const FaceTie> ties, const SplineSurface& boundary);

@@ -27,7 +27,7 @@ struct CadChoices {
   double tolerance = 0;
   double angle = 0;  ///< between faces along smooth edges, radians; 0: as the quality says
   CadQuality quality = CadQuality::balanced;
-  bool exact = false;            ///< what is a spline stays it, also where a fit weighs less
+  bool exact = false;  ///< what is a spline stays it, also where a fit weighs less
   /// One CAD face for each face of a polyhedron that has four sides, also where several weigh less.
   bool whole_faces = false;
   Unit unit = Unit::millimetre;  ///< that the file is written in

@@ -44,9 +44,9 @@ PolyhedronSource as_new(PolyhedronSource source) {
 }
 
 bool operator==(const PolyhedronSource& a, const PolyhedronSource& b) {
-  return a.origin == b.origin && a.mode == b.mode && a.frames == b.frames &&
-         a.shaping == b.shaping && a.kept == b.kept && a.mirror == b.mirror &&
-         a.preparation == b.preparation && a.attachments == b.attachments && a.polyhedron == b.polyhedron;
+  return a.origin == b.origin && a.mode == b.mode && a.frames == b.frames && a.shaping == b.shaping &&
+         a.kept == b.kept && a.mirror == b.mirror && a.preparation == b.preparation &&
+         a.attachments == b.attachments && a.polyhedron == b.polyhedron;
 }
 
 Result<MeshSource> MeshSource::from_mesh(PolygonMesh mesh) {

@@ -29,7 +29,7 @@ struct SharpCurve {
   std::optional<Vector3> across = {};  ///< of ellipses: to the point of share 1/4
   /// share: 0 .. 1 from end to end, or once round.
   Vector3 at(double share) const;
-  /// Of ellipses a bound: no part is longer than its share of this.
+  /// Length of the curve; of ellipses a bound: no part is longer than its share of this.
   double length() const;
 };
 

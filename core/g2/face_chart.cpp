@@ -21,7 +21,7 @@ constexpr double cut_off = 1e-13;
 constexpr double least_reach = 0.03;
 /// Reach of a ribbon, in apothems, per slenderness: in a quad, as far as the side is long.
 constexpr double longest_reach = 2;
-/// Of a ribbon's slant, in lengths of its side.
+/// Largest slant of a ribbon, in lengths of its side.
 constexpr double bound = 0.5;
 
 int centre_degree(int n) {

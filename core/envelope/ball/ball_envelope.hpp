@@ -20,11 +20,12 @@ struct BallSettings {
   double clearance = 0;  ///< that is kept from every solid
 };
 
-/// Of sigma: patches may be so far from the field's zero, and solids lie below it by as much.
+/// Tolerance in units of sigma: patches may be so far from the field's zero, and solids lie below it by as
+/// much.
 inline constexpr double patch_tolerance = 0.1;
 
-/// Of solids of a size (the diagonal of the box round them): the hull as a very large ball, neither rounding
-/// nor ball too small to be computed.
+/// Settings for solids of a size (the diagonal of the box round them): the hull as a very large ball, neither
+/// rounding nor ball too small to be computed.
 BallSettings ball_settings(const EnvelopeSettings& settings, double size);
 
 /// A field whose zero is the surface.
