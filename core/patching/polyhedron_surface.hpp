@@ -50,8 +50,8 @@ struct PolyhedronSurfaceInput {
   std::shared_ptr<const ElementAliases> aliases = {};
   /// Border edges that take the sides of bicubic patches: their vertices lie where the sides end.
   std::vector<Join> joins = {};
-  /// Mode PAPER keeps equal frames. While an object of mode G2 or a large one is dragged, frames by measure are
-  /// those of the last `final` result.
+  /// Mode PAPER keeps equal frames. While an object of mode G2 or a large one is dragged, frames by measure
+  /// are those of the last `final` result.
   Frames frames = Frames::equal;
 };
 

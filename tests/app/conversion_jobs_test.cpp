@@ -48,8 +48,7 @@ TEST(ConversionJobs, SolidsStayHiddenBesideTheirPolyhedron) {
   EXPECT_EQ(rig.editor.selection.active, rig.objects()[1]->id);
   EXPECT_EQ(rig.converted, 1);
   ASSERT_EQ(rig.editor.notices().size(), 1U);
-  EXPECT_NE(rig.editor.notices()[0].text.find("at most"), std::string::npos)
-      << rig.editor.notices()[0].text;
+  EXPECT_NE(rig.editor.notices()[0].text.find("at most"), std::string::npos) << rig.editor.notices()[0].text;
   ASSERT_TRUE(rig.editor.history.can_undo());
   rig.editor.undo();
   ASSERT_EQ(rig.objects().size(), 1U) << "one step";

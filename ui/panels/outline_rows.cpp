@@ -26,7 +26,8 @@ constexpr std::array mode_choices{
     Choice{"Position", "Bends as little as it can; curvature of both signs and folds are allowed"},
 };
 constexpr std::array mode_steps{translatable("Outline mode Curvature"), translatable("Outline mode Umbilic"),
-                                translatable("Outline mode Minkowski"), translatable("Outline mode As published"),
+                                translatable("Outline mode Minkowski"),
+                                translatable("Outline mode As published"),
                                 translatable("Outline mode Position")};
 constexpr std::array sign_choices{
     Choice{"Dome", "The surface bends to one side everywhere"},
