@@ -100,7 +100,7 @@ std::vector<double> numbers_of(const FaceWeights& w) {
   return out;
 }
 
-/// Of the squared distance between a side's curve and the cubic with the same ends and end tangents.
+/// Weight of the squared distance between a side's curve and the cubic with the same ends and end tangents.
 using CurveMatrix = Eigen::Matrix<double, FaceChart::curve_control_count, FaceChart::curve_control_count>;
 CurveMatrix curve_matrix(const FaceChart& chart, int side) {
   CurveMatrix out = CurveMatrix::Zero();

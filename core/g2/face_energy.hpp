@@ -97,7 +97,7 @@ Eigen::MatrixXd membrane_matrix(const SamplesOf<Jet3>& samples, const ChartMeasu
 /// (xx, sqrt(2) xy, yy) by the chart's coordinates become those by the measure's.
 Eigen::Matrix3d second_order_change(const ChartMeasure& measure);
 
-/// What a face is weighted with, in its chart's order of sides.
+/// Measures that a face is weighted with, in its chart's order of sides.
 struct FaceWeights {
   double tau = 0;    ///< membrane
   double plate = 1;  ///< share of the energy over the chart

@@ -1,6 +1,6 @@
 #pragma once
 
-// What faces and edges are measured with in the energy of mode G2 (g2.md section 5).
+// Measures of faces and edges in the energy of mode G2 (g2.md section 5).
 
 #include "core/g2/face_energy.hpp"
 #include "core/network/face_charts.hpp"

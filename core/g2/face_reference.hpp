@@ -18,7 +18,7 @@ namespace hariko {
 struct ReferencePoint {
   Vector3 x, y, xx, xy, yy;
 };
-/// Of each side, the points of its quadrature.
+/// Points of the quadrature, for each side.
 using FaceReference = std::vector<std::vector<ReferencePoint>>;
 
 /// The points of a patch of the reference (corners: the face's centre, and a side's ends) at the barycentric

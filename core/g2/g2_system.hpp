@@ -17,8 +17,8 @@
 
 namespace hariko {
 
-/// What a face's target adds to the right-hand side, and to its centre's coefficients; in the order of the
-/// chart's places.
+/// Contribution of a face's target to the right-hand side, and to its centre's coefficients; in the order of
+/// the chart's places.
 struct FaceTarget {
   std::vector<Vector3> load, centre;
 };

@@ -10,7 +10,7 @@ namespace hariko {
 
 namespace {
 
-/// What an end of a border side sees of its corner's sector: the form along the side, and the second
+/// Part of a corner's sector that an end of a border side sees: the form along the side, and the second
 /// derivative along and across it.
 struct SideEnd {
   Index corner = no_index;

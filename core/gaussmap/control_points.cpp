@@ -225,7 +225,7 @@ Result<ControlPoints> by_position(const Outline& outline, const GaussOptions& op
   return out;
 }
 
-/// Where the three tangent planes of a face meet, above the face (gaussmap.md 3).
+/// Intersection of the three tangent planes of a face, above the face (gaussmap.md 3).
 double largest_gap(const ControlPoints& result) {
   double largest = 0;
   for (const auto& [a, b, c] : result.triangles) {
