@@ -69,6 +69,21 @@ FlatMap<Id, Value> with_entries(const FlatMap<Id, Value>& map, std::span<const I
   return result;
 }
 
+/// Faces with a corner at one of the vertices, some of them more than once.
+std::vector<FaceId> faces_round(const Polyhedron& polyhedron, std::span<const VertexId> vertices) {
+  std::vector<FaceId> out;
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  for (const VertexId id : vertices) {
+    const Index first = mesh.outgoing(polyhedron.find(id));
+    for (Index h = first; h != no_index;) {
+      out.push_back(polyhedron.face_id(mesh.face(h)));
+      h = mesh.rotate(h);
+      if (h == first) break;
+    }
+  }
+  return out;
+}
+
 /// The common form of all settings of elements: check, copy the shaping, change one of its maps.
 template <class Id, class Value>
 Result<Document> set_shaping(const Document& document, ObjectId object, std::span<const Id> ids,
@@ -223,6 +238,8 @@ Result<Document> clear_pins(const Document& document, ObjectId object, std::span
     Shaping shaping = *source.shaping;
     shaping.pin = with_entries<VertexId, Pin>(shaping.pin, vertices, std::nullopt);
     shaping.form = with_entries<VertexId, KeptForm>(shaping.form, vertices, std::nullopt);
+    shaping.kept_area = with_entries<FaceId, double>(shaping.kept_area,
+                                                     faces_round(source.polyhedron, vertices), std::nullopt);
     source.shaping = std::move(shaping);
     return Done{};
   });
@@ -277,6 +294,13 @@ Result<Done> check_pin(const Pin& pin) {
     if (!vector.allFinite()) return invalid("The pin has a vector that is not finite.");
   if (pin.kind == Pin::Kind::normal && (pin.vectors.size() != 1 || pin.vectors[0].cwiseAbs().maxCoeff() == 0))
     return invalid("The pin's normal must be one vector that is not zero.");
+  return Done{};
+}
+
+Result<Done> check_kept_area(double factor) {
+  if (!(factor >= 1 / max_kept_area && factor <= max_kept_area))
+    return make_error(e_form_invalid, "The kept area of a face is out of all proportion.",
+                      "Use factors from 0.000001 to 1000000.");
   return Done{};
 }
 

@@ -24,6 +24,7 @@ inline constexpr double min_beta = 0.001, max_beta = 1000;
 inline constexpr std::size_t max_pin_vectors = 1000;
 /// Kept forms are turns, logarithms and shares: far beyond what any surface needs.
 inline constexpr double max_form_number = 100;
+inline constexpr double max_kept_area = 1e6;  ///< and at least its reciprocal value
 
 /// Puts vertices at positions[i], relative to the source's origin like all positions of the polyhedron (not a
 /// displacement). Both spans have the same size; of repeated ids the last wins. Errors: E_NONFINITE. Copies
@@ -57,7 +58,7 @@ Result<Document> set_vertex_tag(const Document& document, ObjectId object, std::
 /// zero normal). Whether tangents fit the vertex in their number is known to the network only: E_PIN_MISMATCH
 /// on rebuild.
 Result<Document> set_pin(const Document& document, ObjectId object, VertexId vertex, Pin pin);
-/// Kept forms go as well.
+/// Kept forms go as well, and kept areas of the faces round the vertices.
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
 
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
@@ -75,5 +76,7 @@ Result<Done> check_beta(double beta);
 Result<Done> check_pin(const Pin& pin);
 /// E_FORM_INVALID: a number that is not finite or out of all proportion.
 Result<Done> check_form(const KeptForm& form);
+/// E_FORM_INVALID: not between 1 / max_kept_area and max_kept_area.
+Result<Done> check_kept_area(double factor);
 
 }  // namespace hariko

@@ -40,8 +40,9 @@ inline constexpr std::array range_members{"mode"sv, "low"sv, "high"sv};
 inline constexpr std::array ranges_members{"gaussian"sv, "mean"sv, "principal_max"sv, "principal_min"sv,
                                            "continuity"sv};
 inline constexpr std::array polyhedron_members{
-    "kind"sv,  "mode"sv,  "frames"sv, "round"sv,  "mirror"sv, "preparation"sv, "origin"sv, "vertices"sv,
-    "faces"sv, "alpha"sv, "beta"sv,   "crease"sv, "tag"sv,    "pin"sv,         "form"sv,   "attached"sv};
+    "kind"sv,   "mode"sv,     "frames"sv, "round"sv,     "mirror"sv,  "preparation"sv,
+    "origin"sv, "vertices"sv, "faces"sv,  "alpha"sv,     "beta"sv,    "crease"sv,
+    "tag"sv,    "pin"sv,      "form"sv,   "kept_area"sv, "attached"sv};
 inline constexpr std::array preparation_members{"split_concave"sv, "merge_coplanar"sv, "automatic_tension"sv};
 inline constexpr std::array attachment_members{"edge"sv,       "patch"sv,  "side"sv,  "reversed"sv,
                                                "continuity"sv, "adapts"sv, "frozen"sv};

@@ -17,7 +17,8 @@ std::size_t bytes_of(const Shaping& shaping) {
     return entries.empty() ? 0 : entries.size() * sizeof(*entries.begin()) + block_overhead;
   };
   std::size_t bytes = block_overhead + sizeof(Shaping) + map(shaping.alpha) + map(shaping.beta) +
-                      map(shaping.crease) + map(shaping.tag) + map(shaping.pin) + map(shaping.form);
+                      map(shaping.crease) + map(shaping.tag) + map(shaping.pin) + map(shaping.form) +
+                      map(shaping.kept_area);
   for (const auto& [vertex, pin] : shaping.pin)
     bytes += pin.vectors.capacity() * sizeof(Vector3) + block_overhead;
   for (const auto& [vertex, form] : shaping.form)

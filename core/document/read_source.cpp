@@ -94,6 +94,7 @@ class ShapingReader {
     reader_.if_member(at, "tag", [&](const JsonCursor& list) { read_tags(list, shaping); });
     reader_.if_member(at, "pin", [&](const JsonCursor& list) { read_pins(list, shaping); });
     reader_.if_member(at, "form", [&](const JsonCursor& list) { read_forms(list, shaping); });
+    reader_.if_member(at, "kept_area", [&](const JsonCursor& list) { read_areas(list, shaping); });
     return shaping;
   }
 
@@ -197,6 +198,19 @@ class ShapingReader {
       if (reader_.failed()) return;
       take_error(reader_, row, check_form(form));
       if (ascends(reader_, row, last, id)) shaping.form.set(id, std::move(form));
+    });
+  }
+
+  void read_areas(const JsonCursor& list, Shaping& shaping) {
+    std::optional<FaceId> last;
+    reader_.for_each(list, [&](const JsonCursor& row) {
+      if (reader_.array_size(row, 2, 2) != 2) return;
+      const FaceId id{reader_.integer(JsonCursor(row, 0), 0, max_id)};
+      if (!reader_.failed() && polyhedron_.find(id) == no_index)
+        reader_.fail(row, "there is no face with this id");
+      const double factor = reader_.number(JsonCursor(row, 1));
+      take_error(reader_, row, check_kept_area(factor));
+      if (ascends(reader_, row, last, id)) shaping.kept_area.set(id, factor);
     });
   }
 

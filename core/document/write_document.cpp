@@ -51,6 +51,9 @@ void write_shaping(Writer& out, const Shaping& shaping) {
     });
     out.raw("}");
   });
+  out.list("kept_area", shaping.kept_area, [&](const auto& entry) {
+    out.row(2, [&](std::size_t i) { i == 0 ? out.number(entry.first.value) : out.number(entry.second); });
+  });
 }
 
 void write_points(Writer& out, const std::array<Vector3, 4>& points) {

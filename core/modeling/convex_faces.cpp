@@ -95,9 +95,14 @@ Result<ConvexFaces> cut(const PolyhedronSource& source, std::vector<Index> conca
   }
   auto finished = std::move(draft).finish();
   if (!finished) return finished.error();
-  if (!source.shaping->form.empty()) {  // forms know the inner edges, or turn them with those beside them
+  if (!source.shaping->form.empty() ||
+      !source.shaping->kept_area
+           .empty()) {  // forms know the inner edges, or turn them with those beside them
     Shaping shaping = *finished->shaping;
     shaping.form = source.shaping->form;
+    shaping.kept_area = source.shaping->kept_area;
+    for (const auto& [piece, face] : aliases->pieces)
+      if (const double* area = source.shaping->kept_area.find(face)) shaping.kept_area.set(piece, *area);
     finished.value().shaping = std::move(shaping);
   }
   return ConvexFaces{source, std::move(concave), std::move(cuts), std::move(finished).value(),

@@ -38,11 +38,14 @@ Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added
     names.emplace(polyhedron.vertex_id(v),
                   draft.add_vertex(shift + to_base.apply_to_vector(polyhedron.position(v))));
   ElementSet selection;
+  std::map<FaceId, double> areas;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     std::vector<VertexId> corners;
     for (const Index v : polyhedron.topology().face_vertices(f))
       corners.push_back(names.at(polyhedron.vertex_id(v)));
-    selection.faces.insert(draft.add_face(std::move(corners)));
+    const FaceId face = draft.add_face(std::move(corners));
+    selection.faces.insert(face);
+    if (const double* area = added.shaping->kept_area.find(polyhedron.face_id(f))) areas.emplace(face, *area);
   }
   Shaping& shaping = draft.shaping();
   const auto take_vertices = [&](const auto& from, auto& to) {
@@ -70,10 +73,12 @@ Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added
   auto result = std::move(draft).finish();
   if (!result) return result.error();
   PolyhedronSource source = std::move(result).value();
-  if (!tangents.empty() || !added.shaping->form.empty()) {
-    // The draft forgets tangents at new vertices; here the edges round them are the same in the same order.
+  if (!tangents.empty() || !added.shaping->form.empty() || !areas.empty()) {
+    // The draft forgets tangents at new vertices and areas of new faces; here the edges round them are the
+    // same in the same order.
     Shaping with_tangents = *source.shaping;
     for (const auto& [id, pin] : tangents) with_tangents.pin.set(id, pin);
+    for (const auto& [id, area] : areas) with_tangents.kept_area.set(id, area);
     for (const auto& [id, form] : added.shaping->form) {
       if (!names.contains(id)) continue;
       KeptForm named = form;

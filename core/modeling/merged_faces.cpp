@@ -220,9 +220,10 @@ Result<MergedFaces> merge_groups(const PolyhedronSource& source, std::vector<Mer
   }
   auto finished = std::move(draft).finish();
   if (!finished) return finished.error();
-  if (!source.shaping->form.empty()) {
+  if (!source.shaping->form.empty() || !source.shaping->kept_area.empty()) {
     Shaping shaping = *finished->shaping;
     shaping.form = source.shaping->form;
+    shaping.kept_area = source.shaping->kept_area;
     finished.value().shaping = std::move(shaping);
   }
   MergedFaces out{source, std::move(groups), {}, std::move(finished).value(), nullptr};

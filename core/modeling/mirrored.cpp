@@ -212,6 +212,12 @@ class Whole {
     Shaping out = detail::shaping_on(whole, all, polyhedron_, half);
     settle_pins(whole, out);
     settle_forms(whole, out);
+    for (const auto& [id, area] : half.kept_area) {
+      const Index f = polyhedron_.find(id);
+      if (f == no_index) continue;
+      out.kept_area.set(id, area);
+      out.kept_area.set(whole.face_id(polyhedron_.face_count() + f), area);
+    }
     return out;
   }
 

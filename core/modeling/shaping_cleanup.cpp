@@ -39,6 +39,19 @@ bool corner_tag_fits(const Polyhedron& polyhedron, const Shaping& shaping, Index
   return std::count_if(fan.begin(), fan.end(), [](const FanEdge& edge) { return edge.sharp; }) >= 2;
 }
 
+/// Whether both have the face, with the same vertices in any order.
+bool same_corners(const Polyhedron& a, const Polyhedron& b, FaceId id) {
+  const auto corners = [id](const Polyhedron& polyhedron) {
+    std::vector<VertexId> out;
+    if (const Index f = polyhedron.find(id); f != no_index)
+      for (const Index v : polyhedron.topology().face_vertices(f)) out.push_back(polyhedron.vertex_id(v));
+    std::sort(out.begin(), out.end());
+    return out;
+  };
+  const std::vector<VertexId> first = corners(a);
+  return !first.empty() && first == corners(b);
+}
+
 template <class Id, class Value, class Keep>
 FlatMap<Id, Value> kept_entries(const FlatMap<Id, Value>& map, Keep&& keep) {
   FlatMap<Id, Value> out;
@@ -89,6 +102,8 @@ Shaping shaping_on(const Polyhedron& after, const Shaping& shaping, const Polyhe
       out.form.set(id, std::move(known));
     }
   }
+  for (const auto& [id, area] : shaping.kept_area)
+    if (same_corners(before, after, id)) out.kept_area.set(id, area);
   return out;
 }
 

@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/base/dense_solver.hpp"
+#include "core/document/edit_elements.hpp"
 #include "core/modeling/kept_tangents.hpp"
 #include "core/modeling/surface_input.hpp"
 #include "core/network/vertex_frames.hpp"
@@ -17,6 +19,9 @@ using Bezier = std::array<Vector3, 4>;
 
 /// Points of a curve over the surface that its cubic is fitted to.
 constexpr int fitted_points = 16;
+
+/// Areas that differ less, relatively, are not worth keeping.
+constexpr double least_difference = 1e-3;
 
 Vector3 bezier_point(const Bezier& b, double t) {
   const double s = 1 - t;
@@ -71,6 +76,12 @@ std::pair<Vector3, Vector3> fitted_cubic(const std::vector<Vector3>& points, con
   }
   const Eigen::VectorXd x = solve_symmetric(matrix, right);
   return {x[0] * at_first[0] + x[1] * at_first[1], x[2] * at_last[0] + x[3] * at_last[1]};
+}
+
+double area_of(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index face) {
+  double out = 0;
+  for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) out += charts.area[h];
+  return out;
 }
 
 }  // namespace
@@ -284,6 +295,44 @@ std::optional<std::pair<Vector3, Vector3>> SurfaceForm::tangents(const Sight& a,
   return std::nullopt;
 }
 
+std::optional<Index> SurfaceForm::common_face(std::span<const Sight> corners) {
+  for (const Spot& spot : corners.front().spots) {
+    const auto has_face = [&](const Sight& corner) {
+      return std::any_of(corner.spots.begin(), corner.spots.end(),
+                         [&](const Spot& other) { return other.face == spot.face; });
+    };
+    if (std::all_of(corners.begin(), corners.end(), has_face)) return spot.face;
+  }
+  return std::nullopt;
+}
+
+double SurfaceForm::counted_area(Index face) const {
+  return area_of(input_.polyhedron.topology(), charts_, face) *
+         input_.shaping.kept_area.get_or(input_.polyhedron.face_id(face), 1);
+}
+
+Result<FlatMap<FaceId, double>> SurfaceForm::kept_areas(
+    const PolyhedronSurfaceInput& after, const std::function<Sight(VertexId)>& sight_of) const {
+  const Polyhedron& polyhedron = after.polyhedron;
+  const HalfEdgeMesh& mesh = polyhedron.topology();
+  const auto frames = build_vertex_frames(polyhedron, after.shaping);
+  if (!frames) return frames.error();
+  const FaceCharts charts = metric_charts(polyhedron, frames->half_turn);
+  FlatMap<FaceId, double> out;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const FaceId id = polyhedron.face_id(f);
+    if (after.aliases && (after.aliases->is_copy(id) || after.aliases->original(id) != id)) continue;
+    std::vector<Sight> corners;
+    for (const Index v : mesh.face_vertices(f)) corners.push_back(sight_of(polyhedron.vertex_id(v)));
+    const auto whole = common_face(corners);
+    const double area = area_of(mesh, charts, f);
+    if (!whole || !(area > 0)) continue;
+    const double factor = std::clamp(counted_area(*whole) / area, 1 / max_kept_area, max_kept_area);
+    if (std::abs(factor - 1) > least_difference) out.set(id, factor);
+  }
+  return out;
+}
+
 Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const RefinedPoints& places) const {
   std::map<VertexId, Sight> new_sights;
   std::vector<Index> vertices;
@@ -305,6 +354,7 @@ Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const Refined
 
   Shaping shaping = *after.shaping;
   shaping.form = {};
+  shaping.kept_area = {};
   after.shaping = shaping;
   const auto prepared = surface_input(after);
   if (!prepared) return prepared.error();
@@ -321,6 +371,9 @@ Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const Refined
   for (const auto& [id, form] : shaping.form)
     if (says_something(form)) kept.set(id, form);
   shaping.form = std::move(kept);
+  auto areas = kept_areas(*prepared, sight_of);
+  if (!areas) return areas.error();
+  shaping.kept_area = std::move(areas).value();
   after.shaping = std::move(shaping);
   return after;
 }

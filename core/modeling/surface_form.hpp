@@ -4,9 +4,11 @@
 // (kuriyama.md section 12.7).
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/result.hpp"
@@ -17,8 +19,8 @@
 namespace hariko {
 
 /// New vertices come to lie where the surface has them: on the curve of an edge, on the patches of a face.
-/// With frames by measure the vertices whose tangents would change remember them (`KeptForm`). What the
-/// polyhedron is attached to does not count.
+/// With frames by measure the vertices whose tangents would change remember them (`KeptForm`), and the pieces
+/// of a face count as the face did (`Shaping::kept_area`). What the polyhedron is attached to does not count.
 class SurfaceForm {
  public:
   /// Makes the surface of `source`. Errors: those of `surface_input` and `PolyhedronSurfacer::rebuild`.
@@ -64,6 +66,13 @@ class SurfaceForm {
   std::optional<std::pair<Vector3, Vector3>> tangents_along_edge(const Sight& a, const Sight& b) const;
   std::vector<Vector3> points_across(const Spot& a, const Spot& b) const;
   std::pair<Vector3, Vector3> tangents_across(const Spot& a, const Spot& b) const;
+
+  /// The prepared face in which all corners lie.
+  static std::optional<Index> common_face(std::span<const Sight> corners);
+  /// Area with which mode FAIR counts a prepared face.
+  double counted_area(Index face) const;
+  Result<FlatMap<FaceId, double>> kept_areas(const PolyhedronSurfaceInput& after,
+                                             const std::function<Sight(VertexId)>& sight_of) const;
 
   PolyhedronSource source_;
   PolyhedronSurfaceInput input_;  ///< the prepared polyhedron

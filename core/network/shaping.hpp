@@ -59,6 +59,9 @@ struct Shaping {
   FlatMap<VertexId, VertexTag> tag;
   FlatMap<VertexId, Pin> pin;
   FlatMap<VertexId, KeptForm> form;
+  /// Memory of a refinement at faces: factor of the area with which mode FAIR counts a face in frames by
+  /// measure, default 1 (kuriyama.md section 12.7).
+  FlatMap<FaceId, double> kept_area;
   friend bool operator==(const Shaping&, const Shaping&) = default;
 };
 

@@ -90,6 +90,7 @@ class FrameBuilder {
     sector_begin_.push_back(sectors_.size());
     const bool metric = options_.frames == Frames::metric;
     frames_.charts = metric ? metric_charts(polyhedron_, frames_.half_turn) : equal_charts(mesh_);
+    if (metric) take_kept_areas();
     if (metric) mark_unit_vertices();
     if (metric) find_own_steps();
     for (Index v = 0; v < mesh_.vertex_count(); ++v) place_vertex(v);
@@ -103,6 +104,15 @@ class FrameBuilder {
     for (Index e = 0; e < mesh_.edge_count(); ++e) frames_.sharp[e] = mesh_.is_border_edge(e);
     for (const auto& [id, on] : shaping_.crease)
       if (const Index e = polyhedron_.find(id); on && e != no_index) frames_.sharp[e] = true;
+  }
+
+  void take_kept_areas() {
+    for (const auto& [id, factor] : shaping_.kept_area) {
+      const Index f = polyhedron_.find(id);
+      if (f == no_index) continue;
+      frames_.kept_area.resize(mesh_.face_count(), 1.0);
+      frames_.kept_area[f] = factor;
+    }
   }
 
   void mark_unit_vertices() {

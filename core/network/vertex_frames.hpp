@@ -40,6 +40,7 @@ struct VertexFrames {
   /// Per basis vector: what kept forms add to it; empty where there are none.
   std::vector<Vector3> offset = {};
   FaceCharts charts;
+  std::vector<double> kept_area = {};  ///< per face: factor of its area in mode FAIR; empty where all are 1
 
   Index basis_count() const { return basis_begin.back(); }
   /// Factors of the tangents along half-edge h and along the one before it in the split tangent of the

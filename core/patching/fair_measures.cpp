@@ -82,10 +82,12 @@ FairMeasures fair_measures(const HalfEdgeMesh& mesh, const NetworkSystem& networ
   out.edge.resize(mesh.edge_count());
   std::vector<double> measured = charts.area;
   std::vector<double> factor(mesh.half_edge_count(), 1.0);
+  const std::vector<double>& kept_area = network.frames().kept_area;
   if (metric)
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       factor[h] = stretch(mesh, constants, h);
       measured[h] *= factor[h];
+      if (!kept_area.empty()) measured[h] *= kept_area[mesh.face(h)];
     }
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const double membrane = membrane_factor(mesh, network, f, weights.tension);

@@ -38,7 +38,8 @@ std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
 }
 
 bool equal_but_pins(const Shaping& a, const Shaping& b) {
-  return a.alpha == b.alpha && a.beta == b.beta && a.crease == b.crease && a.tag == b.tag && a.form == b.form;
+  return a.alpha == b.alpha && a.beta == b.beta && a.crease == b.crease && a.tag == b.tag &&
+         a.form == b.form && a.kept_area == b.kept_area;
 }
 
 /// A long diagonal of the polyhedron's box.

@@ -107,6 +107,7 @@ TEST(Format, EqualityNoticesEveryField) {
   shape([](Shaping& s) { s.crease.set(EdgeId::of({0}, {1}), true); });
   shape([](Shaping& s) { s.tag.set({3}, VertexTag::smooth); });
   shape([](Shaping& s) { s.pin.set({3}, {Pin::Kind::normal, {{0, 0, 1}}}); });
+  shape([](Shaping& s) { s.kept_area.set({3}, 2); });
   Document other = document;
   other.unit = Unit::inch;
   EXPECT_FALSE(other == document);
@@ -297,6 +298,23 @@ TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
   EXPECT_EQ(code(with("[5, 0.25, -0.5,", "[55, 0.25, -0.5,")), "E_SCHEMA") << "no such vertex";
   EXPECT_EQ(code(with("[5, 0.25, -0.5,", "[0, 0.25, -0.5,")), "E_SCHEMA") << "ids ascend";
   EXPECT_EQ(code(with("[5, 0.25, -0.5, 0.125, 0, -0.0625, 0, 0.5, 150]", "[5, 0.25]")), "E_SCHEMA");
+}
+
+TEST(Format, KeptAreasOutOfAllProportionAreRefused) {
+  const std::string text = file_text("tests/document/fixtures/v3.hariko");
+  const auto with = [&](const std::string& rows) {
+    std::string changed = text;
+    changed.insert(changed.find("\"form\""), "\"kept_area\": " + rows + ", ");
+    const auto read = read_document(changed);
+    return read ? std::string() : std::string(read.error().code.name);
+  };
+  EXPECT_EQ(with("[[0, 2.5]]"), "");
+  EXPECT_EQ(with("[[0, 1e7]]"), "E_FORM_INVALID");
+  EXPECT_EQ(with("[[0, 0]]"), "E_FORM_INVALID");
+  EXPECT_EQ(with("[[0, -1]]"), "E_FORM_INVALID");
+  EXPECT_EQ(with("[[999, 2]]"), "E_SCHEMA") << "no such face";
+  EXPECT_EQ(with("[[1, 2], [0, 2]]"), "E_SCHEMA") << "ids ascend";
+  EXPECT_EQ(with("[[0]]"), "E_SCHEMA");
 }
 
 TEST(Format, UnknownPartsStayByteForByte) {

@@ -81,6 +81,8 @@ inline Shaping any_shaping(std::mt19937_64& rng, const Polyhedron& polyhedron) {
     if (chance(rng, 0.2)) shaping.beta.set(polyhedron.edge_id(e), log_uniform(rng, 0.001, 1000));
     if (chance(rng, 0.1)) shaping.crease.set(polyhedron.edge_id(e), true);
   }
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    if (chance(rng, 0.1)) shaping.kept_area.set(polyhedron.face_id(f), log_uniform(rng, 1e-6, 1e6));
   return shaping;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/analysis/measures.hpp"
 #include "core/approximation/triangle_tree.hpp"
+#include "core/document/edit_elements.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/format.hpp"
 #include "core/modeling/cut.hpp"
@@ -188,6 +189,9 @@ TEST(SurfaceForm, SizeAndPlaceDoNotMatter) {
           EXPECT_LT((x.pull - y.pull).norm(), 1e-5 * (1 + y.pull.norm()));
         }
       }
+      ASSERT_EQ(other.shaping->kept_area.size(), plain.shaping->kept_area.size());
+      for (const auto& [id, factor] : plain.shaping->kept_area)
+        EXPECT_NEAR(other.shaping->kept_area.get_or(id, 0), factor, 1e-7 * factor);
     }
 }
 
@@ -255,6 +259,7 @@ TEST(SurfaceForm, FormsAreSaved) {
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, document);
   EXPECT_FALSE(read->objects[0]->polyhedron()->shaping->form.empty());
+  EXPECT_FALSE(read->objects[0]->polyhedron()->shaping->kept_area.empty());
 }
 
 /// The whole of a live mirror and the same made by the designer.
@@ -296,12 +301,57 @@ TEST(SurfaceForm, RefinementsKeepTheSurface) {
       if (!seen.insert(ring.front()).second || ring.size() < 2) continue;
       seen.insert(ring.begin(), ring.end());
       for (const double at : {0.25, 0.5})
-        expect_kept(loop_cut(source, edge, {.slide = 2 * at - 1}, &form)->source, 0.055, 0.65, "loop");
+        expect_kept(loop_cut(source, edge, {.slide = 2 * at - 1}, &form)->source, 0.022, 0.4, "loop");
     }
     expect_kept(subdivide_faces(source, all_faces(source), &form)->source, 0.01, 0.05, "all faces");
     expect_kept(subdivide_faces(source, std::vector<FaceId>{source.polyhedron.face_id(0)}, &form)->source,
                 0.025, 0.05, "one face");
   }
+}
+
+/// Near the edges of a face, too: the pieces count as the face did.
+TEST(SurfaceForm, LoopCutsOfACubeKeepItAtEveryPlace) {
+  const PolyhedronSource source = box_of({2, 2, 2});
+  const SurfaceForm form = SurfaceForm::of(source).value();
+  const Shape before(source);
+  for (const double at : {0.05, 0.1, 0.2, 0.35, 0.5, 0.8, 0.95}) {
+    const PolyhedronSource after =
+        loop_cut(source, source.polyhedron.edge_id(0), {.slide = 2 * at - 1}, &form)->source;
+    ASSERT_EQ(after.polyhedron.face_count(), 10U);
+    EXPECT_EQ(after.shaping->kept_area.size(), 8U) << "the faces that were cut";
+    const Shape now(after);
+    EXPECT_LT(distance(before, now), 0.014) << at;
+    EXPECT_NEAR(now.bending / before.bending, 1, 0.03) << at;
+  }
+}
+
+/// What a face counts with stays the same over several refinements, and goes with the pins.
+TEST(SurfaceForm, PiecesCountAsTheFirstFace) {
+  const PolyhedronSource source = box_of({2, 2, 2});
+  const auto counted = [](const PolyhedronSource& of, FaceId id) {
+    const auto frames = build_vertex_frames(of.polyhedron, *of.shaping).value();
+    const FaceCharts charts = metric_charts(of.polyhedron, frames.half_turn);
+    const Index f = of.polyhedron.find(id);
+    double area = 0;
+    for (Index h = of.polyhedron.topology().face_begin(f); h < of.polyhedron.topology().face_end(f); ++h)
+      area += charts.area[h];
+    return area * of.shaping->kept_area.get_or(id, 1);
+  };
+  const SurfaceForm first = SurfaceForm::of(source).value();
+  const PolyhedronSource once =
+      loop_cut(source, source.polyhedron.edge_id(0), {.slide = -0.4}, &first)->source;
+  const SurfaceForm second = SurfaceForm::of(once).value();
+  const PolyhedronSource twice =
+      subdivide_faces(once, std::vector<FaceId>{once.shaping->kept_area.begin()->first}, &second)->source;
+  for (const PolyhedronSource& each : {once, twice})
+    for (Index f = 0; f < each.polyhedron.face_count(); ++f)
+      EXPECT_NEAR(counted(each, each.polyhedron.face_id(f)), 4, 4 * 2e-3);
+  const Added added = add_object({}, "Box", twice).value();
+  std::vector<VertexId> all;
+  for (Index v = 0; v < twice.polyhedron.vertex_count(); ++v) all.push_back(twice.polyhedron.vertex_id(v));
+  const Document plain = clear_pins(added.document, added.id, all).value();
+  EXPECT_TRUE(plain.objects[0]->polyhedron()->shaping->kept_area.empty());
+  EXPECT_TRUE(plain.objects[0]->polyhedron()->shaping->form.empty());
 }
 
 /// Random refinements one after the other never leave a polyhedron whose surface cannot be made.
