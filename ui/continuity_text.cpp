@@ -18,6 +18,13 @@ std::string counted(std::size_t count, const char* one, const char* many, const 
   return fill(tr(count == 1 ? one : many), {std::to_string(count)});
 }
 
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& parts, const Language& tr) {
+  std::string out = parts.front();
+  for (std::size_t i = 1; i + 1 < parts.size(); ++i) out += tr(", ") + parts[i];
+  return parts.size() < 2 ? out : fill(tr("{0} and {1}"), {out, parts.back()});
+}
+
 }  // namespace
 
 ReachedContinuity reached_continuity(const Surface& surface, const ContinuityReport& report,
@@ -37,23 +44,24 @@ ReachedContinuity reached_continuity(const Surface& surface, const ContinuityRep
     sharp = sharp || crease;
     if (!crease) out.largest_kink = std::max(out.largest_kink, report.seams[s].normal_jump);
   }
-  std::size_t smooth = 0, curved = 0, tangent = 0;
+  std::size_t smooth = 0, curved = 0;
   for (const auto& [key, edge] : edges) {
     out.creases += edge.second ? 1 : 0;
     if (edge.second) continue;
     ++smooth;
     curved += edge.first == Continuity::g2 ? 1 : 0;
-    tangent += edge.first >= Continuity::g1 ? 1 : 0;
   }
   out.joined = smooth > 0;
   out.smooth = 2 * curved > smooth ? Continuity::g2 : Continuity::g1;
-  out.less = smooth - (out.smooth == Continuity::g2 ? curved : tangent);
+  for (const auto& [key, edge] : edges)
+    if (!edge.second && edge.first < out.smooth) ++(key.second == 0 ? out.less : out.inner_less);
   return out;
 }
 
 std::string text_of(const ReachedContinuity& reached, const Language& tr) {
   if (!reached.joined && reached.creases == 0) return {};
-  const std::string creases = counted(reached.creases, "1 creased edge", "{0} creased edges", tr);
+  const std::string creases =
+      counted(reached.creases, translatable("1 creased edge"), translatable("{0} creased edges"), tr);
   if (!reached.joined) return creases;
   if (reached.largest_kink >= rounding_kink) {
     const std::string kink =
@@ -61,13 +69,14 @@ std::string text_of(const ReachedContinuity& reached, const Language& tr) {
     return reached.creases > 0 ? kink + ", " + creases : kink;
   }
   const char* name = reached.smooth == Continuity::g2 ? tr("curvature-continuous") : tr("tangent-continuous");
-  std::string exceptions;
-  if (reached.less > 0) exceptions = counted(reached.less, "1 edge", "{0} edges", tr);
-  if (reached.less > 0 && reached.creases > 0)
-    exceptions = fill(tr("{0} and {1}"), {exceptions, creases});
-  else if (reached.creases > 0)
-    exceptions = creases;
-  return exceptions.empty() ? std::string(name) : fill(tr("{0} but for {1}"), {name, exceptions});
+  std::vector<std::string> exceptions;
+  if (reached.less > 0)
+    exceptions.push_back(counted(reached.less, translatable("1 edge"), translatable("{0} edges"), tr));
+  if (reached.inner_less > 0)
+    exceptions.push_back(counted(reached.inner_less, translatable("1 seam inside of a face"),
+                                 translatable("{0} seams inside of faces"), tr));
+  if (reached.creases > 0) exceptions.push_back(creases);
+  return exceptions.empty() ? std::string(name) : fill(tr("{0} but for {1}"), {name, listed(exceptions, tr)});
 }
 
 }  // namespace hariko

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "core/polyhedron/face_shape.hpp"
 
@@ -29,6 +31,48 @@ Vector3 scaled_normal(std::vector<Vector3> corners, double extent) {
   const Vector3 first = corners[0];
   for (Vector3& p : corners) p = (p / 2 - first / 2) / extent;
   return newell_normal(corners);
+}
+
+double cross(const Vector2& a, const Vector2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// What of a convex polygon lies to the left of the line from a to b.
+std::vector<Vector2> left_part(const std::vector<Vector2>& polygon, const Vector2& a, const Vector2& b) {
+  const auto height = [&](const Vector2& p) { return cross(b - a, p - a); };
+  std::vector<Vector2> out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const double from = height(p), to = height(q);
+    if (from >= 0) out.push_back(p);
+    if ((from < 0) != (to < 0)) out.push_back(p + from / (from - to) * (q - p));
+  }
+  return out;
+}
+
+/// Centroid of the points from which all of a counter-clockwise polygon is seen; none where they have hardly
+/// any area.
+std::optional<Vector2> kernel_centroid(const std::vector<Vector2>& outline) {
+  constexpr double least_share = 1e-6;
+  Eigen::AlignedBox2d box;
+  double area = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    box.extend(outline[i]);
+    area += cross(outline[i], outline[(i + 1) % outline.size()]) / 2;
+  }
+  std::vector<Vector2> kernel{
+      box.min(), {box.max().x(), box.min().y()}, box.max(), {box.min().x(), box.max().y()}};
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    kernel = left_part(kernel, outline[i], outline[(i + 1) % outline.size()]);
+  Vector2 sum = Vector2::Zero();
+  double whole = 0;
+  for (std::size_t i = 0; i + 2 < kernel.size(); ++i) {
+    const double part = cross(kernel[i + 1] - kernel[0], kernel[i + 2] - kernel[0]) / 2;
+    sum += part / 3 * (kernel[0] + kernel[i + 1] + kernel[i + 2]);
+    whole += part;
+  }
+  if (!(whole > least_share * area)) return std::nullopt;
+  return Vector2(sum / whole);
 }
 
 }  // namespace
@@ -82,12 +126,29 @@ FaceId first_turned_face(const Polyhedron& before, const Polyhedron& after) {
   return {};
 }
 
-Vector3 face_centre(const Polyhedron& polyhedron, Index face) {
-  const auto vertices = polyhedron.topology().face_vertices(face);
-  const auto count = static_cast<double>(vertices.size());
-  Vector3 centre = Vector3::Zero();
-  for (const Index v : vertices) centre += polyhedron.position(v) / count;
-  return centre;
+Result<Vector3> star_centre(const Polyhedron& polyhedron, Index face) {
+  const std::vector<Vector3> corners = corners_of(polyhedron, face);
+  Vector3 mean = Vector3::Zero();
+  for (const Vector3& corner : corners) mean += corner / double(corners.size());
+  if (classify_face(corners) == FaceShape::convex) return mean;
+  const Vector3 normal = face_normal(polyhedron, face);
+  const double extent = extent_of(corners);
+  if (!normal.isZero(0)) {
+    const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
+    std::vector<Vector2> outline;
+    for (const Vector3& corner : corners) {
+      const Vector3 p = (corner - mean) / extent;
+      outline.emplace_back(p.dot(x), p.dot(y));
+    }
+    if (const auto centre = kernel_centroid(outline))
+      return Vector3(mean + extent * (centre->x() * x + centre->y() * y));
+  }
+  const FaceId id = polyhedron.face_id(face);
+  return make_error(e_no_centre,
+                    "Face " + std::to_string(id.value) +
+                        " has no point from which all of its corners are seen, so it cannot be divided "
+                        "round one.",
+                    "Decompose concave faces first.", element_of(id));
 }
 
 double collapse_amount(const Slide& a, const Slide& b) {

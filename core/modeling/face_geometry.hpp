@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/result.hpp"
 #include "core/base/vector.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
@@ -32,8 +33,12 @@ Vector3 miter(const Vector3& a, const Vector3& b);
 /// Faces without area do not count. O(corners).
 FaceId first_turned_face(const Polyhedron& before, const Polyhedron& after);
 
-/// Mean of the corners.
-Vector3 face_centre(const Polyhedron& polyhedron, Index face);
+inline constexpr Code e_no_centre{"E_NO_CENTRE"};
+
+/// A point from which all corners of the face are seen: the mean of the corners of convex faces, else the
+/// centroid of all such points (the kernel of the polygon in its mean plane). Error: E_NO_CENTRE where there
+/// is none. O(corners squared).
+Result<Vector3> star_centre(const Polyhedron& polyhedron, Index face);
 
 /// A point that slides with an amount: position + amount * rate.
 struct Slide {

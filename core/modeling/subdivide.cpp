@@ -51,9 +51,10 @@ Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const 
     }
   ElementSet selection;
   for (const Index f : *chosen) {
-    const Vector3 middle_of_face = face_centre(polyhedron, f);
+    const auto middle_of_face = star_centre(polyhedron, f);
+    if (!middle_of_face) return middle_of_face.error();
     const VertexId centre =
-        draft.add_vertex(middle_of_face, FacePoint{polyhedron.face_id(f), middle_of_face});
+        draft.add_vertex(*middle_of_face, FacePoint{polyhedron.face_id(f), *middle_of_face});
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       std::vector<VertexId> quad{polyhedron.vertex_id(mesh.origin(h)), middle[mesh.edge(h)], centre,
                                  middle[mesh.edge(mesh.previous(h))]};
@@ -77,9 +78,10 @@ Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceI
   MeshDraft draft(source);
   ElementSet selection;
   for (const Index f : *chosen) {
-    const Vector3 middle_of_face = face_centre(polyhedron, f);
+    const auto middle_of_face = star_centre(polyhedron, f);
+    if (!middle_of_face) return middle_of_face.error();
     const VertexId centre =
-        draft.add_vertex(middle_of_face, FacePoint{polyhedron.face_id(f), middle_of_face});
+        draft.add_vertex(*middle_of_face, FacePoint{polyhedron.face_id(f), *middle_of_face});
     for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
       std::vector<VertexId> triangle{polyhedron.vertex_id(mesh.origin(h)),
                                      polyhedron.vertex_id(mesh.target(h)), centre};

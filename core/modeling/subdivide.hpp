@@ -19,16 +19,17 @@ namespace hariko {
 Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const EdgeId> edges, int count = 1,
                                 const SurfaceForm* on = nullptr);
 
-/// Divides each face into quads round its centre, by the middles of its sides, which become corners of the
-/// faces beside it too. Positions stay on the faces: the shape of the polyhedron is the same. Pieces of sides
-/// keep tension and crease, the edges inside are plain. One part keeps the face's id. The Euler number stays.
-/// Selected afterwards: all parts. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT.
+/// Divides each face into quads round its centre (`star_centre`), by the middles of its sides, which become
+/// corners of the faces beside it too. Positions stay on the faces: the shape of the polyhedron is the same.
+/// Pieces of sides keep tension and crease, the edges inside are plain. One part keeps the face's id. The
+/// Euler number stays. Selected afterwards: all parts. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT,
+/// E_NO_CENTRE.
 Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
                                 const SurfaceForm* on = nullptr);
 
-/// Puts a vertex into the middle of each face (the mean of its corners) and divides the face into triangles
+/// Puts a vertex into the middle of each face (`star_centre`) and divides the face into triangles
 /// round it. The new edges are plain; one part keeps the face's id. The Euler number stays. Selected
-/// afterwards: the new vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT.
+/// afterwards: the new vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_NO_CENTRE.
 Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
                            const SurfaceForm* on = nullptr);
 

@@ -3,6 +3,8 @@
 #include "core/modeling/subdivide.hpp"
 
 #include "core/document/edit_elements.hpp"
+#include "core/modeling/face_geometry.hpp"
+#include "core/polyhedron/face_shape.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {
@@ -92,6 +94,38 @@ TEST(Subdivide, RandomMeshes) {
     if (surfaces < 25 && ++surfaces) expect_surface(result->source);
   });
   EXPECT_GT(done, repetitions(300) / 2);
+}
+
+/// An L, whose corners have their mean at the corner that turns inwards, and a U, of which no point sees all.
+TEST(SubdivideFaces, ConcaveFacesAreDividedRoundAPointThatSeesAllCorners) {
+  const auto flat = [](const std::vector<Vector2>& corners) {
+    PolygonMesh mesh;
+    std::vector<Index> face;
+    for (const Vector2& p : corners) {
+      face.push_back(Index(mesh.positions.size()));
+      mesh.positions.emplace_back(p.x(), 0.6 * p.y(), 0.8 * p.y());
+    }
+    mesh.add_face(face);
+    return source_of(std::move(mesh));
+  };
+  const PolyhedronSource l = flat({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
+  const Faces first{l.polyhedron.face_id(0)};
+  for (const PolyhedronSource& out : {subdivide_faces(l, first)->source, poke_faces(l, first)->source})
+    for (Index f = 0; f < out.polyhedron.face_count(); ++f) {
+      EXPECT_GT(face_normal(out.polyhedron, f).dot(Vector3(0, -0.8, 0.6)), 0.999) << "no part is turned over";
+      std::vector<Vector3> corners;
+      for (const Index v : out.polyhedron.topology().face_vertices(f))
+        corners.push_back(out.polyhedron.position(v));
+      EXPECT_GT(newell_normal(corners).norm(), 0.2) << "nor without area";
+    }
+  const PolyhedronSource u = flat({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
+  expect_error(subdivide_faces(u, Faces{u.polyhedron.face_id(0)}), e_no_centre);
+  expect_error(poke_faces(u, Faces{u.polyhedron.face_id(0)}), e_no_centre);
+  // Convex faces keep the mean of their corners.
+  const PolyhedronSource cube = source_of(test::cube());
+  Vector3 mean = Vector3::Zero();
+  for (const Index v : cube.polyhedron.topology().face_vertices(0)) mean += cube.polyhedron.position(v) / 4;
+  EXPECT_EQ(star_centre(cube.polyhedron, 0).value(), mean);
 }
 
 }  // namespace

@@ -188,6 +188,14 @@ inline double area_of(const Polyhedron& polyhedron, Index f) {
   return newell_normal(corners_of(polyhedron, f)).norm() / 2;
 }
 
+/// Mean of the corners.
+inline Vector3 face_centre(const Polyhedron& polyhedron, Index f) {
+  const std::vector<Vector3> corners = corners_of(polyhedron, f);
+  Vector3 sum = Vector3::Zero();
+  for (const Vector3& p : corners) sum += p;
+  return sum / double(corners.size());
+}
+
 /// Greatest distance of a corner from the face's mean plane through its centre.
 inline double unevenness(const Polyhedron& polyhedron, Index f) {
   double worst = 0;

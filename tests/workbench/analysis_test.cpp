@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/document/edits.hpp"
 #include "core/document/file.hpp"
 #include "tests/support/places.hpp"
@@ -97,6 +99,31 @@ TEST(Analysis, ColoursOfAllSurfacesCompare) {
   EXPECT_FALSE(editor.history.dirty());
 }
 
+/// Seams inside of faces are no edges: the sentence counts edges as the legend of the view does.
+TEST(Analysis, EdgesThatAreLessContinuousAreThoseOfTheLegend) {
+  const Document document = sample_document("car");
+  test::HeadlessWorkbench bench(document);
+  bench.wait_for_surfaces();
+  const SurfaceView* view = bench.editor().view_of(document.objects[0]->id);
+  ASSERT_TRUE(view && view->continuity);
+  const ReachedContinuity reached = reached_continuity(view->surface, *view->continuity, {});
+  ASSERT_EQ(reached.smooth, Continuity::g2);
+  const std::vector<Continuity> classes = classify(view->surface, *view->continuity, {});
+  std::set<std::uint64_t> edges;
+  std::size_t inner = 0;
+  for (std::size_t s = 0; s < classes.size(); ++s) {
+    const Seam& seam = view->surface.seams()[s];
+    if (classes[s] == Continuity::g2) continue;
+    if (seam.source.kind == Element::Kind::edge)
+      edges.insert(seam.source.id);
+    else
+      ++inner;
+  }
+  EXPECT_EQ(reached.less, edges.size());
+  EXPECT_EQ(reached.inner_less, inner);
+  EXPECT_GT(reached.less, 0U);
+}
+
 TEST(Analysis, TheContinuityThatIsReachedIsTold) {
   Document document = document_from_mesh(test::cube(), "Cube").value();
   const ObjectId id = document.objects[0]->id;
@@ -124,6 +151,9 @@ TEST(Analysis, TheContinuityThatIsReachedIsTold) {
   EXPECT_EQ(text_of(all, english), "curvature-continuous but for 10 creased edges");
   all.less = 1;
   EXPECT_EQ(text_of(all, english), "curvature-continuous but for 1 edge and 10 creased edges");
+  all.inner_less = 12;
+  EXPECT_EQ(text_of(all, english),
+            "curvature-continuous but for 1 edge, 12 seams inside of faces and 10 creased edges");
   all.largest_kink = 0.1;
   EXPECT_EQ(text_of(all, english), "largest kink 5.73\u00b0, 10 creased edges");
 }
