@@ -230,7 +230,9 @@ void again(const std::string& name, const Document& document, const char* ending
   EXPECT_TRUE(back->file.valid);
   EXPECT_LE(back->bytes, 1.2 * double(went->bytes));
   EXPECT_GE(back->bytes, 0.8 * double(went->bytes));
-  EXPECT_EQ(totals(back->objects).faces, totals(went->objects).faces);
+  // A spline over one of whose knots derivatives jump comes back in two faces.
+  EXPECT_GE(totals(back->objects).faces, totals(went->objects).faces);
+  EXPECT_LE(double(totals(back->objects).faces), 1.1 * double(totals(went->objects).faces));
   // The kernel writes eleven digits into IGES, too few to tell that pieces are of one spline.
   if (std::string_view(ending) == ".step") {
     EXPECT_EQ(totals(back->objects).exact, totals(back->objects).faces);

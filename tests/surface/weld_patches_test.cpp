@@ -91,6 +91,32 @@ TEST(WeldPatches, SidesInPartsMeetWholeOnesWhereverTheyBulge) {
   }
 }
 
+/// A part of the flat square, with a parameter along x that begins slowly: x is its cube.
+BezierPatch slow(double from, double to, double y0, double y1) {
+  BezierPatch out;
+  out.degree_s = 3;
+  out.degree_t = 1;
+  for (const double y : {y0, y1})
+    for (int i = 0; i <= 3; ++i) {
+      double x = 1;  // the polar form of the cube
+      for (int k = 0; k < 3; ++k) x *= k < i ? to : from;
+      out.points.emplace_back(x, y, 0);
+    }
+  return out;
+}
+
+/// As in a file of eleven digits: a point is moved by less than the tolerance, where the parameter of the
+/// place is another by far.
+TEST(WeldPatches, PartsMeetWholeSidesThatBeginSlowly) {
+  std::vector<BezierPatch> patches{slow(0, 1, 0, 1), slow(0, 0.3, 1, 2), slow(0.3, 0.7, 1, 2),
+                                   slow(0.7, 1, 1, 2)};
+  patches[1].points[0].x() += 1e-10;
+  patches[3].points[3].x() -= 1e-10;
+  const Surface surface = weld_patches(Vector3::Zero(), patches).value();
+  EXPECT_EQ(surface.seams().size(), 3U + 2U);
+  EXPECT_EQ(surface.boundary_sides().size(), 3U + 2U + 3U);
+}
+
 /// A square from (x, y) of these sizes.
 BezierPatch square(double x, double y, double width, double height) {
   BezierPatch patch{1, 1, {}, {}};
