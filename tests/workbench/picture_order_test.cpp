@@ -231,6 +231,7 @@ TEST(PictureOrder, LeavingAsksAboutWorkThatIsNotFinished) {
   FileActions actions;
   actions.quit = [&] { left = true; };
   HeadlessWorkbench bench(box_document(), {800, 560}, actions);
+  bench.wait_for_surfaces();  // what the status line says of them moves its button
   bench.editor().jobs.push_back(
       std::make_shared<const Job>(Job{"Exporting turn.png", true, CancelToken::make(), Progress::make()}));
   bench.editor().jobs.back()->progress.report(0.42);
