@@ -41,7 +41,7 @@ void expect_continuous(const PolyhedronSurface& surface, double size, double rel
     if (sample.normal <= turn && sample.curvature <= bend) continue;
     ++folds;
     EXPECT_LE(sample.normal, std::max(turn, sample.normal_rounding));
-    EXPECT_LE(sample.curvature, std::max(bend, 8 * sample.curvature_rounding));
+    EXPECT_LE(sample.curvature, std::max(bend, 3 * sample.curvature_rounding));
   }
   EXPECT_LE(folds, jumps.samples.size() / 200);
 }
@@ -73,8 +73,9 @@ TEST(G2Properties, RandomPolyhedraAreCurvatureContinuous) {
   for_random(400, 16, [](std::mt19937_64& rng) {
     const Polyhedron polyhedron = Polyhedron::build(random_polyhedron(rng)).value();
     const Shaping shaping = random_shaping(polyhedron, rng, 10, 0.01, 100);
+    // Tensions of a hundred beside a hundredth round the solution further: up to 8e-8 were seen.
     for (const Frames frames : both_frames)
-      expect_continuous(build(input_of(polyhedron, shaping, frames)), size_of(polyhedron));
+      expect_continuous(build(input_of(polyhedron, shaping, frames)), size_of(polyhedron), 1e-7);
   });
 }
 
