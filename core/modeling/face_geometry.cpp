@@ -37,7 +37,7 @@ double cross(const Vector2& a, const Vector2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// What of a convex polygon lies to the left of the line from a to b.
+/// The part of a convex polygon to the left of the line from a to b.
 std::vector<Vector2> left_part(const std::vector<Vector2>& polygon, const Vector2& a, const Vector2& b) {
   const auto height = [&](const Vector2& p) { return cross(b - a, p - a); };
   std::vector<Vector2> out;

@@ -128,7 +128,7 @@ class Welder {
   double parameter_on(Index slot, const Vector3& p) const {
     const SideCurve& curve = curves_[slot];
     if (curve.hull.exteriorDistance(p) > tolerance_) return -1;
-    // Where a curve begins slowly, places that are one have parameters that differ.
+    // Ends first: at the slow beginning of a curve, one place has parameters that differ.
     if ((curve.point[0] - p).norm() <= tolerance_) return 0;
     if ((curve.point[samples] - p).norm() <= tolerance_) return 1;
     int nearest = 0;

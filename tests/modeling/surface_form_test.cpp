@@ -325,7 +325,7 @@ TEST(SurfaceForm, LoopCutsOfACubeKeepItAtEveryPlace) {
   }
 }
 
-/// What a face counts with stays the same over several refinements, and goes with the pins.
+/// The area that a face counts with stays the same over several refinements, and goes with the pins.
 TEST(SurfaceForm, PiecesCountAsTheFirstFace) {
   const PolyhedronSource source = box_of({2, 2, 2});
   const auto counted = [](const PolyhedronSource& of, FaceId id) {
