@@ -95,9 +95,8 @@ Result<ConvexFaces> cut(const PolyhedronSource& source, std::vector<Index> conca
   }
   auto finished = std::move(draft).finish();
   if (!finished) return finished.error();
-  if (!source.shaping->form.empty() ||
-      !source.shaping->kept_area
-           .empty()) {  // forms know the inner edges, or turn them with those beside them
+  // Forms know the inner edges, or turn them with those beside them; pieces count as much as their face.
+  if (!source.shaping->form.empty() || !source.shaping->kept_area.empty()) {
     Shaping shaping = *finished->shaping;
     shaping.form = source.shaping->form;
     shaping.kept_area = source.shaping->kept_area;

@@ -33,10 +33,6 @@ Vector3 scaled_normal(std::vector<Vector3> corners, double extent) {
   return newell_normal(corners);
 }
 
-double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// The part of a convex polygon to the left of the line from a to b.
 std::vector<Vector2> left_part(const std::vector<Vector2>& polygon, const Vector2& a, const Vector2& b) {
   const auto height = [&](const Vector2& p) { return cross(b - a, p - a); };

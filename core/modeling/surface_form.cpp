@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "core/base/dense_solver.hpp"
@@ -318,10 +319,18 @@ Result<FlatMap<FaceId, double>> SurfaceForm::kept_areas(
   const auto frames = build_vertex_frames(polyhedron, after.shaping);
   if (!frames) return frames.error();
   const FaceCharts charts = metric_charts(polyhedron, frames->half_turn);
+  // Faces that are cut on the way to the surface have no area of their own: they keep their factors.
+  std::set<FaceId> cut;
+  if (after.aliases)
+    for (const auto& [piece, face] : after.aliases->pieces) cut.insert(face);
   FlatMap<FaceId, double> out;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const FaceId id = polyhedron.face_id(f);
     if (after.aliases && (after.aliases->is_copy(id) || after.aliases->original(id) != id)) continue;
+    if (cut.contains(id)) {
+      if (const double* factor = source_.shaping->kept_area.find(id)) out.set(id, *factor);
+      continue;
+    }
     std::vector<Sight> corners;
     for (const Index v : mesh.face_vertices(f)) corners.push_back(sight_of(polyhedron.vertex_id(v)));
     const auto whole = common_face(corners);

@@ -80,7 +80,7 @@ TEST_F(Focus, EveryMenuHasALetterOfItsOwn) {
     for (const Command& command : bench_.workbench().commands().all())
       if (first.empty() && command.in_menu && command.menu == menus[i]) first = command.id;
     EXPECT_TRUE(marks().contains("command." + first)) << menus[i] << " by " << letters[i];
-    // Of some menus only one command can be had of a box.
+    // Some menus have only one command for a box.
     EXPECT_GE(go("Down", 3, menus[i]).size(), 1U) << "arrows do not go through " << menus[i];
     bench_.tap("Esc");
     frames();
