@@ -3,6 +3,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <limits>
+
+#include "core/base/assert.hpp"
 
 namespace hariko {
 
@@ -51,6 +54,18 @@ std::optional<Eigen::MatrixXd> solve_definite(const Eigen::MatrixXd& matrix, con
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   if (factor.info() != Eigen::Success) return std::nullopt;
   return factor.solve(right);
+}
+
+Eigen::MatrixXd solve_nearly_definite(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  if (auto solved = solve_definite(matrix, right)) return std::move(*solved);
+  HARIKO_ASSERT(matrix.diagonal().minCoeff() > 0, "the diagonal of a definite matrix is positive");
+  const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled_both_sides(scale, matrix));
+  const double least =
+      double(matrix.rows()) * std::numeric_limits<double>::epsilon() * solver.eigenvalues().maxCoeff();
+  const Eigen::VectorXd raised = solver.eigenvalues().cwiseMax(least).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd root = scale.asDiagonal() * solver.eigenvectors() * raised.asDiagonal();
+  return matrix_product(root, transposed_product(root, right));
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {

@@ -32,6 +32,11 @@ Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Vect
 /// By L L^T, all columns of `right`; empty where `matrix` is not positive definite.
 std::optional<Eigen::MatrixXd> solve_definite(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
+/// As `solve_definite`, for matrices that are positive definite but for rounding and have a positive
+/// diagonal: eigenvalues that are, relative to the diagonal, below what rounding leaves of them count as
+/// that.
+Eigen::MatrixXd solve_nearly_definite(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+
 /// Eigenvalues of a symmetric matrix, ascending; its lower triangle is read.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 

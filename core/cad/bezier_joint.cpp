@@ -53,13 +53,14 @@ Vector3 continued(Row row, int k, double ratio) {
 }
 
 /// Both rows begin where they meet, and the first `count` control points of the narrower one continue the
-/// other.
+/// other. Control points that are off by the tolerance are continued to some that are off by (1 + 2 ratio)^k
+/// times as much.
 bool agree(const Row& first, const Row& second, int count, double ratio, double tolerance) {
   const bool narrow_second = ratio <= 1;
   const Row &wide = narrow_second ? first : second, &narrow = narrow_second ? second : first;
-  for (int k = 0; k < count; ++k)
-    if ((continued(wide, k, narrow_second ? ratio : 1 / ratio) - narrow[std::size_t(k)]).norm() > tolerance)
-      return false;
+  const double step = narrow_second ? ratio : 1 / ratio;
+  for (int k = 0; k < count; ++k, tolerance *= 1 + 2 * step)
+    if ((continued(wide, k, step) - narrow[std::size_t(k)]).norm() > tolerance) return false;
   return true;
 }
 

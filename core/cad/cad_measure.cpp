@@ -39,25 +39,74 @@ std::vector<double> places(const SplineSpace& space, int samples) {
   return out;
 }
 
-/// From a point to the surface, at the foot of the perpendicular near (s, t), by Newton's steps; or some
-/// upper bound of it that is no more than `enough`. Each place of the surface is at least as far away as the
-/// nearest.
+/// Distances from a point to places of the surface, and the nearest place so far. Each of them is at least as
+/// far away as the surface.
+class NearestPlace {
+ public:
+  NearestPlace(const PieceEvaluator& surface, const CadPiece& piece, const Vector3& from, double s, double t)
+      : surface_(surface), piece_(piece), from_(from), at_(s, t) {
+    look(at_);
+  }
+  double distance() const { return distance_; }
+
+  /// Newton's steps to the foot of the perpendicular, as long as they get nearer by a tenth.
+  void step(double enough) {
+    constexpr int steps = 4;
+    for (int step = 0; step < steps && distance_ > enough; ++step) {
+      const Vector3 miss = from_ - point_.position;
+      const double e = point_.ds.squaredNorm(), f = point_.ds.dot(point_.dt), g = point_.dt.squaredNorm();
+      const double area = e * g - f * f, a = point_.ds.dot(miss), b = point_.dt.dot(miss);
+      if (!(area > 1e-10 * e * g)) break;
+      const double before = distance_;
+      const Vector2 move((g * a - f * b) / area, (e * b - f * a) / area);
+      reach_ = std::max(reach_, move.cwiseAbs().maxCoeff());
+      if (!look(at_ + move) || !(distance_ < 0.9 * before)) break;
+    }
+  }
+
+  /// By looking round in ever smaller squares, which needs no derivatives: they jump where patches of a piece
+  /// meet.
+  void search(double enough) {
+    constexpr double least = 1e-4;
+    for (double width = reach_; width > least * reach_ && distance_ > enough;) {
+      const Vector2 middle = at_;
+      bool nearer = false;
+      for (int i = -1; i <= 1; ++i)
+        for (int j = -1; j <= 1; ++j)
+          if (i != 0 || j != 0) nearer = look(middle + width * Vector2(i, j)) || nearer;
+      if (!nearer) width /= 2;
+    }
+  }
+
+ private:
+  /// Whether the place is nearer than those before.
+  bool look(Vector2 at) {
+    at = at.cwiseMax(Vector2::Zero()).cwiseMin(Vector2(piece_.s.back(), piece_.t.back()));
+    const PatchPoint point = surface_.at(at.x(), at.y());
+    const double distance = (from_ - point.position).norm();
+    if (!(distance < distance_)) return false;
+    at_ = at;
+    point_ = point;
+    distance_ = distance;
+    return true;
+  }
+
+  const PieceEvaluator& surface_;
+  const CadPiece& piece_;
+  const Vector3& from_;
+  Vector2 at_;
+  PatchPoint point_;
+  double distance_ = std::numeric_limits<double>::infinity();
+  double reach_ = 0;  ///< longest step so far
+};
+
+/// From a point to the surface near (s, t), or some upper bound of it that is no more than `enough`.
 double distance_near(const PieceEvaluator& surface, const CadPiece& piece, double s, double t,
                      const Vector3& from, double enough) {
-  double nearest = std::numeric_limits<double>::infinity();
-  constexpr int steps = 4;
-  for (int step = 0; step < steps; ++step) {
-    const PatchPoint point = surface.at(s, t);
-    const Vector3 miss = from - point.position;
-    const double e = point.ds.squaredNorm(), f = point.ds.dot(point.dt), g = point.dt.squaredNorm();
-    const double area = e * g - f * f, a = point.ds.dot(miss), b = point.dt.dot(miss);
-    const double before = nearest;
-    nearest = std::min(nearest, miss.norm());
-    if (nearest <= enough || !(nearest < 0.9 * before) || !(area > 1e-10 * e * g)) break;
-    s = std::clamp(s + (g * a - f * b) / area, 0.0, piece.s.back());
-    t = std::clamp(t + (e * b - f * a) / area, 0.0, piece.t.back());
-  }
-  return nearest;
+  NearestPlace nearest(surface, piece, from, s, t);
+  nearest.step(enough);
+  nearest.search(enough);
+  return nearest.distance();
 }
 
 double face_distance(const Surface& surface, const CadModel& model, Index face, int samples) {

@@ -306,12 +306,12 @@ Result<Done> check_kept_area(double factor) {
 
 Result<Done> check_form(const KeptForm& form) {
   for (const KeptForm::Edge& edge : form.edges) {
-    const double largest =
-        std::max({std::abs(edge.turn), std::abs(edge.stretch), edge.offset.cwiseAbs().maxCoeff(),
-                  edge.pull.cwiseAbs().maxCoeff() / max_form_number});
-    if (!(largest <= max_form_number))
-      return make_error(e_form_invalid, "The kept form of a vertex has a number that is too large.",
-                        "Use numbers from -100 to 100, and pulls to 10000.");
+    const double largest = std::max({std::abs(edge.turn), std::abs(edge.stretch),
+                                     edge.offset.cwiseAbs().maxCoeff(), std::abs(edge.lean), edge.side});
+    if (!(largest <= max_form_number && edge.side >= 0))
+      return make_error(e_form_invalid,
+                        "The kept form of a vertex has a number that is out of all proportion.",
+                        "Use numbers from -100 to 100, and parts of sides from 0 on.");
   }
   return Done{};
 }

@@ -183,14 +183,18 @@ class ShapingReader {
       reader_.member(row, "edges", [&](const JsonCursor& at) {
         std::optional<VertexId> last_end;
         reader_.for_each(at, [&](const JsonCursor& edge) {
-          if (reader_.array_size(edge, 9, 9) != 9) return;
+          // Before version 6 a row ends in a force, which nothing follows any more.
+          const std::size_t size = reader_.version() < 6 ? 9 : 8;
+          if (reader_.array_size(edge, size, size) != size) return;
           KeptForm::Edge kept;
           kept.to = vertex(JsonCursor(edge, 0));
           kept.turn = reader_.number(JsonCursor(edge, 1));
           kept.stretch = reader_.number(JsonCursor(edge, 2));
-          for (Eigen::Index i = 0; i < 3; ++i) {
+          for (Eigen::Index i = 0; i < 3; ++i)
             kept.offset[i] = reader_.number(JsonCursor(edge, std::size_t(i) + 3));
-            kept.pull[i] = reader_.number(JsonCursor(edge, std::size_t(i) + 6));
+          if (size == 8) {
+            kept.lean = reader_.number(JsonCursor(edge, 6));
+            kept.side = reader_.number(JsonCursor(edge, 7));
           }
           if (ascends(reader_, edge, last_end, kept.to)) form.edges.push_back(kept);
         });

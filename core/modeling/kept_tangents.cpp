@@ -6,8 +6,10 @@
 #include <map>
 #include <numbers>
 
+#include "core/network/fan_angles.hpp"
 #include "core/network/kept_form.hpp"
 #include "core/network/network_system.hpp"
+#include "core/network/short_edges.hpp"
 
 namespace hariko {
 namespace {
@@ -16,30 +18,32 @@ constexpr double half_circle = std::numbers::pi;
 /// Share of a turn: how far tangents in one plane may miss to go round once.
 constexpr double turn_tolerance = 1e-2;
 
-/// Cosine of the angle from which on two tangents count as nearly opposite: 165 degrees.
-constexpr double nearly_opposite = -0.966;
-
 struct Wish {
   Index end = no_index;
   VertexId other;
   bool copy = false;  ///< leads to an image in a mirror
   Vector3 tangent = Vector3::Zero();
-  double turn = 0, stretch = 0;
+  double turn = 0, stretch = 0, lean = 0, side = 0;
 };
 
 class FormFinder {
  public:
-  FormFinder(const PolyhedronSurfaceInput& input, const WantedTangents& wanted)
+  FormFinder(const PolyhedronSurfaceInput& input, const WantedForm& wanted)
       : polyhedron_(input.polyhedron), mesh_(polyhedron_.topology()), input_(input), wanted_(wanted) {}
 
   Result<FlatMap<VertexId, KeptForm>> run() {
-    auto frames = build_vertex_frames(polyhedron_, input_.shaping, {Frames::metric});
+    Shaping with_sides = input_.shaping;
+    with_sides.form = sides();
+    auto frames = build_vertex_frames(polyhedron_, with_sides, {Frames::metric});
     if (!frames) return frames.error();
     frames_ = std::move(frames).value();
     for (Index v = 0; v < polyhedron_.vertex_count(); ++v) {
       if (!takes_form(v)) continue;
       std::vector<Wish> fan = wishes(v);
       if (fan.empty()) continue;
+      if (const KeptForm* on_side = with_sides.form.find(polyhedron_.vertex_id(v)))
+        for (Wish& wish : fan)
+          if (const KeptForm::Edge* edge = on_side->find(wish.other)) wish.side = edge->side;
       lay_out(v, fan);
       fans_.emplace(v, std::move(fan));
     }
@@ -48,6 +52,33 @@ class FormFinder {
 
  private:
   bool is_copy(VertexId id) const { return input_.aliases && input_.aliases->is_copy(id); }
+
+  /// Forms that say which vertices lie on sides of faces, and nothing else.
+  FlatMap<VertexId, KeptForm> sides() const {
+    FlatMap<VertexId, KeptForm> out;
+    for (Index v = 0; v < polyhedron_.vertex_count(); ++v) {
+      if (!takes_form(v)) continue;
+      const std::vector<FanEnd> fan = fan_ends(mesh_, v);
+      KeptForm form;
+      for (std::size_t k = 0; k < fan.size() && fan.size() > 2; ++k) {
+        if (fan[k].end % 2 == 1) continue;  // the last edge of an open fan
+        const FaceId face = polyhedron_.face_id(mesh_.face(fan[k].end / 2));
+        const auto parts = is_copy(face) ? std::nullopt : wanted_.sides(polyhedron_.vertex_id(v), face);
+        if (!parts) continue;
+        const FanEnd& before = fan[(k + 1) % fan.size()];
+        form.edges.push_back({.to = polyhedron_.vertex_id(fan[k].other), .side = parts->second});
+        form.edges.push_back({.to = polyhedron_.vertex_id(before.other), .side = parts->first});
+        break;
+      }
+      if (form.edges.empty()) continue;
+      std::sort(form.edges.begin(), form.edges.end(),
+                [](const auto& x, const auto& y) { return x.to < y.to; });
+      out.set(polyhedron_.vertex_id(v), std::move(form));
+    }
+    return out;
+  }
+
+  bool is_copy(FaceId id) const { return input_.aliases && input_.aliases->is_copy(id); }
 
   bool takes_form(Index v) const {
     if (mesh_.outgoing(v) == no_index || is_copy(polyhedron_.vertex_id(v))) return false;
@@ -63,7 +94,7 @@ class FormFinder {
       Wish wish{each.end, polyhedron_.vertex_id(each.other), is_copy(polyhedron_.vertex_id(each.other))};
       if (wish.copy) {
         copies = true;
-      } else if (const auto both = wanted_(polyhedron_.vertex_id(v), wish.other)) {
+      } else if (const auto both = wanted_.tangents(polyhedron_.vertex_id(v), wish.other)) {
         wish.tangent = both->first;
         if (!(wish.tangent.norm() > 0)) return {};
       } else {
@@ -85,29 +116,22 @@ class FormFinder {
   /// The corner between an edge of a fan and the next one, by its half-edge.
   static Index corner(const Wish& wish) { return wish.end / 2; }
 
-  /// Tangents that are nearly opposite: the split edge between them stays well within the corner only if
-  /// their lengths are as the areas of the patches over their edges: the shorter one gives way, which hardly
-  /// changes its curve.
-  void balance(std::vector<Wish>& fan) const {
-    const bool closed = fan.back().end % 2 == 0;
-    for (std::size_t k = 0; k + (closed ? 0 : 1) < fan.size(); ++k) {
-      Wish &a = fan[k], &b = fan[(k + 1) % fan.size()];
-      if (a.copy || b.copy) continue;
-      const double first = a.tangent.norm(), second = b.tangent.norm();
-      if (a.tangent.dot(b.tangent) > nearly_opposite * first * second) continue;
-      const FaceCharts& charts = frames_.charts;
-      const double ratio = charts.area[corner(a)] / charts.area[mesh_.previous(corner(a))];
-      if (first < second)
-        a.tangent *= ratio * second / first;
-      else
-        b.tangent *= first / (ratio * second);
-    }
+  double edge_length(const Wish& wish) const { return frames_.charts.edge_length[mesh_.edge(wish.end / 2)]; }
+
+  /// Lengths of the edges in the vertex's fan before any form.
+  std::vector<double> lengths_of(const std::vector<Wish>& fan) const {
+    double longest = 0;
+    for (const Wish& wish : fan) longest = std::max(longest, edge_length(wish));
+    if (!(longest > 0)) longest = frames_.charts.mean_length;
+    std::vector<double> out;
+    for (const Wish& wish : fan) out.push_back(fan_length(edge_length(wish), longest));
+    return out;
   }
 
   void lay_out(Index v, std::vector<Wish>& fan) const {
-    balance(fan);
-    for (Wish& wish : fan)
-      if (!wish.copy) wish.stretch = std::log(3 * wish.tangent.norm() / frames_.length[wish.end]);
+    const std::vector<double> lengths = lengths_of(fan);
+    for (std::size_t k = 0; k < fan.size(); ++k)
+      if (!fan[k].copy) fan[k].stretch = std::log(3 * fan[k].tangent.norm() / lengths[k]);
     std::size_t own = 0;
     while (own < fan.size() && !fan[own].copy) ++own;
     switch (frames_.kind[v]) {
@@ -132,6 +156,26 @@ class FormFinder {
       }
       case FrameKind::isolated:
         break;
+    }
+    if (frames_.kind[v] == FrameKind::smooth || frames_.kind[v] == FrameKind::sharp_line) find_leans(v, fan);
+  }
+
+  /// Where the split vectors of nearly flat corners are wanted, from where the frames put them.
+  void find_leans(Index v, std::vector<Wish>& fan) const {
+    const bool closed = fan.back().end % 2 == 0;
+    for (std::size_t k = 0; k + (closed ? 0 : 1) < fan.size(); ++k) {
+      Wish &first = fan[k], &second = fan[(k + 1) % fan.size()];
+      if (first.copy || second.copy || frames_.half_turn[corner(first)]) continue;
+      const Vector3 &a = first.tangent, &b = second.tangent;
+      if (flat_share(std::atan2(a.cross(b).norm(), a.dot(b))) == 0) continue;
+      const auto split =
+          wanted_.splits(polyhedron_.vertex_id(v), polyhedron_.face_id(mesh_.face(corner(first))));
+      if (!split) continue;
+      const double before = std::atan2(a.cross(*split).norm(), a.dot(*split)),
+                   behind = std::atan2(split->cross(b).norm(), split->dot(b));
+      if (!(before + behind > 0)) continue;
+      const double lean = before / (before + behind) - place_in_corner(mesh_, frames_.charts, corner(first));
+      first.lean = second.lean = lean;
     }
   }
 
@@ -191,6 +235,7 @@ class FormFinder {
   /// Between two sharp edges tangents are any sums of those of both.
   void turn_corner(std::vector<Wish>& fan, std::size_t first, std::size_t corners) const {
     const auto at = [&](std::size_t j) -> Wish& { return fan[(first + j) % fan.size()]; };
+    const std::vector<double> lengths = lengths_of(fan);
     double opening = 0;
     for (std::size_t j = 0; j < corners; ++j) opening += frames_.step[corner(at(j))];
     const Vector3 a = at(0).tangent.stableNormalized() / 3, b = at(corners).tangent.stableNormalized() / 3;
@@ -204,14 +249,15 @@ class FormFinder {
       const double of_a = (square * ta - mixed * tb) / det, of_b = (square * tb - mixed * ta) / det;
       const double x = of_a + of_b * std::cos(opening), y = of_b * std::sin(opening);
       wish.turn = std::atan2(y, x) - usual;
-      wish.stretch = std::log(std::hypot(x, y) / frames_.length[wish.end]);
+      wish.stretch = std::log(std::hypot(x, y) / lengths[(first + j) % fan.size()]);
     }
   }
 
   KeptForm form_of(const std::vector<Wish>& fan) const {
     KeptForm out;
     for (const Wish& wish : fan)
-      if (!wish.copy) out.edges.push_back({wish.other, wish.turn, wish.stretch});
+      if (!wish.copy)
+        out.edges.push_back({wish.other, wish.turn, wish.stretch, Vector3::Zero(), wish.lean, wish.side});
     std::sort(out.edges.begin(), out.edges.end(), [](const auto& x, const auto& y) { return x.to < y.to; });
     return out;
   }
@@ -222,7 +268,25 @@ class FormFinder {
     for (const Wish& wish : fan) {
       if (!wish.copy) continue;
       const KeptForm::Edge* own = out.find(input_.aliases->original(wish.other));
-      if (own) out.edges.push_back({wish.other, -own->turn, own->stretch});
+      if (own)
+        out.edges.push_back({wish.other, -own->turn, own->stretch, Vector3::Zero(), -own->lean, own->side});
+    }
+    return out;
+  }
+
+  /// Wanted images of the unit vectors along the edges of a fan. Those beside a flat corner are of one
+  /// length, as the unit vectors are nearly opposite: the shorter edge gives way.
+  std::vector<Vector3> wanted_images(const VertexFrames& frames, const std::vector<Wish>& fan) const {
+    std::vector<Vector3> out;
+    for (const Wish& wish : fan) out.push_back(wish.tangent / frames.length[wish.end]);
+    const bool closed = fan.back().end % 2 == 0;
+    for (std::size_t k = 0; k + (closed ? 0 : 1) < fan.size(); ++k) {
+      const std::size_t other = (k + 1) % fan.size();
+      if (fan[k].copy || fan[other].copy) continue;
+      const double share = flat_share(frames.step[corner(fan[k])]);
+      const bool shorter = frames.length[fan[k].end] < frames.length[fan[other].end];
+      Vector3 &gives = out[shorter ? k : other], &stays = out[shorter ? other : k];
+      if (share > 0) gives *= std::pow(stays.norm() / gives.norm(), share);
     }
     return out;
   }
@@ -238,12 +302,13 @@ class FormFinder {
     std::vector<Vector3> offset(basis.size(), Vector3::Zero());
     FlatMap<VertexId, KeptForm> out;
     for (const auto& [v, fan] : fans_) {
+      const std::vector<Vector3> wanted = wanted_images(frames, fan);
       std::vector<Index> ends;
       std::vector<Vector3> images;
-      for (const Wish& wish : fan) {
-        if (wish.copy) continue;
-        ends.push_back(wish.end);
-        images.push_back(wish.tangent / frames.length[wish.end]);
+      for (std::size_t k = 0; k < fan.size(); ++k) {
+        if (fan[k].copy) continue;
+        ends.push_back(fan[k].end);
+        images.push_back(wanted[k]);
       }
       if (!fit_basis(frames, v, ends, images, offset)) continue;
       for (Index b = frames.basis_begin[v]; b < frames.basis_begin[v + 1]; ++b) offset[b] -= basis[b];
@@ -271,7 +336,8 @@ class FormFinder {
       for (const FanEnd& each : fan_ends(mesh_, v)) {
         const VertexId other = polyhedron_.vertex_id(each.other);
         if (const KeptForm::Edge* edge = own->find(input_.aliases->original(other)))
-          image.edges.push_back({other, -edge->turn, edge->stretch});
+          image.edges.push_back(
+              {other, -edge->turn, edge->stretch, Vector3::Zero(), -edge->lean, edge->side});
       }
       shaping.form.set(id, std::move(image));
     }
@@ -280,7 +346,7 @@ class FormFinder {
   const Polyhedron& polyhedron_;
   const HalfEdgeMesh& mesh_;
   const PolyhedronSurfaceInput& input_;
-  const WantedTangents& wanted_;
+  const WantedForm& wanted_;
   VertexFrames frames_;
   std::map<Index, std::vector<Wish>> fans_;
 };
@@ -288,15 +354,15 @@ class FormFinder {
 }  // namespace
 
 Result<FlatMap<VertexId, KeptForm>> kept_tangents(const PolyhedronSurfaceInput& input,
-                                                  const WantedTangents& wanted) {
+                                                  const WantedForm& wanted) {
   return FormFinder(input, wanted).run();
 }
 
 bool says_something(const KeptForm& form) {
   constexpr double least = 1e-3;
   return std::any_of(form.edges.begin(), form.edges.end(), [](const KeptForm::Edge& edge) {
-    return std::max({std::abs(edge.turn), std::abs(edge.stretch), 3 * edge.offset.norm(), edge.pull.norm()}) >
-           least;
+    return edge.side > 0 || std::max({std::abs(edge.turn), std::abs(edge.stretch), 3 * edge.offset.norm(),
+                                      std::abs(edge.lean)}) > least;
   });
 }
 

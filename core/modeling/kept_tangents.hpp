@@ -16,13 +16,27 @@ namespace hariko {
 using WantedTangents =
     std::function<std::optional<std::pair<Vector3, Vector3>>(VertexId first, VertexId second)>;
 
+/// Wanted direction of the split edge of a face at a vertex.
+using WantedSplits = std::function<std::optional<Vector3>(VertexId vertex, FaceId face)>;
+
+/// Lengths of the edges before and behind a vertex that lies on a straight side of a face's chart, in any
+/// unit; none for other vertices.
+using WantedSides = std::function<std::optional<std::pair<double, double>>(VertexId vertex, FaceId face)>;
+
+struct WantedForm {
+  WantedTangents tangents;
+  WantedSplits splits;  ///< asked for at corners of nearly a half turn only
+  WantedSides sides;
+};
+
 /// Forms with which the network has the wanted tangents. `input` has frames by measure and keeps no form yet.
 /// Vertices with pinned tangents get none, nor do those with an edge of which nothing is wanted. Of copies by
 /// a mirror nothing is asked: they follow. Errors: those of the network. O(edges).
 Result<FlatMap<VertexId, KeptForm>> kept_tangents(const PolyhedronSurfaceInput& input,
-                                                  const WantedTangents& wanted);
+                                                  const WantedForm& wanted);
 
-/// Whether some number of the form is above a thousandth: what is less is not worth keeping.
+/// Whether some number of the form is above a thousandth, or the vertex lies on a side: what is less is not
+/// worth keeping.
 bool says_something(const KeptForm& form);
 
 }  // namespace hariko

@@ -93,9 +93,9 @@ Result<SurfaceForm> SurfaceForm::of(const PolyhedronSource& source) {
   PolyhedronSurfacer surfacer;
   auto surface = surfacer.rebuild(*input);
   if (!surface) return surface.error();
-  const auto frames = build_vertex_frames(input->polyhedron, input->shaping);
+  auto frames = build_vertex_frames(input->polyhedron, input->shaping, {Frames::metric});
   if (!frames) return frames.error();
-  FaceCharts charts = metric_charts(input->polyhedron, frames->half_turn);
+  FaceCharts charts = std::move(frames.value().charts);
   return SurfaceForm(source, std::move(input).value(), std::move(surface).value(), std::move(charts));
 }
 
@@ -296,6 +296,51 @@ std::optional<std::pair<Vector3, Vector3>> SurfaceForm::tangents(const Sight& a,
   return std::nullopt;
 }
 
+std::optional<SurfaceForm::ChartedFace> SurfaceForm::charted(const Polyhedron& after, Index face,
+                                                             Index corner, const SightOf& sight_of) const {
+  std::vector<Sight> sights;
+  ChartedFace out;
+  for (const Index v : after.topology().face_vertices(face)) {
+    if (v == corner) out.number_of_corner = sights.size();
+    sights.push_back(sight_of(after.vertex_id(v)));
+  }
+  const auto whole = common_face(sights);
+  if (!whole) return std::nullopt;
+  out.whole = *whole;
+  for (const Sight& each : sights)
+    out.corners.push_back(std::find_if(each.spots.begin(), each.spots.end(), [&](const Spot& spot) {
+                            return spot.face == *whole;
+                          })->chart);
+  return out;
+}
+
+Vector3 SurfaceForm::split_direction(const ChartedFace& face) const {
+  Vector2 middle = Vector2::Zero();
+  double round = 0;
+  for (std::size_t j = 0; j < face.corners.size(); ++j) {
+    const Vector2 &p = face.corners[j], &q = face.corners[(j + 1) % face.corners.size()];
+    middle += (q - p).norm() * (p + q) / 2;
+    round += (q - p).norm();
+  }
+  if (!(round > 0)) return Vector3::Zero();
+  const Vector2& corner = face.corners[face.number_of_corner];
+  const auto [patch, at] = parameter({face.whole, corner});
+  const Vector2 way = plane_shares(Vector2(middle / round - corner), charts_.corner[patch],
+                                   charts_.corner[input_.polyhedron.topology().next(patch)]);
+  const PatchPoint point = surface_.surface.patches().evaluate(patch, at, Order::first);
+  return way.x() * point.ds + way.y() * point.dt;
+}
+
+std::optional<std::pair<double, double>> SurfaceForm::parts_of_side(const ChartedFace& face) {
+  const std::size_t n = face.corners.size(), at = face.number_of_corner;
+  const Vector2& before = face.corners[(at + n - 1) % n];
+  const Vector2 side = face.corners[(at + 1) % n] - before, part = face.corners[at] - before;
+  const double square = side.squaredNorm(), along = part.dot(side) / square;
+  const double across = std::abs(part.x() * side.y() - part.y() * side.x()) / square;
+  if (!(square > 0) || !(across < 1e-9) || !(along > 1e-9 && along < 1 - 1e-9)) return std::nullopt;
+  return std::pair(along, 1 - along);
+}
+
 std::optional<Index> SurfaceForm::common_face(std::span<const Sight> corners) {
   for (const Spot& spot : corners.front().spots) {
     const auto has_face = [&](const Sight& corner) {
@@ -312,13 +357,13 @@ double SurfaceForm::counted_area(Index face) const {
          input_.shaping.kept_area.get_or(input_.polyhedron.face_id(face), 1);
 }
 
-Result<FlatMap<FaceId, double>> SurfaceForm::kept_areas(
-    const PolyhedronSurfaceInput& after, const std::function<Sight(VertexId)>& sight_of) const {
+Result<FlatMap<FaceId, double>> SurfaceForm::kept_areas(const PolyhedronSurfaceInput& after,
+                                                        const SightOf& sight_of) const {
   const Polyhedron& polyhedron = after.polyhedron;
   const HalfEdgeMesh& mesh = polyhedron.topology();
-  const auto frames = build_vertex_frames(polyhedron, after.shaping);
+  const auto frames = build_vertex_frames(polyhedron, after.shaping, {Frames::metric});
   if (!frames) return frames.error();
-  const FaceCharts charts = metric_charts(polyhedron, frames->half_turn);
+  const FaceCharts& charts = frames->charts;
   // Faces that are cut on the way to the surface have no area of their own: they keep their factors.
   std::set<FaceId> cut;
   if (after.aliases)
@@ -371,16 +416,33 @@ Result<PolyhedronSource> SurfaceForm::keep(PolyhedronSource after, const Refined
     const auto found = new_sights.find(id);
     return found == new_sights.end() ? sight(id) : found->second;
   };
-  auto forms =
-      kept_tangents(*prepared, [&](VertexId a, VertexId b) { return tangents(sight_of(a), sight_of(b)); });
+  const auto was_on_side = [&](VertexId v) {
+    const KeptForm* form = source_.shaping->form.find(v);
+    return form && std::any_of(form->edges.begin(), form->edges.end(),
+                               [](const KeptForm::Edge& edge) { return edge.side > 0; });
+  };
+  const Polyhedron& finer = prepared->polyhedron;
+  const auto corner = [&](VertexId v, FaceId f) {
+    return charted(finer, finer.find(f), finer.find(v), sight_of);
+  };
+  const WantedForm wanted{[&](VertexId a, VertexId b) { return tangents(sight_of(a), sight_of(b)); },
+                          [&](VertexId v, FaceId f) {
+                            const auto face = corner(v, f);
+                            return face ? std::optional(split_direction(*face)) : std::nullopt;
+                          },
+                          [&](VertexId v, FaceId f) -> std::optional<std::pair<double, double>> {
+                            if (!new_sights.contains(v) && !was_on_side(v)) return std::nullopt;
+                            const auto face = corner(v, f);
+                            return face ? parts_of_side(*face) : std::nullopt;
+                          }};
+  auto forms = kept_tangents(*prepared, wanted);
   if (!forms) return forms.error();
-  shaping.form = std::move(forms).value();
+  for (auto& [id, form] : *forms)
+    if (says_something(form)) shaping.form.set(id, std::move(form));
   after.shaping = shaping;
-  FlatMap<VertexId, KeptForm> kept;
-  for (const auto& [id, form] : shaping.form)
-    if (says_something(form)) kept.set(id, form);
-  shaping.form = std::move(kept);
-  auto areas = kept_areas(*prepared, sight_of);
+  const auto with_forms = surface_input(after);
+  if (!with_forms) return with_forms.error();
+  auto areas = kept_areas(*with_forms, sight_of);
   if (!areas) return areas.error();
   shaping.kept_area = std::move(areas).value();
   after.shaping = std::move(shaping);

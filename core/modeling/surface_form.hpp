@@ -67,12 +67,27 @@ class SurfaceForm {
   std::vector<Vector3> points_across(const Spot& a, const Spot& b) const;
   std::pair<Vector3, Vector3> tangents_across(const Spot& a, const Spot& b) const;
 
+  /// A face of the refined polyhedron in the chart of the prepared face that it is part of.
+  struct ChartedFace {
+    Index whole = no_index;
+    std::vector<Vector2> corners;
+    std::size_t number_of_corner = 0;
+  };
+  using SightOf = std::function<Sight(VertexId)>;
+  /// None where the face is not part of one; `corner`: the vertex whose number is wanted.
+  std::optional<ChartedFace> charted(const Polyhedron& after, Index face, Index corner,
+                                     const SightOf& sight_of) const;
+  /// Derivative of the surface at a corner, in the chart towards the middle of the refined face.
+  Vector3 split_direction(const ChartedFace& face) const;
+  /// As `WantedSides`: the corner lies between its neighbours.
+  static std::optional<std::pair<double, double>> parts_of_side(const ChartedFace& face);
+
   /// The prepared face in which all corners lie.
   static std::optional<Index> common_face(std::span<const Sight> corners);
   /// Area with which mode FAIR counts a prepared face.
   double counted_area(Index face) const;
   Result<FlatMap<FaceId, double>> kept_areas(const PolyhedronSurfaceInput& after,
-                                             const std::function<Sight(VertexId)>& sight_of) const;
+                                             const SightOf& sight_of) const;
 
   PolyhedronSource source_;
   PolyhedronSurfaceInput input_;  ///< the prepared polyhedron

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "core/base/parallel.hpp"
@@ -18,6 +19,8 @@ constexpr double least_chart_size = 1e-6;
 /// sides of a prism of 128 sides and height 100 would.
 constexpr double short_side = 0.01;  ///< of the mean side of a face
 constexpr double least_opening = 5e-4;
+/// Part of what is between its neighbours that a corner on a side keeps from both.
+constexpr double least_part = 0.005;
 
 double det(const Vector2& a, const Vector2& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -183,7 +186,57 @@ FaceCharts equal_charts(const HalfEdgeMesh& mesh) {
   return out;
 }
 
-FaceCharts metric_charts(const Polyhedron& polyhedron, const std::vector<bool>& half_turn) {
+namespace {
+
+/// Corners of a face's chart: those of `polygon` (by their numbers in the face), and the others on its sides,
+/// where corner j divides what is between its neighbours at share[j].
+std::vector<Vector2> with_corners_on_sides(const std::vector<Vector2>& polygon,
+                                           const std::vector<std::size_t>& numbers,
+                                           std::span<const double> share) {
+  const std::size_t n = share.size();
+  std::vector<Vector2> out(n);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t from = numbers[i], to = numbers[(i + 1) % numbers.size()];
+    const Vector2 &a = polygon[i], &b = polygon[(i + 1) % numbers.size()];
+    const std::size_t between = (to + n - from - 1) % n;
+    std::vector<double> gap(between + 1, 1.0);
+    for (std::size_t k = 0; k < between; ++k) {
+      const double s = std::clamp(share[(from + 1 + k) % n], least_part, 1 - least_part);
+      gap[k + 1] = gap[k] * (1 - s) / s;
+    }
+    const double whole = std::accumulate(gap.begin(), gap.end(), 0.0);
+    double along = 0;
+    out[from] = a;
+    for (std::size_t k = 0; k < between; ++k) {
+      along += gap[k];
+      out[(from + 1 + k) % n] = a + along / whole * (b - a);
+    }
+  }
+  return out;
+}
+
+/// One face's chart; the chart's polygon has the face's corners but for those that lie on sides.
+std::vector<Vector2> metric_chart(std::span<const Vector3> corners, std::span<const double> share,
+                                  bool regular, double least_size) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t j = 0; j < corners.size(); ++j)
+    if (share[j] == 0) numbers.push_back(j);
+  if (numbers.size() < 3) {
+    numbers.resize(corners.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  }
+  std::vector<Vector3> polygon;
+  for (const std::size_t j : numbers) polygon.push_back(corners[j]);
+  PolygonChart chart(polygon, least_size);
+  if (regular) chart.make_regular_of_same_area();
+  return numbers.size() == corners.size() ? chart.corners()
+                                          : with_corners_on_sides(chart.corners(), numbers, share);
+}
+
+}  // namespace
+
+FaceCharts metric_charts(const Polyhedron& polyhedron, const std::vector<bool>& half_turn,
+                         std::span<const double> side_share) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   FaceCharts out;
   out.frames = Frames::metric;
@@ -202,25 +255,28 @@ FaceCharts metric_charts(const Polyhedron& polyhedron, const std::vector<bool>& 
   out.ray_length.resize(count);
   parallel_for(mesh.face_count(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<Vector3> corners;
+    std::vector<double> share;
     for (Index f = Index(begin); f < Index(end); ++f) {
       corners.clear();
+      share.clear();
       bool regular = false;
       for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h) {
         corners.push_back(polyhedron.position(mesh.origin(h)));
+        share.push_back(side_share.empty() ? 0.0 : side_share[h]);
         regular = regular || half_turn[h];
       }
       Vector3 mean = Vector3::Zero();
       for (const Vector3& corner : corners) mean += (corner - corners[0]) / double(corners.size());
-      PolygonChart chart(corners, least_chart_size * out.mean_length);
-      if (regular) chart.make_regular_of_same_area();
+      const std::vector<Vector2> chart =
+          metric_chart(corners, share, regular, least_chart_size * out.mean_length);
       const std::size_t n = corners.size();
       for (std::size_t j = 0; j < n; ++j) {
         const Index h = mesh.face_begin(f) + Index(j);
-        const Vector2 &p = chart.corners()[j], &q = chart.corners()[(j + 1) % n];
+        const Vector2 &p = chart[j], &q = chart[(j + 1) % n];
         out.corner[h] = p;
         out.square[h] = p.squaredNorm();
         out.dot[h] = p.dot(q);
-        out.area[h] = chart.area(j);
+        out.area[h] = det(p, q) / 2;
         out.ray_length[h] = (mean - (corners[j] - corners[0])).norm();
       }
     }

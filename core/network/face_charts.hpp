@@ -35,7 +35,10 @@ FaceCharts equal_charts(const HalfEdgeMesh& mesh);
 
 /// Continuous in the positions; the same up to a turn of the plane for any rotation, and scaled as the
 /// polyhedron is. Faces with a corner in `half_turn` (per half-edge) get the regular polygon of the same
-/// area.
-FaceCharts metric_charts(const Polyhedron& polyhedron, const std::vector<bool>& half_turn);
+/// area. `side_share`: per half-edge, where its origin lies between the corners before and behind it, on a
+/// straight side of the face's chart whatever its position says; 0 for corners of the chart's polygon; may be
+/// empty.
+FaceCharts metric_charts(const Polyhedron& polyhedron, const std::vector<bool>& half_turn,
+                         std::span<const double> side_share = {});
 
 }  // namespace hariko

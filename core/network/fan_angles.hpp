@@ -13,6 +13,13 @@ namespace hariko {
 /// Angle of each corner in its face's chart, 0 .. 2 pi, per half-edge.
 double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner);
 
+/// Angle from the way past a flat corner, from the vertex before it to the one behind it, to its split edge
+/// in the face's chart, as a share of a half turn. A short edge beside the corner hardly counts.
+double place_in_corner(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner);
+
+/// 0 for corners up to 150 degrees in the fan, 1 from 170 degrees on, which count as flat.
+double flat_share(double step);
+
 /// The steps of a sector with these corner angles, adding up to `total`; not yet limited. `sides`: of each
 /// corner's face. `closed`: all round the vertex, where opposite edges of an even number come near to one
 /// line, and so do the two edges at the rim of a face of many sides. Continuous in the angles.

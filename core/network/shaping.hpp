@@ -36,9 +36,12 @@ struct KeptForm {
     double stretch = 0;  ///< natural logarithm of the factor of its length in the fan
     /// Added to the image of its unit vector: along the edge, to the left of it and outward.
     Vector3 offset = Vector3::Zero();
-    /// Mode FAIR: the force on the inner points beside the edge at this end, in the face to the left, in the
-    /// same directions and divided by (the edge's length)^(3/2), so that it does not depend on the size.
-    Vector3 pull = Vector3::Zero();
+    /// Beside a corner of nearly a half turn: the share of the corner by which the split vector is turned
+    /// there, counter-clockwise. Both edges of the corner have it.
+    double lean = 0;
+    /// Beside a corner of nearly a half turn that lies on a side of its face's chart: the edge's part of what
+    /// is between the corners before and behind it, in the same unit for both edges; 0 elsewhere.
+    double side = 0;
     friend bool operator==(const Edge&, const Edge&) = default;
   };
   std::vector<Edge> edges;  ///< ascending by `to`

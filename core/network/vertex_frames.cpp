@@ -19,6 +19,8 @@ namespace hariko {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+/// Share of a flat corner that its split vector keeps from its edges: 9 degrees.
+constexpr double least_place = 0.05;
 
 /// One edge of a fan: the half-edge that carries it and which of its ends lies at the vertex.
 struct FanEdge {
@@ -89,7 +91,8 @@ class FrameBuilder {
     frames_.basis_begin.push_back(next_basis_);
     sector_begin_.push_back(sectors_.size());
     const bool metric = options_.frames == Frames::metric;
-    frames_.charts = metric ? metric_charts(polyhedron_, frames_.half_turn) : equal_charts(mesh_);
+    frames_.charts =
+        metric ? metric_charts(polyhedron_, frames_.half_turn, side_shares()) : equal_charts(mesh_);
     if (metric) take_kept_areas();
     if (metric) mark_unit_vertices();
     if (metric) find_own_steps();
@@ -113,6 +116,28 @@ class FrameBuilder {
       frames_.kept_area.resize(mesh_.face_count(), 1.0);
       frames_.kept_area[f] = factor;
     }
+  }
+
+  /// Per half-edge, for corners that forms put on a side of their face; empty where there are none.
+  std::vector<double> side_shares() const {
+    std::vector<double> out;
+    for (const auto& entry : shaping_.form) {
+      const KeptForm& form = entry.second;
+      const Index v = polyhedron_.find(entry.first);
+      if (v == no_index || mesh_.outgoing(v) == no_index) continue;
+      const Fan fan = fan_of(mesh_, v);
+      const auto part = [&](const FanEdge& each) {
+        const KeptForm::Edge* edge = form.find(other_end(each));
+        return edge ? edge->side : 0;
+      };
+      for (std::size_t k = 0; k < fan.corners.size(); ++k) {
+        const double behind = part(fan.edges[k]), before = part(fan.edges[(k + 1) % fan.edges.size()]);
+        if (!(behind > 0 && before > 0) || fan.edges.size() < 3) continue;
+        out.resize(mesh_.half_edge_count(), 0.0);
+        out[fan.corners[k]] = before / (before + behind);
+      }
+    }
+    return out;
   }
 
   void mark_unit_vertices() {
@@ -245,12 +270,17 @@ class FrameBuilder {
     const bool metric = options_.frames == Frames::metric && !unit_[v];
     const KeptForm* form = metric ? shaping_.form.find(polyhedron_.vertex_id(v)) : nullptr;
     kept_ = form ? kept_edges(*form) : std::vector<KeptForm::Edge>{};
-    const std::vector<double> lengths =
-        metric ? fan_lengths(sectors) : std::vector<double>(fan_.edges.size(), 1.0);
+    std::vector<std::vector<double>> angles;
     for (Sector& sector : sectors) {
       const bool turns = frames_.half_turn[corner(sector, 0)];
-      place(sector, metric && !turns ? metric_angles(sector) : equal_angles(sector), lengths);
-      if (options_.frames == Frames::metric) find_gain(sector, metric);
+      angles.push_back(metric && !turns ? metric_angles(sector) : equal_angles(sector));
+    }
+    const std::vector<double> lengths =
+        metric ? lengths_beside_flat_corners(fan_lengths(sectors), sectors, angles)
+               : std::vector<double>(fan_.edges.size(), 1.0);
+    for (std::size_t s = 0; s < sectors.size(); ++s) {
+      place(sectors[s], angles[s], lengths);
+      if (options_.frames == Frames::metric) find_gain(sectors[s], metric);
     }
     if (form) add_offset(v, *form);
   }
@@ -272,6 +302,7 @@ class FrameBuilder {
       const double share = before + after == 0 ? 0 : double(before) / double(before + after);
       out[k].turn = (1 - share) * back()->turn + share * ahead()->turn;
       out[k].stretch = (1 - share) * back()->stretch + share * ahead()->stretch;
+      if (known[k]) out[k].lean = known[k]->lean;
     }
     return out;
   }
@@ -349,6 +380,39 @@ class FrameBuilder {
       double& last = lengths[(sector.first + 1) % lengths.size()];
       first = last = std::sqrt(first * last);
     }
+    return lengths;
+  }
+
+  /// Angle from the corner's first edge to its split vector, as a share of the corner's.
+  double split_place(Index corner, std::size_t first, std::size_t second) const {
+    const double lean = kept_.empty() ? 0 : (kept_[first].lean + kept_[second].lean) / 2;
+    return std::clamp(place_in_corner(mesh_, frames_.charts, corner) + lean, least_place, 1 - least_place);
+  }
+
+  /// Between edges that nearly go straight on, the split vector is the difference of two large vectors, so
+  /// that a small part of their lengths turns it far. There the lengths are the ones with which it has its
+  /// direction in the face's chart. The shorter edge gives way, whose curve hardly changes by that.
+  std::vector<double> lengths_beside_flat_corners(std::vector<double> lengths,
+                                                  std::span<const Sector> sectors,
+                                                  std::span<const std::vector<double>> angles) const {
+    std::vector<double> logarithms(lengths.size(), 0.0);
+    for (std::size_t s = 0; s < sectors.size(); ++s) {
+      if (sectors[s].image == Sector::Image::corner || frames_.half_turn[corner(sectors[s], 0)]) continue;
+      for (std::size_t j = 0; j < sectors[s].corners; ++j) {
+        const double step = angles[s][j + 1] - angles[s][j], share = flat_share(step);
+        if (share == 0) continue;
+        const Index h = corner(sectors[s], j);
+        const std::size_t first = (sectors[s].first + j) % lengths.size(),
+                          second = (first + 1) % lengths.size();
+        const double split = step * split_place(h, first, second);
+        const double ratio = frames_.charts.area[mesh_.previous(h)] * std::sin(split) /
+                             (frames_.charts.area[h] * std::sin(step - split));
+        const double a = lengths[first], b = lengths[second], change = share * std::log(ratio * a / b);
+        logarithms[first] -= change * b * b / (a * a + b * b);
+        logarithms[second] += change * a * a / (a * a + b * b);
+      }
+    }
+    for (std::size_t k = 0; k < lengths.size(); ++k) lengths[k] *= std::exp(logarithms[k]);
     return lengths;
   }
 

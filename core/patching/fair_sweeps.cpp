@@ -139,10 +139,9 @@ FairSweeps::Block FairSweeps::make_block(Index face) const {
     matrix.col(k).setZero();
     matrix(k, k) = 1;
   }
-  auto inverse = solve_definite(matrix, Eigen::MatrixXd::Identity(size, size));
-  HARIKO_ASSERT(inverse, "the fairness energy of a face is positive definite");
-  for (const Eigen::Index k : known) (*inverse)(k, k) = 0;
-  return std::move(*inverse);
+  Eigen::MatrixXd inverse = solve_nearly_definite(matrix, Eigen::MatrixXd::Identity(size, size));
+  for (const Eigen::Index k : known) inverse(k, k) = 0;
+  return inverse;
 }
 
 /// Jumps over the face's sides, and what the neighbours' own elements make of shared z.
@@ -191,9 +190,8 @@ FairSweeps::Block FairSweeps::without_held_sides(Index face, const std::vector<b
     if (elements_.edge(mesh_.edge(h)) && !active[mesh_.face(mesh_.twin(h))])
       for (const std::size_t end : {0, 1}) held.push_back(Eigen::Index(numbering_.local_side(h) + end));
   const Eigen::MatrixXd columns = block(Eigen::all, held);
-  const auto pulled = solve_definite(Eigen::MatrixXd(columns(held, Eigen::all)), columns.transpose());
-  HARIKO_ASSERT(pulled, "a part of a positive definite matrix is one");
-  block -= matrix_product(columns, *pulled);
+  block -= matrix_product(
+      columns, solve_nearly_definite(Eigen::MatrixXd(columns(held, Eigen::all)), columns.transpose()));
   for (const Eigen::Index k : held) {
     block.row(k).setZero();
     block.col(k).setZero();

@@ -167,4 +167,33 @@ TEST(SparseSolver, SolvesSystemsAndTellsSingularOnes) {
   EXPECT_FALSE(SparseLu(sparse_matrix(2, 2, {{0, 0, 1.0}, {1, 0, 1.0}})).succeeded());
 }
 
+TEST(DenseSolver, WhatIsDefiniteButForRoundingCanBeSolved) {
+  for_random(77, 50, [](std::mt19937_64& rng) {
+    const Eigen::Index n = uniform_int(rng, 2, 12);
+    // Columns that depend on each other to the last digits, in very different units.
+    Eigen::MatrixXd half(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index k = 0; k < n; ++k) half(i, k) = uniform(rng, -1, 1);
+    half.col(0) = half.col(n - 1);
+    Eigen::VectorXd unit(n);
+    for (Eigen::Index k = 0; k < n; ++k) unit[k] = log_uniform(rng, 1e-6, 1e6);
+    Eigen::MatrixXd matrix = scaled_both_sides(unit, transposed_product(half, half));
+    matrix(0, 0) *= 1 - 1e-15;
+    const Eigen::MatrixXd inverse = solve_nearly_definite(matrix, Eigen::MatrixXd::Identity(n, n));
+    EXPECT_TRUE(inverse.allFinite());
+    const Eigen::VectorXd values =
+        symmetric_eigenvalues(scaled_both_sides(unit, (inverse + inverse.transpose()) / 2));
+    EXPECT_GT(values.minCoeff(), -1e-6 * values.maxCoeff());
+    // A right-hand side that the matrix can make comes back.
+    const Eigen::MatrixXd right = matrix * unit.cwiseInverse();
+    const Eigen::MatrixXd back = matrix_product(matrix, solve_nearly_definite(matrix, right));
+    EXPECT_LT((back - right).col(0).cwiseQuotient(unit).norm(),
+              1e-6 * right.col(0).cwiseQuotient(unit).norm());
+  });
+  // As the ordinary solver where there is nothing to be raised.
+  const Eigen::MatrixXd plain = Eigen::Vector2d(4, 9).asDiagonal();
+  EXPECT_EQ(solve_nearly_definite(plain, Eigen::MatrixXd::Identity(2, 2)),
+            *solve_definite(plain, Eigen::MatrixXd::Identity(2, 2)));
+}
+
 }  // namespace hariko::test

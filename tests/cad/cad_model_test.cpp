@@ -123,6 +123,16 @@ TEST(CadModel, CornersCostFewKnots) {
   EXPECT_LE(measured.normal_jump, usual_cad_angle);
 }
 
+TEST(CadModel, DistancesAreNotOverestimatedWhereDerivativesJump) {
+  // Across the diagonals of its squares the car's derivatives jump, and Newton's steps lead away from the foot.
+  const auto produced = surfaces_of({"car"});
+  ASSERT_EQ(produced.size(), 1U);
+  const auto model = make_cad_model(produced[0].surface);
+  ASSERT_TRUE(model.ok());
+  for (const CadFace& face : model->faces) EXPECT_TRUE(face.reached);
+  EXPECT_LE(measure_cad(produced[0].surface, *model).largest, usual_cad_tolerance * model->size);
+}
+
 TEST(CadModel, TighterTolerancesGiveNearerFaces) {
   const auto produced = surfaces_of({"fig2_open"});
   ASSERT_EQ(produced.size(), 1U);

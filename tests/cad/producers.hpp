@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -52,7 +53,8 @@ inline std::vector<Produced> surfaces_of(const WantedSample& wanted) {
   return out;
 }
 
-/// One of each kind of patches; all samples, polyhedra in all modes, in long runs.
+/// One of each kind of patches; all samples, polyhedra in all modes, in long runs: there only the sample that the
+/// environment variable HARIKO_SAMPLE names, where it is set.
 inline std::vector<WantedSample> wanted_samples() {
   if (repetitions(1) < 2)
     return {{"cube_crease"}, {"grid3", Mode::paper}, {"fig2_open"},   {"cube", Mode::g2},
@@ -61,6 +63,7 @@ inline std::vector<WantedSample> wanted_samples() {
   for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() + "/assets/samples")) {
     if (entry.path().extension() != ".hariko") continue;
     const std::string name = entry.path().stem().string();
+    if (const char* only = std::getenv("HARIKO_SAMPLE"); only && name != only) continue;
     out.push_back({name});
     for (const Mode mode : {Mode::paper, Mode::target, Mode::g2})
       if (name == "cube" || name == "cube_crease" || name == "fig2_open" || name == "grid3" ||
