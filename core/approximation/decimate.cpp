@@ -11,6 +11,7 @@
 #include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/mesh_bound.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 

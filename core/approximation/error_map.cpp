@@ -9,6 +9,7 @@
 #include "core/approximation/surface_foot.hpp"
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/approximation/net_distance.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 

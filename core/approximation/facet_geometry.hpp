@@ -10,6 +10,7 @@
 #include <span>
 
 #include "core/base/vector.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -82,11 +83,6 @@ class ClosedTriangle {
   Vector3 normal_ = Vector3::Zero(), second_ = Vector3::Zero(), third_ = Vector3::Zero();
   bool flat_ = false;
 };
-
-/// Angle between two vectors, radians; accurate for small ones. Zero where one of them is zero.
-inline double angle_between(const Vector3& a, const Vector3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// Whether an angle of a triangle is below one whose tangent is given, at most a right angle.
 inline bool has_sharp_angle(const FacetCorners& p, double tangent) {

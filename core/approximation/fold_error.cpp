@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/approximation/facet_geometry.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 

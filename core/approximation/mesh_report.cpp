@@ -7,6 +7,7 @@
 #include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/fold_error.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/approximation/facet_geometry.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 

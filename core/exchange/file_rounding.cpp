@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/angles.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
 namespace hariko {
@@ -73,7 +74,7 @@ class Measure {
     if (!(is.norm() > 0))
       ++out_.collapsed;
     else
-      out_.turn = std::max(out_.turn, std::atan2(was.cross(is).norm(), was.dot(is)));
+      out_.turn = std::max(out_.turn, angle_between(was, is));
   }
 
   FileRounding done() {

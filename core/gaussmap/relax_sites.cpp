@@ -5,6 +5,7 @@
 
 #include "core/gaussmap/edge_flips.hpp"
 #include "core/gaussmap/orientation.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 namespace {

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/geometry/angles.hpp"
 #include "core/network/kept_form.hpp"
 #include "core/network/network_system.hpp"
 
@@ -156,7 +157,7 @@ class FormFinder {
     normal = normal.stableNormalized();
     std::vector<double> out{0};
     for (std::size_t j = 0; j < corners; ++j) {
-      double step = std::atan2(normal.dot(at(j).cross(at(j + 1))), at(j).dot(at(j + 1)));
+      double step = signed_angle(at(j), at(j + 1), normal);
       if (step < -turn_tolerance) step += 2 * half_circle;
       out.push_back(out.back() + step);
     }

@@ -24,7 +24,7 @@ double sum_of(const std::vector<double>& values) {
 }
 
 /// Angle from a to b in a triangle that turns counter-clockwise, 0 .. pi.
-double angle_between(const Vector2& a, const Vector2& b) {
+double triangle_angle(const Vector2& a, const Vector2& b) {
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
@@ -111,8 +111,8 @@ void keep_in_limits(std::vector<double>& steps, std::span<const double> angles, 
 double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner) {
   // Patches turn counter-clockwise round 0, so both parts are below a half turn.
   const Vector2& p = charts.corner[corner];
-  return angle_between(charts.corner[mesh.next(corner)] - p, -p) +
-         angle_between(-p, charts.corner[mesh.previous(corner)] - p);
+  return triangle_angle(charts.corner[mesh.next(corner)] - p, -p) +
+         triangle_angle(-p, charts.corner[mesh.previous(corner)] - p);
 }
 
 std::vector<double> fan_steps(std::span<const double> angles, std::span<const Index> sides, double total,

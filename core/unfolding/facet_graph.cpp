@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/ids.hpp"
+#include "core/geometry/angles.hpp"
 #include "core/polyhedron/edge_table.hpp"
 #include "core/polyhedron/face_check.hpp"
 #include "core/polyhedron/mesh_errors.hpp"
@@ -67,10 +68,6 @@ void report_polygons(const PolygonMesh& mesh, std::size_t limit, std::vector<Mes
     if (message.code == e_no_faces || message.code == e_index_range || message.code == e_face_too_small ||
         message.code == e_face_repeated_vertex)
       out.push_back(std::move(message));
-}
-
-double signed_fold_angle(const Vector3& first, const Vector3& second, const Vector3& direction) {
-  return std::atan2(direction.dot(first.cross(second)), first.dot(second));
 }
 
 }  // namespace
@@ -135,7 +132,7 @@ void FacetGraph::add_edge(FacetEdge edge) {
   if (!edge.border()) {
     const auto& corners = triangles_[edge.facets[0]];
     const Vector3 along = positions_[corners[(edge.sides[0] + 1) % 3]] - positions_[corners[edge.sides[0]]];
-    edge.fold_angle = signed_fold_angle(normal(edge.facets[0]), normal(edge.facets[1]), along / edge.length);
+    edge.fold_angle = signed_angle(normal(edge.facets[0]), normal(edge.facets[1]), along / edge.length);
   }
   for (std::size_t k = 0; k < 2; ++k)
     if (edge.facets[k] != no_index)

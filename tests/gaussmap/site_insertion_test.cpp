@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/gaussmap/orientation.hpp"
+#include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

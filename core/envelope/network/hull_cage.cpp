@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/envelope/convex_hull.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -205,7 +206,7 @@ class HullCageBuilder {
 
   double dihedral(Index f, Index g) const {
     const Vector3 m = normal_of(cage_.faces[f].loop), n = normal_of(cage_.faces[g].loop);
-    return std::atan2(m.cross(n).norm(), m.dot(n)) / degree;
+    return angle_between(m, n) / degree;
   }
 
   /// The first of two faces takes the loop without their common edge a-b, the other one is emptied.
