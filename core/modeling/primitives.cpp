@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {

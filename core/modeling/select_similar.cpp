@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/geometry/angles.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/element_flags.hpp"
-#include "core/polyhedron/face_shape.hpp"
 
 namespace hariko {
 namespace {

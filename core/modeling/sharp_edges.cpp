@@ -5,7 +5,7 @@
 
 #include "core/document/edits.hpp"
 #include "core/geometry/angles.hpp"
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 

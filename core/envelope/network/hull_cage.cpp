@@ -10,6 +10,7 @@
 
 #include "core/envelope/convex_hull.hpp"
 #include "core/geometry/angles.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 
@@ -28,14 +29,6 @@ struct Candidate {
   Vector3 position;
   Index solid, vertex;
 };
-
-Vector3 newell_normal(std::span<const Index> loop, std::span<const CageVertex> vertices) {
-  Vector3 sum = Vector3::Zero();
-  const Vector3& o = vertices[loop[0]].position;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    sum += (vertices[loop[i]].position - o).cross(vertices[loop[i + 1]].position - o);
-  return sum.stableNormalized();
-}
 
 /// Turns n towards the mean of the faces' normals until every face has m . n >= its limit.
 void guard_frame(CageVertex& vertex, const std::vector<std::pair<Vector3, double>>& faces) {
@@ -146,7 +139,10 @@ class HullCageBuilder {
     return !cage_.faces.empty();
   }
 
-  Vector3 normal_of(const std::vector<Index>& loop) const { return newell_normal(loop, cage_.vertices); }
+  Vector3 normal_of(const std::vector<Index>& loop) const {
+    return newell_normal(loop.size(), [&](std::size_t i) { return cage_.vertices[loop[i]].position; })
+        .stableNormalized();
+  }
 
   void set_frames() {
     std::vector<std::vector<std::pair<Vector3, double>>> faces(cage_.vertices.size());
