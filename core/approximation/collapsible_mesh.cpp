@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/approximation/facet_geometry.hpp"
 #include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 

@@ -20,7 +20,7 @@ TriangleTree::TriangleTree(std::span<const Vector3> positions,
   std::vector<Vector3> middles;
   middles.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles) {
-    closed_.emplace_back(FacetCorners{positions[a], positions[b], positions[c]});
+    closed_.emplace_back(TriangleCorners{positions[a], positions[b], positions[c]});
     middles.push_back((positions[a] + positions[b] + positions[c]) / 3);
   }
   std::iota(order_.begin(), order_.end(), Index{0});

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/approximation/facet_geometry.hpp"
 #include "core/base/ids.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/envelope/box_distance.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -61,7 +62,7 @@ WindingTree::Node WindingTree::leaf(Index begin, Index end) const {
       node.high = node.high.cwiseMax(mesh_->positions[v]);
     }
     const Vector3& a = mesh_->positions[t[0]];
-    const Vector3 area = 0.5 * (mesh_->positions[t[1]] - a).cross(mesh_->positions[t[2]] - a);
+    const Vector3 area = 0.5 * area_vector(a, mesh_->positions[t[1]], mesh_->positions[t[2]]);
     node.area += area;
     node.centre += area.norm() * items_[i].middle;
     node.total += area.norm();
