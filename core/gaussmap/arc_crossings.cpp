@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/orientation.hpp"
 
 namespace hariko {
 namespace {

@@ -5,9 +5,9 @@
 #include <unordered_map>
 
 #include "core/base/small_solver.hpp"
-#include "core/gaussmap/orientation.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/edge_key.hpp"
+#include "core/geometry/orientation.hpp"
 
 namespace hariko {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 
-#include "core/envelope/convex_hull.hpp"
 #include "core/envelope/solid_shape.hpp"
 #include "core/envelope/winding.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/support/analytic_patches.hpp"
 
@@ -143,7 +143,7 @@ TEST(ConvexHulls, HoldAllPointsAndHaveCornersOnly) {
     for (int i = 0; i < count; ++i)
       points.push_back(grid ? Vector3(uniform_int(rng, 0, 3), uniform_int(rng, 0, 3), uniform_int(rng, 0, 3))
                             : random_vector(rng));
-    const ConvexHull hull = convex_hull(points, 1e-9);
+    const TolerantHull hull = tolerant_hull(points, 1e-9);
     std::map<std::pair<Index, Index>, int> edges;
     for (const auto& t : hull.triangles) {
       const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();

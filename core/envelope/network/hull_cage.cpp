@@ -8,9 +8,9 @@
 #include <set>
 #include <tuple>
 
-#include "core/envelope/convex_hull.hpp"
 #include "core/geometry/angles.hpp"
 #include "core/geometry/polygon.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {
 
@@ -98,7 +98,7 @@ class HullCageBuilder {
     std::vector<Vector3> positions;
     for (const Candidate& c : left) positions.push_back(c.position);
     all_.clear();
-    for (const Index v : convex_hull(positions, hull_tolerance * size_).vertices) all_.push_back(left[v]);
+    for (const Index v : tolerant_hull(positions, hull_tolerance * size_).vertices) all_.push_back(left[v]);
   }
 
   std::vector<Index> thinned() {
@@ -123,7 +123,7 @@ class HullCageBuilder {
   bool triangulate(const std::vector<Index>& kept) {
     std::vector<Vector3> positions;
     for (const Index k : kept) positions.push_back(all_[k].position);
-    const ConvexHull hull = convex_hull(positions, hull_tolerance * size_);
+    const TolerantHull hull = tolerant_hull(positions, hull_tolerance * size_);
     cage_ = {};
     for (const Index k : kept) {
       const NetworkSolid& solid = solids_[all_[k].solid];

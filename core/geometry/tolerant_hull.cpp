@@ -1,4 +1,4 @@
-#include "core/envelope/convex_hull.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -191,10 +191,10 @@ std::vector<Index> flat_vertices(std::span<const Vector3> points,
 
 }  // namespace
 
-ConvexHull convex_hull(std::span<const Vector3> points, double tolerance) {
+TolerantHull tolerant_hull(std::span<const Vector3> points, double tolerance) {
   std::vector<Index> use(points.size());
   for (Index i = 0; i < use.size(); ++i) use[i] = i;
-  ConvexHull out;
+  TolerantHull out;
   for (int round = 0; round < 8; ++round) {
     out.triangles = Quickhull(points, use, tolerance).make();
     out.vertices = used(out.triangles);
@@ -217,7 +217,7 @@ bool is_convex(std::span<const Vector3> points) {
   for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double size = (high - low).norm();
   std::vector<double> depth(points.size(), 1e300);
-  for (const auto& t : convex_hull(points, 1e-9 * size).triangles) {
+  for (const auto& t : tolerant_hull(points, 1e-9 * size).triangles) {
     const Vector3 n = area_vector(points[t[0]], points[t[1]], points[t[2]]).stableNormalized();
     for (std::size_t i = 0; i < points.size(); ++i)
       depth[i] = std::min(depth[i], n.dot(points[t[0]] - points[i]));
