@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 
 #include "core/envelope/solid_shape.hpp"
-#include "core/envelope/winding.hpp"
 #include "core/geometry/tolerant_hull.hpp"
+#include "core/geometry/winding_tree.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/support/analytic_patches.hpp"
 
@@ -169,7 +169,7 @@ TEST(ConvexHulls, HoldAllPointsAndHaveCornersOnly) {
 TEST(WindingNumbers, SayInsideOfASphereAndHowFar) {
   const Surface surface = sphere(2);
   const TriangleMesh mesh = tessellate(surface, 24);
-  const WindingTree tree(mesh);
+  const WindingTree tree(mesh.positions, mesh.triangles);
   for_random(13, 200, [&](std::mt19937_64& rng) {
     const Vector3 p = random_vector(rng, 3);
     if (std::abs(p.norm() - 2) < 0.02) return;
