@@ -307,11 +307,10 @@ Result<Done> check_kept_area(double factor) {
 Result<Done> check_form(const KeptForm& form) {
   for (const KeptForm::Edge& edge : form.edges) {
     const double largest =
-        std::max({std::abs(edge.turn), std::abs(edge.stretch), edge.offset.cwiseAbs().maxCoeff(),
-                  edge.pull.cwiseAbs().maxCoeff() / max_form_number});
+        std::max({std::abs(edge.turn), std::abs(edge.stretch), edge.offset.cwiseAbs().maxCoeff()});
     if (!(largest <= max_form_number))
       return make_error(e_form_invalid, "The kept form of a vertex has a number that is too large.",
-                        "Use numbers from -100 to 100, and pulls to 10000.");
+                        "Use numbers from -100 to 100.");
   }
   return Done{};
 }

@@ -188,10 +188,9 @@ class ShapingReader {
           kept.to = vertex(JsonCursor(edge, 0));
           kept.turn = reader_.number(JsonCursor(edge, 1));
           kept.stretch = reader_.number(JsonCursor(edge, 2));
-          for (Eigen::Index i = 0; i < 3; ++i) {
+          for (Eigen::Index i = 0; i < 3; ++i)
             kept.offset[i] = reader_.number(JsonCursor(edge, std::size_t(i) + 3));
-            kept.pull[i] = reader_.number(JsonCursor(edge, std::size_t(i) + 6));
-          }
+          for (std::size_t i = 6; i < 9; ++i) reader_.number(JsonCursor(edge, i));  // forces of before
           if (ascends(reader_, edge, last_end, kept.to)) form.edges.push_back(kept);
         });
       });

@@ -45,8 +45,9 @@ void write_shaping(Writer& out, const Shaping& shaping) {
     out.raw(", \"edges\": ");
     out.row(entry.second.edges.size(), [&](std::size_t i) {
       const KeptForm::Edge& edge = entry.second.edges[i];
-      const double numbers[] = {edge.turn,       edge.stretch,  edge.offset.x(), edge.offset.y(),
-                                edge.offset.z(), edge.pull.x(), edge.pull.y(),   edge.pull.z()};
+      // The last three were forces, which programs of before ask for.
+      const double numbers[] = {
+          edge.turn, edge.stretch, edge.offset.x(), edge.offset.y(), edge.offset.z(), 0, 0, 0};
       out.row(9, [&](std::size_t k) { k == 0 ? out.number(edge.to.value) : out.number(numbers[k - 1]); });
     });
     out.raw("}");

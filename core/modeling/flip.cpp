@@ -42,10 +42,7 @@ Result<Modeled> flip_faces(const PolyhedronSource& source, std::span<const FaceI
     const KeptForm* form = shaping.form.find(id);
     if (form && mesh.outgoing(v) != no_index && inside[mesh.face(mesh.outgoing(v))]) {
       KeptForm turned = reflected_form(*form);
-      for (KeptForm::Edge& edge : turned.edges) {
-        edge.offset.z() = -edge.offset.z();
-        edge.pull.z() = -edge.pull.z();
-      }
+      for (KeptForm::Edge& edge : turned.edges) edge.offset.z() = -edge.offset.z();
       forms.emplace(id, std::move(turned));
     }
     const Pin* pin = shaping.pin.find(id);

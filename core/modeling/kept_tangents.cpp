@@ -296,8 +296,7 @@ Result<FlatMap<VertexId, KeptForm>> kept_tangents(const PolyhedronSurfaceInput& 
 bool says_something(const KeptForm& form) {
   constexpr double least = 1e-3;
   return std::any_of(form.edges.begin(), form.edges.end(), [](const KeptForm::Edge& edge) {
-    return std::max({std::abs(edge.turn), std::abs(edge.stretch), 3 * edge.offset.norm(), edge.pull.norm()}) >
-           least;
+    return std::max({std::abs(edge.turn), std::abs(edge.stretch), 3 * edge.offset.norm()}) > least;
   });
 }
 

@@ -95,8 +95,6 @@ KeptForm reflected_form(KeptForm form) {
   for (KeptForm::Edge& edge : form.edges) {
     edge.turn = -edge.turn;
     edge.offset.y() = -edge.offset.y();
-    // Left and right change places, too.
-    edge.pull = Vector3(-edge.pull.x(), edge.pull.y(), -edge.pull.z());
   }
   return form;
 }

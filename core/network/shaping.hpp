@@ -36,9 +36,6 @@ struct KeptForm {
     double stretch = 0;  ///< natural logarithm of the factor of its length in the fan
     /// Added to the image of its unit vector: along the edge, to the left of it and outward.
     Vector3 offset = Vector3::Zero();
-    /// Mode FAIR: the force on the inner points beside the edge at this end, in the face to the left, in the
-    /// same directions and divided by (the edge's length)^(3/2), so that it does not depend on the size.
-    Vector3 pull = Vector3::Zero();
     friend bool operator==(const Edge&, const Edge&) = default;
   };
   std::vector<Edge> edges;  ///< ascending by `to`

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/patching/drag_response.hpp"
-#include "core/patching/form_pulls.hpp"
 #include "core/patching/g2_joins.hpp"
 #include "core/patching/g2_surface.hpp"
 #include "core/patching/surface_parts.hpp"
@@ -215,7 +214,6 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   system->constants = patch_constants(*mesh, system->network.frames());
   const bool fair = input.mode == Mode::fair || input.mode == Mode::g2;
   if (fair) system->rims = clamped_rims(input.polyhedron, input.shaping);
-  if (fair && metric) system->pulls = form_pulls(joins.polyhedron(), input.shaping, system->network.frames());
   if (input.mode == Mode::fair) make_fair();
   if (input.mode == Mode::g2) {
     system->g2 = std::make_unique<G2System>(mesh, system->network, G2Weights{}, given_ribbons(joins));
@@ -401,7 +399,7 @@ std::optional<QuarticPatchArray> PolyhedronSurfacer::State::fair_patches(
   std::iota(vertices.begin(), vertices.end(), Index(0));
   std::vector<QuarticPatch> patches(mesh.half_edge_count());
   auto fair = build_patches(*system, positions, network, {faces, vertices}, options, cancel, patches, joined,
-                            system->rims, system->pulls);
+                            system->rims);
   if (fair.cancelled || cancel.cancelled()) return std::nullopt;
   report.fair_iterations = fair.iterations;
   report.fair_converged = fair.converged;

@@ -13,7 +13,7 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
                                    const Network& network, const PatchRegion& region,
                                    const FairSystem::SolveOptions& options, const CancelToken& cancel,
                                    std::span<QuarticPatch> patches, const JoinGeometry& joins,
-                                   std::span<const Index> rims, std::span<const RimBend> pulls) {
+                                   std::span<const Index> rims) {
   const HalfEdgeMesh& mesh = *system.mesh;
   const auto& faces = region.faces;
   PatchNetwork split;
@@ -50,7 +50,7 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
     return {};
   }
   build_base();  // with O and Y zero: the part that does not depend on the unknowns
-  std::vector<RimBend> bends(pulls.begin(), pulls.end());
+  std::vector<RimBend> bends;
   const FaceCharts& charts = system.network.frames().charts;
   for (const Index h : rims)
     bends.push_back(rim_bend(mesh, positions, network, patches, h, rim_measure(mesh, charts, h)));

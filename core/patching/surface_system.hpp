@@ -25,8 +25,7 @@ struct SurfaceSystem {
   std::unique_ptr<G2System> g2 = nullptr;  ///< mode G2 only
   /// Per half-edge: the inner points that serve it are given by a join; empty when there are none.
   std::vector<bool> given_side = {};
-  std::vector<Index> rims = {};     ///< mode FAIR: `clamped_rims`
-  std::vector<RimBend> pulls = {};  ///< mode FAIR: `form_pulls`
+  std::vector<Index> rims = {};  ///< mode FAIR: `clamped_rims`
 };
 
 /// Where patches are wanted: faces, and the vertices whose rings are solved in modes PAPER and TARGET.
@@ -36,14 +35,13 @@ struct PatchRegion {
 
 /// Control points of the patches of a region over its network; those of other faces are left as they are
 /// (zero, for the response to a displacement). `joins`: what joins give; `rims`: border half-edges that bend
-/// as `rim_bend` says; `pulls`: forces on edges that
-/// forms keep; neither for the response to a displacement, which does not feel them. With a FairSystem
+/// as `rim_bend` says; not for the response to a displacement, which does not feel it. With a FairSystem
 /// these are the patches of mode FAIR, whatever the mode, and the result is what it solved for; else it is
 /// empty.
 FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const Vector3> positions,
                                    const Network& network, const PatchRegion& region,
                                    const FairSystem::SolveOptions& options, const CancelToken& cancel,
                                    std::span<QuarticPatch> patches, const JoinGeometry& joins = {},
-                                   std::span<const Index> rims = {}, std::span<const RimBend> pulls = {});
+                                   std::span<const Index> rims = {});
 
 }  // namespace hariko

@@ -237,6 +237,12 @@ TEST(Format, SolidsOfVersion2GetTheBall) {
   EXPECT_EQ(again->objects[0]->solids()->input->settings.ball_radius, settings(0).ball_radius);
 }
 
+/// The three last numbers of an edge of a kept form mean nothing any more.
+std::string without_forces(std::string text) {
+  const std::string forces = "-0.0625, 0, 0.5, 150]";
+  return text.replace(text.find(forces), forces.size(), "-0.0625, 0, 0, 0]");
+}
+
 TEST(Format, FixtureOfVersion3ReadsForEver) {
   const std::string text = file_text("tests/document/fixtures/v3.hariko");
   const Result<Document> read = read_document(text);
@@ -246,8 +252,8 @@ TEST(Format, FixtureOfVersion3ReadsForEver) {
   const KeptForm* form = source.shaping->form.find({4});
   ASSERT_TRUE(form);
   ASSERT_EQ(form->edges.size(), 3U);
-  EXPECT_EQ(form->edges[1], (KeptForm::Edge{{5}, 0.25, -0.5, {0.125, 0, -0.0625}, {0, 0.5, 150}}));
-  EXPECT_EQ(write_document(*read), as_written_now(text, 3))
+  EXPECT_EQ(form->edges[1], (KeptForm::Edge{{5}, 0.25, -0.5, {0.125, 0, -0.0625}}));
+  EXPECT_EQ(write_document(*read), as_written_now(without_forces(text), 3))
       << "the fixture is written as this version writes";
 }
 
@@ -281,7 +287,8 @@ TEST(Format, FixtureOfVersion4ReadsForEver) {
   EXPECT_EQ(source.frames, Frames::metric);
   const std::string round = "        \"round\": true,\n";
   text.erase(text.find(round), round.size());
-  EXPECT_EQ(write_document(*read), as_written_now(text, 4)) << "round surfaces are a choice no more";
+  EXPECT_EQ(write_document(*read), as_written_now(without_forces(text), 4))
+      << "round surfaces are a choice no more";
 }
 
 TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
