@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t face_grain = 512;
+constexpr std::size_t split_face_grain = 512;
 
 /// R - P = [(3 - 2 c_P - c_Q) T_P + 2 c_P (Q - P + T_Q)] / 3
 Vector3 right_side(const Vector3& p, const Vector3& tp, const Vector3& q, const Vector3& tq, double cp,
@@ -89,7 +89,7 @@ void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames,
                         (3 * (xl * xl + xr * xr));
     return h == left ? Vector3(xl * tau) : Vector3(-xr * tau);
   };
-  parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(faces.size(), split_face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
       for (Index h = mesh.face_begin(faces[k]); h < mesh.face_end(faces[k]); ++h) {
         if (constants.free_split[h]) {
@@ -104,7 +104,7 @@ void fill_split_tangents(const HalfEdgeMesh& mesh, const VertexFrames& frames,
 
 void fill_split_points(const HalfEdgeMesh& mesh, const FaceCharts& charts, std::span<const Vector3> positions,
                        std::span<const Index> faces, PatchNetwork& out) {
-  parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(faces.size(), split_face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);
       const Vector3 mean = face_mean(mesh, positions, f);
