@@ -72,8 +72,8 @@ inline Shaping any_shaping(std::mt19937_64& rng, const Polyhedron& polyhedron) {
       KeptForm form;
       for (Index to = 0; to < polyhedron.vertex_count(); ++to)
         if (chance(rng, 0.2))
-          form.edges.push_back({polyhedron.vertex_id(to), uniform(rng, -1, 1), uniform(rng, -1, 1),
-                                random_vector(rng), random_vector(rng, 50)});
+          form.edges.push_back(
+              {polyhedron.vertex_id(to), uniform(rng, -1, 1), uniform(rng, -1, 1), random_vector(rng)});
       shaping.form.set(id, std::move(form));
     }
   }

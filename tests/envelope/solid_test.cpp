@@ -5,6 +5,7 @@
 #include "core/envelope/solid_shape.hpp"
 #include "core/geometry/tolerant_hull.hpp"
 #include "core/geometry/winding_tree.hpp"
+#include "core/surface/tessellation.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/support/analytic_patches.hpp"
 
