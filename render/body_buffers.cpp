@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/polygon.hpp"
+
 namespace hariko::gl {
 
 namespace {
@@ -15,11 +17,7 @@ const void* byte_offset(std::size_t bytes) {
 
 Vector3 area_of(const DisplayPolyhedron& bodies, Index f) {
   const auto corners = bodies.face(f);
-  const Vector3 first = bodies.position(corners[0]);
-  Vector3 area = Vector3::Zero();
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    area += (bodies.position(corners[i]) - first).cross(bodies.position(corners[i + 1]) - first);
-  return area;
+  return newell_normal(corners.size(), [&](std::size_t i) { return bodies.position(corners[i]); });
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/polygon.hpp"
+
 namespace hariko {
 
 namespace {
@@ -34,15 +36,7 @@ struct Rectangle {
 /// Takes what lies wholly inside only.
 struct Lasso {
   std::span<const Vector2> polygon;
-  bool holds(const Vector2& p) const {
-    bool odd = false;
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-      const Vector2 &a = polygon[i], &b = polygon[j];
-      if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-      if (p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) odd = !odd;
-    }
-    return odd;
-  }
+  bool holds(const Vector2& p) const { return inside_polygon(polygon, p); }
   bool touches(const Vector2&, const Vector2&) const { return false; }
 };
 

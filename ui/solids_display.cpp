@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/envelope/convex_hull.hpp"
 #include "core/envelope/scene_symmetry.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {
 
@@ -169,7 +169,7 @@ class DisplayBuilder {
   void add_hull() {
     Vector3 low = solid_->points[0], high = low;
     for (const Vector3& p : solid_->points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const ConvexHull hull = convex_hull(solid_->points, 1e-9 * (high - low).norm());
+    const TolerantHull hull = tolerant_hull(solid_->points, 1e-9 * (high - low).norm());
     std::vector<Index> number(solid_->points.size(), no_index);
     for (const Index v : hull.vertices) number[v] = point(solid_->points[v]);
     for (const auto& t : hull.triangles) {

@@ -8,6 +8,7 @@
 
 #include "core/analysis/curvature.hpp"
 #include "core/base/assert.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -105,7 +106,7 @@ void seam_angles(const Surface& surface, Index seam, int density, std::span<floa
   along(surface, seam, density, values, Order::first, [](const PatchPoint& p, const PatchPoint& q) {
     const Vector3 n = unit_normal(p), m = unit_normal(q);
     if (n.isZero(0) || m.isZero(0)) return undefined;
-    return static_cast<float>(std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / std::numbers::pi);
+    return static_cast<float>(angle_between(n, m) * 180 / std::numbers::pi);
   });
 }
 

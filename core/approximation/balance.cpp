@@ -5,12 +5,12 @@
 
 #include "core/approximation/bisection.hpp"
 #include "core/approximation/facet_error.hpp"
-#include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/optimise.hpp"
 #include "core/approximation/split_rule.hpp"
 #include "core/approximation/surface_foot.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sparse_solver.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 

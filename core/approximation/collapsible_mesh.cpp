@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/approximation/facet_geometry.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -32,7 +33,7 @@ void CollapsibleMesh::find_kept(double sharp) {
   for (Index f = 0; f < triangles_.size(); ++f)
     for (std::size_t c = 0; c < 3; ++c) {
       const Index a = triangles_[f][c], b = triangles_[f][(c + 1) % 3];
-      uses.push_back({key(a, b), f, a < b});
+      uses.push_back({edge_key(a, b), f, a < b});
     }
   std::sort(uses.begin(), uses.end(),
             [](const Use& a, const Use& b) { return std::tie(a.key, a.facet) < std::tie(b.key, b.facet); });
@@ -58,7 +59,7 @@ CollapsibleMesh::Freedom CollapsibleMesh::freedom_of(Index vertex) const {
   int kept = 0, borders = 0;
   for (const Index w : near_v_) {
     kept += kept_edge(vertex, w);
-    borders += border_.contains(key(vertex, w));
+    borders += border_.contains(edge_key(vertex, w));
   }
   // One fan has as many neighbours as facets, an open one has one more.
   const bool closed = borders == 0 && near_v_.size() == facets.size();
@@ -128,7 +129,7 @@ void CollapsibleMesh::collapse(Index v, Index w) {
   neighbours(v, near_v_);
   for (const Index u : near_v_)
     for (auto* edges : {&kept_, &border_})
-      if (edges->erase(key(v, u)) > 0 && u != w) edges->insert(key(w, u));
+      if (edges->erase(edge_key(v, u)) > 0 && u != w) edges->insert(edge_key(w, u));
   for (const Index f : round_[v]) {
     std::array<Index, 3>& t = triangles_[f];
     if (std::find(t.begin(), t.end(), w) == t.end()) {

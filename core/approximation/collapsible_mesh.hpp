@@ -8,6 +8,7 @@
 
 #include "core/base/ids.hpp"
 #include "core/base/vector.hpp"
+#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 
@@ -23,7 +24,7 @@ class CollapsibleMesh {
   bool alive(Index facet) const { return alive_[facet] != 0; }
   std::size_t facet_count() const { return count_; }
   const std::vector<Index>& round(Index vertex) const { return round_[vertex]; }
-  bool kept_edge(Index a, Index b) const { return kept_.contains(key(a, b)); }
+  bool kept_edge(Index a, Index b) const { return kept_.contains(edge_key(a, b)); }
   /// Vertices that share a facet with this one, in ascending order.
   void neighbours(Index vertex, std::vector<Index>& out) const;
 
@@ -35,9 +36,6 @@ class CollapsibleMesh {
 
  private:
   enum class Freedom : std::uint8_t { inside, along, fixed };
-  static std::uint64_t key(Index a, Index b) {
-    return a < b ? (std::uint64_t(a) << 32U) | b : (std::uint64_t(b) << 32U) | a;
-  }
   void find_kept(double sharp);
   Freedom freedom_of(Index vertex) const;
 

@@ -8,9 +8,10 @@
 
 #include "core/approximation/brightness.hpp"
 #include "core/approximation/collapsible_mesh.hpp"
-#include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/mesh_bound.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -172,7 +173,7 @@ class Decimator {
       const Vector3 before = normal_of(mesh_.positions(), mesh_.triangles()[f]),
                     after = normal_of(mesh_.positions(), t);
       if (after.isZero(0) || before.dot(after) < (before.isZero(0) ? 0 : std::cos(most_turn))) return false;
-      const FacetCorners p = corners(t);
+      const TriangleCorners p = corners(t);
       if (criteria_.max_edge)
         for (std::size_t c = 0; c < 3; ++c)
           if ((p[(c + 1) % 3] - p[c]).norm() > *criteria_.max_edge) return false;
@@ -183,7 +184,7 @@ class Decimator {
       smallest_before = std::min(smallest_before, smallest_angle(corners(mesh_.triangles()[f])));
     return smallest_after >= smallest_before;
   }
-  FacetCorners corners(const std::array<Index, 3>& t) const {
+  TriangleCorners corners(const std::array<Index, 3>& t) const {
     return {mesh_.positions()[t[0]], mesh_.positions()[t[1]], mesh_.positions()[t[2]]};
   }
 
@@ -230,7 +231,7 @@ class Decimator {
     const auto close = [&](const Vector3& p) { return dense_.tree.nearest(p, limit).triangle != no_index; };
     const Vector3& w = mesh_.positions()[to];
     for (const auto& [f, t] : moved_) {
-      const FacetCorners p = corners(t);
+      const TriangleCorners p = corners(t);
       if (!close((p[0] + p[1] + p[2]) / 3)) return false;
       for (std::size_t c = 0; c < 3; ++c) {
         if (t[c] == to) continue;

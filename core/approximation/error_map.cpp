@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/mesh_options.hpp"
 #include "core/approximation/surface_foot.hpp"
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -61,7 +62,7 @@ class ErrorMapper {
     return out;
   }
   std::size_t facet_count() const { return mesh_.triangles.size(); }
-  FacetCorners corners(std::size_t facet) const {
+  TriangleCorners corners(std::size_t facet) const {
     const auto& t = mesh_.triangles[facet];
     return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
   }
@@ -86,7 +87,7 @@ class ErrorMapper {
       const ParameterPieces pieces = pieces_of(parts_[f]);
       map_.facet_samples.push_back(Index(map_.samples.size()));
       const auto p = corners(f);
-      const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+      const double area = 0.5 * area_vector(p[0], p[1], p[2]).norm();
       for (int piece = 0; piece < pieces.count; ++piece) {
         add_grid(triangles);
         for (const Vector2& at : grid.points) {
@@ -246,7 +247,7 @@ class ErrorMapper {
     double sum = 0, areas = 0;
     for (std::size_t f = 0; f < facet_count(); ++f) {
       const auto p = corners(f);
-      const double area = (p[1] - p[0]).cross(p[2] - p[0]).norm();
+      const double area = area_vector(p[0], p[1], p[2]).norm();
       sum += area * mean[f];
       areas += area;
       note(field, Index(f), double(worst[f].first), worst[f].second);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/approximation/net_distance.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -185,7 +186,7 @@ class DistanceSearch {
 
   const FacetErrors& errors_;
   Index patch_;
-  FacetCorners corners_;
+  TriangleCorners corners_;
   ClosedTriangle closed_;
   double limit_, tolerance_;
   int degree_;

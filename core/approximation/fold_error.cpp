@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "core/approximation/facet_geometry.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 

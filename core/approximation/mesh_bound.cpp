@@ -20,7 +20,7 @@ class PieceBound {
       : tree_(tree), positions_(positions), triangles_(triangles), tolerance_(tolerance) {}
 
   /// Negative where the piece is not within the tolerance, or that cannot be told.
-  double of(const FacetCorners& corners) {
+  double of(const TriangleCorners& corners) {
     pieces_ = 0;
     std::array<Corner, 3> piece;
     for (std::size_t c = 0; c < 3; ++c) piece[c] = corner(corners[c]);

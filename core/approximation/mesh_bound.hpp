@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "core/approximation/triangle_tree.hpp"
 #include "core/base/cancellation.hpp"
+#include "core/geometry/triangle_tree.hpp"
 
 namespace hariko {
 

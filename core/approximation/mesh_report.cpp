@@ -4,9 +4,10 @@
 #include <limits>
 #include <numeric>
 
-#include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/fold_error.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 

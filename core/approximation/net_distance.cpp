@@ -15,7 +15,7 @@ constexpr double narrow = 1.01;  ///< what a measured bound may be of the sample
 
 }  // namespace
 
-NetDistance::NetDistance(const FacetCorners& corners, const FacetNet& net, const Sides& sides)
+NetDistance::NetDistance(const TriangleCorners& corners, const FacetNet& net, const Sides& sides)
     : corners_(corners), closed_(corners), net_(net), sides_(sides) {}
 
 /// Largest distance of control points to the facet, and of those over a watched side to that side.

@@ -3,8 +3,8 @@
 // How far a polynomial patch is from a facet, by its control points: the patch lies in their hull, and the
 // distance to a triangle is convex, so the farthest control point bounds it.
 
-#include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/facet_nets.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -16,7 +16,7 @@ class NetDistance {
   using Sides = std::array<int, 3>;
 
   /// `net` is that of the whole facet. Borrows its points.
-  NetDistance(const FacetCorners& corners, const FacetNet& net, const Sides& sides);
+  NetDistance(const TriangleCorners& corners, const FacetNet& net, const Sides& sides);
 
   /// A certain bound, at most `tolerance` wherever bisecting the net can show that; else the bound above it
   /// that is known without.
@@ -42,7 +42,7 @@ class NetDistance {
   double within(const Vector3* points, const Sides& sides, double tolerance, int depth) const;
   double narrowed(const Vector3* points, const Sides& sides, double bound, int depth, double& sampled) const;
 
-  FacetCorners corners_;
+  TriangleCorners corners_;
   ClosedTriangle closed_;
   FacetNet net_;
   Sides sides_;

@@ -8,10 +8,10 @@
 
 #include "core/approximation/bisection.hpp"
 #include "core/approximation/facet_error.hpp"
-#include "core/approximation/facet_geometry.hpp"
 #include "core/approximation/fold_error.hpp"
 #include "core/approximation/initial_mesh.hpp"
 #include "core/approximation/mesh_surgery.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 

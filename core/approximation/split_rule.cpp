@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/approximation/facet_geometry.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 

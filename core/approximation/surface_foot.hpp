@@ -3,9 +3,9 @@
 // The point of a surface that is nearest to a point in space.
 
 #include "core/approximation/surface_sampler.hpp"
-#include "core/approximation/triangle_tree.hpp"
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
+#include "core/geometry/triangle_tree.hpp"
 
 namespace hariko {
 

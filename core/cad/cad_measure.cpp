@@ -8,6 +8,7 @@
 #include "core/base/parallel.hpp"
 #include "core/cad/cad_edges.hpp"
 #include "core/cad/side_tie.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -158,7 +159,7 @@ Jump jump(const CadModel& model, const CadEdge& edge, int samples) {
     const PatchPoint p = point(first, edge.uses[0], x / span), q = point(second, edge.uses[1], 1 - x / span);
     if (!has_normal(p) || !has_normal(q)) continue;
     const Vector3 a = unit_normal(p), b = unit_normal(q);
-    out.normal = std::max(out.normal, std::atan2(a.cross(b).norm(), a.dot(b)));
+    out.normal = std::max(out.normal, angle_between(a, b));
     if (!model.curvature) continue;
     const Vector3 across = a.cross(evaluate(edge.curve, x).derivative).stableNormalized();
     const Bend one = bend_of(p, across), other = bend_of(q, across);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/banded_cholesky.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -15,10 +16,6 @@ namespace {
 constexpr double slide_share = 0.05;
 /// Rows of control points beside a side that the derivative across it depends on.
 constexpr std::size_t tied_rows = 1;
-
-double angle_between(const Vector3& a, const Vector3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// Unit vectors along ds, across it in the tangent plane, and normal.
 Matrix3 frame(const PatchPoint& point) {

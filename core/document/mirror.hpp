@@ -7,6 +7,7 @@
 
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
+#include "core/geometry/mirror_plane.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
 namespace hariko {
@@ -17,6 +18,10 @@ enum class Axis : std::uint8_t { x, y, z };
 
 inline Eigen::Index index_of(Axis axis) {
   return static_cast<Eigen::Index>(axis);
+}
+/// Through zero, at right angles to an axis.
+inline MirrorPlane mirror_plane(Axis axis) {
+  return {static_cast<int>(axis), 0};
 }
 
 struct Mirror {

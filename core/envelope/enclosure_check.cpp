@@ -6,7 +6,8 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
-#include "core/envelope/winding.hpp"
+#include "core/geometry/winding_tree.hpp"
+#include "core/surface/tessellation.hpp"
 
 namespace hariko {
 
@@ -34,7 +35,7 @@ class Scene {
         slack_(slack),
         cancel_(cancel),
         mesh_(tessellate(surface, effort.density, cancel)),
-        tree_(mesh_),
+        tree_(mesh_.positions, mesh_.triangles),
         per_patch_(mesh_.triangles.size() / std::max<std::size_t>(1, surface.patch_count())) {}
 
   std::vector<TestedPoint> spread_points() const {

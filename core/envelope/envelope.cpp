@@ -5,8 +5,8 @@
 
 #include "core/envelope/ball/ball_envelope.hpp"
 #include "core/envelope/ball/tightness.hpp"
-#include "core/envelope/convex_hull.hpp"
 #include "core/envelope/scene_symmetry.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <numbers>
 
-#include "core/base/rotation.hpp"
-#include "core/envelope/convex_hull.hpp"
 #include "core/envelope/ellipsoid_distance.hpp"
+#include "core/geometry/rotation.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {
 
@@ -166,7 +166,7 @@ void SolidShape::make_hull(std::vector<Vector3> points) {
   form_ = Form::hull;
   double size = 0;
   for (const Vector3& p : points) size = std::max(size, p.norm());
-  const ConvexHull hull = convex_hull(points, 1e-9 * size);
+  const TolerantHull hull = tolerant_hull(points, 1e-9 * size);
   auto made = std::make_shared<Hull>();
   std::map<std::pair<Index, Index>, Vector3> normals;
   for (const auto& t : hull.triangles) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
 namespace hariko {
@@ -61,9 +63,7 @@ class Measure {
       out_.distance = std::max(out_.distance, (rounded_[v] - positions_[v]).norm());
       box_.extend(positions_[v]);
     }
-    const auto area = [&](const std::vector<Vector3>& p) {
-      return Vector3((p[b] - p[a]).cross(p[c] - p[a]));
-    };
+    const auto area = [&](const std::vector<Vector3>& p) { return area_vector(p[a], p[b], p[c]); };
     const Vector3 was = area(positions_), is = area(rounded_);
     const double longest = std::max({(positions_[b] - positions_[a]).squaredNorm(),
                                      (positions_[c] - positions_[b]).squaredNorm(),
@@ -73,7 +73,7 @@ class Measure {
     if (!(is.norm() > 0))
       ++out_.collapsed;
     else
-      out_.turn = std::max(out_.turn, std::atan2(was.cross(is).norm(), was.dot(is)));
+      out_.turn = std::max(out_.turn, angle_between(was, is));
   }
 
   FileRounding done() {

@@ -1,8 +1,9 @@
 #include "core/exchange/triangulate.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {
@@ -15,9 +16,7 @@ constexpr std::size_t most_steps = 400'000'000;
 
 /// The corners in a plane in which the polygon runs counter-clockwise.
 std::vector<Vector2> project(std::span<const Vector3> corners) {
-  Vector3 normal = Vector3::Zero();  // Newell's, relative to the first corner against cancellation
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    normal += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+  const Vector3 normal = newell_normal(corners);
   int drop = 0;
   normal.cwiseAbs().maxCoeff(&drop);
   const int u = (drop + 1) % 3, v = (drop + 2) % 3;
@@ -28,17 +27,13 @@ std::vector<Vector2> project(std::span<const Vector3> corners) {
   return out;
 }
 
-double area(const Vector2& a, const Vector2& b, const Vector2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
 bool is_ear(const std::vector<Vector2>& points, const std::vector<Index>& ring, std::size_t i) {
   const std::size_t n = ring.size();
   const Vector2 &a = points[ring[(i + n - 1) % n]], &b = points[ring[i]], &c = points[ring[(i + 1) % n]];
-  if (!(area(a, b, c) > 0)) return false;
+  if (!(twice_area(a, b, c) > 0)) return false;
   for (std::size_t k = 2; k + 1 < n; ++k) {
     const Vector2& p = points[ring[(i + k) % n]];
-    if (area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0) return false;
+    if (twice_area(a, b, p) >= 0 && twice_area(b, c, p) >= 0 && twice_area(c, a, p) >= 0) return false;
   }
   return true;
 }
@@ -106,15 +101,17 @@ class LongPolygon {
   }
 
  private:
-  bool bends_outward(Index i) const { return area(points_[before_[i]], points_[i], points_[next_[i]]) > 0; }
+  bool bends_outward(Index i) const {
+    return twice_area(points_[before_[i]], points_[i], points_[next_[i]]) > 0;
+  }
   bool is_free(Index i) {
     if (!bends_outward(i)) return false;
     steps_ += 1 + inward_.size();
     const Vector2 &a = points_[before_[i]], &b = points_[i], &c = points_[next_[i]];
     return std::none_of(inward_.begin(), inward_.end(), [&](Index k) {
       const Vector2& p = points_[k];
-      return k != before_[i] && k != next_[i] && area(a, b, p) >= 0 && area(b, c, p) >= 0 &&
-             area(c, a, p) >= 0;
+      return k != before_[i] && k != next_[i] && twice_area(a, b, p) >= 0 && twice_area(b, c, p) >= 0 &&
+             twice_area(c, a, p) >= 0;
     });
   }
 

@@ -45,19 +45,6 @@ inline double combined(double y, double scale, double factor, double x) {
 
 }  // namespace
 
-/// Unknowns of some faces, numbered without gaps, and where faces' local vectors meet them.
-struct G2System::Region {
-  std::vector<Index> faces;
-  std::vector<std::size_t> first_slot;  ///< per face of the region, plus one
-  std::vector<Index> slot;              ///< own number of each slot's unknown; no_index where held at zero
-  std::vector<Index> global;            ///< unknown of each own number
-  std::vector<double> share;            ///< per own number: 1 / sqrt(faces that have it)
-  std::vector<std::size_t> begin;       ///< per own number, plus one: its slots in `slots`
-  std::vector<std::size_t> slots;
-
-  std::size_t size() const { return global.size(); }
-};
-
 /// The system over a region, for fields of vectors or of numbers.
 template <class Value>
 class G2System::Restricted {
@@ -66,7 +53,7 @@ class G2System::Restricted {
   /// Of a step: one number a coordinate.
   using Coefficient = std::conditional_t<std::is_same_v<Value, double>, double, Coefficients3>;
 
-  Restricted(const G2System& system, const Region& region)
+  Restricted(const G2System& system, const FaceRegion& region)
       : system_(system), region_(region), local_(region.slot.size()) {}
 
   void apply(const Field& x, Field& y) {
@@ -76,9 +63,9 @@ class G2System::Restricted {
         in[i] = at == no_index ? zero<Value>() : x[at];
       }
       Value* out = local_.data() + first;
-      system_.turn<Turn::plain>(f, in);
-      hariko::multiply(system_.element_[f]->matrix, in, out);
-      system_.turn<Turn::transposed>(f, out);
+      system_.layout_.turn<G2Layout::Turn::plain>(f, in);
+      multiply(system_.elements_[f].matrix, in, out);
+      system_.layout_.turn<G2Layout::Turn::transposed>(f, out);
     });
     collect(y, false);
   }
@@ -90,37 +77,38 @@ class G2System::Restricted {
         in[i] = at == no_index ? zero<Value>() : Value(region_.share[at] * r[at]);
       }
       Value* out = local_.data() + first;
-      system_.turn<Turn::inverse_transposed>(f, in);
-      hariko::multiply(*system_.block_[f], in, out);
-      system_.turn<Turn::inverse>(f, out);
+      system_.layout_.turn<G2Layout::Turn::inverse_transposed>(f, in);
+      multiply(*system_.blocks_[f], in, out);
+      system_.layout_.turn<G2Layout::Turn::inverse>(f, out);
     });
     collect(z, true);
   }
 
   void right_side(const Given& given, Field& b) {
+    const G2Layout& layout = system_.layout_;
     Field known;  // given unknowns, others zero
-    const auto values = system_.known(given);
-    if (!values.empty()) known.assign(system_.unknowns_.count, zero<Value>());
+    const auto values = known_unknowns(system_.layout_, system_.fixed_, given);
+    if (!values.empty()) known.assign(system_.unknown_count(), zero<Value>());
     for (const auto& [unknown, value] : values) known[unknown] = part<Value>(value);
     for_faces([&](Index f, std::size_t first, std::size_t count, Value* in) {
-      const std::size_t width = system_.charts_[f]->places.given.size();
+      const std::size_t width = layout.places(f).given.size();
       std::vector<Vector3> corners(width), asked(count, Vector3::Zero());
-      system_.given_controls(f, given, system_.face_mean(f, given), corners.data());
-      system_.add_tangents(f, *given.network, asked.data());
+      given_controls(layout, f, given, face_mean(layout.mesh(), f, given), corners.data());
+      add_tangents(layout, system_.elements_.weights(f), f, *given.network, asked.data());
       if (given.target)
         for (std::size_t i = 0; i < count; ++i) asked[i] += (*given.target)[f].load[i];
       Field load(width), more(count);
       for (std::size_t i = 0; i < width; ++i) load[i] = part<Value>(corners[i]);
       Value* out = local_.data() + first;
-      hariko::multiply(system_.element_[f]->load, load.data(), out);
+      multiply(system_.elements_[f].load, load.data(), out);
       if (!known.empty()) {
-        for (std::size_t i = 0; i < count; ++i) in[i] = known[system_.slot_unknown(f, int(i))];
-        system_.turn<Turn::plain>(f, in);
-        hariko::multiply(system_.element_[f]->matrix, in, more.data());
+        for (std::size_t i = 0; i < count; ++i) in[i] = known[layout.slot_unknown(f, int(i))];
+        system_.layout_.turn<G2Layout::Turn::plain>(f, in);
+        multiply(system_.elements_[f].matrix, in, more.data());
         for (std::size_t i = 0; i < count; ++i) out[i] += more[i];
       }
       for (std::size_t i = 0; i < count; ++i) out[i] = part<Value>(asked[i]) - out[i];
-      system_.turn<Turn::transposed>(f, out);
+      system_.layout_.turn<G2Layout::Turn::transposed>(f, out);
     });
     collect(b, false);
   }
@@ -170,83 +158,18 @@ class G2System::Restricted {
   }
 
   const G2System& system_;
-  const Region& region_;
+  const FaceRegion& region_;
   Field local_;  ///< one value a slot
 };
 
-template <G2System::Turn which, class Value>
-void G2System::turn(Index face, Value* local) const {
-  constexpr bool inverse = which == Turn::inverse || which == Turn::inverse_transposed;
-  constexpr bool transposed = which == Turn::transposed || which == Turn::inverse_transposed;
-  const int n = static_cast<int>(mesh_->side_count(face));
-  for (int j = 0; j < n; ++j) {
-    const Index h = half_edge(face, j);
-    const Matrix3& m = inverse ? inverse_turn_[h] : unknowns_.corner[h].turn;
-    const auto at = [&](int i, int k) { return transposed ? m(k, i) : m(i, k); };
-    Value* x = local + 3 * j;
-    const Value a = x[0], b = x[1], c = x[2];
-    for (int i = 0; i < 3; ++i) x[i] = at(i, 0) * a + at(i, 1) * b + at(i, 2) * c;
-    const auto& sign = unknowns_.side[h].sign;
-    for (int i = 0; i < 5; ++i) local[3 * n + 5 * j + i] *= sign[std::size_t(i)];
-  }
-  for (int j = 0; j < n; ++j) {
-    const Index h = half_edge(face, j);
-    const Eigen::Matrix2d& m = inverse ? inverse_tangent_turn_[h] : unknowns_.corner[h].tangent_turn;
-    Value* x = local + 8 * n + 2 * j;
-    const Value a = x[0], b = x[1];
-    x[0] = m(0, 0) * a + (transposed ? m(1, 0) : m(0, 1)) * b;
-    x[1] = (transposed ? m(0, 1) : m(1, 0)) * a + m(1, 1) * b;
-  }
-}
-template void G2System::turn<G2System::Turn::plain>(Index, Vector3*) const;
-
-std::shared_ptr<const G2System::Region> G2System::make_region(const std::vector<Index>* active_faces) const {
-  auto made = std::make_shared<Region>();
-  Region& region = *made;
-  if (active_faces) {
-    region.faces = *active_faces;
-  } else {
-    region.faces.resize(mesh_->face_count());
-    std::iota(region.faces.begin(), region.faces.end(), Index(0));
-  }
-  std::vector<std::uint32_t> met(unknowns_.count, 0);
-  for (const Index f : region.faces) {
-    region.first_slot.push_back(region.slot.size());
-    for (int i = 0; i < unknown_slots(f); ++i) {
-      region.slot.push_back(slot_unknown(f, i));
-      ++met[region.slot.back()];
-    }
-  }
-  region.first_slot.push_back(region.slot.size());
-  std::vector<Index> own(unknowns_.count, no_index);
-  for (Index i = 0; i < unknowns_.count; ++i) {
-    // Not here, or shared with a face outside, or given.
-    if (met[i] == 0 || met[i] != incidence_[i] || given_[i]) continue;
-    own[i] = static_cast<Index>(region.global.size());
-    region.global.push_back(i);
-    region.share.push_back(1 / std::sqrt(double(incidence_[i])));
-  }
-  region.begin.assign(region.global.size() + 1, 0);
-  for (Index& slot : region.slot) {
-    slot = own[slot];
-    if (slot != no_index) ++region.begin[slot + 1];
-  }
-  std::partial_sum(region.begin.begin(), region.begin.end(), region.begin.begin());
-  region.slots.resize(region.begin.back());
-  std::vector<std::size_t> cursor(region.begin.begin(), region.begin.end() - 1);
-  for (std::size_t k = 0; k < region.slot.size(); ++k)
-    if (region.slot[k] != no_index) region.slots[cursor[region.slot[k]]++] = k;
-  return made;
-}
-
 struct G2System::Paused {
-  std::shared_ptr<const Region> region;
+  std::shared_ptr<const FaceRegion> region;
   std::vector<double> x;
   ConjugateGradientsRoom<std::vector<double>, double> room;
 };
 
 template <class Value>
-G2System::Solution G2System::solve_in(std::shared_ptr<const Region> region, const Given& given,
+G2System::Solution G2System::solve_in(std::shared_ptr<const FaceRegion> region, const Given& given,
                                       const SolveOptions& options, const CancelToken& cancel) const {
   using System = Restricted<Value>;
   System system(*this, *region);
@@ -265,7 +188,7 @@ G2System::Solution G2System::solve_in(std::shared_ptr<const Region> region, cons
   }
   const auto report = conjugate_gradients(
       system, x, room, {options.start != nullptr, options.tolerance, options.max_steps, resumed}, cancel);
-  Solution solution{Field(unknowns_.count, Vector3::Zero()), report.iterations, report.converged,
+  Solution solution{Field(unknown_count(), Vector3::Zero()), report.iterations, report.converged,
                     report.cancelled, nullptr};
   for (std::size_t i = 0; i < x.size(); ++i) {
     if constexpr (std::is_same_v<Value, double>)
@@ -273,7 +196,8 @@ G2System::Solution G2System::solve_in(std::shared_ptr<const Region> region, cons
     else
       solution.unknowns[region->global[i]] = x[i];
   }
-  for (const auto& [unknown, value] : known(given)) solution.unknowns[unknown] = value;
+  for (const auto& [unknown, value] : known_unknowns(layout_, fixed_, given))
+    solution.unknowns[unknown] = value;
   if constexpr (std::is_same_v<Value, double>) {
     if (!report.converged)
       solution.paused =
@@ -285,17 +209,12 @@ G2System::Solution G2System::solve_in(std::shared_ptr<const Region> region, cons
 G2System::Solution G2System::solve(const Given& given, const SolveOptions& options,
                                    const CancelToken& cancel) const {
   HARIKO_ASSERT(!options.paused || options.only_x, "only solutions in x alone pause");
-  auto region = options.paused         ? options.paused->region
-                : options.active_faces ? make_region(options.active_faces)
-                                       : whole_;
+  auto region = options.paused ? options.paused->region
+                : options.active_faces
+                    ? std::make_shared<const FaceRegion>(face_region(layout_, given_, *options.active_faces))
+                    : whole_;
   return options.only_x ? solve_in<double>(std::move(region), given, options, cancel)
                         : solve_in<Vector3>(std::move(region), given, options, cancel);
-}
-
-G2System::Field G2System::multiply(const Field& x) const {
-  Field y(whole_->size(), Vector3::Zero());
-  Restricted<Vector3>(*this, *whole_).apply(x, y);
-  return y;
 }
 
 }  // namespace hariko

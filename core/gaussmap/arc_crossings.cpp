@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/orientation.hpp"
 
 namespace hariko {
 namespace {
@@ -25,7 +25,7 @@ bool between(const Arc& arc, const Vector3& point) {
   return point.dot(middle) > arc.from.dot(middle);
 }
 
-bool cross(const Arc& a, const Arc& b) {
+bool arcs_cross(const Arc& a, const Arc& b) {
   if ((a.from + a.to).dot(b.from + b.to) <= 0) return false;
   const bool joined = a.second == b.first || a.first == b.second;
   const int s1 = side(a.from, a.to, b.from), s2 = side(a.from, a.to, b.to);
@@ -77,7 +77,7 @@ std::optional<std::pair<Index, Index>> crossing_arcs(const std::vector<std::vect
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t j = i + 1; j < end; ++j) {
         const std::pair pair{entries[i].second, entries[j].second};
-        if ((!found || pair < *found) && cross(arcs[pair.first], arcs[pair.second])) found = pair;
+        if ((!found || pair < *found) && arcs_cross(arcs[pair.first], arcs[pair.second])) found = pair;
       }
   }
   return found;

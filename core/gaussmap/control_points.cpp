@@ -11,6 +11,7 @@
 #include "core/gaussmap/position_fill.hpp"
 #include "core/gaussmap/relax_sites.hpp"
 #include "core/gaussmap/site_insertion.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 namespace {
@@ -229,7 +230,7 @@ Result<ControlPoints> by_position(const Outline& outline, const GaussOptions& op
 double largest_gap(const ControlPoints& result) {
   double largest = 0;
   for (const auto& [a, b, c] : result.triangles) {
-    const Vector3 normal = (result.points[b] - result.points[a]).cross(result.points[c] - result.points[a]);
+    const Vector3 normal = area_vector(result.points[a], result.points[b], result.points[c]);
     Matrix3 planes;
     planes << result.normals[a].transpose(), result.normals[b].transpose(), result.normals[c].transpose();
     const Vector3 corner =
@@ -244,7 +245,7 @@ void add_result_warnings(ControlPoints& result, std::optional<CurvatureSign> sig
   Index flipped = 0, concave = 0;
   std::optional<Index> first_flipped, first_concave;
   for (const auto& [a, b, c] : result.triangles) {
-    const Vector3 normal = (result.points[b] - result.points[a]).cross(result.points[c] - result.points[a]);
+    const Vector3 normal = area_vector(result.points[a], result.points[b], result.points[c]);
     if (normal.dot(result.normals[a] + result.normals[b] + result.normals[c]) > 0) continue;
     if (flipped++ == 0) first_flipped = a;
   }

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "core/geometry/edge_key.hpp"
+
 namespace hariko {
 namespace {
 
@@ -19,9 +21,9 @@ class Flipping {
     left_of_.reserve(3 * triangles_.size());
     for (Index t = 0; t < triangles_.size(); ++t) enter(t);
     for (const auto& [edge, triangle] : left_of_) {
-      const auto from = Index(edge >> 32), to = Index(edge & 0xffffffffU);
+      const auto [from, to] = ends_of_key(edge);
       ++edges_[from];
-      if (!left_of_.contains(key(to, from))) ++edges_[to];
+      if (!left_of_.contains(half_edge_key(to, from))) ++edges_[to];
     }
   }
 
@@ -44,15 +46,15 @@ class Flipping {
   }
 
  private:
-  static std::uint64_t key(Index a, Index b) { return (std::uint64_t(a) << 32) | b; }
   void enter(Index t) {
-    for (std::size_t k = 0; k < 3; ++k) left_of_[key(triangles_[t][k], triangles_[t][(k + 1) % 3])] = t;
+    for (std::size_t k = 0; k < 3; ++k)
+      left_of_[half_edge_key(triangles_[t][k], triangles_[t][(k + 1) % 3])] = t;
   }
 
   /// The other triangle of the edge that side k of t was, none when it stays.
   Index flip(Index t, std::size_t k) {
     const Index p = triangles_[t][k], q = triangles_[t][(k + 1) % 3], r = triangles_[t][(k + 2) % 3];
-    const auto found = left_of_.find(key(q, p));
+    const auto found = left_of_.find(half_edge_key(q, p));
     if (found == left_of_.end()) return no_index;
     const Index u = found->second;
     Index s = no_index;
@@ -60,9 +62,9 @@ class Flipping {
       if (corner != p && corner != q) s = corner;
     if (edges_[p] <= fewest_edges_ || edges_[q] <= fewest_edges_) return no_index;
     if (!better_(p, q, r, s)) return no_index;
-    if (left_of_.contains(key(r, s)) || left_of_.contains(key(s, r))) return no_index;
-    left_of_.erase(key(p, q));
-    left_of_.erase(key(q, p));
+    if (left_of_.contains(half_edge_key(r, s)) || left_of_.contains(half_edge_key(s, r))) return no_index;
+    left_of_.erase(half_edge_key(p, q));
+    left_of_.erase(half_edge_key(q, p));
     triangles_[t] = {p, s, r};
     triangles_[u] = {s, q, r};
     enter(t);

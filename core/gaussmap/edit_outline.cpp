@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/rotation.hpp"
 #include "core/gaussmap/outline_check.hpp"
 #include "core/gaussmap/spread_normals.hpp"
+#include "core/geometry/rotation.hpp"
 
 namespace hariko {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/base/small_solver.hpp"
 #include "core/base/sparse_solver.hpp"
 #include "core/gaussmap/tangent_polytope.hpp"
+#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 namespace {
@@ -151,10 +152,9 @@ class Newton {
 
 std::vector<std::array<Index, 3>> Newton::inside_triangles() const {
   const auto& all = polytope_->corner_planes();
-  const auto key = [](Index a, Index b) { return (std::uint64_t(a) << 32) | b; };
   std::unordered_map<std::uint64_t, Index> face_of;
   for (Index t = 0; t < all.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) face_of[key(all[t][k], all[t][(k + 1) % 3])] = t;
+    for (std::size_t k = 0; k < 3; ++k) face_of[half_edge_key(all[t][k], all[t][(k + 1) % 3])] = t;
   std::vector<char> inside(all.size(), 0);
   std::vector<Index> stack;
   const auto enter = [&](Index t) {
@@ -162,7 +162,7 @@ std::vector<std::array<Index, 3>> Newton::inside_triangles() const {
     inside[t] = 1;
   };
   for (Index i = 0; i < mesh_.boundary_count(); ++i) {
-    const auto found = face_of.find(key(i, mesh_.next(i)));
+    const auto found = face_of.find(half_edge_key(i, mesh_.next(i)));
     if (found == face_of.end()) return {};
     enter(found->second);
   }
@@ -177,7 +177,7 @@ std::vector<std::array<Index, 3>> Newton::inside_triangles() const {
       used[a] = 1;
       if (mesh_.is_boundary(b) && mesh_.next(b) == a) return {};
       if (mesh_.is_boundary(a) && mesh_.next(a) == b) continue;
-      const auto beyond = face_of.find(key(b, a));
+      const auto beyond = face_of.find(half_edge_key(b, a));
       if (beyond == face_of.end()) return {};
       enter(beyond->second);
     }

@@ -9,6 +9,7 @@
 
 #include "core/gaussmap/arc_crossings.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/gaussmap/control_points.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
 #include "core/gaussmap/spread_mesh.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 namespace {

@@ -7,20 +7,12 @@
 
 #include "core/gaussmap/arc_crossings.hpp"
 #include "core/gaussmap/site_insertion.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {
 
 using Loop2 = std::vector<Vector2>;
-
-double signed_area(const Loop2& loop) {
-  double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vector2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-    sum += (a.x() * b.y() - a.y() * b.x()) / 2;
-  }
-  return sum;
-}
 
 bool contains(const Loop2& loop, const Vector2& point) {
   bool inside = false;
@@ -82,7 +74,7 @@ std::vector<Loop2> projected(const Outline& outline) {
 bool is_domain(const std::vector<Loop2>& loops) {
   std::size_t outer = 0, count = 0;
   for (std::size_t l = 0; l < loops.size(); ++l)
-    if (signed_area(loops[l]) > 0) {
+    if (twice_area(loops[l]) > 0) {
       outer = l;
       ++count;
     }

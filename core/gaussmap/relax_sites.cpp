@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "core/gaussmap/edge_flips.hpp"
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/orientation.hpp"
 
 namespace hariko {
 namespace {

@@ -5,6 +5,7 @@
 #include "core/gaussmap/loop_curve.hpp"
 #include "core/gaussmap/outline_check.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 namespace {

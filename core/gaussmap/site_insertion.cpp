@@ -5,7 +5,9 @@
 #include <unordered_map>
 
 #include "core/base/small_solver.hpp"
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/edge_key.hpp"
+#include "core/geometry/orientation.hpp"
 
 namespace hariko {
 namespace {
@@ -25,10 +27,6 @@ std::optional<Vector3> guard_for(const std::vector<std::vector<Vector3>>& loops,
     for (std::size_t i = 0; i < loop.size(); ++i) axis += loop[i].cross(loop[(i + 1) % loop.size()]);
   const Vector3 normal = axes.vectors.col(0);
   return axis.dot(normal) > 0 ? Vector3(-normal) : normal;
-}
-
-std::uint64_t edge_key(Index a, Index b) {
-  return (std::uint64_t(a) << 32) | b;
 }
 
 double median_of(std::vector<double> values) {
@@ -84,7 +82,7 @@ Result<Done> SiteInsertion::fill_inside(const std::vector<std::vector<Vector3>>&
   for (Index f = 0; f < faces.size(); ++f)
     if (faces[f].alive)
       for (std::size_t k = 0; k < 3; ++k)
-        face_of[edge_key(faces[f].corner[k], faces[f].corner[(k + 1) % 3])] = f;
+        face_of[half_edge_key(faces[f].corner[k], faces[f].corner[(k + 1) % 3])] = f;
   // Where the arc from a site to the next one begins for the outline.
   struct Place {
     Element element;
@@ -103,7 +101,7 @@ Result<Done> SiteInsertion::fill_inside(const std::vector<std::vector<Vector3>>&
   inside_.assign(faces.size(), 0);
   std::vector<Index> stack;
   for (Index i = 0; i < next_.size(); ++i) {
-    const auto found = face_of.find(edge_key(i, next_[i]));
+    const auto found = face_of.find(half_edge_key(i, next_[i]));
     if (found == face_of.end())
       return make_error(
           e_boundary_edge,

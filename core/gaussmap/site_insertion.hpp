@@ -10,8 +10,8 @@
 
 #include "core/base/ids.hpp"
 #include "core/base/result.hpp"
-#include "core/gaussmap/convex_hull.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
+#include "core/geometry/convex_hull.hpp"
 
 namespace hariko {
 

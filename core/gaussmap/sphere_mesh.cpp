@@ -23,10 +23,6 @@ Index nearest_boundary(const std::vector<Vector3>& sites, Index boundary_count, 
   return nearest;
 }
 
-double angle_between(const Vector3& a, const Vector3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 SphereMesh::SphereMesh(std::vector<Vector3> sites, std::vector<Index> next, std::vector<Triangle> triangles)
     : sites_(std::move(sites)), next_(std::move(next)), triangles_(std::move(triangles)) {
   previous_.resize(next_.size());

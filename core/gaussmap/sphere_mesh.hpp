@@ -63,7 +63,5 @@ double solid_angle(const Vector3& a, const Vector3& b, const Vector3& c);
 /// Of the first `boundary_count` sites the one nearest to site `of`: where the outline is to blame for what
 /// happens there.
 Index nearest_boundary(const std::vector<Vector3>& sites, Index boundary_count, Index of);
-/// Angle between two vectors, accurate for small angles too.
-double angle_between(const Vector3& a, const Vector3& b);
 
 }  // namespace hariko

@@ -5,14 +5,15 @@
 #include <cmath>
 
 #include "core/gaussmap/edge_flips.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 namespace {
 
 using Triangle = std::array<Index, 3>;
 
-Vector3 area_normal(const std::vector<Vector3>& points, Index a, Index b, Index c) {
-  return (points[b] - points[a]).cross(points[c] - points[a]);
+Vector3 area_of_triangle(const std::vector<Vector3>& points, Index a, Index b, Index c) {
+  return area_vector(points[a], points[b], points[c]);
 }
 
 /// Cotangent of the angle at `tip` in the triangle over the edge a b.
@@ -25,8 +26,9 @@ std::vector<Triangle> flipped(const std::vector<Vector3>& points, std::vector<Tr
   constexpr double slack = 1e-6;  // no edge back and forth by rounding
   return flip_edges(std::move(triangles), Index(points.size()), 3, [&](Index p, Index q, Index r, Index s) {
     if (cotangent(points, p, q, r) + cotangent(points, q, p, s) >= -slack) return false;
-    const Vector3 normal = area_normal(points, p, q, r) + area_normal(points, q, p, s);
-    return area_normal(points, p, s, r).dot(normal) > 0 && area_normal(points, s, q, r).dot(normal) > 0;
+    const Vector3 normal = area_of_triangle(points, p, q, r) + area_of_triangle(points, q, p, s);
+    return area_of_triangle(points, p, s, r).dot(normal) > 0 &&
+           area_of_triangle(points, s, q, r).dot(normal) > 0;
   });
 }
 
@@ -46,7 +48,7 @@ class FlatStar {
   FlatStar(const std::vector<Vector3>& points, Index vertex,
            const std::vector<std::pair<Index, Index>>& opposite) {
     Vector3 normal = Vector3::Zero();
-    for (const auto& [a, b] : opposite) normal += area_normal(points, vertex, a, b);
+    for (const auto& [a, b] : opposite) normal += area_of_triangle(points, vertex, a, b);
     if (!(normal.norm() > 0)) return;
     u_ = normal.unitOrthogonal();
     w_ = normal.normalized().cross(u_);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/assert.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {
@@ -117,10 +118,7 @@ std::vector<Vector3> loop_tangents(std::span<const Vector3> points) {
 }
 
 Vector3 vector_area(std::span<const Vector3> points) {
-  Vector3 out = Vector3::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i)
-    out += (points[i] - points[0]).cross(points[(i + 1) % points.size()] - points[0]) / 2;
-  return out;
+  return newell_normal(points) / 2;
 }
 
 std::vector<Vector3> spread_normals(std::span<const Vector3> points,

@@ -6,6 +6,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/small_solver.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {
@@ -67,10 +68,7 @@ Vector3 ball_centre(std::span<const Vector3> normals, std::span<const double> su
 }  // namespace
 
 double polygon_area(std::span<const Vector3> corners, const Vector3& normal) {
-  Vector3 sum = Vector3::Zero();
-  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
-    sum += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
-  return sum.dot(normal) / 2;
+  return newell_normal(corners).dot(normal) / 2;
 }
 
 std::optional<Vector3> inner_point(std::span<const Vector3> normals, std::span<const double> support,

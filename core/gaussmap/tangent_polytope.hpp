@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/gaussmap/convex_hull.hpp"
+#include "core/geometry/convex_hull.hpp"
 
 namespace hariko {
 

@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/polyhedron/face_decomposition.hpp"
-#include "core/polyhedron/face_shape.hpp"
 
 namespace hariko {
 namespace {

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/modeling/selected.hpp"
 #include "core/polyhedron/face_decomposition.hpp"
-#include "core/polyhedron/face_shape.hpp"
 
 namespace hariko {
 namespace {

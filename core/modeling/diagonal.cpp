@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/face_geometry.hpp"
-#include "core/polyhedron/face_shape.hpp"
 
 namespace hariko {
 namespace {
@@ -36,9 +36,7 @@ bool is_inner_diagonal(std::span<const Vector3> corners, std::size_t i, std::siz
   for (const Vector3& p : corners) scaled.emplace_back((p - corners[0]) / extent);
   const Vector3 normal = direction_of(newell_normal(scaled));
   if (normal.isZero(0)) return true;
-  const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
-  std::vector<Vector2> flat;
-  for (const Vector3& p : scaled) flat.emplace_back(x.dot(p), y.dot(p));
+  const std::vector<Vector2> flat = flattened(scaled, Vector3::Zero(), normal);
   if (!leaves_inside(flat[(i + n - 1) % n], flat[i], flat[(i + 1) % n], flat[j]) ||
       !leaves_inside(flat[(j + n - 1) % n], flat[j], flat[(j + 1) % n], flat[i]))
     return false;

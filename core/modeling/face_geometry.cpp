@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {

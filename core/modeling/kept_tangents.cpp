@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/geometry/angles.hpp"
 #include "core/network/fan_angles.hpp"
 #include "core/network/kept_form.hpp"
 #include "core/network/network_system.hpp"
@@ -167,12 +168,11 @@ class FormFinder {
       Wish &first = fan[k], &second = fan[(k + 1) % fan.size()];
       if (first.copy || second.copy || frames_.half_turn[corner(first)]) continue;
       const Vector3 &a = first.tangent, &b = second.tangent;
-      if (flat_share(std::atan2(a.cross(b).norm(), a.dot(b))) == 0) continue;
+      if (flat_share(angle_between(a, b)) == 0) continue;
       const auto split =
           wanted_.splits(polyhedron_.vertex_id(v), polyhedron_.face_id(mesh_.face(corner(first))));
       if (!split) continue;
-      const double before = std::atan2(a.cross(*split).norm(), a.dot(*split)),
-                   behind = std::atan2(split->cross(b).norm(), split->dot(b));
+      const double before = angle_between(a, *split), behind = angle_between(*split, b);
       if (!(before + behind > 0)) continue;
       const double lean = before / (before + behind) - place_in_corner(mesh_, frames_.charts, corner(first));
       first.lean = second.lean = lean;
@@ -200,7 +200,7 @@ class FormFinder {
     normal = normal.stableNormalized();
     std::vector<double> out{0};
     for (std::size_t j = 0; j < corners; ++j) {
-      double step = std::atan2(normal.dot(at(j).cross(at(j + 1))), at(j).dot(at(j + 1)));
+      double step = signed_angle(at(j), at(j + 1), normal);
       if (step < -turn_tolerance) step += 2 * half_circle;
       out.push_back(out.back() + step);
     }

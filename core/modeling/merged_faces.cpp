@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/mesh_draft.hpp"
 #include "core/patching/polyhedron_surface.hpp"
-#include "core/polyhedron/face_shape.hpp"
 #include "core/polyhedron/message_group.hpp"
 
 namespace hariko {

@@ -12,11 +12,6 @@
 namespace hariko {
 namespace {
 
-Vector3 reflected(Vector3 vector, Axis axis) {
-  vector[index_of(axis)] = 0 - vector[index_of(axis)];
-  return vector;
-}
-
 /// Corners of the image of a face: the other way round, from the same corner.
 template <class Corners>
 void reverse_face(Corners& corners) {
@@ -62,7 +57,7 @@ class TangentReflector {
         if (other.basis[k] != no_index) row[other.basis[k] - w_begin] += other.c[k];
       }
       rows.push_back(std::move(row));
-      tangents.push_back(reflected(tangent, axis_));
+      tangents.push_back(mirror_plane(axis_).image(tangent));
     };
     const Index first = from_.outgoing(v);
     for (Index h = first; h != no_index;) {
@@ -95,7 +90,7 @@ Pin reflected(const Pin& pin, Index v, const TangentReflector& reflector, Axis a
   Pin out = pin;
   if (pin.kind == Pin::Kind::tangents)
     if (auto tangents = reflector(v, pin.vectors)) return {pin.kind, std::move(*tangents)};
-  for (Vector3& vector : out.vectors) vector = reflected(vector, axis);
+  for (Vector3& vector : out.vectors) vector = mirror_plane(axis).image(vector);
   return out;
 }
 
@@ -158,7 +153,7 @@ class Whole {
       Vector3 p = polyhedron_.position(v);
       p[axis] = seam_[v] ? 0 : half_.origin[axis] + p[axis];
       out[v] = p;
-      if (!seam_[v]) out[image_[v]] = reflected(p, axis_);
+      if (!seam_[v]) out[image_[v]] = mirror_plane(axis_).image(p);
     }
     return out;
   }
@@ -232,7 +227,7 @@ class Whole {
       if (!seam_[v]) {
         const VertexId image = whole.vertex_id(image_[v]);
         if (pin.kind == Pin::Kind::normal)
-          shaping.pin.set(image, {pin.kind, {reflected(pin.vectors[0], axis_)}});
+          shaping.pin.set(image, {pin.kind, {mirror_plane(axis_).image(pin.vectors[0])}});
         else
           shaping.pin.set(image, hariko::reflected(pin, v, *reflector, axis_));
       } else if (const Pin* kept = shaping.pin.find(id); kept && kept->kind == Pin::Kind::normal) {
@@ -331,7 +326,7 @@ Modeled mirror_object(const PolyhedronSource& source, Axis axis) {
   std::vector<FaceId> face_ids;
   std::vector<Index> image;
   for (Index v = 0; v < polyhedron.vertex_count(); ++v) {
-    mesh.positions.push_back(reflected(polyhedron.position(v), axis));
+    mesh.positions.push_back(mirror_plane(axis).image(polyhedron.position(v)));
     vertex_ids.push_back(polyhedron.vertex_id(v));
     image.push_back(v);
   }
@@ -343,7 +338,7 @@ Modeled mirror_object(const PolyhedronSource& source, Axis axis) {
     face_ids.push_back(polyhedron.face_id(f));
   }
   Modeled out{source, {}};
-  out.source.origin = reflected(source.origin, axis);
+  out.source.origin = mirror_plane(axis).image(source.origin);
   out.source.polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
   out.source.attachments = Attachments{};  // the patches have no images
   if (!source.shaping->pin.empty() || !source.shaping->form.empty()) {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/rotation.hpp"
 #include "core/document/angles.hpp"
 #include "core/envelope/solid_shape.hpp"
+#include "core/geometry/rotation.hpp"
 
 namespace hariko {
 

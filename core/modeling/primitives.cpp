@@ -10,7 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 namespace {
@@ -110,7 +111,7 @@ PolygonMesh convex_hull_of_few(std::vector<Vector3> positions) {
       for (Index c = a + 1; c < count; ++c) {
         if (c == b) continue;
         const Vector3& origin = mesh.positions[a];
-        const Vector3 normal = (mesh.positions[b] - origin).cross(mesh.positions[c] - origin).normalized();
+        const Vector3 normal = area_vector(origin, mesh.positions[b], mesh.positions[c]).normalized();
         std::vector<Index> on;
         bool outside = false;
         for (Index v = 0; v < count && !outside; ++v) {

@@ -6,8 +6,9 @@
 #include <numbers>
 #include <vector>
 
+#include "core/geometry/angles.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/element_flags.hpp"
-#include "core/polyhedron/face_shape.hpp"
 
 namespace hariko {
 namespace {
@@ -51,10 +52,6 @@ Plane plane_of(const Polyhedron& polyhedron, Index f) {
   Vector3 centre = Vector3::Zero();
   for (const Vector3& p : corners) centre += p / static_cast<double>(corners.size());
   return {newell_normal(corners).stableNormalized(), centre};
-}
-
-double angle_between(const Vector3& a, const Vector3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 double size_of(const Polyhedron& polyhedron) {

@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "core/document/edits.hpp"
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 
@@ -30,7 +31,7 @@ std::vector<EdgeId> folded_edges(const Polyhedron& polyhedron, double degrees) {
     const Vector3 &a = normals[mesh.face(h)], &b = normals[mesh.face(mesh.twin(h))];
     if (!(a.stableNorm() > 0) || !(b.stableNorm() > 0)) continue;
     const Vector3 u = a.stableNormalized(), v = b.stableNormalized();
-    if (std::atan2(u.cross(v).norm(), u.dot(v)) > radians) out.push_back(polyhedron.edge_id(e));
+    if (angle_between(u, v) > radians) out.push_back(polyhedron.edge_id(e));
   }
   return out;
 }

@@ -25,7 +25,7 @@ double sum_of(const std::vector<double>& values) {
 }
 
 /// Angle from a to b in a triangle that turns counter-clockwise, 0 .. pi.
-double angle_between(const Vector2& a, const Vector2& b) {
+double triangle_angle(const Vector2& a, const Vector2& b) {
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
@@ -112,13 +112,13 @@ void keep_in_limits(std::vector<double>& steps, std::span<const double> angles, 
 double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner) {
   // Patches turn counter-clockwise round 0, so both parts are below a half turn.
   const Vector2& p = charts.corner[corner];
-  return angle_between(charts.corner[mesh.next(corner)] - p, -p) +
-         angle_between(-p, charts.corner[mesh.previous(corner)] - p);
+  return triangle_angle(charts.corner[mesh.next(corner)] - p, -p) +
+         triangle_angle(-p, charts.corner[mesh.previous(corner)] - p);
 }
 
 double place_in_corner(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner) {
   const Vector2 chord = charts.corner[mesh.next(corner)] - charts.corner[mesh.previous(corner)];
-  return angle_between(chord, -charts.corner[corner]) / std::numbers::pi;
+  return triangle_angle(chord, -charts.corner[corner]) / std::numbers::pi;
 }
 
 double flat_share(double step) {

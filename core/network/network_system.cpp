@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/conjugate_gradients.hpp"
 #include "core/base/dense_solver.hpp"
 #include "core/base/parallel.hpp"
 
@@ -351,44 +352,53 @@ void NetworkSystem::combine(std::span<const Index> vertices, std::vector<Vector3
   });
 }
 
+/// The system at some vertices as conjugate gradients want it, projected onto what pins and conditions leave
+/// free.
+struct NetworkSystem::Projected {
+  using Field = std::vector<Vector3>;
+  const NetworkSystem& system;
+  std::span<const Index> vertices;
+  Workspace& work;
+
+  void apply(const Field& x, Field& y) const {
+    system.apply(vertices, x, work, y);
+    system.project(vertices, y);
+  }
+  void precondition(const Field& r, Field& z) const { system.precondition(vertices, r, z); }
+  double dot(const Field& a, const Field& b) const { return system.dot(vertices, a, b); }
+  void combine(Field& y, double scale, double factor, const Field& x) const {
+    system.combine(vertices, y, scale, factor, x);
+  }
+};
+
 NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
                                              const SolveOptions& options) const {
   const std::vector<Index>& vertices = options.active_vertices ? *options.active_vertices : all_vertices_;
   const std::vector<Vector3> zero(frames_.basis_count(), Vector3::Zero());
-  std::vector<Vector3> z = zero, q = zero;
+  ConjugateGradientsRoom<std::vector<Vector3>, double> room{zero, zero, zero, zero};
+  std::vector<Vector3>&r = room.residual, &q = room.image;
   Workspace work{std::vector<Vector3>(edge_ends_.size(), Vector3::Zero()), rays_.make_workspace(vertices)};
   const int limit = !ties_.empty() ? max_steps_with_ties : rays_.empty() ? max_steps : max_steps_with_rays;
   Solution solution;
   std::vector<Vector3>& x = solution.basis;
   x = starting_point(vertices, options);
 
-  std::vector<Vector3> r = right_side(vertices, positions);
+  r = right_side(vertices, positions);
   if (!frames_.offset.empty() && !options.homogeneous) {  // the solution moves by the offsets of kept forms
     apply(vertices, frames_.offset, work, q);
     combine(vertices, r, 1, 1, q);
   }
   std::vector<Vector3> b = r;
   project(vertices, b);
-  precondition(vertices, b, z);
-  const double goal = options.tolerance * options.tolerance * dot(vertices, b, z);
+  precondition(vertices, b, room.preconditioned);
+  room.enough = options.tolerance * options.tolerance * dot(vertices, b, room.preconditioned);
+  // The start need not lie in the free directions: what it leaves is projected here, and measured against b.
   apply(vertices, x, work, q);
   combine(vertices, r, 1, -1, q);
   project(vertices, r);
-  precondition(vertices, r, z);
-  std::vector<Vector3> p = z;
-  double rz = dot(vertices, r, z);
-  while (rz > goal && solution.iterations < limit) {
-    apply(vertices, p, work, q);
-    project(vertices, q);
-    const double step = rz / dot(vertices, p, q);
-    combine(vertices, x, 1, step, p);
-    combine(vertices, r, 1, -step, q);
-    precondition(vertices, r, z);
-    const double next = dot(vertices, r, z);
-    combine(vertices, p, next / rz, 1, z);
-    rz = next;
-    ++solution.iterations;
-  }
+  Projected system{*this, vertices, work};
+  solution.iterations =
+      conjugate_gradients(system, x, room, {.max_steps = limit, .corrected = true}, {}).iterations;
   // Rounding of many steps would otherwise leave the pinned planes a little.
   keep_in_planes(vertices, x);
   for (const auto& [v, vertex] : conditioned_)

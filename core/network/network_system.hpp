@@ -87,6 +87,7 @@ class NetworkSystem {
     std::vector<Vector3> end_tangents;
     NetworkRays::Workspace rays;
   };
+  struct Projected;
   void apply(std::span<const Index> vertices, const std::vector<Vector3>& x, Workspace& work,
              std::vector<Vector3>& y) const;
   void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r,

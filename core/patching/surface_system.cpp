@@ -6,7 +6,7 @@
 namespace hariko {
 
 namespace {
-constexpr std::size_t face_grain = 64;
+constexpr std::size_t base_face_grain = 64;
 }
 
 FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const Vector3> positions,
@@ -33,7 +33,7 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
 
   const PatchBuilder builder(mesh, system.constants, positions, network, split);
   const auto build_base = [&] {
-    parallel_for(faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(faces.size(), base_face_grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
         for (Index h = mesh.face_begin(faces[k]); h < mesh.face_end(faces[k]); ++h)
           patches[h] = builder.base_patch(h);

@@ -6,14 +6,14 @@
 #include <numeric>
 
 #include "core/base/assert.hpp"
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 namespace {
 
 /// Along the mean normal, scaled to an extent of about 1; where there is no mean normal, along the axis that
 /// the polygon extends least along.
-std::vector<Vector2> flattened(std::span<const Vector3> corners) {
+std::vector<Vector2> in_mean_plane(std::span<const Vector3> corners) {
   Vector3 low = Vector3::Zero(), high = Vector3::Zero();
   for (const Vector3& p : corners) {
     low = low.cwiseMin(p - corners[0]);
@@ -30,16 +30,13 @@ std::vector<Vector2> flattened(std::span<const Vector3> corners) {
     normal = Vector3::Unit(thin);
   }
   normal.normalize();
-  const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
-  std::vector<Vector2> out;
-  for (const Vector3& p : scaled) out.emplace_back(x.dot(p), y.dot(p));
-  return out;
+  return flattened(scaled, Vector3::Zero(), normal);
 }
 
 class EarClipper {
  public:
   EarClipper(std::span<const Vector3> corners, const MayJoin& may_join)
-      : points_(flattened(corners)), may_join_(may_join), ring_(corners.size()) {
+      : points_(in_mean_plane(corners)), may_join_(may_join), ring_(corners.size()) {
     std::iota(ring_.begin(), ring_.end(), Index{0});
     ears_.resize(ring_.size());
     for (std::size_t i = 0; i < ring_.size(); ++i) judge(i);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/polyhedron/message_group.hpp"
 #include "core/polyhedron/near_vertices.hpp"
 #include "core/polyhedron/validation.hpp"

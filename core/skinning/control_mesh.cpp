@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "core/geometry/edge_key.hpp"
+
 namespace hariko {
 
 bool ControlMesh::all_quads() const {
@@ -27,10 +29,10 @@ Result<Done> check(const ControlMesh& control) {
     const Element element{Element::Kind::face, f};
     if (face.size() < 3) return wrong("A face of the control mesh has fewer than three corners.", element);
     for (std::size_t i = 0; i < face.size(); ++i) {
-      const std::uint64_t a = face[i], b = face[(i + 1) % face.size()];
+      const Index a = face[i], b = face[(i + 1) % face.size()];
       if (a >= mesh.positions.size())
         return wrong("A face uses a control point that does not exist.", element);
-      if (a == b || !seen.insert((a << 32) | b).second)
+      if (a == b || !seen.insert(half_edge_key(a, b)).second)
         return wrong("The control mesh folds onto itself: an edge is used twice in one direction.", element);
     }
   }

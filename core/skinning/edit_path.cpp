@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/rotation.hpp"
+#include "core/geometry/rotation.hpp"
 #include "core/skinning/deleted_parameter.hpp"
 #include "core/skinning/skin_frames.hpp"
 #include "core/skinning/skin_messages.hpp"

@@ -5,6 +5,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/geometry/edge_key.hpp"
+
 namespace hariko {
 
 namespace {
@@ -16,7 +18,7 @@ class QuadWalk {
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
       const auto face = mesh_.face(f);
       for (std::size_t i = 0; i < face.size(); ++i)
-        half_edge_[key(face[i], face[(i + 1) % face.size()])] = {Index(f), int(i)};
+        half_edge_[half_edge_key(face[i], face[(i + 1) % face.size()])] = {Index(f), int(i)};
     }
     const std::size_t n = mesh_.positions.size();
     struct Ring {
@@ -31,7 +33,7 @@ class QuadWalk {
         ++r.faces;
         r.quads = r.quads && face.size() == 4;
         const Index next = face[(i + 1) % face.size()];
-        if (!half_edge_.contains(key(next, face[i]))) ++r.borders, ++ring[next].borders;
+        if (!half_edge_.contains(half_edge_key(next, face[i]))) ++r.borders, ++ring[next].borders;
       }
     }
     for (const auto& crease : control.creases) ring[crease.a].sharp = ring[crease.b].sharp = true;
@@ -54,7 +56,7 @@ class QuadWalk {
   /// that face goes round.
   std::optional<std::pair<Index, int>> beyond(Index face, int side) const {
     const auto v = mesh_.face(face);
-    const auto found = half_edge_.find(key(v[std::size_t((side + 1) % 4)], v[std::size_t(side)]));
+    const auto found = half_edge_.find(half_edge_key(v[std::size_t((side + 1) % 4)], v[std::size_t(side)]));
     if (found == half_edge_.end()) return {};
     return found->second;
   }
@@ -62,7 +64,6 @@ class QuadWalk {
   const Vector3& position(Index v) const { return mesh_.positions[v]; }
 
  private:
-  static std::uint64_t key(Index a, Index b) { return (std::uint64_t(a) << 32) | b; }
   const PolygonMesh& mesh_;
   std::unordered_map<std::uint64_t, std::pair<Index, int>> half_edge_;
   std::vector<char> regular_;

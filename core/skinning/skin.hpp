@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/skinning/mirror_plane.hpp"
+#include "core/geometry/mirror_plane.hpp"
 #include "core/skinning/subdivision_curve.hpp"
 
 namespace hariko {

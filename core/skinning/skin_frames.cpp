@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/assert.hpp"
+#include "core/geometry/angles.hpp"
 #include "core/skinning/skin_messages.hpp"
 
 namespace hariko {
@@ -55,7 +56,7 @@ void close(const SubdivisionCurve& path, std::vector<Vector3>& reference) {
   const int count = int(reference.size()) - 1;
   const Vector3 t = unit_tangent(path, 0);
   const Vector3 &last = reference.back(), &first = reference.front();
-  const double angle = std::atan2(t.dot(last.cross(first)), last.dot(first));
+  const double angle = signed_angle(last, first, t);
   std::vector<double> arc{0};
   for (int i = 0; i < count; ++i)
     arc.push_back(
@@ -75,7 +76,7 @@ double total_turning(const SubdivisionCurve& curve) {
   double sum = 0;
   for (int i = 0; i < count; ++i) {
     const Vector3 a = unit_tangent(curve, double(i) / count), b = unit_tangent(curve, double(i + 1) / count);
-    sum += std::atan2(a.cross(b).norm(), a.dot(b));
+    sum += angle_between(a, b);
   }
   return sum;
 }

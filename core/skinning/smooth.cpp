@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/assert.hpp"
+#include "core/base/disjoint_sets.hpp"
 #include "core/skinning/column_memory.hpp"
 #include "core/skinning/column_parameters.hpp"
 #include "core/skinning/monotone_cubic.hpp"
@@ -99,17 +100,17 @@ class AnchorChains {
   AnchorChains(const Skin& skin, const SkinPlan& plan) : skin_(skin), plan_(plan) {
     for (const SkinLink& link : skin.links) {
       const int a = skin.find_section(link.first), b = skin.find_section(link.second);
-      const std::size_t x = node(a, link.a), y = node(b, link.b);
-      parent_[find(x)] = find(y);
+      const Index x = node(a, link.a), y = node(b, link.b);
+      tied_.join(x, y);
     }
   }
 
   /// One row a chain, one parameter a section: those of a chain on a section are averaged, what it does not
   /// reach is interpolated along the path.
   std::vector<std::vector<double>> rows() {
-    std::map<std::size_t, std::map<int, std::vector<double>>> chains;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      chains[find(i)][nodes_[i].first].push_back(nodes_[i].second);
+    std::map<Index, std::map<int, std::vector<double>>> chains;
+    for (Index i = 0; i < nodes_.size(); ++i)
+      chains[tied_.find(i)][nodes_[i].first].push_back(nodes_[i].second);
     std::vector<std::vector<double>> out;
     for (auto& [root, sections] : chains) {
       // All on the turn of the chain's first parameter.
@@ -142,25 +143,20 @@ class AnchorChains {
   }
 
  private:
-  std::size_t node(int section, const std::vector<std::uint32_t>& ids) {
+  Index node(int section, const std::vector<std::uint32_t>& ids) {
     const SkinSection& s = skin_.sections[std::size_t(section)];
     double sum = 0;
     for (const std::uint32_t id : ids) sum += s.curve().parameter(find_point(s, id));
     const std::pair<int, double> made{section, sum / double(ids.size()) - plan_.starts[std::size_t(section)]};
     const auto found = std::find(nodes_.begin(), nodes_.end(), made);
-    if (found != nodes_.end()) return std::size_t(found - nodes_.begin());
+    if (found != nodes_.end()) return Index(found - nodes_.begin());
     nodes_.push_back(made);
-    parent_.push_back(parent_.size());
-    return nodes_.size() - 1;
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
+    return tied_.add();
   }
   const Skin& skin_;
   const SkinPlan& plan_;
   std::vector<std::pair<int, double>> nodes_;
-  std::vector<std::size_t> parent_;
+  DisjointSets tied_;
 };
 
 /// Turned so that the sum of the differences from `first`, once round, is the least.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/geometry/polygon.hpp"
+
 namespace hariko {
 
 namespace {
@@ -34,15 +36,6 @@ double length_of(const std::vector<Vector2>& points) {
   return out;
 }
 
-double area_of(const std::vector<Vector2>& points) {
-  double out = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector2 &p = points[i], &q = points[(i + 1) % points.size()];
-    out += p.x() * q.y() - p.y() * q.x();
-  }
-  return std::abs(out) / 2;
-}
-
 /// Largest distance of points first .. last from their chord.
 double deviation(const std::vector<Vector2>& points, std::size_t first, std::size_t last) {
   double out = 0;
@@ -61,7 +54,6 @@ SegmentFoot foot_on_segment(const Vector2& a, const Vector2& b, const Vector2& p
 }
 
 SegmentCrossing cross_segments(const Vector2& a0, const Vector2& a1, const Vector2& b0, const Vector2& b1) {
-  const auto cross = [](const Vector2& x, const Vector2& y) { return x.x() * y.y() - x.y() * y.x(); };
   const Vector2 a = a1 - a0, b = b1 - b0;
   const double denominator = cross(a, b);
   if (denominator == 0) return {};
@@ -69,22 +61,12 @@ SegmentCrossing cross_segments(const Vector2& a0, const Vector2& a1, const Vecto
   return {along_a >= 0 && along_a <= 1 && along_b >= 0 && along_b <= 1, along_a, along_b};
 }
 
-bool inside_polygon(const std::vector<Vector2>& polygon, const Vector2& point) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vector2 &p = polygon[i], &q = polygon[j];
-    if ((p.y() > point.y()) != (q.y() > point.y()) &&
-        point.x() < (q.x() - p.x()) * (point.y() - p.y()) / (q.y() - p.y()) + p.x())
-      inside = !inside;
-  }
-  return inside;
-}
-
 Stroke classify_stroke(const std::vector<Vector2>& pixels) {
   const std::vector<Vector2> points = resampled(pixels);
   if (points.size() < 2) return {};
   const double length = length_of(points), gap = (points.back() - points.front()).norm();
-  if (gap < std::max(12.0, 0.08 * length) && area_of(points) > 150) return {StrokeKind::lasso, points};
+  if (gap < std::max(12.0, 0.08 * length) && std::abs(twice_area(points)) / 2 > 150)
+    return {StrokeKind::lasso, points};
   if (gap > 20 && deviation(points, 0, points.size() - 1) < std::max(6.0, 0.06 * gap))
     return {StrokeKind::line, {points.front(), points.back()}};
   // The corner that leaves the straightest legs.

@@ -23,9 +23,6 @@ struct Stroke {
 /// into two legs, each straight to 10% of its length. O(n^2) for n resampled points.
 Stroke classify_stroke(const std::vector<Vector2>& pixels);
 
-/// Even-odd rule.
-bool inside_polygon(const std::vector<Vector2>& polygon, const Vector2& point);
-
 /// Where segments a0-a1 and b0-b1 cross, as fractions of both; nothing where they do not.
 struct SegmentCrossing {
   bool crosses = false;

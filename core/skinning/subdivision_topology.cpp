@@ -11,6 +11,7 @@
 
 #include "core/base/assert.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/edge_key.hpp"
 
 namespace hariko {
 
@@ -206,19 +207,11 @@ std::shared_ptr<const StencilTable> SubdivisionTopology::table(Index patch, int 
   return at->second;
 }
 
-namespace {
-
-std::uint64_t packed(Index a, Index b) {
-  return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
-}
-
-}  // namespace
-
 /// Nodes, seams, boundary and owners. A side is named by the nodes at its ends and the edge it lies on.
 void SubdivisionTopology::join_sides() {
   const PolygonMesh& mesh = mesh_.mesh;
   std::unordered_map<std::uint64_t, double> crease;
-  for (const auto& c : mesh_.creases) crease[packed(c.a, c.b)] = c.sharpness;
+  for (const auto& c : mesh_.creases) crease[edge_key(c.a, c.b)] = c.sharpness;
   vertex_nodes_.assign(mesh.positions.size(), no_index);
   std::unordered_map<std::uint64_t, Index> middle_node;
   std::vector<Index> nodes;
@@ -235,7 +228,7 @@ void SubdivisionTopology::join_sides() {
     const std::size_t n = face.size();
     Index centre = no_index;
     const auto middle = [&](std::size_t edge) {
-      add_node(middle_node.try_emplace(packed(face[edge], face[(edge + 1) % n]), no_index).first->second,
+      add_node(middle_node.try_emplace(edge_key(face[edge], face[(edge + 1) % n]), no_index).first->second,
                no_index);
     };
     for (std::size_t c = 0; c < n; ++c) {
@@ -281,7 +274,7 @@ void SubdivisionTopology::join_sides() {
         continue;
       }
       if (a > b) continue;
-      const auto found = crease.find(packed(a, b));
+      const auto found = crease.find(edge_key(a, b));
       const double sharpness = found == crease.end() ? 0 : found->second;
       const Continuity intended = sharpness >= infinitely_sharp ? Continuity::g0
                                   : sharpness > 0               ? Continuity::g1

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/expansion.hpp"
+#include "core/geometry/expansion.hpp"
 
 namespace hariko {
 

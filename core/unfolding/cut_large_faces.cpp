@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/unfolding/best_turn.hpp"
 #include "core/unfolding/face_triangles.hpp"
 #include "core/unfolding/facet_graph.hpp"

@@ -4,27 +4,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 
 namespace hariko {
 
 namespace {
-
-double twice_area(const Vector2& a, const Vector2& b, const Vector2& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
 
 /// A polygon in its mean plane whose ears are cut off one by one.
 class EarCutter {
  public:
   explicit EarCutter(std::span<const Vector3> corners) {
     const Vector3 normal = newell_normal(corners).normalized();
-    const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
+    points_ = flattened(corners, corners[0], normal);
     for (Index k = 0; k < corners.size(); ++k) {
-      const Vector3 p = corners[k] - corners[0];
-      points_.emplace_back(p.dot(x), p.dot(y));
       ring_.push_back(k);
-      largest_ = std::max(largest_, p.squaredNorm());
+      largest_ = std::max(largest_, (corners[k] - corners[0]).squaredNorm());
     }
     for (std::size_t i = 0; i < ring_.size(); ++i) score_.push_back(score(i));
   }

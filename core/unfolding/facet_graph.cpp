@@ -6,6 +6,8 @@
 #include <string>
 
 #include "core/base/ids.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/triangle.hpp"
 #include "core/polyhedron/edge_table.hpp"
 #include "core/polyhedron/face_check.hpp"
 #include "core/polyhedron/mesh_errors.hpp"
@@ -19,8 +21,8 @@ namespace {
 
 constexpr const char* refusal = "The mesh cannot be unfolded: ";
 
-Vector3 area_vector(const std::vector<Vector3>& positions, std::span<const Index> face) {
-  return (positions[face[1]] - positions[face[0]]).cross(positions[face[2]] - positions[face[0]]);
+Vector3 area_of_facet(const std::vector<Vector3>& positions, std::span<const Index> face) {
+  return area_vector(positions[face[0]], positions[face[1]], positions[face[2]]);
 }
 
 std::vector<std::array<Index, 3>> triangles_of(const PolygonMesh& mesh, std::size_t face) {
@@ -69,10 +71,6 @@ void report_polygons(const PolygonMesh& mesh, std::size_t limit, std::vector<Mes
       out.push_back(std::move(message));
 }
 
-double signed_fold_angle(const Vector3& first, const Vector3& second, const Vector3& direction) {
-  return std::atan2(direction.dot(first.cross(second)), first.dot(second));
-}
-
 }  // namespace
 
 std::vector<Message> unfolding_errors(const PolygonMesh& mesh, std::size_t limit) {
@@ -114,7 +112,7 @@ void FacetGraph::add_facets(const PolygonMesh& mesh) {
     for (const auto& triangle : triangles_of(mesh, f)) {
       const auto facet = static_cast<Index>(triangles_.size());
       triangles_.push_back({face[triangle[0]], face[triangle[1]], face[triangle[2]]});
-      areas_.push_back(0.5 * area_vector(positions_, triangles_.back()).norm());
+      areas_.push_back(0.5 * area_of_facet(positions_, triangles_.back()).norm());
       face_of_.push_back(static_cast<Index>(f));
       for (Index k = 0; k < 3; ++k)
         if (triangle[(k + 1) % 3] == (triangle[k] + 1) % face.size())
@@ -135,7 +133,7 @@ void FacetGraph::add_edge(FacetEdge edge) {
   if (!edge.border()) {
     const auto& corners = triangles_[edge.facets[0]];
     const Vector3 along = positions_[corners[(edge.sides[0] + 1) % 3]] - positions_[corners[edge.sides[0]]];
-    edge.fold_angle = signed_fold_angle(normal(edge.facets[0]), normal(edge.facets[1]), along / edge.length);
+    edge.fold_angle = signed_angle(normal(edge.facets[0]), normal(edge.facets[1]), along / edge.length);
   }
   for (std::size_t k = 0; k < 2; ++k)
     if (edge.facets[k] != no_index)
@@ -215,7 +213,7 @@ double FacetGraph::total_area() const {
 }
 
 Vector3 FacetGraph::normal(Index facet) const {
-  return area_vector(positions_, triangles_[facet]).normalized();
+  return area_of_facet(positions_, triangles_[facet]).normalized();
 }
 
 PolygonMesh polygons_of(const TriangleMesh& mesh) {

@@ -1,7 +1,6 @@
 // The arrows between the folders, checked on every #include line: app -> ui -> render -> core, and inside
 // core modeling, unfolding -> document, unfolding -> exchange, and document, analysis, exchange -> patching
-// -> g2 -> network -> polyhedron, surface
-// -> base.
+// -> g2 -> network -> polyhedron, surface -> geometry -> base.
 
 #include <gtest/gtest.h>
 
@@ -26,27 +25,31 @@ using Names = std::set<std::string>;
 const std::map<std::string, Names>& core_arrows() {
   static const std::map<std::string, Names> arrows = {
       {"base", {"base"}},
-      {"polyhedron", {"polyhedron", "base"}},
-      {"surface", {"surface", "base"}},
-      {"skinning", {"skinning", "polyhedron", "surface", "base"}},
-      {"network", {"network", "polyhedron", "base"}},
-      {"g2", {"g2", "network", "polyhedron", "surface", "base"}},
-      {"patching", {"patching", "g2", "network", "polyhedron", "surface", "base"}},
-      {"envelope", {"envelope", "patching", "network", "polyhedron", "surface", "base"}},
-      {"gaussmap", {"gaussmap", "analysis", "patching", "network", "polyhedron", "surface", "base"}},
+      {"geometry", {"geometry", "base"}},
+      {"polyhedron", {"polyhedron", "geometry", "base"}},
+      {"surface", {"surface", "geometry", "base"}},
+      {"skinning", {"skinning", "polyhedron", "surface", "geometry", "base"}},
+      {"network", {"network", "polyhedron", "geometry", "base"}},
+      {"g2", {"g2", "network", "polyhedron", "surface", "geometry", "base"}},
+      {"patching", {"patching", "g2", "network", "polyhedron", "surface", "geometry", "base"}},
+      {"envelope", {"envelope", "patching", "network", "polyhedron", "surface", "geometry", "base"}},
+      {"gaussmap",
+       {"gaussmap", "analysis", "patching", "network", "polyhedron", "surface", "geometry", "base"}},
       {"document",
        {"document", "skinning", "envelope", "gaussmap", "patching", "network", "polyhedron", "surface",
-        "base"}},
+        "geometry", "base"}},
       {"modeling",
        {"modeling", "document", "approximation", "skinning", "envelope", "gaussmap", "patching", "network",
-        "polyhedron", "surface", "base"}},
-      {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "base"}},
-      {"approximation", {"approximation", "surface", "base"}},
-      {"cad", {"cad", "skinning", "g2", "patching", "network", "polyhedron", "surface", "base"}},
-      {"exchange", {"exchange", "skinning", "patching", "network", "polyhedron", "surface", "base"}},
-      {"drawing", {"drawing", "exchange", "surface", "base"}},
+        "polyhedron", "surface", "geometry", "base"}},
+      {"analysis", {"analysis", "patching", "network", "polyhedron", "surface", "geometry", "base"}},
+      {"approximation", {"approximation", "surface", "geometry", "base"}},
+      {"cad", {"cad", "skinning", "g2", "patching", "network", "polyhedron", "surface", "geometry", "base"}},
+      {"exchange",
+       {"exchange", "skinning", "patching", "network", "polyhedron", "surface", "geometry", "base"}},
+      {"drawing", {"drawing", "exchange", "surface", "geometry", "base"}},
       {"unfolding",
-       {"unfolding", "document", "exchange", "patching", "network", "polyhedron", "surface", "base"}},
+       {"unfolding", "document", "exchange", "patching", "network", "polyhedron", "surface", "geometry",
+        "base"}},
   };
   return arrows;
 }

@@ -2,9 +2,10 @@
 
 #include <Eigen/Geometry>
 
-#include "core/envelope/convex_hull.hpp"
 #include "core/envelope/solid_shape.hpp"
-#include "core/envelope/winding.hpp"
+#include "core/geometry/tolerant_hull.hpp"
+#include "core/geometry/winding_tree.hpp"
+#include "core/surface/tessellation.hpp"
 #include "tests/envelope/envelope_scenes.hpp"
 #include "tests/support/analytic_patches.hpp"
 
@@ -143,7 +144,7 @@ TEST(ConvexHulls, HoldAllPointsAndHaveCornersOnly) {
     for (int i = 0; i < count; ++i)
       points.push_back(grid ? Vector3(uniform_int(rng, 0, 3), uniform_int(rng, 0, 3), uniform_int(rng, 0, 3))
                             : random_vector(rng));
-    const ConvexHull hull = convex_hull(points, 1e-9);
+    const TolerantHull hull = tolerant_hull(points, 1e-9);
     std::map<std::pair<Index, Index>, int> edges;
     for (const auto& t : hull.triangles) {
       const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).normalized();
@@ -169,7 +170,7 @@ TEST(ConvexHulls, HoldAllPointsAndHaveCornersOnly) {
 TEST(WindingNumbers, SayInsideOfASphereAndHowFar) {
   const Surface surface = sphere(2);
   const TriangleMesh mesh = tessellate(surface, 24);
-  const WindingTree tree(mesh);
+  const WindingTree tree(mesh.positions, mesh.triangles);
   for_random(13, 200, [&](std::mt19937_64& rng) {
     const Vector3 p = random_vector(rng, 3);
     if (std::abs(p.norm() - 2) < 0.02) return;

@@ -7,9 +7,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "core/base/rotation.hpp"
 #include "core/gaussmap/linear_fill.hpp"
 #include "core/gaussmap/minkowski.hpp"
+#include "core/geometry/rotation.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

@@ -5,6 +5,7 @@
 #include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/gaussmap/resample_loop.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
+#include "core/geometry/angles.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "core/surface/bicubic_patch.hpp"
 #include "tests/gaussmap/truths.hpp"

@@ -5,6 +5,7 @@
 #include "core/gaussmap/outline_check.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
 #include "core/gaussmap/spread_normals.hpp"
+#include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

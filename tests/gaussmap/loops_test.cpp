@@ -8,6 +8,7 @@
 #include "core/gaussmap/resample_loop.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
 #include "core/gaussmap/spread_normals.hpp"
+#include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

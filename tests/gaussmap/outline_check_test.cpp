@@ -4,6 +4,7 @@
 
 #include "core/gaussmap/arc_crossings.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
+#include "core/geometry/angles.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

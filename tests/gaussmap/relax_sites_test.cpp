@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <map>
 
-#include "core/gaussmap/orientation.hpp"
 #include "core/gaussmap/site_insertion.hpp"
+#include "core/geometry/orientation.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

@@ -4,7 +4,8 @@
 
 #include <numeric>
 
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/orientation.hpp"
 #include "tests/gaussmap/truths.hpp"
 #include "tests/support/random.hpp"
 

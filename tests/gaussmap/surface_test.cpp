@@ -12,6 +12,7 @@
 
 #include "core/gaussmap/outline_polyhedron.hpp"
 #include "core/gaussmap/sphere_mesh.hpp"
+#include "core/geometry/angles.hpp"
 #include "core/patching/polyhedron_surface.hpp"
 #include "tests/gaussmap/truths.hpp"
 

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "core/document/edit_elements.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/cut_faces.hpp"
 #include "core/modeling/delete_elements.hpp"
 #include "core/modeling/dissolve.hpp"
 #include "core/modeling/merge_vertices.hpp"
 #include "core/polyhedron/face_decomposition.hpp"
-#include "core/polyhedron/face_shape.hpp"
 #include "tests/modeling/operation_cases.hpp"
 
 namespace hariko {

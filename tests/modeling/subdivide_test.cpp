@@ -1,10 +1,10 @@
 // Subdividing edges and faces, poking faces.
 
 #include "core/modeling/subdivide.hpp"
+#include "core/geometry/polygon.hpp"
 
 #include "core/document/edit_elements.hpp"
 #include "core/modeling/face_geometry.hpp"
-#include "core/polyhedron/face_shape.hpp"
 #include "tests/modeling/support.hpp"
 
 namespace hariko {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/document/source.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/modeling/face_geometry.hpp"
 #include "core/modeling/surface_input.hpp"
-#include "core/polyhedron/face_shape.hpp"
 #include "core/polyhedron/volume.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/random_polyhedra.hpp"

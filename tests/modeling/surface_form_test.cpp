@@ -1,13 +1,13 @@
 // Refinements that keep the form of the surface.
 
 #include "core/modeling/surface_form.hpp"
+#include "core/geometry/triangle_tree.hpp"
 
 #include <Eigen/Geometry>
 #include <numbers>
 #include <set>
 
 #include "core/analysis/measures.hpp"
-#include "core/approximation/triangle_tree.hpp"
 #include "core/document/edit_elements.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/format.hpp"

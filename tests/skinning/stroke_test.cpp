@@ -1,4 +1,5 @@
 #include "core/skinning/stroke.hpp"
+#include "core/geometry/polygon.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 #include "core/unfolding/cut_large_faces.hpp"
 #include "core/unfolding/face_triangles.hpp"
 #include "core/unfolding/join_corners.hpp"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/angles.hpp"
+
 namespace hariko {
 
 namespace {

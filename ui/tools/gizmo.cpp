@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/polygon.hpp"
 #include "ui/tools/overlay_drawing.hpp"
 
 namespace hariko {
@@ -20,17 +21,6 @@ double distance_to_segment(const Vector2& p, const Vector2& a, const Vector2& b)
   const Vector2 d = b - a;
   const double t = d.squaredNorm() > 0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0) : 0.0;
   return (a + t * d - p).norm();
-}
-
-bool holds(const std::vector<Vector2>& polygon, const Vector2& p) {
-  bool odd = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vector2 &a = polygon[i], &b = polygon[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
-      odd = !odd;
-  }
-  return odd;
 }
 
 std::string name_of(const GizmoHandle& handle) {
@@ -144,7 +134,7 @@ void Gizmo::leave_out_covered() {
 }
 
 bool Gizmo::Shape::reaches(const Vector2& pixel, double radius) const {
-  if (closed && holds(line, pixel)) return true;
+  if (closed && inside_polygon(line, pixel)) return true;
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
     if (distance_to_segment(pixel, line[i], line[i + 1]) < radius) return true;
   return false;
@@ -172,7 +162,7 @@ std::optional<GizmoHandle> Gizmo::hit(const Vector2& pixel) const {
   for (const Shape& shape : shapes_) {
     // Seen at a slant squares reach under arrows: the line itself wins there.
     if (const double within = hit_radius / 2 * scale_;
-        shape.closed && within < least && holds(shape.line, pixel)) {
+        shape.closed && within < least && inside_polygon(shape.line, pixel)) {
       least = within;
       best = shape.handle;
     }

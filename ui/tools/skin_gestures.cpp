@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "core/geometry/polygon.hpp"
 #include "ui/tools/correspond_tool.hpp"
 
 namespace hariko {

@@ -4,9 +4,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/document/edit_attachments.hpp"
 #include "core/document/edit_solids.hpp"
 #include "core/document/edits.hpp"
@@ -34,22 +34,16 @@ Vector3 world(const Object& object, Index vertex) {
 }
 
 /// For each of the vertices (ascending) a number that those share which selected elements connect.
-std::vector<std::size_t> islands(const std::vector<VertexId>& vertices, const Polyhedron& polyhedron,
-                                 const ElementSelection& elements) {
-  std::vector<std::size_t> root(vertices.size());
-  std::iota(root.begin(), root.end(), std::size_t(0));
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+std::vector<Index> islands(const std::vector<VertexId>& vertices, const Polyhedron& polyhedron,
+                           const ElementSelection& elements) {
+  DisjointSets connected(vertices.size());
   const auto place = [&](VertexId id) {
     const auto it = std::lower_bound(vertices.begin(), vertices.end(), id);
-    return it != vertices.end() && *it == id ? static_cast<std::size_t>(it - vertices.begin())
-                                             : vertices.size();
+    return it != vertices.end() && *it == id ? static_cast<Index>(it - vertices.begin()) : no_index;
   };
   const auto join = [&](VertexId a, VertexId b) {
-    const std::size_t i = place(a), j = place(b);
-    if (i < vertices.size() && j < vertices.size()) root[find(i)] = find(j);
+    const Index i = place(a), j = place(b);
+    if (i != no_index && j != no_index) connected.join(i, j);
   };
   for (const EdgeId& edge : elements.edges) join(edge.low, edge.high);
   for (const FaceId id : elements.faces) {
@@ -62,8 +56,8 @@ std::vector<std::size_t> islands(const std::vector<VertexId>& vertices, const Po
       if (elements.vertices.contains(edge.low) && elements.vertices.contains(edge.high))
         join(edge.low, edge.high);
     }
-  std::vector<std::size_t> island(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) island[i] = find(i);
+  std::vector<Index> island(vertices.size());
+  for (Index i = 0; i < vertices.size(); ++i) island[i] = connected.find(i);
   return island;
 }
 
@@ -244,7 +238,7 @@ void TransformTarget::choose_own_pivots(const Editor& editor) {
     for (std::size_t i = 0; i < part.solids.size(); ++i) part.pivots[i] = part.solids[i].position;
     if (!part.polyhedron) continue;
     const auto island = islands(part.vertices, *part.polyhedron, editor.selection.of(part.object));
-    std::map<std::size_t, std::vector<Vector3>> points;
+    std::map<Index, std::vector<Vector3>> points;
     for (std::size_t i = 0; i < island.size(); ++i) points[island[i]].push_back(part.start[i]);
     for (std::size_t i = 0; i < island.size(); ++i) part.pivots[i] = mean(points[island[i]]);
   }

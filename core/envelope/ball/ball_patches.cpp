@@ -8,6 +8,7 @@
 #include "core/base/assert.hpp"
 #include "core/base/ids.hpp"
 #include "core/base/parallel.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
@@ -174,7 +175,7 @@ std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const Hermi
       const auto angle = [&](int i, int j, int k, int l) {
         const Vector3 &a = wanted[std::size_t(pattern.index(i, j))],
                       &b = wanted[std::size_t(pattern.index(k, l))];
-        return std::atan2(a.cross(b).norm(), a.dot(b));
+        return angle_between(a, b);
       };
       for (int line = 0; line <= intervals; ++line) {
         double u = 0, v = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/envelope/network/split_face.hpp"
+#include "core/geometry/mirror_plane.hpp"
 
 namespace hariko {
 
@@ -193,9 +194,9 @@ CurveNetwork curve_network(NetworkCage cage, std::span<const NetworkSolid> solid
 }
 
 bool is_symmetric(const CurveNetwork& network, Eigen::Index axis, double tolerance) {
-  const auto are_images = [&](const Vector3& a, Vector3 b) {
-    b[axis] *= -1;
-    return (a - b).norm() <= tolerance;
+  const MirrorPlane plane{static_cast<int>(axis), 0};
+  const auto are_images = [&](const Vector3& a, const Vector3& b) {
+    return (a - plane.image(b)).norm() <= tolerance;
   };
   const std::vector<CageVertex>& vertices = network.cage.vertices;
   std::vector<Index> image;

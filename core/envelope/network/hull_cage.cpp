@@ -8,7 +8,9 @@
 #include <set>
 #include <tuple>
 
-#include "core/envelope/convex_hull.hpp"
+#include "core/geometry/angles.hpp"
+#include "core/geometry/polygon.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {
 
@@ -27,14 +29,6 @@ struct Candidate {
   Vector3 position;
   Index solid, vertex;
 };
-
-Vector3 newell_normal(std::span<const Index> loop, std::span<const CageVertex> vertices) {
-  Vector3 sum = Vector3::Zero();
-  const Vector3& o = vertices[loop[0]].position;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    sum += (vertices[loop[i]].position - o).cross(vertices[loop[i + 1]].position - o);
-  return sum.stableNormalized();
-}
 
 /// Turns n towards the mean of the faces' normals until every face has m . n >= its limit.
 void guard_frame(CageVertex& vertex, const std::vector<std::pair<Vector3, double>>& faces) {
@@ -104,7 +98,7 @@ class HullCageBuilder {
     std::vector<Vector3> positions;
     for (const Candidate& c : left) positions.push_back(c.position);
     all_.clear();
-    for (const Index v : convex_hull(positions, hull_tolerance * size_).vertices) all_.push_back(left[v]);
+    for (const Index v : tolerant_hull(positions, hull_tolerance * size_).vertices) all_.push_back(left[v]);
   }
 
   std::vector<Index> thinned() {
@@ -129,7 +123,7 @@ class HullCageBuilder {
   bool triangulate(const std::vector<Index>& kept) {
     std::vector<Vector3> positions;
     for (const Index k : kept) positions.push_back(all_[k].position);
-    const ConvexHull hull = convex_hull(positions, hull_tolerance * size_);
+    const TolerantHull hull = tolerant_hull(positions, hull_tolerance * size_);
     cage_ = {};
     for (const Index k : kept) {
       const NetworkSolid& solid = solids_[all_[k].solid];
@@ -145,7 +139,10 @@ class HullCageBuilder {
     return !cage_.faces.empty();
   }
 
-  Vector3 normal_of(const std::vector<Index>& loop) const { return newell_normal(loop, cage_.vertices); }
+  Vector3 normal_of(const std::vector<Index>& loop) const {
+    return newell_normal(loop.size(), [&](std::size_t i) { return cage_.vertices[loop[i]].position; })
+        .stableNormalized();
+  }
 
   void set_frames() {
     std::vector<std::vector<std::pair<Vector3, double>>> faces(cage_.vertices.size());
@@ -205,7 +202,7 @@ class HullCageBuilder {
 
   double dihedral(Index f, Index g) const {
     const Vector3 m = normal_of(cage_.faces[f].loop), n = normal_of(cage_.faces[g].loop);
-    return std::atan2(m.cross(n).norm(), m.dot(n)) / degree;
+    return angle_between(m, n) / degree;
   }
 
   /// The first of two faces takes the loop without their common edge a-b, the other one is emptied.

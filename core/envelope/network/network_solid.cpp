@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/base/small_solver.hpp"
-#include "core/envelope/convex_hull.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 namespace hariko {
 
@@ -44,7 +44,7 @@ void set_polyhedron(NetworkSolid& solid, const Solid& authored, const Matrix3& r
   Vector3 low = points[0], high = points[0];
   for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double size = (high - low).norm();
-  const ConvexHull hull = convex_hull(points, solid_hull_tolerance * size);
+  const TolerantHull hull = tolerant_hull(points, solid_hull_tolerance * size);
   Vector3 centroid = Vector3::Zero(), mean = Vector3::Zero();
   double volume = 0;
   const Vector3 middle = 0.5 * (low + high);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/angles.hpp"
+
 namespace hariko {
 
 namespace {
@@ -110,7 +112,7 @@ class FaceSplitter {
     std::vector<double> sector(n);
     for (std::size_t k = 0; k < n; ++k) {
       const Vector3 &a = outward[k], &b = outward[(k + 1) % n];
-      sector[k] = std::atan2(a.cross(b).dot(normal_), a.dot(b));
+      sector[k] = signed_angle(a, b, normal_);
     }
     double total = 0;
     for (const double s : sector) total += s;

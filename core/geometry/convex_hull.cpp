@@ -1,9 +1,9 @@
-#include "core/gaussmap/convex_hull.hpp"
+#include "core/geometry/convex_hull.hpp"
 
 #include <algorithm>
 
 #include "core/base/assert.hpp"
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/orientation.hpp"
 
 namespace hariko {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Distances to segments and closed triangles; shapes of triangles.
+// Triangles in space: areas, normals, angles, distances.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,10 +10,16 @@
 #include <span>
 
 #include "core/base/vector.hpp"
+#include "core/geometry/angles.hpp"
 
 namespace hariko {
 
-using FacetCorners = std::array<Vector3, 3>;
+using TriangleCorners = std::array<Vector3, 3>;
+
+/// At right angles to the triangle, as long as twice its area.
+inline Vector3 area_vector(const Vector3& a, const Vector3& b, const Vector3& c) {
+  return (b - a).cross(c - a);
+}
 
 inline double squared_distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 edge = b - a, offset = p - a;
@@ -25,7 +31,7 @@ inline double squared_distance_to_segment(const Vector3& p, const Vector3& a, co
 /// A triangle prepared for many distances. One without area is its longest edge.
 class ClosedTriangle {
  public:
-  explicit ClosedTriangle(const FacetCorners& corners) : p_(corners) {
+  explicit ClosedTriangle(const TriangleCorners& corners) : p_(corners) {
     const Vector3 e = p_[1] - p_[0], f = p_[2] - p_[0];
     const Vector3 normal = e.cross(f);
     const double square = normal.squaredNorm(), size = std::max(e.squaredNorm(), f.squaredNorm());
@@ -78,18 +84,13 @@ class ClosedTriangle {
     constexpr double rounding = 1e-13;
     return b >= -rounding && c >= -rounding && b + c <= 1 + rounding;
   }
-  FacetCorners p_;
+  TriangleCorners p_;
   Vector3 normal_ = Vector3::Zero(), second_ = Vector3::Zero(), third_ = Vector3::Zero();
   bool flat_ = false;
 };
 
-/// Angle between two vectors, radians; accurate for small ones. Zero where one of them is zero.
-inline double angle_between(const Vector3& a, const Vector3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /// Whether an angle of a triangle is below one whose tangent is given, at most a right angle.
-inline bool has_sharp_angle(const FacetCorners& p, double tangent) {
+inline bool has_sharp_angle(const TriangleCorners& p, double tangent) {
   const Vector3 e = p[1] - p[0], f = p[2] - p[1], g = p[0] - p[2];
   const double area = e.cross(f).norm();  // twice; the same from every corner
   return area < tangent * std::max({-e.dot(g), -f.dot(e), -g.dot(f)});
@@ -97,13 +98,13 @@ inline bool has_sharp_angle(const FacetCorners& p, double tangent) {
 
 /// Unit normal; zero for a triangle without area.
 inline Vector3 facet_normal(const Vector3& a, const Vector3& b, const Vector3& c) {
-  const Vector3 normal = (b - a).cross(c - a);
+  const Vector3 normal = area_vector(a, b, c);
   const double size = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
   const double length = normal.norm();
   return length > 1e-12 * size ? Vector3(normal / length) : Vector3::Zero();
 }
 
-inline double smallest_angle(const FacetCorners& p) {
+inline double smallest_angle(const TriangleCorners& p) {
   double out = 4;
   for (std::size_t c = 0; c < 3; ++c)
     out = std::min(out, angle_between(p[(c + 1) % 3] - p[c], p[(c + 2) % 3] - p[c]));

@@ -1,4 +1,4 @@
-#include "core/base/rotation.hpp"
+#include "core/geometry/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>

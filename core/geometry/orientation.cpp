@@ -1,9 +1,9 @@
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/orientation.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "core/base/expansion.hpp"
+#include "core/geometry/expansion.hpp"
 
 namespace hariko {
 namespace {

@@ -1,6 +1,5 @@
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,15 +21,6 @@ Vector3 widest_normal(std::span<const Vector3> corners) {
     if (candidate.squaredNorm() > normal.squaredNorm()) normal = candidate;
   }
   return normal.norm() > 1e-12 * diagonal.squaredNorm() ? normal : Vector3::Zero();
-}
-
-std::vector<Vector2> project(std::span<const Vector3> corners, const Vector3& normal) {
-  const Vector3 n = normal.normalized();
-  const Vector3 x = n.unitOrthogonal(), y = n.cross(x);
-  std::vector<Vector2> out;
-  out.reserve(corners.size());
-  for (const Vector3& p : corners) out.emplace_back(x.dot(p - corners[0]), y.dot(p - corners[0]));
-  return out;
 }
 
 /// True when the open segments ab and cd cross in a single inner point.
@@ -81,10 +71,34 @@ Turning turning_of(const std::vector<Vector2>& corners) {
 }  // namespace
 
 Vector3 newell_normal(std::span<const Vector3> corners) {
-  Vector3 sum = Vector3::Zero();
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+  return newell_normal(corners.size(), [&](std::size_t i) -> const Vector3& { return corners[i]; });
+}
+
+std::vector<Vector2> flattened(std::span<const Vector3> points, const Vector3& origin,
+                               const Vector3& normal) {
+  const Vector3 x = normal.unitOrthogonal(), y = normal.cross(x);
+  std::vector<Vector2> out;
+  out.reserve(points.size());
+  for (const Vector3& p : points) out.emplace_back(x.dot(p - origin), y.dot(p - origin));
+  return out;
+}
+
+double twice_area(std::span<const Vector2> corners) {
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    sum += cross(corners[i], corners[(i + 1) % corners.size()]);
   return sum;
+}
+
+bool inside_polygon(std::span<const Vector2> corners, const Vector2& point) {
+  bool inside = false;
+  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+    const Vector2 &a = corners[i], &b = corners[j];
+    if ((a.y() > point.y()) != (b.y() > point.y()) &&
+        point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y()))
+      inside = !inside;
+  }
+  return inside;
 }
 
 FaceShape classify_face(std::span<const Vector3> corners) {
@@ -95,7 +109,7 @@ FaceShape classify_face(std::span<const Vector3> corners) {
   if (normal.norm() <= 1e-12 * extent) normal = widest_normal(corners);
   if (normal.isZero(0)) return FaceShape::convex;
 
-  const std::vector<Vector2> flat = project(corners, normal);
+  const std::vector<Vector2> flat = flattened(corners, corners[0], normal.normalized());
   const Turning turning = turning_of(flat);
   // Without an inward turn a polygon of one turn crosses nowhere; stars turn more than once, so they are
   // searched too.

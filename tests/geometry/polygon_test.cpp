@@ -1,4 +1,4 @@
-#include "core/polyhedron/face_shape.hpp"
+#include "core/geometry/polygon.hpp"
 
 #include <gtest/gtest.h>
 
@@ -108,6 +108,56 @@ TEST(FaceShape, LargeFacesTakeBoundedTime) {
     comb.emplace_back(-1, -1, 0);
     EXPECT_NE(classify_face(comb), FaceShape::self_crossing);
   }
+}
+
+TEST(Polygon, NewellNormalIsTwiceTheAreaAndTheSameWhereverThePolygonLies) {
+  for_random(4471, 200, [](std::mt19937_64& rng) {
+    const std::vector<Vector3> corners = random_polygon(rng);
+    std::vector<Vector2> flat;
+    std::vector<Vector3> moved;
+    for (const Vector3& p : corners) {
+      flat.push_back(p.head<2>());
+      moved.push_back(p + Vector3(1 << 20, -(1 << 21), 1 << 19));  // rounds p to 2^-32
+    }
+    const Vector3 normal = newell_normal(corners);
+    EXPECT_NEAR(normal.z(), twice_area(flat), 1e-13);
+    EXPECT_EQ(normal.x(), 0);
+    EXPECT_EQ(normal.y(), 0);
+    EXPECT_LE((newell_normal(moved) - normal).norm(), 1e-7);
+    const auto at = [&](std::size_t i) { return corners[i]; };
+    EXPECT_EQ(newell_normal(corners.size(), at), normal);
+  });
+  EXPECT_EQ(newell_normal(std::span<const Vector3>{}), Vector3(0, 0, 0));
+}
+
+TEST(Polygon, FlatteningKeepsDistancesAndTheDirectionOfCorners) {
+  for_random(4472, 200, [](std::mt19937_64& rng) {
+    const Vector3 normal = Vector3(uniform(rng), uniform(rng), uniform(rng)).normalized();
+    const Vector3 u = normal.unitOrthogonal(), v = normal.cross(u);
+    const Vector3 origin(uniform(rng), uniform(rng), uniform(rng));
+    const std::vector<Vector3> triangle{origin, origin + u, origin + 0.3 * u + 2 * v};
+    const std::vector<Vector2> flat = flattened(triangle, origin, normal);
+    EXPECT_NEAR(twice_area(flat[0], flat[1], flat[2]), 2, 1e-13);
+    EXPECT_NEAR(twice_area(flat), 2, 1e-13);
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR((flat[i] - flat[(i + 1) % 3]).norm(), (triangle[i] - triangle[(i + 1) % 3]).norm(), 1e-13);
+  });
+}
+
+TEST(Polygon, APointIsInsideWhereTheWindingIsOdd) {
+  for_random(4473, 300, [](std::mt19937_64& rng) {
+    std::vector<Vector2> corners;
+    for (const Vector3& p : random_polygon(rng)) corners.push_back(p.head<2>());
+    const Vector2 point(uniform(rng), uniform(rng));
+    double turn = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector2 a = corners[i] - point, b = corners[(i + 1) % corners.size()] - point;
+      turn += std::atan2(cross(a, b), a.dot(b));
+    }
+    const long winding = std::lround(turn / (2 * std::numbers::pi));
+    EXPECT_EQ(inside_polygon(corners, point), winding % 2 != 0);
+  });
+  EXPECT_FALSE(inside_polygon({}, Vector2(0, 0)));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/envelope/convex_hull.hpp"
+#include "core/geometry/tolerant_hull.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/small_solver.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -47,7 +48,7 @@ class Quickhull {
   Index add(Index a, Index b, Index c) {
     Facet facet;
     facet.corner = {a, b, c};
-    facet.normal = (points_[b] - points_[a]).cross(points_[c] - points_[a]).stableNormalized();
+    facet.normal = area_vector(points_[a], points_[b], points_[c]).stableNormalized();
     facet.offset = facet.normal.dot(points_[a] + points_[b] + points_[c]) / 3;
     facets_.push_back(std::move(facet));
     return Index(facets_.size() - 1);
@@ -172,7 +173,7 @@ std::vector<Index> flat_vertices(std::span<const Vector3> points,
   };
   std::map<Index, Normals> around;
   for (const auto& t : triangles) {
-    const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
+    const Vector3 n = area_vector(points[t[0]], points[t[1]], points[t[2]]);
     const double area = n.norm();
     if (!(area > 0)) continue;
     for (const Index v : t) {
@@ -190,10 +191,10 @@ std::vector<Index> flat_vertices(std::span<const Vector3> points,
 
 }  // namespace
 
-ConvexHull convex_hull(std::span<const Vector3> points, double tolerance) {
+TolerantHull tolerant_hull(std::span<const Vector3> points, double tolerance) {
   std::vector<Index> use(points.size());
   for (Index i = 0; i < use.size(); ++i) use[i] = i;
-  ConvexHull out;
+  TolerantHull out;
   for (int round = 0; round < 8; ++round) {
     out.triangles = Quickhull(points, use, tolerance).make();
     out.vertices = used(out.triangles);
@@ -216,8 +217,8 @@ bool is_convex(std::span<const Vector3> points) {
   for (const Vector3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double size = (high - low).norm();
   std::vector<double> depth(points.size(), 1e300);
-  for (const auto& t : convex_hull(points, 1e-9 * size).triangles) {
-    const Vector3 n = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).stableNormalized();
+  for (const auto& t : tolerant_hull(points, 1e-9 * size).triangles) {
+    const Vector3 n = area_vector(points[t[0]], points[t[1]], points[t[2]]).stableNormalized();
     for (std::size_t i = 0; i < points.size(); ++i)
       depth[i] = std::min(depth[i], n.dot(points[t[0]] - points[i]));
   }

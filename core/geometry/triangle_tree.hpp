@@ -1,14 +1,13 @@
 #pragma once
 
-// The nearest of many triangles, by a tree of boxes.
+// TriangleTree: the nearest of many triangles, by a tree of boxes.
 
-#include <Eigen/Geometry>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "core/approximation/facet_geometry.hpp"
-#include "core/base/ids.hpp"
+#include "core/geometry/box_tree.hpp"
+#include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
@@ -28,18 +27,8 @@ class TriangleTree {
   const ClosedTriangle& triangle(Index t) const { return closed_[t]; }
 
  private:
-  struct Node {
-    Eigen::AlignedBox3d box;
-    /// A leaf holds order_[first .. first + count); an inner node has count 0, its children are the next
-    /// node and node `first`.
-    Index first = 0, count = 0;
-  };
-  void build(Index begin, Index end, std::span<const Vector3> positions,
-             std::span<const std::array<Index, 3>> triangles, std::span<const Vector3> middles);
-
   std::vector<ClosedTriangle> closed_;
-  std::vector<Index> order_;
-  std::vector<Node> nodes_;
+  BoxTree tree_;
 };
 
 }  // namespace hariko

@@ -1,10 +1,10 @@
-#include "core/gaussmap/convex_hull.hpp"
+#include "core/geometry/convex_hull.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "core/gaussmap/orientation.hpp"
+#include "core/geometry/orientation.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko {

@@ -1,12 +1,12 @@
 #pragma once
 
-// The plane about which edits of sections are symmetric.
+// MirrorPlane: a plane of symmetry at right angles to an axis, and images in it.
 
 #include "core/base/vector.hpp"
 
 namespace hariko {
 
-/// Across an axis of the skin's space.
+/// Across an axis of the space that it is in. Images of points in the plane are these points to the last bit.
 struct MirrorPlane {
   int axis = 1;         ///< 0, 1 or 2
   double position = 0;  ///< where the plane cuts the axis

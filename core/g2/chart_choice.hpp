@@ -1,0 +1,25 @@
+#pragma once
+
+// ChartChoice: the chart of each face, equal ones shared, and the side that it begins with (g2.md section 3).
+
+#include <memory>
+#include <vector>
+
+#include "core/g2/face_energy.hpp"
+#include "core/g2/given_sides.hpp"
+#include "core/g2/tension_weights.hpp"
+
+namespace hariko {
+
+struct ChartChoice {
+  std::vector<std::shared_ptr<const PlacedChart>> placed;  ///< per face
+  std::vector<Index> half_edge;  ///< per corner of the face list: the half-edge of that chart side
+  std::vector<int> side;         ///< per half-edge: number of its side within its face's chart
+};
+
+/// Each face begins where its corners, weights and joins read smallest, so that equal faces are seen to be
+/// equal. `corners`: per half-edge. `ribbons`: per half-edge, or empty.
+ChartChoice choose_charts(const HalfEdgeMesh& mesh, const std::vector<CornerShape>& corners,
+                          const TensionWeights& weights, const std::vector<GivenRibbon>& ribbons);
+
+}  // namespace hariko
