@@ -3,10 +3,10 @@
 #   ./test.sh          one optimised build with assertions; the tests labelled core and window, but for those of the
 #                      window labelled long
 #   ./test.sh --core   the same build, and the tests labelled core only
-#   ./test.sh --full   also: those, formatting, the sanitizer build with the core tests, with anything that can be
-#                      done by commands and with two minutes of a monkey at the window, a minute of every fuzzer,
-#                      long random runs with a fresh seed (set HARIKO_SEED to repeat one), the tests labelled full,
-#                      and program and core tests on a bare Debian 13 (needs to be root)
+#   ./test.sh --full   also: formatting before, those labelled long and full, long random runs with a fresh seed (set
+#                      HARIKO_SEED to repeat one), the sanitizer build with the core tests, with anything that can be
+#                      done by commands and with two minutes of a monkey at the window, a minute of every fuzzer, and
+#                      program and core tests on a bare Debian 13 (needs to be root)
 # Stops at the first step that fails. Window tests start an X server of their own.
 set -euo pipefail
 
@@ -51,6 +51,12 @@ window_tests() {
   local left_out=full
   if [ $full = no ]; then left_out='full|long'; fi
   ctest --test-dir build/release -L window -LE "$left_out" --output-on-failure --no-tests=error -j$window_jobs
+}
+
+# They take minutes, and no other work beside them.
+full_tests() {
+  step "Tests of whole walks"
+  ctest --test-dir build/release -L full --output-on-failure --no-tests=error -j1
 }
 
 check_formatting() {
@@ -103,7 +109,7 @@ long_random_tests() {
   local seed=${HARIKO_SEED:-$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')}
   step "Long random runs: HARIKO_SEED=$seed HARIKO_REPEAT_SCALE=4"
   HARIKO_SEED=$seed HARIKO_REPEAT_SCALE=4 \
-    ctest --test-dir build/release -L 'core|full' --output-on-failure --no-tests=error -j2
+    ctest --test-dir build/release -L core -LE full --output-on-failure --no-tests=error -j2
 }
 
 bare_debian_13() {
@@ -115,6 +121,7 @@ bare_debian_13() {
 
 if [ $full = yes ]; then
   scripts/dependencies.sh build cad test full bare
+  check_formatting
 else
   scripts/dependencies.sh build cad test
 fi
@@ -123,9 +130,9 @@ core_tests
 if [ $core_only = yes ]; then exit 0; fi
 window_tests
 if [ $full = yes ]; then
-  check_formatting
+  full_tests
+  long_random_tests
   sanitizer_tests
   fuzz
-  long_random_tests
   bare_debian_13
 fi

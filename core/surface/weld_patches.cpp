@@ -13,14 +13,18 @@ namespace hariko {
 
 namespace {
 
-constexpr double weld_tolerance = 1e-9;  ///< of the whole's size
+/// Of the whole's size. Files of IGES have nine digits of a number, so that both sides are off by up to 5e-9
+/// in each direction.
+constexpr double weld_tolerance = 2e-8;
 constexpr double smooth_angle = 1e-6;
 /// Rounding of a number in a file, relative to its distance from zero.
 constexpr double number_rounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr int samples = 16;  ///< intervals at which sides are compared
 /// Parameters that are nearer than this to a multiple of 1 / `halvings` are that: sides are mostly halved.
-constexpr double same_parameter = 1e-7;
+constexpr double same_parameter = 1e-5;
 constexpr double halvings = 4096;
+/// Share of a side that must be free for it to be a boundary: parts end where digits of files put them.
+constexpr double least_gap = 1e-6;
 
 struct SideCurve {
   std::array<Vector3, samples + 1> point;
@@ -299,7 +303,7 @@ class Welder {
     parts.provenance = std::make_shared<const std::vector<Provenance>>(std::move(provenance));
     std::vector<PatchSide> boundary;
     for (Index slot = 0; slot < covered.size(); ++slot)
-      if (covered[slot] < 1 - 1e-9) boundary.push_back({slot / 4, static_cast<std::uint8_t>(slot % 4)});
+      if (covered[slot] < 1 - least_gap) boundary.push_back({slot / 4, static_cast<std::uint8_t>(slot % 4)});
     parts.boundary_sources = std::make_shared<const std::vector<Element>>(boundary.size());
     parts.boundary_sides = std::make_shared<const std::vector<PatchSide>>(std::move(boundary));
     return Surface(std::move(parts));

@@ -7,7 +7,7 @@
 
 namespace hariko {
 
-/// Patches are welded where their sides are the same curve with the same or the reversed parameter, to 1e-9
+/// Patches are welded where their sides are the same curve with the same or the reversed parameter, to 2e-8
 /// of the whole's size, or to what rounds numbers that far from zero; a side that is a part of a longer side,
 /// with a parameter that is linear in the longer one's, becomes a T-joint. Patches that look the other way
 /// than their neighbours are flipped; the first of each connected part keeps its direction. Where a strip

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <tuple>
 
@@ -89,6 +91,30 @@ TEST(WeldPatches, SidesInPartsMeetWholeOnesWhereverTheyBulge) {
       EXPECT_EQ(seam.first_begin * 32, std::round(seam.first_begin * 32));
     }
   }
+}
+
+/// As files of IGES in any unit have them: each number by itself.
+TEST(WeldPatches, NumbersOfNineDigitsAreEnough) {
+  test::for_random(1109, 200, [](std::mt19937_64& rng) {
+    const Matrix3 turn =
+        Eigen::AngleAxisd(test::uniform(rng, 0, 3), test::random_vector(rng).normalized()).toRotationMatrix();
+    const double unit = test::log_uniform(rng, 1e-3, 1e3);
+    const auto nine_digits = [](double x) {
+      const double last = std::pow(10.0, std::floor(std::log10(std::abs(x))) - 8);
+      return x == 0 ? 0 : std::round(x / last) * last;
+    };
+    std::vector<BezierPatch> patches{arch(0, 1, 0, 1, Vector3::Zero())};
+    double before = 0;
+    for (const double at : {0.25, 0.375, 1.0}) {
+      patches.push_back(arch(before, at, 1, 2, Vector3::Zero()));
+      before = at;
+    }
+    for (BezierPatch& patch : patches)
+      for (Vector3& point : patch.points) point = (unit * (turn * point)).unaryExpr(nine_digits);
+    const Surface surface = weld_patches(Vector3::Zero(), patches).value();
+    EXPECT_EQ(surface.seams().size(), 3U + 2U);
+    EXPECT_EQ(surface.boundary_sides().size(), 3U + 2U + 3U);
+  });
 }
 
 /// A part of the flat square, with a parameter along x that begins slowly: x is its cube.
