@@ -101,6 +101,7 @@ SurfaceView SurfaceBuilder::build(const std::shared_ptr<const Object>& object,
       view.combs = combs_;
     }
     view.warnings = last_.warnings;
+    view.sticks_out = last_.sticks_out;
   } catch (const std::exception& failure) {
     // Out of memory, mostly: the document is untouched and the object says so.
     made_from_.reset();

@@ -29,7 +29,8 @@ struct SurfaceView {
   std::shared_ptr<const CombLines> combs;   ///< null unless they are shown
   double milliseconds = 0;                  ///< that the rebuild took, display mesh included
   std::vector<Message> warnings;
-  std::optional<Message> error;  ///< why there is no newer surface than the one shown
+  std::optional<double> sticks_out;  ///< of solids whose faces the surface lies on, in the object's lengths
+  std::optional<Message> error;      ///< why there is no newer surface than the one shown
 
   /// Largest angle between normals on both sides of inner edges that are no creases, radians. Measured when
   /// idle.

@@ -37,6 +37,8 @@ struct SolidsConstruction {
   std::optional<EnvelopeMethod> method;
   std::optional<double> ball_radius;  ///< infinite: the hull
   std::optional<double> rounding;
+  std::optional<bool> on_faces, finer_patches;
+  std::optional<double> bridge_radius;  ///< of the balls between bridged solids
   friend bool operator==(const SolidsConstruction&, const SolidsConstruction&) = default;
 };
 

@@ -32,6 +32,11 @@ void choose(SolidsSource& source, const SolidsConstruction& chosen) {
   settings.rounding = chosen.rounding.value_or(settings.rounding);
   if (chosen.ball_radius) settings.ball_radius = chosen.ball_radius;
   if (settings.ball_radius && std::isinf(*settings.ball_radius)) settings.ball_radius.reset();
+  settings.on_faces = chosen.on_faces.value_or(settings.on_faces);
+  settings.finer_patches = chosen.finer_patches.value_or(settings.finer_patches);
+  if (chosen.bridge_radius)
+    for (Solid& solid : input.solids)
+      if (solid.bridge) solid.bridge->ball_radius = chosen.bridge_radius;
   source.input = std::move(input);
 }
 

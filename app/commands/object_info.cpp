@@ -67,7 +67,7 @@ std::optional<SurfaceComparison> compare(const Surface& surface, const Object& o
   return compare_surfaces(surface, built->surface);
 }
 
-EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& input) {
+EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& input, double scale) {
   EnvelopeInfo out;
   out.solids = input.solids.size();
   out.symmetry = detail::name_of(input.settings.symmetry, detail::symmetry_names);
@@ -75,6 +75,7 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
   out.symmetric = made.symmetric;
   out.method = made.network ? "network" : "ball";
   out.enclosed = made.enclosed;
+  if (made.sticks_out) out.sticks_out = scale * *made.sticks_out;
   out.folds = made.folds;
   out.coarse = made.coarse;
   out.rounds = made.rounds;
@@ -88,10 +89,10 @@ EnvelopeInfo envelope_info(const EnvelopeSurface& made, const EnvelopeInput& inp
 }
 
 /// The surface round solids, with the counts of its network.
-Result<PolyhedronSurface> inspect_solids(const SolidsSource& source, ObjectInfo& info) {
+Result<PolyhedronSurface> inspect_solids(const SolidsSource& source, double scale, ObjectInfo& info) {
   auto made = EnvelopeSurfacer().rebuild(*source.input);
   if (!made) return made.error();
-  info.envelope = envelope_info(*made, *source.input);
+  info.envelope = envelope_info(*made, *source.input, scale);
   if (made->network) {
     info.vertices = made->network->cage.vertices.size();
     info.edges = made->network->curves.size();
@@ -169,7 +170,7 @@ void inspect_surface(const Document& document, const Object& object, const Docum
 
   auto built = Result<PolyhedronSurface>(PolyhedronSurface{});
   if (const SolidsSource* solids = object.solids())
-    built = inspect_solids(*solids, info);
+    built = inspect_solids(*solids, scale, info);
   else if (const SkinSource* skin = object.skin())
     built = inspect_skin(*skin->skin, scale, info);
   else

@@ -18,12 +18,13 @@ namespace hariko {
 /// Of solids: how the surface round them was made.
 struct EnvelopeInfo {
   std::size_t solids = 0;
-  std::string symmetry;    ///< "none", or the axis across the plane
-  std::size_t images = 0;  ///< of solids, in that plane
-  bool symmetric = false;  ///< the surface is its own image
-  std::string method;      ///< "ball" or "network"
-  bool enclosed = false;   ///< to 1e-4 of the diagonal
-  double worst = 0;        ///< farthest test point outside, by the independent check, over the diagonal
+  std::string symmetry;              ///< "none", or the axis across the plane
+  std::size_t images = 0;            ///< of solids, in that plane
+  bool symmetric = false;            ///< the surface is its own image
+  std::string method;                ///< "ball" or "network"
+  bool enclosed = false;             ///< to 1e-4 of the diagonal
+  std::optional<double> sticks_out;  ///< length; only where faces lie on the solids
+  double worst = 0;  ///< farthest test point outside, by the independent check, over the diagonal
   std::size_t tested = 0, outside = 0;
   std::size_t folds = 0;
   std::size_t crossing = 0;  ///< patches inside of another part of the surface

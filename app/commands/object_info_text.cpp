@@ -73,6 +73,7 @@ InfoMembers members_of(const EnvelopeInfo& envelope) {
       {"worst", envelope.worst},   {"tested", envelope.tested},     {"outside", envelope.outside},
       {"folds", envelope.folds},   {"crossing", envelope.crossing}, {"coarse", envelope.coarse},
       {"rounds", envelope.rounds}, {"symmetry", envelope.symmetry}};
+  if (envelope.sticks_out) out.push_back({"sticks_out", *envelope.sticks_out});
   if (envelope.symmetry != "none") {
     out.push_back({"images", envelope.images});
     out.push_back({"symmetric", envelope.symmetric});

@@ -58,6 +58,7 @@ Result<std::string> solids_json(const SolidsSource& source) {
     json.member("method", made->network ? "network" : "ball");
     if (source.input->settings.symmetry != SymmetryPlane::none) json.member("symmetric", made->symmetric);
     json.member("enclosed", made->enclosed);
+    if (made->sticks_out) json.member("sticks_out", *made->sticks_out);
     if (made->check) json.member("worst_violation", made->check->worst / made->diagonal);
     json.member("folds", made->folds);
     if (made->check) json.member("crossing", made->check->covered);

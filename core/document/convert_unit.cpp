@@ -77,6 +77,7 @@ void scale_solids(SolidsSource& source, double factor) {
     solid.size *= factor;
     solid.position *= factor;
     for (Vector3& point : solid.points) point *= factor;
+    if (solid.bridge && solid.bridge->ball_radius) *solid.bridge->ball_radius *= factor;
   }
   input.settings.clearance *= factor;
   input.settings.rounding *= factor;

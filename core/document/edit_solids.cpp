@@ -1,6 +1,7 @@
 #include "core/document/edit_solids.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "core/document/edit_support.hpp"
 
@@ -53,14 +54,21 @@ Result<Document> array_solids(const Document& document, ObjectId object, std::sp
   added.clear();
   return change_envelope(document, object, [&](EnvelopeInput& input) {
     const std::vector<Solid> before = input.solids;
-    for (int copy = 1; copy <= copies && input.solids.size() <= max_solids; ++copy)
+    for (int copy = 1; copy <= copies && input.solids.size() <= max_solids; ++copy) {
+      std::map<std::uint32_t, std::uint32_t> copies_of;
+      const std::size_t first = input.solids.size();
       for (Solid solid : before) {
         if (std::find(ids.begin(), ids.end(), solid.id) == ids.end()) continue;
-        solid.id = next_solid_id(input);
+        solid.id = copies_of[solid.id] = next_solid_id(input);
         solid.position += copy * step;
         added.push_back(solid.id);
         input.solids.push_back(std::move(solid));
       }
+      for (std::size_t i = first; i < input.solids.size(); ++i)
+        if (auto& bridge = input.solids[i].bridge)
+          for (std::uint32_t& end : bridge->between)
+            if (const auto found = copies_of.find(end); found != copies_of.end()) end = found->second;
+    }
   });
 }
 

@@ -33,7 +33,8 @@ std::uint32_t next_solid_id(const EnvelopeInput& input);
 Result<Document> add_solid(const Document& document, ObjectId object, Solid solid);
 
 /// Appends `copies` copies of each of the solids, each by `step` farther than the last (in the object's
-/// axes). `added` gets the ids of the copies, copy by copy. Errors as above.
+/// axes). `added` gets the ids of the copies, copy by copy. A copied bridge is one between the copies of its
+/// solids, where these are copied with it. Errors as above.
 Result<Document> array_solids(const Document& document, ObjectId object, std::span<const std::uint32_t> ids,
                               int copies, const Vector3& step, std::vector<std::uint32_t>& added);
 

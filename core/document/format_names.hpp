@@ -56,10 +56,11 @@ inline constexpr std::array mirror_members{"axis"sv, "weld_distance"sv};
 inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
 inline constexpr std::array form_members{"vertex"sv, "edges"sv};
 /// Many of them are of files before version 4.
-inline constexpr std::array solids_members{
-    "kind"sv,   "primitives"sv, "roundness"sv,   "waist"sv,       "tightness"sv, "clearance"sv,
-    "detail"sv, "merge_deg"sv,  "cage_detail"sv, "method"sv,      "surface"sv,   "symmetry"sv,
-    "waists"sv, "fullness"sv,   "offsets"sv,     "ball_radius"sv, "rounding"sv};
+inline constexpr std::array solids_members{"kind"sv,        "primitives"sv, "roundness"sv,    "waist"sv,
+                                           "tightness"sv,   "clearance"sv,  "detail"sv,       "merge_deg"sv,
+                                           "cage_detail"sv, "method"sv,     "surface"sv,      "symmetry"sv,
+                                           "waists"sv,      "fullness"sv,   "offsets"sv,      "ball_radius"sv,
+                                           "rounding"sv,    "on_faces"sv,   "finer_patches"sv};
 /// "auto" and "field" are of files before version 4.
 inline constexpr std::array method_names{"auto"sv, "network"sv, "field"sv, "ball"sv};
 inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};

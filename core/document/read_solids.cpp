@@ -43,6 +43,8 @@ class SolidsReader {
         s.ball_radius = reader_.number(member);
     });
     choice(at, "symmetry", symmetry_names, s.symmetry);
+    boolean(at, "on_faces", s.on_faces);
+    boolean(at, "finer_patches", s.finer_patches);
     read_before(at);
     if (!reader_.failed() && !out.solids.empty()) settle_method(at, out);
     return out;
@@ -115,6 +117,9 @@ class SolidsReader {
   void number(const JsonCursor& at, std::string_view name, double& value) {
     reader_.if_member(at, name, [&](const JsonCursor& member) { value = reader_.number(member); });
   }
+  void boolean(const JsonCursor& at, std::string_view name, bool& value) {
+    reader_.if_member(at, name, [&](const JsonCursor& member) { value = reader_.boolean(member); });
+  }
   void vector(const JsonCursor& at, std::string_view name, Vector3& value) {
     reader_.if_member(at, name, [&](const JsonCursor& member) { value = reader_.vector(member); });
   }
@@ -150,11 +155,26 @@ class SolidsReader {
     vector(at, "scale", out.scale);
     reader_.if_member(at, "roundness",
                       [&](const JsonCursor& member) { out.roundness = reader_.number(member); });
+    reader_.if_member(at, "bridge", [&](const JsonCursor& member) { out.bridge = bridge(member); });
     reader_.if_member(at, "vertices", [&](const JsonCursor& list) {
       reader_.for_each(list, [&](const JsonCursor& row) {
         if (out.points.size() <= max_solid_points) out.points.push_back(reader_.vector(row));
       });
     });
+    return out;
+  }
+
+  Bridge bridge(const JsonCursor& at) {
+    Bridge out;
+    if (!reader_.is_object(at)) return out;
+    reader_.member(at, "between", [&](const JsonCursor& ids) {
+      if (reader_.array_size(ids, 2, 2) != 2) return;
+      std::size_t next = 0;
+      reader_.for_each(
+          ids, [&](const JsonCursor& id) { out.between[next++] = reader_.integer(id, 0, max_number); });
+    });
+    reader_.if_member(at, "ball_radius",
+                      [&](const JsonCursor& member) { out.ball_radius = reader_.number(member); });
     return out;
   }
 

@@ -5,6 +5,19 @@ namespace hariko::detail {
 
 namespace {
 
+void write_bridge(DocumentText& out, const Bridge& bridge) {
+  out.raw(", \"bridge\": {\"between\": [");
+  out.number(bridge.between[0]);
+  out.raw(", ");
+  out.number(bridge.between[1]);
+  out.raw("]");
+  if (bridge.ball_radius) {
+    out.raw(", \"ball_radius\": ");
+    out.number(*bridge.ball_radius);
+  }
+  out.raw("}");
+}
+
 void write_solid(DocumentText& out, const Solid& solid) {
   const auto number = [&](std::string_view name, double value) {
     out.raw(", \"");
@@ -47,6 +60,7 @@ void write_solid(DocumentText& out, const Solid& solid) {
   vector("rotation", solid.rotation, usual.rotation);
   vector("scale", solid.scale, usual.scale);
   if (solid.roundness) number("roundness", *solid.roundness);
+  if (solid.bridge) write_bridge(out, *solid.bridge);
   if (!solid.points.empty()) {
     out.raw(", \"vertices\": ");
     out.vectors(solid.points);
@@ -78,6 +92,13 @@ void write_source(DocumentText& out, const SolidsSource& source) {
   out.string(settings.method == EnvelopeMethod::ball ? "ball" : "network");
   out.key("symmetry");
   out.string(symmetry_names[std::size_t(settings.symmetry)]);
+  const auto chosen = [&](std::string_view name, bool value) {
+    if (!value) return;
+    out.key(name);
+    out.boolean(value);
+  };
+  chosen("on_faces", settings.on_faces);
+  chosen("finer_patches", settings.finer_patches);
   out.kept(*source.kept);
   out.close('}');
 }

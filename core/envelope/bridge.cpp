@@ -33,6 +33,7 @@ Solid bridge_between(const Solid& a, const Solid& b, double radius) {
   Solid out;
   out.kind = SolidKind::capsule;
   out.radius = radius;
+  out.bridge = Bridge{{a.id, b.id}, {}};
   out.length = std::max((q - p).norm(), shortest_bridge * radius);
   out.position = origin + 0.5 * (p + q);
   const Vector3 way = q - p;

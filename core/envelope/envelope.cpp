@@ -47,7 +47,8 @@ void add_warnings(bool network, EnvelopeSurface& out) {
         code, std::move(text),
         network ? "Choose the method \"ball\": it contains the solids and does not fold." : of_ball));
   };
-  if (out.check && !out.enclosed)
+  // Where faces lie on the solids, edges are meant to stick out.
+  if (out.check && !out.enclosed && !out.sticks_out)
     add(w_not_enclosed,
         "The surface does not contain the solids: they reach out by up to " +
             percent(out.check->worst / out.diagonal) + " % of their size.",
@@ -127,9 +128,14 @@ Result<Done> make_ball(const EnvelopedScene& scene, Quality quality, const Cance
   out.symmetric = scene.mirror.has_value();
   // Patches that are as near to the shape as that lie outside of the solids (docs/envelope.md).
   out.enclosed = made->inward <= made->tolerance;
+  if (ball.on_faces) {
+    out.sticks_out = made->sticks_out;
+    out.enclosed = made->sticks_out + made->inward <= enclosure_tolerance * out.diagonal;
+  }
   if (quality == Quality::drag) return Done{};
   if (made->coarse > 0)
     if (const auto done = examine(scene, out, cancel); !done) return done;
+  if (out.sticks_out && out.check) out.sticks_out = std::max(*out.sticks_out, out.check->worst);
   add_ball_warnings(*made, wanted.rounding, ball.sigma, out);
   return Done{};
 }

@@ -38,6 +38,7 @@ class SolidCheck {
         fail(e_solid_size, "scale must be positive", "Give it three positive factors.");
     if (solid_.roundness && !(*solid_.roundness > 0 && *solid_.roundness <= 1))
       fail(e_envelope_setting, "roundness must be above 0 and at most 1", "Choose a value such as 0.35.");
+    if (solid_.bridge && solid_.bridge->ball_radius) length(*solid_.bridge->ball_radius, "ball_radius");
     if (error_) return *error_;
     return Done{};
   }

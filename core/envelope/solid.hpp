@@ -4,6 +4,7 @@
 // only.
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +38,15 @@ enum class SolidKind : std::uint8_t {
   polyhedron
 };
 
+/// What makes a solid the bar between two others.
+struct Bridge {
+  std::array<std::uint32_t, 2> between{};  ///< ids of the two solids, which may be gone
+  /// Method `ball`: of the ball where it touches nothing but the bar and these two, instead of that of the
+  /// settings; length.
+  std::optional<double> ball_radius = {};
+  friend bool operator==(const Bridge&, const Bridge&) = default;
+};
+
 /// One solid. Which sizes mean something depends on the kind; the others are kept. The axis of round solids
 /// is their z; a cone or pyramid has its centroid, which is a quarter of the height above the base, at
 /// `position`.
@@ -55,6 +65,7 @@ struct Solid {
   std::optional<double> roundness =
       {};                ///< method `network`: own roundness, (0, 1]; else that of the settings
   std::uint32_t id = 0;  ///< stable name within the envelope, unique
+  std::optional<Bridge> bridge = {};
 
   friend bool operator==(const Solid&, const Solid&) = default;
 };
@@ -69,9 +80,12 @@ struct EnvelopeSettings {
   /// Method `ball`: of the ball, which fills what it cannot reach; nothing: as large as can be, the hull. At
   /// least three times the rounding.
   std::optional<double> ball_radius = {};
-  double rounding = 0;      ///< method `ball`: length; edges get a radius of 1.5 times this
-  double clearance = 0;     ///< >= 0, distance that is kept from every solid
-  double roundness = 0.35;  ///< (0, 1], method `network`: tangents on primitive parts; 1: circular arcs
+  double rounding = 0;   ///< method `ball`: length; edges get a radius of 1.5 times this
+  double clearance = 0;  ///< >= 0, distance that is kept from every solid
+  /// Method `ball`: flat faces of the surface lie on those of the solids, at the clearance; edges stick out.
+  bool on_faces = false;
+  bool finer_patches = false;  ///< method `ball`: about twice as many patches, nearer to the shape
+  double roundness = 0.35;     ///< (0, 1], method `network`: tangents on primitive parts; 1: circular arcs
   SymmetryPlane symmetry = SymmetryPlane::none;
   bool from_before = false;  ///< read from a file in which another method made the surface; not saved
   std::string lost = {};     ///< names of settings in that file that mean nothing any more; not saved

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/envelope/ellipsoid_distance.hpp"
 #include "core/geometry/rotation.hpp"
 #include "core/geometry/tolerant_hull.hpp"
@@ -114,6 +115,7 @@ void SolidShape::make(const Solid& s) {
       half_ = s.size.cwiseProduct(scale) / 2;
       reach_ = half_.norm();
       extremes_ = {half_};
+      face_middles_ = {{half_.x(), 0, 0}, {0, half_.y(), 0}, {0, 0, half_.z()}};
       break;
     case SolidKind::sphere:
     case SolidKind::capsule:
@@ -128,6 +130,7 @@ void SolidShape::make(const Solid& s) {
       half_ = Vector3(s.radius, s.radius, s.height / 2).cwiseProduct(scale);
       reach_ = std::hypot(half_.head<2>().maxCoeff(), half_.z());
       add_ring(1, half_.z(), half_.x() == half_.y() ? 2 : 5);
+      face_middles_ = {{0, 0, half_.z()}};
       break;
     case SolidKind::cone:
       form_ = Form::cone;
@@ -135,6 +138,7 @@ void SolidShape::make(const Solid& s) {
       reach_ = std::max(1.5 * half_.z(), std::hypot(half_.head<2>().maxCoeff(), 0.5 * half_.z()));
       add_ring(1, -0.5 * half_.z(), half_.x() == half_.y() ? 2 : 5);
       extremes_.emplace_back(0, 0, 1.5 * half_.z());
+      face_middles_ = {{0, 0, -0.5 * half_.z()}};
       break;
     case SolidKind::torus:
       form_ = Form::torus;
@@ -168,7 +172,8 @@ void SolidShape::make_hull(std::vector<Vector3> points) {
   for (const Vector3& p : points) size = std::max(size, p.norm());
   const TolerantHull hull = tolerant_hull(points, 1e-9 * size);
   auto made = std::make_shared<Hull>();
-  std::map<std::pair<Index, Index>, Vector3> normals;
+  std::map<std::pair<Index, Index>, Index> faces;
+  std::vector<std::array<Index, 2>> coplanar;
   for (const auto& t : hull.triangles) {
     Hull::Face face{points[t[0]], points[t[1]], points[t[2]], {}, 0};
     face.normal = (face.b - face.a).cross(face.c - face.a).stableNormalized();
@@ -176,9 +181,13 @@ void SolidShape::make_hull(std::vector<Vector3> points) {
     made->faces.push_back(face);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto ends = std::minmax(t[i], t[(i + 1) % 3]);
-      const auto [other, fresh] = normals.try_emplace({ends.first, ends.second}, face.normal);
-      if (!fresh && other->second.dot(face.normal) < flat)
+      const Index here = Index(made->faces.size() - 1);
+      const auto [other, fresh] = faces.try_emplace({ends.first, ends.second}, here);
+      if (fresh) continue;
+      if (made->faces[other->second].normal.dot(face.normal) < flat)
         made->edges.push_back({points[ends.first], points[ends.second]});
+      else
+        coplanar.push_back({other->second, here});
     }
   }
   reach_ = 0;
@@ -188,6 +197,23 @@ void SolidShape::make_hull(std::vector<Vector3> points) {
     extremes_.push_back(points[v]);
   }
   hull_ = std::move(made);
+  find_face_middles(coplanar);
+}
+
+/// `coplanar`: neighbouring triangles in one plane.
+void SolidShape::find_face_middles(std::span<const std::array<Index, 2>> coplanar) {
+  const std::vector<Hull::Face>& faces = hull_->faces;
+  DisjointSets whole(faces.size());
+  for (const auto& [a, b] : coplanar) whole.join(a, b);
+  std::vector<Vector3> sum(faces.size(), Vector3::Zero());
+  std::vector<double> area(faces.size(), 0);
+  for (Index f = 0; f < faces.size(); ++f) {
+    const double own = (faces[f].b - faces[f].a).cross(faces[f].c - faces[f].a).norm();
+    sum[whole.find(f)] += own / 3 * (faces[f].a + faces[f].b + faces[f].c);
+    area[whole.find(f)] += own;
+  }
+  for (Index f = 0; f < faces.size(); ++f)
+    if (area[f] > 0) face_middles_.push_back(sum[f] / area[f]);
 }
 
 double SolidShape::distance(const Vector3& point) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/envelope/solid.hpp"
@@ -50,6 +51,9 @@ class SolidShape {
   /// Points of the solid, one of each kind of corner, rim and side, in its own axes about its centre: where
   /// the mean of the distance over a neighbourhood is largest.
   const std::vector<Vector3>& extremes() const { return extremes_; }
+  /// One point of each kind of flat face, in its own axes about its centre: where the mean of the distance
+  /// over a neighbourhood is least. None where no face is flat.
+  const std::vector<Vector3>& face_middles() const { return face_middles_; }
   /// `count` points spread over the surface, of which convex solids have no empty parts.
   std::vector<Vector3> surface_points(int count) const;
   /// Edges, rims, and lines down the sides of cones and along the bodies of capsules.
@@ -65,6 +69,7 @@ class SolidShape {
 
   void make(const Solid& solid);
   void make_hull(std::vector<Vector3> points);
+  void find_face_middles(std::span<const std::array<Index, 2>> coplanar);
   void add_ring(double radius, double height, int count);
   Vector3 half_extent() const;  ///< in the solid's own axes, of what is round about its centre
   SolidPlace own_place(const Vector3& point) const;
@@ -82,7 +87,7 @@ class SolidShape {
   double along_ = 0;                ///< capsule: half of the way of the ball
   Vector2 ring_ = Vector2::Zero();  ///< torus: half axes of the way of the ball
   double reach_ = 0;
-  std::vector<Vector3> extremes_;
+  std::vector<Vector3> extremes_, face_middles_;
   std::shared_ptr<const Hull> hull_;
 };
 

@@ -294,7 +294,7 @@ Result<PolyhedronSurface> ObjectSurfacer::surface(const Object& object, const Ob
   return surfacer_.rebuild(*input, quality, cancel);
 }
 
-Result<PolyhedronSurface> ObjectSurfacer::whole(Surface surface, std::vector<Message> warnings) {
+PolyhedronSurface ObjectSurfacer::whole(Surface surface, std::vector<Message> warnings) {
   PolyhedronSurface out;
   out.surface = std::move(surface);
   out.warnings = std::move(warnings);
@@ -306,7 +306,9 @@ Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Qua
                                                  const CancelToken& cancel) {
   auto made = enveloper_.rebuild(*source.input, quality, cancel);
   if (!made) return made.error();
-  return whole(std::move(made->surface), std::move(made->warnings));
+  PolyhedronSurface out = whole(std::move(made->surface), std::move(made->warnings));
+  out.sticks_out = made->sticks_out;
+  return out;
 }
 
 Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, Quality quality,

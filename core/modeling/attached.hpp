@@ -49,7 +49,7 @@ class ObjectSurfacer {
   PolyhedronSurfacer surfacer_;
   SurfaceInputCache cache_;
   std::map<ObjectId, std::unique_ptr<Helper>> helpers_;  ///< polyhedra that patches adapt to
-  Result<PolyhedronSurface> whole(Surface surface, std::vector<Message> warnings);
+  PolyhedronSurface whole(Surface surface, std::vector<Message> warnings);
   Result<PolyhedronSurface> around(const SolidsSource& source, Quality quality, const CancelToken& cancel);
   Result<PolyhedronSurface> over(const SkinSource& source, Quality quality, const CancelToken& cancel);
   Result<PolyhedronSurface> inside(const OutlineSource& source, Quality quality, const CancelToken& cancel);

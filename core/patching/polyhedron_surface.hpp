@@ -61,6 +61,8 @@ struct PolyhedronSurface {
   std::shared_ptr<const Network> network;
   /// W_LONG_TANGENT, W_FOLD and W_JOIN_SCALE; filled at quality `final` only.
   std::vector<Message> warnings;
+  /// Round solids: by how much these stick out on purpose, a length (`EnvelopeSurface`).
+  std::optional<double> sticks_out;
   SolveReport report;
   /// One a join, in the order of the half-edges; those of G0 mean nothing. Kept from the last full solve.
   std::shared_ptr<const std::vector<JoinCoefficients>> joins;

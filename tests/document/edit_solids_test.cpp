@@ -105,4 +105,26 @@ TEST(EditSolids, ARowHasCopiesAtEqualDistances) {
             e_too_many_solids);
 }
 
+TEST(EditSolids, ACopiedBridgeJoinsTheCopies) {
+  auto [document, id] = two_solids();
+  Solid bar;
+  bar.kind = SolidKind::capsule;
+  bar.bridge = Bridge{{3, 8}, 0.5};
+  document = add_solid(document, id, bar).value();
+  std::vector<std::uint32_t> added;
+  const auto all = array_solids(document, id, std::array<std::uint32_t, 3>{3, 8, 9}, 2, {0, 0, 5}, added);
+  ASSERT_TRUE(all.ok());
+  ASSERT_EQ(added, (std::vector<std::uint32_t>{10, 11, 12, 13, 14, 15}));
+  EXPECT_EQ(find_solid(*all->find(id), 9)->bridge, (Bridge{{3, 8}, 0.5}));
+  EXPECT_EQ(find_solid(*all->find(id), 12)->bridge, (Bridge{{10, 11}, 0.5}));
+  EXPECT_EQ(find_solid(*all->find(id), 15)->bridge, (Bridge{{13, 14}, 0.5}));
+  // Where a solid is not copied, it is held by both bars.
+  const auto some = array_solids(document, id, std::array<std::uint32_t, 2>{8, 9}, 1, {0, 0, 5}, added);
+  ASSERT_TRUE(some.ok());
+  EXPECT_EQ(find_solid(*some->find(id), 11)->bridge, (Bridge{{3, 10}, 0.5}));
+  const auto flat = change_solids(document, id, std::array<std::uint32_t, 1>{9},
+                                  [](Solid& s) { s.bridge->ball_radius = 0; });
+  EXPECT_EQ(flat.error().code, e_solid_size);
+}
+
 }  // namespace hariko::test

@@ -320,6 +320,38 @@ TEST(Format, LeansAndSidesOfKeptFormsAreSaved) {
   EXPECT_EQ(std::string(read_document(text).error().code.name), "E_FORM_INVALID");
 }
 
+TEST(Format, SolidsOfVersion5KeepTheirShape) {
+  const std::string text = file_text("tests/document/fixtures/v5_solids.hariko");
+  const Result<Document> read = read_document(text);
+  ASSERT_TRUE(read) << message_of(read);
+  const EnvelopeInput& input = *read->objects[0]->solids()->input;
+  EXPECT_FALSE(input.settings.on_faces) << "the surface contains them";
+  EXPECT_FALSE(input.settings.finer_patches);
+  EXPECT_FALSE(input.settings.from_before);
+  for (const Solid& solid : input.solids) EXPECT_FALSE(solid.bridge.has_value());
+  EXPECT_EQ(input.solids[0].roundness, 0.25);
+  const std::string written = write_document(*read);
+  for (const char* name : {"on_faces", "finer_patches", "bridge"})
+    EXPECT_EQ(written.find(name), std::string::npos) << name;
+}
+
+TEST(Format, BridgesOfSolidsNameTwoSolids) {
+  const std::string text = file_text("tests/document/fixtures/v5_solids.hariko");
+  const auto with = [&](const std::string& bridge) {
+    std::string changed = text;
+    const std::string after = "\"length\": 1.5";
+    return read_document(
+        changed.replace(changed.find(after), after.size(), after + ", \"bridge\": " + bridge));
+  };
+  const auto read = with("{\"between\": [0, 1], \"ball_radius\": 0.75}");
+  ASSERT_TRUE(read) << message_of(read);
+  EXPECT_EQ(read->objects[0]->solids()->input->solids[2].bridge, (Bridge{{0, 1}, 0.75}));
+  for (const char* bad : {"3", "{}", "{\"between\": [0]}", "{\"between\": [0, 1, 2]}",
+                          "{\"between\": [0, -1]}", "{\"between\": [0, 1], \"ball_radius\": \"hull\"}"})
+    EXPECT_EQ(with(bad).error().code, e_schema) << bad;
+  EXPECT_FALSE(with("{\"between\": [0, 1], \"ball_radius\": -1}"));
+}
+
 TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
   const std::string text = file_text("tests/document/fixtures/v3.hariko");
   const auto with = [&](const std::string& from, const std::string& to) {

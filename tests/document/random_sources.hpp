@@ -25,6 +25,10 @@ inline Solid any_solid(std::mt19937_64& rng, std::uint32_t id) {
   solid.scale = Vector3(uniform(rng, 0.5, 2), 1, uniform(rng, 0.5, 2));
   if (chance(rng, 0.5)) solid.roundness = uniform(rng, 0.1, 1);
   solid.id = id;
+  if (chance(rng, 0.3)) {
+    solid.bridge = Bridge{{id + 1, std::uint32_t(uniform_int(rng, 0, 9))}, {}};
+    if (chance(rng, 0.5)) solid.bridge->ball_radius = uniform(rng, 0.1, 10);
+  }
   return solid;
 }
 
@@ -38,6 +42,8 @@ inline EnvelopeInput any_solids(std::mt19937_64& rng) {
   settings.method = chance(rng, 0.5) ? EnvelopeMethod::network : EnvelopeMethod::ball;
   settings.rounding = uniform(rng, 0.01, 1);
   if (chance(rng, 0.5)) settings.ball_radius = uniform(rng, 0.1, 10);
+  settings.on_faces = chance(rng, 0.5);
+  settings.finer_patches = chance(rng, 0.5);
   settings.symmetry = static_cast<SymmetryPlane>(uniform_int(rng, 0, 3));
   return input;
 }

@@ -113,6 +113,13 @@ TEST_F(PanelHands, ABarBridgesTwoSolidsAndIsSelected) {
   ASSERT_EQ(solids.size(), 4U);
   EXPECT_EQ(solids.back().kind, SolidKind::capsule);
   EXPECT_EQ(solids.back().radius, 1.5);
+  EXPECT_EQ(solids.back().bridge, (Bridge{{solids[0].id, solids[1].id}, {}}));
+  bench_.click("check.own_ball");
+  bench_.frame();
+  ASSERT_TRUE(marks().contains("field.solid.ball_radius"));
+  enter("field.solid.ball_radius", "0.75");
+  bench_.tap("Enter");
+  EXPECT_EQ(editor().active_object()->solids()->input->solids.back().bridge->ball_radius, 0.75);
   EXPECT_TRUE(marks().contains("solid.outside")) << "nothing says how far faces lie outside";
 }
 
@@ -278,6 +285,33 @@ TEST_F(PanelHands, EveryWayToBeginHasTheSameSize) {
     EXPECT_NEAR(world_box(*editor().active_object()).sizes().x() * millimetres, 100, 1e-9);
     editor().history.mark_saved(editor().history.serial());
   }
+}
+
+TEST_F(PanelHands, TheSurfaceIsLaidOnTheFacesAndSaysWhatSticksOut) {
+  run("solid.box");
+  run("select.none");
+  ASSERT_TRUE(marks().contains("solids.contains"));
+  const auto settings = [&] { return editor().active_object()->solids()->input->settings; };
+  const auto patches = [&] { return editor().view_of(editor().selection.active)->surface.patch_count(); };
+  const Index before = patches();
+  bench_.click("check.on_faces");
+  bench_.wait_for_surfaces();
+  EXPECT_TRUE(settings().on_faces);
+  EXPECT_FALSE(marks().contains("solids.contains"));
+  ASSERT_TRUE(marks().contains("solids.sticks_out"));
+  const auto sticks_out = editor().view_of(editor().selection.active)->sticks_out;
+  ASSERT_TRUE(sticks_out.has_value());
+  EXPECT_GT(*sticks_out, 0.3 * settings().rounding);
+  EXPECT_LT(*sticks_out, 3 * settings().rounding);
+  bench_.click("check.finer_patches");
+  bench_.wait_for_surfaces();
+  EXPECT_TRUE(settings().finer_patches);
+  EXPECT_GT(patches(), before);
+  run("edit.undo");
+  run("edit.undo");
+  EXPECT_FALSE(settings().on_faces);
+  EXPECT_EQ(patches(), before);
+  EXPECT_TRUE(marks().contains("solids.contains"));
 }
 
 TEST_F(PanelHands, APropertyIsFoundByItsNameAndGetsTheKeyboard) {

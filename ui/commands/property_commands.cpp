@@ -82,6 +82,12 @@ constexpr std::array rows{
     Row{"roundness", translatable("Roundness"), translatable("Of the parts round single solids"), is_network},
     Row{"clearance", translatable("Clearance"), translatable("Distance that is kept from every solid"),
         is_solids},
+    Row{"on_faces", translatable("On the faces"),
+        translatable("Flat faces of the surface lie on those of the solids, and edges stick out; off, the "
+                     "surface contains the solids"),
+        is_ball},
+    Row{"finer_patches", translatable("Finer patches"),
+        translatable("About twice as many patches, which are nearer to the shape"), is_ball},
     Row{"envelope_symmetry", translatable("Symmetry"),
         translatable("A plane through the object's zero, across an axis of the object"), is_solids},
     Row{"skin_method", translatable("Method"), translatable("How the surface spans the sections"), is_skin},

@@ -95,6 +95,14 @@ void choice_rows(PanelContext& context, const Object& object) {
         [&](EnvelopeSettings& settings) { settings.symmetry = static_cast<SymmetryPlane>(*chosen); });
 }
 
+/// Nothing while it is not known.
+void sticks_out_row(PanelContext& context, const Object& object, std::optional<double> length) {
+  row_label(context, "Sticks out",
+            "How far edges, corners and round sides of the solids reach out of the surface at most");
+  ImGui::TextUnformatted(length ? format_quantity(length_of(context, object), *length).c_str() : "\u2026");
+  context.marks.item("solids.sticks_out");
+}
+
 /// Whether the surface contains the solids, and whether it is symmetric. While it is being made the rows
 /// stay and say nothing, so that those below do not jump.
 void state_rows(PanelContext& context, const Object& object) {
@@ -109,10 +117,14 @@ void state_rows(PanelContext& context, const Object& object) {
     ImGui::TextUnformatted(known ? context.tr(text()) : "\u2026");
     context.marks.item(mark);
   };
-  state("Contains", "Points of the solids are tested against the surface", "solids.contains", [&] {
-    return says(w_not_enclosed) ? translatable("Not all of the solids") : translatable("All of the solids");
-  });
-  if (object.solids()->input->settings.symmetry != SymmetryPlane::none)
+  const EnvelopeSettings& settings = object.solids()->input->settings;
+  if (settings.method == EnvelopeMethod::ball && settings.on_faces)
+    sticks_out_row(context, object, known ? view->sticks_out : std::nullopt);
+  else
+    state("Contains", "Points of the solids are tested against the surface", "solids.contains", [&] {
+      return says(w_not_enclosed) ? translatable("Not all of the solids") : translatable("All of the solids");
+    });
+  if (settings.symmetry != SymmetryPlane::none)
     state("Symmetric", "Whether the surface is its own image in the plane", "solids.symmetric", [&] {
       return says(w_not_symmetric) ? translatable("No: its faces differ on both sides")
                                    : translatable("On both sides of the plane");
@@ -128,6 +140,16 @@ void clearance_row(PanelContext& context, const Object& object) {
             {"clearance", translatable("Clearance"), translatable("Distance that is kept from every solid"),
              translatable("Clearance of the surface"), length},
             object.solids()->input->settings.clearance, edit_setting(object.id, length, clearance));
+}
+
+/// A check box of the settings.
+void option_row(PanelContext& context, const Object& object, const char* id, const char* label,
+                const char* help, bool EnvelopeSettings::*option, const char* step) {
+  const auto on = check_row(context, id, label, help, object.solids()->input->settings.*option);
+  if (!on) return;
+  context.editor.commit(change_envelope(context.editor.history.current(), object.id,
+                                        [&](EnvelopeInput& input) { input.settings.*option = *on; }),
+                        step);
 }
 
 /// Rows of the ball: tightness is its radius, seen from the solids' size.
@@ -157,6 +179,14 @@ void ball_rows(PanelContext& context, const Object& object) {
              translatable("Rounding of the surface"), length},
             input.settings.rounding, edit_setting(object.id, length, rounding));
   clearance_row(context, object);
+  option_row(
+      context, object, "on_faces", translatable("On the faces"),
+      translatable("Flat faces of the surface lie on those of the solids, and edges stick out; off, the "
+                   "surface contains the solids"),
+      &EnvelopeSettings::on_faces, translatable("Surface on the faces"));
+  option_row(context, object, "finer_patches", translatable("Finer patches"),
+             translatable("About twice as many patches, which are nearer to the shape"),
+             &EnvelopeSettings::finer_patches, translatable("Finer patches of the surface"));
 }
 
 void surface_rows(PanelContext& context, const Object& object) {
@@ -301,6 +331,41 @@ void roundness_rows(PanelContext& context, const Object& object, const Ids& ids)
       });
 }
 
+/// The ball between solids that are joined by bridges; only where all selected ones are bridges.
+void bridge_rows(PanelContext& context, const Object& object, const Ids& ids) {
+  const std::vector<Solid> solids = solids_of(object, ids);
+  const bool bars = std::ranges::all_of(solids, [](const Solid& s) { return s.bridge.has_value(); });
+  if (!bars || object.solids()->input->settings.method != EnvelopeMethod::ball) return;
+  const auto own =
+      common<bool>(solids, [](const Solid& solid) { return solid.bridge->ball_radius.has_value(); });
+  const auto radius_of = [](const Solid& solid) { return solid.bridge->ball_radius.value_or(solid.radius); };
+  if (const auto on = check_row(context, "own_ball", "Own ball",
+                                "Another ball rolls between the two solids that this bar joins", own))
+    context.editor.commit(change_solids(context.editor.history.current(), object.id, ids,
+                                        [&](Solid& solid) {
+                                          if (*on)
+                                            solid.bridge->ball_radius = radius_of(solid);
+                                          else
+                                            solid.bridge->ball_radius.reset();
+                                        }),
+                          *on ? translatable("Own ball") : translatable("Common ball"));
+  if (!own || !*own) return;
+  Quantity length = length_of(context, object);
+  length.low = 1e-9;
+  value_row(
+      context,
+      {"solid.ball_radius", translatable("Ball radius"),
+       translatable("Rounds where the bar meets its solids; less than three times the rounding counts as "
+                    "that"),
+       translatable("Ball of the bridge"), length},
+      common<double>(solids, radius_of),
+      [object = object.id, ids, length, radius_of](const Document& document, const ValueChange& change) {
+        return change_solids(document, object, ids, [&](Solid& solid) {
+          solid.bridge->ball_radius = change.apply(length, radius_of(solid));
+        });
+      });
+}
+
 /// How far the ball's surface lies outside; of one solid, as each takes a while.
 void outside_row(PanelContext& context, const Object& object, const Ids& ids) {
   const EnvelopeInput& input = *object.solids()->input;
@@ -332,6 +397,7 @@ void selected_rows(PanelContext& context, const Object& object, const Ids& ids) 
                {"solid.scale_x", "solid.scale_y", "solid.scale_z"}, "Scale solid", scale,
                [](Solid& solid) -> Vector3& { return solid.scale; });
   roundness_rows(context, object, ids);
+  bridge_rows(context, object, ids);
   outside_row(context, object, ids);
 }
 

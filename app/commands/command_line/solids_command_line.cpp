@@ -18,6 +18,17 @@ void SolidsCommandLine::add_to(CLI::App& command) {
   command.add_option("--rounding", rounding_, "Length; edges get a radius of 1.5 times this")
       ->check(CLI::PositiveNumber)
       ->group(group);
+  command
+      .add_option("--on-faces", on_faces_,
+                  "Flat faces lie on those of the solids, whose edges then stick out")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->group(group);
+  command.add_option("--finer-patches", finer_, "About twice as many patches, nearer to the shape")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->group(group);
+  command.add_option("--bridge-radius", bridge_radius_, "Of the ball between solids that a bridge joins")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
 }
 
 SolidsConstruction SolidsCommandLine::construction() const {
@@ -28,6 +39,9 @@ SolidsConstruction SolidsCommandLine::construction() const {
   else if (!ball_radius_.empty())
     out.ball_radius = std::stod(ball_radius_);
   out.rounding = rounding_;
+  if (!on_faces_.empty()) out.on_faces = on_faces_ == "on";
+  if (!finer_.empty()) out.finer_patches = finer_ == "on";
+  out.bridge_radius = bridge_radius_;
   return out;
 }
 

@@ -19,8 +19,8 @@ class SolidsCommandLine {
   SolidsConstruction construction() const;
 
  private:
-  std::string method_, ball_radius_;
-  std::optional<double> rounding_;
+  std::string method_, ball_radius_, on_faces_, finer_;
+  std::optional<double> rounding_, bridge_radius_;
 };
 
 }  // namespace hariko

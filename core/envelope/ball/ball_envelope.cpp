@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/envelope/ball/ball_patches.hpp"
 #include "core/envelope/ball/pinches.hpp"
@@ -18,6 +19,10 @@ constexpr double least_rounding = 1.0 / 160;
 constexpr double hull_ball = 2000;
 constexpr double sample_margin = 0.9;  ///< of the tolerance: patches may be farther off between samples
 constexpr double cube_share = 2;       ///< of sigma: of cubes that are all of one size
+constexpr double finer_share = 0.7;    ///< of their edges: of finer patches
+constexpr int spread_points = 200;     ///< of a solid, that are asked whether they stick out
+constexpr int least_curve_points = 8, most_curve_points = 400;  ///< likewise, of an edge or a rim
+constexpr int foot_steps = 8;
 constexpr int most_cuts = 3, final_rounds = 3, drag_rounds = 1;
 constexpr int fit_intervals = 8, drag_intervals = 4;  ///< between samples along a side of a patch
 constexpr double least_agreement = 0.77;              ///< cosine of 40 degrees
@@ -58,12 +63,12 @@ struct Fitted {
 
 class Fitting {
  public:
-  Fitting(const SplineField& field, const Vector3& origin, double sigma, Quality quality,
+  Fitting(const SplineField& field, const Vector3& origin, const BallSettings& settings, Quality quality,
           const CancelToken& cancel)
       : field_(field),
         origin_(origin),
-        edge_(cube_share * sigma),
-        tolerance_(patch_tolerance * sigma),
+        edge_((settings.finer_patches ? finer_share : 1) * cube_share * settings.sigma),
+        tolerance_(patch_tolerance * settings.sigma),
         intervals_(quality == Quality::drag ? drag_intervals : fit_intervals),
         most_rounds_(quality == Quality::drag ? drag_rounds : final_rounds),
         cancel_(cancel) {}
@@ -127,13 +132,49 @@ class Fitting {
   const CancelToken& cancel_;
 };
 
+/// Balls of bridges that have their own: between the bar and its two solids, and the images of these.
+std::vector<OwnBall> own_balls(std::span<const Solid> solids, double sigma) {
+  std::vector<OwnBall> out;
+  std::set<std::uint32_t> done;
+  for (const Solid& bar : solids) {
+    if (!bar.bridge || !bar.bridge->ball_radius || !done.insert(bar.id).second) continue;
+    OwnBall own{std::max(*bar.bridge->ball_radius, least_ball * sigma), {}};
+    for (const Solid& solid : solids)
+      own.between.push_back(solid.id == bar.id || std::ranges::count(bar.bridge->between, solid.id) > 0);
+    out.push_back(std::move(own));
+  }
+  return out;
+}
+
 }  // namespace
+
+double room_outside(const BallSettings& settings) {
+  return settings.clearance + (settings.on_faces ? 0 : patch_tolerance * settings.sigma);
+}
+
+double sticking_out(const SplineField& field, std::span<const SolidShape> solids, double sigma) {
+  double out = 0;
+  const auto look_at = [&](const Vector3& p) {
+    if (field.value(p) > 0) out = std::max(out, (projected(field, p, foot_steps, sigma) - p).norm());
+  };
+  for (const SolidShape& solid : solids) {
+    for (const Vector3& p : solid.surface_points(spread_points)) look_at(p);
+    for (const Vector3& p : solid.extremes()) look_at(solid.from_own_axes(p));
+    for (const SharpCurve& curve : solid.sharp_curves()) {
+      const int count = std::clamp(int(4 * curve.length() / sigma), least_curve_points, most_curve_points);
+      for (int k = 0; k <= count; ++k) look_at(curve.at(double(k) / count));
+    }
+  }
+  return out;
+}
 
 BallSettings ball_settings(const EnvelopeSettings& settings, double size) {
   BallSettings out;
   out.sigma = std::max(settings.rounding, least_rounding * size);
   out.radius = std::max(settings.ball_radius.value_or(hull_ball * size), least_ball * out.sigma);
   out.clearance = settings.clearance;
+  out.on_faces = settings.on_faces;
+  out.finer_patches = settings.finer_patches;
   return out;
 }
 
@@ -141,8 +182,7 @@ BallField ball_field(std::span<const Solid> solids, const BallSettings& settings
                      std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel) {
   std::vector<GrownSolid> grown;
   for (const Solid& solid : solids)
-    grown.push_back(
-        grown_solid(solid, origin, settings.sigma, settings.clearance + patch_tolerance * settings.sigma));
+    grown.push_back(grown_solid(solid, origin, settings.sigma, room_outside(settings), settings.on_faces));
   const GrownUnion all(std::move(grown));
   LatticeRequest request{all};
   request.radius = settings.radius;
@@ -150,6 +190,7 @@ BallField ball_field(std::span<const Solid> solids, const BallSettings& settings
   request.passes = quality == Quality::drag ? drag_passes : final_passes;
   request.origin = origin;
   request.mirror = mirror;
+  request.own_balls = own_balls(solids, settings.sigma);
   BallField out;
   out.field = smoothed_closing(request, &out.lattice, cancel);
   if (!cancel.cancelled())
@@ -169,10 +210,15 @@ std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const B
   out.tolerance = patch_tolerance * settings.sigma;
   static_cast<BallField&>(out) = ball_field(solids, settings, origin, mirror, quality, cancel);
   if (cancel.cancelled()) return {};
-  std::optional<Fitted> made = Fitting(out.field, origin, settings.sigma, quality, cancel).run();
+  std::optional<Fitted> made = Fitting(out.field, origin, settings, quality, cancel).run();
   if (cancel.cancelled() || !made) return {};
   out.cage = std::move(made->cage);
   out.topology = topology_of(out.cage);
+  if (settings.on_faces) {
+    std::vector<SolidShape> shapes;
+    for (const Solid& solid : solids) shapes.emplace_back(solid, origin);
+    out.sticks_out = sticking_out(out.field, shapes, settings.sigma);
+  }
   out.rounds = made->rounds;
   out.coarse = made->coarse;
   for (const PatchFit& fit : made->fits) {

@@ -21,18 +21,29 @@ constexpr double noticeable = 1e-2;  ///< of sigma: a neighbour's centre that is
 /// Factors of the ball's radius. A ball stops fitting between parallel walls at once and leaves the whole
 /// slot; of five the values' mean takes five smaller steps. The one in the middle is the ball itself.
 constexpr std::array<double, 5> slot_factors{0.75, 0.87, 1, 1.15, 1.33};
-constexpr std::size_t own_ball = 2;
+constexpr std::size_t usual_ball = 2;
 constexpr int slot_step = 4;
 /// Shares of the radius by which the smallest of these balls reaches deeper than the largest. In the corner
 /// of a box it is 0.42: what is less is no slot, what is more than the second all slot.
 constexpr double no_slot = 0.45, all_slot = 0.75;
 
-std::vector<Closing> slot_balls(const LatticeRequest& request) {
+/// Share of the smaller radius: a ball that is so far from all other solids is between its own alone.
+constexpr double own_reach = 0.5;
+
+/// Five for slots, then those between some solids.
+std::vector<Closing> balls_of(const LatticeRequest& request) {
   std::vector<Closing> out;
   for (const double factor : slot_factors)
     out.emplace_back(request.solids, factor * request.radius, accuracy * request.sigma);
+  for (const OwnBall& own : request.own_balls)
+    out.emplace_back(request.solids, own.radius, accuracy * request.sigma);
   return out;
 }
+
+/// Values of balls between some solids, and how much they count at a node.
+struct OwnValues {
+  std::vector<double> sum, shares;
+};
 
 class Lattice {
  public:
@@ -40,7 +51,7 @@ class Lattice {
       : request_(request),
         cancel_(cancel),
         spacing_(lattice_spacing(request.sigma, request.passes)),
-        balls_(slot_balls(request)) {
+        balls_(balls_of(request)) {
     const Eigen::AlignedBox3d& box = request.solids.box();
     for (Eigen::Index a = 0; a < 3; ++a) {
       double low = box.min()[a] + request.origin[a], high = box.max()[a] + request.origin[a];
@@ -58,6 +69,7 @@ class Lattice {
     visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n); });
     improve(2);
     find_slots();
+    look_at_own_balls();
     visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
       if (state_[at] == State::open) refine(at, n);
     });
@@ -65,7 +77,10 @@ class Lattice {
     std::vector<double> values(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) values[i] = nodes_[i].value;
     if (report) *report = counted();
+    const OwnValues own = own_values();
     if (!slots_.empty()) average_slots(values);
+    for (std::size_t i = 0; i < own.sum.size(); ++i)
+      values[i] += (own.sum[i] - own.shares[i] * values[i]) / std::max(1.0, own.shares[i]);
     if (request_.mirror) even(values);
     for (int pass = 0; pass < request_.passes; ++pass) smooth(values);
     return SplineField(point({0, 0, 0}), spacing_, size_, std::move(values));
@@ -134,8 +149,8 @@ class Lattice {
       const std::array<int, 3> m = coarse_node(n, c, 2);
       const ClosedDistance& beside = nodes_[index(m[0], m[1], m[2])];
       sum += beside.value / 8;
-      low = std::max(low, beside.value - way);
-      high = std::min(high, beside.value + way);
+      low = std::max(low, (least_.empty() ? beside.value : least_[index(m[0], m[1], m[2])]) - way);
+      high = std::min(high, (most_.empty() ? beside.value : most_[index(m[0], m[1], m[2])]) + way);
       if (const double value = value_from(beside, m, n); value > best) best = value, start = &beside.centre;
     }
     const bool in_slot = !slots_.empty() && slots_[at] > 0;
@@ -177,7 +192,7 @@ class Lattice {
 
   /// How much nodes lie in a slot, from 0 to 1: asked at every fourth one.
   void find_slots() {
-    const Closing &smaller = balls_.front(), &larger = balls_.back();
+    const Closing &smaller = balls_.front(), &larger = balls_[slot_factors.size() - 1];
     if (no_slot * request_.radius > request_.solids.box().diagonal().norm()) return;
     std::vector<double> asked(nodes_.size(), 0);
     std::atomic<bool> any = false;
@@ -216,15 +231,85 @@ class Lattice {
   void average_slots(std::vector<double>& values) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) state_[i] = slots_[i] > 0 ? State::known : State::between;
     const std::vector<double> own = values;
-    for (ball_ = 0; ball_ < balls_.size(); ++ball_) {
-      if (ball_ == own_ball) continue;
+    for (ball_ = 0; ball_ < slot_factors.size(); ++ball_) {
+      if (ball_ == usual_ball) continue;
       visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
         if (slots_[at] > 0) evaluate(at, n);
       });
       improve(1);
       for (std::size_t i = 0; i < values.size(); ++i)
-        if (slots_[i] > 0) values[i] += slots_[i] / double(balls_.size()) * (nodes_[i].value - own[i]);
+        if (slots_[i] > 0) values[i] += slots_[i] / double(slot_factors.size()) * (nodes_[i].value - own[i]);
     }
+  }
+
+  /// The range of all balls' values at every second node: what is between is a value of some mean of them.
+  void look_at_own_balls() {
+    if (request_.own_balls.empty()) return;
+    const std::vector<ClosedDistance> usual = nodes_;
+    for (const ClosedDistance& node : usual) least_.push_back(node.value), most_.push_back(node.value);
+    for (ball_ = slot_factors.size(); ball_ < balls_.size(); ++ball_) {
+      visit(2, [&](std::size_t at, const std::array<int, 3>& n) { evaluate(at, n); });
+      improve(2);
+      for (std::size_t i = 0; i < usual.size(); ++i) {
+        least_[i] = std::min(least_[i], nodes_[i].value);
+        most_[i] = std::max(most_[i], nodes_[i].value);
+      }
+    }
+    ball_ = usual_ball;
+    nodes_ = usual;
+  }
+
+  /// How much a node is between an own ball's solids, from 0 to 1: by how far the larger of both balls, which
+  /// touches several solids there, is from all others. Where it touches one alone, both have the same value.
+  double share_of(const OwnBall& own, const ClosedDistance& larger) const {
+    if (!larger.crease) return 0;
+    const double reach = own_reach * std::min(own.radius, request_.radius);
+    double gap = reach;
+    for (const Index i : among())
+      if (!own.between[i]) {
+        const double radius = std::max(own.radius, request_.radius);
+        if (request_.solids.bound(i, larger.centre) - radius < gap)
+          gap = std::min(gap, request_.solids.distance(i, larger.centre) - radius);
+      }
+    const double t = std::clamp(gap / reach, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  }
+
+  /// A mean of values of several balls, none of which is larger than the solids' distances, is not either.
+  OwnValues own_values() {
+    OwnValues out;
+    if (request_.own_balls.empty()) return out;
+    out.sum.assign(nodes_.size(), 0);
+    out.shares.assign(nodes_.size(), 0);
+    const std::vector<ClosedDistance> usual = nodes_;
+    const std::vector<State> known = state_;
+    std::vector<double> shares(nodes_.size());
+    for (std::size_t k = 0; k < request_.own_balls.size(); ++k) {
+      const OwnBall& own = request_.own_balls[k];
+      const bool larger = own.radius > request_.radius;
+      ball_ = slot_factors.size() + k;
+      state_ = known;
+      const auto find_shares = [&](const std::vector<ClosedDistance>& nodes) {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          shares[i] = known[i] == State::known ? share_of(own, nodes[i]) : 0;
+      };
+      if (!larger) {
+        find_shares(usual);
+        for (std::size_t i = 0; i < shares.size(); ++i)
+          if (!(shares[i] > 0)) state_[i] = State::between;
+      }
+      visit(1, [&](std::size_t at, const std::array<int, 3>& n) {
+        if (state_[at] == State::known) evaluate(at, n);
+      });
+      improve(1);
+      if (larger) find_shares(nodes_);
+      for (std::size_t i = 0; i < shares.size(); ++i) {
+        out.sum[i] += shares[i] * nodes_[i].value;
+        out.shares[i] += shares[i];
+      }
+    }
+    ball_ = usual_ball;
+    return out;
   }
 
   /// The larger of a node's value and that of its image: both are safe.
@@ -265,12 +350,13 @@ class Lattice {
   const CancelToken& cancel_;
   double spacing_;
   std::vector<Closing> balls_;
-  std::size_t ball_ = own_ball;  ///< the one that is rolled
-  Vector3 low_;                  ///< of the first node, in spacings from the object's zero
+  std::size_t ball_ = usual_ball;  ///< the one that is rolled
+  Vector3 low_;                    ///< of the first node, in spacings from the object's zero
   std::array<int, 3> size_{};
   std::vector<ClosedDistance> nodes_;
   std::vector<State> state_;
-  std::vector<double> slots_;  ///< how much nodes lie in a slot; empty without slots
+  std::vector<double> least_, most_;  ///< values of all balls at coarse nodes; empty of one ball
+  std::vector<double> slots_;         ///< how much nodes lie in a slot; empty without slots
 };
 
 }  // namespace

@@ -16,6 +16,12 @@ inline constexpr int final_passes = 3, drag_passes = 2;
 /// Between nodes, so that the passes and the cubic B-spline have the standard deviation `sigma` together.
 double lattice_spacing(double sigma, int passes);
 
+/// A ball of another radius between some solids.
+struct OwnBall {
+  double radius = 1;
+  std::vector<char> between;  ///< one a solid: it may be touched; nothing else may
+};
+
 struct LatticeRequest {
   const GrownUnion& solids;  ///< relative to `origin`
   double radius = 1;         ///< of the rolling ball
@@ -25,6 +31,7 @@ struct LatticeRequest {
   /// solids moves the surface.
   Vector3 origin = Vector3::Zero();
   std::optional<Eigen::Index> mirror = {};  ///< solids are images of each other across this axis's plane
+  std::vector<OwnBall> own_balls = {};
 };
 
 struct LatticeReport {

@@ -64,34 +64,49 @@ double rough_mean_distance(const FollowedDistance& distance, const Vector3& at, 
   return sum / 6;
 }
 
-constexpr std::size_t most_corners = 12;  ///< that are looked at closely
+constexpr std::size_t most_places = 12;  ///< that are looked at closely
+
+/// Places with the least rough means where there are many, or with the largest where `sign` is -1.
+std::vector<Vector3> worth_a_look(const FollowedDistance& distance, const std::vector<Vector3>& at,
+                                  double sign, double sigma) {
+  if (at.size() <= most_places) return at;
+  std::vector<std::pair<double, Index>> order;
+  for (Index i = 0; i < at.size(); ++i)
+    order.emplace_back(sign * rough_mean_distance(distance, at[i], sigma), i);
+  std::ranges::sort(order);
+  std::vector<Vector3> out;
+  for (std::size_t i = 0; i < most_places; ++i) out.push_back(at[order[i].second]);
+  return out;
+}
 
 }  // namespace
 
 double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
   const FollowedDistance distance(solid, followed);
-  std::vector<Vector3> at = solid.extremes();
-  if (at.size() > most_corners) {
-    std::vector<std::pair<double, Index>> order;
-    for (Index i = 0; i < at.size(); ++i) order.emplace_back(-rough_mean_distance(distance, at[i], sigma), i);
-    std::ranges::sort(order);
-    std::vector<Vector3> kept;
-    for (std::size_t i = 0; i < most_corners; ++i) kept.push_back(at[order[i].second]);
-    at = std::move(kept);
-  }
   double out = 0;
-  for (const Vector3& p : at) out = std::max(out, mean_distance(distance, p, sigma));
+  for (const Vector3& p : worth_a_look(distance, solid.extremes(), -1, sigma))
+    out = std::max(out, mean_distance(distance, p, sigma));
   return out;
 }
 
-GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room) {
+double face_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
+  if (solid.face_middles().empty()) return growth_constant(solid, followed, sigma);
+  const FollowedDistance distance(solid, followed);
+  double out = 1e300;
+  for (const Vector3& p : worth_a_look(distance, solid.face_middles(), 1, sigma))
+    out = std::min(out, mean_distance(distance, p, sigma));
+  return out;
+}
+
+GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room, bool on_faces) {
+  const auto constant = on_faces ? face_constant : growth_constant;
   SolidShape shape(solid, origin);
   if (!solid.roundness) {
-    const double growth = growth_constant(shape, shape, sigma) + room;
+    const double growth = constant(shape, shape, sigma) + room;
     return {std::move(shape), growth};
   }
   SolidShape followed(softened(solid), origin);
-  const double growth = growth_constant(shape, followed, sigma) + room;
+  const double growth = constant(shape, followed, sigma) + room;
   return {std::move(followed), growth};
 }
 

@@ -15,14 +15,19 @@ namespace hariko {
 /// this is subtracted contains the solid. The same wherever the solid stands.
 double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma);
 
+/// Least of these means over the middles of the solid's flat faces: with it, the flattest face lies on the
+/// surface, as all do that are wider than the kernel. The growth constant where no face is flat.
+double face_constant(const SolidShape& solid, const SolidShape& followed, double sigma);
+
 struct GrownSolid {
   SolidShape shape;
   double growth = 0;  ///< subtracted from the distance
 };
 
 /// The solid, or what is followed instead of one with a roundness of its own, relative to `origin`. `room`: a
-/// length that it is grown by beyond its constant.
-GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room);
+/// length that it is grown by beyond its constant, which is the face constant where `on_faces`.
+GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room,
+                       bool on_faces = false);
 
 struct NearestSolid {
   Index solid = no_index;

@@ -24,8 +24,8 @@ void choose_ball(EnvelopeInput& input);
 /// For settings of documents from before there was the ball, which had a tightness.
 void choose_ball_as_before(EnvelopeInput& input, double tightness);
 
-/// How far flat faces of the surface lie outside of those of a solid, a length. Solids without flat faces
-/// have the surface nearer to them.
+/// How far flat faces of the surface lie outside of those of a solid, a length; of solids without flat faces,
+/// how far the surface does where they bend most.
 double faces_outside(const Solid& solid, const EnvelopeSettings& settings, double size);
 
 /// Enlarges the ball to the smallest that makes one part of the solids' surface; the hull where none does.
