@@ -65,6 +65,7 @@ struct SceneObject {
   bool show_surface = true;
   bool show_polyhedron = false;   ///< edges and points
   bool show_network = false;      ///< curves over source edges; creases and boundaries are drawn with it
+  bool quiet_network = false;     ///< nobody drew those edges: their curves are thin and pale
   bool elements_pickable = true;  ///< vertices and edges: not those of a net that is not shown
   PatchWire wire = PatchWire::none;
   bool show_points = true;     ///< with the polyhedron

@@ -56,7 +56,7 @@ Style style_of(Background background) {
   s.hovered_point = {secondary, with_alpha(ink, 0.95F), 9.0F, 1.5F};
   s.corner = {fold, with_alpha(ink, 0.95F), 11.0F, 1.5F, PointShape::square};
   s.smooth = {color_from_hex("#3dbb6c"), with_alpha(ink, 0.95F), 12.0F, 1.2F, PointShape::ring};
-  s.pinned = {color_from_hex("#c58cff"), with_alpha(ink, 0.95F), 13.0F, 1.5F, PointShape::diamond};
+  s.pinned = {color_from_hex("#c58cff"), with_alpha(ink, 0.95F), 9.0F, 1.2F, PointShape::diamond};
   s.failed_point = {color_from_hex("#ff3b30"), with_alpha(Color{1, 1, 1, 1}, 0.95F), 12.0F, 2.0F};
   s.selected_fill = with_alpha(accent, 0.30F);
   s.hovered_fill = with_alpha(secondary, 0.22F);

@@ -27,6 +27,8 @@ std::size_t button_index(PointerButton button) {
 
 void PointerTools::frame(PointerEvent now, bool hovered, const Overhead& overhead) {
   end_stale_tool();
+  pressed_ = false;
+  if (std::exchange(repeats_, false) && hovered) begin(PointerEvent(press_), overhead);
   if (tool_ && tool_->modal())
     drive_modal(now, hovered);
   else if (tool_)
@@ -61,11 +63,16 @@ void PointerTools::look_for_press(PointerEvent event, const Overhead& overhead) 
     if (event.clicks == 0) continue;
     editor_.layout.activate(editor_.layout.active());  // something is done there
     event.button = buttons[i];
-    std::optional<std::unique_ptr<Tool>> over = overhead(event);
-    std::unique_ptr<Tool> tool = over ? std::move(*over) : tool_for(editor_, event);
-    if (tool) start(std::move(tool), event);
-    if (over) return;
+    if (begin(event, overhead)) return;
   }
+}
+
+bool PointerTools::begin(const PointerEvent& press, const Overhead& overhead) {
+  std::optional<std::unique_ptr<Tool>> over = overhead(press);
+  std::unique_ptr<Tool> tool = over ? std::move(*over) : tool_for(editor_, press);
+  if (tool) start(std::move(tool), press);
+  pressed_ = tool_ && !tool_->modal();
+  return over.has_value();
 }
 
 /// A modifier alone changes what a tool shows, too.
@@ -144,7 +151,9 @@ void PointerTools::feed(const PointerEvent& event) {
 /// A tool works on the document that it found. What came in between, as a step that the list of steps went to
 /// or work that was done meanwhile, is not for it.
 void PointerTools::end_stale_tool() {
-  if (tool_ && found_ != name_of_document(editor_)) cancel();
+  if (!tool_ || found_ == name_of_document(editor_)) return;
+  cancel();
+  repeats_ = pressed_;
 }
 
 void PointerTools::finish(ToolState state, const PointerEvent& last) {

@@ -23,6 +23,9 @@ class PointerTools {
 
   /// The running tool; null when none runs.
   const Tool* running() const { return tool_.get(); }
+  /// Ends a tool whose document was changed under it. A press that has just come begins anew with the next
+  /// `frame`: it took a typed number out of its field. Before anything looks at whether a tool runs.
+  void end_stale_tool();
   /// Buttons, moves and wheel of a frame of ImGui. `now`: the pointer and the modifiers; `hovered`: whether
   /// nothing lies between the pointer and the view.
   void frame(PointerEvent now, bool hovered, const Overhead& overhead);
@@ -41,10 +44,11 @@ class PointerTools {
   void drive_navigation(PointerEvent event);
   void wheel(const PointerEvent& event);
   void look_for_press(PointerEvent event, const Overhead& overhead);
+  /// True when what stands over the picture has the press.
+  bool begin(const PointerEvent& press, const Overhead& overhead);
   bool has_news(const PointerEvent& event) const;
   void feed(const PointerEvent& event);
   void finish(ToolState state, const PointerEvent& last);
-  void end_stale_tool();
 
   Editor& editor_;
   const SceneBuilder& scene_;
@@ -52,6 +56,8 @@ class PointerTools {
   std::pair<std::uint64_t, std::uint64_t> found_;  ///< the document that the tool knows
   bool shift_ = false, control_ = false;           ///< as the tool knows them
   PointerEvent press_;
+  bool pressed_ = false;              ///< the tool began with a press in the last frame
+  bool repeats_ = false;              ///< that press is still to be answered, on another document
   std::unique_ptr<Tool> navigation_;  ///< turns the view while a modal tool waits
   PointerEvent navigation_press_;
   Vector2 pointer_ = Vector2::Constant(-1);

@@ -22,13 +22,14 @@ bool same(const SceneObject& a, const SceneObject& b) {
          a.outlined == b.outlined && a.outlined_as_hovered == b.outlined_as_hovered &&
          a.transform == b.transform && a.map == b.map && a.range == b.range &&
          a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
-         a.show_network == b.show_network && a.elements_pickable == b.elements_pickable && a.wire == b.wire &&
-         a.material == b.material && a.color == b.color && a.show_tensions == b.show_tensions &&
-         a.show_bodies == b.show_bodies && a.faint_bodies == b.faint_bodies && a.marks == b.marks &&
-         a.combs == b.combs && a.facet_edges == b.facet_edges && a.comb_scale == b.comb_scale &&
-         a.failed == b.failed && a.show_points == b.show_points && a.x_ray == b.x_ray &&
-         a.dimmed == b.dimmed && a.selected == b.selected && a.hovered == b.hovered &&
-         a.selected_patches == b.selected_patches && a.hovered_patches == b.hovered_patches;
+         a.show_network == b.show_network && a.quiet_network == b.quiet_network &&
+         a.elements_pickable == b.elements_pickable && a.wire == b.wire && a.material == b.material &&
+         a.color == b.color && a.show_tensions == b.show_tensions && a.show_bodies == b.show_bodies &&
+         a.faint_bodies == b.faint_bodies && a.marks == b.marks && a.combs == b.combs &&
+         a.facet_edges == b.facet_edges && a.comb_scale == b.comb_scale && a.failed == b.failed &&
+         a.show_points == b.show_points && a.x_ray == b.x_ray && a.dimmed == b.dimmed &&
+         a.selected == b.selected && a.hovered == b.hovered && a.selected_patches == b.selected_patches &&
+         a.hovered_patches == b.hovered_patches;
 }
 
 bool same(const OverlayLine& a, const OverlayLine& b) {
@@ -246,6 +247,8 @@ SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<c
   out.show_surface = display.surface;
   out.show_polyhedron = display.polyhedron && !bare;
   out.show_network = display.network && !bare;
+  out.quiet_network =
+      object->outline() != nullptr;  // its points inside were found, the loops alone are drawn
   out.elements_pickable = !(object->patches() || object->bezier()) || display.polyhedron;
   out.x_ray = editor.view.x_ray;
   out.material = display.material;

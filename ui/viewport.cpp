@@ -65,6 +65,7 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
                                ImGuiButtonFlags_MouseButtonMiddle);
     context.marks.item("viewport");
     const bool hovered = ImGui::IsItemHovered();
+    tools_.end_stale_tool();
     panes_.activate_under_pointer(rect, tool_active());
     scene_.update(editor_);  // hovering and clicking look at what is there now
     gizmo_.update(editor_, tool_active());

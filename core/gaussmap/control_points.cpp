@@ -148,7 +148,7 @@ class Solver {
     if (made->singular) {
       out.messages.push_back(make_warning(
           w_singular,
-          "The areas do not determine the surface over this outline; the result is that of the mode umbilic.",
+          "The areas do not determine the surface over this outline; the result is that of the mode round (umbilic).",
           "Tilt the normals so that the Gauss image is no hemisphere, or use the mode curvature."));
       return Done{};
     }
@@ -300,7 +300,7 @@ Result<ControlPoints> finished(const Outline& outline, ControlPoints result,
     return make_error(e_diverged,
                       "The boundary data do not determine a bounded surface: it runs away near " +
                           to_string(outline, *at) + ".",
-                      "Check the normals, or use the mode umbilic or position.",
+                      "Check the normals, or use the mode round (umbilic) or position.",
                       element_of(VertexId{at->number}));
   add_result_warnings(result, sign);
   result.messages.insert(result.messages.begin(), messages.begin(), messages.end());

@@ -225,7 +225,7 @@ void Check::check_curvature() {
       return error(
           e_no_curvature,
           "Loop " + std::to_string(first.loop) + " has no Gaussian curvature, which this mode needs.",
-          "Give the curvature along the loop, or use the mode umbilic or position.", first);
+          "Give the curvature along the loop, or use the mode round (umbilic) or position.", first);
     ++first.loop;
     first.number += static_cast<Index>(loop.points.size());
   }
@@ -249,7 +249,7 @@ void Check::check_curvature() {
   else if (negatives && (mode_ == GaussMode::paper || mode_ == GaussMode::minkowski))
     error(e_negative_curvature,
           "The Gaussian curvature at " + name(negative) + " is negative, which this mode cannot do.",
-          "Use the mode umbilic or curvature.", negative);
+          "Use the mode round (umbilic) or curvature.", negative);
 }
 
 void Check::check_convexity() {

@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// Inner edges whose faces' normals differ by more than an angle, 0 .. 180 degrees, ascending. Faces without
-/// an area have no angle. O(edges).
+/// Inner edges whose faces' normals differ by more than an angle, 0 .. 180 degrees, ascending; a hundredth of
+/// a degree is no difference. Faces without an area have no angle. O(edges).
 std::vector<EdgeId> folded_edges(const Polyhedron& polyhedron, double degrees);
 
 /// The document with creases at the folded edges of all its polyhedra, beside those that are there.

@@ -1,8 +1,12 @@
 // The gizmo: which handle lies where, and what its drag does.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "tests/app/tool_rig.hpp"
+#include "tests/support/random.hpp"
 #include "ui/tools/gizmo.hpp"
 #include "ui/tools/transform_tool.hpp"
 
@@ -42,6 +46,37 @@ TEST(Gizmo, AnArrowMovesAlongItsAxisOnlyAndAClickAsksForANumber) {
   rig.type("2.5");
   rig.enter();
   EXPECT_EQ(rig.place({6}), Vector3(1, 1, 3.5));
+}
+
+/// From whatever side one looks: no handle is shown that cannot be taken, and there is one of each kind.
+TEST(Gizmo, EveryHandleThatIsShownHasRoomAndSomethingTurns) {
+  Rig rig;
+  rig.choose({6});
+  test::for_random(20261126, 60, [&](auto& rng) {
+    const double aside = test::uniform(rng, 0, 2 * std::numbers::pi), up = test::uniform(rng, -2, 0.8);
+    rig.editor.set_camera(Camera::standard(StandardView::iso).orbit(aside, up));
+    rig.editor.frame_all(true);
+    Gizmo gizmo;
+    gizmo.update(rig.editor, false);
+    const Vector2 centre = rig.pixel({1, 1, 1});
+    constexpr int reach = 150, step = 2;
+    std::vector<std::pair<GizmoHandle, int>> rooms;
+    for (int x = -reach; x <= reach; x += step)
+      for (int y = -reach; y <= reach; y += step) {
+        const auto handle = gizmo.hit(centre + Vector2(x, y));
+        if (!handle) continue;
+        auto found =
+            std::find_if(rooms.begin(), rooms.end(), [&](const auto& each) { return each.first == *handle; });
+        if (found == rooms.end()) found = rooms.insert(found, {*handle, 0});
+        found->second += step * step;
+      }
+    std::array<int, 3> kinds{};
+    for (const auto& [handle, room] : rooms) {
+      EXPECT_GE(room, 80) << "kind " << int(handle.kind) << ", axis " << handle.lock.axis;
+      ++kinds[static_cast<std::size_t>(handle.kind)];
+    }
+    for (const int kind : kinds) EXPECT_GE(kind, 1) << "nothing moves, nothing turns or nothing scales";
+  });
 }
 
 TEST(Gizmo, HidesWithoutASelection) {

@@ -182,6 +182,69 @@ TEST_F(WithOutline, APanelThatClosesGivesTheViewItsRoomBack) {
   EXPECT_EQ(editor().camera().distance, near.distance);
 }
 
+/// The curves between points that were found are no lines of the designer.
+TEST_F(WithOutline, TheCurvesOfAFilledOutlineDoNotDarkenItsForm) {
+  bench_.wait_for_surfaces();
+  run("view.frame_all");
+  // Pixels of the view that the curves make darker by a quarter.
+  const auto picture = [&](bool network) {
+    DisplaySettings display = editor().active_object()->display;
+    display.network = network;
+    editor().commit(set_display(editor().history.current(), editor().selection.active, display), "Show");
+    frames();
+    return bench_.renderer().read(0);
+  };
+  const Image with = picture(true), without = picture(false);
+  ASSERT_EQ(with.rgba.size(), without.rgba.size());
+  std::size_t darker = 0, changed = 0;
+  for (std::size_t i = 0; i < with.rgba.size(); i += 4) {
+    darker += with.rgba[i + 1] + 64 < without.rgba[i + 1] ? 1 : 0;
+    changed += with.rgba[i + 1] != without.rgba[i + 1] ? 1 : 0;
+  }
+  EXPECT_GT(changed, 2000U) << "the curves are not there";
+  EXPECT_LT(darker, changed / 20) << "of " << changed;
+}
+
+class WithSkin : public Everyday {
+ protected:
+  WithSkin() : Everyday(sample_of("skin_merge_inside")) {}
+  /// Corners of the triangles that are tinted as irregular.
+  std::size_t tinted() {
+    frames();
+    const ImU32 merge = IM_COL32(0xb0, 0x6c, 0xe8, 0);
+    std::size_t count = 0;
+    const ImDrawData* drawn = ImGui::GetDrawData();
+    for (int i = 0; i < drawn->CmdListsCount; ++i)
+      for (const ImDrawVert& vertex : drawn->CmdLists[i]->VtxBuffer) {
+        const ImU32 alpha = vertex.col >> IM_COL32_A_SHIFT;
+        count += (vertex.col & 0x00ffffff) == merge && alpha > 0 && alpha < 0x40 ? 1 : 0;
+      }
+    return count;
+  }
+};
+
+/// Fans have triangles where these are not joined to quads.
+TEST_F(WithSkin, NothingLiesOverTheColoursOfAMap) {
+  bench_.wait_for_surfaces();
+  run("property.skin_quads");
+  ASSERT_TRUE(marks().contains("check.skin_quads"));
+  ASSERT_TRUE(editor().active_object()->skin()->skin->pleat.quad_fans);
+  bench_.click("check.skin_quads");
+  ASSERT_FALSE(editor().active_object()->skin()->skin->pleat.quad_fans);
+  bench_.wait_for_surfaces();
+  EXPECT_GT(tinted(), 0U) << "triangles are tinted without a map";
+  bench_.key("Alt+Z");
+  bench_.wait_for_surfaces();
+  EXPECT_EQ(tinted(), 0U) << "of the view's map";
+  bench_.key("Alt+Z");
+  EXPECT_GT(tinted(), 0U);
+  DisplaySettings display = editor().active_object()->display;
+  display.map = SurfaceMap::zebra;
+  editor().commit(set_display(editor().history.current(), editor().selection.active, display), "Map");
+  bench_.wait_for_surfaces();
+  EXPECT_EQ(tinted(), 0U) << "of the object's own map";
+}
+
 /// "selected objects only" was cut off.
 TEST(Dialogs, FitNarrowWindowsInBothLanguages) {
   for (const bool japanese : {false, true}) {

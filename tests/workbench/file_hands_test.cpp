@@ -161,6 +161,18 @@ TEST(PrepareMeshes, SharpEdgesBecomeCreasesByTheirAngle) {
   EXPECT_EQ(plain.document->objects[0]->polyhedron()->shaping->crease.size(), 0U);
 }
 
+/// Twelve sides meet at 30 degrees, but for the digits of the file.
+TEST(PrepareMeshes, AnAngleThatIsTheLimitItselfMakesNoCreaseWhateverTheDigits) {
+  for (const double digits : {1e4, 1e5, 1e7}) {
+    PolygonMesh prism = make_primitive(PrismShape{12, 40, 80, {}}).value();
+    for (Vector3& p : prism.positions) p = (p * digits).array().round() / digits;
+    OpenedFile file = opened(prism);
+    prepare_meshes(file, {MeshUse::cage, true, 30});
+    ASSERT_TRUE(file.document);
+    EXPECT_EQ(file.document->objects[0]->polyhedron()->shaping->crease.size(), 24U) << digits;
+  }
+}
+
 TEST(PrepareMeshes, DenseMeshesAreAskedAboutAndShowWithoutPoints) {
   const PolygonMesh torus = make_primitive(TorusShape{2, 0.5, 100, 60, {}}).value();
   ASSERT_GT(torus.face_count(), MeshImport::dense_faces);

@@ -55,9 +55,22 @@ class Focus : public ::testing::Test {
       frames(3);
       if (GImGui->NavId == 0 && GImGui->ActiveId == 0) continue;
       items.insert(GImGui->ActiveId != 0 ? GImGui->ActiveId : GImGui->NavId);
-      EXPECT_TRUE(can_be_seen()) << where << ", " << key << " number " << i;
+      EXPECT_TRUE(can_be_seen()) << where << ", " << key << " number " << i << ": " << stop();
     }
     return items;
+  }
+  /// Where the keyboard is, for messages: the window and the rectangle there, or the mark that is at it.
+  std::string stop() {
+    const ImGuiWindow* window = GImGui->NavWindow;
+    if (!window) return "no window";
+    const ImRect rect =
+        ImGui::WindowRectRelToAbs(const_cast<ImGuiWindow*>(window), window->NavRectRel[GImGui->NavLayer]);
+    std::string out = std::string(window->Name) + " " + std::to_string(int(rect.Min.x)) + "," +
+                      std::to_string(int(rect.Min.y));
+    for (const auto& [mark, place] : marks())
+      if (std::abs(float(place.x) - rect.Min.x) < 2 && std::abs(float(place.y) - rect.Min.y) < 2)
+        out += " " + mark;
+    return out;
   }
 
   test::TemporaryFolder folder_;
@@ -133,6 +146,73 @@ TEST_F(Focus, EnterTakesTheOfferThatTheKeyboardIsAt) {
   bench_.tap("Enter");
   frames();
   EXPECT_TRUE(GImGui->OpenPopupStack.empty()) << "Enter did nothing";
+}
+
+TEST_F(Focus, TabGoesThroughEveryPageOfThePreferences) {
+  for (const char* page : {"interface", "navigation", "units", "files", "colours", "keys"}) {
+    SCOPED_TRACE(page);
+    ASSERT_TRUE(bench_.workbench().commands().run("edit.preferences").ran);
+    frames(6);
+    bench_.click(std::string("preferences.page.") + page);
+    frames();
+    // Six pages and the way back to the defaults stand beside each.
+    EXPECT_GE(go("Tab", 24, page).size(), 8U);
+    EXPECT_GE(go("Shift+Tab", 4, page).size(), 2U);
+    bench_.tap("Esc");
+    frames();
+    if (marks().contains("preferences")) bench_.tap("Esc");  // the first one left a field
+    frames();
+    EXPECT_FALSE(marks().contains("preferences"));
+  }
+}
+
+TEST_F(Focus, TabGoesPastWhatCannotBeChangedNow) {
+  bench_.tap("Ctrl+Alt+T");
+  bench_.wait_for_surfaces();
+  std::string panel;
+  for (int i = 0; i < 6 && panel != "Meshing"; ++i) {
+    bench_.tap("F6");
+    frames();
+    panel = GImGui->NavWindow->RootWindow->Name;
+  }
+  ASSERT_EQ(panel, "Meshing");
+  ASSERT_TRUE(marks().contains("meshing.edge"));
+  const auto& tolerances = bench_.editor().meshing.settings;
+  ASSERT_FALSE(tolerances.of(MeshCriterion::edge).on);
+  bool reached = false;
+  for (int i = 0; i < 16; ++i) {
+    go("Tab", 1, panel);
+    const std::string at = stop();
+    reached = reached || at.ends_with("meshing.edge.on");
+    EXPECT_FALSE(at.ends_with("meshing.edge")) << at;
+  }
+  EXPECT_TRUE(reached);
+}
+
+TEST_F(Focus, F6AndTabGoThroughEveryPanel) {
+  std::set<std::string> seen;
+  bench_.key("F6");
+  for (int i = 0; i < 6; ++i) {
+    std::printf("DBG %d hl %d nav %x win %s active %x alive %d init %d\n", i, GImGui->NavDisableHighlight, GImGui->NavId,
+                GImGui->NavWindow ? GImGui->NavWindow->Name : "-", GImGui->ActiveId, GImGui->NavIdIsAlive, GImGui->NavInitRequest);
+    bench_.frame();
+  }
+  bench_.tap("Esc");
+  for (int i = 0; i < 12; ++i) {
+    bench_.tap("F6");
+    std::printf("DBG2 %d hl %d nav %x win %s\n", i, GImGui->NavDisableHighlight, GImGui->NavId,
+                GImGui->NavWindow ? GImGui->NavWindow->Name : "-");
+    frames();
+    if (GImGui->NavDisableHighlight) break;
+    const std::string name = GImGui->NavWindow->RootWindow->Name;
+    seen.insert(name);
+    EXPECT_GE(go("Tab", 6, name).size(), name == "History" ? 1U : 2U) << name;
+    if (GImGui->ActiveId != 0) {
+      bench_.tap("Enter");
+      frames();
+    }
+  }
+  EXPECT_EQ(seen, (std::set<std::string>{"Objects", "Properties", "History", "Tools"}));
 }
 
 }  // namespace

@@ -1,130 +1,28 @@
-// Whole jobs done by hand, from an empty document to files, with a count of what the hands do: a click, a
-// double click, a drag, a turn of the wheel, a chord and a number or name that is typed are one action each.
+// Whole jobs of modelling done by hand, from an empty document to files, with a count of what the hands do.
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
 
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/object_box.hpp"
 #include "core/skinning/edit_section.hpp"
-#include "render/shown_edges.hpp"
-#include "tests/support/temporary_folder.hpp"
-#include "tests/workbench/headless_workbench.hpp"
+#include "tests/workbench/program_hands.hpp"
 #include "ui/tools/transform_target.hpp"
 
 namespace hariko {
 namespace {
 
-using test::HeadlessWorkbench;
+using test::ProgramHands;
 
-class Jobs : public ::testing::Test {
+class Jobs : public ::testing::Test, protected ProgramHands {
  protected:
-  Editor& editor() { return bench_.editor(); }
-  const std::map<std::string, Marks::Rect>& marks() { return bench_.workbench().marks().all(); }
-
-  // What hands do.
-  void click(const std::string& mark) {
-    ++actions_;
-    ASSERT_TRUE(marks().contains(mark)) << mark;
-    bench_.click(mark);
-    frames(3);
-  }
-  void click(const Vector2& at, int times = 1) {
-    ++actions_;
-    bench_.move(at.x(), at.y());
-    for (int i = 0; i < times; ++i) {
-      bench_.press();
-      bench_.release();
-    }
-    frames(2);
-  }
-  void drag(const Vector2& from, const Vector2& to, int button = 0) {
-    ++actions_;
-    bench_.move(from.x(), from.y());
-    bench_.press(button);
-    bench_.move((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
-    bench_.move(to.x(), to.y());
-    bench_.release(button);
-    frames(2);
-  }
-  void wheel(double steps) {
-    ++actions_;
-    bench_.wheel(steps);
-    frames(1);
-  }
-  void press(std::initializer_list<const char*> chords) {
-    for (const char* chord : chords) {
-      ++actions_;
-      bench_.tap(chord);
-    }
-    frames(2);
-  }
-  /// A number or a name: into the field that has the keyboard, else for the running tool.
-  void type(std::string_view text) {
-    ++actions_;
-    if (ImGui::GetIO().WantTextInput) return bench_.type(text);
-    for (const char c : text) {
-      KeyChord chord;
-      chord.key = c;
-      bench_.workbench().key({chord, static_cast<char32_t>(c)});
-      bench_.frame();
-    }
-  }
-
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) bench_.frame();
-  }
-  void wait() {
-    bench_.wait_for_surfaces();
-    for (int i = 0; i < 8; ++i) bench_.frame();  // and for the flight of the view
-  }
-  Vector2 pixel(const Vector3& world) {
-    const ImVec2 corner = bench_.workbench().viewport().rect().min;
-    return Projector(editor().camera(), editor().viewport).project(world)->head<2>() +
-           Vector2(double(corner.x), double(corner.y));
-  }
-  /// The middle of the curve of the edge whose straight line has its middle nearest to a place.
-  Vector2 curve_near(const Vector3& place) {
-    const SceneObject& object = bench_.workbench().viewport().scene().scene().objects[0];
-    const DisplayPolyhedron& lines = *object.polyhedron;
-    const auto end = [&](Index v) { return object.to_world(lines.origin, lines.positions[v]); };
-    Index best = 0;
-    double least = 1e300;
-    for (Index e = 0; e < lines.edges.size(); ++e) {
-      const double far = ((end(lines.edges[e][0]) + end(lines.edges[e][1])) / 2 - place).norm();
-      if (far < least) least = far, best = e;
-    }
-    const std::vector<Vector3> curve = shown_curve(object, best);
-    return pixel(curve[curve.size() / 2]);
-  }
   void save(const char* name) {
     press({"Ctrl+S"});
-    frames(4);
-    type((folder_.path() / name).string());
-    press({"Enter"});
-    ASSERT_EQ(saved_, folder_.path() / name);
+    name_file(name);
+    wait();
+    ASSERT_TRUE(std::filesystem::exists(folder() / name)) << notice();
   }
-  void expect_at_most(int most, const char* job) {
-    std::printf("%s: %d actions\n", job, actions_);
-    RecordProperty("actions", actions_);
-    EXPECT_LE(actions_, most) << job;
-  }
-
- private:
-  FileActions files() {
-    FileActions out;
-    out.save = [this](const auto& path, auto) { saved_ = path; };
-    out.export_cad = [this](const auto& path, const auto&) { exported_ = path; };
-    return out;
-  }
-
- protected:
-  test::TemporaryFolder folder_;
-  std::filesystem::path saved_, exported_;
-  int actions_ = 0;
-  HeadlessWorkbench bench_{Document(), {1440, 900}, files()};
 };
 
 /// A computer mouse: a body of 62 x 110 x 36 mm, symmetric, lower at its ends and with a waist, a sharp seam
@@ -143,13 +41,13 @@ TEST_F(Jobs, AMouseTakesAtMostSixtyActions) {
   click("combo.mirror");
   click("choice.mirror.1");
   wait();
-  bench_.move(400, 880);
+  bench().move(400, 880);
   press({"Home"});
   wait();
 
   // Two cuts across, where the body is to be bent.
   const Vector2 edge = curve_near({31, 0, 18});
-  bench_.move(edge.x(), edge.y());
+  bench().move(edge.x(), edge.y());
   press({"Ctrl+R"});
   wheel(1);
   click(edge);
@@ -206,10 +104,8 @@ TEST_F(Jobs, AMouseTakesAtMostSixtyActions) {
   if (!why_no_cad_files()) {
     click("menu.File");
     click("command.file.export_cad");
-    frames(4);
-    type((folder_.path() / "mouse.step").string());
-    press({"Enter"});
-    EXPECT_EQ(exported_, folder_.path() / "mouse.step");
+    name_file("mouse.step");
+    EXPECT_EQ(exported(), folder() / "mouse.step");
   }
 
   const Shaping& shaping = *editor().active_object()->polyhedron()->shaping;
@@ -240,7 +136,7 @@ TEST_F(Jobs, ATubeOfThreeSectionsTakesAtMostForty) {
   };
   ellipse("40", "25");
   ellipse("30", "20");
-  ASSERT_EQ(editor().history.undo_label(), "Draw skin") << bench_.workbench().viewport().hint();
+  ASSERT_EQ(editor().history.undo_label(), "Draw skin") << hint();
   press({"Home"});
   wait();
 
@@ -250,7 +146,7 @@ TEST_F(Jobs, ATubeOfThreeSectionsTakesAtMostForty) {
   click(pixel(evaluate(two.path, 0.5).position));
   wait();
   ellipse("60", "30");
-  ASSERT_EQ(editor().history.undo_label(), "Draw section") << bench_.workbench().viewport().hint();
+  ASSERT_EQ(editor().history.undo_label(), "Draw section") << hint();
   // What was drawn is selected.
   press({"S"});
   type("1.2");

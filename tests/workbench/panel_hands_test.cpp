@@ -91,6 +91,50 @@ TEST_F(PanelHands, ANewSolidHasOneBlockOfNumbersAndStaysSelected) {
   EXPECT_TRUE(marks().contains("field.solid.width"));
 }
 
+/// A press in the view takes the number that was typed, and is not lost by it.
+TEST_F(PanelHands, ADragRightAfterTypingMovesWhatItBeganOn) {
+  run("solid.box");
+  run("solid.sphere");
+  const Solid before = editor().active_object()->solids()->input->solids.back();
+  const std::size_t steps = editor().history.position();
+  enter("field.solid.radius", "30");
+  const ImVec2 corner = bench_.workbench().viewport().rect().min;
+  const Vector2 at = Projector(editor().camera(), editor().viewport).project(before.position)->head<2>() +
+                     Vector2(double(corner.x) - 8, double(corner.y) + 8);
+  bench_.move(at.x(), at.y());
+  bench_.press();
+  for (int i = 1; i <= 4; ++i) bench_.move(at.x() + 15 * i, at.y() + 10 * i);
+  bench_.release();
+  bench_.frame();
+  const Solid& after = editor().active_object()->solids()->input->solids.back();
+  EXPECT_EQ(after.radius, 30) << "the number is lost";
+  EXPECT_GT((after.position - before.position).norm(), 5) << "the drag is lost";
+  EXPECT_EQ(editor().history.position(), steps + 2);
+}
+
+/// As large as suits what is there, and half of it outside.
+TEST_F(PanelHands, NewSolidsFitThoseThatAreThereAndCanBeSeen) {
+  for (const char* size : {"8", "100", "3000"}) {
+    SCOPED_TRACE(size);
+    editor().open(Document(), {});
+    bench_.frame();
+    run("solid.box");
+    enter("field.solid.width", size);
+    for (int i = 0; i < 2; ++i) {
+      bench_.tap("Tab");
+      bench_.type(size);
+    }
+    bench_.tap("Enter");
+    run("solid.sphere");
+    const std::vector<Solid>& solids = editor().active_object()->solids()->input->solids;
+    ASSERT_EQ(solids.size(), 2U);
+    const double width = solids[0].size.x();
+    EXPECT_GE(solids[1].radius, 0.1 * width);
+    EXPECT_LE(solids[1].radius, 0.5 * width);
+    EXPECT_NEAR(solids[1].position.x(), width / 2, 1e-9 * width);
+  }
+}
+
 TEST_F(PanelHands, ACopiedRowOfSolidsStaysSelectedWhileItsNumberIsChanged) {
   run("solid.sphere");
   run("solid.row");

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/document/edit_skin.hpp"
 #include "core/skinning/edit_section.hpp"
 #include "core/skinning/section_frame.hpp"
@@ -150,6 +153,71 @@ TEST_F(SectionHands, ASectionIsDrawnFromAShapeAndNumbers) {
   for (const Vector3& p : limit_points(drawn->curve())) box.extend(Vector3(axes.transpose() * p));
   EXPECT_NEAR(box.sizes().x(), 40, 0.4);
   EXPECT_NEAR(box.sizes().y(), 20, 0.4);
+}
+
+/// A skin that is drawn from nothing, in an empty view.
+class DrawnSkin : public ::testing::Test {
+ protected:
+  Editor& editor() { return bench_.editor(); }
+  void frames(int count) {
+    for (int i = 0; i < count; ++i) bench_.frame();
+  }
+  Vector2 pixel(const Vector3& world) {
+    const ImVec2 corner = bench_.workbench().viewport().rect().min;
+    return Projector(editor().camera(), editor().viewport).project(world)->head<2>() +
+           Vector2(double(corner.x), double(corner.y));
+  }
+  void click(const Vector2& at) {
+    bench_.move(at.x(), at.y());
+    bench_.press();
+    bench_.release();
+    frames(2);
+  }
+  void press(std::initializer_list<const char*> keys) {
+    for (const char* key : keys) bench_.key(key);
+    frames(20);  // and the flight of the view
+  }
+  /// Corners of what is drawn over the view in a colour with this opacity.
+  static std::size_t drawn(ImU32 colour, float alpha) {
+    std::size_t count = 0;
+    const ImDrawData* data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i)
+      for (const ImDrawVert& vertex : data->CmdLists[i]->VtxBuffer)
+        count += vertex.col == with_alpha(colour, alpha) ? 1 : 0;
+    return count;
+  }
+
+  HeadlessWorkbench bench_{Document(), {1280, 800}};
+};
+
+TEST_F(DrawnSkin, ThePlaneOfASectionHasAGridAxesAndLengthsAndPointsNearAnAxisLieOnIt) {
+  frames(10);
+  const std::vector<Vector3> path{{-80, -20, 0}, {0, 20, 0}, {80, -20, 0}};
+  bench_.workbench().commands().run("skin.draw");
+  for (const Vector3& at : path) click(pixel(at));
+  EXPECT_EQ(drawn(palette().dim_text, 0.16F), 0U) << "the ground has its own grid";
+  press({"Enter"});
+  EXPECT_GT(drawn(palette().dim_text, 0.16F), 200U) << "no grid";
+  EXPECT_GT(drawn(palette().dim_text, 0.45F), 8U) << "no stronger lines";
+  // The path runs away from the eye: nearly a point or a bar.
+  EXPECT_GT(drawn(palette().secondary, 0.3F), 0U);
+  const Vector2 middle = pixel(path.front());
+  for (const Vector2& way : {Vector2(120, 3), Vector2(-3, -90), Vector2(-120, -2), Vector2(2, 90)})
+    click(middle + way);
+  press({"C", "Enter"});
+  press({"E", "4", "0", "Tab", "2", "0", "Enter"});
+  press({"Enter"});
+  ASSERT_TRUE(editor().active_object() && editor().active_object()->skin())
+      << bench_.workbench().viewport().hint();
+  const SkinSection& section = editor().active_object()->skin()->skin->sections.front();
+  ASSERT_EQ(section.size(), 4);
+  const Skin& skin = *editor().active_object()->skin()->skin;
+  const Matrix3 axes = upright_axes(section_direction_of_view(skin, section));
+  for (const Vector3& p : limit_points(section.curve())) {
+    const Vector3 local = axes.transpose() * (p - path.front());
+    EXPECT_LT(std::min(std::abs(local.x()), std::abs(local.y())), 1e-6) << local.transpose();
+    EXPECT_GT(local.norm(), 5) << local.transpose();
+  }
 }
 
 }  // namespace

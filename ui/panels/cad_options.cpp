@@ -142,13 +142,12 @@ void CadOptions::schema_row(const Language& tr, Marks& marks, const Metrics& met
                             const std::filesystem::path& name) {
   constexpr std::array schemas{"AP214", "AP242"};
   option_label(tr, metrics, translatable("STEP schema"));
-  ImGui::BeginDisabled(cad_format_of(name) == CadFormat::iges);
+  const Disabled disabled(cad_format_of(name) == CadFormat::iges);
   if (ImGui::RadioButton(schemas[0], !settings_.choices.ap242)) settings_.choices.ap242 = false;
   marks.item("export.ap214");
   ImGui::SameLine();
   if (ImGui::RadioButton(schemas[1], settings_.choices.ap242)) settings_.choices.ap242 = true;
   marks.item("export.ap242");
-  ImGui::EndDisabled();
 }
 
 void CadOptions::result_rows(const Editor& editor, Marks& marks) const {

@@ -330,9 +330,11 @@ void show_rows(PanelContext& context, const Objects& objects) {
     show_flag(context, objects, edges_flag);
     if (!any_of(objects, [](const Object& object) { return object.solids() != nullptr; })) return;
     ImGui::SetCursorPosX(start);
-    ImGui::BeginDisabled(!any_of(objects, [](const Object& object) { return object.display.polyhedron; }));
-    ImGui::Checkbox(context.tr("bodies"), &context.editor.view.bodies);
-    ImGui::EndDisabled();
+    {
+      const Disabled disabled(
+          !any_of(objects, [](const Object& object) { return object.display.polyhedron; }));
+      ImGui::Checkbox(context.tr("bodies"), &context.editor.view.bodies);
+    }
     if (ImGui::IsItemHovered())
       show_tip(context.tr("See the bodies of solids through the surface round them."));
     context.marks.item("check.bodies");

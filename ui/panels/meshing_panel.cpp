@@ -85,30 +85,32 @@ void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
   const std::string format =
       row.length ? "%.3g " + std::string(to_string(context.editor.document().unit)) : std::string(row.format);
   ImGui::SetNextItemWidth(-1);
-  ImGui::BeginDisabled(!own.on);
-  // A line instead of a knob: the number under it can be read.
-  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, context.metrics.px(3));
-  ImGui::PushStyleColor(ImGuiCol_SliderGrab, palette().accent);
-  ImGui::SliderScalar("##value", ImGuiDataType_Double, &own.value, &low, &high, format.c_str(),
-                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-  context.marks.item(std::string("meshing.") + row.id);
-  ImGui::EndDisabled();
+  {
+    const Disabled disabled(!own.on);
+    // A line instead of a knob: the number under it can be read.
+    ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, context.metrics.px(3));
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, palette().accent);
+    ImGui::SliderScalar("##value", ImGuiDataType_Double, &own.value, &low, &high, format.c_str(),
+                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    context.marks.item(std::string("meshing.") + row.id);
+  }
   if (!std::isfinite(own.value)) own.value = low;
   ImGui::PopID();
 }
 
 void way_rows(PanelContext& context, MeshingSettings& settings) {
-  ImGui::BeginDisabled(settings.optimise || settings.balanced);
-  if (const auto chosen =
-          choose(context, "meshing.start", "Start", "What is cut: for patches with four sides", start_choices,
-                 static_cast<int>(settings.start)))
-    settings.start = static_cast<MeshStart>(*chosen);
-  if (const auto chosen = choose(context, "meshing.split", "Cut", "Which edge is cut, and where",
-                                 split_choices, static_cast<int>(settings.split)))
-    settings.split = static_cast<SplitRule>(*chosen);
-  ImGui::EndDisabled();
+  {
+    const Disabled disabled(settings.optimise || settings.balanced);
+    if (const auto chosen =
+            choose(context, "meshing.start", "Start", "What is cut: for patches with four sides",
+                   start_choices, static_cast<int>(settings.start)))
+      settings.start = static_cast<MeshStart>(*chosen);
+    if (const auto chosen = choose(context, "meshing.split", "Cut", "Which edge is cut, and where",
+                                   split_choices, static_cast<int>(settings.split)))
+      settings.split = static_cast<SplitRule>(*chosen);
+  }
   const auto check = [&](const char* id, const char* label, const char* help, bool& on) {
     ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &on);
     context.marks.item(std::string("meshing.") + id);

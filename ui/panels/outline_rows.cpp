@@ -20,12 +20,12 @@ constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr std::array mode_choices{
     Choice{"Curvature",
            "Uses the Gaussian curvature along the loops; it fixes how the surface bends across them"},
-    Choice{"Umbilic", "As round as the loops and their normals allow; for domes and saddles"},
+    Choice{"Round", "As round as the loops and their normals allow; for domes and saddles"},
     Choice{"Minkowski", "Spreads the curvature inside so that areas fit exactly; for domes only"},
     Choice{"As published", "The construction as first published, for comparison: it does not converge"},
     Choice{"Position", "Bends as little as it can; curvature of both signs and folds are allowed"},
 };
-constexpr std::array mode_steps{translatable("Outline mode Curvature"), translatable("Outline mode Umbilic"),
+constexpr std::array mode_steps{translatable("Outline mode Curvature"), translatable("Outline mode Round"),
                                 translatable("Outline mode Minkowski"),
                                 translatable("Outline mode As published"),
                                 translatable("Outline mode Position")};
@@ -281,7 +281,7 @@ void draw_outline_fix(PanelContext& context, const Object& object, const Message
                         error.code == e_image_crosses || error.code == e_same_normal;
   if (not_dome) offer("Use mode Position", "outline_position", GaussMode::position);
   if (error.code == e_no_curvature || error.code == e_negative_curvature)
-    offer("Use mode Umbilic", "outline_umbilic", GaussMode::umbilic);
+    offer("Use mode Round", "outline_umbilic", GaussMode::umbilic);
 }
 
 }  // namespace hariko

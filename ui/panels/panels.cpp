@@ -48,7 +48,10 @@ bool main_button(const char* label, ImVec2 size) {
 
 bool area_button(const char* id, ImVec2 size) {
   const bool pressed = ImGui::InvisibleButton(id, size);
+  // What cannot run now is pale; the ring round it is not.
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);
   ImGui::RenderNavHighlight({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::GetItemID());
+  ImGui::PopStyleVar();
   return pressed;
 }
 
@@ -60,6 +63,16 @@ bool pointer_button(const char* id, ImVec2 size) {
   ImGui::PopItemFlag();
   GImGui->NavMoveScoringItems = looking;
   return pressed;
+}
+
+Disabled::Disabled(bool disabled) : disabled_(disabled), looking_(GImGui->NavMoveScoringItems) {
+  ImGui::BeginDisabled(disabled);
+  if (disabled_ && looking_) GImGui->NavMoveScoringItems = false;
+}
+
+Disabled::~Disabled() {
+  if (disabled_ && looking_) GImGui->NavMoveScoringItems = true;
+  ImGui::EndDisabled();
 }
 
 void show_keyboard_focus() {

@@ -138,6 +138,18 @@ bool main_button(const char* label, ImVec2 size = {0, 0});
 bool area_button(const char* id, ImVec2 size);
 /// A place that the pointer alone presses or drags: keys go past it.
 bool pointer_button(const char* id, ImVec2 size);
+/// Items in this scope are pale and cannot be changed where `disabled` says so, and keys go past them: Tab
+/// would count every item.
+class Disabled {
+ public:
+  explicit Disabled(bool disabled);
+  ~Disabled();
+  Disabled(const Disabled&) = delete;
+  Disabled& operator=(const Disabled&) = delete;
+
+ private:
+  bool disabled_, looking_;
+};
 /// What the keyboard is at gets its ring, as after a key that went there.
 void show_keyboard_focus();
 /// A small heading; translates it.

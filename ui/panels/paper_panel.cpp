@@ -49,10 +49,11 @@ void command_button(PanelContext& context, const char* id) {
   const Command& command = *context.commands.find(id);
   const bool blocked = command.why_not && command.why_not().has_value();
   ImGui::SameLine();
-  if (blocked) ImGui::BeginDisabled();
-  if (ImGui::Button((std::string(context.tr(command.label)) + "##" + id).c_str())) context.run(id);
-  context.marks.item(id);
-  if (blocked) ImGui::EndDisabled();
+  {
+    const Disabled disabled(blocked);
+    if (ImGui::Button((std::string(context.tr(command.label)) + "##" + id).c_str())) context.run(id);
+    context.marks.item(id);
+  }
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
     show_tip((blocked ? context.tr.phrase(*command.why_not()) : context.tr(command.help)));
 }

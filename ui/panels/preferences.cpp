@@ -40,15 +40,17 @@ bool choice(PanelContext& context, const char* label, const std::string& mark, b
     ImGui::PushStyleColor(ImGuiCol_Button, with_alpha(palette().accent, 0.28F));
     ImGui::PushStyleColor(ImGuiCol_Text, palette().accent);
   }
-  if (why_not) ImGui::BeginDisabled();
   const float width = ImGui::CalcTextSize(label).x + ImGui::GetStyle().FramePadding.x * 2;
   if (ImGui::GetCursorPosX() + width > ImGui::GetWindowContentRegionMax().x) {
     ImGui::NewLine();
     ImGui::SetCursorPosX(context.metrics.px(label_column));
   }
-  const bool chosen = ImGui::Button((std::string(label) + "###" + mark).c_str());
-  context.marks.item("preferences." + mark);
-  if (why_not) ImGui::EndDisabled();
+  bool chosen = false;
+  {
+    const Disabled disabled(why_not != nullptr);
+    chosen = ImGui::Button((std::string(label) + "###" + mark).c_str());
+    context.marks.item("preferences." + mark);
+  }
   if (on) ImGui::PopStyleColor(2);
   if (why_not && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) show_tip(context.tr(why_not));
   ImGui::SameLine(0, context.metrics.px(4));
@@ -161,6 +163,14 @@ void units_page(PanelContext& context) {
   note(context, translatable("A document keeps its own unit; it is in its properties."));
 }
 
+/// Round the cross of the window, which Dear ImGui leaves without the ring of the keyboard.
+void ring_of_cross() {
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  const ImGuiID cross = window->GetID("#CLOSE");
+  if (GImGui->NavId == cross)
+    ImGui::RenderNavHighlight(ImGui::WindowRectRelToAbs(window, window->NavRectRel[GImGui->NavLayer]), cross);
+}
+
 void files_page(PanelContext& context) {
   slider(context, translatable("Save a copy for recovery every"), "autosave_seconds",
          context.editor.settings.autosave_seconds, 1, Settings::most_autosave_seconds, "%.0f s", false);
@@ -237,6 +247,7 @@ void Preferences::draw(PanelContext& context, float top) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
   context.marks.window("preferences");
+  ring_of_cross();
   if (drawn) {
     if (ImGui::BeginChild("pages", {m.px(pages_width), 0}, false, ImGuiWindowFlags_NavFlattened))
       draw_pages(context);

@@ -185,8 +185,10 @@ class DrawSkinTool final : public DrawingTool {
 
   void draw(const ToolContext& context, const ToolOverlay& overlay) const override {
     const Projector projector = context.projector();
-    for (const CurveSketch& sketch : done_)
-      draw_curve(projector, overlay, sketch.curve(), palette().secondary, 2);
+    // Seen along itself the path would be a bar across the section.
+    for (std::size_t i = 0; i < done_.size(); ++i)
+      draw_curve(projector, overlay, done_[i].curve(),
+                 i == 0 ? with_alpha(palette().secondary, 0.3F) : palette().secondary, i == 0 ? 1.2F : 2);
     draw_sketch(context, overlay);
     draw_label(context, overlay);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/geometry/polygon.hpp"
@@ -12,8 +13,8 @@ namespace hariko {
 namespace {
 
 // Design pixels from the pivot.
-constexpr double arrow_begin = 20, arrow_end = 92, arrow_head = 13, scale_box = 112, ring_radius = 66;
-constexpr double square_begin = 26, square_end = 42;
+constexpr double arrow_begin = 20, arrow_end = 92, arrow_head = 13, scale_box = 112, ring_radius = 76;
+constexpr double square_begin = 24, square_end = 38;
 /// An axis whose 100 pixels look shorter than this points at the viewer.
 constexpr double least_length = 22;
 
@@ -115,6 +116,7 @@ void Gizmo::place(const Editor& editor) {
 }
 
 /// Seen at a slant handles lie over each other: of those whose middle another one has, arrows and boxes stay.
+/// Arcs are long: they stay, named at their freest place, where no more than half of them lies over others.
 void Gizmo::leave_out_covered() {
   const auto arcs_last = [](const Shape& shape) {
     return shape.handle.lock.kind == AxisLock::Kind::axis && shape.handle.kind != TransformKind::rotate ? 0
@@ -124,20 +126,47 @@ void Gizmo::leave_out_covered() {
   std::stable_sort(shapes_.begin(), shapes_.end(),
                    [&](const Shape& a, const Shape& b) { return arcs_last(a) < arcs_last(b); });
   std::vector<Shape> left;
+  const double reach = hit_radius * scale_;
   for (Shape& shape : shapes_) {
-    const bool free = std::none_of(left.begin(), left.end(), [&](const Shape& other) {
-      return other.reaches(shape.mark, hit_radius * scale_) || shape.reaches(other.mark, hit_radius * scale_);
-    });
+    const bool arc = shape.handle.kind == TransformKind::rotate;
+    const bool free = arc ? go_to_freest(shape, left, reach)
+                          : std::none_of(left.begin(), left.end(), [&](const Shape& other) {
+                              return other.reaches(shape.mark, reach) || shape.reaches(other.mark, reach);
+                            });
     if (free) left.push_back(std::move(shape));
   }
   shapes_ = std::move(left);
 }
 
-bool Gizmo::Shape::reaches(const Vector2& pixel, double radius) const {
-  if (closed && inside_polygon(line, pixel)) return true;
+bool Gizmo::go_to_freest(Shape& arc, const std::vector<Shape>& others, double reach) {
+  const auto room = [&](const Vector2& pixel) {
+    double least = 2 * reach;  // more is no better
+    for (const Shape& other : others) least = std::min(least, other.distance(pixel));
+    return least;
+  };
+  const std::size_t middle = arc.line.size() / 2;
+  std::size_t free = 0;
+  double most = 0;
+  // From the middle to both ends: of places that are as free the middle one counts.
+  for (std::size_t step = 0; step < arc.line.size(); ++step) {
+    const std::size_t half = (step + 1) / 2, k = step % 2 == 1 ? middle - half : middle + half;
+    const double here = room(arc.line[k]);
+    free += here >= reach ? 1 : 0;
+    if (here > most) most = here, arc.mark = arc.line[k];
+  }
+  return 2 * free >= arc.line.size();
+}
+
+double Gizmo::Shape::distance(const Vector2& pixel) const {
+  if (closed && inside_polygon(line, pixel)) return 0;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    if (distance_to_segment(pixel, line[i], line[i + 1]) < radius) return true;
-  return false;
+    least = std::min(least, distance_to_segment(pixel, line[i], line[i + 1]));
+  return least;
+}
+
+bool Gizmo::Shape::reaches(const Vector2& pixel, double radius) const {
+  return distance(pixel) < radius;
 }
 
 void Gizmo::place_plane(const Projector& projector) {

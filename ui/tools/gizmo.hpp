@@ -39,11 +39,15 @@ class Gizmo {
     std::vector<Vector2> line;  ///< pixels; closed and filled for squares
     bool closed = false;
     Vector2 mark = Vector2::Zero();
+    /// Pixels from a pixel; 0 inside of a square.
+    double distance(const Vector2& pixel) const;
     bool reaches(const Vector2& pixel, double radius) const;
   };
   void place(const Editor& editor);
   void place_plane(const Projector& projector);
   void leave_out_covered();
+  /// Names an arc where most room is round it; false where others cover more than half of it.
+  static bool go_to_freest(Shape& arc, const std::vector<Shape>& others, double reach);
 
   // What the pivot was made for.
   Document document_;
