@@ -27,6 +27,8 @@
 #include "app/persistence/settings_file.hpp"
 #include "app/pictures.hpp"
 #include "app/rebuild_engine.hpp"
+#include "app/reference_jobs.hpp"
+#include "app/reference_loader.hpp"
 #include "app/replay.hpp"
 #include "app/sample_pictures.hpp"
 #include "app/samples.hpp"
@@ -71,6 +73,8 @@ class Application {
         paper_(editor_, long_, &GlWindow::wake),
         skins_(editor_, long_, edits_, [this](const char* what, const auto& path) { happened(what, path); }),
         conversions_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
+        pictures_in_(editor_, long_, [this](const char* what, const auto& path) { happened(what, path); }),
+        references_(editor_, &GlWindow::wake),
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { happened(what, path); }),
@@ -126,7 +130,7 @@ class Application {
       if (recorder_) recorder_->batch(window_.input_time(), window_.input());
       log_.input(window_.input());
       if (engine_.publish() + paper_.publish() + long_.publish() + edits_.publish() + session_.publish() +
-              meshes_.publish() + gauss_.publish() >
+              meshes_.publish() + gauss_.publish() + references_.publish() >
           0) {
         frames_ = std::max(frames_, 2);
         idle_ = false;
@@ -189,6 +193,7 @@ class Application {
     actions.export_control = [this](const auto& path) { skins_.export_control(path); };
     actions.convert = [this](ObjectId object) { conversions_.convert(object); };
     actions.add_section = [this](ObjectId object, double place) { skins_.add_section(object, place); };
+    connect(actions, pictures_in_);
     actions.export_pages = [this](const auto& path) { exchange_.export_pages(path); };
     actions.record = [this](const auto& path) { record_to_ = path; };
     actions.stop_recording = [this] { recording_ends_ = true; };
@@ -254,17 +259,22 @@ class Application {
   /// Nothing is left to do until something comes in.
   bool rests() const {
     return frames_ <= 0 && !due() && long_.idle() && edits_.idle() && paper_.idle() && session_.idle() &&
-           meshes_.idle() && gauss_.idle() && workbench_.viewport().next_frame_in() < 0 && !session_waits_;
+           meshes_.idle() && gauss_.idle() && references_.idle() &&
+           workbench_.viewport().next_frame_in() < 0 && !session_waits_;
   }
 
   void take_input() {
     for (const KeyPress& press : window_.take_keys()) workbench_.key(press);
+    std::vector<std::filesystem::path> pictures;
     for (const auto& path : window_.take_drops()) {
-      if (path.extension() == ".hariko" || !editor_.has_document)
+      if (is_reference_file(path))
+        pictures.push_back(path);
+      else if (path.extension() == ".hariko" || !editor_.has_document)
         workbench_.open_guarded(path);
       else
         exchange_.import_file(path);
     }
+    pictures_in_.add(pictures);
     if (window_.take_close()) workbench_.quit();
   }
 
@@ -293,6 +303,7 @@ class Application {
                  editor_.view.map);
     meshes_.sync();
     gauss_.sync();
+    references_.sync();
     const auto layout_before = editor_.paper.layout;
     paper_.sync();
     if (editor_.paper.layout != layout_before) frames_ = std::max(frames_, 2);
@@ -442,6 +453,8 @@ class Application {
   PaperEngine paper_;
   SkinJobs skins_;
   ConversionJobs conversions_;
+  ReferenceJobs pictures_in_;
+  ReferenceLoader references_;
   Workbench workbench_;
   ExchangeJobs exchange_;
   GaussEngine gauss_;

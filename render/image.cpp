@@ -25,6 +25,12 @@ struct PngImage {
   PngImage& operator=(const PngImage&) = delete;
 };
 
+Message damaged_png(const PngImage& png) {
+  return make_error(e_image_read,
+                    std::string("The picture is a damaged PNG file: ") + png.image.message + ".",
+                    "Save it again with a program for pictures.");
+}
+
 float to_linear(std::uint8_t value) {
   const float x = static_cast<float>(value) / 255.0F;
   return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
@@ -71,21 +77,33 @@ Result<Done> write_png(const std::filesystem::path& path, const Image& image) {
 }
 
 Result<Image> read_png(const std::filesystem::path& path) {
-  const auto failed = [&](const char* why) {
-    return make_error(e_image_read,
-                      "The picture " + printable(path.string()) + " could not be read: " + why + ".",
-                      "Check that it is a PNG file.");
-  };
   const Result<std::string> bytes = read_file(path, largest_file);
   if (!bytes) return bytes.error();
+  Result<Image> image = decode_png(*bytes, most_pixels);
+  if (image) return image;
+  return make_error(e_image_read, "The picture " + printable(path.string()) + ": " + image.error().text,
+                    "Check that it is a PNG file.");
+}
+
+bool looks_like_png(std::string_view file) {
+  return file.starts_with("\x89PNG\r\n\x1a\n");
+}
+
+Result<PixelSize> png_size(std::string_view file) {
   PngImage png;
-  if (!png_image_begin_read_from_memory(&png.image, bytes->data(), bytes->size()))
-    return failed(png.image.message);
-  if (std::uint64_t(png.image.width) * png.image.height > most_pixels) return failed("it is too large");
+  if (!png_image_begin_read_from_memory(&png.image, file.data(), file.size())) return damaged_png(png);
+  return PixelSize{static_cast<int>(png.image.width), static_cast<int>(png.image.height)};
+}
+
+Result<Image> decode_png(std::string_view file, std::uint64_t most) {
+  PngImage png;
+  if (!png_image_begin_read_from_memory(&png.image, file.data(), file.size())) return damaged_png(png);
+  if (std::uint64_t(png.image.width) * png.image.height > most)
+    return make_error(e_image_read, "The picture has too many pixels.", "Make it smaller.");
   png.image.format = PNG_FORMAT_RGBA;
   Image out(static_cast<int>(png.image.width), static_cast<int>(png.image.height));
   if (!png_image_finish_read(&png.image, nullptr, out.rgba.data(), out.width * 4, nullptr))
-    return failed(png.image.message);
+    return damaged_png(png);
   return out;
 }
 

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "render/camera.hpp"
 #include "render/color_map.hpp"
 
 namespace hariko {
@@ -39,6 +41,11 @@ struct Image {
 Result<Done> write_png(const std::filesystem::path& path, const Image& image);
 /// Errors: those of read_file, E_IMAGE_READ (also above 64 million pixels).
 Result<Image> read_png(const std::filesystem::path& path);
+
+bool looks_like_png(std::string_view file);
+/// Size and pixels of a PNG file in memory. Errors: E_IMAGE_READ.
+Result<PixelSize> png_size(std::string_view file);
+Result<Image> decode_png(std::string_view file, std::uint64_t most_pixels);
 
 /// Averages blocks of factor x factor pixels, in linear light. Width and height must be multiples of the
 /// factor.

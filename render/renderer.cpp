@@ -13,6 +13,7 @@
 #include "render/highlights.hpp"
 #include "render/painter.hpp"
 #include "render/patch_colors.hpp"
+#include "render/picture_pass.hpp"
 #include "render/shader_source.hpp"
 #include "render/silhouettes.hpp"
 
@@ -81,6 +82,7 @@ struct Renderer::State {
   gl::BufferCache<CombLines, gl::CombBuffers> combs;
   gl::BufferCache<FacetLines, gl::FacetLineBuffers> facet_edges;
   std::vector<SectionEntry> sections;
+  gl::PicturePass references;
   FrameStatistics statistics;
   std::uint64_t stamp = shader_stamp();
 };
@@ -119,6 +121,7 @@ void Renderer::State::release(unsigned pictures_released) {
   marks.release(pictures_released);
   combs.release(pictures_released);
   facet_edges.release(pictures_released);
+  references.release(pictures_released);
 }
 
 void Renderer::State::drop_unused() {
@@ -129,6 +132,7 @@ void Renderer::State::drop_unused() {
   marks.drop_unused();
   combs.drop_unused();
   facet_edges.drop_unused();
+  references.drop_unused();
 }
 
 void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& object, const gl::Style& style) {
@@ -341,7 +345,13 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Draw
   s.bit = 1U << static_cast<unsigned>(options.picture);
   if (Result<Done> sized = picture.target.resize(options.size, options.samples); !sized) return sized;
   const gl::Style style = gl::style_of(scene.background);
-  const gl::Frame frame(scene, camera, options.size, scene.world_box());
+  Result<Done> drawn = scene.pictures.empty() ? Result<Done>(Done{}) : s.references.prepare();
+  s.references.begin(options.upload_limit);
+  const gl::Frame frame(scene, camera, options.size,
+                        scene.world_box().merged(gl::box_of_pictures(scene, camera)));
+  const auto draw_references = [&](PictureLayer layer) {
+    s.references.draw(frame, scene, layer, s.bit, s.statistics);
+  };
   picture.background = scene.background;
   s.release(s.bit);
 
@@ -356,10 +366,10 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Draw
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   glBlendEquation(GL_FUNC_ADD);
   s.painter->background(style, scene.background);
+  draw_references(PictureLayer::behind);
   const bool backdrop = side_plane(camera).has_value();
   if (scene.grid.visible && backdrop) s.painter->grid(frame, scene.grid, style);
   s.painter->cut(frame, true);
-  Result<Done> drawn = Done{};
   for (const SceneObject& object : scene.objects) {
     if (!object.draws_surface()) continue;
     gl::MeshBuffers& buffers = s.mesh_buffers(*object.mesh);
@@ -368,8 +378,11 @@ Result<Done> Renderer::draw(const Scene& scene, const Camera& camera, const Draw
       drawn = done;
   }
   s.painter->cut(frame, false);
+  draw_references(PictureLayer::space);
   if (scene.grid.visible && !backdrop) s.painter->grid(frame, scene.grid, style);
   s.draw_overlays(frame, scene, style);
+  draw_references(PictureLayer::front);
+  s.painter->overlay(frame, gl::picture_frames(scene, camera, style));
   if (gl::has_silhouettes(scene)) {
     const auto buffers_of = [&s](const DisplayMesh& mesh) -> const gl::MeshBuffers& {
       return s.mesh_buffers(mesh);
@@ -470,6 +483,7 @@ Result<Done> Renderer::reload() {
   Result<gl::Painter> painter = gl::Painter::create();
   if (!painter) return painter.error();
   state_->painter = std::make_unique<gl::Painter>(std::move(painter).value());
+  state_->references.forget_program();
   return Done{};
 }
 

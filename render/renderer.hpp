@@ -19,12 +19,15 @@ struct DrawOptions {
   PixelSize size;
   int samples = 4;  ///< 1 (none, for moving views on slow machines) to 4; clamped to what GL offers
   int picture = 0;  ///< which of the pictures that the renderer keeps is drawn: 0 .. most_pictures - 1
+  /// Bytes of reference pictures that this drawing may upload: the rest comes with the next ones.
+  std::size_t upload_limit = std::size_t(-1);
 };
 
 struct FrameStatistics {
   std::size_t uploaded_bytes = 0;
   std::size_t triangles = 0;
   int draw_calls = 0;
+  bool unfinished = false;  ///< reference pictures are not as sharp yet as they will be
 };
 
 /// Owns programs, framebuffers and the GPU copies of the meshes it drew last. Every call, construction and

@@ -14,6 +14,7 @@
 #include "render/display_mesh.hpp"
 #include "render/display_polyhedron.hpp"
 #include "render/edge_curves.hpp"
+#include "render/scene_picture.hpp"
 #include "render/surface_lines.hpp"
 
 namespace hariko {
@@ -122,6 +123,7 @@ struct OverlayLine {
 
 struct Scene {
   std::vector<SceneObject> objects;
+  std::vector<ScenePicture> pictures;
   std::vector<OverlayLine> lines;
   Background background = Background::dark;
   GridSettings grid;
@@ -131,6 +133,7 @@ struct Scene {
   float hidden_opacity = 0.3F;     ///< of what x-ray shows through, times its own
   double pixel_scale = 1;          ///< framebuffer pixels per design pixel: scales line widths and points
 
+  /// Of the objects; pictures are what they stand before.
   Box3 world_box() const;
 };
 

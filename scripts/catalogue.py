@@ -25,7 +25,7 @@ ALLOWED = {
     "Inter", "FontAwesome", "Noto Sans CJK JP",
     # Names, and what a report of a mistake needs.
     "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), fontconfig (MIT), Eigen (MPL 2.0), oneTBB (Apache 2.0), "
-    "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL OFL).",
+    "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng), libjpeg-turbo (IJG). Inter, Font Awesome and Noto Sans CJK (SIL OFL).",
     "Hariko ", "\nGLFW ", "\nDear ImGui ", "\nlog.txt:\n", ", scale ",
      # of the test log
     "OpenGL", "k1  k2", "view menu ",

@@ -6,7 +6,7 @@ set -euo pipefail
 
 build_packages=(build-essential clang lld cmake ninja-build pkg-config ccache
   libglfw3-dev libx11-dev libimgui-dev libstb-dev libepoxy-dev libglm-dev libeigen3-dev libosd-dev nlohmann-json3-dev libtbb-dev
-  libcli11-dev libzip-dev libexpat1-dev libpng-dev libfreetype-dev libfontconfig-dev zlib1g-dev
+  libcli11-dev libzip-dev libexpat1-dev libpng-dev libjpeg-dev libfreetype-dev libfontconfig-dev zlib1g-dev
   fonts-inter fonts-font-awesome fonts-noto-cjk libmuparser-dev libegl1 libgl1 libgl1-mesa-dri)
 test_packages=(libgtest-dev libgmock-dev libassimp-dev lib3mf-dev xvfb xauth xdotool libx11-dev x11-utils imagemagick python3 git)
 full_packages=(libclang-rt-dev clang-tidy clang-format valgrind librsvg2-bin poppler-utils python3-ezdxf)
@@ -39,7 +39,7 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
 This script installs packages on Debian and Ubuntu only. Hariko needs these, with their development files:
   a C++20 compiler (clang 14 or GCC 12, or later), CMake 3.25, Ninja, pkg-config
   GLFW 3.3, Dear ImGui 1.86 with FreeType and the backends for GLFW and OpenGL 3, stb, libepoxy, GLM, X11
-  Eigen 3.4, OpenSubdiv 3.5, oneTBB, nlohmann-json 3.11, CLI11, muParser, libzip, Expat, libpng, FreeType, Fontconfig, zlib
+  Eigen 3.4, OpenSubdiv 3.5, oneTBB, nlohmann-json 3.11, CLI11, muParser, libzip, Expat, libpng, libjpeg-turbo, FreeType, Fontconfig, zlib
   OpenCASCADE 7.6 for STEP and IGES; the fonts Inter, Font Awesome 4 and Noto Sans CJK; ccache makes later builds faster
 TEXT
   exit 0

@@ -112,6 +112,34 @@ def attached(window):
     window.click(*[sum(pixels[v][k] for v in nearest) / 2 for k in (0, 1)])
 
 
+def side_view(path):
+    """A drawing of a mouse from its side, with the two points that its length is measured between."""
+    subprocess.run(["convert", "-size", "1400x700", "xc:#f6f3ea", "-fill", "none", "-stroke", "#c9c2b2", "-strokewidth", "2",
+                    "-draw", "path 'M 0,560 L 1400,560 M 160,0 L 160,700 M 1240,0 L 1240,700'",
+                    "-stroke", "#2b4a66", "-strokewidth", "7",
+                    "-draw", "path 'M 160,560 C 130,400 320,215 640,200 C 960,190 1190,330 1240,560 Z'",
+                    "-strokewidth", "4", "-draw", "path 'M 250,330 C 420,420 560,470 760,490 L 1228,500 M 760,200 L 760,490'",
+                    path], check=True, timeout=60)
+
+
+def reference(window):
+    """The drawing behind a box, in a view from the front, while its length is typed."""
+    drawing = os.path.join(window.home, "mouse side.png")
+    side_view(drawing)
+    hands.empty_document(window)
+    window.key("KP_1")
+    window.wait_idle()
+    hands.choose(window, "File", "command.picture.add")
+    window.type_path(drawing)
+    window.wait_event("picture_added", 0)
+    window.wait_idle()
+    command(window, "Scale by two points")
+    x, y, width, height = window.rect("view.0")
+    for share in (0.5 - 0.8 * 0.5 * 540 / 700 * 0.75, 0.5 + 0.8 * 0.5 * 540 / 700 * 0.75):
+        window.click(x + width * share, y + height * 0.62)
+    window.type("118mm")
+
+
 def export(window):
     window.key("ctrl+e")
     window.wait_event("export_counted", 0)
@@ -234,6 +262,7 @@ WINDOWS = {
     "manual_gauss": ("ellipsoid_cap", gauss, {}),
     "manual_skin": ("cube", skin, {}),
     "manual_gestures": ("cube", gestures, {}),
+    "manual_reference": ("cube", reference, {}),
 }
 
 

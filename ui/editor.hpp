@@ -25,6 +25,7 @@
 #include "ui/meshing.hpp"
 #include "ui/paper_state.hpp"
 #include "ui/recompute.hpp"
+#include "ui/references.hpp"
 #include "ui/selection.hpp"
 #include "ui/selection_memory.hpp"
 #include "ui/settings.hpp"
@@ -113,6 +114,7 @@ class Editor {
   Meshing meshing;
   MeshImport mesh_import;
   PaperState paper;
+  References references;  ///< the pixels of reference pictures
 
   /// False while the start page shows.
   bool has_document = false;

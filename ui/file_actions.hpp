@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/document/document.hpp"
 #include "ui/drawing_order.hpp"
@@ -32,6 +33,15 @@ struct FileActions {
   std::function<void(const std::filesystem::path&, const CadSettings&)> export_cad;
   std::function<void(PictureOrder)> export_pictures;
   std::function<void(DrawingOrder)> export_drawing;
+  /// Adds reference pictures where the active view looks.
+  std::function<void(const std::vector<std::filesystem::path>&)> add_pictures;
+  /// Takes the bytes of linked pictures into the document.
+  std::function<void(const std::vector<ObjectId>&)> pack_pictures;
+  /// Writes a packed picture to a file, and links it.
+  std::function<void(ObjectId, const std::filesystem::path&)> unpack_picture;
+  std::function<void(ObjectId, const std::filesystem::path&)> replace_picture;
+  /// This is the first of the missing pictures; the others are looked for beside it.
+  std::function<void(const std::filesystem::path&)> find_pictures;
   /// Writes the control meshes of the visible skins.
   std::function<void(const std::filesystem::path&)> export_control;
   /// Makes a polyhedron of a skin or of solids, which are hidden then. Only the last one asked for counts.

@@ -5,6 +5,7 @@
 #include "core/base/file_ending.hpp"
 #include "core/base/file_io.hpp"
 #include "core/cad/kernel/cad_file.hpp"
+#include "render/reference_image.hpp"
 #include "ui/key_file.hpp"
 #include "ui/panels/mesh_options.hpp"
 #include "ui/viewport.hpp"
@@ -167,6 +168,46 @@ void FileDialogs::import() {
                 importable_endings(!why_no_cad_files()), folder_proposal(),
                 [this](const auto& path) { actions_.import_file(path); },
                 [this](const auto&) { draw_mesh_options(editor_, marks_, metrics_); }});
+}
+
+namespace {
+
+FileDialog::Request picture_request(std::string title, std::filesystem::path folder,
+                                    std::function<void(const std::filesystem::path&)> accept) {
+  const auto endings = reference_endings();
+  return {std::move(title),  translatable("Choose"), false, {endings.begin(), endings.end()},
+          std::move(folder), std::move(accept)};
+}
+
+}  // namespace
+
+void FileDialogs::add_picture() {
+  dialog_.open(picture_request(translatable("Add reference picture"), folder_proposal(),
+                               [this](const auto& path) { actions_.add_pictures({path}); }));
+}
+
+void FileDialogs::replace_picture(ObjectId picture) {
+  dialog_.open(
+      picture_request(translatable("Choose another picture"), folder_proposal(),
+                      [this, picture](const auto& path) { actions_.replace_picture(picture, path); }));
+}
+
+void FileDialogs::find_pictures(const std::string& name) {
+  editor_.show_text(name);
+  dialog_.open(picture_request(fill(editor_.language("Where is {0}?"), {name}), folder_proposal(),
+                               [this](const auto& path) { actions_.find_pictures(path); }));
+}
+
+void FileDialogs::unpack_picture(ObjectId picture) {
+  const Object* object = editor_.document().find(picture);
+  if (!object || !object->picture()) return;
+  const std::filesystem::path name(object->picture()->path);
+  dialog_.open({translatable("Save the picture as a file"),
+                translatable("Save"),
+                true,
+                {is_reference_file(name) ? lower_ending(name) : std::string(".png")},
+                folder_proposal() / name.filename(),
+                [this, picture](const auto& path) { actions_.unpack_picture(picture, path); }});
 }
 
 void FileDialogs::export_keys() {

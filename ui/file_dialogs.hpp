@@ -33,6 +33,12 @@ class FileDialogs {
   /// Any kind of file.
   void open(std::function<void(const std::filesystem::path&)> accept);
   void import();
+  /// Files of reference pictures: a new one, another one for a picture, the first of the missing ones, where
+  /// a packed one goes.
+  void add_picture();
+  void replace_picture(ObjectId picture);
+  void find_pictures(const std::string& name);
+  void unpack_picture(ObjectId picture);
   /// `then` runs after success.
   void save_as(std::function<void()> then);
   void save_copy();

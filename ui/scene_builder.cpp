@@ -7,6 +7,7 @@
 #include "core/document/object_shape.hpp"
 #include "render/surface_maps.hpp"
 #include "ui/object_lines.hpp"
+#include "ui/reference_pictures.hpp"
 #include "ui/solids_display.hpp"
 
 namespace hariko {
@@ -41,7 +42,7 @@ bool same(const Scene& a, const Scene& b) {
          std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
                     [](const OverlayLine& x, const OverlayLine& y) { return same(x, y); }) &&
          a.background == b.background && same(a.grid, b.grid) && a.zebra == b.zebra &&
-         a.section == b.section && a.colour_blind_safe == b.colour_blind_safe &&
+         a.section == b.section && a.colour_blind_safe == b.colour_blind_safe && a.pictures == b.pictures &&
          a.hidden_opacity == b.hidden_opacity && a.pixel_scale == b.pixel_scale &&
          std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(),
                     [](const SceneObject& x, const SceneObject& y) { return same(x, y); });
@@ -205,6 +206,7 @@ void SceneBuilder::update(const Editor& editor) {
     }
     ids_.push_back(object->id);
   }
+  if (!paper_) next.pictures = scene_pictures(editor);
   colour_by_view(editor, next);
   std::erase_if(entries_, [&](const auto& entry) { return !editor.document().find(entry.first); });
   const bool compared = !compared_.empty();

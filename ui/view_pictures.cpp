@@ -36,7 +36,7 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
     if (changed) state.changed_at = editor.now;
     const bool moving = busy || view.flying(editor.now) || editor.now - state.changed_at < rest_seconds;
     const int samples = moving && state.exists ? quick_samples_ : full_samples;
-    const bool wanted = changed || samples > state.samples;
+    const bool wanted = changed || samples > state.samples || state.unfinished;
     const bool waits = slow && wanted && state.exists && s.view != editor.layout.active() && other_drawn;
     state.stale = changed && waits;
     if (!wanted || waits) continue;
@@ -57,7 +57,8 @@ void ViewPictures::update(Editor& editor, const SceneBuilder& scene, std::span<c
 void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& shown, int samples) {
   State& state = states_[static_cast<std::size_t>(shown.view)];
   const Camera camera = editor.layout.views[static_cast<std::size_t>(shown.view)].camera(editor.now);
-  const auto done = renderer_.draw(scene.scene_of(shown.view), camera, {shown.size, samples, shown.view});
+  const auto done =
+      renderer_.draw(scene.scene_of(shown.view), camera, {shown.size, samples, shown.view, upload_bytes});
   if (!done.ok()) editor.notify(done.error());
   if (state.size != shown.size) state.fades_from = -1;
   state.exists = true;
@@ -67,6 +68,7 @@ void ViewPictures::draw(Editor& editor, const SceneBuilder& scene, const Shown& 
   state.size = shown.size;
   state.samples = samples;
   const FrameStatistics& now = renderer_.statistics();
+  state.unfinished = now.unfinished;
   statistics_.uploaded_bytes += now.uploaded_bytes;
   statistics_.triangles += now.triangles;
   statistics_.draw_calls += now.draw_calls;
@@ -83,7 +85,9 @@ double ViewPictures::shown_share(int view, double now) const {
 double ViewPictures::next_frame_in(const Editor& editor, bool busy) const {
   double next = -1;
   for (const State& state : states_) {
-    if (state.stale || shown_share(static_cast<int>(&state - states_.data()), editor.now) < 1) return 0;
+    if (state.stale || state.unfinished ||
+        shown_share(static_cast<int>(&state - states_.data()), editor.now) < 1)
+      return 0;
     if (!wants_rest(state) || busy) continue;
     const double in = std::max(0.0, state.changed_at + rest_seconds - editor.now);
     next = next < 0 ? in : std::min(next, in);

@@ -51,6 +51,7 @@ class ViewPictures {
     PixelSize size;
     int samples = 0;
     double changed_at = 0;
+    bool unfinished = false;  ///< reference pictures become sharper with the next frames
     std::uint64_t jumps = 0;
     double fades_from = -1;  ///< when a fade began
   };
@@ -66,6 +67,7 @@ class ViewPictures {
   int next_other_ = 0;  ///< which of the views that are not active is next on slow renderers
 
   static constexpr int full_samples = 4;
+  static constexpr std::size_t upload_bytes = std::size_t(8) << 20;  ///< of reference pictures, a frame
   static constexpr double rest_seconds = 0.15;  ///< after which a still picture is drawn with all samples
 };
 

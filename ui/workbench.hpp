@@ -84,6 +84,7 @@ class Workbench {
   FileDialogs& files() { return files_; }
   void convert(ObjectId object) { actions_.convert(object); }
   void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
+  void pack_pictures(const std::vector<ObjectId>& pictures) { actions_.pack_pictures(pictures); }
   void stop_recording() { actions_.stop_recording(); }
   void show_log_folder() { actions_.show_log_folder(); }
   /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.

@@ -9,7 +9,7 @@ namespace hariko {
 namespace {
 
 bool is_shapeless(const Object& object) {
-  return !has_shape(object);
+  return !has_shape(object) && !object.picture();
 }
 bool is_reference(const Object& object) {
   return object.mesh() != nullptr;

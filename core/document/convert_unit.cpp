@@ -134,6 +134,9 @@ Result<Document> convert_unit(const Document& document, Unit unit) {
       scale_skin(*skin, factor);
     } else if (auto* outline = std::get_if<OutlineSource>(&object.source)) {
       scale_outline(*outline, factor);
+    } else if (auto* picture = std::get_if<PictureSource>(&object.source)) {
+      picture->width *= factor;
+      if (const auto checked = check_picture(*picture); !checked) return checked.error();
     }
     if (!object.transform.translation.allFinite())
       return make_error(e_nonfinite, "An object would lie infinitely far away.", "Choose another unit.");

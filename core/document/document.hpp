@@ -48,6 +48,7 @@ struct Object {
   const SolidsSource* solids() const { return std::get_if<SolidsSource>(&source); }
   const SkinSource* skin() const { return std::get_if<SkinSource>(&source); }
   const OutlineSource* outline() const { return std::get_if<OutlineSource>(&source); }
+  const PictureSource* picture() const { return std::get_if<PictureSource>(&source); }
   /// What can be selected of the object: its polyhedron, or the control net of its patches. Null otherwise.
   const Polyhedron* cage() const {
     if (const PolyhedronSource* own = polyhedron()) return &own->polyhedron;

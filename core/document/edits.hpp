@@ -10,3 +10,4 @@
 #include "core/document/edit_elements.hpp"
 #include "core/document/edit_objects.hpp"
 #include "core/document/edit_paper.hpp"
+#include "core/document/edit_pictures.hpp"

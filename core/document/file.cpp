@@ -1,6 +1,7 @@
 #include "core/document/file.hpp"
 
 #include "core/base/printable.hpp"
+#include "core/document/edit_pictures.hpp"
 #include "core/document/format.hpp"
 
 namespace hariko {
@@ -19,13 +20,20 @@ Result<std::string> verified_text(const Document& document) {
   return text;
 }
 
+/// Absolute; empty where it cannot be found out.
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const std::filesystem::path absolute = std::filesystem::absolute(file, unknown);
+  return unknown ? std::filesystem::path() : absolute.lexically_normal().parent_path();
+}
+
 }  // namespace
 
 Result<Document> load_document(const std::filesystem::path& path) {
   const Result<std::string> text = read_file(path, max_document_bytes);
   if (!text) return text.error();
   Result<Document> document = read_document(*text);
-  if (document) return document;
+  if (document) return with_absolute_pictures(*document, folder_of(path));
   Message message = document.error();
   message.text = shortened(path.filename().string(), 200) + ": " + message.text;
   return message;
@@ -37,7 +45,7 @@ Result<Done> save_document(const Document& document, const std::filesystem::path
 }
 
 Result<Done> save_document(const Document& document, const std::filesystem::path& path, FileLayer& layer) {
-  const Result<std::string> text = verified_text(document);
+  const Result<std::string> text = verified_text(with_relative_pictures(document, folder_of(path)));
   if (!text) return text.error();
   return write_file_atomic(path, *text, layer);
 }

@@ -71,6 +71,10 @@ inline constexpr std::array skin_members{"kind"sv,   "path"sv,  "rail2"sv,   "fr
 inline constexpr std::array skin_mirror_members{"axis"sv, "position"sv};
 inline constexpr std::array outline_members{"kind"sv,   "loops"sv,       "method"sv, "curvature_sign"sv,
                                             "radius"sv, "most_points"sv, "gap"sv,    "mode"sv};
+inline constexpr std::array picture_members{"kind"sv,  "path"sv,    "pixels"sv,    "width"sv,
+                                            "layer"sv, "opacity"sv, "only_from"sv, "data"sv};
+inline constexpr std::array layer_names{"space"sv, "behind"sv, "front"sv};
+inline constexpr std::array side_names{"front"sv, "back"sv, "left"sv, "right"sv, "top"sv, "bottom"sv};
 inline constexpr std::array gauss_names{"curvature"sv, "umbilic"sv, "minkowski"sv, "paper"sv, "position"sv};
 inline constexpr std::array sign_names{"positive"sv, "negative"sv};
 inline constexpr std::array outline_patch_names{"fair"sv, "g2"sv};

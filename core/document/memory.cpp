@@ -128,6 +128,9 @@ void visit_object(const Object& object, Visit&& visit) {
   } else if (const auto* outline = object.outline()) {
     visit(outline->outline.get(), bytes_of(*outline->outline));
     visit(outline->kept.get(), bytes_of(*outline->kept));
+  } else if (const auto* picture = object.picture()) {
+    visit(picture->bytes.get(), block_overhead + picture->bytes->capacity());
+    visit(picture->kept.get(), bytes_of(*picture->kept));
   } else {
     const auto& unknown = std::get<UnknownSource>(object.source);
     visit(unknown.json.get(), block_overhead + unknown.json->capacity());

@@ -41,6 +41,8 @@ void visit_points(const Object& object, Visit&& visit) {
   } else if (const OutlineSource* outline = object.outline()) {
     for (const OutlineLoop& loop : outline->outline->loops)
       for (const Vector3& point : loop.points) visit(point);
+  } else if (const PictureSource* picture = object.picture()) {
+    for (const Vector3& corner : picture->corners()) visit(corner);
   }
 }
 

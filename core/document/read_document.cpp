@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/document/edit_pictures.hpp"
 #include "core/document/edit_support.hpp"
 #include "core/document/format.hpp"
 #include "core/document/format_names.hpp"
@@ -223,6 +224,8 @@ Result<Document> read_document(std::string_view text) {
     document.paper = std::make_shared<const PaperModel>(detail::read_paper(reader, at, text));
   });
   if (!reader.failed()) check_object_ids(reader, root, document, has_next_id);
+  if (!reader.failed())
+    if (const auto checked = check_packed_pictures(document); !checked) reader.fail(checked.error());
   if (reader.failed()) return reader.error();
   document.kept = detail::kept_members(root, detail::document_members, text);
   return document;

@@ -7,6 +7,7 @@
 #include "core/document/edit_elements.hpp"
 #include "core/document/format_names.hpp"
 #include "core/document/read_outline.hpp"
+#include "core/document/read_picture.hpp"
 #include "core/document/read_skin.hpp"
 #include "core/document/read_solids.hpp"
 
@@ -469,6 +470,12 @@ std::optional<Source> read_source(JsonReader& reader, const JsonCursor& at, std:
     const OutlineSettings settings = read_outline_settings(reader, at);
     if (reader.failed()) return std::nullopt;
     return OutlineSource{std::move(outline), settings, kept_members(at, outline_members, text)};
+  }
+  if (kind == "picture") {
+    PictureSource picture = read_picture(reader, at);
+    picture.kept = kept_members(at, picture_members, text);
+    if (reader.failed()) return std::nullopt;
+    return picture;
   }
   const JsonMember& whole = *at.member();
   return UnknownSource{kind, std::string(text.substr(whole.begin, whole.end - whole.begin))};

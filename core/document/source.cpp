@@ -130,6 +130,7 @@ std::string_view kind_of(const Source& source) {
   if (std::holds_alternative<SolidsSource>(source)) return "solids";
   if (std::holds_alternative<SkinSource>(source)) return "skin";
   if (std::holds_alternative<OutlineSource>(source)) return "outline";
+  if (std::holds_alternative<PictureSource>(source)) return "picture";
   return std::get<UnknownSource>(source).kind;
 }
 

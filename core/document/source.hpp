@@ -10,7 +10,9 @@
 #include "core/base/result.hpp"
 #include "core/base/vector.hpp"
 #include "core/document/attachment.hpp"
+#include "core/document/kept_members.hpp"
 #include "core/document/mirror.hpp"
+#include "core/document/picture_source.hpp"
 #include "core/document/preparation.hpp"
 #include "core/document/shared.hpp"
 #include "core/envelope/solid.hpp"
@@ -24,14 +26,6 @@
 namespace hariko {
 
 inline constexpr Code e_patch_grid{"E_PATCH_GRID"};
-
-/// A member of a file that this program does not know: kept, and written back as it was.
-struct KeptMember {
-  std::string name;
-  std::string json;  ///< the text of its value, byte for byte
-  friend bool operator==(const KeptMember&, const KeptMember&) = default;
-};
-using KeptMembers = std::vector<KeptMember>;
 
 /// A polyhedron with tensions, which becomes a surface. A point of the object is origin + position.
 struct PolyhedronSource {
@@ -145,9 +139,10 @@ struct UnknownSource {
 };
 
 using Source = std::variant<PolyhedronSource, MeshSource, PatchSource, BezierSource, SolidsSource, SkinSource,
-                            OutlineSource, UnknownSource>;
+                            OutlineSource, PictureSource, UnknownSource>;
 
-/// "polyhedron", "mesh", "patches", "bezier", "solids", "skin", "outline", or the kind's name in the file.
+/// "polyhedron", "mesh", "patches", "bezier", "solids", "skin", "outline", "picture", or the kind's name in
+/// the file.
 std::string_view kind_of(const Source& source);
 
 }  // namespace hariko

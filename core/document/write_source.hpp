@@ -1,6 +1,6 @@
 #pragma once
 
-// Writing Bezier patches, solids, sections and outlines into the text of a document.
+// Writing Bezier patches, solids, sections, outlines and pictures into the text of a document.
 
 #include "core/document/document_text.hpp"
 
@@ -10,5 +10,6 @@ void write_source(DocumentText& out, const BezierSource& source);
 void write_source(DocumentText& out, const SolidsSource& source);
 void write_source(DocumentText& out, const SkinSource& source);
 void write_source(DocumentText& out, const OutlineSource& source);
+void write_source(DocumentText& out, const PictureSource& source);
 
 }  // namespace hariko::detail

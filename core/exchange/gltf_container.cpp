@@ -1,9 +1,9 @@
 #include "core/exchange/gltf_container.hpp"
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 
+#include "core/base/base64.hpp"
 #include "core/base/file_uri.hpp"
 #include "core/exchange/imported_mesh.hpp"
 #include "core/exchange/remedies.hpp"
@@ -26,41 +26,6 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
 Message truncated(std::size_t size, const std::string& where) {
   return make_error(e_truncated, "Byte " + std::to_string(size) + ": The file ends inside " + where + ".",
                     remedy_cut);
-}
-
-/// Of a digit in base64; -1 for other characters. Both alphabets of RFC 4648.
-constexpr std::array<std::int8_t, 256> digit_table() {
-  std::array<std::int8_t, 256> table{};
-  table.fill(-1);
-  constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < alphabet.size(); ++i)
-    table[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
-  table['-'] = 62;
-  table['_'] = 63;
-  return table;
-}
-
-Result<std::string> from_base64(std::string_view text) {
-  static constexpr auto digits = digit_table();
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::string out;
-  out.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t word = 0;
-  int bits = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::int8_t digit = digits[static_cast<unsigned char>(text[i])];
-    if (digit < 0)
-      return make_error(e_parse,
-                        "A buffer inside the file is no base64 text: character " + std::to_string(i + 1) +
-                            " is " + quote(text.substr(i, 1)) + ".",
-                        remedy_correct);
-    word = (word << 6) | static_cast<std::uint32_t>(digit);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    out += static_cast<char>((word >> bits) & 0xffU);
-  }
-  return out;
 }
 
 }  // namespace
@@ -109,9 +74,14 @@ Result<std::optional<std::string>> data_of_uri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64"))
     return make_error(e_parse, "A buffer inside the file is not written in base64.", remedy_correct);
-  auto data = from_base64(uri.substr(comma + 1));
-  if (!data) return data.error();
-  return std::optional(std::move(data).value());
+  const std::string_view text = uri.substr(comma + 1);
+  Base64Bytes data = from_base64(text);
+  if (data.wrong)
+    return make_error(e_parse,
+                      "A buffer inside the file is no base64 text: character " +
+                          std::to_string(*data.wrong + 1) + " is " + quote(text.substr(*data.wrong, 1)) + ".",
+                      remedy_correct);
+  return std::optional(std::move(data.bytes));
 }
 
 Result<std::vector<std::string>> buffer_paths(std::string_view uri) {

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
+#include "core/base/base64.hpp"
 #include "core/base/json_writer.hpp"
 #include "core/exchange/file_space.hpp"
 #include "core/exchange/gltf_container.hpp"
@@ -23,21 +25,6 @@ constexpr int vertex_buffer = 34962, index_buffer = 34963;
 
 void append_word(std::string& out, std::uint32_t word) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>((word >> (8 * i)) & 0xffU);
-}
-
-/// The alphabet and padding of RFC 4648.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t taken = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = (word << 8) | (k < taken ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) out += k <= taken ? alphabet[(word >> (18 - 6 * k)) & 63U] : '=';
-  }
-  return out;
 }
 
 /// The format stores colours by their light, documents as screens show them (sRGB).
@@ -136,7 +123,7 @@ class GltfWriter {
 
   Result<std::string> take(GltfForm form) {
     if (form == GltfForm::text)
-      return root_text(1, "data:application/octet-stream;base64," + base64(binary_)) + '\n';
+      return root_text(1, "data:application/octet-stream;base64," + to_base64(binary_)) + '\n';
     std::string text = root_text(-1, {});
     while (text.size() % 4 != 0) text += ' ';
     const std::size_t binary = parts_.empty() ? 0 : glb_chunk_header_size + binary_.size();

@@ -119,6 +119,9 @@ Result<Source> stretched(const Object& object, const Matrix3& linear) {
   if (const MeshSource* source = object.mesh()) return as_source(stretched(*source, linear));
   if (const PatchSource* source = object.patches()) return as_source(stretched(*source, linear));
   if (const BezierSource* source = object.bezier()) return as_source(stretched(*source, linear));
+  if (object.picture())
+    return make_error(e_wrong_kind, "The picture \"" + object.name + "\" cannot be stretched or mirrored.",
+                      "Scale it evenly.", element_of(object.id));
   return make_error(e_wrong_kind,
                     "The object \"" + object.name + "\" cannot be stretched: its kind is not known here.",
                     "Scale it evenly.", element_of(object.id));

@@ -151,6 +151,11 @@ inline Source any_source(std::mt19937_64& rng) {
   if (chance(rng, 0.2)) return SolidsSource{any_solids(rng), any_kept(rng)};
   if (chance(rng, 0.2)) return SkinSource{any_skin(rng), any_kept(rng)};
   if (chance(rng, 0.2)) return OutlineSource{any_outline(rng), any_outline_settings(rng), any_kept(rng)};
+  if (chance(rng, 0.2)) {
+    PictureSource picture = any_picture(rng);
+    picture.kept = any_kept(rng);
+    return picture;
+  }
   if (chance(rng, 0.4)) return any_patches(rng);
   if (chance(rng, 0.4)) {
     BezierSource source = any_bezier(rng);

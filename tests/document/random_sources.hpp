@@ -48,6 +48,23 @@ inline EnvelopeInput any_solids(std::mt19937_64& rng) {
   return input;
 }
 
+inline PictureSource any_picture(std::mt19937_64& rng) {
+  PictureSource picture;
+  picture.path = chance(rng, 0.5) ? "/drawings/\u5074\u9762 \"side\".png" : "side.jpg";
+  picture.columns = static_cast<std::uint32_t>(uniform_int(rng, 1, 10000));
+  picture.rows = static_cast<std::uint32_t>(uniform_int(rng, 1, 10000));
+  picture.width = log_uniform(rng, 1e-3, 1e6);
+  picture.look.opacity = uniform(rng, 0, 1);
+  picture.look.layer = static_cast<PictureLayer>(uniform_int(rng, 0, 2));
+  if (chance(rng, 0.5)) picture.look.only_from = static_cast<PictureSide>(uniform_int(rng, 0, 5));
+  if (chance(rng, 0.5)) {
+    std::string bytes(std::size_t(uniform_int(rng, 1, 40)), '\0');
+    for (char& byte : bytes) byte = static_cast<char>(rng());
+    picture.bytes = std::move(bytes);
+  }
+  return picture;
+}
+
 inline BezierPatch any_bezier_patch(std::mt19937_64& rng) {
   BezierPatch patch;
   patch.degree_s = uniform_int(rng, 1, 6);

@@ -215,6 +215,11 @@ class HeadlessWorkbench {
     complete(actions.export_pages);
     complete(actions.export_pictures);
     complete(actions.export_control);
+    complete(actions.add_pictures);
+    complete(actions.pack_pictures);
+    complete(actions.unpack_picture);
+    complete(actions.replace_picture);
+    complete(actions.find_pictures);
     complete(actions.convert);
     complete(actions.add_section);
     complete(actions.recover);

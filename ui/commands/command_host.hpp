@@ -45,6 +45,8 @@ WhyNot needs_elements(const Editor& editor, NeededElements kinds);
 
 // Each in a file of its own. The host must outlive the table.
 void add_file_commands(CommandHost& host);
+/// Stand among those of files.
+void add_picture_commands(CommandHost& host);
 void add_edit_commands(CommandHost& host);
 void add_object_commands(CommandHost& host);
 void add_select_commands(CommandHost& host);

@@ -78,6 +78,7 @@ void add_file_commands(CommandHost& host) {
              }});
   table.add({"file.import", "File", "Import\u2026", "Add the polyhedron of a mesh file to the document.",
              "Ctrl+I", icon::import_file, true, true, [&workbench] { workbench.files().import(); }});
+  add_picture_commands(host);
   table.add({"file.export", "File", "Export\u2026", "Write the surfaces as triangles.", "Ctrl+E",
              icon::export_file, false, false, [&workbench] { workbench.files().export_triangles(); },
              document});

@@ -15,7 +15,8 @@ constexpr const char* libraries =
     "Dear ImGui (MIT), GLFW (zlib), GLM (MIT), libepoxy (MIT), FreeType (FTL), fontconfig (MIT), Eigen (MPL "
     "2.0), oneTBB "
     "(Apache 2.0), "
-    "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng). Inter, Font Awesome and Noto Sans CJK (SIL "
+    "JSON for Modern C++ (MIT), CLI11 (BSD), libpng (libpng), libjpeg-turbo (IJG). Inter, Font Awesome and "
+    "Noto Sans CJK (SIL "
     "OFL).";
 
 void show_about(Workbench& workbench, const Language& tr) {

@@ -224,7 +224,7 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   ImGui::SameLine(left + m.px(6));
   ImGui::AlignTextToFramePadding();
   const TextColour colour(object.visible ? palette().text : palette().dim_text);
-  ImGui::TextUnformatted(object.mesh() ? icon::mesh : icon::object);
+  ImGui::TextUnformatted(object.picture() ? icon::picture : object.mesh() ? icon::mesh : icon::object);
   ImGui::SameLine(left + m.px(28));
   const bool mirrored = object.polyhedron() && object.polyhedron()->mirror;
   const float name_end = right - m.px(mirrored ? 106.0F : 84.0F);

@@ -17,6 +17,7 @@
 #include "ui/panels/outline_rows.hpp"
 #include "ui/panels/paper_properties.hpp"
 #include "ui/panels/patch_rows.hpp"
+#include "ui/panels/picture_rows.hpp"
 #include "ui/panels/selected_items.hpp"
 #include "ui/panels/skin_properties.hpp"
 #include "ui/panels/solids_properties.hpp"
@@ -339,7 +340,9 @@ void object_section(PanelContext& context, const Objects& objects) {
   } else {
     context.marks.item("section.placement");
   }
-  draw_display(context, objects);
+  // Nothing of how surfaces show is about pictures.
+  if (std::any_of(objects.begin(), objects.end(), [](const auto& object) { return !object->picture(); }))
+    draw_display(context, objects);
 }
 
 }  // namespace
@@ -366,6 +369,7 @@ void draw_properties(PanelContext& context, const PanelRect& rect) {
       if (objects.front()->solids()) draw_solids(context, *objects.front());
       outline_point_section(context);
       if (objects.size() == 1) outline_section(context, *objects.front());
+      picture_section(context, objects);
       object_section(context, objects);
       if (!elements && objects.front()->polyhedron()) {
         heading(context, "Selection");

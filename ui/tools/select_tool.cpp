@@ -35,7 +35,7 @@ class SelectTool final : public Tool {
     }
     if ((event.pixel - press_.pixel).norm() <= drag_threshold * context.editor.pixel_scale)
       return ToolState::stay;
-    if (under_.empty() || press_.control) {
+    if (under_.empty() || press_.control || is_backdrop(context.editor)) {
       successor_ = make_region_tool(false);
       return ToolState::commit;
     }
@@ -75,6 +75,14 @@ class SelectTool final : public Tool {
     if ((plain && again) || (press_.alt && again)) index = (last->index + 1) % under_.size();
     editor.selection.select(under_[index], how);
     editor.last_click = LastClick{press_.pixel, index};
+  }
+
+  /// A picture that is not chosen is what one draws a box over: it does not come along with the pointer.
+  bool is_backdrop(const Editor& editor) const {
+    const Object* object = editor.document().find(under_.front().object);
+    return object && object->picture() &&
+           std::none_of(under_.begin(), under_.end(),
+                        [&](const ElementRef& ref) { return editor.selection.contains(ref); });
   }
 
   /// The loop or ring of an edge, or all that hangs together with a vertex or face.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/reference_pictures.hpp"
 #include "ui/solids_display.hpp"
 
 namespace hariko {
@@ -87,6 +88,9 @@ std::vector<ElementRef> elements_under(const ToolContext& context, const Vector2
     if (std::find(result.begin(), result.end(), ref) == result.end()) result.push_back(ref);
   }
   if (editor.mode != ElementMode::object && result.empty()) return solids_under(context, pixel);
+  if (editor.mode == ElementMode::object)
+    for (const ObjectId id : pictures_under(editor, context.projector(), pixel))
+      result.push_back({id, element_of(id)});
   return result;
 }
 
