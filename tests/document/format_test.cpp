@@ -352,15 +352,6 @@ TEST(Format, BridgesOfSolidsNameTwoSolids) {
   EXPECT_FALSE(with("{\"between\": [0, 1], \"ball_radius\": -1}"));
 }
 
-TEST(Format, AreasOfVersion5ReadForEver) {
-  const std::string text = file_text("tests/document/fixtures/v5_area.hariko");
-  const Result<Document> read = read_document(text);
-  ASSERT_TRUE(read) << message_of(read);
-  EXPECT_EQ(read->objects[0]->polyhedron()->shaping->kept_area.size(), 2U);
-  EXPECT_EQ(write_document(*read), as_written_now(text, 5))
-      << "the fixture is written as this version writes";
-}
-
 TEST(Format, KeptFormsOutOfAllProportionAreRefused) {
   const std::string text = file_text("tests/document/fixtures/v3.hariko");
   const auto with = [&](const std::string& from, const std::string& to) {
