@@ -26,7 +26,8 @@ Image photograph(PixelSize size) {
     for (int x = 0; x < size.width; ++x) {
       std::uint8_t* p = image.pixel(x, y);
       for (int c = 0; c < 3; ++c)
-        p[c] = static_cast<std::uint8_t>(128 + 100 * std::sin(0.01 * (x + 2 * y) + c) + (7 * x + 13 * y) % 17);
+        p[c] =
+            static_cast<std::uint8_t>(128 + 100 * std::sin(0.01 * (x + 2 * y) + c) + (7 * x + 13 * y) % 17);
       p[3] = 255;
     }
   return image;

@@ -148,7 +148,8 @@ class Solver {
     if (made->singular) {
       out.messages.push_back(make_warning(
           w_singular,
-          "The areas do not determine the surface over this outline; the result is that of the mode round (umbilic).",
+          "The areas do not determine the surface over this outline; the result is that of the mode round "
+          "(umbilic).",
           "Tilt the normals so that the Gauss image is no hemisphere, or use the mode curvature."));
       return Done{};
     }

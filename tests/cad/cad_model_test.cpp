@@ -124,7 +124,8 @@ TEST(CadModel, CornersCostFewKnots) {
 }
 
 TEST(CadModel, DistancesAreNotOverestimatedWhereDerivativesJump) {
-  // Across the diagonals of its squares the car's derivatives jump, and Newton's steps lead away from the foot.
+  // Across the diagonals of its squares the car's derivatives jump, and Newton's steps lead away from the
+  // foot.
   const auto produced = surfaces_of({"car"});
   ASSERT_EQ(produced.size(), 1U);
   const auto model = make_cad_model(produced[0].surface);

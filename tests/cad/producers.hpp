@@ -53,8 +53,8 @@ inline std::vector<Produced> surfaces_of(const WantedSample& wanted) {
   return out;
 }
 
-/// One of each kind of patches; all samples, polyhedra in all modes, in long runs: there only the sample that the
-/// environment variable HARIKO_SAMPLE names, where it is set.
+/// One of each kind of patches; all samples, polyhedra in all modes, in long runs: there only the sample that
+/// the environment variable HARIKO_SAMPLE names, where it is set.
 inline std::vector<WantedSample> wanted_samples() {
   if (repetitions(1) < 2)
     return {{"cube_crease"}, {"grid3", Mode::paper}, {"fig2_open"},   {"cube", Mode::g2},

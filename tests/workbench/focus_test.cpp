@@ -193,8 +193,9 @@ TEST_F(Focus, F6AndTabGoThroughEveryPanel) {
   std::set<std::string> seen;
   bench_.key("F6");
   for (int i = 0; i < 6; ++i) {
-    std::printf("DBG %d hl %d nav %x win %s active %x alive %d init %d\n", i, GImGui->NavDisableHighlight, GImGui->NavId,
-                GImGui->NavWindow ? GImGui->NavWindow->Name : "-", GImGui->ActiveId, GImGui->NavIdIsAlive, GImGui->NavInitRequest);
+    std::printf("DBG %d hl %d nav %x win %s active %x alive %d init %d\n", i, GImGui->NavDisableHighlight,
+                GImGui->NavId, GImGui->NavWindow ? GImGui->NavWindow->Name : "-", GImGui->ActiveId,
+                GImGui->NavIdIsAlive, GImGui->NavInitRequest);
     bench_.frame();
   }
   bench_.tap("Esc");
