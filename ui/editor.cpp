@@ -34,6 +34,7 @@ void Editor::open(Document document, std::optional<std::filesystem::path> file) 
   hovered.reset();
   has_document = true;
   kept_probe.reset();
+  references.views.clear();
   // The views start anew; how they are arranged stays.
   layout.views = ViewLayout().views;
   wants_framing = true;

@@ -47,7 +47,7 @@ void add_warnings(bool network, EnvelopeSurface& out) {
         code, std::move(text),
         network ? "Choose the method \"ball\": it contains the solids and does not fold." : of_ball));
   };
-  // Where faces lie on the solids, edges are meant to stick out.
+  // Edges are meant to stick out of a surface whose faces lie on the solids.
   if (out.check && !out.enclosed && !out.sticks_out)
     add(w_not_enclosed,
         "The surface does not contain the solids: they reach out by up to " +

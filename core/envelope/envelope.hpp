@@ -36,7 +36,7 @@ struct EnvelopeSurface {
   Vector3 origin = Vector3::Zero();             ///< what everything is relative to
   double diagonal = 0;                          ///< of the solids
   bool enclosed = false;  ///< to 1e-4 of the diagonal; while dragging the ball alone knows
-  /// Of a ball whose faces lie on those of the solids: by how much these stick out elsewhere, a length.
+  /// Length by which solids stick out of a ball whose faces lie on theirs; of no other surface.
   std::optional<double> sticks_out;
   std::optional<EnclosureReport>
       check;               ///< of the final network, and of a final ball whose patches miss its shape

@@ -38,7 +38,7 @@ enum class SolidKind : std::uint8_t {
   polyhedron
 };
 
-/// What makes a solid the bar between two others.
+/// Part of a solid that is the bar between two others.
 struct Bridge {
   std::array<std::uint32_t, 2> between{};  ///< ids of the two solids, which may be gone
   /// Method `ball`: of the ball where it touches nothing but the bar and these two, instead of that of the

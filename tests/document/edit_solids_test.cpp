@@ -118,7 +118,7 @@ TEST(EditSolids, ACopiedBridgeJoinsTheCopies) {
   EXPECT_EQ(find_solid(*all->find(id), 9)->bridge, (Bridge{{3, 8}, 0.5}));
   EXPECT_EQ(find_solid(*all->find(id), 12)->bridge, (Bridge{{10, 11}, 0.5}));
   EXPECT_EQ(find_solid(*all->find(id), 15)->bridge, (Bridge{{13, 14}, 0.5}));
-  // Where a solid is not copied, it is held by both bars.
+  // A solid that is not copied is held by both bars.
   const auto some = array_solids(document, id, std::array<std::uint32_t, 2>{8, 9}, 1, {0, 0, 5}, added);
   ASSERT_TRUE(some.ok());
   EXPECT_EQ(find_solid(*some->find(id), 11)->bridge, (Bridge{{3, 10}, 0.5}));

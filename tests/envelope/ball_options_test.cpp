@@ -151,6 +151,22 @@ TEST(OnTheFaces, WhatSticksOutIsWhatTheJudgeFinds) {
   });
 }
 
+TEST(OnTheFaces, EdgesOfABoxStickOutByTheRounding) {
+  const double sigma = 0.03;
+  EnvelopeInput input = option_scene({option_box({1, 1, 1})}, sigma, 0.3);
+  input.settings.on_faces = true;
+  const Vector3 diagonal = Vector3(1, 1, 0).normalized();
+  double low = 0, high = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (low + high);
+    (field_at(input, middle * diagonal) < 0 ? low : high) = middle;
+  }
+  // The mean of a quarter space's distance under a Gaussian of width 1 is zero 0.808 inside of the edge.
+  EXPECT_NEAR((std::sqrt(0.5) - low) / sigma, 0.808, 0.02);
+  // Corners do most.
+  EXPECT_NEAR(option_ball(input).sticks_out / sigma, 1.46, 0.05);
+}
+
 TEST(OnTheFaces, ABallTouchesItsOwnSurface) {
   Solid ball = option_box({1, 1, 1});
   ball.kind = SolidKind::sphere;

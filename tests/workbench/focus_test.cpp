@@ -191,20 +191,10 @@ TEST_F(Focus, TabGoesPastWhatCannotBeChangedNow) {
 
 TEST_F(Focus, F6AndTabGoThroughEveryPanel) {
   std::set<std::string> seen;
-  bench_.key("F6");
-  for (int i = 0; i < 6; ++i) {
-    std::printf("DBG %d hl %d nav %x win %s active %x alive %d init %d\n", i, GImGui->NavDisableHighlight,
-                GImGui->NavId, GImGui->NavWindow ? GImGui->NavWindow->Name : "-", GImGui->ActiveId,
-                GImGui->NavIdIsAlive, GImGui->NavInitRequest);
-    bench_.frame();
-  }
-  bench_.tap("Esc");
   for (int i = 0; i < 12; ++i) {
     bench_.tap("F6");
-    std::printf("DBG2 %d hl %d nav %x win %s\n", i, GImGui->NavDisableHighlight, GImGui->NavId,
-                GImGui->NavWindow ? GImGui->NavWindow->Name : "-");
     frames();
-    if (GImGui->NavDisableHighlight) break;
+    if (!GImGui->NavWindow || GImGui->NavDisableHighlight) break;
     const std::string name = GImGui->NavWindow->RootWindow->Name;
     seen.insert(name);
     EXPECT_GE(go("Tab", 6, name).size(), name == "History" ? 1U : 2U) << name;

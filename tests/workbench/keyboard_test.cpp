@@ -182,6 +182,29 @@ TEST_F(Keyboard, TheListOfManyObjectsGrowsIsSearchedAndSorted) {
   EXPECT_EQ(editor().selection.objects().size(), 4U);
 }
 
+TEST_F(Keyboard, RenamingBringsTheRowIntoSight) {
+  for (int i = 0; i < 39; ++i) bench_.workbench().commands().run("object.duplicate");
+  frames();
+  const ObjectId active = editor().selection.active;
+  const std::string row = "object." + std::to_string(active.value);
+  ASSERT_TRUE(marks().contains(row));
+  // The wheel goes away from it, whichever end of the list it is at.
+  const Marks::Rect place = marks().at(row);
+  bench_.move(place.x + 40, place.y + 4);
+  for (const double way : {30.0, -30.0})
+    if (marks().contains(row)) {
+      bench_.wheel(way);
+      frames();
+    }
+  ASSERT_FALSE(marks().contains(row));
+  bench_.tap("F2");
+  frames();
+  bench_.type("Shelf");
+  bench_.tap("Enter");
+  frames();
+  EXPECT_EQ(editor().document().find(active)->name, "Shelf");
+}
+
 TEST_F(Keyboard, ThePaletteFindsSettingsAndNotWhatMerelySoundsAlike) {
   const CommandTable& table = bench_.workbench().commands();
   const auto found = [&](const char* query) {

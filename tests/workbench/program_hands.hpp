@@ -58,11 +58,17 @@ class ProgramHands {
     bench_.release(button);
     frames(2);
   }
-  /// With Ctrl held.
+  /// Of a handle, with Ctrl held after the press.
   void drag_in_steps(const Vector2& from, const Vector2& to) {
+    ++actions_;
+    bench_.move(from.x(), from.y());
+    bench_.press();
     bench_.hold(false, true, false);
-    drag(from, to);
+    bench_.move((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+    bench_.move(to.x(), to.y());
+    bench_.release();
     bench_.hold(false, false, false);
+    frames(2);
   }
   /// Leaves the button pressed.
   void begin_drag(const Vector2& from, const Vector2& to, int button = 0) {

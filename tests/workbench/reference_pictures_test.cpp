@@ -55,6 +55,14 @@ class ReferencePicturesByHand : public ::testing::Test {
     EXPECT_TRUE(outcome.ran) << id << ": " << outcome.reason;
     settle();
   }
+  /// From the front, with room round the cube.
+  void look_at_front() {
+    run("view.front");
+    Camera camera = editor.camera();
+    camera.distance *= 3;
+    editor.set_camera(camera);
+    frames(3);
+  }
   std::string why_not(const char* id) {
     const Command* command = bench.workbench().commands().find(id);
     const auto reason = command->why_not();
@@ -111,7 +119,7 @@ class ReferencePicturesByHand : public ::testing::Test {
 };
 
 TEST_F(ReferencePicturesByHand, DroppedOnASideViewItLiesBehindTheModelOfThatViewAlone) {
-  run("view.front");
+  look_at_front();
   const std::size_t steps = editor.history.position();
   drop({red_file()});
   ASSERT_EQ(editor.document().objects.size(), 2U);
@@ -126,7 +134,7 @@ TEST_F(ReferencePicturesByHand, DroppedOnASideViewItLiesBehindTheModelOfThatView
   const double width = source.width;
   EXPECT_LT(width, editor.camera().view_height() * editor.viewport.aspect()) << "all of it is in sight";
   EXPECT_GT(width, 0.3 * editor.camera().view_height());
-  const Vector3 beside(0.45 * width, 0, 0), middle(0, 0, 0);
+  const Vector3 beside(0.45 * width, 0, 0.07 * width), middle(0.1, 0, 0.1);
   EXPECT_TRUE(red_at(beside));
   EXPECT_FALSE(red_at(middle)) << "the cube stands before it";
   run("view.iso");
@@ -160,7 +168,7 @@ TEST_F(ReferencePicturesByHand, WhatIsNoPictureIsTold) {
 }
 
 TEST_F(ReferencePicturesByHand, TwoClicksAndALengthMakeItTheRightSize) {
-  run("view.front");
+  look_at_front();
   drop({red_file()});
   const ObjectId id = picture().id;
   const double width = picture().picture()->width;
@@ -168,7 +176,7 @@ TEST_F(ReferencePicturesByHand, TwoClicksAndALengthMakeItTheRightSize) {
   const std::size_t steps = editor.history.position();
   run("picture.scale");
   ASSERT_TRUE(bench.workbench().viewport().tool_active());
-  click_at(a + Vector3(0, 0, 0.5 * width));
+  click_at(a + Vector3(0, 0, 0.25 * width));
   click_at(a);
   click_at(b);
   const Similarity before = picture().transform;
@@ -199,7 +207,7 @@ TEST_F(ReferencePicturesByHand, TwoClicksAndALengthMakeItTheRightSize) {
 }
 
 TEST_F(ReferencePicturesByHand, ALockedOneLetsClicksThroughAndIsNotScaled) {
-  run("view.front");
+  look_at_front();
   drop({red_file()});
   const double width = picture().picture()->width;
   const Vector3 beside(0.45 * width, 0, 0.1 * width);
@@ -220,7 +228,7 @@ TEST_F(ReferencePicturesByHand, ALockedOneLetsClicksThroughAndIsNotScaled) {
 }
 
 TEST_F(ReferencePicturesByHand, ADragOverOneThatIsNotChosenDrawsABoxAndMovesOneThatIs) {
-  run("view.front");
+  look_at_front();
   drop({red_file()});
   const double width = picture().picture()->width;
   const Similarity before = picture().transform;
@@ -341,9 +349,10 @@ TEST_F(ReferencePicturesByHand, MissingOnesAreToldOnceAndFoundTogether) {
 
 TEST_F(ReferencePicturesByHand, AFileThatChangedIsReadAgainWhenAsked) {
   const fs::path file = red_file();
-  run("view.front");
+  look_at_front();
   drop({file});
-  const Vector3 beside(0.45 * picture().picture()->width, 0, 0);
+  const double width = picture().picture()->width;
+  const Vector3 beside(0.45 * width, 0, 0.07 * width);
   EXPECT_TRUE(red_at(beside));
   Image grey(40, 20);
   for (auto& byte : grey.rgba) byte = 128;

@@ -141,7 +141,7 @@ TEST_F(OfSolids, AHandDrillOfFourSolidsTakesAtMostThirtyFiveActions) {
   press({"Enter", "Num 1"});
   frames(20);
   bench().move(600, 500);
-  wheel(-6);
+  wheel(-4);
   frames(20);
   bring({-5, 0, 60}, {0, 0, -50});
   add("cylinder");

@@ -357,6 +357,7 @@ void draw_objects(PanelContext& context, const PanelRect& rect) {
     for (const std::size_t i : rows) state.shown.push_back(document.objects[i]->id);
     if (editor.rename_wanted) {
       editor.rename_wanted = false;
+      state.shown_active = {};  // its row comes into sight
       if (const Object* object = document.find(editor.selection.active)) start_renaming(context, *object);
     }
     if (document.objects.empty())

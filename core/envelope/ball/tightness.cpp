@@ -64,7 +64,7 @@ void choose_ball_as_before(EnvelopeInput& input, double tightness) {
 double faces_outside(const Solid& solid, const EnvelopeSettings& settings, double size) {
   const BallSettings ball = ball_settings(settings, size);
   const GrownSolid grown = grown_solid(solid, solid.position, ball.sigma, room_outside(ball), ball.on_faces);
-  // What a solid with a roundness of its own is grown by makes up for faces that were moved inwards, too.
+  // The growth of a solid with a roundness of its own makes up for faces that were moved inwards, too.
   const SolidShape shape(solid, solid.position);
   return grown.growth - face_constant(shape, solid.roundness ? grown.shape : shape, ball.sigma);
 }
