@@ -423,7 +423,7 @@ TEST(Format, OnlyEssentialsAreNeeded) {
 TEST(Format, EmptyDocument) {
   EXPECT_EQ(
       write_document({}),
-      "{\n  \"format\": \"hariko\",\n  \"version\": 5,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
+      "{\n  \"format\": \"hariko\",\n  \"version\": 6,\n  \"unit\": \"mm\",\n  \"next_object_id\": 1,\n  "
       "\"objects\": []\n}\n");
 }
 
