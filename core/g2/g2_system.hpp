@@ -43,6 +43,7 @@ class G2System {
   const HalfEdgeMesh& mesh() const { return layout_.mesh(); }
   const std::shared_ptr<const G2Atlas>& atlas() const { return layout_.atlas(); }
   Index unknown_count() const { return layout_.unknowns().count; }
+  const FaceChart& chart(Index face) const { return layout_.chart(face); }
 
   using Given = G2Given;
   /// The sides must be those that the system was made for.

@@ -22,7 +22,7 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3& point, double limit) 
   Nearest best;
   double square = limit * limit;
   tree_.visit_near([&](const Eigen::AlignedBox3d& box) { return box.squaredExteriorDistance(point); },
-                   [&](double away) { return away <= square; },
+                   [&](double away) { return !(away > square); },
                    [&](Index t) {
                      const double d = closed_[t].squared_distance(point);
                      if (d > square || (d == square && best.triangle != no_index && t > best.triangle))
