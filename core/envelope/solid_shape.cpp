@@ -216,6 +216,10 @@ void SolidShape::find_face_middles(std::span<const std::array<Index, 2>> coplana
     if (area[f] > 0) face_middles_.push_back(sum[f] / area[f]);
 }
 
+Vector3 SolidShape::middle() const {
+  return hull_ ? hull_->middle : Vector3(Vector3::Zero());
+}
+
 double SolidShape::distance(const Vector3& point) const {
   return own_distance(rotation_.transpose() * (point - centre_));
 }

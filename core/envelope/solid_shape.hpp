@@ -54,6 +54,8 @@ class SolidShape {
   /// One point of each kind of flat face, in its own axes about its centre: where the mean of the distance
   /// over a neighbourhood is least. None where no face is flat.
   const std::vector<Vector3>& face_middles() const { return face_middles_; }
+  /// A point deep inside of what is convex, in its own axes about its centre.
+  Vector3 middle() const;
   /// `count` points spread over the surface, of which convex solids have no empty parts.
   std::vector<Vector3> surface_points(int count) const;
   /// Edges, rims, and lines down the sides of cones and along the bodies of capsules.

@@ -79,6 +79,8 @@ std::vector<Vector3> worth_a_look(const FollowedDistance& distance, const std::v
   return out;
 }
 
+constexpr double least_depth = 0.5;  ///< of sigma: of the surface's zero over the middle of a solid
+
 }  // namespace
 
 double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
@@ -98,16 +100,23 @@ double face_constant(const SolidShape& solid, const SolidShape& followed, double
   return out;
 }
 
+/// The face constant, or what keeps the mean at the solid's middle below zero where that is more: sheets and
+/// needles that are thinner than the kernel would vanish.
+double lying_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
+  const double constant = face_constant(solid, followed, sigma);
+  if (solid.face_middles().empty()) return constant;
+  const FollowedDistance distance(solid, followed);
+  return std::max(constant, mean_distance(distance, solid.middle(), sigma) + least_depth * sigma);
+}
+
 GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room, bool on_faces) {
-  const auto constant = on_faces ? face_constant : growth_constant;
   SolidShape shape(solid, origin);
-  if (!solid.roundness) {
-    const double growth = constant(shape, shape, sigma) + room;
-    return {std::move(shape), growth};
-  }
-  SolidShape followed(softened(solid), origin);
-  const double growth = constant(shape, followed, sigma) + room;
-  return {std::move(followed), growth};
+  std::optional<SolidShape> softer;
+  if (solid.roundness) softer.emplace(softened(solid), origin);
+  const SolidShape& followed = softer ? *softer : shape;
+  const double constant =
+      on_faces ? lying_constant(shape, followed, sigma) : growth_constant(shape, followed, sigma);
+  return {followed, constant + room};
 }
 
 GrownUnion::GrownUnion(std::vector<GrownSolid> solids) : solids_(std::move(solids)) {

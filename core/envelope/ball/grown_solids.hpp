@@ -25,7 +25,8 @@ struct GrownSolid {
 };
 
 /// The solid, or what is followed instead of one with a roundness of its own, relative to `origin`. `room`: a
-/// length that it is grown by beyond its constant, which is the face constant where `on_faces`.
+/// length that it is grown by beyond its constant. `on_faces`: that is the face constant, but for solids so
+/// thin that the kernel would leave nothing of them.
 GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room,
                        bool on_faces = false);
 

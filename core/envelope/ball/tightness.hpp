@@ -25,7 +25,7 @@ void choose_ball(EnvelopeInput& input);
 void choose_ball_as_before(EnvelopeInput& input, double tightness);
 
 /// How far flat faces of the surface lie outside of those of a solid, a length; of solids without flat faces,
-/// how far the surface does where they bend most.
+/// how far the surface does where they bend most. Said too small of solids thinner than the rounding.
 double faces_outside(const Solid& solid, const EnvelopeSettings& settings, double size);
 
 /// Enlarges the ball to the smallest that makes one part of the solids' surface; the hull where none does.
