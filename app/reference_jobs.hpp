@@ -48,7 +48,7 @@ class ReferenceJobs {
   Log log_;
 };
 
-/// What the interface asks for is done by these jobs, which must outlive it.
+/// Has these jobs do what the interface asks for; they must outlive it.
 void connect(FileActions& actions, ReferenceJobs& jobs);
 
 }  // namespace hariko

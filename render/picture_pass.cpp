@@ -18,7 +18,7 @@ void set_up_depth(PictureLayer layer, bool opaque) {
   glDepthFunc(GL_LEQUAL);
   // Through a translucent picture one sees lines and points behind it.
   glDepthMask(opaque ? GL_TRUE : GL_FALSE);
-  // What lies in its plane, a grid or a curve drawn on it, shows.
+  // Offset, so that a grid or a curve in its plane shows.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 2);
 }

@@ -33,7 +33,7 @@ class PicturePass {
   /// The pictures of one layer, the farthest first. Those that share an image share a texture.
   void draw(const Frame& frame, const Scene& scene, PictureLayer layer, unsigned picture_bit,
             FrameStatistics& statistics);
-  /// What one drawing may upload from here on.
+  /// Sets the bytes that one drawing may upload from here on.
   void begin(std::size_t budget) { budget_ = budget; }
   void release(unsigned picture_bits) { textures_.release(picture_bits); }
   void drop_unused() { textures_.drop_unused(); }

@@ -161,10 +161,11 @@ Result<Image> read_jpeg(std::string_view file, std::uint64_t most_pixels) {
   if (!decoder.read_header(file)) return unreadable(decoder);
   if (std::uint64_t(decoder.columns()) * decoder.rows() > most_pixels)
     return make_error(e_image_read, "The picture has too many pixels.", "Make it smaller.");
+  const int orientation = exif_orientation(decoder.notes());  // gone once the rows are read
   Image image(int(decoder.columns()), int(decoder.rows()));
   if (!decoder.read_rows(image.rgba.data())) return unreadable(decoder);
   if (decoder.printed()) from_print(image, decoder.inverted());
-  return upright(std::move(image), exif_orientation(decoder.notes()));
+  return upright(std::move(image), orientation);
 }
 
 }  // namespace hariko

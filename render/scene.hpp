@@ -133,7 +133,7 @@ struct Scene {
   float hidden_opacity = 0.3F;     ///< of what x-ray shows through, times its own
   double pixel_scale = 1;          ///< framebuffer pixels per design pixel: scales line widths and points
 
-  /// Of the objects; pictures are what they stand before.
+  /// Box of the objects; pictures are what they stand before.
   Box3 world_box() const;
 };
 

@@ -25,7 +25,7 @@ struct ScenePicture {
   /// World points, counter-clockwise from the lower left one.
   std::array<Vector3, 4> corners() const;
   Vector3 middle() const { return transform.topRightCorner<3, 1>(); }
-  /// Where a ray meets it, as a multiple of the ray's direction.
+  /// Distance along a ray to where it meets the picture, as a multiple of the ray's direction.
   std::optional<double> hit(const Ray& ray) const;
 
   friend bool operator==(const ScenePicture&, const ScenePicture&) = default;

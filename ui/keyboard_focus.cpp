@@ -97,8 +97,6 @@ void KeyboardFocus::next_panel(bool back) {
   ImGuiWindow* window = ImGui::FindWindowByName(panel_.c_str());
   ImGui::FocusWindow(window);
   ImGui::NavInitWindow(window, true);
-  // At once: without the flag the next frame would take the ring away again.
-  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   show_keyboard_focus();
 }
 

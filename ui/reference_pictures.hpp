@@ -8,7 +8,7 @@
 
 namespace hariko {
 
-/// Of the visible objects; none while only surfaces are looked at.
+/// Pictures of the visible objects; none while only surfaces are looked at.
 std::vector<ScenePicture> scene_pictures(const Editor& editor);
 
 /// Pictures under a pixel of the active view that can be moved, the nearest first: locked ones let clicks
@@ -21,7 +21,7 @@ const Object* active_picture(const Editor& editor);
 /// Pictures whose files are not there or cannot be read, in the order of the document.
 std::vector<ObjectId> missing_pictures(const Editor& editor);
 
-/// Where a new picture lies: in the plane through zero that the camera looks at most squarely, over four
+/// Place of a new picture: in the plane through zero that the camera looks at most squarely, over four
 /// fifths of the view. From a side it is behind what is modelled and belongs to that view.
 struct PicturePlace {
   Similarity transform;

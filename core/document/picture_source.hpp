@@ -39,7 +39,7 @@ struct PictureLook {
 /// A rectangle about the object's zero, x to the right, y upwards, seen from +z and from behind as well.
 /// Invariants (`check_picture`): a path of valid UTF-8, at least one pixel, a width above zero.
 struct PictureSource {
-  /// Of the file: absolute in memory, relative to the document's folder in its file, with "/". Where the
+  /// Path of the file: absolute in memory, relative to the document's folder in its file, with "/". Where the
   /// bytes are packed, only the name that they came with.
   std::string path;
   Shared<std::string> bytes;            ///< of the file, packed into the document; empty where it is linked

@@ -7,7 +7,7 @@ namespace hariko::detail {
 
 namespace {
 
-/// Only as it is written: other spellings would come back changed.
+/// Base64 as it is written: other spellings would come back changed.
 std::string read_bytes(JsonReader& reader, const JsonCursor& at) {
   const std::string text = reader.string(at);
   if (reader.failed()) return {};

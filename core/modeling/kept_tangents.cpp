@@ -168,7 +168,7 @@ class FormFinder {
       Wish &first = fan[k], &second = fan[(k + 1) % fan.size()];
       if (first.copy || second.copy || frames_.half_turn[corner(first)]) continue;
       const Vector3 &a = first.tangent, &b = second.tangent;
-      if (flat_share(angle_between(a, b)) == 0) continue;
+      if (flat_share(angle_between(a, b), corner_angle(mesh_, frames_.charts, corner(first))) == 0) continue;
       const auto split =
           wanted_.splits(polyhedron_.vertex_id(v), polyhedron_.face_id(mesh_.face(corner(first))));
       if (!split) continue;
@@ -283,7 +283,8 @@ class FormFinder {
     for (std::size_t k = 0; k + (closed ? 0 : 1) < fan.size(); ++k) {
       const std::size_t other = (k + 1) % fan.size();
       if (fan[k].copy || fan[other].copy) continue;
-      const double share = flat_share(frames.step[corner(fan[k])]);
+      const Index at = corner(fan[k]);
+      const double share = flat_share(frames.step[at], corner_angle(mesh_, frames.charts, at));
       const bool shorter = frames.length[fan[k].end] < frames.length[fan[other].end];
       Vector3 &gives = out[shorter ? k : other], &stays = out[shorter ? other : k];
       if (share > 0) gives *= std::pow(stays.norm() / gives.norm(), share);

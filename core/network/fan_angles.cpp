@@ -15,7 +15,7 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double least_step = 0.1 * degree;
 /// Above its limit less this a step approaches the limit smoothly.
 constexpr double soft_range = 4 * degree;
-constexpr double first_flat = 150 * degree, full_flat = 170 * degree;
+constexpr double first_flat = 150 * degree, full_flat = 170 * degree, most_turn = 10 * degree;
 constexpr int limit_rounds = 30;
 /// Numbers of sides: rims of fewer have corners, those of more are round as they are.
 constexpr double rim_factor = 4, first_rim = 6, full_rim = 12, last_full_rim = 16, last_rim = 32;
@@ -121,8 +121,9 @@ double place_in_corner(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index
   return triangle_angle(chord, -charts.corner[corner]) / std::numbers::pi;
 }
 
-double flat_share(double step) {
-  return smooth_step((step - first_flat) / (full_flat - first_flat));
+double flat_share(double step, double corner_angle) {
+  return smooth_step((step - first_flat) / (full_flat - first_flat)) *
+         smooth_step(1 - std::abs(std::numbers::pi - corner_angle) / most_turn);
 }
 
 std::vector<double> fan_steps(std::span<const double> angles, std::span<const Index> sides, double total,

@@ -17,8 +17,9 @@ double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index co
 /// in the face's chart, as a share of a half turn. A short edge beside the corner hardly counts.
 double place_in_corner(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner);
 
-/// 0 for corners up to 150 degrees in the fan, 1 from 170 degrees on, which count as flat.
-double flat_share(double step);
+/// 1 for corners that are flat in the fan, from a step of 170 degrees on, and in the chart of their face; 0
+/// for steps up to 150 degrees and for corners that turn by 10 degrees or more in the chart.
+double flat_share(double step, double corner_angle);
 
 /// The steps of a sector with these corner angles, adding up to `total`; not yet limited. `sides`: of each
 /// corner's face. `closed`: all round the vertex, where opposite edges of an even number come near to one

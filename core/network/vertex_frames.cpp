@@ -399,9 +399,10 @@ class FrameBuilder {
     for (std::size_t s = 0; s < sectors.size(); ++s) {
       if (sectors[s].image == Sector::Image::corner || frames_.half_turn[corner(sectors[s], 0)]) continue;
       for (std::size_t j = 0; j < sectors[s].corners; ++j) {
-        const double step = angles[s][j + 1] - angles[s][j], share = flat_share(step);
-        if (share == 0) continue;
         const Index h = corner(sectors[s], j);
+        const double step = angles[s][j + 1] - angles[s][j];
+        const double share = flat_share(step, corner_angle(mesh_, frames_.charts, h));
+        if (share == 0) continue;
         const std::size_t first = (sectors[s].first + j) % lengths.size(),
                           second = (first + 1) % lengths.size();
         const double split = step * split_place(h, first, second);

@@ -23,7 +23,7 @@ TEST(PixelScale, ReachesTheSceneTheGizmoAndTheThresholdOfDrags) {
     gizmo.update(rig.editor, false);
     const double pixel =
         scale * Projector(rig.editor.camera(), rig.editor.viewport).pixel_length_at({1, 1, 1});
-    const Vector2 grip = rig.pixel(Vector3(1, 1, 1) + 85 * pixel * Vector3::UnitZ());  // beyond the arcs
+    const Vector2 grip = rig.pixel(Vector3(1, 1, 1) + 91 * pixel * Vector3::UnitZ());  // beyond the arcs
     ASSERT_TRUE(gizmo.hit(grip).has_value());
     EXPECT_TRUE(gizmo.hit(grip + Vector2(0.95 * Gizmo::hit_radius * scale, 0)).has_value());
     EXPECT_FALSE(gizmo.hit(grip + Vector2(1.05 * Gizmo::hit_radius * scale, 0)).has_value());

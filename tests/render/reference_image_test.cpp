@@ -74,7 +74,8 @@ TEST(ReferenceImage, JpegsOfAllKindsAreRead) {
 
 TEST(ReferenceImage, PhotographsStandUprightAsTheirCameraNoted) {
   const std::string jpeg = file_bytes("quadrants.jpg");
-  // Where the rows and columns of the file go, by the definition of the tag: r g / b w as seen then.
+  // Places to which the rows and columns of the file go, by the definition of the tag: r g / b w as seen
+  // then.
   const std::array<const char*, 9> seen{"", "rgbw", "grwb", "wbgr", "bwrg", "rbgw", "brwg", "wgbr", "gwrb"};
   for (int orientation = 1; orientation <= 8; ++orientation)
     for (const bool little : {false, true}) {

@@ -50,7 +50,7 @@ class ReferencePictures : public GlTest {
     picture.look.opacity = 1;
     return picture;
   }
-  /// Where a point of the front plane is on the screen.
+  /// Pixel of the screen at a point of the front plane.
   std::array<int, 4> at(double x, double z) {
     const Image image = draw(scene, camera, size);
     const auto place = Projector(camera, size).project({x, 0, z}).value();
@@ -110,7 +110,7 @@ TEST_F(ReferencePictures, LieBehindAmongOrBeforeTheSurfaces) {
     scene.pictures[0].look.layer = PictureLayer::front;
     EXPECT_TRUE(shows_red()) << depth;
   }
-  // Of two translucent ones the nearer covers the farther, in whatever order they are listed.
+  // The nearer of two translucent ones covers the farther, in whatever order they are listed.
   scene.objects.clear();
   const auto other = image_of(8, 8, [](int, int) { return green; });
   for (const bool swapped : {false, true}) {

@@ -35,7 +35,7 @@ class ReferencePicturesByHand : public ::testing::Test {
   void frames(int count) {
     for (int i = 0; i < count; ++i) bench.frame();
   }
-  /// Until files are read and pictures are decoded and shown.
+  /// Waits until files are read and pictures are decoded and shown.
   void settle() {
     for (int i = 0; i < 4; ++i) {
       while (!work.idle()) {

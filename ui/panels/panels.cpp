@@ -76,6 +76,8 @@ Disabled::~Disabled() {
 }
 
 void show_keyboard_focus() {
+  // Without the flag the next frame begins with taking the ring away.
+  ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   GImGui->NavDisableHighlight = false;
   GImGui->NavDisableMouseHover = true;
 }

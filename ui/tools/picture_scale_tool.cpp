@@ -67,7 +67,7 @@ class PictureScaleTool final : public Tool {
       const auto at = projector.project(point);
       return at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;
     };
-    // What is typed moves the second point away from the first: the line follows.
+    // A typed length moves the second point away from the first: the line follows.
     const auto [from, to] = ends();
     const auto a = from ? pixel_of(*from) : std::nullopt, b = to ? pixel_of(*to) : std::nullopt;
     const float radius = overlay.metrics.px(4);
@@ -108,7 +108,7 @@ class PictureScaleTool final : public Tool {
   void show(ToolContext& context, bool confirmed) {
     Editor& editor = context.editor;
     error_.clear();
-    // Until the unit is whole the last number stays in view.
+    // The last number stays in view until the unit is whole.
     if (input_.unfinished() && !confirmed) return;
     shown_length_.reset();
     if (const auto wrong = input_.error()) error_ = editor.language.text_of(*wrong);
