@@ -150,7 +150,7 @@ void Renderer::State::draw_curves(const gl::Frame& frame, const SceneObject& obj
   };
   if (values || object.wire == PatchWire::borders)
     draw(CurveKind::split, values ? style.continuity : style.split, values);
-  const gl::LineStyle& network = object.quiet_network              ? style.split
+  const gl::LineStyle& network = object.quiet_network              ? style.quiet_network
                                  : object.map == SurfaceMap::zebra ? style.zebra_network
                                                                    : style.network;
   if (values || object.show_network) draw(CurveKind::network, values ? style.continuity : network, values);

@@ -37,8 +37,9 @@ struct Style {
   Color grid, axis_x, axis_y, axis_z;
   float grid_strength = 0.2F;
   Color inside, undefined, wire;
-  LineStyle polyhedron, network, zebra_network, split, crease, boundary, continuity, selected_edge,
-      hovered_edge, failed_edge, tension, tension_on_line, comb_tooth, comb_envelope, section, facet_edge;
+  LineStyle polyhedron, network, zebra_network, quiet_network, split, crease, boundary, continuity,
+      selected_edge, hovered_edge, failed_edge, tension, tension_on_line, comb_tooth, comb_envelope, section,
+      facet_edge;
   std::array<LineStyle, 3> marks;  ///< G0, G1, G2
   /// Length of a dash with its gap in pixels, and the painted share of it.
   struct Dash {

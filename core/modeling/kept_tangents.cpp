@@ -161,7 +161,7 @@ class FormFinder {
     if (frames_.kind[v] == FrameKind::smooth || frames_.kind[v] == FrameKind::sharp_line) find_leans(v, fan);
   }
 
-  /// Where the split vectors of nearly flat corners are wanted, from where the frames put them.
+  /// Finds how far the split vectors of nearly flat corners are wanted from where the frames put them.
   void find_leans(Index v, std::vector<Wish>& fan) const {
     const bool closed = fan.back().end % 2 == 0;
     for (std::size_t k = 0; k + (closed ? 0 : 1) < fan.size(); ++k) {

@@ -13,8 +13,8 @@ namespace hariko {
 
 namespace {
 
-/// Of the whole's size. Files of IGES have nine digits of a number, so that both sides are off by up to 5e-9
-/// in each direction.
+/// Share of the whole's size. Files of IGES have nine digits of a number, so that both sides are off by up to
+/// 5e-9 in each direction.
 constexpr double weld_tolerance = 2e-8;
 constexpr double smooth_angle = 1e-6;
 /// Rounding of a number in a file, relative to its distance from zero.

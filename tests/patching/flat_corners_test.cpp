@@ -3,10 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/analysis/measures.hpp"
 #include "core/network/fan_angles.hpp"
 #include "core/network/vertex_frames.hpp"
-#include "core/patching/polyhedron_surface.hpp"
 #include "tests/support/random.hpp"
 
 namespace hariko::test {
@@ -29,12 +27,6 @@ PolygonMesh cut_prism(double share) {
   mesh.add_face(std::vector<Index>{12, 1, 7, 13});
   for (Index k = 1; k < 6; ++k) mesh.add_face(std::vector<Index>{k, (k + 1) % 6, 6 + (k + 1) % 6, 6 + k});
   return mesh;
-}
-
-PolyhedronSurfaceInput metric_prism(const PolygonMesh& mesh) {
-  PolyhedronSurfaceInput input{Polyhedron::build(mesh).value(), {}, Mode::fair, Vector3::Zero()};
-  input.frames = Frames::metric;
-  return input;
 }
 
 /// Angle from the edge of a corner to its split vector, as a share of the corner, in the fan.
@@ -68,17 +60,6 @@ TEST(FlatCorners, SplitVectorsGoWhereTheChartSays) {
     }
   });
   EXPECT_GT(flat, 0) << "corners are flat";
-}
-
-TEST(FlatCorners, AVertexBesideAnotherOneHardlyBendsTheSurface) {
-  const auto bending = [](const PolygonMesh& mesh) {
-    return measure(PolyhedronSurfacer().rebuild(metric_prism(mesh)).value().surface).bending;
-  };
-  const double middle = bending(cut_prism(0.5));
-  for_random(32, 20, [&](std::mt19937_64& rng) {
-    const double share = uniform(rng, 0.05, 0.3);
-    EXPECT_LT(bending(cut_prism(share)), 3 * middle) << share;
-  });
 }
 
 }  // namespace

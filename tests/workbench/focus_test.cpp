@@ -59,7 +59,7 @@ class Focus : public ::testing::Test {
     }
     return items;
   }
-  /// Where the keyboard is, for messages: the window and the rectangle there, or the mark that is at it.
+  /// Place of the keyboard, for messages: the window and the rectangle there, or the mark that is at it.
   std::string stop() {
     const ImGuiWindow* window = GImGui->NavWindow;
     if (!window) return "no window";

@@ -157,7 +157,7 @@ TEST_F(PanelHands, ABarBridgesTwoSolidsAndIsSelected) {
   ASSERT_EQ(solids.size(), 4U);
   EXPECT_EQ(solids.back().kind, SolidKind::capsule);
   EXPECT_EQ(solids.back().radius, 1.5);
-  EXPECT_EQ(solids.back().bridge, (Bridge{{solids[0].id, solids[1].id}, {}}));
+  EXPECT_EQ(solids.back().bridge, (Bridge{{solids[1].id, solids[2].id}, {}})) << "the copies are selected";
   bench_.click("check.own_ball");
   bench_.frame();
   ASSERT_TRUE(marks().contains("field.solid.ball_radius"));

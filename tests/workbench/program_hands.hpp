@@ -37,7 +37,7 @@ class ProgramHands {
   /// CAD files that would be written.
   const std::filesystem::path& exported() const { return exported_; }
 
-  // What hands do.
+  // Gestures.
   void click(const std::string& mark) {
     ++actions_;
     ASSERT_TRUE(marks().contains(mark)) << mark;
@@ -58,7 +58,7 @@ class ProgramHands {
     bench_.release(button);
     frames(2);
   }
-  /// Of a handle, with Ctrl held after the press.
+  /// Drags a handle, with Ctrl held after the press.
   void drag_in_steps(const Vector2& from, const Vector2& to) {
     ++actions_;
     bench_.move(from.x(), from.y());
@@ -109,7 +109,7 @@ class ProgramHands {
     press({"Enter"});
   }
 
-  // What the program does meanwhile.
+  // Waiting for the program.
   void frames(int count) {
     for (int i = 0; i < count; ++i) {
       long_.publish();
@@ -131,7 +131,7 @@ class ProgramHands {
     frames(flight);
   }
 
-  // What eyes see.
+  // Queries of the screen.
   Vector2 pixel(const Vector3& world) {
     const ImVec2 corner = bench_.workbench().viewport().rect().min;
     return Projector(editor().camera(), editor().viewport).project(world)->head<2>() +
