@@ -34,8 +34,7 @@ Style style_of(Background background) {
   s.network = {with_alpha(color_from_hex("#22252a"), 0.78F), 1.6F, {}, 0};
   s.zebra_network = {with_alpha(secondary, 0.95F), 1.6F, {}, 0};  // readable on black and on white
   s.split = {with_alpha(color_from_hex("#22252a"), 0.34F), 1.0F, {}, 0};
-  // Pieces of short curves lie over each other at their ends and add up.
-  s.quiet_network = {with_alpha(color_from_hex("#22252a"), 0.12F), 1.0F, {}, 0};
+  s.quiet_network = {with_alpha(color_from_hex("#22252a"), 0.25F), 1.0F};
   s.facet_edge = {with_alpha(ink, 0.55F), 1.0F, {}, 0};
   s.crease = {fold, 2.4F, with_alpha(light ? ink : Color{1, 1, 1, 1}, 0.30F), 0.7F};
   s.boundary = {color_from_hex("#3dbb6c"), 2.0F, with_alpha(ink, 0.30F), 0.6F};

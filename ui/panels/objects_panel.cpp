@@ -239,11 +239,14 @@ void object_row(PanelContext& context, const Object& object, std::size_t index) 
   }
   if (mirrored) mirror_badge(context, object, right - m.px(100));
   badge(context, editor.view_of(object.id), right - m.px(78));
+  // The keyboard finds it as well: what comes with the pointer alone would be gone again under its ring.
+  const bool has_lock =
+      object.locked || hovered || (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
   if (row_switch(context, object.locked ? icon::locked : icon::unlocked, "lock",
-                 object.locked ? "Unlock" : "Lock", object.locked || hovered, right - m.px(52)))
+                 object.locked ? "Unlock" : "Lock", has_lock, right - m.px(52)))
     editor.commit(set_locked(editor.history.current(), object.id, !object.locked),
                   object.locked ? "Unlock object" : "Lock object");
-  if (object.locked || hovered) context.marks.item("lock." + std::to_string(object.id.value));
+  if (has_lock) context.marks.item("lock." + std::to_string(object.id.value));
   ImGui::SameLine(right - m.px(26));
   if (icon_button(context, object.visible ? icon::shown : icon::hidden, "visible",
                   object.visible ? "Hide" : "Show", false, 24))

@@ -98,7 +98,7 @@ void plane_rows(PanelContext& context, const Objects& pictures) {
   const auto bound = common<bool>(
       pictures, [](const auto& object) { return object->picture()->look.only_from.has_value(); });
   if (plane == aslant && bound == false) return;
-  if (const auto only = check_row(context, "picture_only", "Only in this view",
+  if (const auto only = check_row(context, "picture_only", "Only this view",
                                   "Hidden in all other views, and while the view turns", bound))
     set_looks(context, pictures,
               *only ? translatable("Picture in one view") : translatable("Picture in all views"),
