@@ -159,7 +159,7 @@ class ProgramHands {
   std::string notice() { return editor().notices().empty() ? std::string() : editor().notices().back().text; }
 
   int actions() const { return actions_; }
-  /// What was done before another start of the program.
+  /// Clicks and keys before another start of the program.
   void count_from(int actions) { actions_ += actions; }
   void expect_at_most(int most, const char* job) const {
     std::printf("%s: %d actions\n", job, actions_);

@@ -122,7 +122,7 @@ class OfSolids : public FromTheStartPage {
     const Vector3 before = last().position;
     drag(pixel(before + held), pixel(to + held));
     frames(4);
-    // What was typed last is a step of its own.
+    // The text typed last is a step of its own.
     EXPECT_GE(editor().history.position(), steps + 1) << editor().history.undo_label();
     EXPECT_LT((last().position - to).norm(), 1) << "it is at " << last().position.transpose();
   }

@@ -48,7 +48,7 @@ bool main_button(const char* label, ImVec2 size) {
 
 bool area_button(const char* id, ImVec2 size) {
   const bool pressed = ImGui::InvisibleButton(id, size);
-  // What cannot run now is pale; the ring round it is not.
+  // Commands that cannot run now are pale; the ring round them is not.
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);
   ImGui::RenderNavHighlight({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::GetItemID());
   ImGui::PopStyleVar();
