@@ -488,7 +488,7 @@ void Painter::overlay(const Frame& frame, std::span<const OverlayLine> overlay_l
     const auto a = static_cast<Index>(2 * i), b = a + 1;
     const CurveSegment segment{{a, a, b, b}};
     upload_stream(sizeof(segment), &segment);
-    const LineStyle style{overlay_lines[i].color, overlay_lines[i].width, {}, 0};
+    const LineStyle style{overlay_lines[i].color, overlay_lines[i].width};
     lines(frame, model, {&overlay_points_, 3, stream_lines_.name(), 1}, style,
           overlay_lines[i].on_top ? Depth::any : Depth::visible, 1);
   }

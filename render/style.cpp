@@ -31,11 +31,11 @@ Style style_of(Background background) {
   // A pale line with a thin dark casing reads on the clay and on the background.
   s.polyhedron = {with_alpha(color_from_hex(light ? "#3a3f47" : "#e6e6e6"), 0.60F), 1.2F,
                   with_alpha(light ? Color{1, 1, 1, 1} : ink, 0.28F), 0.9F};
-  s.network = {with_alpha(color_from_hex("#22252a"), 0.78F), 1.6F, {}, 0};
-  s.zebra_network = {with_alpha(secondary, 0.95F), 1.6F, {}, 0};  // readable on black and on white
-  s.split = {with_alpha(color_from_hex("#22252a"), 0.34F), 1.0F, {}, 0};
+  s.network = {with_alpha(color_from_hex("#22252a"), 0.78F), 1.6F};
+  s.zebra_network = {with_alpha(secondary, 0.95F), 1.6F};  // readable on black and on white
+  s.split = {with_alpha(color_from_hex("#22252a"), 0.34F), 1.0F};
   s.quiet_network = {with_alpha(color_from_hex("#22252a"), 0.25F), 1.0F};
-  s.facet_edge = {with_alpha(ink, 0.55F), 1.0F, {}, 0};
+  s.facet_edge = {with_alpha(ink, 0.55F), 1.0F};
   s.crease = {fold, 2.4F, with_alpha(light ? ink : Color{1, 1, 1, 1}, 0.30F), 0.7F};
   s.boundary = {color_from_hex("#3dbb6c"), 2.0F, with_alpha(ink, 0.30F), 0.6F};
   s.continuity = {Color{1, 1, 1, 1}, 2.6F, with_alpha(ink, 0.55F), 0.9F};
@@ -43,8 +43,8 @@ Style style_of(Background background) {
   s.hovered_edge = {secondary, 3.6F, with_alpha(ink, 0.60F), 1.0F};
   s.failed_edge = {color_from_hex("#ff3b30"), 3.4F, with_alpha(Color{1, 1, 1, 1}, 0.75F), 1.0F};
   s.tension = {Color{1, 1, 1, 1}, 3.0F, with_alpha(ink, 0.60F), 0.9F};
-  s.tension_on_line = {Color{1, 1, 1, 1}, 1.5F, {}, 0};
-  s.comb_tooth = {with_alpha(color_from_hex(light ? "#1f6fb2" : "#6fc3ff"), 0.55F), 1.0F, {}, 0};
+  s.tension_on_line = {Color{1, 1, 1, 1}, 1.5F};
+  s.comb_tooth = {with_alpha(color_from_hex(light ? "#1f6fb2" : "#6fc3ff"), 0.55F), 1.0F};
   s.comb_envelope = {color_from_hex(light ? "#14508a" : "#a5dbff"), 1.6F,
                      with_alpha(ink, light ? 0.0F : 0.35F), light ? 0.0F : 0.6F};
   s.section = {accent, 2.2F, with_alpha(ink, 0.45F), 0.7F};
