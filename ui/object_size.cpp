@@ -48,6 +48,19 @@ Box3 own_box(const Editor& editor, const Object& object) {
   return world_box(placed_nowhere);
 }
 
+Box3 shown_box(const Editor& editor, const Object& object) {
+  const SurfaceView* view = editor.view_of(object.id);
+  if (!view || !view->mesh || view->mesh->box().isEmpty()) return world_box(object);
+  const DisplayMesh& mesh = *view->mesh;
+  Box3 box;
+  for (const auto& chunk : mesh.chunks())
+    for (const DisplayVertex& vertex : chunk->vertices) {
+      const Vector3 local(double(vertex.position[0]), double(vertex.position[1]), double(vertex.position[2]));
+      box.extend(object.transform.apply(mesh.origin() + local));
+    }
+  return box;
+}
+
 bool stretches(const Object& object) {
   return object.polyhedron() || object.patches() || object.bezier() || object.mesh();
 }

@@ -10,6 +10,9 @@ namespace hariko {
 /// object's own space; empty where nothing is known.
 Box3 own_box(const Editor& editor, const Object& object);
 
+/// The box of the same in the world. O(vertices of the shown mesh).
+Box3 shown_box(const Editor& editor, const Object& object);
+
 /// Whether a size can change along one axis alone. Solids, skins and outlines are scaled as a whole.
 bool stretches(const Object& object);
 

@@ -1,8 +1,11 @@
 // Small things of every day: places of commands, units, views that come back, files, dialogs that fit.
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -284,6 +287,48 @@ TEST(Dialogs, FitNarrowWindowsInBothLanguages) {
       for (int i = 0; i < 4; ++i) bench.frame();
     }
   }
+}
+
+/// They covered the next two rows.
+TEST(Dialogs, TipsStandBesideTheirFields) {
+  HeadlessWorkbench bench(document_from_mesh(test::prism(4), "Box").value(), {1280, 800});
+  std::vector<const char*> dialogs{"file.export", "file.export_picture"};
+  if (!why_no_cad_files()) dialogs.push_back("file.export_cad");
+  for (const char* id : dialogs) {
+    SCOPED_TRACE(id);
+    ASSERT_TRUE(bench.workbench().commands().run(id).ran);
+    for (int i = 0; i < 6; ++i) bench.frame();
+    const auto fields = bench.workbench().marks().all();
+    int tips = 0;
+    for (const auto& [mark, rect] : fields) {
+      if (!mark.starts_with("export.") && !mark.starts_with("picture.")) continue;
+      bench.move(rect.x + rect.width / 2.0, rect.y + rect.height / 2.0);
+      for (int i = 0; i < 3; ++i) bench.frame();
+      for (const ImGuiWindow* tip : ImGui::GetCurrentContext()->Windows) {
+        if (!(tip->Flags & ImGuiWindowFlags_Tooltip) || !tip->WasActive || tip->Hidden) continue;
+        ++tips;
+        for (const auto& [other, at] : fields) {
+          if (!other.starts_with("export.") && !other.starts_with("picture.")) continue;
+          const ImRect field(float(at.x), float(at.y), float(at.x + at.width), float(at.y + at.height));
+          EXPECT_FALSE(tip->Rect().Overlaps(field)) << "the tip of " << mark << " covers " << other;
+        }
+      }
+    }
+    EXPECT_GE(tips, 3);
+    bench.key("Esc");
+    for (int i = 0; i < 4; ++i) bench.frame();
+  }
+}
+
+/// Words that a designer asked about are nowhere in the interface, which the catalogue lists whole.
+TEST(Words, ThoseThatNobodyKnowsAreGone) {
+  std::ifstream file(test::source_folder() + "/assets/languages/ja.json");
+  ASSERT_TRUE(file);
+  const std::string catalogue((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_NE(catalogue.find("\"Fair\""), std::string::npos);
+  for (const char* word :
+       {"\"Target\"", "\"Rounder\"", "\"Even tension\"", "\"Split concave\"", "\"Umbilic\""})
+    EXPECT_EQ(catalogue.find(word), std::string::npos) << word;
 }
 
 TEST(RecentFiles, ACadFileHasAPicture) {

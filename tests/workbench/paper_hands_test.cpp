@@ -1,13 +1,16 @@
 // Pages that cannot be built are told before they are written.
 
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "core/document/edits.hpp"
 #include "core/modeling/primitives.hpp"
 #include "core/unfolding/edit_unfolding.hpp"
 #include "tests/workbench/headless_workbench.hpp"
+#include "ui/object_size.hpp"
 #include "ui/paper_edits.hpp"
 
 namespace hariko {
@@ -71,6 +74,38 @@ TEST_F(PaperHands, APieceBeyondTheMarginIsToldAndCanBeRefused) {
   bench_.click("prompt.export");
   for (int i = 0; i < 3; ++i) bench_.frame();
   EXPECT_TRUE(dialog());
+}
+
+/// It was that of the polyhedron before the pages were made, and that of the facets behind.
+TEST_F(PaperHands, TheSizeIsThatOfTheSurfaceBeforeAndBehind) {
+  Editor& editor = bench_.editor();
+  const ObjectId box = editor.document().objects.front()->id;
+  editor.commit(set_mode(editor.history.current(), box, Mode::fair), "Mode");
+  Similarity turned;
+  turned.rotation = Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized());
+  editor.commit(set_transform(editor.history.current(), box, turned), "Turn");
+  editor.paper.mesh.reset();
+  editor.paper.layout.reset();
+  bench_.wait_for_surfaces();
+  const auto sizes = [&] {
+    bench_.frame();
+    std::vector<std::string> out;
+    for (const char* field : {"paper_width", "paper_depth", "paper_height"}) {
+      bench_.click(std::string("field.") + field);
+      bench_.frame();
+      out.emplace_back(ImGui::GetInputTextState(ImGui::GetActiveID())->TextA.Data);
+      bench_.tap("Esc");
+    }
+    return out;
+  };
+  const std::vector<std::string> before = sizes();
+  editor.paper.mesh = mesh_;
+  editor.paper.layout = lay_out_paper(std::make_shared<const PaperModel>(default_paper(editor.document())),
+                                      mesh_, unfold(mesh_->graph, PaperSettings(), {.steps = 500}).value());
+  EXPECT_EQ(sizes(), before);
+  Box3 surface = shown_box(editor, *editor.active_object());
+  const double width = std::strtod(before[0].c_str(), nullptr);
+  EXPECT_NEAR(width, surface.sizes().x(), 1e-2 * width);
 }
 
 TEST_F(PaperHands, ASplitPieceMovesAside) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/unfolding/cut_large_faces.hpp"
+#include "ui/object_size.hpp"
 #include "ui/panels/choice.hpp"
 #include "ui/panels/value_fields.hpp"
 #include "ui/paper_edits.hpp"
@@ -98,17 +99,13 @@ void set(PanelContext& context, const char* step, const std::function<void(Paper
   context.editor.commit(with_paper_settings(context.editor.history.current(), change), step);
 }
 
-/// Width, depth and height of what is unfolded, in mm: changing one scales all.
+/// Width, depth and height of the surfaces that are unfolded, in mm: changing one scales all. The facets lie
+/// within the tolerance of the surfaces, so unfolding leaves the numbers as they are.
 void size_rows(PanelContext& context) {
-  const PaperMesh* mesh = context.editor.paper.mesh.get();
   Box3 box;
-  if (mesh) {
-    for (Index f = 0; f < mesh->graph->facet_count(); ++f)
-      for (const Index v : mesh->graph->triangle(f)) box.extend(mesh->graph->positions()[v]);
-  } else {
-    for (const ObjectId id : paper_choices_of(context.editor.document()).objects)
-      if (const Object* object = context.editor.document().find(id)) box.extend(world_box(*object));
-  }
+  for (const ObjectId id : paper_choices_of(context.editor.document()).objects)
+    if (const Object* object = context.editor.document().find(id))
+      box.extend(shown_box(context.editor, *object));
   if (box.isEmpty()) return;
   struct Row {
     const char *id, *label;

@@ -31,10 +31,10 @@ namespace {
 constexpr std::array mode_choices{
     Choice{"Fair", "Balances the curvature inside the faces: the smoothest result"},
     Choice{"G2", "Curvature runs on without a break over edges and through vertices"},
-    Choice{"Target", "Puts face centres where the boundary curves aim"},
+    Choice{"Local", "Each face follows its own boundary curves alone: the quickest to compute"},
     Choice{"As published", "The construction as first published"},
 };
-constexpr std::array mode_steps{"Surface Fair", "Surface G2", "Surface Target", "Surface as published"};
+constexpr std::array mode_steps{"Surface Fair", "Surface G2", "Surface Local", "Surface as published"};
 constexpr std::array<Mode, 4> modes{Mode::fair, Mode::g2, Mode::target, Mode::paper};
 constexpr std::array mirror_choices{
     Choice{"None", "All of the object is modelled"},
@@ -288,7 +288,7 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
   if (polyhedra.empty()) return;
   const auto split = common<bool>(
       polyhedra, [](const auto& object) { return object->polyhedron()->preparation.split_concave; });
-  if (const auto on = check_row(context, "split_concave", "Split concave",
+  if (const auto on = check_row(context, "split_concave", "Split concave faces",
                                 "The surface is made as if concave faces were cut into convex ones", split))
     context.editor.commit(
         edit_preparations(context.editor.history.current(), polyhedra,
@@ -308,8 +308,8 @@ void preparation_rows(PanelContext& context, const Objects& objects) {
   power.standard = 0;
   slider_row(
       context,
-      {"automatic_tension", "Even tension",
-       "Stretches short edges and relaxes long ones; at rest while you drag", "Even tension", power},
+      {"automatic_tension", "Automatic tension",
+       "Stretches short edges and relaxes long ones; at rest while you drag", "Automatic tension", power},
       0, 1, false,
       common<double>(polyhedra,
                      [](const auto& object) { return object->polyhedron()->preparation.automatic_tension; }),
