@@ -39,9 +39,9 @@
 #include "app/test_log.hpp"
 #include "app/window_icons.hpp"
 #include "core/document/format.hpp"
-#include "ui/fonts.hpp"
-#include "ui/system_information.hpp"
-#include "ui/workbench.hpp"
+#include "ui/base/fonts.hpp"
+#include "ui/base/system_information.hpp"
+#include "ui/shell/workbench.hpp"
 
 namespace hariko {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/work_lane.hpp"
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 namespace hariko {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/files/open_file.hpp"
-#include "ui/workbench.hpp"
+#include "ui/shell/workbench.hpp"
 
 namespace hariko {
 

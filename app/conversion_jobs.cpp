@@ -6,7 +6,7 @@
 #include "core/modeling/convert_object.hpp"
 #include "core/modeling/skin_polyhedron.hpp"
 #include "render/color_map.hpp"
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 namespace hariko {
 

@@ -7,7 +7,7 @@
 
 #include "app/persistence/crash_reports.hpp"
 #include "app/persistence/run_log.hpp"
-#include "ui/workbench.hpp"
+#include "ui/shell/workbench.hpp"
 
 namespace hariko {
 

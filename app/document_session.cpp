@@ -11,7 +11,7 @@
 #include "core/base/printable.hpp"
 #include "core/base/temporary_files.hpp"
 #include "core/document/file.hpp"
-#include "ui/panels/join_request.hpp"
+#include "ui/files/join_request.hpp"
 
 namespace hariko {
 

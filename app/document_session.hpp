@@ -15,7 +15,7 @@
 #include "app/persistence/recent_files.hpp"
 #include "app/persistence/xdg_folders.hpp"
 #include "app/pictures.hpp"
-#include "ui/workbench.hpp"
+#include "ui/shell/workbench.hpp"
 
 namespace hariko {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
-#include "ui/drawing_order.hpp"
+#include "ui/files/drawing_order.hpp"
 
 namespace hariko {
 

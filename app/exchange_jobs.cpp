@@ -13,9 +13,9 @@
 #include "app/files/sheet_file.hpp"
 #include "core/document/convert_unit.hpp"
 #include "core/document/edit_objects.hpp"
-#include "ui/export_text.hpp"
-#include "ui/panels/join_request.hpp"
-#include "ui/panels/selected_items.hpp"
+#include "ui/editor/selected_items.hpp"
+#include "ui/files/export_text.hpp"
+#include "ui/files/join_request.hpp"
 
 namespace hariko {
 

@@ -10,7 +10,7 @@
 #include "app/drawing_export.hpp"
 #include "app/files/open_file.hpp"
 #include "app/picture_export.hpp"
-#include "ui/workbench.hpp"
+#include "ui/shell/workbench.hpp"
 
 namespace hariko {
 

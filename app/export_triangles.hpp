@@ -7,7 +7,7 @@
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
 #include "core/document/document.hpp"
-#include "ui/export_settings.hpp"
+#include "ui/files/export_settings.hpp"
 
 namespace hariko {
 

@@ -5,9 +5,9 @@
 #include "app/files/open_file.hpp"
 #include "app/surface_builder.hpp"
 #include "core/document/object_shape.hpp"
-#include "ui/object_lines.hpp"
-#include "ui/skin_view.hpp"
-#include "ui/view_pictures.hpp"
+#include "ui/editor/object_lines.hpp"
+#include "ui/editor/skin_view.hpp"
+#include "ui/view/view_pictures.hpp"
 
 namespace hariko {
 

@@ -3,8 +3,8 @@
 // Keeps the Gauss sphere that is shown up to date, off the main thread.
 
 #include "app/work_lane.hpp"
-#include "ui/editor.hpp"
-#include "ui/gauss_view.hpp"
+#include "ui/editor/editor.hpp"
+#include "ui/editor/gauss_view.hpp"
 
 namespace hariko {
 

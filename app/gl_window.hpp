@@ -10,9 +10,9 @@
 #include "app/input_queue.hpp"
 #include "core/base/result.hpp"
 #include "render/image.hpp"
-#include "ui/command_table.hpp"
-#include "ui/fonts.hpp"
-#include "ui/theme.hpp"
+#include "ui/base/fonts.hpp"
+#include "ui/base/theme.hpp"
+#include "ui/editor/command_table.hpp"
 
 namespace hariko {
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "app/gl_window.hpp"
-#include "ui/editor.hpp"
-#include "ui/panels/offers.hpp"
+#include "ui/editor/editor.hpp"
+#include "ui/widgets/offers.hpp"
 
 namespace hariko {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
-#include "ui/meshing.hpp"
+#include "ui/editor/meshing.hpp"
 
 namespace hariko {
 

@@ -3,7 +3,7 @@
 // Keeps the mesh of the meshing panel up to date, off the main thread: the latest request wins.
 
 #include "app/work_lane.hpp"
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 namespace hariko {
 

@@ -5,7 +5,7 @@
 #include "app/files/model_facets.hpp"
 #include "core/unfolding/cut_large_faces.hpp"
 #include "core/unfolding/paper_document.hpp"
-#include "ui/paper_edits.hpp"
+#include "ui/editor/paper_edits.hpp"
 
 namespace hariko {
 

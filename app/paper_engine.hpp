@@ -8,7 +8,7 @@
 #include "app/background_work.hpp"
 #include "app/work_lane.hpp"
 #include "core/base/progress.hpp"
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 namespace hariko {
 

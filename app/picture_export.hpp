@@ -4,7 +4,7 @@
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
-#include "ui/picture_order.hpp"
+#include "ui/files/picture_order.hpp"
 
 namespace hariko {
 

@@ -9,9 +9,9 @@
 
 #include "app/work_lane.hpp"
 #include "core/modeling/attached.hpp"
-#include "ui/recompute.hpp"
-#include "ui/surface_view.hpp"
-#include "ui/view_map.hpp"
+#include "ui/base/recompute.hpp"
+#include "ui/editor/surface_view.hpp"
+#include "ui/editor/view_map.hpp"
 
 namespace hariko {
 

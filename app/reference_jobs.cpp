@@ -7,8 +7,8 @@
 #include "core/base/file_io.hpp"
 #include "core/base/printable.hpp"
 #include "render/reference_image.hpp"
-#include "ui/commands/new_object.hpp"
-#include "ui/reference_pictures.hpp"
+#include "ui/editor/new_object.hpp"
+#include "ui/editor/reference_pictures.hpp"
 
 namespace hariko {
 

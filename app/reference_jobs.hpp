@@ -9,7 +9,7 @@
 
 #include "app/background_work.hpp"
 #include "core/document/edit_pictures.hpp"
-#include "ui/file_actions.hpp"
+#include "ui/files/file_actions.hpp"
 
 namespace hariko {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/work_lane.hpp"
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 namespace hariko {
 

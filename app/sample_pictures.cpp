@@ -8,7 +8,7 @@
 #include "app/samples.hpp"
 #include "core/base/file_io.hpp"
 #include "render/picture.hpp"
-#include "ui/view_pictures.hpp"
+#include "ui/view/view_pictures.hpp"
 
 namespace hariko {
 

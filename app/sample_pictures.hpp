@@ -8,8 +8,8 @@
 
 #include "app/pictures.hpp"
 #include "core/base/result.hpp"
-#include "ui/samples.hpp"
-#include "ui/settings.hpp"
+#include "ui/base/samples.hpp"
+#include "ui/base/settings.hpp"
 
 namespace hariko {
 

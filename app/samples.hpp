@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "ui/samples.hpp"
+#include "ui/base/samples.hpp"
 
 namespace hariko {
 

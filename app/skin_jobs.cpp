@@ -6,8 +6,8 @@
 #include "app/files/left_out.hpp"
 #include "core/document/edits.hpp"
 #include "core/skinning/add_section.hpp"
-#include "ui/columns_job.hpp"
-#include "ui/skin_edits.hpp"
+#include "ui/base/columns_job.hpp"
+#include "ui/editor/skin_edits.hpp"
 
 namespace hariko {
 

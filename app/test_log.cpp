@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "core/base/json_writer.hpp"
-#include "ui/selection_text.hpp"
+#include "ui/editor/selection_text.hpp"
 
 namespace hariko {
 

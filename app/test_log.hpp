@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/input_queue.hpp"
-#include "ui/workbench.hpp"
+#include "ui/shell/workbench.hpp"
 
 namespace hariko {
 

@@ -9,7 +9,7 @@
 #include "core/modeling/attached.hpp"
 #include "render/picture.hpp"
 #include "render/surface_maps.hpp"
-#include "ui/object_lines.hpp"
+#include "ui/editor/object_lines.hpp"
 
 namespace hariko {
 

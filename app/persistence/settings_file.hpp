@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "ui/export_memory.hpp"
-#include "ui/settings.hpp"
+#include "ui/base/settings.hpp"
+#include "ui/files/export_memory.hpp"
 
 namespace hariko {
 

@@ -1,6 +1,6 @@
 // How the cheat sheet takes hints apart and fills its columns.
 
-#include "ui/panels/cheat_sheet.hpp"
+#include "ui/shell/cheat_sheet.hpp"
 
 #include <gtest/gtest.h>
 

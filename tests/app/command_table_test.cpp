@@ -1,4 +1,4 @@
-#include "ui/command_table.hpp"
+#include "ui/editor/command_table.hpp"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "ui/menu_tree.hpp"
+#include "ui/editor/menu_tree.hpp"
 
 namespace hariko {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/document/edits.hpp"
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 namespace hariko {
 namespace {

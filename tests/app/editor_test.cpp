@@ -1,8 +1,8 @@
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 #include <gtest/gtest.h>
 
-#include "ui/tools/navigation.hpp"
+#include "ui/view/navigation.hpp"
 
 namespace hariko {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/document/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "ui/export_text.hpp"
+#include "ui/files/export_text.hpp"
 
 namespace hariko {
 namespace {

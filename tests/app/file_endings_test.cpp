@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ui/file_dialogs.hpp"
+#include "ui/files/file_dialogs.hpp"
 
 namespace hariko {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/frame_times.hpp"
+#include "ui/base/frame_times.hpp"
 
 #include <gtest/gtest.h>
 

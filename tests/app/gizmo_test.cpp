@@ -7,8 +7,8 @@
 
 #include "tests/app/tool_rig.hpp"
 #include "tests/support/random.hpp"
-#include "ui/tools/gizmo.hpp"
-#include "ui/tools/transform_tool.hpp"
+#include "ui/view/gizmo.hpp"
+#include "ui/view/transform_tool.hpp"
 
 namespace hariko {
 namespace {

@@ -1,6 +1,6 @@
 // The guided first model: each step is recognised by what happened, and by nothing else.
 
-#include "ui/guide.hpp"
+#include "ui/editor/guide.hpp"
 
 #include <gtest/gtest.h>
 

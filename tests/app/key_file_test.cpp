@@ -1,10 +1,10 @@
 // Key files: what was exported comes back, and nothing else is taken for keys.
 
-#include "ui/key_file.hpp"
+#include "ui/files/key_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "ui/command_table.hpp"
+#include "ui/editor/command_table.hpp"
 
 namespace hariko {
 namespace {

@@ -1,6 +1,6 @@
 // Language: sentences are found by their text, by their placeholders, and messages by their codes.
 
-#include "ui/language.hpp"
+#include "ui/base/language.hpp"
 
 #include <gtest/gtest.h>
 

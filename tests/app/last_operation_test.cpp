@@ -1,6 +1,6 @@
 // LastOperation: numbers of the step just made change that step, as long as nothing came after it.
 
-#include "ui/last_operation.hpp"
+#include "ui/editor/last_operation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/document/edits.hpp"
 #include "core/modeling/primitives.hpp"
-#include "ui/editor.hpp"
+#include "ui/editor/editor.hpp"
 
 namespace hariko {
 namespace {

@@ -3,7 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-#include "ui/tools/numeric_input.hpp"
+#include "ui/editor/numeric_input.hpp"
 
 namespace hariko {
 namespace {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/app/tool_rig.hpp"
-#include "ui/tools/gizmo.hpp"
-#include "ui/tools/snapping.hpp"
-#include "ui/tools/tension_tool.hpp"
+#include "ui/polyhedron/tension_tool.hpp"
+#include "ui/view/gizmo.hpp"
+#include "ui/view/snapping.hpp"
 
 namespace hariko {
 namespace {

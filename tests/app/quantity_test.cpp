@@ -1,6 +1,6 @@
 // Quantities: how numbers of the panels are written, read and changed.
 
-#include "ui/panels/quantity.hpp"
+#include "ui/base/quantity.hpp"
 
 #include <gtest/gtest.h>
 

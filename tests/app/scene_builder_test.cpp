@@ -1,6 +1,6 @@
 // What the scene shows of objects without elements that can be selected.
 
-#include "ui/scene_builder.hpp"
+#include "ui/editor/scene_builder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/places.hpp"
-#include "ui/command_search.hpp"
-#include "ui/fuzzy.hpp"
+#include "ui/base/fuzzy.hpp"
+#include "ui/editor/command_search.hpp"
 
 namespace hariko {
 namespace {

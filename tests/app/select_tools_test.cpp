@@ -2,8 +2,8 @@
 
 #include "tests/app/skin_rig.hpp"
 #include "tests/app/tool_rig.hpp"
-#include "ui/tools/region_tool.hpp"
-#include "ui/tools/transform_tool.hpp"
+#include "ui/view/region_tool.hpp"
+#include "ui/view/transform_tool.hpp"
 
 namespace hariko {
 namespace {

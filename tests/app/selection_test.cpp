@@ -1,7 +1,7 @@
 // The selection as a value: conversions between modes, and what is remembered of steps.
 
 #include "tests/app/tool_rig.hpp"
-#include "ui/selection_memory.hpp"
+#include "ui/editor/selection_memory.hpp"
 
 namespace hariko {
 namespace {

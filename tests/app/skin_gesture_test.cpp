@@ -6,13 +6,13 @@
 #include "core/skinning/add_section.hpp"
 #include "core/skinning/simple_skin.hpp"
 #include "tests/app/skin_rig.hpp"
-#include "ui/skin_edits.hpp"
-#include "ui/tools/add_section_tool.hpp"
-#include "ui/tools/correspond_tool.hpp"
-#include "ui/tools/correspondence_drag.hpp"
-#include "ui/tools/draw_skin_tool.hpp"
-#include "ui/tools/skin_tool.hpp"
-#include "ui/tools/slide_section_tool.hpp"
+#include "ui/editor/skin_edits.hpp"
+#include "ui/skin/add_section_tool.hpp"
+#include "ui/skin/correspond_tool.hpp"
+#include "ui/skin/correspondence_drag.hpp"
+#include "ui/skin/draw_skin_tool.hpp"
+#include "ui/skin/skin_tool.hpp"
+#include "ui/skin/slide_section_tool.hpp"
 
 namespace hariko::test {
 namespace {

@@ -16,7 +16,7 @@
 #include "core/skinning/edit_path.hpp"
 #include "core/skinning/simple_skin.hpp"
 #include "core/skinning/skin_messages.hpp"
-#include "ui/columns_job.hpp"
+#include "ui/base/columns_job.hpp"
 
 namespace hariko {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/skinning/evaluate_skin.hpp"
 #include "tests/app/tool_rig.hpp"
-#include "ui/skin_view.hpp"
+#include "ui/editor/skin_view.hpp"
 
 namespace hariko::test {
 

@@ -1,13 +1,13 @@
 // What of a skin can be taken hold of: what its surface hides cannot, unless it is seen through.
 
-#include "ui/skin_sight.hpp"
+#include "ui/view/skin_sight.hpp"
 
 #include <numbers>
 
 #include "core/skinning/simple_skin.hpp"
 #include "tests/app/skin_rig.hpp"
 #include "tests/support/random.hpp"
-#include "ui/tools/skin_tool.hpp"
+#include "ui/skin/skin_tool.hpp"
 
 namespace hariko::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/app/tool_rig.hpp"
-#include "ui/tools/tension_tool.hpp"
+#include "ui/polyhedron/tension_tool.hpp"
 
 namespace hariko {
 namespace {

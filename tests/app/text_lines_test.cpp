@@ -1,11 +1,11 @@
 // Lines of sentences: nothing is lost, nothing is too wide, and Japanese keeps its rules for ends of lines.
 
-#include "ui/text_lines.hpp"
+#include "ui/base/text_lines.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/random.hpp"
-#include "ui/language.hpp"
+#include "ui/base/language.hpp"
 
 namespace hariko {
 namespace {

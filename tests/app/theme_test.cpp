@@ -1,6 +1,6 @@
 // The palettes: readable on every background that they are used on.
 
-#include "ui/theme.hpp"
+#include "ui/base/theme.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/edits.hpp"
-#include "ui/tools/tool.hpp"
+#include "ui/view/tool.hpp"
 
 namespace hariko::test {
 

@@ -4,9 +4,9 @@
 
 #include "tests/app/tool_rig.hpp"
 #include "tests/support/random.hpp"
-#include "ui/tools/snapping.hpp"
-#include "ui/tools/transform_target.hpp"
-#include "ui/tools/transform_tool.hpp"
+#include "ui/view/snapping.hpp"
+#include "ui/view/transform_target.hpp"
+#include "ui/view/transform_tool.hpp"
 
 namespace hariko {
 namespace {

@@ -1,11 +1,11 @@
-#include "ui/view_layout.hpp"
+#include "ui/editor/view_layout.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/random.hpp"
-#include "ui/panels/axis_gizmo.hpp"
-#include "ui/panels/view_frame.hpp"
-#include "ui/tools/navigation.hpp"
+#include "ui/view/axis_gizmo.hpp"
+#include "ui/view/navigation.hpp"
+#include "ui/view/view_frame.hpp"
 
 namespace hariko {
 namespace {

@@ -9,8 +9,8 @@
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/continuity_text.hpp"
-#include "ui/legend_source.hpp"
+#include "ui/editor/continuity_text.hpp"
+#include "ui/editor/legend_source.hpp"
 
 namespace hariko {
 namespace {

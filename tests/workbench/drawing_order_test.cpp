@@ -1,6 +1,6 @@
 // Line drawings of the view: what they show, the file they become, and what keeps them from it.
 
-#include "ui/drawing_order.hpp"
+#include "ui/files/drawing_order.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/picture_order.hpp"
+#include "ui/files/picture_order.hpp"
 
 namespace hariko {
 namespace {

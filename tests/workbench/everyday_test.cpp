@@ -17,8 +17,8 @@
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/export_text.hpp"
-#include "ui/menu_tree.hpp"
+#include "ui/editor/menu_tree.hpp"
+#include "ui/files/export_text.hpp"
 
 namespace hariko {
 namespace {

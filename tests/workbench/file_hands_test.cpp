@@ -13,7 +13,7 @@
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/folder_list.hpp"
+#include "ui/base/folder_list.hpp"
 
 namespace hariko {
 namespace {

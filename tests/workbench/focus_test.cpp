@@ -13,7 +13,7 @@
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/menu_letters.hpp"
+#include "ui/base/menu_letters.hpp"
 
 namespace hariko {
 namespace {

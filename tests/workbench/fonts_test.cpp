@@ -1,6 +1,6 @@
 // The fonts: what they can write, and where they come from.
 
-#include "ui/fonts.hpp"
+#include "ui/base/fonts.hpp"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -11,9 +11,9 @@
 
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "ui/font_files.hpp"
-#include "ui/icons.hpp"
-#include "ui/language.hpp"
+#include "ui/base/font_files.hpp"
+#include "ui/base/icons.hpp"
+#include "ui/base/language.hpp"
 
 namespace hariko {
 namespace {
@@ -68,7 +68,7 @@ TEST_F(Fonts, DigitsHaveOneWidth) {
 
 TEST_F(Fonts, HaveEveryIconOfTheList) {
   load_fonts({});
-  std::ifstream file(test::source_folder() + "/ui/icons.hpp");
+  std::ifstream file(test::source_folder() + "/ui/base/icons.hpp");
   std::stringstream text;
   text << file.rdbuf();
   const std::string source = text.str();

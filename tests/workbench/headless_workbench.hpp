@@ -13,8 +13,8 @@
 #include "app/rebuild_engine.hpp"
 #include "app/surface_builder.hpp"
 #include "render/offscreen.hpp"
-#include "ui/fonts.hpp"
-#include "ui/workbench.hpp"
+#include "ui/base/fonts.hpp"
+#include "ui/shell/workbench.hpp"
 
 namespace hariko::test {
 

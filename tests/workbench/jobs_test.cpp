@@ -8,7 +8,7 @@
 #include "core/document/object_box.hpp"
 #include "core/skinning/edit_section.hpp"
 #include "tests/workbench/program_hands.hpp"
-#include "ui/tools/transform_target.hpp"
+#include "ui/view/transform_target.hpp"
 
 namespace hariko {
 namespace {

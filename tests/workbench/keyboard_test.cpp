@@ -6,7 +6,7 @@
 #include "core/document/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/command_search.hpp"
+#include "ui/editor/command_search.hpp"
 
 namespace hariko {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/document/edits.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/menu_tree.hpp"
+#include "ui/editor/menu_tree.hpp"
 
 namespace hariko {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/envelope/ball/tightness.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/object_size.hpp"
+#include "ui/editor/object_size.hpp"
 
 namespace hariko {
 namespace {

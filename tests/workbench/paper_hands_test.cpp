@@ -10,8 +10,8 @@
 #include "core/modeling/primitives.hpp"
 #include "core/unfolding/edit_unfolding.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/object_size.hpp"
-#include "ui/paper_edits.hpp"
+#include "ui/editor/object_size.hpp"
+#include "ui/editor/paper_edits.hpp"
 
 namespace hariko {
 namespace {

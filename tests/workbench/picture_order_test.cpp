@@ -1,6 +1,6 @@
 // Pictures and turntables of the view: what they show, the files they become, and what keeps them from it.
 
-#include "ui/picture_order.hpp"
+#include "ui/files/picture_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/reference_pictures.hpp"
+#include "ui/editor/reference_pictures.hpp"
 
 namespace hariko {
 namespace {

@@ -7,7 +7,7 @@
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/workbench/headless_workbench.hpp"
-#include "ui/menu_tree.hpp"
+#include "ui/editor/menu_tree.hpp"
 
 namespace hariko {
 namespace {

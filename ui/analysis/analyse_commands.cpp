@@ -1,0 +1,305 @@
+// Commands that show how good a surface is, and how it is shown.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/document/edits.hpp"
+#include "ui/editor/command_host.hpp"
+
+namespace hariko {
+
+namespace {
+
+using Change = std::function<void(DisplaySettings&)>;
+
+/// The chosen objects in object mode, else the active one.
+std::vector<ObjectId> chosen_objects(const Editor& editor) {
+  const auto& chosen = editor.selection.objects();
+  if (editor.mode != ElementMode::object || chosen.empty()) return {editor.selection.active};
+  return {chosen.begin(), chosen.end()};
+}
+
+/// One step for all chosen objects. What the active one has changes; the others become like it.
+void change_display(Editor& editor, const std::string& step, const Change& change,
+                    const std::function<void(const DisplaySettings& from, DisplaySettings& to)>& copy) {
+  const Object* active = editor.active_object();
+  if (!active) return;
+  DisplaySettings model = active->display;
+  change(model);
+  Result<Document> result = editor.history.current();
+  for (const ObjectId id : chosen_objects(editor)) {
+    const Object* object = result->find(id);
+    if (!object) continue;
+    DisplaySettings display = object->display;
+    if (id == active->id)
+      display = model;
+    else
+      copy(model, display);
+    result = set_display(*result, id, display);
+    if (!result) break;
+  }
+  editor.commit(result, step);
+}
+
+template <class Get>
+std::function<bool()> shows(const Editor& editor, Get get) {
+  return [&editor, get] {
+    const Object* object = editor.active_object();
+    return object && get(object->display);
+  };
+}
+
+/// Why no surface could show a map.
+Reason nothing_shows(const Editor& editor, SurfaceMap map) {
+  const auto& objects = editor.document().objects;
+  if (std::any_of(objects.begin(), objects.end(),
+                  [&](const auto& object) { return object->visible && can_show(*object, map); }))
+    return {};
+  return translatable("No visible object has a surface with this map.");
+}
+
+/// Colours all surfaces; the map that is on goes off again.
+void show_map(Editor& editor, SurfaceMap map) {
+  std::optional<SurfaceMap>& shown = editor.view.map.map;
+  if (map == SurfaceMap::shaded || shown == map)
+    shown.reset();
+  else
+    shown = map;
+  std::size_t own = 0;
+  for (const auto& object : editor.document().objects)
+    own += object->visible && object->has_surface() && object->display.map != SurfaceMap::shaded ? 1 : 0;
+  const Language& tr = editor.language;
+  if (own > 0)
+    editor.notify(Notice::Kind::info,
+                  fill(tr(own == 1 ? "1 object keeps the map that its properties give it."
+                                   : "{0} objects keep the maps that their properties give them."),
+                       {std::to_string(own)}));
+}
+
+void add_maps(CommandHost& host) {
+  struct Entry {
+    const char *id, *label, *help, *keys;
+    SurfaceMap map;
+  };
+  static const std::array<Entry, surface_map_count> entries{{
+      {"analyse.shaded", "Shaded", "Show surfaces in their materials.", "", SurfaceMap::shaded},
+      {"analyse.zebra", "Zebra", "Reflect stripes in all surfaces: kinks in them show jumps of curvature.",
+       "Alt+Z", SurfaceMap::zebra},
+      {"analyse.isophotes", "Isophotes", "Show bands of equal angle to a direction on all surfaces.", "",
+       SurfaceMap::isophotes},
+      {"analyse.gauss", "Gaussian curvature", "Colour all surfaces by their Gaussian curvature.", "",
+       SurfaceMap::gaussian},
+      {"analyse.mean", "Mean curvature", "Colour all surfaces by their mean curvature.", "",
+       SurfaceMap::mean},
+      {"analyse.k1", "Greatest curvature", "Colour all surfaces by their greatest curvature.", "",
+       SurfaceMap::principal_max},
+      {"analyse.k2", "Least curvature", "Colour all surfaces by their least curvature.", "",
+       SurfaceMap::principal_min},
+      {"analyse.continuity", "Continuity", "Colour all edges by how much curvature jumps across them.", "",
+       SurfaceMap::continuity},
+      {"analyse.patches", "Patches", "Give each patch a colour, on all surfaces.", "", SurfaceMap::patches},
+  }};
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  for (const Entry& entry : entries) {
+    const SurfaceMap map = entry.map;
+    host.table.add({entry.id, "Analyse", entry.label, entry.help, entry.keys, "", false, false,
+                    [&editor, map] { show_map(editor, map); },
+                    [&editor, document, map]() -> Reason {
+                      if (auto reason = document()) return reason;
+                      return nothing_shows(editor, map);
+                    },
+                    [&editor, map] { return editor.view.map.map.value_or(SurfaceMap::shaded) == map; }});
+  }
+}
+
+void add_switches(CommandHost& host) {
+  Editor& editor = host.editor;
+  const auto flag = [&](const char* id, const char* menu, const char* label, const char* help,
+                        const char* keys, const char* step, bool& (*get)(DisplaySettings&),
+                        const WhyNot& why_not, bool first) {
+    host.table.add({id, menu, label, help, keys, "", true, first,
+                    [&editor, get, step] {
+                      change_display(
+                          editor, step, [get](DisplaySettings& d) { get(d) = !get(d); },
+                          [get](DisplaySettings from, DisplaySettings& to) { get(to) = get(from); });
+                    },
+                    why_not, shows(editor, [get](DisplaySettings d) { return get(d); })});
+  };
+  const WhyNot surface = needs_shown_surface(editor), curves = needs_shown_surface(editor, true),
+               polyhedron = needs_polyhedron(editor);
+  flag(
+      "analyse.combs", "Analyse", "Curvature combs", "Show teeth as long as the network's curves are curved.",
+      "Alt+C", "Curvature combs", [](DisplaySettings& d) -> bool& { return d.combs.shown; }, curves, true);
+  flag(
+      "analyse.marks", "Analyse", "Edge continuity", "Mark the edges by their continuity: G0, G1, G2.",
+      "Alt+E", "Edge continuity", [](DisplaySettings& d) -> bool& { return d.marks; }, curves, false);
+  flag(
+      "analyse.tensions", "Analyse", "Tensions", "Show tensions as colours and numbers.", "Alt+T",
+      "Show tensions", [](DisplaySettings& d) -> bool& { return d.tensions; }, polyhedron, false);
+  flag(
+      "show.surface", "View/Show", "Surface", "Show the surface.", "", "Show surface",
+      [](DisplaySettings& d) -> bool& { return d.surface; }, surface, false);
+  flag(
+      "show.polyhedron", "View/Show", "Polyhedron",
+      "Show the polyhedron, or what else the surface is made from.", "", "Show polyhedron",
+      [](DisplaySettings& d) -> bool& { return d.polyhedron; }, surface, false);
+  flag(
+      "show.network", "View/Show", "Network", "Show the curves over the edges.", "", "Show network",
+      [](DisplaySettings& d) -> bool& { return d.network; }, curves, false);
+  flag(
+      "show.points", "View/Show", "Points", "Show the vertices.", "", "Show points",
+      [](DisplaySettings& d) -> bool& { return d.points; }, polyhedron, false);
+}
+
+void add_combs(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot curves = needs_shown_surface(editor, true);
+  const WhyNot why_not = [&editor, curves]() -> Reason {
+    if (auto reason = curves()) return reason;
+    if (!editor.active_object()->display.combs.shown)
+      return translatable("The curvature combs are not shown.");
+    return {};
+  };
+  const auto add = [&](const char* id, const char* label, const char* help, double scale, int density) {
+    host.table.add({id, "Analyse/Combs", label, help, "", "", true, false,
+                    [&editor, scale, density] {
+                      change_display(
+                          editor, "Curvature combs",
+                          [scale, density](DisplaySettings& d) {
+                            d.combs.scale = std::clamp(d.combs.scale * scale, CombSettings::min_scale,
+                                                       CombSettings::max_scale);
+                            const int wanted = density > 0 ? d.combs.density * 2 : d.combs.density / 2;
+                            if (density != 0)
+                              d.combs.density =
+                                  std::clamp(wanted, CombSettings::min_density, CombSettings::max_density);
+                          },
+                          [](const DisplaySettings& from, DisplaySettings& to) { to.combs = from.combs; });
+                    },
+                    why_not});
+  };
+  add("analyse.combs_longer", "Longer teeth", "Double the length of the teeth.", 2, 0);
+  add("analyse.combs_shorter", "Shorter teeth", "Halve the length of the teeth.", 0.5, 0);
+  add("analyse.combs_denser", "More teeth", "Double the number of teeth.", 1, 1);
+  add("analyse.combs_sparser", "Fewer teeth", "Halve the number of teeth.", 1, -1);
+}
+
+void add_materials(CommandHost& host) {
+  const WhyNot why_not = needs_shown_surface(host.editor);
+  struct Entry {
+    const char *id, *label;
+    Material material;
+  };
+  static constexpr std::array<Entry, material_count> entries{{
+      {"material.clay", "Clay", Material::clay},
+      {"material.porcelain", "Porcelain", Material::porcelain},
+      {"material.metal", "Metal", Material::metal},
+      {"material.wax", "Wax", Material::wax},
+      {"material.rubber", "Rubber", Material::rubber},
+      {"material.plastic", "Plastic", Material::plastic},
+  }};
+  for (const Entry& entry : entries) {
+    const Material material = entry.material;
+    host.table.add(
+        {entry.id, "View/Material", entry.label, "Show the surface in this material.", "", "", true, false,
+         [&editor = host.editor, material] {
+           const auto dress = [material](DisplaySettings& d) {
+             d = with_material(d, material);
+             d.map = SurfaceMap::shaded;
+           };
+           change_display(editor, "Material", dress,
+                          [dress](const DisplaySettings&, DisplaySettings& to) { dress(to); });
+         },
+         why_not,
+         shows(host.editor, [material](const DisplaySettings& d) { return d.material == material; })});
+  }
+}
+
+void add_view_switches(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  host.table.add({"analyse.section", "Analyse", "Section plane", "Cut surfaces away beyond a plane.", "Alt+S",
+                  "", false, true,
+                  [&editor] {
+                    ViewSettings::Section& section = editor.view.section;
+                    section.shown = !section.shown;
+                    Box3 box;
+                    for (const auto& object : editor.document().objects)
+                      if (object->visible) box.extend(world_box(*object));
+                    const bool outside = !box.isEmpty() && !(section.offset >= box.min()[section.axis] &&
+                                                             section.offset <= box.max()[section.axis]);
+                    if (section.shown && outside) section.offset = box.center()[section.axis];
+                  },
+                  document, [&editor] { return editor.view.section.shown; }});
+  host.table.add({"analyse.section_flip", "Analyse", "Other side of the section",
+                  "Keep the half that the section plane cuts away.", "", "", false, false,
+                  [&editor] { editor.view.section.flipped = !editor.view.section.flipped; },
+                  [&editor]() -> Reason {
+                    if (editor.view.section.shown) return {};
+                    return translatable("There is no section plane. Choose Section plane first.");
+                  },
+                  [&editor] { return editor.view.section.flipped; }});
+  host.table.add({"analyse.colour_blind",
+                  "Analyse",
+                  "Colour-blind-safe maps",
+                  "Colour maps so that all kinds of colour vision can read them.",
+                  "",
+                  "",
+                  false,
+                  true,
+                  [&editor] { editor.settings.colour_blind_maps = !editor.settings.colour_blind_maps; },
+                  {},
+                  [&editor] { return editor.settings.colour_blind_maps; }});
+}
+
+/// Four views for four pictures; the views from before come back after it.
+void compare_meshes(Editor& editor, bool on) {
+  Meshing& meshing = editor.meshing;
+  meshing.settings.compare = on;
+  meshing.stopped = false;
+  if (on) {
+    meshing.kept_layout = editor.layout;
+    editor.layout.arrange(Arrangement::four);
+  } else if (meshing.kept_layout) {
+    const View now = editor.layout.active_view();
+    editor.layout = *meshing.kept_layout;
+    editor.layout.active_view() = now;
+    meshing.kept_layout.reset();
+  }
+}
+
+void add_meshing(CommandHost& host) {
+  Editor& editor = host.editor;
+  const WhyNot document = needs_document(editor);
+  host.table.add({"analyse.mesh", "Analyse", "Triangles",
+                  "Show the surface as triangles within a tolerance, and maps of their errors.", "Ctrl+Alt+T",
+                  "", false, true,
+                  [&editor] {
+                    if (editor.meshing.comparing()) compare_meshes(editor, false);
+                    editor.meshing.open = !editor.meshing.open;
+                  },
+                  document, [&editor] { return editor.meshing.open; }});
+  host.table.add({"analyse.mesh_compare", "Analyse", "Compare four pictures",
+                  "Show meshes made by distance and by normal angle, each with both of its errors.", "", "",
+                  false, false,
+                  [&editor] {
+                    editor.meshing.open = true;
+                    compare_meshes(editor, !editor.meshing.settings.compare);
+                  },
+                  document, [&editor] { return editor.meshing.comparing(); }});
+}
+
+}  // namespace
+
+void add_analyse_commands(CommandHost& host) {
+  add_maps(host);
+  add_switches(host);
+  add_combs(host);
+  add_view_switches(host);
+  add_materials(host);
+  add_meshing(host);
+}
+
+}  // namespace hariko

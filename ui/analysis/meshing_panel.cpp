@@ -1,0 +1,344 @@
+// Triangles under tolerances, in a column beside the viewport: what is asked for, what came out, and where it
+// is off.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "ui/base/icons.hpp"
+#include "ui/base/quantity.hpp"
+#include "ui/base/text_lines.hpp"
+#include "ui/view/legend.hpp"
+#include "ui/widgets/choice.hpp"
+#include "ui/widgets/panels.hpp"
+#include "ui/widgets/tips.hpp"
+#include "ui/widgets/value_fields.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr float value_column = 116, histogram_height = 48;
+
+struct Row {
+  const char *id, *label, *help;
+  double low, high;  ///< of lengths: times the object's size
+  bool length = false;
+  const char* format = "%.3g\u00b0";
+};
+constexpr std::array<Row, mesh_criterion_count> rows{{
+    {"distance", translatable("Distance"),
+     translatable("The farthest that the surface may be from its triangles"), 1e-5, 0.1, true},
+    {"normal", translatable("Normal angle"),
+     translatable("The largest angle between the normals of the surface and of its triangles"), 0.5, 60},
+    {"fold", translatable("Fold angle"),
+     translatable("The largest angle between neighbouring triangles, creases apart"), 0.5, 60},
+    {"luminance", translatable("Brightness"),
+     translatable("The largest difference of brightness; it does not bound the shape, so combine it"), 0.005,
+     0.5, false, "%.3g"},
+    {"edge", translatable("Longest edge"), translatable("No edge is longer"), 1e-3, 1, true},
+    {"angle", translatable("Smallest angle"),
+     translatable("Triangles that are too sharp are cut where that helps"), 1, 35},
+}};
+
+constexpr std::array<Choice, 2> start_choices{{
+    {translatable("Whole patches"), translatable("Two facets a patch, which are cut where they have to be")},
+    {translatable("Cells"),
+     translatable("As long as their curvature lets them be: fewer facets where a surface bends evenly, "
+                  "or one way only")},
+}};
+constexpr std::array<Choice, 4> split_choices{{
+    {translatable("Longest edge"), translatable("The longest edge in its middle")},
+    {translatable("Halved normals"), translatable("Where the normal halves the angle, as in the paper")},
+    {translatable("Curvature"), translatable("Along the curvature, by the image on the sphere of normals")},
+    {translatable("Root of curvature"), translatable("By the square root of the curvature; for distances")},
+}};
+constexpr std::array shown_names{translatable("Triangles"), translatable("Distance"), translatable("Angle"),
+                                 translatable("Folds")};
+
+constexpr std::array place_names{translatable("Over the surface"), translatable("Alone")};
+
+/// Lengths start in proportion to the object.
+void adapt(Meshing& meshing, const Object& object) {
+  const Box3 box = world_box(object);
+  const double size = box.isEmpty() ? 1 : box.diagonal().norm();
+  if (meshing.size > 0 && size < 8 * meshing.size && meshing.size < 8 * size) return;
+  meshing.size = size;
+  const double unit = std::pow(10.0, std::floor(std::log10(size * 2e-3)));
+  meshing.settings.of(MeshCriterion::distance).value = std::floor(size * 2e-3 / unit) * unit;
+  meshing.settings.of(MeshCriterion::edge).value = std::floor(size * 0.1 / unit) * unit;
+}
+
+void criterion_row(PanelContext& context, Meshing& meshing, std::size_t index) {
+  const Row& row = rows[index];
+  MeshingSettings::Tolerance& own = meshing.settings.tolerances[index];
+  const Language& tr = context.tr;
+  ImGui::PushID(row.id);
+  ImGui::Checkbox(tr(row.label), &own.on);
+  context.marks.item(std::string("meshing.") + row.id + ".on");
+  if (ImGui::IsItemHovered()) show_tip(tr(row.help));
+  ImGui::SameLine(context.metrics.px(value_column + 16));
+  const double factor = row.length ? meshing.size : 1;
+  const double low = row.low * factor, high = row.high * factor;
+  const std::string format =
+      row.length ? "%.3g " + std::string(to_string(context.editor.document().unit)) : std::string(row.format);
+  ImGui::SetNextItemWidth(-1);
+  {
+    const Disabled disabled(!own.on);
+    // A line instead of a knob: the number under it can be read.
+    ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, context.metrics.px(3));
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, palette().accent);
+    ImGui::SliderScalar("##value", ImGuiDataType_Double, &own.value, &low, &high, format.c_str(),
+                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    context.marks.item(std::string("meshing.") + row.id);
+  }
+  if (!std::isfinite(own.value)) own.value = low;
+  ImGui::PopID();
+}
+
+void way_rows(PanelContext& context, MeshingSettings& settings) {
+  {
+    const Disabled disabled(settings.optimise || settings.balanced);
+    if (const auto chosen =
+            choose(context, "meshing.start", "Start", "What is cut: for patches with four sides",
+                   start_choices, static_cast<int>(settings.start)))
+      settings.start = static_cast<MeshStart>(*chosen);
+    if (const auto chosen = choose(context, "meshing.split", "Cut", "Which edge is cut, and where",
+                                   split_choices, static_cast<int>(settings.split)))
+      settings.split = static_cast<SplitRule>(*chosen);
+  }
+  const auto check = [&](const char* id, const char* label, const char* help, bool& on) {
+    ImGui::Checkbox((std::string(context.tr(label)) + "##" + id).c_str(), &on);
+    context.marks.item(std::string("meshing.") + id);
+    if (ImGui::IsItemHovered()) show_tip(context.tr(help));
+  };
+  check("optimise", translatable("Fewest"),
+        translatable("Looks for the smallest mesh within the tolerance. Takes many times longer."),
+        settings.optimise);
+  ImGui::SameLine(context.metrics.px(value_column + 16));
+  check("balanced", translatable("Balanced"),
+        translatable("Vertices may leave the surface where it is bent one way only: fewer still"),
+        settings.balanced);
+}
+
+/// Three digits are enough for a glance.
+std::string short_text(const PanelContext& context, MeshShown shown, double value) {
+  if (shown != MeshShown::distance) return format_quantity(angle_quantity(), value);
+  return format_number(value, 3) + " " + std::string(to_string(context.editor.document().unit));
+}
+
+/// What is known of one kind of error, as a line of a table.
+void error_line(PanelContext& context, MeshShown shown, const MeshErrors& errors) {
+  const Language& tr = context.tr;
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  {
+    const TextColour dim(palette().dim_text);
+    ImGui::TextUnformatted(tr(shown_names[std::size_t(shown)]));
+  }
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(short_text(context, shown, errors.largest).c_str());
+  if (errors.bound && ImGui::IsItemHovered())
+    show_tip(fill(tr("No point is off by more than {0}: this is proven, not sampled."),
+                  {short_text(context, shown, *errors.bound)}));
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(short_text(context, shown, errors.mean).c_str());
+  ImGui::TableNextColumn();
+  const TextColour colour(errors.bound ? palette().good : palette().dim_text);
+  ImGui::TextUnformatted(errors.bound ? tr("proven") : tr("sampled"));
+}
+
+Quantity quantity_of(const PanelContext& context, MeshShown shown, double size) {
+  return shown == MeshShown::distance ? length_quantity(context.editor.document().unit, size)
+                                      : angle_quantity();
+}
+
+void result_table(PanelContext& context, const MeshingResult& result) {
+  const Language& tr = context.tr;
+  if (!ImGui::BeginTable("errors", 4, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoPadOuterX))
+    return;
+  for (const char* head : {"", translatable("largest"), translatable("mean"), ""}) {
+    ImGui::TableNextColumn();
+    if (*head) ImGui::TextDisabled("%s", tr(head));
+  }
+  for (const MeshShown shown : {MeshShown::distance, MeshShown::normal, MeshShown::fold}) {
+    error_line(context, shown, result.mesh.of(shown));
+  }
+  ImGui::EndTable();
+}
+
+/// Bars in the colours of the map, which makes them its legend.
+void histogram(PanelContext& context, MeshShown shown, const MeshErrors& errors) {
+  const Metrics& m = context.metrics;
+  const ColorScale scale =
+      scale_for(SurfaceMap::gaussian, errors.range, context.editor.settings.colour_blind_maps);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = m.px(histogram_height), bar = m.px(8);
+  ImGui::Dummy({width, height + bar});
+  context.marks.item("meshing.histogram");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto count = static_cast<float>(errors.histogram.size());
+  for (std::size_t i = 0; i < errors.histogram.size(); ++i) {
+    const float left = low.x + width * float(i) / count, right = low.x + width * float(i + 1) / count;
+    const double value = errors.range.high * (double(i) + 0.5) / double(count);
+    const ImU32 colour = to_imgui(color_at(scale, scale_fraction(scale, errors.range, value)));
+    list.AddRectFilled({left, low.y + height + m.px(2)}, {right, low.y + height + bar}, colour);
+    // Few are worth seeing too.
+    const float share = errors.histogram[i] > 0 ? std::max(errors.histogram[i], 0.03F) : 0;
+    list.AddRectFilled({left, low.y + height * (1 - share)}, {right - m.px(1), low.y + height},
+                       with_alpha(palette().text, 0.45F));
+  }
+  const Quantity quantity = quantity_of(context, shown, errors.range.high);
+  ImGui::TextDisabled("0");
+  const std::string end = format_quantity(quantity, errors.range.high);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(end.c_str()).x);
+  ImGui::TextDisabled("%s", end.c_str());
+  if (errors.limited && errors.beyond > 0) {
+    const TextColour colour(palette().warning);
+    text_in_lines(
+        fill(context.tr("grey: above the tolerance, {0} triangles"), {std::to_string(errors.beyond)}));
+  }
+}
+
+/// Buttons side by side, of which one is down; the one that was pressed. Marks: "<mark>.<number>".
+std::optional<std::size_t> button_row(PanelContext& context, const std::string& mark,
+                                      std::span<const char* const> names,
+                                      std::optional<std::size_t> current) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const auto count = static_cast<float>(names.size());
+  const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
+  std::optional<std::size_t> pressed;
+  ImGui::PushID(mark.c_str());
+  // The words need the room beside them.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, ImGui::GetStyle().FramePadding.y});
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    const bool on = current == i;
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, palette().field_active);
+    ImGui::PushID(int(i));
+    if (ImGui::Button(context.tr(names[i]), {width, 0})) pressed = i;
+    ImGui::PopID();
+    context.marks.item(mark + "." + std::to_string(i));
+    if (on) ImGui::PopStyleColor();
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+  return pressed;
+}
+
+void shown_rows(PanelContext& context, Meshing& meshing) {
+  const bool comparing = meshing.comparing();
+  const auto pressed = button_row(context, "meshing.show", shown_names,
+                                  comparing ? std::nullopt : std::optional(std::size_t(meshing.shown)));
+  if (pressed) {
+    meshing.shown = static_cast<MeshShown>(*pressed);
+    if (comparing) context.run("analyse.mesh_compare");
+  }
+  if (comparing || meshing.shown != MeshShown::facets) return;
+  if (const auto place = button_row(context, "meshing.place", place_names, meshing.alone ? 1U : 0U))
+    meshing.alone = *place == 1;
+}
+
+void progress_row(PanelContext& context, Meshing& meshing) {
+  const Language& tr = context.tr;
+  if (!meshing.job) {
+    if (meshing.stopped) {
+      hint_text(context, "Stopped. Change something to go on.");
+      context.marks.item("meshing.stopped");
+    } else {
+      ImGui::Dummy({0, ImGui::GetFrameHeight()});
+    }
+    return;
+  }
+  const float button = context.metrics.px(72);
+  ImGui::ProgressBar(static_cast<float>(percent_of(*meshing.job)) / 100.0F,
+                     {ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x, 0},
+                     fill(tr("{0} %"), {std::to_string(percent_of(*meshing.job))}).c_str());
+  ImGui::SameLine();
+  if (ImGui::Button((std::string(tr("Stop")) + "##meshing").c_str(), {button, 0})) {
+    meshing.job->cancel.cancel();
+    meshing.stopped = true;
+  }
+  context.marks.item("meshing.stop");
+}
+
+void results(PanelContext& context, Meshing& meshing, const std::shared_ptr<const Object>& object) {
+  const Language& tr = context.tr;
+  const MeshingResult* result =
+      meshing.result && meshing.result->object->id == object->id ? meshing.result.get() : nullptr;
+  if (!result) return hint_text(context, "Making triangles\u2026");
+  if (result->error) {
+    const TextColour colour(palette().error);
+    text_in_lines(tr.text_of(*result->error));
+    return;
+  }
+  {
+    const TextColour colour(result->settings == meshing.settings && result->object == object
+                                ? palette().text
+                                : palette().dim_text);
+    ImGui::TextUnformatted(fill(tr("{0} triangles, {1} vertices"),
+                                {std::to_string(result->mesh.facets), std::to_string(result->mesh.vertices)})
+                               .c_str());
+  }
+  context.marks.item("meshing.count." + std::to_string(result->mesh.facets));
+  result_table(context, *result);
+  for (const Message& warning : result->mesh.warnings) {
+    const TextColour colour(palette().warning);
+    text_in_lines(tr.text_of(warning));
+  }
+}
+
+}  // namespace
+
+void draw_meshing(PanelContext& context, const PanelRect& rect) {
+  const Metrics& m = context.metrics;
+  Editor& editor = context.editor;
+  Meshing& meshing = editor.meshing;
+  const Language& tr = context.tr;
+  if (begin_panel("Meshing", rect, palette().panel, {m.px(14), m.px(12)})) {
+    heading(context, "Triangles");
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - m.px(24));
+    if (icon_button(context, icon::close, "meshing.close", "Close", false, 24)) context.run("analyse.mesh");
+    context.marks.item("meshing.close");
+    const auto object = meshed_object(editor.document(), editor.selection.active);
+    if (!object) {
+      hint_text(context, "There is no visible surface to mesh.");
+      ImGui::End();
+      return;
+    }
+    adapt(meshing, *object);
+    ImGui::TextDisabled("%s", object->name.c_str());
+    ImGui::Dummy({0, m.px(4)});
+    const MeshingSettings before = meshing.settings;
+    for (std::size_t i = 0; i < rows.size(); ++i) criterion_row(context, meshing, i);
+    ImGui::Dummy({0, m.px(4)});
+    way_rows(context, meshing.settings);
+    if (!(meshing.settings == before)) meshing.stopped = false;
+    ImGui::Dummy({0, m.px(4)});
+    progress_row(context, meshing);
+    heading(context, "Result");
+    results(context, meshing, object);
+    ImGui::Dummy({0, m.px(6)});
+    heading(context, "Show");
+    shown_rows(context, meshing);
+    const MeshingResult* shown = meshing.shown_for(object);
+    if (shown && meshing.shown != MeshShown::facets && !meshing.comparing())
+      histogram(context, meshing.shown, shown->mesh.of(meshing.shown));
+    ImGui::Dummy({0, m.px(2)});
+    const bool comparing = meshing.comparing();
+    if (ImGui::Button(comparing ? tr("Back to one picture") : tr("Compare four pictures"), {-1, 0}))
+      context.run("analyse.mesh_compare");
+    context.marks.item("meshing.compare");
+    if (ImGui::IsItemHovered())
+      show_tip(tr("Meshes made by distance and by normal angle, each with both of its errors, side by side"));
+    if (ImGui::Button(tr("Export\u2026"), {-1, 0})) context.run("file.export");
+    context.marks.item("meshing.export");
+  }
+  ImGui::End();
+}
+
+}  // namespace hariko

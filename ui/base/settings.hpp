@@ -1,0 +1,44 @@
+#pragma once
+
+// Settings: what a user chooses once for the program, not for a document. A value; app/ keeps it in a file.
+
+#include <map>
+#include <string>
+
+#include "core/document/document.hpp"
+#include "ui/base/language.hpp"
+
+namespace hariko {
+
+enum class ThemeId { dark, light };
+/// Which buttons and modifiers move the view, by the products whose users know them.
+enum class NavigationPreset { hariko, blender, maya, rhino, trackpad };
+
+struct Settings {
+  ThemeId theme = ThemeId::dark;
+  LanguageId language = LanguageId::english;
+  float interface_scale = 1;  ///< on top of the monitor's own, 0.5 .. 3
+  bool colour_blind_maps = false;
+  Unit unit = Unit::millimetre;  ///< of new documents
+
+  NavigationPreset navigation = NavigationPreset::hariko;
+  bool trackball = false;  ///< else turntable
+  bool zoom_to_cursor = true;
+  bool invert_wheel = false;
+  bool orbit_selection = false;  ///< about the selection instead of the view's target
+  double orbit_speed = 1, zoom_speed = 1;
+
+  /// New vertices of cuts and subdivisions lie on the surface, which keeps its form; else on straight edges.
+  bool refine_on_surface = true;
+
+  /// Writing takes time too, and no more than 30 seconds of work are ever lost.
+  static constexpr double most_autosave_seconds = 25;
+  double autosave_seconds = 20;             ///< 1 .. most_autosave_seconds
+  std::map<std::string, std::string> keys;  ///< command id to keys that replace the default; "" for none
+  float side_width = 312;                   ///< of the right panel, design pixels
+  float objects_height = 0;                 ///< of the list of objects, design pixels; 0: as its rows need
+
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+}  // namespace hariko

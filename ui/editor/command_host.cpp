@@ -1,0 +1,79 @@
+#include "ui/editor/command_host.hpp"
+
+#include <algorithm>
+
+#include "core/document/object_shape.hpp"
+
+namespace hariko {
+
+namespace {
+
+Reason no_document(const Editor& editor) {
+  if (editor.has_document) return {};
+  return translatable("Nothing is open. Open a file or a sample first.");
+}
+
+Reason no_object(const Editor& editor) {
+  if (auto reason = no_document(editor)) return reason;
+  if (editor.active_object()) return {};
+  return translatable("No object is chosen. Choose one in the list of objects.");
+}
+
+Reason no_polyhedron(const Editor& editor) {
+  if (auto reason = no_object(editor)) return reason;
+  if (!editor.active_object()->polyhedron())
+    return translatable("The chosen object is not a polyhedron. Choose one in the list of objects.");
+  return {};
+}
+
+Reason no_surface(const Editor& editor, bool curves) {
+  if (auto reason = no_object(editor)) return reason;
+  const Object& object = *editor.active_object();
+  if (!has_shape(object) || (curves && !object.has_surface()))
+    return translatable("The chosen object has no surface. Choose another in the list of objects.");
+  const SurfaceView* view = curves ? editor.view_of(object.id) : nullptr;
+  if (!view || !view->mesh) return {};
+  const auto& all = view->mesh->curves()->curves;
+  if (std::none_of(all.begin(), all.end(),
+                   [](const DisplayCurve& curve) { return curve.source.kind == Element::Kind::edge; }))
+    return translatable("The surface of the chosen object has no curves over edges.");
+  return {};
+}
+
+}  // namespace
+
+WhyNot needs_shown_surface(const Editor& editor, bool curves) {
+  return [&editor, curves] { return no_surface(editor, curves); };
+}
+
+WhyNot needs_document(const Editor& editor) {
+  return [&editor] { return no_document(editor); };
+}
+
+WhyNot needs_object(const Editor& editor) {
+  return [&editor] { return no_object(editor); };
+}
+
+WhyNot needs_polyhedron(const Editor& editor) {
+  return [&editor] { return no_polyhedron(editor); };
+}
+
+WhyNot needs_elements(const Editor& editor, NeededElements kinds) {
+  return [&editor, kinds]() -> Reason {
+    if (auto reason = no_polyhedron(editor)) return reason;
+    const ElementSelection& selection = editor.selection.of_active();
+    if ((kinds.vertices && !selection.vertices.empty()) || (kinds.edges && !selection.edges.empty()) ||
+        (kinds.faces && !selection.faces.empty()))
+      return {};
+    if (kinds.vertices && kinds.edges && kinds.faces)
+      return translatable("Nothing is selected. Click a vertex, an edge or a face.");
+    if (kinds.vertices && kinds.edges) return translatable("Nothing is selected. Click a vertex or an edge.");
+    if (kinds.edges && kinds.faces)
+      return translatable("No edges or faces are selected. Press 2 or 3 and click one.");
+    if (kinds.vertices) return translatable("No vertices are selected. Press 1 and click one.");
+    if (kinds.edges) return translatable("No edges are selected. Press 2 and click one.");
+    return translatable("No faces are selected. Press 3 and click one.");
+  };
+}
+
+}  // namespace hariko

@@ -1,0 +1,158 @@
+#include "ui/editor/command_table.hpp"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/assert.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Menus stand like this whatever the order in which their commands were added; others come before Help.
+constexpr std::array<std::string_view, 14> menu_order{"File", "Edit",    "Select", "Add",  "Transform",
+                                                      "Mesh", "Shape",   "Solids", "Skin", "Outline",
+                                                      "View", "Analyse", "Paper",  "Help"};
+
+std::size_t place_of(std::string_view menu) {
+  const auto* it = std::find(menu_order.begin(), menu_order.end(), menu);
+  return it == menu_order.end() ? 2 * menu_order.size() - 3
+                                : 2 * static_cast<std::size_t>(it - menu_order.begin());
+}
+
+}  // namespace
+
+void CommandTable::add(Command command) {
+  HARIKO_ASSERT(!find(command.id), "command id already taken");
+  HARIKO_ASSERT(command.run != nullptr, "a command must do something");
+  const auto keys = parse_keys(command.keys);
+  HARIKO_ASSERT(keys.has_value(), "unknown key name");
+  for (const KeyChord& chord : *keys) {
+    HARIKO_ASSERT(!find(chord) && !is_reserved(chord), "key already taken");
+    chords_.emplace_back(chord, commands_.size());
+  }
+  command.keys = command.default_keys = print_keys(*keys);
+  commands_.push_back(std::move(command));
+}
+
+const Command* CommandTable::find(std::string_view id) const {
+  const auto it =
+      std::find_if(commands_.begin(), commands_.end(), [id](const Command& c) { return c.id == id; });
+  return it == commands_.end() ? nullptr : &*it;
+}
+
+const Command* CommandTable::find(const KeyChord& chord) const {
+  for (const auto& [known, index] : chords_)
+    if (known == chord) return &commands_[index];
+  return nullptr;
+}
+
+void CommandTable::show_in(Context contexts, std::initializer_list<std::string_view> ids) {
+  for (const std::string_view id : ids) {
+    const auto it =
+        std::find_if(commands_.begin(), commands_.end(), [id](const Command& c) { return c.id == id; });
+    HARIKO_ASSERT(it != commands_.end(), "no command to show in a context menu");
+    it->contexts = it->contexts | contexts;
+  }
+}
+
+std::vector<std::string> CommandTable::menus() const {
+  std::vector<std::string> menus;
+  for (const Command& command : commands_) {
+    if (!command.in_menu) continue;
+    const std::string menu = command.menu.substr(0, command.menu.find('/'));
+    if (!menu.empty() && std::find(menus.begin(), menus.end(), menu) == menus.end()) menus.push_back(menu);
+  }
+  std::stable_sort(menus.begin(), menus.end(),
+                   [](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
+  return menus;
+}
+
+bool CommandTable::is_reserved(const KeyChord& chord) {
+  return chord.key == GLFW_KEY_ESCAPE;
+}
+
+void CommandTable::use_keys(std::size_t command, const std::vector<KeyChord>& keys) {
+  commands_[command].keys = print_keys(keys);
+  for (const KeyChord& chord : keys) chords_.emplace_back(chord, command);
+}
+
+std::vector<KeyProblem> CommandTable::rebind(const std::map<std::string, std::string>& overrides) {
+  std::vector<KeyProblem> problems;
+  std::map<std::string_view, std::vector<KeyChord>> replaced;
+  chords_.clear();
+  for (const auto& [id, text] : overrides) {
+    const Command* command = find(id);
+    const auto keys = parse_keys(text);
+    if (!command || !keys) {
+      problems.push_back(
+          {command ? KeyProblem::Kind::not_a_key : KeyProblem::Kind::unknown_command, id, text, {}});
+      continue;
+    }
+    std::vector<KeyChord> free;
+    for (const KeyChord& chord : *keys) {
+      const Command* owner = find(chord);
+      const bool twice = std::find(free.begin(), free.end(), chord) != free.end();
+      if (is_reserved(chord))
+        problems.push_back({KeyProblem::Kind::reserved, id, chord.to_string(), {}});
+      else if (owner)
+        problems.push_back({KeyProblem::Kind::taken, id, chord.to_string(), owner->id});
+      else if (!twice)
+        free.push_back(chord);
+    }
+    use_keys(static_cast<std::size_t>(command - commands_.data()), free);
+    replaced.emplace(command->id, free);
+  }
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    if (replaced.contains(commands_[i].id)) continue;
+    auto keys = *parse_keys(commands_[i].default_keys);
+    std::erase_if(keys, [this](const KeyChord& chord) { return find(chord) != nullptr; });
+    use_keys(i, keys);
+  }
+  return problems;
+}
+
+std::map<std::string, std::string> CommandTable::with_keys(std::map<std::string, std::string> overrides,
+                                                           std::string_view id,
+                                                           std::span<const KeyChord> keys) const {
+  const auto put = [&](const Command& command, const std::string& text) {
+    if (text == command.default_keys)
+      overrides.erase(command.id);
+    else
+      overrides[command.id] = text;
+  };
+  for (const Command& other : commands_) {
+    auto left = *parse_keys(other.keys);
+    const auto taken = [&](const KeyChord& chord) {
+      return std::find(keys.begin(), keys.end(), chord) != keys.end();
+    };
+    if (other.id != id && std::erase_if(left, taken) > 0) put(other, print_keys(left));
+  }
+  const Command* command = find(id);
+  HARIKO_ASSERT(command != nullptr, "unknown command");
+  put(*command, print_keys(keys));
+  return overrides;
+}
+
+CommandTable::Outcome CommandTable::run(std::string_view id) const {
+  const Command* command = find(id);
+  HARIKO_ASSERT(command != nullptr, "unknown command");
+  return run(*command);
+}
+
+CommandTable::Outcome CommandTable::run(const Command& command) const {
+  Outcome outcome{true, {}};
+  if (command.why_not)
+    if (auto reason = command.why_not()) outcome = {false, std::move(*reason)};
+  if (outcome.ran) {
+    if (before_run_) before_run_(command);
+    command.run();
+  }
+  if (after_run_) after_run_(command, outcome);
+  return outcome;
+}
+
+}  // namespace hariko

@@ -1,0 +1,106 @@
+#pragma once
+
+// The command table: everything the program can be told to do, by name. Menus, context menus, the palette,
+// the cheat sheet, key bindings and tests read it.
+
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/base/key_chord.hpp"
+
+namespace hariko {
+
+/// What is under the pointer when a context menu opens; a set for commands, which may stand in several.
+enum class Context : unsigned { none = 0, vertex = 1, edge = 2, face = 4, object = 8, empty = 16 };
+constexpr Context operator|(Context a, Context b) {
+  return static_cast<Context>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool overlap(Context a, Context b) {
+  return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0;
+}
+inline constexpr Context any_element = Context::vertex | Context::edge | Context::face;
+
+/// A key going down, and the character it types (0 for none): layouts differ in where digits and signs are.
+struct KeyPress {
+  KeyChord chord;
+  char32_t text = 0;
+};
+
+struct Command {
+  std::string id;     ///< "file.open": stable, for tests and key files
+  std::string menu;   ///< where it stands: "File", or "View/Standard views" in a submenu; empty for no menu
+  std::string label;  ///< "Open…"
+  std::string help;   ///< one sentence
+  std::string keys;   ///< several separated by " / "; the default when added, then those in use
+  const char* icon = "";
+  bool changes_document = false;
+  bool separator_before = false;
+  std::function<void()> run;
+  /// Why the command cannot run now, as a sentence; nothing when it can.
+  std::function<std::optional<std::string>()> why_not = {};
+  /// For switches: whether it is on.
+  std::function<bool()> checked = {};
+  Context contexts = Context::none;  ///< the context menus it stands in
+  std::string default_keys = {};     ///< filled in by the table
+  /// Whether it stands in a menu; otherwise `menu` tells the palette where what it is about stands.
+  bool in_menu = true;
+};
+
+/// An entry of a key file that could not be used as it stands.
+struct KeyProblem {
+  enum class Kind { unknown_command, not_a_key, reserved, taken };
+  Kind kind = Kind::unknown_command;
+  std::string id, keys;  ///< the entry
+  std::string other;     ///< for `taken`: the command that has the key
+};
+
+class CommandTable {
+ public:
+  /// Ids must be new, keys well-formed and not yet taken (asserted).
+  void add(Command command);
+
+  const std::vector<Command>& all() const { return commands_; }
+  const Command* find(std::string_view id) const;
+  const Command* find(const KeyChord& chord) const;
+  /// Puts commands into the context menus of elements. The ids must exist (asserted).
+  void show_in(Context contexts, std::initializer_list<std::string_view> ids);
+  /// Top menus in the order of the bar: File, Edit ... Help; menus that it does not know stand before Help.
+  std::vector<std::string> menus() const;
+
+  /// Default keys, but for the commands that `overrides` (id → keys) names. An override takes its keys from
+  /// commands that have them by default; of two overrides with the same key the first has it.
+  std::vector<KeyProblem> rebind(const std::map<std::string, std::string>& overrides);
+  /// `overrides` with other keys for one command. Keys that another command has now are taken from it. An
+  /// entry that equals the default goes away.
+  std::map<std::string, std::string> with_keys(std::map<std::string, std::string> overrides,
+                                               std::string_view id, std::span<const KeyChord> keys) const;
+  /// Esc cancels, always: it cannot be bound.
+  static bool is_reserved(const KeyChord& chord);
+
+  struct Outcome {
+    bool ran = false;
+    std::string reason;  ///< why not
+  };
+  /// Is called before any command runs, from wherever it was chosen.
+  void before_run(std::function<void(const Command&)> hook) { before_run_ = std::move(hook); }
+  /// Is called after a command ran or was refused.
+  void after_run(std::function<void(const Command&, const Outcome&)> hook) { after_run_ = std::move(hook); }
+  /// Runs a command, or says why not. The id must exist.
+  Outcome run(std::string_view id) const;
+  Outcome run(const Command& command) const;
+
+ private:
+  void use_keys(std::size_t command, const std::vector<KeyChord>& keys);
+
+  std::vector<Command> commands_;
+  std::vector<std::pair<KeyChord, std::size_t>> chords_;
+  std::function<void(const Command&)> before_run_;
+  std::function<void(const Command&, const Outcome&)> after_run_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,258 @@
+#include "ui/editor/editor.hpp"
+
+#include <algorithm>
+
+#include "core/document/edit_solids.hpp"
+#include "ui/base/fonts.hpp"
+#include "ui/editor/outlines.hpp"
+#include "ui/editor/skin_view.hpp"
+
+namespace hariko {
+
+const SurfaceView* Editor::view_of(ObjectId id) const {
+  if (!views) return nullptr;
+  const auto it = views->find(id);
+  return it == views->end() ? nullptr : &it->second;
+}
+
+const Job* Editor::cancellable_job() const {
+  const auto found = std::find_if(jobs.begin(), jobs.end(), [](const auto& job) {
+    return job->can_be_cancelled && !job->cancel.cancelled();
+  });
+  return found == jobs.end() ? nullptr : found->get();
+}
+
+void Editor::open(Document document, std::optional<std::filesystem::path> file) {
+  history = History(std::move(document));
+  path = std::move(file);
+  read_only = false;
+  suggested_name.clear();
+  ++documents;
+  selection = {};
+  selections_ = SelectionMemory();
+  selection.prune(history.current());
+  hovered.reset();
+  has_document = true;
+  kept_probe.reset();
+  references.views.clear();
+  // The views start anew; how they are arranged stays.
+  layout.views = ViewLayout().views;
+  wants_framing = true;
+}
+
+void Editor::begin_recording() {
+  history.cancel_preview();
+  before_recording_ = history;
+  recorded_document_ = documents;
+  history = history.fork();
+  recording = true;
+  selection = {};
+  selection.prune(history.current());
+  mode = ElementMode::vertex;
+  hovered.reset();
+  view = {};
+  transform = {};
+  selecting = {};
+  last_click.reset();
+  left_out.reset();
+  kept_probe.reset();
+  last_operation = {};
+  recompute = {};
+  cursor_note.reset();
+  notices_.clear();
+  guide.leave();
+  paper = {};
+  layout = {};
+  wants_framing = true;
+}
+
+void Editor::end_recording() {
+  recording = false;
+  if (before_recording_ && recorded_document_ == documents) history.prepend(*std::move(before_recording_));
+  before_recording_.reset();
+}
+
+std::string Editor::title() const {
+  if (path) return path->filename().string();
+  return suggested_name.empty() ? std::string("Untitled") : suggested_name;
+}
+
+bool Editor::commit(const Result<Document>& result, const std::string& label) {
+  if (!result.ok()) {
+    notify(result.error());
+    return false;
+  }
+  const std::uint64_t left = history.serial();
+  const ChosenElements chosen{selection, mode};
+  return stepped(left, chosen, history.push(result.value(), label));
+}
+
+bool Editor::stepped(std::uint64_t left, const ChosenElements& chosen, bool changed) {
+  if (changed) selections_.step(left, chosen, history.oldest_serial());
+  selection.prune(history.current());
+  return changed;
+}
+
+bool Editor::preview(const Result<Document>& result) {
+  if (!result.ok()) {
+    notify(result.error());
+    return false;
+  }
+  history.preview(result.value());
+  return true;
+}
+
+bool Editor::commit_preview(const std::string& label) {
+  const std::uint64_t left = history.serial();
+  const ChosenElements chosen{selection, mode};
+  return stepped(left, chosen, history.commit_preview(label));
+}
+
+void Editor::undo() {
+  history.cancel_preview();
+  if (history.can_undo()) go_to(history.position() - 1);
+}
+
+void Editor::redo() {
+  history.cancel_preview();
+  if (history.can_redo()) go_to(history.position() + 1);
+}
+
+void Editor::go_to(std::size_t position) {
+  const std::uint64_t left = history.serial();
+  if (!history.go_to(position) || history.serial() == left) return;
+  selections_.leave(left, {selection, mode});
+  if (const ChosenElements* chosen = selections_.find(history.serial())) {
+    selection = chosen->selection;
+    mode = chosen->mode;
+  }
+  selection.prune(history.current());
+}
+
+void Editor::go_to_step(std::size_t position) {
+  if (position > history.labels().size()) return;
+  while (history.position() > position) undo();
+  while (history.position() < position) redo();
+}
+
+void Editor::show(Notice notice) {
+  constexpr std::size_t most = 4;
+  show_text(notice.text);
+  show_text(notice.remedy);
+  std::erase_if(notices_, [&](const Notice& shown) { return shown.text == notice.text; });
+  notices_.push_back(std::move(notice));
+  if (notices_.size() > most) notices_.pop_front();
+}
+
+void Editor::notify(Notice::Kind kind, std::string text, std::string remedy) {
+  if (on_notice) on_notice(kind, text);
+  show({kind, std::move(text), std::move(remedy), now});
+}
+
+void Editor::notify(const Message& message) {
+  // What the user cancelled is no mistake.
+  const Notice::Kind kind = message.code == e_cancelled           ? Notice::Kind::info
+                            : message.severity == Severity::error ? Notice::Kind::error
+                                                                  : Notice::Kind::warning;
+  if (on_notice) on_notice(kind, to_string(message));
+  show({kind, language.text_of(message), language.remedy_of(message), now});
+}
+
+void Editor::show_text(std::string_view text) {
+  if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
+    return;
+  for (const char32_t point : code_points(text))
+    if (needs_japanese_font(point)) shown_characters_.insert(point);
+}
+
+bool Editor::notices_expire() const {
+  return cursor_note.has_value() || std::any_of(notices_.begin(), notices_.end(), [](const Notice& notice) {
+           return notice.kind == Notice::Kind::info;
+         });
+}
+
+void Editor::frame_all(bool at_once) {
+  const Camera framed = framed_all(layout.active_view().goal(), viewport);
+  at_once ? set_camera(framed) : fly_to(framed);
+}
+
+void Editor::frame_at_once(int number, PixelSize size) {
+  View& framed = layout.views[static_cast<std::size_t>(number)];
+  framed.set(framed_all(framed.goal(), size));
+}
+
+Camera Editor::framed_all(const Camera& camera, PixelSize size) const {
+  const Box3 box = visible_box();
+  if (!box.isEmpty()) return camera.frame(box, size);
+  // Room for what a designer begins with.
+  constexpr double empty_height = 300;  // mm
+  Camera empty = camera;
+  empty.target.setZero();
+  empty.distance *= empty_height / millimetres_per(document().unit) / camera.view_height();
+  return empty;
+}
+
+Box3 Editor::selected_box() const {
+  Box3 box;
+  for (const auto& object : document().objects) {
+    if (mode == ElementMode::object) {
+      if (selection.objects().contains(object->id)) box.extend(world_box(*object));
+      continue;
+    }
+    for (const VertexId id : selection.of(object->id).vertices)
+      if (const Solid* solid = find_solid(*object, id.value)) {
+        const Box3 local = box_of(*solid);
+        for (int corner = 0; corner < 8; ++corner)
+          box.extend(object->transform.apply(local.corner(static_cast<Box3::CornerType>(corner))));
+      }
+    if (object->outline())
+      for (const VertexId id : selection.of(object->id).vertices)
+        if (id.value < object->outline()->outline->point_count())
+          box.extend(place_of_point(*object, id.value).point);
+    if (object->skin() && !selection.of(object->id).empty())
+      for (const SkinView::Handle& handle : hariko::view_of(*object->skin()->skin, nullptr).handles)
+        if (handle.kind != SkinView::Handle::Kind::place &&
+            selection.of(object->id).vertices.contains(VertexId{handle.id}))
+          box.extend(object->transform.apply(handle.position));
+    const Polyhedron* cage = object->cage();
+    if (!cage || selection.of(object->id).empty()) continue;
+    for (const VertexId id : touched_vertices(selection.of(object->id), *cage))
+      box.extend(object->transform.apply(object->cage_origin() + cage->position(cage->find(id))));
+  }
+  return box;
+}
+
+void Editor::frame_selection() {
+  Box3 box = selected_box();
+  if (box.isEmpty()) return frame_all();
+  // A single point has no size: keep a fraction of the scene round it.
+  const double margin = std::max(0.0, 0.1 * visible_box().diagonal().norm() - 0.5 * box.diagonal().norm());
+  box.extend(Vector3(box.min().array() - margin));
+  box.extend(Vector3(box.max().array() + margin));
+  fly_to(layout.active_view().goal().frame(box, viewport));
+}
+
+Box3 Editor::visible_box() const {
+  if (paper.covers_model() && !paper.box.isEmpty()) return paper.box;
+  Box3 box;
+  for (const auto& object : document().objects) {
+    if (!object->visible) continue;
+    box.extend(world_box(*object));
+    const SurfaceView* shown = view_of(object->id);
+    if (!shown || !shown->mesh) continue;
+    const Matrix4 matrix = matrix_of(object->transform);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3 local =
+          shown->mesh->origin() + shown->mesh->box().corner(static_cast<Box3::CornerType>(corner));
+      box.extend(Vector3((matrix * local.homogeneous()).head<3>()));
+    }
+  }
+  if (!box.isEmpty() && (!views || views->empty())) {
+    // Surfaces that are still to come bulge out of their polyhedra by about this much.
+    const Vector3 bulge = 0.08 * box.sizes();
+    box = Box3(box.min() - bulge, box.max() + bulge);
+  }
+  return box;
+}
+
+}  // namespace hariko

@@ -1,0 +1,211 @@
+#pragma once
+
+// Editor: the state that panels, tools and commands share. One per window.
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/document/edits.hpp"
+#include "core/document/history.hpp"
+#include "core/document/object_box.hpp"
+#include "core/exchange/mesh_import.hpp"
+#include "render/scene.hpp"
+#include "ui/base/frame_times.hpp"
+#include "ui/base/job.hpp"
+#include "ui/base/language.hpp"
+#include "ui/base/recompute.hpp"
+#include "ui/base/references.hpp"
+#include "ui/base/settings.hpp"
+#include "ui/base/surface_point.hpp"
+#include "ui/editor/guide.hpp"
+#include "ui/editor/last_operation.hpp"
+#include "ui/editor/meshing.hpp"
+#include "ui/editor/paper_state.hpp"
+#include "ui/editor/selection.hpp"
+#include "ui/editor/selection_memory.hpp"
+#include "ui/editor/surface_view.hpp"
+#include "ui/editor/transform_settings.hpp"
+#include "ui/editor/view_layout.hpp"
+#include "ui/editor/view_map.hpp"
+
+namespace hariko {
+
+/// A sentence shown over the viewport. Those of errors stay until they are dismissed.
+struct Notice {
+  enum class Kind { info, warning, error };
+  Kind kind = Kind::info;
+  std::string text, remedy;
+  double shown_at = 0;
+  static constexpr double info_seconds = 4;
+};
+
+/// Why something was refused, shown where the pointer was.
+struct CursorNote {
+  std::string text;    ///< in the language of the interface
+  float x = 0, y = 0;  ///< window pixels
+  double shown_at = 0;
+  static constexpr double seconds = 3;
+};
+
+/// How the viewport shows things: not part of the document.
+struct ViewSettings {
+  ViewMap map;  ///< on all surfaces at once
+  bool surfaces_only =
+      false;  ///< for judging: no curves, points, polyhedra, handles or marks of the selection
+  ZebraSettings zebra;
+  ContinuityTolerance tolerance;  ///< of the marks of continuity
+  struct Section {
+    bool shown = false, flipped = false;
+    int axis = 0;       ///< 0, 1, 2: x, y, z
+    double offset = 0;  ///< along the axis, world coordinates
+  } section;
+  double x_ray_strength = 0.3;  ///< of hidden lines, 0.05 .. 1
+  bool x_ray = false;
+  bool bodies = true;  ///< solids show translucent through the surface round them
+  bool grid = true;
+};
+
+/// How pointing selects.
+struct SelectSettings {
+  bool lasso = false;    ///< drags beside elements draw a lasso instead of a box
+  bool through = false;  ///< clicks take also what is hidden, and in perspective boxes and lassos
+  /// Boxes and lassos take also what is hidden in views in parallel projection, where one draws round all
+  /// that lies behind each other.
+  bool through_parallel = true;
+  bool regions_through(bool parallel) const { return parallel ? through_parallel : through; }
+};
+
+/// Hidden elements that a box or a lasso did not take: to be told as long as the selection is what it made.
+struct LeftOut {
+  std::size_t count = 0;
+  Selection selection;
+};
+
+/// The last click on an element: one more at the same place takes what lies behind.
+struct LastClick {
+  Vector2 pixel = Vector2::Zero();
+  std::size_t index = 0;  ///< among the elements there, nearest first
+};
+
+class Editor {
+ public:
+  History history;
+  Selection selection;
+  ElementMode mode = ElementMode::vertex;
+  std::optional<ElementRef> hovered;
+  ViewSettings view;
+  TransformSettings transform;
+  SelectSettings selecting;
+  std::optional<LastClick> last_click;
+  std::optional<LeftOut> left_out;
+  Settings settings;
+  FrameTimes frame_times;
+  Recompute recompute;
+  std::optional<SurfacePoint> kept_probe;  ///< its readings stay on the screen and follow the surface
+  Language language;                       ///< the catalogue of settings.language
+  LastOperation last_operation;
+  Meshing meshing;
+  MeshImport mesh_import;
+  PaperState paper;
+  References references;  ///< the pixels of reference pictures
+
+  /// False while the start page shows.
+  bool has_document = false;
+  Guide guide;                                ///< the guided first model
+  int exports = 0;                            ///< files exported since the program began
+  bool recording = false;                     ///< what the user does is written as a replay
+  bool rename_wanted = false;                 ///< the list of objects makes the active one's name a field
+  bool wants_framing = false;                 ///< of all views, as soon as their sizes are known
+  std::optional<std::filesystem::path> path;  ///< of the document on disk
+  bool read_only = false;                     ///< the file at `path` is not to be overwritten
+  std::string suggested_name;                 ///< of a document without a path, for its first save
+  std::uint64_t documents = 0;                ///< how many were opened; names the one that is open
+
+  /// Written by the application each frame.
+  double now = 0;                                          ///< steady clock, seconds
+  std::vector<std::shared_ptr<const Job>> jobs;            ///< long work in progress, oldest first
+  const std::map<ObjectId, SurfaceView>* views = nullptr;  ///< surfaces that are ready
+  std::map<ObjectId, double> stale_since;                  ///< objects whose surface is being rebuilt
+  PixelSize viewport{1, 1};                                ///< the active view, framebuffer pixels
+  double pixel_scale = 1;                                  ///< framebuffer pixels per design pixel
+
+  const Document& document() const { return history.shown(); }
+  const Object* active_object() const { return document().find(selection.active); }
+  const SurfaceView* view_of(ObjectId id) const;
+
+  /// The oldest of the jobs that can be cancelled and was not yet; null when there is none.
+  const Job* cancellable_job() const;
+
+  /// Replaces everything by another document, which counts as saved, and frames it.
+  void open(Document document, std::optional<std::filesystem::path> file);
+  /// What a recording begins with, and the replay of it: nothing selected, tools and views as after opening.
+  void begin_recording();
+  /// Puts the steps from before the recording back.
+  void end_recording();
+  /// The name to show: the file's, or "Untitled".
+  std::string title() const;
+
+  /// Makes one step, or says why not. True when the document changed.
+  bool commit(const Result<Document>& result, const std::string& label);
+  /// Shows a document without making a step: see History. False, with a notice, on an error.
+  bool preview(const Result<Document>& result);
+  bool commit_preview(const std::string& label);
+  void cancel_preview() { history.cancel_preview(); }
+  /// With the selection that the state was left with.
+  void undo();
+  void redo();
+  /// Undoes or redoes up to a state of the history.
+  void go_to_step(std::size_t position);
+  /// To a state of the history, as undo and redo do.
+  void go_to(std::size_t position);
+
+  void notify(Notice::Kind kind, std::string text, std::string remedy = {});
+  void notify(const Message& message);
+  /// Told of every notice, messages in English with their codes: for a log. May be empty.
+  std::function<void(Notice::Kind, const std::string& text)> on_notice;
+  std::deque<Notice>& notices() { return notices_; }
+  const std::deque<Notice>& notices() const { return notices_; }
+  std::optional<CursorNote> cursor_note;
+  /// Takes up the characters of a text from elsewhere (names of files, of objects in messages): fonts are
+  /// loaded for what is shown, whatever the language of the interface.
+  void show_text(std::string_view text);
+  const std::set<char32_t>& shown_characters() const { return shown_characters_; }
+  /// Whether a notice shows that goes away by itself.
+  bool notices_expire() const;
+
+  ViewLayout layout;
+  /// The camera of the active view now, eased while a change is under way.
+  Camera camera() const { return layout.active_view().camera(now); }
+  /// At once; ends a flight.
+  void set_camera(const Camera& camera) { layout.active_view().set(camera); }
+  void fly_to(const Camera& camera) { layout.active_view().fly_to(camera, now); }
+  bool flying() const { return layout.flying(now); }
+  /// Frames everything that is visible, or the selection, in the active view.
+  void frame_all(bool at_once = false);
+  /// Frames everything in any view.
+  void frame_at_once(int view, PixelSize size);
+  void frame_selection();
+  /// World box of what is selected, empty when nothing is.
+  Box3 selected_box() const;
+
+ private:
+  Box3 visible_box() const;
+  Camera framed_all(const Camera& camera, PixelSize size) const;
+  void show(Notice notice);
+  bool stepped(std::uint64_t left, const ChosenElements& chosen, bool changed);
+
+  SelectionMemory selections_;
+  std::optional<History> before_recording_;
+  std::uint64_t recorded_document_ = 0;  ///< `documents` when the recording began
+  std::deque<Notice> notices_;
+  std::set<char32_t> shown_characters_;  ///< beyond Latin, Greek and Cyrillic
+};
+
+}  // namespace hariko

@@ -1,0 +1,78 @@
+#include "ui/editor/operations.hpp"
+
+#include "core/document/edits.hpp"
+#include "core/modeling/select_convert.hpp"
+
+namespace hariko {
+
+namespace {
+
+ElementSet in_mode(const Polyhedron& polyhedron, const ElementSet& set, ElementMode mode) {
+  switch (mode) {
+    case ElementMode::vertex:
+      return set.vertices.empty() ? to_vertices(polyhedron, set) : ElementSet{set.vertices, {}, {}};
+    case ElementMode::edge:
+      return set.edges.empty() ? to_edges(polyhedron, set) : ElementSet{{}, set.edges, {}};
+    case ElementMode::face:
+      return set.faces.empty() ? to_faces(polyhedron, set) : ElementSet{{}, {}, set.faces};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+void select_result(Editor& editor, ObjectId id, const ElementSet& result) {
+  const Object* object = editor.document().find(id);
+  if (!object || !object->polyhedron()) return;
+  editor.selection.active = id;
+  editor.selection.clear_elements();
+  ElementSet chosen = in_mode(object->polyhedron()->polyhedron, result, editor.mode);
+  if (chosen.empty()) {
+    editor.mode = !result.faces.empty()   ? ElementMode::face
+                  : !result.edges.empty() ? ElementMode::edge
+                                          : ElementMode::vertex;
+    chosen = in_mode(object->polyhedron()->polyhedron, result, editor.mode);
+  }
+  editor.selection.set(id, std::move(chosen));
+}
+
+bool run_operation(Editor& editor, const Operation& operation, const std::string& label) {
+  const ObjectId id = editor.selection.active;
+  const Result<ModeledDocument> done = edit_polyhedron(editor.history.current(), id, operation);
+  if (!done) {
+    editor.notify(done.error());
+    return false;
+  }
+  if (!editor.commit(done->document, label)) return false;
+  select_result(editor, id, done->selection);
+  return true;
+}
+
+std::optional<SurfaceForm> form_for_refinement(const Editor& editor, const PolyhedronSource& source) {
+  return editor.settings.refine_on_surface ? form_to_keep(source) : std::nullopt;
+}
+
+bool run_refinement(Editor& editor, const Refinement& refinement, const std::string& label) {
+  return run_operation(
+      editor,
+      [&](const PolyhedronSource& source) {
+        const auto form = form_for_refinement(editor, source);
+        return refinement(source, form ? &*form : nullptr);
+      },
+      label);
+}
+
+void say_locked(Editor& editor) {
+  const Document& document = editor.history.current();
+  std::vector<ObjectId> ids(editor.selection.objects().begin(), editor.selection.objects().end());
+  for (const auto& entry : editor.selection.elements()) ids.push_back(entry.first);
+  for (const ObjectId id : ids) {
+    const Object* object = document.find(id);
+    if (!object || !object->visible || !object->locked) continue;
+    if (const auto refused = set_transform(document, id, object->transform); !refused)
+      return editor.notify(refused.error());
+  }
+}
+
+}  // namespace hariko

@@ -1,0 +1,34 @@
+#include "ui/editor/probe.hpp"
+
+#include "render/picking.hpp"
+
+namespace hariko {
+
+std::optional<SurfacePoint> surface_point(const SceneBuilder& scene, const Ray& ray) {
+  const auto hit = pick_surface(scene.scene(), ray);
+  if (!hit) return std::nullopt;
+  return SurfacePoint{scene.object_id(hit->object), hit->patch, hit->parameter, hit->value};
+}
+
+std::optional<ProbeReading> read_probe(const Editor& editor, const SurfacePoint& point) {
+  const Object* object = editor.document().find(point.object);
+  const SurfaceView* view = editor.view_of(point.object);
+  if (!object || !object->visible || !view || point.patch >= view->surface.patch_count()) return std::nullopt;
+  const Surface& surface = view->surface;
+  const PatchPoint at = surface.patches().evaluate(point.patch, point.parameter, Order::second);
+  ProbeReading reading;
+  reading.position = object->transform.apply(surface.origin() + at.position);
+  reading.normal = object->transform.rotation * surface.normal(point.patch, point.parameter);
+  reading.curvature = curvature(at);
+  if (reading.curvature) {
+    // Curvature is one over a length.
+    const double scale = object->transform.scale;
+    reading.curvature->k1 /= scale;
+    reading.curvature->k2 /= scale;
+    reading.curvature->mean /= scale;
+    reading.curvature->gauss /= scale * scale;
+  }
+  return reading;
+}
+
+}  // namespace hariko

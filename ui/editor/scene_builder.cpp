@@ -1,0 +1,481 @@
+#include "ui/editor/scene_builder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/document/object_shape.hpp"
+#include "render/surface_maps.hpp"
+#include "ui/editor/object_lines.hpp"
+#include "ui/editor/reference_pictures.hpp"
+#include "ui/editor/solids_display.hpp"
+
+namespace hariko {
+
+namespace {
+
+bool same(const GridSettings& a, const GridSettings& b) {
+  return a.visible == b.visible && a.height == b.height && a.spacing == b.spacing;
+}
+
+bool same(const SceneObject& a, const SceneObject& b) {
+  return a.mesh == b.mesh && a.polyhedron == b.polyhedron && a.edge_curves == b.edge_curves &&
+         a.outlined == b.outlined && a.outlined_as_hovered == b.outlined_as_hovered &&
+         a.transform == b.transform && a.map == b.map && a.range == b.range &&
+         a.show_surface == b.show_surface && a.show_polyhedron == b.show_polyhedron &&
+         a.show_network == b.show_network && a.quiet_network == b.quiet_network &&
+         a.elements_pickable == b.elements_pickable && a.wire == b.wire && a.material == b.material &&
+         a.color == b.color && a.show_tensions == b.show_tensions && a.show_bodies == b.show_bodies &&
+         a.faint_bodies == b.faint_bodies && a.marks == b.marks && a.combs == b.combs &&
+         a.facet_edges == b.facet_edges && a.comb_scale == b.comb_scale && a.failed == b.failed &&
+         a.show_points == b.show_points && a.x_ray == b.x_ray && a.dimmed == b.dimmed &&
+         a.selected == b.selected && a.hovered == b.hovered && a.selected_patches == b.selected_patches &&
+         a.hovered_patches == b.hovered_patches;
+}
+
+bool same(const OverlayLine& a, const OverlayLine& b) {
+  return a.begin == b.begin && a.end == b.end && a.width == b.width && a.on_top == b.on_top;
+}
+
+bool same(const Scene& a, const Scene& b) {
+  return a.objects.size() == b.objects.size() &&
+         std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
+                    [](const OverlayLine& x, const OverlayLine& y) { return same(x, y); }) &&
+         a.background == b.background && same(a.grid, b.grid) && a.zebra == b.zebra &&
+         a.section == b.section && a.colour_blind_safe == b.colour_blind_safe && a.pictures == b.pictures &&
+         a.hidden_opacity == b.hidden_opacity && a.pixel_scale == b.pixel_scale &&
+         std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(),
+                    [](const SceneObject& x, const SceneObject& y) { return same(x, y); });
+}
+
+/// Patches that come from some faces, ascending.
+std::vector<Index> patches_of(const DisplayMesh& mesh, const std::set<FaceId>& faces) {
+  std::vector<Index> patches;
+  if (faces.empty()) return patches;
+  for (Index p = 0; p < mesh.patch_count(); ++p) {
+    const Element& element = mesh.provenance(p).element;
+    if (element.kind == Element::Kind::face && faces.contains(FaceId{static_cast<std::uint32_t>(element.id)}))
+      patches.push_back(p);
+  }
+  return patches;
+}
+
+/// Points of an outline, by their numbers.
+Highlights points_of(const ElementSelection& selection, const Outline& outline) {
+  Highlights out;
+  for (const VertexId id : selection.vertices)
+    if (id.value < outline.point_count()) out.vertices.push_back(id.value);
+  return out;
+}
+
+/// The surface alone, for what is drawn over it: other lines would be taken for edges.
+void clear_lines(SceneObject& out) {
+  out.wire = PatchWire::none;
+  out.show_surface = true;
+  out.show_network = false;
+  out.show_bodies = false;
+  out.marks.reset();
+  out.combs.reset();
+  out.selected_patches.clear();
+  out.hovered_patches.clear();
+  out.dimmed = false;
+}
+
+/// The edges of the facets over the surface, or the facets in its place.
+void show_facets(const MeshPreview& mesh, bool alone, SceneObject& out) {
+  clear_lines(out);
+  if (alone || !out.mesh) {
+    out.mesh = mesh.mesh;
+    out.map = SurfaceMap::shaded;
+  }
+  out.facet_edges = mesh.edges;
+}
+
+/// Errors have the sequential colours of a map that begins at zero.
+void show_errors(const MeshPreview& mesh, MeshShown shown, SceneObject& out) {
+  const MeshErrors& errors = mesh.of(shown);
+  clear_lines(out);
+  out.mesh = errors.mesh;
+  out.map = SurfaceMap::gaussian;
+  out.range = errors.range;
+  out.facet_edges = mesh.edges;
+}
+
+/// The plane of symmetry of solids as a frame round them, in the colour of its axis.
+void add_symmetry_plane(const Object& object, std::vector<OverlayLine>& lines) {
+  if (!object.visible || !object.solids() || !object.display.polyhedron) return;
+  const SymmetryPlane plane = object.solids()->input->settings.symmetry;
+  if (plane == SymmetryPlane::none) return;
+  Object straight = object;
+  straight.transform = Similarity{};
+  const Box3 box = world_box(straight);
+  if (box.isEmpty()) return;
+  const auto axis = static_cast<Eigen::Index>(plane) - 1, u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double margin = 0.08 * box.sizes().maxCoeff();
+  Color color = color_from_hex(std::array{"#e5484d", "#46a758", "#3e82f7"}[static_cast<std::size_t>(axis)]);
+  color.a = 0.8F;
+  const auto corner = [&](bool far_u, bool far_v) {
+    Vector3 out = Vector3::Zero();
+    out[u] = far_u ? box.max()[u] + margin : box.min()[u] - margin;
+    out[v] = far_v ? box.max()[v] + margin : box.min()[v] - margin;
+    return Vector3(object.transform.apply(out));
+  };
+  const std::array corners{corner(false, false), corner(true, false), corner(true, true),
+                           corner(false, true)};
+  for (std::size_t i = 0; i < 4; ++i) lines.push_back({corners[i], corners[(i + 1) % 4], color, 1.6F, false});
+}
+
+/// An object that is chosen or pointed at as a whole: the outline of its surface, or all lines where it shows
+/// none.
+void mark_whole(const Editor& editor, const Object& object, SceneObject& out) {
+  const ElementRef whole{object.id, element_of(object.id)};
+  const bool selected = editor.selection.contains(whole), hovered = editor.hovered == whole;
+  if (out.draws_surface()) {
+    out.outlined = selected;
+    out.outlined_as_hovered = hovered;
+    return;
+  }
+  Highlights all;
+  for (Index e = 0; (selected || hovered) && out.polyhedron && e < out.polyhedron->edges.size(); ++e)
+    all.edges.push_back(e);
+  if (selected) out.selected = all;
+  if (hovered) out.hovered = all;
+}
+
+/// The element that an error names, to be outlined: faces by their edges too.
+Highlights failed_of(const Message& error, const Polyhedron& polyhedron) {
+  const Element& element = error.element;
+  const auto number = static_cast<std::uint32_t>(element.id);
+  ElementSelection failed;
+  if (element.kind == Element::Kind::vertex) failed.vertices.insert(VertexId{number});
+  if (element.kind == Element::Kind::edge) failed.edges.insert(EdgeId::from_packed(element.id));
+  if (element.kind == Element::Kind::face) {
+    failed.faces.insert(FaceId{number});
+    if (const Index face = polyhedron.find(FaceId{number}); face != no_index) {
+      const auto corners = polyhedron.topology().face_vertices(face);
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        failed.edges.insert(EdgeId::of(polyhedron.vertex_id(corners[i]),
+                                       polyhedron.vertex_id(corners[(i + 1) % corners.size()])));
+    }
+  }
+  return highlights_of(failed, polyhedron);
+}
+
+}  // namespace
+
+Background background_of(ThemeId theme) {
+  return theme == ThemeId::light ? Background::light : Background::dark;
+}
+
+std::optional<SectionPlane> section_plane(const ViewSettings& view) {
+  if (!view.section.shown) return std::nullopt;
+  const double side = view.section.flipped ? -1 : 1;
+  return SectionPlane{side * Vector3::Unit(view.section.axis), side * view.section.offset};
+}
+
+void SceneBuilder::update(const Editor& editor) {
+  Scene next;
+  next.background = background_of(editor.settings.theme);
+  next.grid.visible = editor.view.grid;
+  next.zebra = editor.view.zebra;
+  next.colour_blind_safe = editor.settings.colour_blind_maps;
+  next.hidden_opacity = static_cast<float>(editor.view.x_ray_strength);
+  next.section = section_plane(editor.view);
+  next.pixel_scale = editor.pixel_scale;
+  ids_.clear();
+  fold_paper(editor.paper);
+  if (paper_) {
+    next.objects.push_back(scene_object_of(*paper_, editor.paper));
+    ids_.push_back(ObjectId{});
+  }
+  if (const Object* active = editor.has_document ? editor.active_object() : nullptr; active && !paper_)
+    add_symmetry_plane(*active, next.lines);
+  if (editor.paper.shown && editor.paper.fault)
+    for (const auto& [from, to] : editor.paper.fault->lines)
+      next.lines.push_back({from, to, color_from_hex("#e5484d"), 3, true});
+  for (const auto& object : editor.document().objects) {
+    if (paper_) break;
+    if (!object->visible || !has_shape(*object)) continue;
+    next.objects.push_back(describe(editor, object));
+    if (const MeshingResult* meshed = editor.meshing.shown_for(object)) {
+      const MeshShown shown = editor.meshing.shown;
+      if (shown == MeshShown::facets)
+        show_facets(meshed->mesh, editor.meshing.alone, next.objects.back());
+      else
+        show_errors(meshed->mesh, shown, next.objects.back());
+    }
+    ids_.push_back(object->id);
+  }
+  if (!paper_) next.pictures = scene_pictures(editor);
+  colour_by_view(editor, next);
+  std::erase_if(entries_, [&](const auto& entry) { return !editor.document().find(entry.first); });
+  const bool compared = !compared_.empty();
+  if (!same(next, scene_)) ++version_;
+  scene_ = std::move(next);
+  compare(editor);
+  if (compared != !compared_.empty()) ++version_;
+}
+
+/// The four pictures: the same scene, with another mesh or another error in the object's place.
+void SceneBuilder::compare(const Editor& editor) {
+  compared_.clear();
+  if (paper_ || !editor.meshing.comparing()) return;  // the paper stands in the place of the objects
+  const auto object = meshed_object(editor.document(), editor.selection.active);
+  const MeshingResult* result = object ? editor.meshing.shown_for(object) : nullptr;
+  if (!result || !result->compared) return;
+  const auto at = std::find(ids_.begin(), ids_.end(), object->id) - ids_.begin();
+  compared_.resize(ViewLayout::count, scene_);
+  std::size_t place = 0;
+  for (const Pane& pane : editor.layout.panes()) {
+    const ComparedPicture picture = compared_picture(place++);
+    show_errors((*result->compared)[picture.mesh], picture.shown,
+                compared_[static_cast<std::size_t>(pane.view)].objects[static_cast<std::size_t>(at)]);
+  }
+}
+
+void SceneBuilder::fold_paper(const PaperState& paper) {
+  if (!paper.covers_model()) return paper_.reset();
+  const auto layout = paper.shared_visible();
+  const double folded = double(paper.folded);
+  if (!paper_ || paper_->layout != layout || paper_->folded != folded) paper_ = fold_up(layout, folded);
+}
+
+SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<const Object>& object) {
+  SceneObject out;
+  out.polyhedron = polyhedron_of(editor.document(), object);
+  out.transform = matrix_of(object->transform);
+  const DisplaySettings display = shown_display(editor.view.map, *object);
+  const bool bare = editor.view.surfaces_only;
+  out.show_surface = display.surface;
+  out.show_polyhedron = display.polyhedron && !bare;
+  out.show_network = display.network && !bare;
+  out.quiet_network =
+      object->outline() != nullptr;  // its points inside were found, the loops alone are drawn
+  out.elements_pickable = !(object->patches() || object->bezier()) || display.polyhedron;
+  out.x_ray = editor.view.x_ray;
+  out.material = display.material;
+  out.color = color_of(display.colour);
+  out.wire = bare ? PatchWire::none : display.wire;
+  out.show_points = display.points;
+  out.show_tensions = display.tensions;
+  const Polyhedron* cage = object->cage();
+  const SurfaceView* view = editor.view_of(object->id);
+  if (view) out.mesh = view->mesh;
+  if (editor.mode == ElementMode::object && !bare) mark_whole(editor, *object, out);
+  if (!object->has_surface()) {
+    out.show_points = false;
+    out.map = display.map;
+    return out;
+  }
+  if (view) {
+    if (view->mesh && out.polyhedron) out.edge_curves = edge_curves_of(*object, *view->mesh, *out.polyhedron);
+    out.combs = display.combs.shown ? view->combs : nullptr;
+    out.comb_scale = display.combs.scale;
+    if (display.marks && view->continuity) out.marks = marks_of(object->id, *view, editor.view.tolerance);
+    if (view->error && cage) out.failed = failed_of(*view->error, *cage);
+    if (view->error && object->outline()) {
+      ElementSelection failed;
+      if (view->error->element.kind == Element::Kind::vertex)
+        failed.vertices.insert(VertexId{static_cast<std::uint32_t>(view->error->element.id)});
+      out.failed = points_of(failed, *object->outline()->outline);
+    }
+    // A new map shows when its values are there; until then the surface is drawn without.
+    const bool ready = !has_values(display.map) || (view->object && view->object->display.map == display.map);
+    out.map = ready ? display.map : SurfaceMap::shaded;
+    out.range = view->range;
+  }
+  const auto stale = editor.stale_since.find(object->id);
+  out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
+               editor.recompute.outdated.contains(object->id);
+  if (bare) return out;
+  if (const OutlineSource* outline = object->outline(); outline && editor.mode == ElementMode::vertex) {
+    out.selected = points_of(editor.selection.of(object->id), *outline->outline);
+    if (editor.hovered && editor.hovered->object == object->id) {
+      Selection hover;
+      hover.select(*editor.hovered, Selection::How::replace);
+      out.hovered = points_of(hover.of(object->id), *outline->outline);
+    }
+  }
+  if (object->solids()) {
+    // They lie inside of their surface.
+    out.x_ray = true;
+    out.show_points = false;
+    out.show_bodies = editor.view.bodies && display.polyhedron;
+    out.faint_bodies = object->locked;
+  }
+  if (editor.mode == ElementMode::object || !(cage || object->solids())) return out;
+  const ElementSelection& selected = editor.selection.of(object->id);
+  if (object->solids()) {
+    out.selected = highlights_of_solids(*out.polyhedron, selected.vertices);
+    if (editor.hovered && editor.hovered->object == object->id)
+      out.hovered = highlights_of_solids(*out.polyhedron,
+                                         {VertexId{static_cast<std::uint32_t>(editor.hovered->element.id)}});
+    return out;
+  }
+  out.selected = highlights_of(selected, *cage);
+  if (out.mesh) out.selected_patches = patches_of(*out.mesh, selected.faces);
+  if (editor.hovered && editor.hovered->object == object->id) {
+    Selection hover;
+    hover.select(*editor.hovered, Selection::How::replace);
+    out.hovered = highlights_of(hover.of(object->id), *cage);
+    if (out.mesh) out.hovered_patches = patches_of(*out.mesh, hover.of(object->id).faces);
+  }
+  return out;
+}
+
+std::shared_ptr<const EdgeCurves> SceneBuilder::edge_curves_of(const Object& object, const DisplayMesh& mesh,
+                                                               const DisplayPolyhedron& polyhedron) {
+  if (!object.polyhedron()) return nullptr;
+  Entry& entry = entries_[object.id];
+  const auto topology = object.polyhedron()->polyhedron.shared_topology();
+  if (!entry.edge_curves || entry.edge_curves->curves != mesh.curves() || entry.curves_topology != topology) {
+    entry.edge_curves = edge_curves(mesh, polyhedron);
+    entry.curves_topology = topology;
+  }
+  return entry.edge_curves;
+}
+
+/// One range for all surfaces that show the view's map, so that their colours compare. In a gesture it rests.
+void SceneBuilder::colour_by_view(const Editor& editor, Scene& scene) {
+  const ViewMap& view = editor.view.map;
+  const auto slot = view.map ? range_slot(*view.map) : std::nullopt;
+  std::vector<std::shared_ptr<const DisplayMesh>> meshes;
+  std::vector<std::pair<SceneObject*, double>> followers;  // with what their values are divided by
+  for (std::size_t i = 0; slot && !paper_ && i < scene.objects.size(); ++i) {
+    SceneObject& shown = scene.objects[i];
+    const Object* object = editor.document().find(ids_[i]);
+    const SurfaceView* surface = editor.view_of(ids_[i]);
+    // Not where triangles or errors stand in the surface's place.
+    if (!object || !surface || shown.mesh != surface->mesh || shown.map != *view.map ||
+        !follows_view(view, *object))
+      continue;
+    followers.emplace_back(&shown, std::pow(object->transform.scale, scale_power(*view.map)));
+    meshes.push_back(shown.mesh);
+  }
+  if (followers.empty()) {
+    view_scale_.reset();
+    return;
+  }
+  const bool same_map = view_scale_ && view_scale_->map == *view.map;
+  const bool fresh = same_map && scaled_settings_ == view.ranges[*slot] &&
+                     (editor.history.in_gesture() || scaled_meshes_ == meshes);
+  if (!fresh) {
+    std::vector<float> values;
+    for (const auto& [shown, divisor] : followers)
+      for (const float value : values_of(*shown->mesh, *view.map))
+        values.push_back(static_cast<float>(double(value) / divisor));
+    constexpr int bins = 48;
+    const ValueRange range = value_range(*view.map, view.ranges[*slot], values);
+    view_scale_ = ViewScale{*view.map, range, histogram(values, range, bins)};
+    scaled_meshes_ = std::move(meshes);
+    scaled_settings_ = view.ranges[*slot];
+  }
+  for (const auto& [shown, divisor] : followers)
+    shown->range = {view_scale_->range.low * divisor, view_scale_->range.high * divisor};
+}
+
+std::shared_ptr<const EdgeMarks> SceneBuilder::marks_of(ObjectId id, const SurfaceView& view,
+                                                        const ContinuityTolerance& tolerance) {
+  if (!view.mesh || view.continuity->seams.size() != view.surface.seams().size()) return nullptr;
+  Entry& entry = entries_[id];
+  // Refreshed meshes share their curves; the marks follow them by the numbers of their vertices.
+  if (!entry.marks || entry.marked_curves != view.mesh->curves() || entry.marked_report != view.continuity ||
+      !(entry.marked_tolerance == tolerance)) {
+    entry.marks = edge_marks(*view.mesh, classify(view.surface, *view.continuity, tolerance));
+    entry.marked_curves = view.mesh->curves();
+    entry.marked_report = view.continuity;
+    entry.marked_tolerance = tolerance;
+  }
+  return entry.marks;
+}
+
+std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
+    const Document& document, const std::shared_ptr<const Object>& object) {
+  Entry& entry = entries_[object->id];
+  if (object->polyhedron() && !object->polyhedron()->attachments->empty())
+    return attached_polyhedron_of(entry, document, object);
+  if (entry.attached) entry.object.reset();
+  entry.attached.reset();
+  if (entry.object == object) return entry.polyhedron;
+  const PolyhedronSource* source = object->polyhedron();
+  const PolyhedronSource* before = entry.object ? entry.object->polyhedron() : nullptr;
+  const PatchSource* patches = object->patches();
+  const PatchSource* patches_before = entry.object ? entry.object->patches() : nullptr;
+  if (patches) {
+    const bool same_net = patches_before && patches_before->origin == patches->origin &&
+                          patches_before->net.shared_topology() == patches->net.shared_topology();
+    if (!same_net)
+      entry.polyhedron = cage_of(*object);
+    else if (!(patches_before->net == patches->net))
+      entry.polyhedron = entry.polyhedron->moved(patches->net);
+  } else if (const OutlineSource* outline = object->outline()) {
+    const OutlineSource* outline_before = entry.object ? entry.object->outline() : nullptr;
+    if (!outline_before || !(outline_before->outline == outline->outline))
+      entry.polyhedron = lines_of(*outline->outline);
+  } else if (const BezierSource* bezier = object->bezier()) {
+    const BezierSource* bezier_before = entry.object ? entry.object->bezier() : nullptr;
+    if (!bezier_before || !(*bezier_before == *bezier)) entry.polyhedron = lines_of(*bezier);
+  } else if (!source && !object->mesh()) {
+    entry.polyhedron = object->solids() ? display_of(*object->solids()) : nullptr;
+  } else if (!source) {
+    const MeshSource* mesh_before = entry.object ? entry.object->mesh() : nullptr;
+    if (!mesh_before || !(*mesh_before == *object->mesh())) entry.polyhedron = lines_of(*object->mesh());
+  } else if (before && before->polyhedron.shared_topology() == source->polyhedron.shared_topology() &&
+             before->origin == source->origin) {
+    if (!(before->polyhedron == source->polyhedron))
+      entry.polyhedron = entry.polyhedron->moved(source->polyhedron);
+    if (!(before->shaping == source->shaping))
+      entry.polyhedron = entry.polyhedron->shaped(source->polyhedron, *source->shaping);
+  } else {
+    entry.polyhedron = DisplayPolyhedron::build(source->polyhedron, *source->shaping, source->origin);
+  }
+  entry.object = object;
+  return entry.polyhedron;
+}
+
+/// Attached vertices are shown where their sides end, which others may have moved.
+std::shared_ptr<const DisplayPolyhedron> SceneBuilder::attached_polyhedron_of(
+    Entry& entry, const Document& document, const std::shared_ptr<const Object>& object) {
+  const PolyhedronSource& source = *object->polyhedron();
+  const Polyhedron shown = attached_polyhedron(document, *object);
+  const PolyhedronSource* before = entry.object ? entry.object->polyhedron() : nullptr;
+  if (!before || !entry.attached || entry.attached->shared_topology() != shown.shared_topology() ||
+      before->origin != source.origin) {
+    entry.polyhedron = DisplayPolyhedron::build(shown, *source.shaping, source.origin);
+  } else {
+    if (!(*entry.attached == shown)) entry.polyhedron = entry.polyhedron->moved(shown);
+    if (!(before->shaping == source.shaping))
+      entry.polyhedron = entry.polyhedron->shaped(shown, *source.shaping);
+  }
+  entry.attached = shown;
+  entry.object = object;
+  return entry.polyhedron;
+}
+
+ElementRef element_at(const Document& document, ObjectId object, Element::Kind kind, Index index) {
+  const Object* found = document.find(object);
+  if (found && found->outline() && kind == Element::Kind::vertex &&
+      index < found->outline()->outline->point_count())
+    return {object, element_of(VertexId{index})};
+  const Polyhedron* cage = found ? found->cage() : nullptr;
+  if (!cage) return {object, {}};
+  const Polyhedron& polyhedron = *cage;
+  // The surface on the screen may be that of an earlier state and know faces that are gone: they have no
+  // index.
+  switch (kind) {
+    case Element::Kind::vertex:
+      if (index < polyhedron.vertex_count()) return {object, element_of(polyhedron.vertex_id(index))};
+      break;
+    case Element::Kind::edge:
+      if (index < polyhedron.edge_count()) return {object, element_of(polyhedron.edge_id(index))};
+      break;
+    case Element::Kind::face:
+      if (index < polyhedron.face_count()) return {object, element_of(polyhedron.face_id(index))};
+      break;
+    default:
+      break;
+  }
+  return {object, {}};
+}
+
+}  // namespace hariko

@@ -1,0 +1,52 @@
+#include "ui/editor/selected_items.hpp"
+
+namespace hariko {
+
+namespace {
+
+template <class Id>
+SelectedIds<Id> ids_of_active(const Editor& editor, std::set<Id> ElementSelection::*member) {
+  if (editor.mode == ElementMode::object) return {};
+  const auto object = editor.document().find_shared(editor.selection.active);
+  if (!object || !object->polyhedron()) return {};
+  // What a gesture shows may lack elements that are selected in the document it began with.
+  const Polyhedron& polyhedron = object->polyhedron()->polyhedron;
+  SelectedIds<Id> selected;
+  for (const Id id : editor.selection.of(object->id).*member)
+    if (polyhedron.find(id) != no_index) selected.ids.push_back(id);
+  if (!selected.ids.empty()) selected.object = object;
+  return selected;
+}
+
+}  // namespace
+
+Objects chosen_objects(const Editor& editor) {
+  Objects objects;
+  if (auto active = editor.document().find_shared(editor.selection.active))
+    objects.push_back(std::move(active));
+  for (const ObjectId id : editor.selection.objects()) {
+    if (id == editor.selection.active) continue;
+    if (auto object = editor.document().find_shared(id)) objects.push_back(std::move(object));
+  }
+  return objects;
+}
+
+std::vector<ObjectId> chosen_ids(const Editor& editor) {
+  std::vector<ObjectId> ids;
+  for (const auto& object : chosen_objects(editor)) ids.push_back(object->id);
+  return ids;
+}
+
+SelectedIds<VertexId> selected_vertices(const Editor& editor) {
+  return ids_of_active(editor, &ElementSelection::vertices);
+}
+
+SelectedIds<EdgeId> selected_edges(const Editor& editor) {
+  return ids_of_active(editor, &ElementSelection::edges);
+}
+
+SelectedIds<FaceId> selected_faces(const Editor& editor) {
+  return ids_of_active(editor, &ElementSelection::faces);
+}
+
+}  // namespace hariko

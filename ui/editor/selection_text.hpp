@@ -1,0 +1,18 @@
+#pragma once
+
+// What is selected, in words that fit the object.
+
+#include <string>
+
+#include "ui/editor/editor.hpp"
+
+namespace hariko {
+
+/// Of an object with solids "1 solid" or "3 solids", else as `describe` has it. `object` may be null.
+std::string describe_in(const Object* object, const ElementSelection& selection, const Language& tr);
+
+/// Count of hidden elements that a box left out, and the keys of the command that takes it too; empty where
+/// nothing was, or something else is selected by now.
+std::string left_out_text(const Editor& editor, const std::string& keys);
+
+}  // namespace hariko

@@ -1,0 +1,41 @@
+#include "ui/editor/view_map.hpp"
+
+#include "render/color_map.hpp"
+
+namespace hariko {
+
+bool can_show(const Object& object, SurfaceMap map) {
+  return object.mesh() ? !has_values(map) : object.has_surface();
+}
+
+bool follows_view(const ViewMap& view, const Object& object) {
+  return view.map && object.display.map == SurfaceMap::shaded && can_show(object, *view.map);
+}
+
+SurfaceMap shown_map(const ViewMap& view, const Object& object) {
+  if (follows_view(view, object)) return *view.map;
+  return can_show(object, object.display.map) ? object.display.map : SurfaceMap::shaded;
+}
+
+DisplaySettings shown_display(const ViewMap& view, const Object& object) {
+  DisplaySettings display = object.display;
+  display.map = shown_map(view, object);
+  if (const auto slot = range_slot(display.map); slot && follows_view(view, object))
+    display.ranges[*slot] = view.ranges[*slot];
+  return display;
+}
+
+int scale_power(SurfaceMap map) {
+  switch (map) {
+    case SurfaceMap::gaussian:
+      return 2;
+    case SurfaceMap::mean:
+    case SurfaceMap::principal_max:
+    case SurfaceMap::principal_min:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace hariko

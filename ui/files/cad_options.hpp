@@ -1,0 +1,51 @@
+#pragma once
+
+// How surfaces are written as STEP and IGES, as rows in the file dialog, with what that makes of them.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/base/result.hpp"
+#include "core/cad/cad_totals.hpp"
+#include "ui/base/quantity.hpp"
+#include "ui/files/export_settings.hpp"
+#include "ui/widgets/panels.hpp"
+
+namespace hariko {
+
+class CadOptions {
+ public:
+  /// For the document in the editor: a tolerance in proportion to what is visible, the first time or when the
+  /// one chosen before does not suit it.
+  void begin(const Editor& editor);
+  /// Draws the rows for a file of this name. True when the faces are others than before, and what is known
+  /// has to be found anew.
+  bool draw(const Editor& editor, Marks& marks, const Metrics& metrics, const std::filesystem::path& name);
+  /// What the faces of these settings are like.
+  void take(const CadSettings& settings, const Result<CadTotals>& count);
+
+  const CadSettings& settings() const { return settings_; }
+  void remember(const CadChoices& choices) { settings_.choices = choices; }
+
+ private:
+  void quality_row(const Editor& editor, Marks& marks, const Metrics& metrics);
+  void tolerance_row(const Editor& editor, Marks& marks, const Metrics& metrics);
+  void selected_row(const Language& tr, Marks& marks, const Metrics& metrics);
+  void unit_row(const Editor& editor, Marks& marks, const Metrics& metrics);
+  void schema_row(const Language& tr, Marks& marks, const Metrics& metrics,
+                  const std::filesystem::path& name);
+  void result_rows(const Editor& editor, Marks& marks) const;
+  /// Of what is visible, as it is written.
+  double size() const { return settings_.choices.scale * size_; }
+  /// Distance of a quality, in the document's unit.
+  double tolerance_of(CadQuality quality, Unit unit) const;
+  void take_quality(CadQuality quality, Unit unit);
+
+  CadSettings settings_;
+  double size_ = 0;  ///< diagonal of what is visible
+  std::string tolerance_text_, angle_text_, scale_text_;
+  std::optional<Result<CadTotals>> count_;  ///< of `settings_`; nothing while it is being found
+};
+
+}  // namespace hariko

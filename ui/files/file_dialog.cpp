@@ -1,0 +1,468 @@
+#include "ui/files/file_dialog.hpp"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/base/file_ending.hpp"
+#include "ui/base/file_formats.hpp"
+#include "ui/base/icons.hpp"
+#include "ui/files/export_text.hpp"
+#include "ui/shell/offers_panel.hpp"
+#include "ui/widgets/overlay_window.hpp"
+#include "ui/widgets/tips.hpp"
+
+namespace hariko {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr float label_width = 96, places_width = 150;
+
+fs::path folder_of(const char* variable, const fs::path& otherwise) {
+  const char* path = std::getenv(variable);
+  return path && *path ? fs::path(path) : otherwise;
+}
+
+fs::path home() {
+  return folder_of("HOME", "/");
+}
+
+/// "Wavefront OBJ (.obj)".
+std::string format_text(const Language& tr, const std::string& ending) {
+  const std::string name = tr(std::string(format_name(ending)));
+  return name.empty() ? ending : name + " (" + ending + ")";
+}
+
+}  // namespace
+
+void FileDialog::open(Request request) {
+  request_ = std::move(request);
+  std::error_code error;
+  fs::path start = request_.proposal;
+  name_.clear();
+  only_.reset();
+  new_folder_.reset();
+  if (!start.empty() && !fs::is_directory(start, error)) {
+    name_ = start.filename().string();
+    start = start.parent_path();
+  }
+  if (!request_.saving) name_.clear();
+  if (start.empty() || !fs::is_directory(start, error)) start = chosen_folder_;
+  if (start.empty() || !fs::is_directory(start, error)) start = fs::current_path(error);
+  go_to(start);
+  places_.clear();
+  open_ = appearing_ = true;
+  ask_overwrite_ = false;
+  footer_height_ = 0;
+}
+
+bool FileDialog::matches(const fs::path& file) const {
+  const std::string extension = lower_ending(file);
+  if (only_) return extension == request_.extensions[*only_];
+  return request_.extensions.empty() || std::find(request_.extensions.begin(), request_.extensions.end(),
+                                                  extension) != request_.extensions.end();
+}
+
+void FileDialog::go_to(const fs::path& folder) {
+  auto entries = list_folder(folder, [this](const fs::path& file) { return matches(file); });
+  if (!entries.ok()) {
+    error_ = fill(translatable("The folder {0} cannot be read."), {folder.string()});
+    return;
+  }
+  std::error_code error;
+  folder_ = fs::weakly_canonical(folder, error);
+  if (error) folder_ = folder;
+  entries_ = std::move(entries).value();
+  sort_entries(entries_, order_, descending_);
+  at_.reset();
+  error_.clear();
+}
+
+bool FileDialog::replaces_something(const fs::path& path) {
+  std::error_code error;
+  std::optional<fs::path> replaced;
+  if (request_.replaces)
+    replaced = request_.replaces(path);
+  else if (fs::exists(path, error))
+    replaced = path;
+  replaced_ = replaced ? replaced->filename().string() : std::string();
+  return replaced.has_value();
+}
+
+void FileDialog::submit(bool overwrite) {
+  if (name_.empty()) return;
+  fs::path path =
+      name_.starts_with("~/") ? home() / name_.substr(2) : folder_ / name_;  // absolute names replace
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    name_.clear();
+    return go_to(path);
+  }
+  if (request_.saving) {
+    if (path.extension().empty() && !request_.extensions.empty()) path += request_.extensions.front();
+    if (!matches(path)) {
+      std::string endings;
+      for (const std::string& extension : request_.extensions) endings += " " + extension;
+      error_ = fill(translatable("This ending is not one of those that can be written:{0}"), {endings});
+      return;
+    }
+    if (!overwrite && replaces_something(path)) {
+      ask_overwrite_ = true;
+      return;
+    }
+  } else if (!fs::exists(path, error)) {
+    error_ = fill(translatable("There is no file {0}."), {path.string()});
+    return;
+  }
+  open_ = false;
+  chosen_folder_ = folder_;
+  const auto accept = request_.accept;  // which may open the dialog again
+  accept(path);
+}
+
+void FileDialog::step(int by) {
+  if (entries_.empty()) return;
+  const auto last = static_cast<std::ptrdiff_t>(entries_.size()) - 1;
+  const std::ptrdiff_t from = at_ ? static_cast<std::ptrdiff_t>(*at_) : by > 0 ? -1 : last + 1;
+  at_ = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(from + by, 0, last));
+  name_ = entries_[*at_].name;
+  ask_overwrite_ = false;
+  scroll_ = true;
+}
+
+void FileDialog::make_folder(PanelContext& context) {
+  const fs::path path = folder_ / *new_folder_;
+  std::error_code error;
+  if (new_folder_->empty() || *new_folder_ != path.filename().string() ||
+      !fs::create_directory(path, error)) {
+    const std::string why = error ? error.message() : std::string(context.tr("it is there already"));
+    error_ = fill(context.tr("The folder {0} cannot be made: {1}."), {path.string(), why});
+    return;
+  }
+  new_folder_.reset();
+  go_to(path);
+}
+
+void FileDialog::draw_places(PanelContext& context, float width, float height) {
+  if (places_.empty()) {
+    std::vector<fs::path> recent;
+    for (const RecentFile& file : context.offers.recent) recent.push_back(file.path);
+    places_ = usual_places(home(), folder_of("XDG_CONFIG_HOME", home() / ".config"), recent);
+  }
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
+  ImGui::BeginChild("places", {width, height}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
+  bool titled = false;
+  for (const Place& place : places_) {
+    if (place.id.starts_with("recent") && !std::exchange(titled, true)) heading(context, "Recent");
+    const char* symbol = place.id == "root" ? icon::object : icon::folder;
+    const std::string name = place.id == "home"   ? std::string(context.tr("Home"))
+                             : place.id == "root" ? std::string(context.tr("Computer"))
+                                                  : place.name;
+    context.editor.show_text(name);
+    const std::string label = std::string(symbol) + "  " + name;
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (ImGui::Selectable((elided(label, room) + "###" + place.id).c_str(), place.folder == folder_))
+      go_to(place.folder);
+    context.marks.item("dialog.place." + place.id);
+    if (ImGui::IsItemHovered()) show_tip(place.folder.string());
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+}
+
+/// The folders down to this one, each of which can be gone to, and making a new one.
+void FileDialog::draw_path(PanelContext& context) {
+  const Metrics& m = context.metrics;
+  if (icon_button(context, icon::up, "up", "Parent folder", false, 26)) go_to(folder_.parent_path());
+  context.marks.item("dialog.up");
+  const float button = ImGui::CalcTextSize(context.tr("New folder")).x + m.px(24);
+  const float end = ImGui::GetWindowContentRegionMax().x - button;
+  std::vector<fs::path> folders;
+  for (fs::path at = folder_;; at = at.parent_path()) {
+    folders.insert(folders.begin(), at);
+    if (at == at.parent_path()) break;
+  }
+  const auto label = [](const fs::path& at) {
+    return at.filename().empty() ? std::string("/") : at.filename().string();
+  };
+  // As many of the last ones as there is room for.
+  float room = end - ImGui::GetCursorPosX() - m.px(60);
+  std::size_t first = folders.size();
+  while (first > 0 && room > ImGui::CalcTextSize(label(folders[first - 1]).c_str()).x + m.px(26))
+    room -= ImGui::CalcTextSize(label(folders[--first]).c_str()).x + m.px(26);
+  first = std::min(first, folders.size() - 1);
+  fs::path wanted;
+  for (std::size_t i = first; i < folders.size(); ++i) {
+    ImGui::SameLine(0, m.px(2));
+    context.editor.show_text(label(folders[i]));
+    ImGui::PushStyleColor(ImGuiCol_Button, 0);
+    if (ImGui::Button((label(folders[i]) + "###crumb" + std::to_string(i)).c_str())) wanted = folders[i];
+    ImGui::PopStyleColor();
+    context.marks.item("dialog.crumb." + std::to_string(folders.size() - 1 - i));
+  }
+  ImGui::SameLine(end);
+  if (ImGui::Button((std::string(context.tr("New folder")) + "###new_folder").c_str(), {button, 0}))
+    new_folder_ = new_folder_ ? std::nullopt : std::optional(std::string(context.tr("New folder")));
+  context.marks.item("dialog.new_folder");
+  if (!wanted.empty()) go_to(wanted);
+  if (!new_folder_) return;
+  ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
+  const bool entered =
+      ImGui::InputText("##new_folder_name", &*new_folder_,
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  context.marks.item("dialog.new_folder_name");
+  ImGui::SameLine();
+  const bool pressed =
+      ImGui::Button((std::string(context.tr("Make")) + "###make_folder").c_str(), {button, 0});
+  context.marks.item("dialog.make_folder");
+  if (entered || pressed) make_folder(context);
+}
+
+/// Names of the columns; a click sorts by one, a second click the other way round.
+void FileDialog::draw_header(PanelContext& context, float size_at, float date_at) {
+  const auto column = [&](const char* name, const char* mark, FolderOrder order, float at) {
+    ImGui::SameLine(at);
+    const bool on = order_ == order;
+    const TextColour colour(on ? palette().text : palette().dim_text);
+    const std::string label = std::string(context.tr(name)) + (on ? descending_ ? " \u2193" : " \u2191" : "");
+    if (ImGui::Selectable((label + "###" + mark).c_str(), false, 0,
+                          {ImGui::CalcTextSize(label.c_str()).x, 0})) {
+      // Largest and latest first: what one looks for.
+      descending_ = on ? !descending_ : order != FolderOrder::name;
+      order_ = order;
+      sort_entries(entries_, order_, descending_);
+      at_.reset();
+    }
+    context.marks.item(std::string("dialog.sort.") + mark);
+  };
+  ImGui::NewLine();
+  column("Name", "name", FolderOrder::name, context.metrics.px(46));
+  column("Size", "size", FolderOrder::size, size_at);
+  column("Modified", "modified", FolderOrder::modified, date_at);
+}
+
+void FileDialog::draw_entry(PanelContext& context, std::size_t number, float size_at, float date_at) {
+  const FolderEntry& entry = entries_[number];
+  const Metrics& m = context.metrics;
+  context.editor.show_text(entry.name);
+  ImGui::PushID(static_cast<int>(number));
+  if (ImGui::Selectable("##entry", (!entry.folder && entry.name == name_) || at_ == number,
+                        ImGuiSelectableFlags_AllowDoubleClick)) {
+    focus_name_ = true;
+    at_ = number;
+    const bool twice = ImGui::IsMouseDoubleClicked(0);
+    if (!entry.folder) {
+      name_ = entry.name;
+      ask_overwrite_ = false;
+    }
+    if (twice && entry.folder) name_ = entry.name;
+    if (twice) submit(false);
+  }
+  const bool shown = number < entries_.size() && &entries_[number] == &entry;
+  if (shown && open_) {
+    context.marks.item("entry." + entry.name);
+    if (at_ == number && std::exchange(scroll_, false)) ImGui::SetScrollHereY();
+    ImGui::SameLine(m.px(10));
+    {
+      const TextColour colour(entry.folder ? palette().secondary : palette().dim_text);
+      ImGui::TextUnformatted(entry.folder ? icon::folder : icon::file);
+    }
+    ImGui::SameLine(m.px(34));
+    ImGui::TextUnformatted(elided(entry.name, size_at - m.px(42)).c_str());
+    if (!entry.folder) {
+      ImGui::SameLine(size_at);
+      ImGui::TextDisabled("%s", file_size_text(entry.size).c_str());
+    }
+    if (entry.modified != 0) {
+      ImGui::SameLine(date_at);
+      ImGui::TextDisabled("%s", local_time_text(entry.modified).c_str());
+    }
+  }
+  ImGui::PopID();
+}
+
+void FileDialog::draw_list(PanelContext& context, float below) {
+  const Metrics& m = context.metrics;
+  ImGui::BeginGroup();
+  const float wide = ImGui::GetContentRegionAvail().x;
+  const float date = ImGui::CalcTextSize("0000-00-00 00:00").x + m.px(24), size = m.px(76);
+  const float date_at = wide - date, size_at = date_at - size;
+  ImGui::BeginChild("header", {0, ImGui::GetFrameHeight()}, false, ImGuiWindowFlags_NavFlattened);
+  draw_header(context, size_at, date_at);
+  ImGui::EndChild();
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().panel);
+  ImGui::BeginChild("files", {0, -below}, false,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
+  const fs::path shown = folder_;
+  ImGuiListClipper clipper;
+  // Nothing may be drawn when a click has closed the dialog: the clipper cannot measure a row then.
+  clipper.Begin(static_cast<int>(entries_.size()), ImGui::GetTextLineHeightWithSpacing());
+  if (scroll_ && at_)
+    ImGui::SetScrollY(static_cast<float>(*at_) * ImGui::GetTextLineHeightWithSpacing() -
+                      ImGui::GetWindowHeight() / 2);
+  scroll_ = false;
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd && folder_ == shown && open_; ++i)
+      draw_entry(context, static_cast<std::size_t>(i), size_at, date_at);
+  if (entries_.empty()) {
+    ImGui::SetCursorPos({m.px(10), m.px(8)});
+    ImGui::TextDisabled("%s", request_.saving ? context.tr("No files of this kind here yet.")
+                                              : context.tr("Nothing here that can be opened."));
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+  ImGui::EndGroup();
+}
+
+/// When saving the format is the ending of the name.
+void FileDialog::choose_format(std::size_t number) {
+  const fs::path name = name_;
+  const auto found = std::find(request_.extensions.begin(), request_.extensions.end(), lower_ending(name));
+  const fs::path base = found != request_.extensions.end() ? fs::path(name).replace_extension()
+                        : name.empty()                     ? request_.proposal.stem()
+                                                           : name;
+  name_ = base.string() + request_.extensions[number];
+  ask_overwrite_ = false;
+  error_.clear();
+}
+
+/// When saving, what is written; when opening, which files are shown.
+void FileDialog::draw_format(PanelContext& context) {
+  const auto& endings = request_.extensions;
+  const Language& tr = context.tr;
+  const fs::path name = name_;
+  const auto found = std::find(endings.begin(), endings.end(), lower_ending(name));
+  const auto now = std::size_t(found - endings.begin());
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(tr("Format"));
+  ImGui::SameLine(context.metrics.px(label_width));
+  ImGui::SetNextItemWidth(std::min(context.metrics.px(220), ImGui::GetContentRegionAvail().x));
+  // A name without an ending gets the first one.
+  const std::string saved = now < endings.size()   ? format_text(tr, endings[now])
+                            : name.has_extension() ? std::string()
+                                                   : format_text(tr, endings[0]);
+  const std::string shown = request_.saving ? saved
+                            : only_         ? format_text(tr, endings[*only_])
+                                            : std::string(tr("All that can be opened"));
+  const bool open = ImGui::BeginCombo("##format", shown.c_str(), ImGuiComboFlags_HeightLarge);
+  context.marks.item("dialog.format");
+  if (!open) return;
+  if (!request_.saving) {
+    if (ImGui::Selectable(tr("All that can be opened"), !only_)) {
+      only_.reset();
+      go_to(folder_);
+    }
+    context.marks.item("dialog.format.all");
+  }
+  for (std::size_t i = 0; i < endings.size(); ++i) {
+    if (ImGui::Selectable(format_text(tr, endings[i]).c_str(), request_.saving ? i == now : only_ == i)) {
+      if (request_.saving) {
+        choose_format(i);
+      } else {
+        only_ = i;
+        go_to(folder_);
+      }
+    }
+    context.marks.item("dialog.format" + endings[i]);
+  }
+  ImGui::EndCombo();
+}
+
+void FileDialog::draw_name(PanelContext& context) {
+  if (appearing_ || std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  // Up and down go through the list.
+  const auto arrows = [](ImGuiInputTextCallbackData* data) {
+    FileDialog& dialog = *static_cast<FileDialog*>(data->UserData);
+    dialog.step(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, dialog.name_.c_str());
+    data->SelectAll();
+    return 0;
+  };
+  std::string text = name_;
+  const bool entered = ImGui::InputTextWithHint(
+      "##name", context.tr(request_.saving ? translatable("File name") : translatable("File name or path")),
+      &text,
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+          ImGuiInputTextFlags_CallbackHistory,
+      arrows, this);
+  if (ImGui::IsItemEdited()) ask_overwrite_ = false;
+  name_ = text;
+  context.marks.item("dialog.name");
+  if (entered) {
+    submit(ask_overwrite_);
+    focus_name_ = open_;  // Enter took the keyboard away
+  }
+}
+
+void FileDialog::draw_footer(PanelContext& context) {
+  const Metrics& m = context.metrics;
+  const float top = ImGui::GetCursorPosY();
+  if (request_.extensions.size() > 1) draw_format(context);
+  if (request_.options) request_.options(name_);
+  draw_name(context);
+  if (!open_) return;
+  if (ask_overwrite_) {
+    const TextColour colour(palette().warning);
+    ImGui::TextUnformatted(
+        (icon::warning + ("  " + fill(context.tr("{0} exists already."), {replaced_}))).c_str());
+  } else if (!error_.empty()) {
+    const TextColour colour(palette().error);
+    ImGui::TextUnformatted(context.tr.phrase(error_).c_str());
+  }
+  const float button = m.px(110);
+  ImGui::SetCursorPosX(ImGui::GetWindowWidth() - 2 * button - ImGui::GetStyle().ItemSpacing.x - m.px(12));
+  if (ImGui::Button(context.tr("Cancel"), {button, 0})) {
+    open_ = false;
+  }
+  context.marks.item("dialog.cancel");
+  ImGui::SameLine();
+  const bool pressed =
+      main_button(ask_overwrite_ ? context.tr("Replace") : context.tr(request_.action).c_str(), {button, 0});
+  context.marks.item("dialog.accept");
+  footer_height_ = ImGui::GetCursorPosY() - top;
+  if (open_ && pressed) submit(ask_overwrite_);
+}
+
+void FileDialog::draw(PanelContext& context) {
+  const Metrics& m = context.metrics;
+  const std::string id = context.tr(request_.title) + "###file_dialog";
+  if (!open_ && !ImGui::IsPopupOpen(id.c_str())) return;
+  if (appearing_) ImGui::OpenPopup(id.c_str());
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowSize(
+      {std::min(m.px(860), screen.x - m.px(40)), std::min(m.px(560), screen.y - m.px(40))});
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  if (!ImGui::BeginPopupModal(
+          id.c_str(), nullptr,
+          ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+    if (!appearing_) open_ = false;
+    appearing_ = false;
+    return;
+  }
+  draw_path(context);
+  // Before the settings have been drawn once nobody knows how high they are.
+  constexpr float usual_rows = 4;
+  const float below = footer_height_ > 0 ? footer_height_ : usual_rows * ImGui::GetFrameHeightWithSpacing();
+  // In a narrow window the files need the room.
+  if (const float places = m.px(places_width); ImGui::GetWindowWidth() > 4 * places) {
+    draw_places(context, places, -below);
+    ImGui::SameLine();
+  }
+  draw_list(context, below);
+  // A click on nothing leaves the keyboard at the name.
+  if (ImGui::IsMouseReleased(0) && !ImGui::IsAnyItemActive() && !ImGui::IsAnyItemHovered())
+    focus_name_ = true;
+  if (open_) draw_footer(context);
+  appearing_ = false;
+  if (!open_) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace hariko

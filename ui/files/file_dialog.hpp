@@ -1,0 +1,72 @@
+#pragma once
+
+// FileDialog: an own browser on std::filesystem, the same on every desktop and testable by keys alone.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/base/folder_list.hpp"
+#include "ui/widgets/panels.hpp"
+
+namespace hariko {
+
+class FileDialog {
+ public:
+  struct Request {
+    std::string title;    ///< "Open"
+    std::string action;   ///< text of the button: "Open"
+    bool saving = false;  ///< a new name is fine, an existing file is asked about
+    std::vector<std::string>
+        extensions;                  ///< ".hariko", ...; the first is added to names without one when saving
+    std::filesystem::path proposal;  ///< file or folder to begin with
+    std::function<void(const std::filesystem::path&)> accept;
+    /// Draws further settings above the buttons, for a file of the name typed so far.
+    std::function<void(const std::filesystem::path&)> options = {};
+    /// When saving, a file that accepting this name would replace; without it the file of that name itself.
+    std::function<std::optional<std::filesystem::path>(const std::filesystem::path&)> replaces = {};
+  };
+
+  void open(Request request);
+  bool is_open() const { return open_; }
+  void close() { open_ = false; }
+  void draw(PanelContext& context);
+
+ private:
+  void go_to(const std::filesystem::path& folder);
+  void draw_places(PanelContext& context, float width, float height);
+  void draw_path(PanelContext& context);
+  void draw_header(PanelContext& context, float size_at, float date_at);
+  void draw_list(PanelContext& context, float below);
+  void draw_entry(PanelContext& context, std::size_t number, float size_at, float date_at);
+  void draw_format(PanelContext& context);
+  void draw_name(PanelContext& context);
+  void draw_footer(PanelContext& context);
+  void choose_format(std::size_t number);
+  void make_folder(PanelContext& context);
+  /// The entry that many rows further down becomes the name.
+  void step(int by);
+  void submit(bool overwrite);
+  bool matches(const std::filesystem::path& file) const;
+  bool replaces_something(const std::filesystem::path& path);
+
+  Request request_;
+  bool open_ = false, appearing_ = false, ask_overwrite_ = false;
+  bool focus_name_ = false;          ///< the name gets the keyboard back
+  std::optional<std::size_t> only_;  ///< when opening: the one extension whose files are shown
+  FolderOrder order_ = FolderOrder::name;
+  bool descending_ = false;
+  std::optional<std::string> new_folder_;         ///< its name while it is typed
+  std::filesystem::path folder_, chosen_folder_;  ///< shown, and of the file that was accepted last
+  std::vector<FolderEntry> entries_;
+  std::optional<std::size_t> at_;  ///< the entry that the arrow keys are at
+  bool scroll_ = false;
+  std::vector<Place> places_;
+  std::string name_, error_;
+  float footer_height_ = 0;  ///< of the last frame; 0 before the first
+  std::string replaced_;     ///< what the question about replacing names
+};
+
+}  // namespace hariko

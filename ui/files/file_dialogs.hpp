@@ -1,0 +1,93 @@
+#pragma once
+
+// FileDialogs: the dialogs that ask for a file, with what each offers, its options, and what was chosen last.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ui/files/cad_options.hpp"
+#include "ui/files/export_memory.hpp"
+#include "ui/files/export_options.hpp"
+#include "ui/files/file_actions.hpp"
+#include "ui/files/file_dialog.hpp"
+#include "ui/files/picture_options.hpp"
+
+namespace hariko {
+
+class Viewport;
+
+/// Endings of the files that can be added to a document. `cad`: STEP and IGES can be read
+/// (`why_no_cad_files`).
+std::vector<std::string> importable_endings(bool cad);
+/// The same and documents.
+std::vector<std::string> openable_endings(bool cad);
+
+class FileDialogs {
+ public:
+  /// All are borrowed.
+  FileDialogs(Editor& editor, const Viewport& viewport, Marks& marks, const Metrics& metrics,
+              const FileActions& actions);
+
+  /// Any kind of file.
+  void open(std::function<void(const std::filesystem::path&)> accept);
+  void import();
+  /// Files of reference pictures: a new one, another one for a picture, the first of the missing ones, where
+  /// a packed one goes.
+  void add_picture();
+  void replace_picture(ObjectId picture);
+  void find_pictures(const std::string& name);
+  void unpack_picture(ObjectId picture);
+  /// `then` runs after success.
+  void save_as(std::function<void()> then);
+  void save_copy();
+  void export_triangles();
+  void export_cad();
+  /// For the control meshes of skins.
+  void export_control();
+  /// Of the active view: one picture or line drawing, or a series that turns round the model.
+  void picture(bool turntable);
+  /// For the pages of the paper model.
+  void export_pages();
+  void export_keys();
+  void import_keys();
+  void record();
+
+  void draw(PanelContext& context);
+  bool is_open() const { return dialog_.is_open(); }
+  void close() { dialog_.close(); }
+
+  void take_export_count(const ExportSettings& settings, const Result<ExportCount>& count) {
+    export_options_.take(settings, count);
+  }
+  void take_cad_count(const CadSettings& settings, const Result<CadTotals>& count) {
+    cad_options_.take(settings, count);
+  }
+
+  /// What was chosen in the dialogs that export, and what they begin with.
+  ExportMemory remembered() const;
+  void remember(ExportMemory memory);
+  void forget_choices();
+
+ private:
+  void write_picture(const std::filesystem::path& path, bool turntable);
+  std::filesystem::path export_proposal(const char* ending) const;
+  std::filesystem::path folder_proposal() const;
+  std::filesystem::path name_proposal() const;
+
+  Editor& editor_;
+  const Viewport& viewport_;
+  Marks& marks_;
+  const Metrics& metrics_;
+  const FileActions& actions_;
+  FileDialog dialog_;
+  bool counting_ = false;  ///< something may be counted for the dialog
+  ExportOptions export_options_;
+  CadOptions cad_options_;
+  PictureSettings picture_settings_;
+  DrawingOptions drawing_options_;
+  std::string picture_ending_ = ".png";  ///< of the last picture
+};
+
+}  // namespace hariko

@@ -1,0 +1,45 @@
+#include "ui/files/key_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "ui/base/language.hpp"
+
+namespace hariko {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* format_name = "hariko-keys";
+constexpr int version = 1;
+
+Message refused(const char* sentence) {
+  return make_error(e_key_file, sentence,
+                    translatable("Choose a file that Hariko exported from Preferences, Keys."));
+}
+
+}  // namespace
+
+std::string write_key_file(const KeyOverrides& keys) {
+  const Json json{{"format", format_name}, {"version", version}, {"keys", keys}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<KeyOverrides> read_key_file(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || json.value("format", Json()) != format_name)
+    return refused(translatable("This is not a file of keys."));
+  if (json.value("version", Json()) != version)
+    return refused(translatable("This file of keys was written by another version of Hariko."));
+  const Json keys = json.value("keys", Json());
+  if (!keys.is_object()) return refused(translatable("This file of keys names no keys."));
+  KeyOverrides overrides;
+  for (const auto& [id, chords] : keys.items()) {
+    if (!chords.is_string())
+      return refused(translatable("This file of keys has an entry that is not a text."));
+    overrides[id] = chords.get<std::string>();
+  }
+  return overrides;
+}
+
+}  // namespace hariko

@@ -1,0 +1,42 @@
+#pragma once
+
+// OutlineHandles: arrows at the points of the active outline that show its normals and can be dragged.
+
+#include <optional>
+#include <vector>
+
+#include "ui/base/marks.hpp"
+#include "ui/view/tool.hpp"
+
+namespace hariko {
+
+/// Keeps where the arrows are between frames. Their length is of the screen; those whose head lies on their
+/// point, because the normal looks at the viewer or away, cannot be taken.
+class OutlineHandles {
+ public:
+  /// Looks at the present document. Hidden when no outline is active, and while the paper is shown.
+  void update(const Editor& editor);
+  /// The point whose arrowhead is there.
+  std::optional<Index> hit(const Vector2& pixel) const;
+  void draw(const ToolOverlay& overlay, std::optional<Index> hot) const;
+  /// Names the points and the heads for tests: "outline.point.3", "outline.normal.3".
+  void mark(Marks& marks, const ToolOverlay& overlay) const;
+
+  /// Design pixels from a point to its arrowhead, seen from the side; and round a head, that hit it.
+  static constexpr double arrow_length = 44, hit_radius = 7;
+
+ private:
+  struct Arrow {
+    Vector2 from, to;  ///< pixels
+    bool seen = true;  ///< in front of the eye
+    bool selected = false;
+    bool wrong = false;  ///< the last rebuild complained about the point
+  };
+  std::vector<Arrow> arrows_;  ///< by the number of the point
+};
+
+/// Turns the normal of a point, and with it those of the other selected points, about the loop. For a press
+/// on an arrowhead.
+std::unique_ptr<Tool> make_normal_tool(ObjectId object, Index number);
+
+}  // namespace hariko

@@ -1,0 +1,58 @@
+#pragma once
+
+// PaperPanel: the paper view. Pages beside the model; edges are joined and split by a click, tabs change
+// sides by a click, pieces are dragged and turned, and all is linked with the model in space.
+
+#include <optional>
+
+#include "ui/paper/paper_drawing.hpp"
+
+namespace hariko {
+
+class PaperPanel {
+ public:
+  void draw(PanelContext& context, const PanelRect& rect);
+  /// A piece is being moved or turned: keys wait, Esc lets it go.
+  bool dragging() const { return drag_.has_value() && drag_->moved; }
+  /// Puts the piece back. False when none was in the hand.
+  bool cancel_drag(Editor& editor);
+  /// What a click would do here; empty where the pointer is elsewhere.
+  const std::string& hint() const { return hint_; }
+
+ private:
+  enum class Grip { piece, handle, paper };
+  struct Drag {
+    Grip grip = Grip::paper;
+    Index piece = no_index;
+    Vector2 from = Vector2::Zero();    ///< pixels
+    Vector2 corner = Vector2::Zero();  ///< of the table, at the press
+    Index page = 0;                    ///< of the piece, at the press
+    PaperHover under;
+    bool moved = false;
+  };
+
+  void toolbar(PanelContext& context);
+  void pages(PanelContext& context, const PanelRect& rect);
+  void empty_page(PanelContext& context, const PanelRect& rect);
+  void fold_bar(PanelContext& context, const PanelRect& rect);
+  void frame(const PaperLayout& layout, const PanelRect& rect, const Metrics& metrics);
+  PaperHover under(const PaperLayout& layout, const Vector2& pixel, double reach) const;
+  std::optional<Vector2> handle(const PaperState& state, const Metrics& metrics) const;
+  void zoom(const Vector2& pixel, float steps);
+  void press(Editor& editor, const Metrics& metrics, const Vector2& pixel);
+  void drag(Editor& editor, const Metrics& metrics, const Vector2& pixel);
+  void release(Editor& editor);
+  void click(Editor& editor, const PaperHover& on);
+  void menu(PanelContext& context);
+  void say(PanelContext& context, const PaperLayout& layout, const PanelRect& rect) const;
+  void mark(Marks& marks, const PaperLayout& layout, const PanelRect& rect) const;
+
+  PageTable table_;
+  std::optional<Drag> drag_;
+  PaperHover menu_on_;
+  Vector2 dragged_to_ = Vector2::Constant(-1);
+  std::string hint_;
+  bool pointer_here_ = false;  ///< what is hovered is hovered here
+};
+
+}  // namespace hariko

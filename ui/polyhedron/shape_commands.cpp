@@ -1,0 +1,257 @@
+// Commands that set what shapes the surface: tensions, creases, tags, pins.
+
+#include <algorithm>
+#include <memory>
+
+#include "core/document/edits.hpp"
+#include "core/modeling/edit_modeling.hpp"
+#include "core/modeling/local_edit.hpp"
+#include "ui/base/icons.hpp"
+#include "ui/editor/command_host.hpp"
+#include "ui/polyhedron/tension_tool.hpp"
+#include "ui/view/viewport.hpp"
+
+namespace hariko {
+
+namespace {
+
+std::vector<VertexId> vertices_of(const ElementSelection& elements) {
+  return {elements.vertices.begin(), elements.vertices.end()};
+}
+
+std::vector<EdgeId> edges_of(const ElementSelection& elements) {
+  return {elements.edges.begin(), elements.edges.end()};
+}
+
+using ShapeObject = std::function<Result<Document>(const Document&, const Object&, const ElementSelection&)>;
+
+/// Applies an edit to every polyhedron with a selection, as one step.
+void edit_selected(Editor& editor, const std::string& label, const ShapeObject& edit) {
+  Result<Document> result = editor.history.current();
+  for (const auto& [id, elements] : editor.selection.elements()) {
+    const Object* object = result ? result->find(id) : nullptr;
+    if (object && object->visible && object->polyhedron()) result = edit(*result, *object, elements);
+  }
+  editor.commit(result, label);
+}
+
+/// Whether all selected elements, of whatever object, have something.
+template <class Has>
+bool all_selected(const Editor& editor, Has&& has) {
+  for (const auto& [id, elements] : editor.selection.elements()) {
+    const Object* object = editor.document().find(id);
+    if (object && object->polyhedron() && !has(*object->polyhedron()->shaping, elements)) return false;
+  }
+  return true;
+}
+
+WhyNot needs_shapeable(const Editor& editor, NeededElements kinds) {
+  return [&editor, kinds]() -> Reason {
+    if (auto reason = needs_document(editor)()) return reason;
+    for (const auto& [id, elements] : editor.selection.elements())
+      if ((kinds.vertices && !elements.vertices.empty()) || (kinds.edges && !elements.edges.empty()))
+        return {};
+    if (kinds.vertices && kinds.edges) return translatable("Nothing is selected. Click a vertex or an edge.");
+    if (kinds.vertices) return translatable("No vertices are selected. Press 1 and click one.");
+    return translatable("No edges are selected. Press 2 and click one.");
+  };
+}
+
+/// The tensions of the active object's first selected vertex and edge.
+struct CopiedTension {
+  std::optional<double> alpha, beta;
+};
+
+Result<Document> with_tension(const Document& document, const Object& object,
+                              const ElementSelection& elements, const CopiedTension& tension) {
+  Result<Document> result = document;
+  if (tension.alpha && !elements.vertices.empty())
+    result = set_alpha(*result, object.id, vertices_of(elements), *tension.alpha);
+  if (result && tension.beta && !elements.edges.empty())
+    result = set_beta(*result, object.id, edges_of(elements), *tension.beta);
+  return result;
+}
+
+void add_tensions(CommandHost& host) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  Viewport& viewport = host.viewport;
+  const WhyNot selected = needs_shapeable(editor, {.vertices = true, .edges = true});
+  table.add({"shape.tension", "Shape", "Tension",
+             "Drag to the side: more or less tension of the selected vertices and edges.", "T", "", true,
+             false, [&viewport] { viewport.start_modal(std::make_unique<TensionTool>()); }, selected});
+  const auto preset = [&](const char* id, const std::string& menu, const char* label, const char* keys,
+                          const char* help, CopiedTension value) {
+    table.add({id, menu, label, help, keys, "", true, false,
+               [&editor, value, step = std::string(label)] {
+                 edit_selected(editor, step,
+                               [value](const auto& document, const auto& object, const auto& elements) {
+                                 return with_tension(document, object, elements, value);
+                               });
+               },
+               selected});
+  };
+  preset("shape.reset_tension", "Shape", "Reset tension", "Shift+T",
+         "Set \u03b1 of the selection to 0 and \u03b2 to 1.", {0, 1});
+  const std::string presets = submenu("Shape", translatable("Tension presets"));
+  preset("shape.preset_relaxed", presets, "Relaxed", "", "\u03b1 0, \u03b2 0.2: round.", {0, 0.2});
+  preset("shape.preset_neutral", presets, "Neutral", "", "\u03b1 0, \u03b2 1: the default.", {0, 1});
+  preset("shape.preset_soft", presets, "Soft", "", "\u03b1 1, \u03b2 2: a little tighter.", {1, 2});
+  preset("shape.preset_tight", presets, "Tight", "", "\u03b1 10, \u03b2 10: close to the polyhedron.",
+         {10, 10});
+  preset("shape.preset_point", presets, "Point", "", "\u03b1 100, \u03b2 100: almost sharp.", {100, 100});
+
+  auto copied = std::make_shared<CopiedTension>();
+  table.add({"shape.copy_tension", "Shape", "Copy tension",
+             "Remember the tension of the selected vertex or edge.", "Ctrl+Shift+C", "", false, false,
+             [&editor, copied] {
+               *copied = {};
+               const Object* object = editor.active_object();
+               if (!object || !object->polyhedron()) return;
+               const Shaping& shaping = *object->polyhedron()->shaping;
+               const ElementSelection& elements = editor.selection.of_active();
+               if (!elements.vertices.empty())
+                 copied->alpha = shaping.alpha.get_or(*elements.vertices.begin(), 0);
+               if (!elements.edges.empty()) copied->beta = shaping.beta.get_or(*elements.edges.begin(), 1);
+             },
+             needs_elements(editor, {.vertices = true, .edges = true})});
+  table.add({"shape.paste_tension", "Shape", "Paste tension",
+             "Give the selection the tension that was copied.", "Ctrl+Shift+V", "", true, false,
+             [&editor, copied] {
+               edit_selected(editor, "Paste tension",
+                             [copied](const auto& document, const auto& object, const auto& elements) {
+                               return with_tension(document, object, elements, *copied);
+                             });
+             },
+             [selected, copied]() -> Reason {
+               if (auto reason = selected()) return reason;
+               if (copied->alpha || copied->beta) return {};
+               return translatable("No tension was copied. Select a vertex or an edge and copy its tension.");
+             }});
+}
+
+/// Visible polyhedra whose surfaces know frames.
+template <class Visit>
+void for_framed(const Document& document, const Visit& visit) {
+  for (const auto& object : document.objects) {
+    const PolyhedronSource* source = object->polyhedron();
+    if (source && object->visible && !object->locked && source->mode != Mode::paper)
+      visit(*object, source->frames);
+  }
+}
+
+void switch_frames(Editor& editor) {
+  bool all = true;
+  for_framed(editor.history.current(),
+             [&](const Object&, Frames frames) { all = all && frames == Frames::metric; });
+  Result<Document> result = editor.history.current();
+  for_framed(editor.history.current(), [&](const Object& object, Frames) {
+    if (result.ok()) result = set_frames(*result, object.id, all ? Frames::equal : Frames::metric);
+  });
+  editor.commit(result, all ? "Surfaces by equal angles" : "Surfaces by measure");
+}
+
+void add_frames(CommandHost& host) {
+  Editor& editor = host.editor;
+  host.table.add(
+      {"shape.by_measure", "Shape", "Surfaces by measure",
+       "All visible surfaces follow the angles and lengths of their polyhedra, or equal angles again.", "",
+       "", true, false, [&editor] { switch_frames(editor); },
+       [&editor]() -> Reason {
+         if (auto reason = needs_document(editor)()) return reason;
+         bool any = false;
+         for_framed(editor.history.current(), [&](const Object&, Frames) { any = true; });
+         if (any) return {};
+         return translatable("No visible polyhedron has a surface of mode fair or target.");
+       }});
+}
+
+void add_tags(CommandHost& host) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  table.add({"shape.crease", "Shape", "Crease edges", "Make the selected edges sharp, or smooth again.", "C",
+             "", true, true,
+             [&editor] {
+               const bool all =
+                   all_selected(editor, [](const Shaping& shaping, const ElementSelection& elements) {
+                     return std::all_of(elements.edges.begin(), elements.edges.end(),
+                                        [&](const EdgeId& id) { return shaping.crease.contains(id); });
+                   });
+               edit_selected(editor, all ? "Smooth edges" : "Crease edges",
+                             [all](const auto& document, const auto& object, const auto& elements) {
+                               return set_crease(document, object.id, edges_of(elements), !all);
+                             });
+             },
+             needs_shapeable(editor, {.edges = true})});
+  const auto tag = [&](const char* id, const char* label, const char* help, const char* keys,
+                       VertexTag value) {
+    table.add({id, "Shape", label, help, keys, "", true, false,
+               [&editor, value, step = std::string(label)] {
+                 const bool all =
+                     all_selected(editor, [&](const Shaping& shaping, const ElementSelection& elements) {
+                       return std::all_of(elements.vertices.begin(), elements.vertices.end(),
+                                          [&](VertexId vertex) {
+                                            return shaping.tag.get_or(vertex, VertexTag::automatic) == value;
+                                          });
+                     });
+                 edit_selected(editor, all ? "Automatic vertices" : step,
+                               [&](const auto& document, const auto& object, const auto& elements) {
+                                 return set_vertex_tag(document, object.id, vertices_of(elements),
+                                                       all ? VertexTag::automatic : value);
+                               });
+               },
+               needs_shapeable(editor, {.vertices = true})});
+  };
+  tag("shape.corner", "Corner vertices", "Tag the selected vertices as corners, or no longer.", "Shift+C",
+      VertexTag::corner);
+  tag("shape.smooth_ends", "Smooth ends",
+      "Creases and borders run through the selected vertices smoothly, or no longer.", "Alt+Shift+C",
+      VertexTag::smooth);
+  table.add({"shape.fix_tangents", "Shape", "Fix tangents",
+             "Pin the tangents of the selected vertices as they are now.", "", "", true, false,
+             [&editor] {
+               edit_selected(
+                   editor, "Fix tangents",
+                   [](const auto& document, const auto& object, const auto& elements) -> Result<Document> {
+                     const auto fixed = edit_polyhedron(
+                         document, object.id, [&](const PolyhedronSource& source) -> Result<Modeled> {
+                           auto frozen = freeze_tangents(source, vertices_of(elements));
+                           if (!frozen) return frozen.error();
+                           return Modeled{std::move(frozen).value(), {}};
+                         });
+                     if (!fixed) return fixed.error();
+                     return fixed->document;
+                   });
+             },
+             needs_shapeable(editor, {.vertices = true})});
+  table.add({"shape.release_pins", "Shape", "Release pins",
+             "Free the pinned tangents of the selected vertices.", "Shift+P", "", true, false,
+             [&editor] {
+               edit_selected(editor, "Release pins",
+                             [](const auto& document, const auto& object, const auto& elements) {
+                               return clear_pins(document, object.id, vertices_of(elements));
+                             });
+             },
+             [&editor]() -> Reason {
+               if (auto reason = needs_shapeable(editor, {.vertices = true})()) return reason;
+               for (const auto& [id, elements] : editor.selection.elements()) {
+                 const Object* object = editor.document().find(id);
+                 if (!object || !object->polyhedron()) continue;
+                 for (const VertexId vertex : elements.vertices)
+                   if (object->polyhedron()->shaping->pin.contains(vertex) ||
+                       object->polyhedron()->shaping->form.contains(vertex))
+                     return {};
+               }
+               return translatable("None of the selected vertices is pinned.");
+             }});
+}
+
+}  // namespace
+
+void add_shape_commands(CommandHost& host) {
+  add_tensions(host);
+  add_tags(host);
+  add_frames(host);
+}
+
+}  // namespace hariko

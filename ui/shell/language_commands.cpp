@@ -1,0 +1,23 @@
+// Commands that choose the language of the interface.
+
+#include "ui/base/fonts.hpp"
+#include "ui/editor/command_host.hpp"
+
+namespace hariko {
+
+void add_language_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  const auto language = [&](const char* id, const char* label, LanguageId value, bool first,
+                            const WhyNot& why_not) {
+    host.table.add({id, "Help", label, "Show the program in this language.", "", "", false, first,
+                    [&editor, value] { editor.settings.language = value; }, why_not,
+                    [&editor, value] { return editor.settings.language == value; }});
+  };
+  language("help.english", "English", LanguageId::english, true, {});
+  language("help.japanese", japanese_in_japanese, LanguageId::japanese, false, []() -> Reason {
+    if (japanese_font_installed()) return {};
+    return no_japanese_font;
+  });
+}
+
+}  // namespace hariko

@@ -1,0 +1,195 @@
+// Commands on whole objects: name, visibility, lock, order, copies. They act on all that are chosen.
+
+#include <algorithm>
+
+#include "core/document/edits.hpp"
+#include "ui/base/icons.hpp"
+#include "ui/editor/command_host.hpp"
+#include "ui/editor/selected_items.hpp"
+
+namespace hariko {
+
+namespace {
+
+std::string counted_step(const char* one, const char* many, std::size_t count) {
+  return count == 1 ? one : fill(many, {std::to_string(count)});
+}
+
+/// One edit after the other, as one step; nothing happens when one is refused.
+template <class Ids, class Edit>
+void edit_each(Editor& editor, const Ids& ids, const std::string& step, const Edit& edit) {
+  Result<Document> result = editor.history.current();
+  for (const ObjectId id : ids)
+    if (result.ok()) result = edit(*result, id);
+  editor.commit(result, step);
+}
+
+void duplicate(Editor& editor) {
+  Document document = editor.history.current();
+  std::vector<ObjectId> copies;
+  const auto ids = chosen_ids(editor);
+  for (const ObjectId id : ids) {
+    auto added = duplicate_object(document, id);
+    if (!added.ok()) return editor.notify(added.error());
+    document = std::move(added->document);
+    copies.push_back(added->id);
+  }
+  editor.commit(document, counted_step("Duplicate object", "Duplicate {0} objects", ids.size()));
+  editor.selection.clear_elements();
+  editor.selection.clear_objects();
+  editor.selection.active = copies.front();
+  for (const ObjectId id : copies)
+    editor.selection.select({id, {Element::Kind::object, id.value}}, Selection::How::add);
+  editor.selection.active = copies.front();
+}
+
+void isolate(Editor& editor) {
+  const auto ids = chosen_ids(editor);
+  Result<Document> result = editor.history.current();
+  for (const auto& object : editor.history.current().objects)
+    if (result.ok())
+      result = set_visible(*result, object->id, std::find(ids.begin(), ids.end(), object->id) != ids.end());
+  editor.commit(result, counted_step("Isolate object", "Isolate {0} objects", ids.size()));
+}
+
+/// All chosen objects one place up or down.
+void move_in_order(Editor& editor, bool down) {
+  const auto ids = chosen_ids(editor);
+  const auto& objects = editor.history.current().objects;
+  const auto is_chosen = [&](const auto& object) {
+    return std::find(ids.begin(), ids.end(), object->id) != ids.end();
+  };
+  const auto first =
+      static_cast<std::size_t>(std::find_if(objects.begin(), objects.end(), is_chosen) - objects.begin());
+  const auto last =
+      objects.size() - 1 -
+      static_cast<std::size_t>(std::find_if(objects.rbegin(), objects.rend(), is_chosen) - objects.rbegin());
+  const std::size_t place =
+      down ? std::min(last + 2, objects.size()) : first - std::min<std::size_t>(first, 1);
+  editor.commit(reorder_objects(editor.history.current(), ids, place), "Reorder objects");
+}
+
+void add_visibility_commands(CommandTable& table, Editor& editor, const WhyNot& object) {
+  table.add({"object.hide",
+             "Edit",
+             "Hide",
+             "Hide the chosen objects.",
+             "H",
+             icon::hidden,
+             true,
+             true,
+             [&editor] {
+               const auto ids = chosen_ids(editor);
+               edit_each(
+                   editor, ids, counted_step("Hide object", "Hide {0} objects", ids.size()),
+                   [](const Document& document, ObjectId id) { return set_visible(document, id, false); });
+             },
+             object,
+             {},
+             Context::object});
+  table.add({"object.isolate",
+             "Edit",
+             "Isolate",
+             "Hide all other objects.",
+             "Shift+H",
+             "",
+             true,
+             false,
+             [&editor] { isolate(editor); },
+             object,
+             {},
+             Context::object});
+  table.add(
+      {"object.show_all", "Edit", "Show all", "Show every object again.", "Alt+H", icon::shown, true, false,
+       [&editor] {
+         std::vector<ObjectId> hidden;
+         for (const auto& candidate : editor.history.current().objects)
+           if (!candidate->visible) hidden.push_back(candidate->id);
+         edit_each(editor, hidden, "Show all objects",
+                   [](const Document& document, ObjectId id) { return set_visible(document, id, true); });
+       },
+       [&editor]() -> Reason {
+         const auto& objects = editor.document().objects;
+         if (std::any_of(objects.begin(), objects.end(), [](const auto& each) { return !each->visible; }))
+           return {};
+         return translatable("No object is hidden.");
+       }});
+  table.add({"object.lock", "Edit", "Lock", "Protect the chosen objects from changes, or unlock them.", "",
+             icon::locked, true, false,
+             [&editor] {
+               const auto ids = chosen_ids(editor);
+               const bool lock = !editor.active_object()->locked;
+               edit_each(
+                   editor, ids,
+                   lock ? counted_step("Lock object", "Lock {0} objects", ids.size())
+                        : counted_step("Unlock object", "Unlock {0} objects", ids.size()),
+                   [lock](const Document& document, ObjectId id) { return set_locked(document, id, lock); });
+             },
+             object, [&editor] { return editor.active_object() && editor.active_object()->locked; },
+             Context::object});
+}
+
+void add_order_commands(CommandTable& table, Editor& editor, const WhyNot& object) {
+  table.add({"object.move_up", "Edit", "Move up in the list", "One place up in the list of objects.", "", "",
+             true, true, [&editor] { move_in_order(editor, false); }, object});
+  table.add({"object.move_down", "Edit", "Move down in the list", "One place down in the list of objects.",
+             "", "", true, false, [&editor] { move_in_order(editor, true); }, object});
+}
+
+}  // namespace
+
+void add_object_commands(CommandHost& host) {
+  CommandTable& table = host.table;
+  Editor& editor = host.editor;
+  const WhyNot object = needs_object(editor);
+  table.add({"object.rename",
+             "Edit",
+             "Rename object",
+             "Type another name.",
+             "F2",
+             "",
+             false,
+             true,
+             [&editor] { editor.rename_wanted = true; },
+             object,
+             {},
+             Context::object});
+  table.add({"object.duplicate",
+             "Edit",
+             "Duplicate object",
+             "Copy the chosen objects in place.",
+             "Ctrl+D",
+             "",
+             true,
+             false,
+             [&editor] { duplicate(editor); },
+             object,
+             {},
+             Context::object});
+  table.add({"object.delete",
+             "Edit",
+             "Delete object",
+             "Delete the chosen objects.",
+             "Shift+Del",
+             icon::trash,
+             true,
+             false,
+             [&editor] {
+               const auto ids = chosen_ids(editor);
+               const std::size_t attached = attached_to(editor.history.current(), ids);
+               if (!editor.commit(delete_objects(editor.history.current(), ids),
+                                  counted_step("Delete object", "Delete {0} objects", ids.size())))
+                 return;
+               if (attached > 0)
+                 editor.notify(Notice::Kind::info,
+                               fill(editor.language("Attached edges that keep a copy of their side: {0}"),
+                                    {std::to_string(attached)}));
+             },
+             object,
+             {},
+             Context::none});
+  add_visibility_commands(table, editor, object);
+  add_order_commands(table, editor, object);
+}
+
+}  // namespace hariko

@@ -1,0 +1,36 @@
+#pragma once
+
+// Offers as pictures: unsaved work of earlier sessions, recent files and samples; on the start page and in a
+// dialog.
+
+#include "ui/widgets/panels.hpp"
+
+namespace hariko {
+
+/// "2026-11-21 07:30" in local time.
+std::string local_time_text(std::int64_t unix_seconds);
+
+/// A card for each work to recover, below the cursor and `width` wide. Nothing when there is none.
+void draw_recovery_offers(PanelContext& context, float width);
+/// Cards of recent files in rows, below the cursor and `width` wide. `most`: how many. True when one was
+/// chosen.
+bool draw_recent_files(PanelContext& context, float width, std::size_t most);
+
+/// The same over a document.
+class OffersDialog {
+ public:
+  enum class Kind { recovery, recent, samples };
+  void open(Kind kind) {
+    kind_ = kind;
+    open_ = true;
+  }
+  bool is_open() const { return open_; }
+  void close() { open_ = false; }
+  void draw(PanelContext& context);
+
+ private:
+  Kind kind_ = Kind::recovery;
+  bool open_ = false;
+};
+
+}  // namespace hariko

@@ -1,0 +1,412 @@
+#include "ui/shell/workbench.hpp"
+
+#include <imgui_internal.h>
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/base/icons.hpp"
+#include "ui/base/menu_letters.hpp"
+#include "ui/editor/selection_text.hpp"
+#include "ui/polyhedron/patch_commands.hpp"
+#include "ui/skin/skin_commands.hpp"
+#include "ui/widgets/beside.hpp"
+
+namespace hariko {
+
+namespace {
+
+bool shows_zebra(const Editor& editor) {
+  const auto& objects = editor.document().objects;
+  return std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
+    return object->visible && shown_map(editor.view.map, *object) == SurfaceMap::zebra;
+  });
+}
+
+}  // namespace
+
+Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
+                     FileActions actions)
+    : editor_(editor),
+      viewport_(editor, renderer, quick_samples),
+      metrics_(metrics),
+      actions_(std::move(actions)),
+      host_{commands_, editor_, viewport_, *this},
+      files_(editor, viewport_, marks_, metrics, actions_) {
+  add_commands();
+}
+
+void Workbench::add_commands() {
+  viewport_.link(gauss_);
+  // Menus stand in the order of these lines.
+  add_file_commands(host_);
+  add_edit_commands(host_);
+  add_object_commands(host_);
+  add_preferences_commands(host_);
+  add_select_commands(host_);
+  add_add_commands(host_);
+  add_solid_commands(host_);
+  add_outline_commands(host_);
+  add_transform_commands(host_);
+  add_mesh_commands(host_);
+  add_mesh_cleanup_commands(host_);
+  add_shape_commands(host_);
+  add_attach_commands(host_);
+  add_patch_commands(host_);
+  add_recompute_commands(host_);
+  add_skin_commands(host_);
+  add_paper_commands(host_);
+  add_view_commands(host_);
+  add_analyse_commands(host_);
+  add_start_commands(host_);
+  add_language_commands(host_);
+  add_help_commands(host_);
+  add_property_commands(host_);
+  fill_context_menus(commands_);
+  // A tool works on the document that it found: whatever changes it ends the tool first.
+  commands_.before_run([this](const Command& command) {
+    if (!command.changes_document) return;
+    viewport_.cancel_tool();
+    if (editor_.history.in_gesture()) editor_.cancel_preview();
+  });
+  commands_.after_run([this](const Command& command, const CommandTable::Outcome& outcome) {
+    ++command_log_.number;
+    command_log_.last = {command.id, outcome};
+  });
+}
+
+void Workbench::run_from_key(const Command& command) {
+  const std::size_t before = editor_.notices().size();
+  const auto outcome = commands_.run(command);
+  if (!outcome.ran) return explain_at_pointer(editor_.language.phrase(outcome.reason));
+  // An operation that refused says so where the designer looks, too.
+  const auto& notices = editor_.notices();
+  if (notices.size() > before && notices.back().kind == Notice::Kind::error)
+    explain_at_pointer(notices.back().text);
+}
+
+void Workbench::explain_at_pointer(const std::string& text) {
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  // A pointer that left the window is nowhere: the note stands in the middle.
+  const bool here = ImGui::IsMousePosValid(&at);
+  editor_.cursor_note = CursorNote{text, here ? at.x : screen.x / 2, here ? at.y : screen.y / 2, editor_.now};
+}
+
+void Workbench::apply_keys() {
+  if (editor_.settings.keys == keys_in_use_) return;
+  keys_in_use_ = editor_.settings.keys;
+  const Language& tr = editor_.language;
+  for (const KeyProblem& problem : commands_.rebind(keys_in_use_)) {
+    const Command* command = commands_.find(problem.id);
+    const Command* other = commands_.find(problem.other);
+    const std::string name = command ? tr(command->label) : problem.id;
+    const char* text =
+        problem.kind == KeyProblem::Kind::unknown_command
+            ? translatable("The key file names a command that does not exist: {0}.")
+        : problem.kind == KeyProblem::Kind::not_a_key
+            ? translatable("The keys of \u201c{0}\u201d cannot be read: {1}. The default is used.")
+        : problem.kind == KeyProblem::Kind::reserved
+            ? translatable("\u201c{0}\u201d cannot have {1}: it always cancels.")
+            : translatable(
+                  "{1} is given to two commands: \u201c{2}\u201d keeps it, \u201c{0}\u201d goes without.");
+    editor_.notify(Notice::Kind::warning,
+                   fill(tr(text), {name, problem.keys, other ? tr(other->label) : problem.other}));
+  }
+}
+
+void Workbench::frame() {
+  marks_.clear();
+  panel_state_.field_opening = false;
+  apply_keys();
+  keyboard_.begin_frame(preferences_.is_open());
+  PanelContext context{editor_,
+                       commands_,
+                       marks_,
+                       metrics_,
+                       panel_state_,
+                       samples_,
+                       actions_.picture,
+                       [this](const std::filesystem::path& path) { open_guarded(path); },
+                       viewport_.hint(),
+                       editor_.language,
+                       offers_,
+                       actions_.recover,
+                       actions_.discard_recovery,
+                       actions_.dismiss_crash,
+                       actions_.show_log_folder};
+  // What a gesture shows is not done yet.
+  if (!editor_.history.in_gesture())
+    editor_.guide.look({editor_.history.current(), editor_.exports, shows_zebra(editor_)});
+  const float menu = draw_menu_bar(context);
+  layout(context, menu);
+  for (const auto& step : std::exchange(panel_state_.steps, {})) step();
+  // A question about an offer takes the dialog's place until it is answered.
+  if (!prompt_.is_open()) offers_dialog_.draw(context);
+  context_menu_.draw(context);
+  preferences_.draw(context, menu);
+  palette_.draw(context, menu);
+  cheat_sheet_.draw(context, menu);
+  draw_cursor_note(context);
+  keyboard_.end_frame(preferences_.is_open());
+  // Shade at once: nothing is drawn again while nothing happens, so it cannot fade in.
+  GImGui->DimBgRatio = 1;
+  files_.draw(context);
+  prompt_.draw(context);
+}
+
+void Workbench::layout(PanelContext& context, float menu) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float status = metrics_.px(26), line = metrics_.px(1);
+  const float tools = tool_column_width(metrics_, screen.y - menu - status);
+  if (!editor_.has_document) {
+    const PanelRect all{{0, menu}, screen};
+    start_page_.draw(context, all);
+    draw_notices(context, all);
+    return;
+  }
+  const float side = std::min(metrics_.px(editor_.settings.side_width), screen.x / 2);
+  const float guide = editor_.guide.shown() ? metrics_.px(260) : 0;
+  if (guide > 0) draw_guide(context, {{tools, menu}, {tools + guide, screen.y - status}});
+  const float meshing = editor_.meshing.open ? metrics_.px(316) : 0;
+  const float left = tools + guide;
+  if (meshing > 0) draw_meshing(context, {{left, menu}, {left + meshing, screen.y - status}});
+  const PanelRect view{{left + meshing, menu}, {screen.x - side - line, screen.y - status}};
+  const float list = objects_height(context, screen.y - menu - status);
+  const float right = screen.x - side;
+  draw_tool_column(context, {{0, menu}, {tools, screen.y - status}});
+  const auto hovered = editor_.hovered;
+  const bool tool_ran = viewport_.tool_active();
+  PanelRect model = view;
+  if (editor_.paper.shown)
+    model = draw_beside(context, model, "paper.border", paper_split_,
+                        [&](const PanelRect& rect) { paper_panel_.draw(context, rect); });
+  if (gauss_.shown)
+    model = draw_beside(context, model, "gauss.border", gauss_split_, [&](const PanelRect& rect) {
+      gauss_panel_.draw(context, gauss_, rect, viewport_.pointed_at());
+    });
+  viewport_.draw(context, model);
+  editor_.paper.box = viewport_.scene().paper() ? viewport_.scene().paper()->box : Box3();
+  context_menu_.watch(editor_, model, hovered, tool_ran);
+  draw_objects(context, {{right, menu}, {screen.x, menu + list - line}});
+  const float bottom = screen.y - status;
+  const float history = history_height(context, bottom - menu);
+  draw_properties(context, {{right, menu + list}, {screen.x, bottom - history - line}});
+  draw_history(context, {{right, bottom - history}, {screen.x, bottom}});
+  context.tool_hint = viewport_.hint();
+  if (!viewport_.tool_active() && !paper_panel_.hint().empty()) context.tool_hint = paper_panel_.hint();
+  if (!viewport_.tool_active() && gauss_.shown && !gauss_panel_.hint().empty())
+    context.tool_hint = gauss_panel_.hint();
+  if (!viewport_.tool_active() && !editor_.hovered)
+    if (const std::string note = status_note(); !note.empty()) context.tool_hint = note;
+  status_ = context.tool_hint;
+  draw_status_line(context, {{0, screen.y - status}, screen});
+  draw_notices(context, model);  // buttons of panels beside it stay free
+
+  drag_border({{right - metrics_.px(3), menu}, {right + metrics_.px(2), screen.y - status}});
+  drag_list_end(
+      {{right + metrics_.px(2), menu + list - metrics_.px(3)}, {screen.x, menu + list + metrics_.px(2)}},
+      menu);
+}
+
+void Workbench::drag_list_end(const PanelRect& border, float top) {
+  if (begin_panel("##list_end", border, 0, {0, 0}, ImGuiWindowFlags_NoBackground)) {
+    ImGui::InvisibleButton("drag", {border.width(), border.height()});
+    marks_.item("outliner.end");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    float& height = editor_.settings.objects_height;
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 1))
+      height = std::max(1.0F, (ImGui::GetIO().MousePos.y - top) / metrics_.scale);
+    // As its rows need again.
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) height = 0;
+  }
+  ImGui::End();
+}
+
+/// Notes on how things are shown and chosen, before the hints of pointing.
+std::string Workbench::status_note() const {
+  const auto keys = [&](const char* id) {
+    const Command* command = commands_.find(id);
+    return command ? command->keys : std::string();
+  };
+  if (const std::string left_out = left_out_text(editor_, keys("select.through")); !left_out.empty())
+    return left_out;
+  if (editor_.view.surfaces_only)
+    return fill(editor_.language("Surfaces only   {0}: show curves, points and polyhedra again"),
+                {keys("view.surfaces_only")});
+  return {};
+}
+
+void Workbench::drag_border(const PanelRect& border) {
+  if (begin_panel("##border", border, 0, {0, 0}, ImGuiWindowFlags_NoBackground)) {
+    ImGui::InvisibleButton("drag", {border.width(), border.height()});
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive())
+      editor_.settings.side_width = std::clamp(
+          editor_.settings.side_width - ImGui::GetIO().MouseDelta.x / metrics_.scale, 260.0F, 480.0F);
+  }
+  ImGui::End();
+}
+
+bool Workbench::navigation_key(const KeyChord& chord) {
+  const bool plain = !chord.control && !chord.alt;
+  const bool busy = prompt_.is_open() || files_.is_open() || offers_dialog_.is_open() || palette_.is_open() ||
+                    cheat_sheet_.is_open() || viewport_.tool_active();
+  if (!busy && plain && chord.key == GLFW_KEY_F6 && editor_.has_document)
+    return keyboard_.next_panel(chord.shift), true;
+  const std::vector<std::string> menus = commands_.menus();
+  const std::string* menu = nullptr;
+  if (!busy && plain && !chord.shift && chord.key == GLFW_KEY_F10)
+    menu = &menus.front();
+  else if (!busy && !chord.control && !chord.shift &&
+           (chord.alt ? !commands_.find(chord) : panel_state_.menu_open && !text_field_active()))
+    menu = menu_of_letter(menus, chord.key);
+  if (menu) {
+    close_popups(false);
+    panel_state_.wanted_menu = *menu;
+  }
+  if (!panel_state_.wanted_menu.empty()) {
+    show_keyboard_focus();
+    return true;
+  }
+  return keyboard_.navigates(preferences_.is_open()) && !text_field_active() && keyboard_.item_key(chord);
+}
+
+void Workbench::key(const KeyPress& press) {
+  const KeyChord& chord = press.chord;
+  editor_.cursor_note.reset();
+  if (preferences_.key(editor_, commands_, chord)) return;
+  if (chord.key == GLFW_KEY_ESCAPE) return escape();
+  if (palette_.is_open()) return palette_.key(chord);
+  if (cheat_sheet_.is_open()) {
+    const Command* closing = commands_.find(chord);
+    if (closing && closing->id == "help.keys") cheat_sheet_.close();
+    return;
+  }
+  if (!text_field_active() && prompt_.key(chord)) return;
+  if (!prompt_.is_open() && navigation_key(chord)) return;
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  // While a field takes text or a dialog is open the keys are theirs.
+  if (text_field_active() || field_opening() || files_.is_open() || offers_dialog_.is_open() ||
+      prompt_.is_open())
+    return;
+  if (!editor_.has_document && start_page_.key(chord)) return;
+  // A running tool takes its own keys first: axes, numbers, Enter.
+  if (viewport_.tool_key(press)) return;
+  const Command* command = commands_.find(chord);
+  if (!command || paper_panel_.dragging()) return;
+  // In the middle of a drag or a modal tool the view may change, and nothing else.
+  if (viewport_.tool_active() && !command->menu.starts_with("View") && command->menu != "Help") return;
+  if (editor_.history.in_gesture() && command->changes_document) return;
+  // Keys act in the view under the pointer.
+  editor_.layout.activate(editor_.layout.active());
+  run_from_key(*command);
+}
+
+void Workbench::escape() {
+  // A list or menu over a dialog is what Esc closes first.
+  if (const auto& popups = GImGui->OpenPopupStack;
+      !popups.empty() && popups.back().Window && (popups.back().Window->Flags & ImGuiWindowFlags_Modal) == 0)
+    return ImGui::ClosePopupToLevel(popups.Size - 1, true);
+  if (!text_field_active() && keyboard_.in_panel()) return keyboard_.leave_panel();
+  if (prompt_.is_open()) return prompt_.dismiss();
+  if (files_.is_open()) return files_.close();
+  if (offers_dialog_.is_open()) return offers_dialog_.close();
+  if (palette_.is_open()) return palette_.close();
+  if (cheat_sheet_.is_open()) return cheat_sheet_.close();
+  // Menus and the lists of fields.
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    return close_popups(true);
+  if (viewport_.cancel_tool()) return;
+  if (paper_panel_.cancel_drag(editor_)) return;
+  if (editor_.history.in_gesture()) {
+    editor_.cancel_preview();
+    ImGui::ClearActiveID();  // the slider lets go
+    return;
+  }
+  if (text_field_active()) return;  // the field restores its text
+  if (preferences_.is_open()) return preferences_.close();
+  if (!editor_.notices().empty())
+    editor_.notices().clear();
+  else
+    editor_.mode == ElementMode::object ? editor_.selection.clear_objects()
+                                        : editor_.selection.clear_elements();
+}
+
+void Workbench::guarded(std::function<void()> action) {
+  if (!editor_.has_document || !editor_.history.dirty()) return action();
+  const Language& tr = editor_.language;
+  ask({tr("Unsaved changes"),
+       fill(tr("{0} has changes that are not saved."), {tr(editor_.title())}),
+       {{tr("Save"), "save", [this, action] { save([this, action] { guarded(action); }); }},
+        {tr("Discard"), "discard", action},
+        {tr("Cancel"), "cancel", {}}}});
+}
+
+void Workbench::open_guarded(const std::filesystem::path& path) {
+  guarded([this, path] { actions_.open(path); });
+}
+
+void Workbench::save(std::function<void()> then) {
+  if (editor_.path && !editor_.read_only)
+    actions_.save(*editor_.path, std::move(then));
+  else
+    files_.save_as(std::move(then));
+}
+
+void Workbench::new_document() {
+  guarded([this] {
+    Document document;
+    document.unit = editor_.settings.unit;
+    editor_.open(std::move(document), {});
+  });
+}
+
+void Workbench::offer_recovery() {
+  if (editor_.has_document && (offers_.crash || !offers_.recoveries.empty())) show_recoveries();
+}
+
+void Workbench::show_samples() {
+  offers_dialog_.open(OffersDialog::Kind::samples);
+}
+
+void Workbench::quit() {
+  guarded([this] {
+    const Job* job = editor_.cancellable_job();
+    if (!job) return actions_.quit();
+    const Language& tr = editor_.language;
+    ask({tr("Work in progress"),
+         fill(tr("{0} is not finished. Leaving now cancels it."), {tr.phrase(job->text)}),
+         {{tr("Wait"), "wait", {}}, {tr("Leave"), "leave", actions_.quit}}});
+  });
+}
+
+void Workbench::forget_interface() {
+  viewport_.cancel_tool();
+  panel_state_ = {};
+  preferences_ = {};
+  paper_panel_ = {};
+  gauss_panel_ = {};
+  gauss_ = {};
+  palette_ = {};
+  cheat_sheet_ = {};
+  start_page_ = {};
+  files_.forget_choices();
+  editor_.meshing = {};
+  ImGui::ClearActiveID();
+  for (ImGuiWindow* window : GImGui->Windows) {
+    window->StateStorage.Clear();
+    window->Scroll = {0, 0};
+  }
+}
+
+void Workbench::close_document() {
+  guarded([this] {
+    editor_.open({}, {});
+    editor_.has_document = false;
+  });
+}
+
+}  // namespace hariko

@@ -1,0 +1,190 @@
+// Commands of the Solids menu: solids round which a surface goes. They are added to the active object where
+// it is made of solids, else they begin a new one. Their numbers can be adjusted right afterwards.
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "core/document/edit_solids.hpp"
+#include "core/envelope/ball/tightness.hpp"
+#include "core/envelope/bridge.hpp"
+#include "core/modeling/primitives.hpp"
+#include "ui/editor/command_host.hpp"
+#include "ui/editor/new_object.hpp"
+#include "ui/shell/workbench.hpp"
+#include "ui/solids/new_solids.hpp"
+#include "ui/solids/place_solid_tool.hpp"
+#include "ui/view/viewport.hpp"
+
+namespace hariko {
+
+namespace {
+
+/// Beside the solids that are there: half of it stands out on the right.
+Vector3 beside(const EnvelopeInput& input) {
+  Eigen::AlignedBox3d box;
+  for (const Solid& solid : input.solids) box.extend(box_of(solid));
+  const Vector3 centre = box.center();
+  return {box.max().x(), centre.y(), centre.z()};
+}
+
+void add(Editor& editor, const NewSolid& shape) {
+  begin_document(editor);
+  double radius = new_object_radius(editor);
+  Vector3 at = Vector3::Zero();
+  if (const Object* object = active_solids(editor)) {
+    radius /= object->transform.scale;
+    at = beside(*object->solids()->input);
+  }
+  Similarity place;
+  if (!editor.document().objects.empty()) place.translation = editor.camera().target;
+  const auto put = [at](Solid solid) {
+    solid.position = at;
+    return solid;
+  };
+  add_new_solid(editor, shape, shape.numbers(radius), put, place);
+}
+
+std::vector<std::uint32_t> selected_solids(const Editor& editor) {
+  std::vector<std::uint32_t> out;
+  for (const VertexId id : editor.selection.of(editor.selection.active).vertices) out.push_back(id.value);
+  return out;
+}
+
+double width_of(const Object& object, std::span<const std::uint32_t> ids) {
+  Eigen::AlignedBox3d box;
+  for (const std::uint32_t id : ids)
+    if (const Solid* solid = find_solid(object, id)) box.extend(box_of(*solid));
+  return box.isEmpty() ? 1 : box.sizes().x();
+}
+
+/// Copies of the selected solids, moved to the right by their width and selected.
+void duplicate_solids(Editor& editor) {
+  const ObjectId object = editor.selection.active;
+  const std::vector<std::uint32_t> ids = selected_solids(editor);
+  std::vector<std::uint32_t> copies;
+  const auto result = array_solids(editor.history.current(), object, ids, 1,
+                                   {width_of(*editor.active_object(), ids), 0, 0}, copies);
+  if (editor.commit(result, copies.size() == 1
+                                ? translatable("Duplicate solid")
+                                : fill("Duplicate {0} solids", {std::to_string(copies.size())})))
+    select_solids(editor, object, copies);
+}
+
+/// A row of copies of the selected solids, whose number and distance can be adjusted afterwards.
+void make_row(Editor& editor) {
+  const ObjectId object = editor.selection.active;
+  const std::vector<std::uint32_t> ids = selected_solids(editor);
+  const auto distance = [](const char* id, const char* label, double value) {
+    return OperationNumber{id, label, value, -max_primitive_length, max_primitive_length, false};
+  };
+  const auto make = [object, ids](const Document& document,
+                                  std::span<const OperationNumber> n) -> Result<OperationResult> {
+    std::vector<std::uint32_t> copies;
+    auto made =
+        array_solids(document, object, ids, int(n[0].value), {n[1].value, n[2].value, n[3].value}, copies);
+    if (!made) return made.error();
+    OperationResult result{std::move(made).value(), object};
+    for (const std::uint32_t id : copies) result.selected.vertices.insert(VertexId{id});
+    return result;
+  };
+  constexpr double usual_copies = 3, most_copies = max_solids - 1;
+  editor.last_operation.run(editor, translatable("Row of solids"),
+                            {{"copies", translatable("Copies"), usual_copies, 1, most_copies, true},
+                             distance("row_x", "X", width_of(*editor.active_object(), ids)),
+                             distance("row_y", "Y", 0),
+                             distance("row_z", "Z", 0)},
+                            make);
+}
+
+/// A bar between the two selected solids; its radius is that of a selected solid.
+void bridge(Editor& editor) {
+  const Object& object = *editor.active_object();
+  const std::vector<std::uint32_t> ids = selected_solids(editor);
+  const Solid &a = *find_solid(object, ids[0]), &b = *find_solid(object, ids[1]);
+  constexpr double share = 0.25;
+  const double radius = share * std::min(box_of(a).sizes().minCoeff(), box_of(b).sizes().minCoeff());
+  const std::uint32_t bar = next_solid_id(*object.solids()->input);
+  if (editor.commit(add_solid(editor.history.current(), object.id, bridge_between(a, b, radius)),
+                    translatable("Bridge solids")))
+    select_solids(editor, editor.selection.active, std::array{bar});
+}
+
+/// Makes one part of a surface that has several.
+void join(Editor& editor) {
+  bool joined = false;
+  const auto result = change_envelope(editor.history.current(), editor.selection.active,
+                                      [&](EnvelopeInput& input) { joined = join_parts(input); });
+  if (result.ok() && !joined)
+    return editor.notify(Notice::Kind::info, editor.language("The surface is one part already."));
+  editor.commit(result, translatable("Join parts"));
+}
+
+Reason needs_solids(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs()) return reason;
+  if (editor.active_object()->solids()) return {};
+  return translatable("The active object is not made of solids.");
+}
+
+Reason needs_chosen_solids(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs_solids(editor, needs)) return reason;
+  if (editor.mode != ElementMode::object && !editor.selection.of(editor.selection.active).empty()) return {};
+  return translatable("No solid is selected. Click one.");
+}
+
+Reason needs_two_solids(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs_solids(editor, needs)) return reason;
+  const std::vector<std::uint32_t> ids = selected_solids(editor);
+  const auto is_there = [&](std::uint32_t id) { return find_solid(*editor.active_object(), id) != nullptr; };
+  if (editor.mode != ElementMode::object && ids.size() == 2 && std::ranges::all_of(ids, is_there)) return {};
+  return translatable("A bridge needs two selected solids.");
+}
+
+Reason needs_ball(const Editor& editor, const WhyNot& needs) {
+  if (auto reason = needs_solids(editor, needs)) return reason;
+  if (editor.active_object()->solids()->input->settings.method == EnvelopeMethod::ball) return {};
+  return translatable("The surface is a network of curves.");
+}
+
+}  // namespace
+
+void add_solid_commands(CommandHost& host) {
+  Editor& editor = host.editor;
+  for (const NewSolid& shape : new_solids())
+    host.table.add({std::string("solid.") + shape.name, "Solids", shape.label, shape.help, "", "", true,
+                    false, [&editor, shape] { add(editor, shape); }});
+  bool first = true;
+  for (const NewSolid& shape : new_solids()) {
+    host.table.add({std::string("solid.place_") + shape.name, submenu("Solids", translatable("Place")),
+                    shape.label,
+                    "Click where it is to stand, on the ground or on another solid; drag for its size.", "",
+                    "", false, first, [&host, shape] {
+                      begin_document(host.editor);
+                      host.viewport.start_modal(make_place_solid_tool(shape));
+                    }});
+    first = false;
+  }
+  const WhyNot object = needs_object(editor);
+  const auto chosen = [&editor, object] { return needs_chosen_solids(editor, object); };
+  host.table.add({"solid.duplicate", "Solids", "Duplicate solid", "Copy the selected solids to their right.",
+                  "", "", true, true, [&editor] { duplicate_solids(editor); }, chosen});
+  host.table.add(
+      {"solid.row", "Solids", "Row of solids",
+       "Copy the selected solids several times, each as far from the last; number and distance can be "
+       "changed right afterwards.",
+       "", "", true, false, [&editor] { make_row(editor); }, chosen});
+  host.table.add({"solid.bridge", "Solids", "Bridge solids", "Put a bar between the two selected solids.", "",
+                  "", true, false, [&editor] { bridge(editor); },
+                  [&editor, object] { return needs_two_solids(editor, object); }});
+  host.table.add({"solid.join_parts", "Solids", "Join parts",
+                  "Enlarge the ball to the smallest that makes one part of the surface.", "", "", true, false,
+                  [&editor] { join(editor); }, [&editor, object] { return needs_ball(editor, object); }});
+  host.table.add(
+      {"solid.to_polyhedron", "Solids", "Convert to polyhedron",
+       "The corners of the surface become a polyhedron whose vertices and normals can be edited; the "
+       "solids are kept, hidden.",
+       "", "", true, true, [&host, &editor] { host.workbench.convert(editor.selection.active); },
+       [&editor, object] { return needs_solids(editor, object); }});
+}
+
+}  // namespace hariko

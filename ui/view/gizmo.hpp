@@ -1,0 +1,70 @@
+#pragma once
+
+// Gizmo: handles at the selection that move, rotate and scale it.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ui/base/marks.hpp"
+#include "ui/view/transform_tool.hpp"
+
+namespace hariko {
+
+struct GizmoHandle {
+  TransformKind kind = TransformKind::move;
+  AxisLock lock;
+  friend bool operator==(const GizmoHandle&, const GizmoHandle&) = default;
+};
+
+/// Keeps where the selection is between frames. Arrows move along an axis and squares in a plane, arcs
+/// rotate, boxes scale. Sizes are of the screen; what points at the viewer is left out. In a local edit of
+/// one vertex the handles follow its tangent plane, which is drawn with its two tangents in their own size.
+class Gizmo {
+ public:
+  /// Looks at the present selection. Hidden when nothing is selected, when it is switched off, and while
+  /// `busy`.
+  void update(const Editor& editor, bool busy);
+  std::optional<GizmoHandle> hit(const Vector2& pixel) const;
+  void draw(const ToolOverlay& overlay, const std::optional<GizmoHandle>& hot) const;
+  /// Names a point of each handle for tests: "gizmo.move.x", "gizmo.rotate.z", "gizmo.move.xy".
+  void mark(Marks& marks, const ToolOverlay& overlay) const;
+
+  /// Design pixels round a handle, that hit it.
+  static constexpr double hit_radius = 8;
+
+ private:
+  struct Shape {
+    GizmoHandle handle;
+    std::vector<Vector2> line;  ///< pixels; closed and filled for squares
+    bool closed = false;
+    Vector2 mark = Vector2::Zero();
+    /// Pixels from a pixel; 0 inside of a square.
+    double distance(const Vector2& pixel) const;
+    bool reaches(const Vector2& pixel, double radius) const;
+  };
+  void place(const Editor& editor);
+  void place_plane(const Projector& projector);
+  void leave_out_covered();
+  /// Names an arc where most room is round it; false where others cover more than half of it.
+  static bool go_to_freest(Shape& arc, const std::vector<Shape>& others, double reach);
+
+  // What the pivot was made for.
+  Document document_;
+  Selection selection_;
+  ElementMode mode_ = ElementMode::vertex;
+  PivotMode pivot_mode_ = PivotMode::median;
+  bool local_edit_ = false;
+  bool known_ = false;
+
+  std::optional<Vector3> pivot_;
+  Matrix3 object_frame_ = Matrix3::Identity();
+  std::optional<std::array<Vector3, 2>> tangents_;  ///< of the vertex of a local edit
+  bool in_planes_ = false;                          ///< of sections: handles for their plane only
+  std::vector<Vector2> plane_;                      ///< outline of the disc that they span
+  std::vector<Vector2> plane_axes_;                 ///< the centre and the tips of both
+  double scale_ = 1;
+  std::vector<Shape> shapes_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,107 @@
+// The probe: what the surface is under the pointer, at the lower right, and at a point that was kept.
+
+#include <array>
+#include <cmath>
+
+#include "ui/view/view_frame.hpp"
+
+namespace hariko {
+
+namespace {
+
+struct Row {
+  std::string name, value;
+};
+
+std::string vector_text(const Vector3& v, int digits) {
+  return format_number(v.x(), digits) + "  " + format_number(v.y(), digits) + "  " +
+         format_number(v.z(), digits);
+}
+
+std::vector<Row> rows_of(const PanelContext& context, const SurfacePoint& point,
+                         const ProbeReading& reading) {
+  const Language& tr = context.tr;
+  const std::string unit(to_string(context.editor.document().unit));
+  std::vector<Row> rows;
+  const Object* object = context.editor.document().find(point.object);
+  const ViewMap& view = context.editor.view.map;
+  const SurfaceMap map = object ? shown_map(view, *object) : SurfaceMap::shaded;
+  if (has_values(map)) {
+    const std::string of_map = unit_of(map, unit);
+    // The view's colours are those of the world, where a scaled object is curved less.
+    const double divisor =
+        follows_view(view, *object) ? std::pow(object->transform.scale, scale_power(map)) : 1.0;
+    rows.push_back({tr(std::string(title_of(map))),
+                    std::isfinite(point.value) ? format_number(point.value / divisor, 4) + " " + of_map
+                                               : std::string(tr("undefined"))});
+  }
+  if (reading.curvature) {
+    const Curvature& c = *reading.curvature;
+    rows.push_back({"k1  k2", format_number(c.k1, 4) + "  " + format_number(c.k2, 4) + " 1/" + unit});
+    rows.push_back({tr("Gaussian"), format_number(c.gauss, 4) + " 1/" + unit + "\u00b2"});
+  } else {
+    rows.push_back({"k1  k2", tr("undefined")});
+  }
+  rows.push_back({tr("Normal"), vector_text(reading.normal, 3)});
+  rows.push_back({tr("Position"), vector_text(reading.position, 4) + " " + unit});
+  return rows;
+}
+
+/// Draws the rows with the lower right corner there; gives the box's upper edge.
+float draw_rows(const PanelContext& context, const std::vector<Row>& rows, ImVec2 corner) {
+  const Metrics& m = context.metrics;
+  float names = 0, values = 0;
+  for (const Row& row : rows) {
+    names = std::max(names, ImGui::CalcTextSize(row.name.c_str()).x);
+    values = std::max(values, ImGui::CalcTextSize(row.value.c_str()).x);
+  }
+  const float line = ImGui::GetTextLineHeight() + m.px(3);
+  const ImVec2 low(corner.x - names - values - m.px(36), corner.y - line * float(rows.size()) - m.px(13));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(low, corner, palette().overlay, m.px(6));
+  float y = low.y + m.px(8);
+  for (const Row& row : rows) {
+    list.AddText({low.x + m.px(10), y}, palette().dim_text, row.name.c_str());
+    list.AddText({corner.x - m.px(10) - ImGui::CalcTextSize(row.value.c_str()).x, y}, palette().text,
+                 row.value.c_str());
+    y += line;
+  }
+  return low.y;
+}
+
+}  // namespace
+
+void draw_probe(PanelContext& context, const Camera& camera, PixelSize size, const PanelRect& pane,
+                const std::optional<SurfacePoint>& under_pointer) {
+  const Metrics& m = context.metrics;
+  Editor& editor = context.editor;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImVec2 corner(pane.max.x - m.px(8), pane.max.y - m.px(52));
+  if (editor.kept_probe) {
+    const auto reading = read_probe(editor, *editor.kept_probe);
+    if (reading) {
+      const float top = draw_rows(context, rows_of(context, *editor.kept_probe, *reading), corner);
+      context.marks.rect("probe.kept", {corner.x - m.px(10), top}, corner);
+      corner.y = top - m.px(6);
+      if (const auto pixel = Projector(camera, size).project(reading->position)) {
+        const double scale = double(pane.width()) / size.width;
+        const ImVec2 at(pane.min.x + static_cast<float>(pixel->x() * scale),
+                        pane.min.y + static_cast<float>(pixel->y() * scale));
+        list.AddCircle(at, m.px(5.5F), IM_COL32(0, 0, 0, 170), 20, m.px(3));
+        list.AddCircle(at, m.px(5.5F), palette().accent, 20, m.px(1.6F));
+        list.AddCircleFilled(at, m.px(1.5F), palette().accent, 10);
+      }
+    } else {
+      editor.kept_probe.reset();
+    }
+  }
+  if (!under_pointer) return;
+  const Object* object = editor.document().find(under_pointer->object);
+  if (!object || shown_map(editor.view.map, *object) == SurfaceMap::shaded) return;
+  if (const auto reading = read_probe(editor, *under_pointer)) {
+    const float top = draw_rows(context, rows_of(context, *under_pointer, *reading), corner);
+    context.marks.rect("probe", {corner.x - m.px(10), top}, corner);
+  }
+}
+
+}  // namespace hariko

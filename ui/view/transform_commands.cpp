@@ -1,0 +1,151 @@
+// Commands of the Transform menu: move, rotate, scale, and how they do it.
+
+#include <algorithm>
+
+#include "ui/base/icons.hpp"
+#include "ui/editor/command_host.hpp"
+#include "ui/view/transform_tool.hpp"
+#include "ui/view/viewport.hpp"
+
+namespace hariko {
+
+namespace {
+
+Reason nothing_to_transform(const Editor& editor) {
+  if (auto reason = needs_document(editor)()) return reason;
+  const auto changes = [&](ObjectId id) {
+    const Object* object = editor.document().find(id);
+    return object && object->visible && !object->locked;
+  };
+  const char* fixed = translatable("What is selected is hidden or locked.");
+  if (editor.mode == ElementMode::object) {
+    const auto objects = selected_objects(editor);
+    if (std::any_of(objects.begin(), objects.end(), changes)) return {};
+    return objects.empty() ? translatable("No object is selected. Click one.") : fixed;
+  }
+  for (const auto& entry : editor.selection.elements())
+    if (changes(entry.first)) return {};
+  if (!editor.selection.elements().empty()) return fixed;
+  return translatable("Nothing is selected. Click a vertex, an edge or a face.");
+}
+
+void add_tools(CommandHost& host) {
+  Editor& editor = host.editor;
+  Viewport& viewport = host.viewport;
+  const auto tool = [&](const char* id, const char* label, const char* help, const char* keys,
+                        const char* symbol, TransformKind kind) {
+    host.table.add({id, "Transform", label, help, keys, symbol, true, false,
+                    [&viewport, kind] { viewport.start_modal(make_transform_tool(kind)); },
+                    [&editor] { return nothing_to_transform(editor); }});
+  };
+  tool("transform.move", "Move", "Move the selection with the pointer or by typed lengths.", "G", icon::pan,
+       TransformKind::move);
+  tool("transform.rotate", "Rotate", "Turn the selection about the pivot.", "R", icon::orbit,
+       TransformKind::rotate);
+  tool("transform.scale", "Scale", "Make the selection larger or smaller about the pivot.", "S", icon::scale,
+       TransformKind::scale);
+}
+
+void add_switches(CommandHost& host) {
+  Editor& editor = host.editor;
+  TransformSettings& settings = editor.transform;
+  host.table.add({"transform.gizmo",
+                  "Transform",
+                  "Gizmo",
+                  "Show handles at the selection that move, turn and scale it.",
+                  "Shift+W",
+                  "",
+                  false,
+                  true,
+                  [&settings] { settings.gizmo = !settings.gizmo; },
+                  {},
+                  [&settings] { return settings.gizmo; }});
+  host.table.add({"transform.local",
+                  "Transform",
+                  "Local axes",
+                  "The handles follow the axes of the object instead of those of the document.",
+                  "Alt+L",
+                  "",
+                  false,
+                  false,
+                  [&settings] { settings.local_axes = !settings.local_axes; },
+                  {},
+                  [&settings] { return settings.local_axes; }});
+  host.table.add(
+      {"transform.local_edit",
+       "Transform",
+       "Local editing",
+       "Vertices change the faces round them only: tangents there are fixed, and turning or scaling "
+       "changes the tangent plane.",
+       "Shift+O",
+       "",
+       false,
+       false,
+       [&settings] { settings.local_edit = !settings.local_edit; },
+       {},
+       [&settings] { return settings.local_edit; }});
+  host.table.add({"transform.soft",
+                  "Transform",
+                  "Soft selection",
+                  "Vertices near the selection follow in part. The wheel changes the radius while dragging.",
+                  "O",
+                  "",
+                  false,
+                  true,
+                  [&settings] { settings.soft.on = !settings.soft.on; },
+                  {},
+                  [&settings] { return settings.soft.on; }});
+  const auto falloff = [&](const char* id, const char* label, Falloff value) {
+    host.table.add({id,
+                    "Transform",
+                    label,
+                    "How the influence of the soft selection fades with the distance.",
+                    "",
+                    "",
+                    false,
+                    false,
+                    [&settings, value] { settings.soft.falloff = value; },
+                    {},
+                    [&settings, value] { return settings.soft.falloff == value; }});
+  };
+  falloff("transform.falloff_smooth", "Smooth falloff", Falloff::smooth);
+  falloff("transform.falloff_linear", "Linear falloff", Falloff::linear);
+  falloff("transform.falloff_sharp", "Sharp falloff", Falloff::sharp);
+}
+
+void add_pivots(CommandHost& host) {
+  TransformSettings& settings = host.editor.transform;
+  bool first = true;
+  const auto pivot = [&](const char* id, const char* label, const char* help, PivotMode value) {
+    host.table.add({id,
+                    "Transform",
+                    label,
+                    help,
+                    "",
+                    "",
+                    false,
+                    first,
+                    [&settings, value] { settings.pivot = value; },
+                    {},
+                    [&settings, value] { return settings.pivot == value; }});
+    first = false;
+  };
+  pivot("transform.pivot_median", "Pivot: median", "Turn and scale about the mean of the selected points.",
+        PivotMode::median);
+  pivot("transform.pivot_box", "Pivot: box centre", "Turn and scale about the centre of the selection's box.",
+        PivotMode::box_centre);
+  pivot("transform.pivot_individual", "Pivot: individual",
+        "Each connected part of the selection has its own pivot.", PivotMode::individual);
+  pivot("transform.pivot_active", "Pivot: active", "Turn and scale about the element that was selected last.",
+        PivotMode::active);
+}
+
+}  // namespace
+
+void add_transform_commands(CommandHost& host) {
+  add_tools(host);
+  add_switches(host);
+  add_pivots(host);
+}
+
+}  // namespace hariko

@@ -1,0 +1,95 @@
+#pragma once
+
+// TransformTool: moves, rotates and scales what is selected.
+
+#include "ui/editor/numeric_input.hpp"
+#include "ui/view/axis_lock.hpp"
+#include "ui/view/snapping.hpp"
+#include "ui/view/tool.hpp"
+#include "ui/view/transform_target.hpp"
+
+namespace hariko {
+
+enum class TransformKind { move, rotate, scale };
+
+/// How a transform tool is driven: by a command (the pointer moves freely), by dragging an element or a
+/// handle with a button down, or by typing alone.
+enum class DrivenBy { command, element, handle, typing };
+
+class TransformTool final : public Tool {
+ public:
+  explicit TransformTool(TransformKind kind, DrivenBy by = DrivenBy::command, AxisLock lock = {})
+      : kind_(kind), by_(by), lock_(lock) {}
+
+  bool modal() const override { return by_ == DrivenBy::command || by_ == DrivenBy::typing; }
+  void begin(ToolContext& context, const PointerEvent& press) override;
+  ToolState update(ToolContext& context, const PointerEvent& event) override;
+  std::optional<ToolState> key(ToolContext& context, const KeyPress& press) override;
+  bool wheel(ToolContext& context, double steps, const PointerEvent& event) override;
+  void draw(const ToolContext& context, const ToolOverlay& overlay) const override;
+  void cancel(ToolContext& context) override { context.editor.cancel_preview(); }
+  std::string hint(const Language& tr) const override;
+  std::unique_ptr<Tool> successor() override { return std::move(successor_); }
+
+ private:
+  Matrix3 frame() const { return lock_.local ? target_.local_frame() : Matrix3::Identity(); }
+  std::size_t fields() const {
+    if (kind_ == TransformKind::move) return lock_.components();
+    return kind_ == TransformKind::rotate ? 1 : lock_.kind == AxisLock::Kind::plane ? 2 : 3;
+  }
+  /// The lock that sections begin with: their planes.
+  static constexpr AxisLock section_plane_lock{AxisLock::Kind::plane, 2, true};
+  bool lock_key(const KeyPress& press);
+  void restart(ToolContext& context, TransformKind kind);
+  void follow_pointer(const ToolContext& context, const PointerEvent& event);
+  void keep_through_view_change(const ToolContext& context, const Vector2& pixel);
+  Vector3 dragged(const ToolContext& context) const;
+  double drag_ratio(const ToolContext& context) const;
+
+  Transformation transformation(const ToolContext& context);
+  Transformation move(const ToolContext& context);
+  Transformation rotation(const ToolContext& context);
+  Transformation scaling(const ToolContext& context);
+  Vector3 snapped(const ToolContext& context, const Vector3& translation);
+
+  /// `confirmed`: what is typed counts even where it may go on.
+  ToolState show(ToolContext& context, bool confirmed = false);
+  ToolState confirm(ToolContext& context);
+  void change_radius(ToolContext& context, double steps);
+  void apply_falloff(const ToolContext& context);
+  std::string value_text(const Language& tr) const;
+  void draw_guides(const ToolContext& context, const ToolOverlay& overlay) const;
+  void draw_falloff(const ToolContext& context, const ToolOverlay& overlay) const;
+  void draw_snap(const ToolContext& context, const ToolOverlay& overlay) const;
+
+  TransformKind kind_;
+  DrivenBy by_;
+  AxisLock lock_;
+  TransformTarget target_;
+  std::optional<SnapPlaces> places_;  ///< that a move can jump to
+  NumericInput input_;
+  std::unique_ptr<Tool> successor_;
+
+  // The pointer: where it pressed and is, in pixels that count a tenth while Shift is down.
+  Vector2 from_ = Vector2::Zero(), at_ = Vector2::Zero(), pointer_ = Vector2::Zero();
+  bool moved_ = false, fine_ = false, snapping_ = false;
+  Vector3 anchor_ = Vector3::Zero();  ///< the grabbed point, in the document's space
+  Vector3 source_ = Vector3::Zero();  ///< the selected point that snaps to others
+  // What was reached before the view changed last.
+  Camera camera_;
+  Vector3 base_move_ = Vector3::Zero();
+  double base_ratio_ = 1;
+  double screen_degrees_ = 0;  ///< counter-clockwise on the screen
+
+  Transformation done_;  ///< what is shown
+  std::optional<SnapTarget> snap_;
+  std::string error_;
+  bool shown_ = false;
+  std::string length_unit_;
+  int decimals_ = 3;
+};
+
+std::unique_ptr<Tool> make_transform_tool(TransformKind kind, DrivenBy by = DrivenBy::command,
+                                          AxisLock lock = {});
+
+}  // namespace hariko

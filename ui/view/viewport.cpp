@@ -1,0 +1,252 @@
+#include "ui/view/viewport.hpp"
+
+#include <algorithm>
+
+#include "ui/editor/selection_text.hpp"
+#include "ui/outline/gauss_panel.hpp"
+#include "ui/skin/skin_tool.hpp"
+#include "ui/view/axis_gizmo.hpp"
+#include "ui/view/legend.hpp"
+#include "ui/view/mesh_overlay.hpp"
+#include "ui/view/navigation.hpp"
+#include "ui/view/view_frame.hpp"
+
+namespace hariko {
+
+namespace {
+
+constexpr float gizmo_radius = 44, gizmo_margin = 12;  // design pixels
+
+/// Small views have a small gizmo, and none where it would hide the model.
+float gizmo_size(const Metrics& metrics, const PanelRect& rect) {
+  const float room = std::min(rect.width(), rect.height());
+  return room < metrics.px(160) ? 0 : std::min(metrics.px(gizmo_radius), room / 6);
+}
+
+AxisGizmo gizmo_of(const Metrics& metrics, const PanelRect& rect, const Camera& camera) {
+  const float radius = gizmo_size(metrics, rect);
+  const float inset = radius + metrics.px(gizmo_margin);
+  return {camera, {rect.max.x - inset, rect.min.y + inset}, radius};
+}
+
+}  // namespace
+
+void Viewport::frame_views() {
+  for (const Place& place : panes_.places()) {
+    View& view = editor_.layout.views[static_cast<std::size_t>(place.view)];
+    if (!view.wants_framing && !editor_.wants_framing) continue;
+    editor_.frame_at_once(place.view, ViewPanes::size_of(place));
+    view.wants_framing = false;
+  }
+  if (editor_.wants_framing)
+    for (int i = 0; i < ViewLayout::count; ++i)
+      editor_.layout.views[static_cast<std::size_t>(i)].wants_framing = !editor_.layout.shows(i);
+  editor_.wants_framing = false;
+}
+
+void Viewport::draw(PanelContext& context, const PanelRect& rect) {
+  // Compared pictures are seen from the same place.
+  if (editor_.meshing.comparing()) editor_.layout.views.fill(View(editor_.layout.active_view()));
+  panes_.arrange(rect);
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  editor_.pixel_scale = double(context.metrics.scale) * double(scale.x);
+  frame_views();
+  if (begin_panel("Viewport", rect, palette().window, {0, 0},
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    // What lies over the pictures comes first: ImGui gives the pointer to the first of overlapping items.
+    panes_.drag_splitters(context, rect);
+    for (Place& place : panes_.places()) {
+      place.title_hovered = view_title_button(context, place.view, place.rect);
+      gizmo_button(context, place);
+    }
+    ImGui::SetCursorScreenPos(rect.min);
+    ImGui::InvisibleButton("surface", {rect.width(), rect.height()},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    context.marks.item("viewport");
+    const bool hovered = ImGui::IsItemHovered();
+    tools_.end_stale_tool();
+    panes_.activate_under_pointer(rect, tool_active());
+    scene_.update(editor_);  // hovering and clicking look at what is there now
+    gizmo_.update(editor_, tool_active());
+    arrows_.update(editor_);
+    handle_pointer(hovered);
+    // A title or a tool may have arranged the views anew.
+    panes_.arrange(rect);
+    scene_.update(editor_);
+    std::vector<ViewPictures::Shown> shown;
+    for (const Place& place : panes_.places()) shown.push_back({place.view, ViewPanes::size_of(place)});
+    gizmo_.update(editor_, tool_active());
+    jumps_.update(editor_);
+    pictures_.update(editor_, scene_, shown, tool_active(), jumps_.count());
+    for (const Place& place : panes_.places()) show(context, place);
+    draw_legend(context, rect, scene_);
+  }
+  ImGui::End();
+}
+
+void Viewport::gizmo_button(PanelContext& context, Place& place) {
+  place.gizmo_hovered = false;
+  const float radius = gizmo_size(context.metrics, place.rect);
+  if (radius <= 0) return;
+  const Camera camera = editor_.layout.views[static_cast<std::size_t>(place.view)].camera(editor_.now);
+  const AxisGizmo gizmo = gizmo_of(context.metrics, place.rect, camera);
+  const std::string name = "view." + std::to_string(place.view) + ".axes";
+  for (const AxisGizmo::Ball& ball : gizmo.balls()) {
+    const ImVec2 c = gizmo.centre_of(ball);
+    const std::string end{ball.positive ? '+' : '-', "xyz"[ball.axis]};
+    context.marks.rect(name + end, {c.x - 2, c.y - 2}, {c.x + 2, c.y + 2});
+  }
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (tool_active() || !gizmo.holds(mouse)) return;
+  const float inset = 2 * radius + context.metrics.px(gizmo_margin);
+  ImGui::SetCursorScreenPos({place.rect.max.x - inset, place.rect.min.y + context.metrics.px(gizmo_margin)});
+  ImGui::InvisibleButton(name.c_str(), {2 * radius, 2 * radius});
+  place.gizmo_hovered = ImGui::IsItemHovered();
+  if (!ImGui::IsItemClicked(ImGuiMouseButton_Left)) return;
+  panes_.activate(place);
+  PointerEvent press;
+  press.kind = PointerEvent::Kind::press;
+  press.pixel = panes_.pixel_at(mouse);
+  tools_.start(make_axis_gizmo_tool(gizmo.side_at(mouse)), press);
+}
+
+void Viewport::show(PanelContext& context, const Place& place) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Camera camera = editor_.layout.views[static_cast<std::size_t>(place.view)].camera(editor_.now);
+  context.marks.rect("view." + std::to_string(place.view), place.rect.min, place.rect.max);
+  list.PushClipRect(place.rect.min, place.rect.max, true);
+  const auto picture = [&](unsigned texture, float opacity) {
+    list.AddImage(
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
+        reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), place.rect.min, place.rect.max,
+        {0, 1}, {1, 0}, with_alpha(IM_COL32_WHITE, opacity));
+  };
+  const double share = pictures_.shown_share(place.view, editor_.now);
+  if (share < 1) picture(pictures_.faded_texture(place.view), 1);
+  picture(pictures_.texture(place.view), static_cast<float>(share));
+  draw_over(context, place, camera);
+  if (place.view == editor_.layout.active() && panes_.places().size() > 1)
+    list.AddRect(place.rect.min, place.rect.max,
+                 (palette().secondary & 0x00ffffff) | (0xb0U << IM_COL32_A_SHIFT), 0, 0,
+                 context.metrics.px(1));
+  list.PopClipRect();
+}
+
+/// Scales, numbers, handles and titles over the picture of a view.
+void Viewport::draw_over(PanelContext& context, const Place& place, const Camera& camera) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const PixelSize size = ViewPanes::size_of(place);
+  const bool active = place.view == editor_.layout.active(), bare = editor_.view.surfaces_only;
+  draw_scale_bar(context, camera, place.rect);
+  draw_grid_labels(context, camera, place.rect, scene_.scene().grid);
+  if (!bare) draw_tension_numbers(context, place.rect, camera, scene_.scene());
+  const ToolOverlay overlay{list, place.rect.min, context.metrics};
+  const bool free = active && !tool_active() && holds(place.rect, ImGui::GetIO().MousePos);
+  if (!bare)
+    skin_overlay_.draw(editor_, Projector(camera, size), overlay,
+                       free ? std::optional(panes_.pixel_at(ImGui::GetIO().MousePos)) : std::nullopt,
+                       active ? &context.marks : nullptr);
+  if (gauss_)
+    draw_gauss_overlay(editor_, *gauss_, Projector(camera, size), list, place.rect.min, context.metrics);
+  if (active && tool_active()) tools_.running()->draw({editor_, scene_}, overlay);
+  if (active) {
+    arrows_.draw(overlay, hot_arrow_);
+    arrows_.mark(context.marks, overlay);
+    gizmo_.draw(overlay, hot_handle_);
+    gizmo_.mark(context.marks, overlay);
+  }
+  if (gizmo_size(context.metrics, place.rect) > 0) {
+    const auto pointer = place.gizmo_hovered ? std::optional(ImGui::GetIO().MousePos) : std::nullopt;
+    gizmo_of(context.metrics, place.rect, camera).draw(list, pointer, place.gizmo_hovered);
+  }
+  draw_mesh_overlay(context, camera, size, place.rect, static_cast<std::size_t>(place.view));
+  if (active) draw_probe(context, camera, size, place.rect, pointed_at_);
+  if (active) draw_frame_overlay(context, place.rect);
+  draw_view_title(context, place.view, place.rect, place.title_hovered);
+}
+
+void Viewport::handle_pointer(bool hovered) {
+  const ImGuiIO& io = ImGui::GetIO();
+  PointerEvent now;
+  now.pixel = panes_.pixel_at(io.MousePos);
+  now.shift = io.KeyShift;
+  now.control = io.KeyCtrl;
+  now.alt = io.KeyAlt;
+  tools_.frame(now, hovered, [this](const PointerEvent& press) { return tool_overhead(press); });
+  pointed_at_.reset();
+  if (tool_active()) {
+    hot_handle_.reset();
+    hot_arrow_.reset();
+  } else {
+    hover(now.pixel, hovered);
+  }
+}
+
+/// Paper that stands in the place of the objects, handles of the gizmo, arrows of normals, points of skins.
+std::optional<std::unique_ptr<Tool>> Viewport::tool_overhead(const PointerEvent& press) {
+  if (scene_.paper() && press.button == PointerButton::left && editor_.paper.hovered.facet != no_index &&
+      !navigation_of(editor_, press)) {
+    editor_.paper.selected = editor_.paper.hovered.facet;
+    return nullptr;
+  }
+  // With modifiers the press is for the selection or for the view.
+  if (press.button == PointerButton::left && !press.shift && !press.control && !press.alt) {
+    if (const auto handle = gizmo_.hit(press.pixel))
+      return make_transform_tool(handle->kind, DrivenBy::handle, handle->lock);
+    if (const auto arrow = arrows_.hit(press.pixel))
+      return make_normal_tool(editor_.selection.active, *arrow);
+  }
+  if (editor_.view.surfaces_only) return std::nullopt;
+  auto tool = skin_tool_at({editor_, scene_}, press);
+  return tool ? std::optional(std::move(tool)) : std::nullopt;
+}
+
+void Viewport::hover(const Vector2& pixel, bool inside) {
+  hot_handle_.reset();
+  hot_arrow_.reset();
+  if (std::exchange(on_paper_, false)) editor_.paper.hovered = {};
+  if (!inside) {
+    editor_.hovered.reset();
+    return;
+  }
+  hot_handle_ = gizmo_.hit(pixel);
+  const ToolContext context{editor_, scene_};
+  pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
+  if (!hot_handle_) hot_arrow_ = arrows_.hit(pixel);
+  if (hot_handle_ || hot_arrow_) return editor_.hovered.reset();
+  if (const PaperSolid* paper = scene_.paper()) {
+    const Projector projector = context.projector();
+    const double reach = 5 * editor_.pixel_scale * editor_.camera().pixel_length(editor_.viewport);
+    editor_.paper.hovered = paper_under(*paper, projector.ray(pixel), reach);
+    on_paper_ = true;
+    return editor_.hovered.reset();
+  }
+  const auto under = elements_under(context, pixel);
+  editor_.hovered.reset();
+  if (!under.empty()) editor_.hovered = under.front();
+}
+
+double Viewport::next_frame_in() const {
+  if (!editor_.has_document) return -1;
+  if (editor_.flying()) return 0;
+  return pictures_.next_frame_in(editor_, tool_active());
+}
+
+std::string Viewport::hint() const {
+  if (tool_active()) return tools_.running()->hint(editor_.language);
+  const Language& tr = editor_.language;
+  if (hot_handle_) return tr("Drag the handle   click to type a number");
+  if (hot_arrow_) return tr("Drag turns the normal   click selects the point");
+  if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
+  const std::size_t objects = editor_.selection.objects().size();
+  const std::string selected =
+      editor_.mode == ElementMode::object && objects > 0
+          ? fill(tr(objects == 1 ? "{0} object" : "{0} objects"), {std::to_string(objects)})
+          : describe_in(editor_.has_document ? editor_.active_object() : nullptr,
+                        editor_.selection.of_active(), editor_.language);
+  const bool parallel = editor_.camera().orthographic;
+  return selected + "   |   " + tr(navigation_hint(editor_.settings.navigation, parallel));
+}
+
+}  // namespace hariko

@@ -1,0 +1,24 @@
+#pragma once
+
+// Menus made from the command table, in the bar and under the pointer.
+
+#include "ui/editor/menu_tree.hpp"
+#include "ui/widgets/panels.hpp"
+
+namespace hariko {
+
+/// Draws entries into an open menu. Items are marked `prefix` + id ("command.file.open"), submenus
+/// "menu.Name".
+void draw_menu_nodes(PanelContext& context, const std::vector<MenuNode>& nodes, const char* prefix);
+
+/// Help of a command, and why it cannot run, in a tooltip at the pointer. `reason` is already known there.
+void command_tooltip(const PanelContext& context, const Command& command,
+                     const std::optional<std::string>& reason, bool with_label);
+
+/// The first of a command's keys; the others are for those who know them.
+std::string first_key(const Command& command);
+
+/// "View › Standard views" in the language of the interface.
+std::string menu_path(const Language& tr, const Command& command);
+
+}  // namespace hariko

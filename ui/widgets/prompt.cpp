@@ -1,0 +1,62 @@
+#include "ui/widgets/prompt.hpp"
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "ui/base/text_lines.hpp"
+
+namespace hariko {
+
+void Prompt::draw(PanelContext& context) {
+  constexpr const char* id = "###prompt";
+  const bool shown = ImGui::IsPopupOpen(id);
+  if (!is_open()) shown_ = 0;
+  if (!is_open() && !shown) return;
+  if (!shown) ImGui::OpenPopup(id);
+  const Metrics& m = context.metrics;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
+  const std::string title = (is_open() ? requests_.back().title : std::string()) + id;
+  if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
+                              ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove))
+    return;
+  if (!is_open()) {
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return;
+  }
+  const Request request = requests_.back();
+  const float wide = std::min(m.px(420), screen.x - m.px(64));
+  text_in_lines(request.text, wide);
+  if (request.picture) request.picture();
+  if (request.fields) request.fields(context);
+  ImGui::Dummy({0, m.px(8)});
+  const Answer* chosen = nullptr;
+  focus_.begin();
+  // Enter takes the first answer until the keys go to another one.
+  if (shown_ != requests_.size() && !request.answers.empty()) focus_.go_to(request.answers.front().mark);
+  shown_ = requests_.size();
+  for (const Answer& answer : request.answers) {
+    const bool first = &answer == &request.answers.front();
+    const float width = std::max(m.px(110), ImGui::CalcTextSize(answer.label.c_str()).x + m.px(24));
+    // Below each other where the window is narrow.
+    if (!first) {
+      ImGui::SameLine();
+      if (ImGui::GetCursorPosX() + width > std::max(wide, ImGui::GetWindowWidth()) && screen.x < m.px(900))
+        ImGui::NewLine();
+    }
+    const bool pressed = first ? main_button(answer.label.c_str(), {width, 0})
+                               : ImGui::Button(answer.label.c_str(), {width, 0});
+    context.marks.item("prompt." + answer.mark);
+    if (focus_.item(answer.mark, m.px(4)) || pressed) chosen = &answer;
+  }
+  focus_.end();
+  if (chosen) {
+    requests_.pop_back();
+    if (!is_open()) ImGui::CloseCurrentPopup();
+    if (chosen->action) chosen->action();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace hariko

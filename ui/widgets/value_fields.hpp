@@ -1,0 +1,75 @@
+#pragma once
+
+// Fields that edit the document: a slider or a label previews while it is dragged and makes one step on
+// release; a typed number makes one step when it is entered. All strings that are given are English: fields
+// translate them.
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "ui/base/quantity.hpp"
+#include "ui/widgets/panels.hpp"
+
+namespace hariko {
+
+/// The document in which every value that the field stands for is changed.
+using EditValues = std::function<Result<Document>(const Document&, const ValueChange&)>;
+
+struct FieldSpec {
+  const char* id;     ///< also the mark: "field.<id>", "slider.<id>", "label.<id>"
+  const char* label;  ///< shown before the field; dragging it changes the value
+  const char* help;
+  std::string step;  ///< label of the step in the history
+  Quantity quantity;
+};
+
+/// The value that all have, or nothing when they differ.
+template <class T, class Items, class Get>
+std::optional<T> common(const Items& items, const Get& get) {
+  std::optional<T> value;
+  for (const auto& item : items) {
+    const T own = get(item);
+    if (value && !(*value == own)) return {};
+    value = own;
+  }
+  return value;
+}
+
+/// Makes a step when all rows of this frame are drawn.
+void later(PanelContext& context, Result<Document> result, std::string step);
+
+/// A label and a number over the rest of the row. `value` is nothing when the values differ.
+void value_row(PanelContext& context, const FieldSpec& spec, std::optional<double> value,
+               const EditValues& edit);
+
+/// A label, a slider from `low` to `high`, and a number.
+void slider_row(PanelContext& context, const FieldSpec& spec, double low, double high, bool logarithmic,
+                std::optional<double> value, const EditValues& edit);
+
+/// Three numbers side by side. `edit` gets the axis, 0 .. 2.
+void vector_row(PanelContext& context, const char* label, const char* help,
+                const std::array<FieldSpec, 3>& specs, const std::array<std::optional<double>, 3>& values,
+                const std::function<Result<Document>(const Document&, int axis, const ValueChange&)>& edit);
+
+/// A number alone, of the given width in pixels.
+void number_field(PanelContext& context, const FieldSpec& spec, std::optional<double> value, float width,
+                  const EditValues& edit);
+
+/// A label and a check box; the new state. Nothing stands for "mixed". Mark: "check.<id>".
+std::optional<bool> check_row(PanelContext& context, const char* id, const char* label, const char* help,
+                              std::optional<bool> value);
+
+/// The left column of a row: a dim label; the next item starts at a common column.
+void row_label(const PanelContext& context, const char* label, const char* help);
+
+/// After the last item of a row that a command may ask for: brings it into sight, with a ring round it for a
+/// moment.
+void point_out(PanelContext& context, const char* id);
+
+/// A dim sentence that wraps.
+void hint_text(const PanelContext& context, const char* english);
+
+}  // namespace hariko
