@@ -78,7 +78,7 @@ class Application {
         workbench_(editor_, renderer_, software_renderer() ? 1 : 4, window.metrics(), file_actions()),
         exchange_(editor_, workbench_, long_,
                   [this](const char* what, const auto& path) { happened(what, path); }),
-        gauss_(editor_, workbench_.gauss(), &GlWindow::wake),
+        gauss_(editor_, editor_.gauss, &GlWindow::wake),
         session_(editor_, workbench_, folders_, assets_folder() / "samples",
                  {&GlWindow::wake, [this] { engine_.reset(); },
                   [this](const char* what, const auto& path) { happened(what, path); }}),

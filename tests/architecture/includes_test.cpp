@@ -1,6 +1,5 @@
-// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, and inside
-// core modeling, unfolding -> document, unfolding -> exchange, and document, analysis, exchange -> patching
-// -> g2 -> network -> polyhedron, surface -> geometry -> base.
+// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, inside of core as
+// `core_arrows` lists them, and inside of ui shell -> workspaces -> view -> widgets -> editor -> base.
 
 #include <gtest/gtest.h>
 
@@ -54,6 +53,28 @@ const std::map<std::string, Names>& core_arrows() {
   return arrows;
 }
 
+/// The level of a folder of ui; it may include those of lower levels. The workspaces, all of one level, do not
+/// include each other.
+const std::map<std::string, int>& ui_levels() {
+  constexpr int workspace = 4;
+  static const std::map<std::string, int> levels = {
+      {"base", 0},
+      {"editor", 1},
+      {"widgets", 2},
+      {"view", 3},
+      {"polyhedron", workspace},
+      {"solids", workspace},
+      {"skin", workspace},
+      {"outline", workspace},
+      {"paper", workspace},
+      {"pictures", workspace},
+      {"analysis", workspace},
+      {"files", workspace},
+      {"shell", workspace + 1},
+  };
+  return levels;
+}
+
 /// Path beginnings that a layer must not include. Windows and GL belong to the outer layers, ImGui to ui and
 /// app.
 const std::map<std::string, std::vector<std::string>>& forbidden_beginnings() {
@@ -88,6 +109,18 @@ std::optional<std::string> core_violation(const std::string& file, const std::st
   return "core/" + from[1] + " must not include core/" + to[1];
 }
 
+std::optional<std::string> ui_violation(const std::string& file, const std::string& target) {
+  const std::vector<std::string> from = parts_of(file), to = parts_of(target);
+  if (from[0] != "ui") return {};
+  if (from.size() < 3) return "ui holds folders only";
+  const auto level = ui_levels().find(from[1]);
+  if (level == ui_levels().end()) return "ui/" + from[1] + " is not in the table of levels of this test";
+  if (to[0] != "ui" || to.size() < 3 || from[1] == to[1]) return {};
+  const auto other = ui_levels().find(to[1]);
+  if (other != ui_levels().end() && other->second < level->second) return {};
+  return "ui/" + from[1] + " must not include ui/" + to[1];
+}
+
 /// Why `file` (relative to the top) must not include `target`; none when it may.
 std::optional<std::string> violation(const std::string& file, const std::string& target) {
   const std::string layer = parts_of(file)[0];
@@ -106,6 +139,7 @@ std::optional<std::string> violation(const std::string& file, const std::string&
     return "app/commands/command_line is the only folder that knows CLI11";
   if (begins_with_any(target, {"tbb/", "oneapi/"}) && file != "core/base/parallel.cpp")
     return "core/base/parallel.cpp is the only door to the thread library";
+  if (auto why = ui_violation(file, target)) return why;
   return core_violation(file, target);
 }
 
@@ -221,8 +255,13 @@ TEST(Includes, TheRulesFindWhatTheyForbid) {
   EXPECT_TRUE(refused("core/unknown/x.cpp", "vector"));
   EXPECT_TRUE(refused("render/x.cpp", "ui/panel.hpp"));
   EXPECT_TRUE(refused("render/x.cpp", "imgui_internal.h"));
-  EXPECT_TRUE(refused("ui/x.cpp", "app/main_loop.hpp"));
+  EXPECT_TRUE(refused("ui/view/x.cpp", "app/main_loop.hpp"));
   EXPECT_TRUE(refused("app/x.cpp", "tests/support/random.hpp"));
+  EXPECT_TRUE(refused("ui/x.cpp", "imgui.h"));
+  EXPECT_TRUE(refused("ui/unknown/x.cpp", "imgui.h"));
+  EXPECT_TRUE(refused("ui/view/x.cpp", "ui/skin/skin_tool.hpp"));
+  EXPECT_TRUE(refused("ui/paper/x.cpp", "ui/skin/skin_tool.hpp"));
+  EXPECT_TRUE(refused("ui/paper/x.cpp", "ui/shell/workbench.hpp"));
   EXPECT_TRUE(refused("core/network/x.hpp", "Eigen/Sparse"));
   EXPECT_TRUE(refused("core/network/x.hpp", "Eigen/SparseCholesky"));
   EXPECT_TRUE(refused("app/x.hpp", "nlohmann/json.hpp"));
@@ -233,13 +272,15 @@ TEST(Includes, TheRulesFindWhatTheyForbid) {
   EXPECT_TRUE(refused("core/cad/x.cpp", "TopoDS.hxx"));
   EXPECT_TRUE(refused("core/cad/kernel/cad_file.hpp", "gp_Pnt.hxx"));
 
+  EXPECT_FALSE(refused("ui/skin/x.cpp", "ui/view/tool.hpp"));
+  EXPECT_FALSE(refused("ui/shell/x.cpp", "ui/skin/skin_tool.hpp"));
   EXPECT_FALSE(refused("core/network/x.cpp", "Eigen/SparseCore"));
   EXPECT_FALSE(refused("core/base/sparse_solver.cpp", "Eigen/SparseCholesky"));
   EXPECT_FALSE(refused("core/base/parallel.cpp", "tbb/parallel_for.h"));
   EXPECT_FALSE(refused("core/cad/kernel/opencascade/shape.cpp", "TopoDS.hxx"));
   EXPECT_FALSE(refused("core/patching/x.hpp", "core/surface/surface.hpp"));
   EXPECT_FALSE(refused("core/document/x.cpp", "core/patching/polyhedron_surface.hpp"));
-  EXPECT_FALSE(refused("ui/x.cpp", "imgui.h"));
+  EXPECT_FALSE(refused("ui/view/x.cpp", "imgui.h"));
   EXPECT_FALSE(refused("app/x.cpp", "ui/panel.hpp"));
   EXPECT_FALSE(refused("render/x.cpp", "core/surface/surface.hpp"));
   EXPECT_FALSE(refused("core/document/x.hpp", "nlohmann/json_fwd.hpp"));

@@ -11,14 +11,14 @@
 
 namespace hariko {
 
-class Workbench;
+class CommandServices;
 class Viewport;
 
 struct CommandHost {
   CommandTable& table;
   Editor& editor;
   Viewport& viewport;
-  Workbench& workbench;
+  CommandServices& services;
 };
 
 /// A folder of a menu: submenu("Select", translatable("Convert")).
@@ -44,7 +44,6 @@ struct NeededElements {
 WhyNot needs_elements(const Editor& editor, NeededElements kinds);
 
 // Each in a file of its own. The host must outlive the table.
-void add_file_commands(CommandHost& host);
 /// Stand among those of files.
 void add_picture_commands(CommandHost& host);
 void add_edit_commands(CommandHost& host);
@@ -62,9 +61,6 @@ void add_recompute_commands(CommandHost& host);
 void add_paper_commands(CommandHost& host);
 void add_view_commands(CommandHost& host);
 void add_analyse_commands(CommandHost& host);
-void add_preferences_commands(CommandHost& host);
-void add_property_commands(CommandHost& host);
-void add_help_commands(CommandHost& host);
 /// After all commands are there.
 void fill_context_menus(CommandTable& table);
 void add_language_commands(CommandHost& host);

@@ -24,6 +24,7 @@
 #include "ui/base/references.hpp"
 #include "ui/base/settings.hpp"
 #include "ui/base/surface_point.hpp"
+#include "ui/editor/gauss_view.hpp"
 #include "ui/editor/guide.hpp"
 #include "ui/editor/last_operation.hpp"
 #include "ui/editor/meshing.hpp"
@@ -114,6 +115,7 @@ class Editor {
   Meshing meshing;
   MeshImport mesh_import;
   PaperState paper;
+  GaussView gauss;
   References references;  ///< the pixels of reference pictures
 
   /// False while the start page shows.

@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "core/document/document.hpp"
-#include "core/gaussmap/gauss_sphere.hpp"
 
 namespace hariko {
+
+struct GaussSphere;
 
 struct GaussView {
   bool shown = false;
@@ -21,14 +22,9 @@ struct GaussView {
   std::optional<Index> hovered, selected;  ///< sites
 
   /// The site that was inserted last, while some are left out.
-  std::optional<Index> newest() const {
-    if (!made_step || *made_step == 0 || !sphere || !sphere->mesh) return {};
-    return sphere->mesh->site_count() - 1;
-  }
+  std::optional<Index> newest() const;
   /// Whether a site of the sphere is known.
-  bool has(std::optional<Index> site) const {
-    return site && sphere && sphere->mesh && *site < sphere->mesh->site_count();
-  }
+  bool has(std::optional<Index> site) const;
   void forget() {
     sphere.reset();
     object.reset();

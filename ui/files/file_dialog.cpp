@@ -10,7 +10,6 @@
 #include "ui/base/file_formats.hpp"
 #include "ui/base/icons.hpp"
 #include "ui/files/export_text.hpp"
-#include "ui/shell/offers_panel.hpp"
 #include "ui/widgets/overlay_window.hpp"
 #include "ui/widgets/tips.hpp"
 

@@ -89,16 +89,25 @@ class GaussOverlay {
   const Metrics& metrics_;
 };
 
+class GaussLayer final : public ViewLayer {
+ public:
+  void draw(const ToolContext& context, const LayerPane& pane) override {
+    const Editor& editor = context.editor;
+    const GaussView& view = editor.gauss;
+    if (!view.shown || !view.sphere || !view.sphere->points || !view.object || editor.paper.covers_model())
+      return;
+    const Object* object = editor.active_object();
+    // While a new sphere is being made, the old one belongs to the outline as it was.
+    if (!object || object->id != view.object->id || !object->visible) return;
+    const ToolOverlay& overlay = pane.overlay;
+    GaussOverlay(editor, view, pane.projector, overlay.list, overlay.corner, overlay.metrics).draw();
+  }
+};
+
 }  // namespace
 
-void draw_gauss_overlay(const Editor& editor, const GaussView& view, const Projector& projector,
-                        ImDrawList& list, ImVec2 corner, const Metrics& metrics) {
-  if (!view.shown || !view.sphere || !view.sphere->points || !view.object || editor.paper.covers_model())
-    return;
-  const Object* object = editor.active_object();
-  // While a new sphere is being made, the old one belongs to the outline as it was.
-  if (!object || object->id != view.object->id || !object->visible) return;
-  GaussOverlay(editor, view, projector, list, corner, metrics).draw();
+std::unique_ptr<ViewLayer> make_gauss_layer() {
+  return std::make_unique<GaussLayer>();
 }
 
 }  // namespace hariko

@@ -5,6 +5,7 @@
 
 #include "ui/base/surface_point.hpp"
 #include "ui/outline/gauss_drawing.hpp"
+#include "ui/view/view_layer.hpp"
 
 namespace hariko {
 
@@ -32,9 +33,8 @@ class GaussPanel {
   std::string hint_;
 };
 
-/// The active outline's control points and planes over the picture of the model: those of the sites that are
-/// hovered, selected and inserted last, and all points while sites are left out.
-void draw_gauss_overlay(const Editor& editor, const GaussView& view, const Projector& projector,
-                        ImDrawList& list, ImVec2 corner, const Metrics& metrics);
+/// Draws the active outline's control points and planes over the picture of the model: those of the sites
+/// that are hovered, selected and inserted last, and all points while sites are left out.
+std::unique_ptr<ViewLayer> make_gauss_layer();
 
 }  // namespace hariko

@@ -8,7 +8,6 @@
 #include "ui/editor/new_object.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/outline/loop_tool.hpp"
-#include "ui/shell/workbench.hpp"
 #include "ui/view/view_room.hpp"
 #include "ui/view/viewport.hpp"
 
@@ -155,8 +154,8 @@ void add_drawing(OutlineMenu& menu) {
 }
 
 void add_sphere(CommandHost& host) {
-  GaussView& gauss = host.workbench.gauss();
   Editor& editor = host.editor;
+  GaussView& gauss = editor.gauss;
   host.table.add({"outline.sphere", "Outline", "Gauss sphere",
                   "Show the normals of the outline on a sphere beside the model, with the sites inside.", "",
                   "", false, true,

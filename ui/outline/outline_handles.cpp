@@ -17,7 +17,8 @@ constexpr double least_arrow = 12;
 
 }  // namespace
 
-void OutlineHandles::update(const Editor& editor) {
+void OutlineHandles::update(const ToolContext& context, bool /*tool_runs*/) {
+  const Editor& editor = context.editor;
   arrows_.clear();
   const Object* object = active_outline(editor);
   if (!object || !object->visible || !object->display.polyhedron || editor.view.surfaces_only ||
@@ -60,12 +61,30 @@ std::optional<Index> OutlineHandles::hit(const Vector2& pixel) const {
   return best;
 }
 
-void OutlineHandles::draw(const ToolOverlay& overlay, std::optional<Index> hot) const {
+bool OutlineHandles::hover(const ToolContext&, const Vector2& pixel) {
+  hot_ = hit(pixel);
+  return hot_.has_value();
+}
+
+std::optional<std::unique_ptr<Tool>> OutlineHandles::press(const ToolContext& context,
+                                                           const PointerEvent& press) {
+  const auto arrow = press.plain_left() ? hit(press.pixel) : std::nullopt;
+  if (!arrow) return {};
+  return make_normal_tool(context.editor.selection.active, *arrow);
+}
+
+const char* OutlineHandles::hint() const {
+  return hot_ ? translatable("Drag turns the normal   click selects the point") : nullptr;
+}
+
+void OutlineHandles::draw(const ToolContext&, const LayerPane& pane) {
+  if (!pane.active) return;
+  const ToolOverlay& overlay = pane.overlay;
   const Metrics& m = overlay.metrics;
   for (Index i = 0; i < arrows_.size(); ++i) {
     const Arrow& arrow = arrows_[i];
     if (!arrow.seen) continue;
-    const bool is_hot = hot == i;
+    const bool is_hot = hot_ == i;
     const ImU32 colour = arrow.wrong      ? palette().error
                          : is_hot         ? palette().hot
                          : arrow.selected ? palette().accent
@@ -78,6 +97,7 @@ void OutlineHandles::draw(const ToolOverlay& overlay, std::optional<Index> hot) 
     overlay.list.AddCircleFilled(to, radius, colour);
     if (arrow.wrong) overlay.list.AddCircle(from, m.px(8), palette().error, 0, m.px(2));
   }
+  mark(pane.marks, overlay);
 }
 
 void OutlineHandles::mark(Marks& marks, const ToolOverlay& overlay) const {

@@ -5,8 +5,8 @@
 #include "core/unfolding/edit_unfolding.hpp"
 #include "ui/editor/command_host.hpp"
 #include "ui/editor/paper_edits.hpp"
-#include "ui/shell/workbench.hpp"
 #include "ui/view/view_room.hpp"
+#include "ui/widgets/command_services.hpp"
 
 namespace hariko {
 
@@ -110,31 +110,31 @@ void add_piece_commands(CommandHost& host) {
 namespace {
 
 /// Asks first where the pages cannot be built as they are.
-void export_pages(Editor& editor, Workbench& workbench) {
+void export_pages(Editor& editor, CommandServices& services) {
   const PaperLayout& layout = *editor.paper.layout;
-  if (layout.overlaps == 0 && layout.off_page.empty()) return workbench.files().export_pages();
+  if (layout.overlaps == 0 && layout.off_page.empty()) return services.export_pages();
   const Language& tr = editor.language;
   std::string text(tr("The pages cannot be built as they are."));
   if (layout.overlaps > 0) text += "\n\u2022 " + fill(tr("overlaps: {0}"), {std::to_string(layout.overlaps)});
   if (!layout.off_page.empty())
     text +=
         "\n\u2022 " + fill(tr("pieces that pass the margins: {0}"), {std::to_string(layout.off_page.size())});
-  workbench.ask({tr("Export pages"),
-                 text,
-                 {{tr("Go back"), "back"},
-                  {tr("Arrange"), "arrange",
-                   [&editor] {
-                     commit_paper(editor, rearrange(editor.paper.layout->unfolding),
-                                  translatable("Arrange the pages"));
-                   }},
-                  {tr("Export anyway"), "export", [&workbench] { workbench.files().export_pages(); }}}});
+  services.ask({tr("Export pages"),
+                text,
+                {{tr("Go back"), "back"},
+                 {tr("Arrange"), "arrange",
+                  [&editor] {
+                    commit_paper(editor, rearrange(editor.paper.layout->unfolding),
+                                 translatable("Arrange the pages"));
+                  }},
+                 {tr("Export anyway"), "export", [&services] { services.export_pages(); }}}});
 }
 
 }  // namespace
 
 void add_paper_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  Workbench& workbench = host.workbench;
+  CommandServices& services = host.services;
   add_view_commands_of_paper(host);
   host.table.add({"paper.unfold", "Paper", "Unfold",
                   "Look for cuts, so that the model lies flat on few pages.", "Ctrl+Shift+U", "", true, true,
@@ -167,7 +167,7 @@ void add_paper_commands(CommandHost& host) {
                     return translatable("There are no pages yet. Unfold the model first.");
                   }});
   host.table.add({"paper.export", "Paper", "Export pages\u2026", "Write the pages as PDF, SVG, DXF or PNG.",
-                  "", "", false, true, [&editor, &workbench] { export_pages(editor, workbench); },
+                  "", "", false, true, [&editor, &services] { export_pages(editor, services); },
                   needs_pages(editor)});
 }
 

@@ -9,8 +9,8 @@
 #include "ui/editor/reference_pictures.hpp"
 #include "ui/editor/selected_items.hpp"
 #include "ui/pictures/picture_scale_tool.hpp"
-#include "ui/shell/workbench.hpp"
 #include "ui/view/viewport.hpp"
+#include "ui/widgets/command_services.hpp"
 
 namespace hariko {
 
@@ -41,11 +41,11 @@ void scale_by_points(CommandHost& host) {
 
 void add_file_rows(CommandHost& host, const std::string& menu) {
   Editor& editor = host.editor;
-  Workbench& workbench = host.workbench;
+  CommandServices& services = host.services;
   const WhyNot picture = needs_picture(editor);
   host.table.add({"picture.pack", menu, "Pack into the document",
                   "Take the files of the chosen pictures into the document, so that they go where it goes.",
-                  "", "", true, true, [&] { workbench.pack_pictures(chosen_pictures(editor, false)); },
+                  "", "", true, true, [&] { services.pack_pictures(chosen_pictures(editor, false)); },
                   [&editor, picture]() -> Reason {
                     if (auto reason = picture()) return reason;
                     if (!chosen_pictures(editor, false).empty()) return {};
@@ -53,7 +53,7 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
                   }});
   host.table.add({"picture.unpack", menu, "Save as a file\u2026",
                   "Write a packed picture to a file and link it.", "", "", true, false,
-                  [&] { workbench.files().unpack_picture(editor.selection.active); },
+                  [&] { services.unpack_picture(editor.selection.active); },
                   [&editor, picture]() -> Reason {
                     if (auto reason = picture()) return reason;
                     if (active_picture(editor)->picture()->packed()) return {};
@@ -61,14 +61,14 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
                   }});
   host.table.add({"picture.replace", menu, "Choose another file\u2026",
                   "Show another picture in this one's place.", "", "", true, false,
-                  [&] { workbench.files().replace_picture(editor.selection.active); }, picture});
+                  [&] { services.replace_picture(editor.selection.active); }, picture});
   host.table.add({"picture.find", menu, "Find missing pictures\u2026",
                   "Show where the first missing picture is; the others are looked for beside it.", "", "",
                   true, false,
                   [&] {
                     const Object& first = *editor.document().find(missing_pictures(editor).front());
                     const std::filesystem::path path(first.picture()->path);
-                    workbench.files().find_pictures(printable(path.filename().string()));
+                    services.find_pictures(printable(path.filename().string()));
                   },
                   [&editor]() -> Reason {
                     if (editor.has_document && !missing_pictures(editor).empty()) return {};
@@ -87,7 +87,7 @@ void add_file_rows(CommandHost& host, const std::string& menu) {
 
 void add_picture_commands(CommandHost& host) {
   Editor& editor = host.editor;
-  Workbench& workbench = host.workbench;
+  CommandServices& services = host.services;
   host.table.add({"picture.add",
                   "File",
                   "Add reference picture\u2026",
@@ -96,7 +96,7 @@ void add_picture_commands(CommandHost& host) {
                   icon::picture,
                   true,
                   false,
-                  [&workbench] { workbench.files().add_picture(); },
+                  [&services] { services.add_picture(); },
                   {},
                   {},
                   Context::empty});

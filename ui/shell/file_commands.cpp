@@ -6,8 +6,8 @@
 #include "core/document/edits.hpp"
 #include "core/modeling/primitives.hpp"
 #include "ui/base/icons.hpp"
-#include "ui/editor/command_host.hpp"
 #include "ui/editor/new_object.hpp"
+#include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"
 
 namespace hariko {
@@ -28,10 +28,9 @@ void open_box(Editor& editor) {
 
 }  // namespace
 
-void add_file_commands(CommandHost& host) {
+void add_file_commands(CommandHost& host, Workbench& workbench) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  Workbench& workbench = host.workbench;
   const WhyNot document = needs_document(editor);
   table.add({"file.new", "File", "New", "Begin an empty document.", "Ctrl+N", icon::file, false, false,
              [&workbench] { workbench.new_document(); }});

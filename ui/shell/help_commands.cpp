@@ -4,7 +4,7 @@
 
 #include "ui/base/icons.hpp"
 #include "ui/base/system_information.hpp"
-#include "ui/editor/command_host.hpp"
+#include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"
 
 namespace hariko {
@@ -32,10 +32,9 @@ void show_about(Workbench& workbench, const Language& tr) {
 
 }  // namespace
 
-void add_help_commands(CommandHost& host) {
+void add_help_commands(CommandHost& host, Workbench& workbench) {
   CommandTable& table = host.table;
   Editor& editor = host.editor;
-  Workbench& workbench = host.workbench;
   table.add({"help.palette", translatable("Help"), translatable("Search commands\u2026"),
              translatable("Find any command or object by a few letters of its name."), "F3 / Ctrl+Shift+P",
              icon::search, false, false, [&workbench] { workbench.show_palette(); }});
@@ -68,9 +67,8 @@ void add_help_commands(CommandHost& host) {
              [&workbench, &editor] { show_about(workbench, editor.language); }});
 }
 
-void add_preferences_commands(CommandHost& host) {
+void add_preferences_commands(CommandHost& host, Workbench& workbench) {
   CommandTable& table = host.table;
-  Workbench& workbench = host.workbench;
   table.add({"edit.preferences", translatable("Edit"), translatable("Preferences\u2026"),
              translatable("Language, theme, navigation, units, keys."), "Ctrl+,", icon::settings, false, true,
              [&workbench] { workbench.show_preferences(); }});

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/document/edit_skin.hpp"
-#include "ui/editor/command_host.hpp"
 #include "ui/editor/skin_view.hpp"
+#include "ui/shell/shell_commands.hpp"
 #include "ui/shell/workbench.hpp"
 #include "ui/skin/skin_properties.hpp"
 
@@ -205,15 +205,15 @@ void add_skin_choices(CommandHost& host) {
 
 }  // namespace
 
-void add_property_commands(CommandHost& host) {
+void add_property_commands(CommandHost& host, Workbench& workbench) {
   for (const Row& row : rows)
     host.table.add(property(
         row.id, menu_of(row.has), row.label, row.help,
-        [&host, id = row.id] { host.workbench.show_property(id); }, needs(host.editor, row.has)));
+        [&workbench, id = row.id] { workbench.show_property(id); }, needs(host.editor, row.has)));
   add_skin_choices(host);
   for (const Preference& row : preferences)
     host.table.add(property(std::string("preferences.") + row.id, translatable("Preferences"), row.label,
-                            row.help, [&host, page = row.page] { host.workbench.show_preferences(page); },
+                            row.help, [&workbench, page = row.page] { workbench.show_preferences(page); },
                             {}));
 }
 

@@ -10,8 +10,13 @@
 #include "ui/base/icons.hpp"
 #include "ui/base/menu_letters.hpp"
 #include "ui/editor/selection_text.hpp"
+#include "ui/outline/outline_handles.hpp"
+#include "ui/paper/paper_layer.hpp"
 #include "ui/polyhedron/patch_commands.hpp"
+#include "ui/shell/shell_commands.hpp"
 #include "ui/skin/skin_commands.hpp"
+#include "ui/skin/skin_overlay.hpp"
+#include "ui/view/gizmo.hpp"
 #include "ui/widgets/beside.hpp"
 
 namespace hariko {
@@ -25,12 +30,23 @@ bool shows_zebra(const Editor& editor) {
   });
 }
 
+/// What stands over the pictures of the views, from above.
+std::vector<std::unique_ptr<ViewLayer>> view_layers() {
+  std::vector<std::unique_ptr<ViewLayer>> layers;
+  layers.push_back(std::make_unique<Gizmo>());
+  layers.push_back(std::make_unique<OutlineHandles>());
+  layers.push_back(make_paper_layer());
+  layers.push_back(std::make_unique<SkinOverlay>());
+  layers.push_back(make_gauss_layer());
+  return layers;
+}
+
 }  // namespace
 
 Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
                      FileActions actions)
     : editor_(editor),
-      viewport_(editor, renderer, quick_samples),
+      viewport_(editor, renderer, quick_samples, view_layers()),
       metrics_(metrics),
       actions_(std::move(actions)),
       host_{commands_, editor_, viewport_, *this},
@@ -39,12 +55,11 @@ Workbench::Workbench(Editor& editor, Renderer& renderer, int quick_samples, cons
 }
 
 void Workbench::add_commands() {
-  viewport_.link(gauss_);
   // Menus stand in the order of these lines.
-  add_file_commands(host_);
+  add_file_commands(host_, *this);
   add_edit_commands(host_);
   add_object_commands(host_);
-  add_preferences_commands(host_);
+  add_preferences_commands(host_, *this);
   add_select_commands(host_);
   add_add_commands(host_);
   add_solid_commands(host_);
@@ -62,8 +77,8 @@ void Workbench::add_commands() {
   add_analyse_commands(host_);
   add_start_commands(host_);
   add_language_commands(host_);
-  add_help_commands(host_);
-  add_property_commands(host_);
+  add_help_commands(host_, *this);
+  add_property_commands(host_, *this);
   fill_context_menus(commands_);
   // A tool works on the document that it found: whatever changes it ends the tool first.
   commands_.before_run([this](const Command& command) {
@@ -183,9 +198,9 @@ void Workbench::layout(PanelContext& context, float menu) {
   if (editor_.paper.shown)
     model = draw_beside(context, model, "paper.border", paper_split_,
                         [&](const PanelRect& rect) { paper_panel_.draw(context, rect); });
-  if (gauss_.shown)
+  if (editor_.gauss.shown)
     model = draw_beside(context, model, "gauss.border", gauss_split_, [&](const PanelRect& rect) {
-      gauss_panel_.draw(context, gauss_, rect, viewport_.pointed_at());
+      gauss_panel_.draw(context, editor_.gauss, rect, viewport_.pointed_at());
     });
   viewport_.draw(context, model);
   editor_.paper.box = viewport_.scene().paper() ? viewport_.scene().paper()->box : Box3();
@@ -197,7 +212,7 @@ void Workbench::layout(PanelContext& context, float menu) {
   draw_history(context, {{right, bottom - history}, {screen.x, bottom}});
   context.tool_hint = viewport_.hint();
   if (!viewport_.tool_active() && !paper_panel_.hint().empty()) context.tool_hint = paper_panel_.hint();
-  if (!viewport_.tool_active() && gauss_.shown && !gauss_panel_.hint().empty())
+  if (!viewport_.tool_active() && editor_.gauss.shown && !gauss_panel_.hint().empty())
     context.tool_hint = gauss_panel_.hint();
   if (!viewport_.tool_active() && !editor_.hovered)
     if (const std::string note = status_note(); !note.empty()) context.tool_hint = note;
@@ -389,7 +404,7 @@ void Workbench::forget_interface() {
   preferences_ = {};
   paper_panel_ = {};
   gauss_panel_ = {};
-  gauss_ = {};
+  editor_.gauss = {};
   palette_ = {};
   cheat_sheet_ = {};
   start_page_ = {};

@@ -17,6 +17,7 @@
 #include "ui/shell/preferences.hpp"
 #include "ui/shell/start_page.hpp"
 #include "ui/view/viewport.hpp"
+#include "ui/widgets/command_services.hpp"
 #include "ui/widgets/panels.hpp"
 #include "ui/widgets/prompt.hpp"
 
@@ -28,7 +29,7 @@ struct CommandLog {
   std::pair<std::string, CommandTable::Outcome> last;
 };
 
-class Workbench {
+class Workbench final : public CommandServices {
  public:
   Workbench(Editor& editor, Renderer& renderer, int quick_samples, const Metrics& metrics,
             FileActions actions);
@@ -48,14 +49,11 @@ class Workbench {
   /// Text of the status line about the tool, the selection and the view.
   const std::string& status() const { return status_; }
   const Marks& marks() const { return marks_; }
-  /// The Gauss sphere: the application fills it while it is shown.
-  GaussView& gauss() { return gauss_; }
   std::vector<Sample>& samples() { return samples_; }
   const std::vector<Sample>& samples() const { return samples_; }
   Offers& offers() { return offers_; }
 
-  /// Asks something that cannot be undone.
-  void ask(Prompt::Request request) {
+  void ask(Prompt::Request request) override {
     editor_.show_text(request.title);
     editor_.show_text(request.text);
     prompt_.ask(std::move(request));
@@ -82,9 +80,14 @@ class Workbench {
   /// Brings a row of the properties into sight, and the keyboard to its field.
   void show_property(std::string id) { panel_state_.wanted_row = std::move(id); }
   FileDialogs& files() { return files_; }
-  void convert(ObjectId object) { actions_.convert(object); }
-  void add_section(ObjectId object, double place) { actions_.add_section(object, place); }
-  void pack_pictures(const std::vector<ObjectId>& pictures) { actions_.pack_pictures(pictures); }
+  void convert(ObjectId object) override { actions_.convert(object); }
+  void add_section(ObjectId skin, double place) override { actions_.add_section(skin, place); }
+  void export_pages() override { files_.export_pages(); }
+  void add_picture() override { files_.add_picture(); }
+  void replace_picture(ObjectId picture) override { files_.replace_picture(picture); }
+  void unpack_picture(ObjectId picture) override { files_.unpack_picture(picture); }
+  void find_pictures(const std::string& missing) override { files_.find_pictures(missing); }
+  void pack_pictures(const std::vector<ObjectId>& pictures) override { actions_.pack_pictures(pictures); }
   void stop_recording() { actions_.stop_recording(); }
   void show_log_folder() { actions_.show_log_folder(); }
   /// Panels as after the start of the program: closed or open by default, scrolled to their beginnings.
@@ -126,7 +129,6 @@ class Workbench {
   Preferences preferences_;
   PaperPanel paper_panel_;
   GaussPanel gauss_panel_;
-  GaussView gauss_;
   float paper_split_ = 0.5F, gauss_split_ = 0.55F;  ///< where these begin, of the width of the views
   std::map<std::string, std::string> keys_in_use_;  ///< of the settings
   CommandLog command_log_;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/skinning/skin_messages.hpp"
+#include "ui/skin/skin_tool.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/skin_sight.hpp"
 
@@ -244,10 +246,21 @@ void draw_handle(const Drawing& drawing, const SkinView::Handle& handle, HandleS
 
 }  // namespace
 
-void SkinOverlay::draw(const Editor& editor, const Projector& projector, const ToolOverlay& overlay,
-                       const std::optional<Vector2>& pointer, Marks* marks) {
+std::optional<std::unique_ptr<Tool>> SkinOverlay::press(const ToolContext& context,
+                                                        const PointerEvent& press) {
+  if (context.editor.view.surfaces_only) return {};
+  auto tool = skin_tool_at(context, press);
+  return tool ? std::optional(std::move(tool)) : std::nullopt;
+}
+
+void SkinOverlay::draw(const ToolContext& context, const LayerPane& pane) {
+  const Editor& editor = context.editor;
+  const Projector& projector = pane.projector;
+  const ToolOverlay& overlay = pane.overlay;
+  const std::optional<Vector2>& pointer = pane.pointer;
+  Marks* marks = pane.active ? &pane.marks : nullptr;
   const Object* object = shown_skin(editor);
-  if (!object) return;
+  if (!object || editor.view.surfaces_only) return;
   const SkinView& view = cache_.of(editor, *object);
   const SkinSight sight(editor, projector, view, *object);
   const Drawing drawing(*object, projector, overlay, editor.settings.theme, sight);

@@ -205,43 +205,68 @@ std::optional<GizmoHandle> Gizmo::hit(const Vector2& pixel) const {
   return best;
 }
 
-void Gizmo::draw(const ToolOverlay& overlay, const std::optional<GizmoHandle>& hot) const {
+bool Gizmo::hover(const ToolContext&, const Vector2& pixel) {
+  hot_ = hit(pixel);
+  return hot_.has_value();
+}
+
+std::optional<std::unique_ptr<Tool>> Gizmo::press(const ToolContext&, const PointerEvent& press) {
+  const auto handle = press.plain_left() ? hit(press.pixel) : std::nullopt;
+  if (!handle) return {};
+  return make_transform_tool(handle->kind, DrivenBy::handle, handle->lock);
+}
+
+const char* Gizmo::hint() const {
+  return hot_ ? translatable("Drag the handle   click to type a number") : nullptr;
+}
+
+void Gizmo::draw(const ToolContext&, const LayerPane& pane) {
+  if (!pane.active) return;
+  draw_plane(pane.overlay);
+  for (const Shape& shape : shapes_) draw_shape(pane.overlay, shape);
+  mark(pane.marks, pane.overlay);
+}
+
+/// The tangent plane of a local edit with its two tangents.
+void Gizmo::draw_plane(const ToolOverlay& overlay) const {
+  if (plane_.empty()) return;
   ImDrawList& list = overlay.list;
   const Metrics& m = overlay.metrics;
-  if (!plane_.empty()) {
-    std::vector<ImVec2> disc;
-    for (const Vector2& point : plane_) disc.push_back(on_screen(overlay, point));
-    const int count = static_cast<int>(disc.size());
-    list.AddConvexPolyFilled(disc.data(), count, with_alpha(palette().hot, 0.18F));
-    list.AddPolyline(disc.data(), count, palette().hot, ImDrawFlags_Closed, m.px(1.5F));
-    for (std::size_t i = 1; i < plane_axes_.size(); ++i)
-      list.AddLine(on_screen(overlay, plane_axes_[0]), on_screen(overlay, plane_axes_[i]), palette().hot,
-                   m.px(2));
-  }
-  for (const Shape& shape : shapes_) {
-    const bool lit = hot == shape.handle;
-    const ImU32 colour = lit ? palette().hot : axis_colour(shape.handle.lock.axis);
-    const float width = m.px(lit ? 3.5F : 2.5F);
-    std::vector<ImVec2> line;
-    for (const Vector2& point : shape.line) line.push_back(on_screen(overlay, point));
-    const int count = static_cast<int>(line.size());
-    if (shape.closed) {
-      list.AddConvexPolyFilled(line.data(), count, (colour & 0x00ffffff) | (0x70U << IM_COL32_A_SHIFT));
-      list.AddPolyline(line.data(), count, colour, ImDrawFlags_Closed, m.px(1.2F));
-    } else if (shape.handle.kind == TransformKind::rotate) {
-      list.AddPolyline(line.data(), count, colour, 0, width);
-    } else if (shape.handle.kind == TransformKind::scale) {
-      const ImVec2 c = on_screen(overlay, shape.mark);
-      const float r = m.px(lit ? 6 : 5);
-      list.AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, m.px(1));
-    } else {
-      const Vector2 tip = shape.line[1], way = (tip - shape.line[0]).normalized() * arrow_head * scale_;
-      const Vector2 across(-way.y() * 0.42, way.x() * 0.42);
-      list.AddLine(line[0], line[1], colour, width);
-      list.AddTriangleFilled(on_screen(overlay, tip + way * 0.35),
-                             on_screen(overlay, tip - way * 0.65 + across),
-                             on_screen(overlay, tip - way * 0.65 - across), colour);
-    }
+  std::vector<ImVec2> disc;
+  for (const Vector2& point : plane_) disc.push_back(on_screen(overlay, point));
+  const int count = static_cast<int>(disc.size());
+  list.AddConvexPolyFilled(disc.data(), count, with_alpha(palette().hot, 0.18F));
+  list.AddPolyline(disc.data(), count, palette().hot, ImDrawFlags_Closed, m.px(1.5F));
+  for (std::size_t i = 1; i < plane_axes_.size(); ++i)
+    list.AddLine(on_screen(overlay, plane_axes_[0]), on_screen(overlay, plane_axes_[i]), palette().hot,
+                 m.px(2));
+}
+
+void Gizmo::draw_shape(const ToolOverlay& overlay, const Shape& shape) const {
+  ImDrawList& list = overlay.list;
+  const Metrics& m = overlay.metrics;
+  const bool lit = hot_ == shape.handle;
+  const ImU32 colour = lit ? palette().hot : axis_colour(shape.handle.lock.axis);
+  const float width = m.px(lit ? 3.5F : 2.5F);
+  std::vector<ImVec2> line;
+  for (const Vector2& point : shape.line) line.push_back(on_screen(overlay, point));
+  const int count = static_cast<int>(line.size());
+  if (shape.closed) {
+    list.AddConvexPolyFilled(line.data(), count, (colour & 0x00ffffff) | (0x70U << IM_COL32_A_SHIFT));
+    list.AddPolyline(line.data(), count, colour, ImDrawFlags_Closed, m.px(1.2F));
+  } else if (shape.handle.kind == TransformKind::rotate) {
+    list.AddPolyline(line.data(), count, colour, 0, width);
+  } else if (shape.handle.kind == TransformKind::scale) {
+    const ImVec2 c = on_screen(overlay, shape.mark);
+    const float r = m.px(lit ? 6 : 5);
+    list.AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, colour, m.px(1));
+  } else {
+    const Vector2 tip = shape.line[1], way = (tip - shape.line[0]).normalized() * arrow_head * scale_;
+    const Vector2 across(-way.y() * 0.42, way.x() * 0.42);
+    list.AddLine(line[0], line[1], colour, width);
+    list.AddTriangleFilled(on_screen(overlay, tip + way * 0.35),
+                           on_screen(overlay, tip - way * 0.65 + across),
+                           on_screen(overlay, tip - way * 0.65 - across), colour);
   }
 }
 

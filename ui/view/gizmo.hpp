@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/marks.hpp"
 #include "ui/view/transform_tool.hpp"
+#include "ui/view/view_layer.hpp"
 
 namespace hariko {
 
@@ -20,15 +20,18 @@ struct GizmoHandle {
 /// Keeps where the selection is between frames. Arrows move along an axis and squares in a plane, arcs
 /// rotate, boxes scale. Sizes are of the screen; what points at the viewer is left out. In a local edit of
 /// one vertex the handles follow its tangent plane, which is drawn with its two tangents in their own size.
-class Gizmo {
+class Gizmo final : public ViewLayer {
  public:
   /// Looks at the present selection. Hidden when nothing is selected, when it is switched off, and while
   /// `busy`.
   void update(const Editor& editor, bool busy);
+  void update(const ToolContext& context, bool tool_runs) override { update(context.editor, tool_runs); }
   std::optional<GizmoHandle> hit(const Vector2& pixel) const;
-  void draw(const ToolOverlay& overlay, const std::optional<GizmoHandle>& hot) const;
-  /// Names a point of each handle for tests: "gizmo.move.x", "gizmo.rotate.z", "gizmo.move.xy".
-  void mark(Marks& marks, const ToolOverlay& overlay) const;
+  bool hover(const ToolContext& context, const Vector2& pixel) override;
+  void leave(const ToolContext&) override { hot_.reset(); }
+  std::optional<std::unique_ptr<Tool>> press(const ToolContext& context, const PointerEvent& press) override;
+  void draw(const ToolContext& context, const LayerPane& pane) override;
+  const char* hint() const override;
 
   /// Design pixels round a handle, that hit it.
   static constexpr double hit_radius = 8;
@@ -46,6 +49,10 @@ class Gizmo {
   void place(const Editor& editor);
   void place_plane(const Projector& projector);
   void leave_out_covered();
+  void draw_plane(const ToolOverlay& overlay) const;
+  void draw_shape(const ToolOverlay& overlay, const Shape& shape) const;
+  /// Names a point of each handle for tests: "gizmo.move.x", "gizmo.rotate.z", "gizmo.move.xy".
+  void mark(Marks& marks, const ToolOverlay& overlay) const;
   /// Names an arc where most room is round it; false where others cover more than half of it.
   static bool go_to_freest(Shape& arc, const std::vector<Shape>& others, double reach);
 
@@ -65,6 +72,7 @@ class Gizmo {
   std::vector<Vector2> plane_axes_;                 ///< the centre and the tips of both
   double scale_ = 1;
   std::vector<Shape> shapes_;
+  std::optional<GizmoHandle> hot_;  ///< under the pointer
 };
 
 }  // namespace hariko

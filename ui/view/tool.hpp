@@ -25,6 +25,9 @@ struct PointerEvent {
   Vector2 pixel = Vector2::Zero();  ///< framebuffer pixels from the viewport's upper left corner
   bool shift = false, control = false, alt = false;
   int clicks = 1;  ///< of a press: 2 for the second of a double click
+
+  /// The left button without modifiers: with them a press is for the selection or for the view.
+  bool plain_left() const { return button == PointerButton::left && !shift && !control && !alt; }
 };
 
 /// What a tool may look at and change.

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "ui/editor/selection_text.hpp"
-#include "ui/outline/gauss_panel.hpp"
-#include "ui/skin/skin_tool.hpp"
 #include "ui/view/axis_gizmo.hpp"
 #include "ui/view/legend.hpp"
 #include "ui/view/mesh_overlay.hpp"
@@ -68,21 +66,24 @@ void Viewport::draw(PanelContext& context, const PanelRect& rect) {
     tools_.end_stale_tool();
     panes_.activate_under_pointer(rect, tool_active());
     scene_.update(editor_);  // hovering and clicking look at what is there now
-    gizmo_.update(editor_, tool_active());
-    arrows_.update(editor_);
+    update_layers();
     handle_pointer(hovered);
     // A title or a tool may have arranged the views anew.
     panes_.arrange(rect);
     scene_.update(editor_);
     std::vector<ViewPictures::Shown> shown;
     for (const Place& place : panes_.places()) shown.push_back({place.view, ViewPanes::size_of(place)});
-    gizmo_.update(editor_, tool_active());
+    update_layers();
     jumps_.update(editor_);
     pictures_.update(editor_, scene_, shown, tool_active(), jumps_.count());
     for (const Place& place : panes_.places()) show(context, place);
     draw_legend(context, rect, scene_);
   }
   ImGui::End();
+}
+
+void Viewport::update_layers() {
+  for (const auto& layer : layers_) layer->update({editor_, scene_}, tool_active());
 }
 
 void Viewport::gizmo_button(PanelContext& context, Place& place) {
@@ -137,25 +138,18 @@ void Viewport::show(PanelContext& context, const Place& place) {
 void Viewport::draw_over(PanelContext& context, const Place& place, const Camera& camera) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const PixelSize size = ViewPanes::size_of(place);
-  const bool active = place.view == editor_.layout.active(), bare = editor_.view.surfaces_only;
+  const bool active = place.view == editor_.layout.active();
   draw_scale_bar(context, camera, place.rect);
   draw_grid_labels(context, camera, place.rect, scene_.scene().grid);
-  if (!bare) draw_tension_numbers(context, place.rect, camera, scene_.scene());
+  if (!editor_.view.surfaces_only) draw_tension_numbers(context, place.rect, camera, scene_.scene());
+  const ToolContext around{editor_, scene_};
   const ToolOverlay overlay{list, place.rect.min, context.metrics};
   const bool free = active && !tool_active() && holds(place.rect, ImGui::GetIO().MousePos);
-  if (!bare)
-    skin_overlay_.draw(editor_, Projector(camera, size), overlay,
+  const LayerPane pane{Projector(camera, size), overlay, active,
                        free ? std::optional(panes_.pixel_at(ImGui::GetIO().MousePos)) : std::nullopt,
-                       active ? &context.marks : nullptr);
-  if (gauss_)
-    draw_gauss_overlay(editor_, *gauss_, Projector(camera, size), list, place.rect.min, context.metrics);
-  if (active && tool_active()) tools_.running()->draw({editor_, scene_}, overlay);
-  if (active) {
-    arrows_.draw(overlay, hot_arrow_);
-    arrows_.mark(context.marks, overlay);
-    gizmo_.draw(overlay, hot_handle_);
-    gizmo_.mark(context.marks, overlay);
-  }
+                       context.marks};
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) (*layer)->draw(around, pane);
+  if (active && tool_active()) tools_.running()->draw(around, overlay);
   if (gizmo_size(context.metrics, place.rect) > 0) {
     const auto pointer = place.gizmo_hovered ? std::optional(ImGui::GetIO().MousePos) : std::nullopt;
     gizmo_of(context.metrics, place.rect, camera).draw(list, pointer, place.gizmo_hovered);
@@ -173,57 +167,26 @@ void Viewport::handle_pointer(bool hovered) {
   now.shift = io.KeyShift;
   now.control = io.KeyCtrl;
   now.alt = io.KeyAlt;
-  tools_.frame(now, hovered, [this](const PointerEvent& press) { return tool_overhead(press); });
+  tools_.frame(now, hovered, [this](const PointerEvent& press) { return tool_of_layer(press); });
   pointed_at_.reset();
-  if (tool_active()) {
-    hot_handle_.reset();
-    hot_arrow_.reset();
-  } else {
-    hover(now.pixel, hovered);
-  }
+  for (const auto& layer : layers_) layer->leave({editor_, scene_});
+  if (!tool_active()) hover(now.pixel, hovered);
 }
 
-/// Paper that stands in the place of the objects, handles of the gizmo, arrows of normals, points of skins.
-std::optional<std::unique_ptr<Tool>> Viewport::tool_overhead(const PointerEvent& press) {
-  if (scene_.paper() && press.button == PointerButton::left && editor_.paper.hovered.facet != no_index &&
-      !navigation_of(editor_, press)) {
-    editor_.paper.selected = editor_.paper.hovered.facet;
-    return nullptr;
-  }
-  // With modifiers the press is for the selection or for the view.
-  if (press.button == PointerButton::left && !press.shift && !press.control && !press.alt) {
-    if (const auto handle = gizmo_.hit(press.pixel))
-      return make_transform_tool(handle->kind, DrivenBy::handle, handle->lock);
-    if (const auto arrow = arrows_.hit(press.pixel))
-      return make_normal_tool(editor_.selection.active, *arrow);
-  }
-  if (editor_.view.surfaces_only) return std::nullopt;
-  auto tool = skin_tool_at({editor_, scene_}, press);
-  return tool ? std::optional(std::move(tool)) : std::nullopt;
+std::optional<std::unique_ptr<Tool>> Viewport::tool_of_layer(const PointerEvent& press) {
+  for (const auto& layer : layers_)
+    if (auto answer = layer->press({editor_, scene_}, press)) return answer;
+  return {};
 }
 
 void Viewport::hover(const Vector2& pixel, bool inside) {
-  hot_handle_.reset();
-  hot_arrow_.reset();
-  if (std::exchange(on_paper_, false)) editor_.paper.hovered = {};
-  if (!inside) {
-    editor_.hovered.reset();
-    return;
-  }
-  hot_handle_ = gizmo_.hit(pixel);
+  editor_.hovered.reset();
+  if (!inside) return;
   const ToolContext context{editor_, scene_};
   pointed_at_ = surface_point(scene_, context.projector().ray(pixel));
-  if (!hot_handle_) hot_arrow_ = arrows_.hit(pixel);
-  if (hot_handle_ || hot_arrow_) return editor_.hovered.reset();
-  if (const PaperSolid* paper = scene_.paper()) {
-    const Projector projector = context.projector();
-    const double reach = 5 * editor_.pixel_scale * editor_.camera().pixel_length(editor_.viewport);
-    editor_.paper.hovered = paper_under(*paper, projector.ray(pixel), reach);
-    on_paper_ = true;
-    return editor_.hovered.reset();
-  }
+  for (const auto& layer : layers_)
+    if (layer->hover(context, pixel)) return;
   const auto under = elements_under(context, pixel);
-  editor_.hovered.reset();
   if (!under.empty()) editor_.hovered = under.front();
 }
 
@@ -236,8 +199,8 @@ double Viewport::next_frame_in() const {
 std::string Viewport::hint() const {
   if (tool_active()) return tools_.running()->hint(editor_.language);
   const Language& tr = editor_.language;
-  if (hot_handle_) return tr("Drag the handle   click to type a number");
-  if (hot_arrow_) return tr("Drag turns the normal   click selects the point");
+  for (const auto& layer : layers_)
+    if (const char* hint = layer->hint()) return tr(hint);
   if (editor_.hovered) return tr("Click selects   Shift adds   Ctrl removes   drag moves");
   const std::size_t objects = editor_.selection.objects().size();
   const std::string selected =

@@ -7,13 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "ui/editor/gauss_view.hpp"
 #include "ui/editor/scene_builder.hpp"
-#include "ui/outline/outline_handles.hpp"
-#include "ui/skin/skin_overlay.hpp"
-#include "ui/view/gizmo.hpp"
 #include "ui/view/patch_jumps.hpp"
 #include "ui/view/pointer_tools.hpp"
+#include "ui/view/view_layer.hpp"
 #include "ui/view/view_panes.hpp"
 #include "ui/view/view_pictures.hpp"
 #include "ui/widgets/panels.hpp"
@@ -23,13 +20,16 @@ namespace hariko {
 class Viewport {
  public:
   /// `quick_samples`: samples a pixel while something moves (1 on software renderers, 4 otherwise).
-  Viewport(Editor& editor, Renderer& renderer, int quick_samples)
-      : editor_(editor), pictures_(renderer, quick_samples), tools_(editor, scene_), panes_(editor) {}
+  /// `layers`: what stands over the pictures; the first lies above the others.
+  Viewport(Editor& editor, Renderer& renderer, int quick_samples,
+           std::vector<std::unique_ptr<ViewLayer>> layers)
+      : editor_(editor),
+        pictures_(renderer, quick_samples),
+        tools_(editor, scene_),
+        panes_(editor),
+        layers_(std::move(layers)) {}
   Viewport(const Viewport&) = delete;
   Viewport& operator=(const Viewport&) = delete;
-
-  /// What is pointed at on the Gauss sphere shows in the views, too. It must outlive the viewport.
-  void link(const GaussView& gauss) { gauss_ = &gauss; }
 
   /// Handles the pointer, redraws the pictures that changed, and shows them.
   void draw(PanelContext& context, const PanelRect& rect);
@@ -61,7 +61,8 @@ class Viewport {
   void show(PanelContext& context, const Place& place);
   void draw_over(PanelContext& context, const Place& place, const Camera& camera);
   void handle_pointer(bool hovered);
-  std::optional<std::unique_ptr<Tool>> tool_overhead(const PointerEvent& press);
+  void update_layers();
+  std::optional<std::unique_ptr<Tool>> tool_of_layer(const PointerEvent& press);
   void hover(const Vector2& pixel, bool inside);
 
   Editor& editor_;
@@ -70,14 +71,8 @@ class Viewport {
   PointerTools tools_;
   ViewPanes panes_;
   PatchJumps jumps_;
-  Gizmo gizmo_;
-  SkinOverlay skin_overlay_;
-  const GaussView* gauss_ = nullptr;
-  std::optional<GizmoHandle> hot_handle_;  ///< under the pointer
-  OutlineHandles arrows_;
-  std::optional<Index> hot_arrow_;  ///< under the pointer
+  std::vector<std::unique_ptr<ViewLayer>> layers_;  ///< from above
   std::optional<SurfacePoint> pointed_at_;
-  bool on_paper_ = false;  ///< what is hovered of the paper is hovered here
 };
 
 }  // namespace hariko

@@ -1,0 +1,18 @@
+#pragma once
+
+// Commands on the window itself: files, preferences, rows of the properties, help. The workbench must outlive
+// the table.
+
+#include "ui/editor/command_host.hpp"
+
+namespace hariko {
+
+class Workbench;
+
+void add_file_commands(CommandHost& host, Workbench& workbench);
+void add_preferences_commands(CommandHost& host, Workbench& workbench);
+/// Commands for what stands in the properties, so that the palette finds it by its name.
+void add_property_commands(CommandHost& host, Workbench& workbench);
+void add_help_commands(CommandHost& host, Workbench& workbench);
+
+}  // namespace hariko
