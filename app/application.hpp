@@ -2,7 +2,7 @@
 
 // Application: the window, its loop, and the workers. Wiring only.
 
-#include "app/window_options.hpp"
+#include "app/window/window_options.hpp"
 
 namespace hariko {
 

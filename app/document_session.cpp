@@ -5,9 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "app/broken_mesh.hpp"
 #include "app/files/file_names.hpp"
 #include "app/files/prepare_meshes.hpp"
+#include "app/jobs/broken_mesh.hpp"
 #include "core/base/printable.hpp"
 #include "core/base/temporary_files.hpp"
 #include "core/document/file.hpp"

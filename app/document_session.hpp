@@ -9,12 +9,12 @@
 #include <optional>
 #include <string>
 
-#include "app/background_work.hpp"
 #include "app/files/open_file.hpp"
+#include "app/jobs/background_work.hpp"
 #include "app/persistence/autosaver.hpp"
 #include "app/persistence/recent_files.hpp"
 #include "app/persistence/xdg_folders.hpp"
-#include "app/pictures.hpp"
+#include "app/pictures/pictures.hpp"
 #include "ui/shell/workbench.hpp"
 
 namespace hariko {

@@ -36,7 +36,7 @@ ALLOWED = {
     "times descend", "unknown kind \"", "version ", " is unknown",
 }
 # The command line, the log of tests, and the names of keys, which are the same everywhere.
-UNSEEN = {"app/main.cpp", "app/crash_report.cpp", "app/test_log.cpp", "app/replay.cpp", "ui/base/key_chord.cpp"}
+UNSEEN = {"app/main.cpp", "app/crash_report.cpp", "app/input/test_log.cpp", "app/input/replay.cpp", "ui/base/key_chord.cpp"}
 # Calls whose literals are not for users, or are translated by the code of their message.
 SILENT = {"HARIKO_ASSERT", "make_error", "make_warning", "static_assert", "getenv", "glfwWindowHintString", "PushID",
           "begin_panel", "FindWindowByName", "OpenPopup", "BeginPopup", "IsPopupOpen", "BeginChild"}

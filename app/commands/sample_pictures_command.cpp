@@ -2,7 +2,7 @@
 
 #include "app/commands/commands.hpp"
 #include "app/commands/console.hpp"
-#include "app/sample_pictures.hpp"
+#include "app/pictures/sample_pictures.hpp"
 #include "render/offscreen.hpp"
 #include "render/renderer.hpp"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "app/window_icons.hpp"
+#include "app/window/window_icons.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 

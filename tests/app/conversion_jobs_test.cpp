@@ -1,6 +1,6 @@
 // Solids become polyhedra by a worker, in one step, and the window says how far their surfaces are apart.
 
-#include "app/conversion_jobs.hpp"
+#include "app/jobs/conversion_jobs.hpp"
 
 #include <gtest/gtest.h>
 

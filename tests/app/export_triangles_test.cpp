@@ -1,4 +1,4 @@
-#include "app/export_triangles.hpp"
+#include "app/jobs/export_triangles.hpp"
 
 #include <gtest/gtest.h>
 

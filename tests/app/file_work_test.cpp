@@ -5,9 +5,9 @@
 #include <array>
 #include <thread>
 
-#include "app/background_work.hpp"
 #include "app/files/export_surfaces.hpp"
 #include "app/files/open_file.hpp"
+#include "app/jobs/background_work.hpp"
 #include "core/exchange/mesh_file.hpp"
 #include "tests/support/random_polyhedra.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "app/input_queue.hpp"
+#include "app/input/input_queue.hpp"
 
 #include <gtest/gtest.h>
 

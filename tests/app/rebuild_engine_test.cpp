@@ -1,4 +1,4 @@
-#include "app/rebuild_engine.hpp"
+#include "app/engines/rebuild_engine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/replay.hpp"
+#include "app/input/replay.hpp"
 
 #include <gtest/gtest.h>
 

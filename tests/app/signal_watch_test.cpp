@@ -1,6 +1,6 @@
 // Signals that ask for the end: in a child each, as they end the process.
 
-#include "app/signal_watch.hpp"
+#include "app/window/signal_watch.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 // Sections are taken from a skin's surface by a worker: the window never waits, and no drag loses one.
 
-#include "app/skin_jobs.hpp"
+#include "app/jobs/skin_jobs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "app/surface_builder.hpp"
+#include "app/engines/surface_builder.hpp"
 #include "core/document/edit_skin.hpp"
 #include "core/skinning/add_section.hpp"
 #include "core/skinning/edit_path.hpp"

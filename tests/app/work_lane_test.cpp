@@ -1,4 +1,4 @@
-#include "app/work_lane.hpp"
+#include "app/engines/work_lane.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, inside of core as
-// `core_arrows` lists them, and inside of ui shell -> workspaces -> view -> widgets -> editor -> base.
+// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, inside of core
+// as `core_arrows` lists them, and inside of ui shell -> workspaces -> view -> widgets -> editor -> base.
 
 #include <gtest/gtest.h>
 
@@ -53,8 +53,8 @@ const std::map<std::string, Names>& core_arrows() {
   return arrows;
 }
 
-/// The level of a folder of ui; it may include those of lower levels. The workspaces, all of one level, do not
-/// include each other.
+/// The level of a folder of ui; it may include those of lower levels. The workspaces, all of one level, do
+/// not include each other.
 const std::map<std::string, int>& ui_levels() {
   constexpr int workspace = 4;
   static const std::map<std::string, int> levels = {

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::string>& exceptions() {
   static const std::map<std::string, std::string> files = {
       {"core/base/file_io.cpp", "the one that leaves no halves"},
-      {"app/replay.hpp", "grows while the user works: what is there is of use after a crash"},
-      {"app/test_log.hpp", "likewise, for tests"},
+      {"app/input/replay.hpp", "grows while the user works: what is there is of use after a crash"},
+      {"app/input/test_log.hpp", "likewise, for tests"},
       {"app/persistence/file_lock.cpp", "an empty file, for its lock"},
       {"core/base/temporary_files.cpp", "opens what it removes, for its lock"},
       {"app/start_program.cpp", "/dev/null for another program"},

@@ -7,7 +7,7 @@
 #include <set>
 #include <thread>
 
-#include "app/drawing_export.hpp"
+#include "app/jobs/drawing_export.hpp"
 #include "core/base/file_io.hpp"
 #include "core/document/edits.hpp"
 #include "render/picture.hpp"

@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "app/file_pictures.hpp"
+#include "app/pictures/file_pictures.hpp"
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/document/edits.hpp"
 #include "core/document/file.hpp"

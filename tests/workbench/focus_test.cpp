@@ -7,7 +7,7 @@
 #include <fstream>
 #include <set>
 
-#include "app/samples.hpp"
+#include "app/pictures/samples.hpp"
 #include "core/document/edits.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -10,8 +10,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/rebuild_engine.hpp"
-#include "app/surface_builder.hpp"
+#include "app/engines/rebuild_engine.hpp"
+#include "app/engines/surface_builder.hpp"
 #include "render/offscreen.hpp"
 #include "ui/base/fonts.hpp"
 #include "ui/shell/workbench.hpp"

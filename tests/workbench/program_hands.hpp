@@ -8,10 +8,10 @@
 #include <memory>
 #include <thread>
 
-#include "app/conversion_jobs.hpp"
 #include "app/document_session.hpp"
-#include "app/exchange_jobs.hpp"
-#include "app/paper_engine.hpp"
+#include "app/engines/paper_engine.hpp"
+#include "app/jobs/conversion_jobs.hpp"
+#include "app/jobs/exchange_jobs.hpp"
 #include "render/shown_edges.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"

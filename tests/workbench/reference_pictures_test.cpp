@@ -5,8 +5,8 @@
 
 #include <thread>
 
-#include "app/reference_jobs.hpp"
-#include "app/reference_loader.hpp"
+#include "app/engines/reference_loader.hpp"
+#include "app/jobs/reference_jobs.hpp"
 #include "core/document/file.hpp"
 #include "core/document/object_box.hpp"
 #include "tests/support/random_polyhedra.hpp"

@@ -1,6 +1,6 @@
 // Pictures of samples, as the build draws them.
 
-#include "app/sample_pictures.hpp"
+#include "app/pictures/sample_pictures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <set>
 
-#include "app/samples.hpp"
+#include "app/pictures/samples.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/workbench/headless_workbench.hpp"

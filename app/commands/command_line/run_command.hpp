@@ -5,7 +5,7 @@
 
 #include <variant>
 
-#include "app/window_options.hpp"
+#include "app/window/window_options.hpp"
 
 namespace hariko {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/window_options.hpp"
+#include "app/window/window_options.hpp"
 
 namespace CLI {
 class App;

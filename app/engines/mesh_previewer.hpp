@@ -1,0 +1,31 @@
+#pragma once
+
+// Keeps the mesh of the meshing panel up to date, off the main thread: the latest request wins.
+
+#include "app/engines/work_lane.hpp"
+#include "ui/editor/editor.hpp"
+
+namespace hariko {
+
+/// For the main thread.
+class MeshPreviewer {
+ public:
+  /// `published` is called when a mesh is ready to be shown.
+  MeshPreviewer(Editor& editor, std::function<void()> wake, std::function<void()> published);
+
+  /// Asks for what the panel's settings, or the object, have changed to. Rests during gestures.
+  void sync();
+  std::size_t publish() { return lane_.publish(); }
+  bool idle() const { return lane_.idle() && !editor_.meshing.job; }
+
+ private:
+  void forget();
+
+  Editor& editor_;
+  std::function<void()> published_;
+  std::shared_ptr<const Object> object_;  ///< of the last request
+  MeshingSettings settings_;
+  WorkLane lane_;  ///< last: its thread stops before the rest goes
+};
+
+}  // namespace hariko

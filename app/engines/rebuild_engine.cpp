@@ -1,0 +1,220 @@
+#include "app/engines/rebuild_engine.hpp"
+
+#include "core/document/object_shape.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace hariko {
+
+namespace {
+
+WorkLane::Key surface_key(ObjectId id) {
+  return id.value;
+}
+WorkLane::Key measure_key(ObjectId id) {
+  return id.value | (WorkLane::Key{1} << 32);
+}
+
+/// Whether the two need the same view: what the object is called or where it stands does not matter.
+bool same_view(const Object& a, const Object& b) {
+  const DisplaySettings &p = a.display, &q = b.display;
+  return a.source == b.source && p.map == q.map && p.density == q.density && p.ranges == q.ranges &&
+         p.combs.shown == q.combs.shown && (!p.combs.shown || p.combs.density == q.combs.density);
+}
+
+/// Whether what an object is attached to lies as before, seen from the object.
+bool same_neighbours(const Object& a, const ObjectPointers& of_a, const Object& b,
+                     const ObjectPointers& of_b) {
+  const auto same = [](const auto& x, const auto& y) {
+    return x == y || (x->id == y->id && x->source == y->source && x->transform == y->transform);
+  };
+  return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), same) &&
+         (of_a.empty() || a.transform == b.transform);
+}
+
+/// Facets of reference meshes are drawn as surfaces are.
+bool is_drawn(const Object& object) {
+  return has_shape(object);
+}
+
+}  // namespace
+
+RebuildEngine::RebuildEngine(MakeBuilder make_builder, std::function<void()> wake, OnPublished on_published)
+    : make_builder_(std::move(make_builder)),
+      on_published_(std::move(on_published)),
+      lane_(std::move(wake)) {}
+
+/// The object as the view shows it; the same pointer as long as neither changes.
+std::shared_ptr<const Object> RebuildEngine::with_map(Track& track,
+                                                      const std::shared_ptr<const Object>& object,
+                                                      const ViewMap& map) {
+  if (!follows_view(map, *object)) return object;
+  const DisplaySettings display = shown_display(map, *object);
+  if (track.given == object && track.looked_at && track.looked_at->display == display) return track.looked_at;
+  auto shown = std::make_shared<Object>(*object);
+  shown->display = display;
+  track.given = object;
+  track.looked_at = std::move(shown);
+  return track.looked_at;
+}
+
+void RebuildEngine::sync(const Document& document, bool in_gesture, double now, RecomputePolicy policy,
+                         const ViewMap& map) {
+  const bool paused =
+      policy == RecomputePolicy::manual || (policy == RecomputePolicy::on_release && in_gesture);
+  for (const auto& given : document.objects) {
+    if (!given->visible || !is_drawn(*given)) continue;
+    Track& track = tracks_[given->id];
+    const auto object = with_map(track, given, map);
+    ObjectPointers neighbours = neighbours_of(document, object->id);
+    const bool changed = !track.requested ||
+                         (track.requested != object && !same_view(*track.requested, *object)) ||
+                         !same_neighbours(*track.requested, track.neighbours, *object, neighbours);
+    if (changed && paused && track.requested && !track.forced) {
+      track.outdated = true;
+    } else if (changed || track.forced) {
+      // The first surface of an object is final even when it appears within a gesture.
+      request(track, object, std::move(neighbours),
+              in_gesture && track.requested ? Quality::drag : Quality::final, now);
+    } else {
+      track.requested = object;
+      track.neighbours = std::move(neighbours);
+      const bool rests = !in_gesture || now - track.requested_at > rest_seconds;
+      if (track.quality == Quality::drag && rests)
+        request(track, object, track.neighbours, Quality::final, now);
+    }
+  }
+  for (auto it = tracks_.begin(); it != tracks_.end();) {
+    if (document.find(it->first)) {
+      ++it;
+      continue;
+    }
+    lane_.cancel(surface_key(it->first));
+    lane_.cancel(measure_key(it->first));
+    views_.erase(it->first);
+    it = tracks_.erase(it);
+  }
+}
+
+void RebuildEngine::cancel_all() {
+  for (auto& [id, track] : tracks_) {
+    if (!track.pending) continue;
+    lane_.cancel(surface_key(id));
+    track.pending = false;
+    track.outdated = true;
+    track.quality = Quality::final;  // no final surface follows by itself
+  }
+}
+
+void RebuildEngine::recompute_outdated() {
+  for (auto& [id, track] : tracks_) track.forced = track.forced || track.outdated;
+}
+
+std::set<ObjectId> RebuildEngine::outdated() const {
+  std::set<ObjectId> out;
+  for (const auto& [id, track] : tracks_)
+    if (track.outdated && !track.forced) out.insert(id);
+  return out;
+}
+
+void RebuildEngine::reset() {
+  for (const auto& [id, track] : tracks_) {
+    lane_.cancel(surface_key(id));
+    lane_.cancel(measure_key(id));
+  }
+  tracks_.clear();
+  views_.clear();
+}
+
+void RebuildEngine::request(Track& track, const std::shared_ptr<const Object>& object,
+                            ObjectPointers neighbours, Quality quality, double now) {
+  // A drag job is short and its result worth showing; a final one that is out of date only delays the next.
+  const auto running =
+      track.quality == Quality::final ? WorkLane::Running::cancel : WorkLane::Running::finish;
+  if (!track.builder) track.builder = make_builder_();
+  if (!track.pending) track.stale_since = now;
+  track.requested = object;
+  track.neighbours = neighbours;
+  track.quality = quality;
+  track.requested_at = now;
+  track.pending = true;
+  track.outdated = track.forced = false;
+  lane_.cancel(measure_key(object->id));
+  lane_.submit(
+      surface_key(object->id),
+      [this, object, neighbours = std::move(neighbours), quality,
+       builder = track.builder](const CancelToken& cancel) -> WorkLane::Publication {
+        auto view = std::make_shared<SurfaceView>(builder->build(object, neighbours, quality, cancel));
+        if (cancel.cancelled()) return {};
+        return [this, id = object->id, view] { take(id, std::move(*view)); };
+      },
+      running);
+}
+
+void RebuildEngine::take(ObjectId id, SurfaceView view) {
+  const auto track = tracks_.find(id);
+  if (track == tracks_.end()) return;
+  track->second.pending = lane_.busy(surface_key(id));
+  SurfaceView& shown = views_[id];
+  if (view.error) {
+    // The last good surface stays, with the reason beside it.
+    shown.object = view.object;
+    shown.error = view.error;
+    shown.warnings = std::move(view.warnings);
+    shown.milliseconds = view.milliseconds;
+    shown.quality = view.quality;
+    shown.largest_normal_jump.reset();
+  } else {
+    if (view.quality == Quality::drag) {
+      // Warnings are found at quality `final`; the range of a map rests during a gesture so that colours
+      // compare.
+      view.warnings = std::move(shown.warnings);
+      if (shown.mesh && shown.surface.patch_count() > 0 && view.surface.same_adjacency(shown.surface))
+        view.continuity = std::move(shown.continuity);
+    }
+    shown = std::move(view);
+  }
+  if (on_published_) on_published_(id, shown);
+  if (shown.quality == Quality::final && !shown.error && !track->second.pending) measure(id);
+}
+
+void RebuildEngine::measure(ObjectId id) {
+  lane_.submit(
+      measure_key(id),
+      [this, id, surface = views_[id].surface,
+       builder = tracks_[id].builder](const CancelToken& cancel) -> WorkLane::Publication {
+        auto report = std::make_shared<const ContinuityReport>(builder->measure(surface, cancel));
+        if (cancel.cancelled()) return {};
+        return [this, id, report] {
+          const auto view = views_.find(id);
+          if (view == views_.end()) return;
+          view->second.largest_normal_jump = report->largest_normal_jump.value_or(0);
+          view->second.continuity = report;
+        };
+      },
+      WorkLane::Running::cancel);
+}
+
+bool RebuildEngine::pending(ObjectId id) const {
+  const auto track = tracks_.find(id);
+  return track != tracks_.end() && track->second.pending;
+}
+
+double RebuildEngine::pending_since(ObjectId id) const {
+  const auto track = tracks_.find(id);
+  return track == tracks_.end() ? 0 : track->second.stale_since;
+}
+
+double RebuildEngine::progress(ObjectId id) const {
+  const auto track = tracks_.find(id);
+  return track != tracks_.end() && track->second.pending ? track->second.builder->progress() : -1;
+}
+
+bool RebuildEngine::any_pending() const {
+  for (const auto& [id, track] : tracks_)
+    if (track.pending) return true;
+  return false;
+}
+
+}  // namespace hariko

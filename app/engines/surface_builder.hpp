@@ -1,0 +1,39 @@
+#pragma once
+
+// SurfaceBuilder: from an object to its surface and what the screen needs of it.
+
+#include <memory>
+
+#include "app/engines/rebuild_engine.hpp"
+#include "core/modeling/attached.hpp"
+
+namespace hariko {
+
+class SurfaceBuilder final : public ViewBuilder {
+ public:
+  SurfaceView build(const std::shared_ptr<const Object>& object, const ObjectPointers& neighbours,
+                    Quality quality, const CancelToken& cancel) override;
+  ContinuityReport measure(const Surface& surface, const CancelToken& cancel) override;
+  double progress() const override { return surfacer_.progress().fraction(); }
+
+ private:
+  Result<PolyhedronSurface> surface_of(const Object& object, const ObjectPointers& neighbours,
+                                       Quality quality, const CancelToken& cancel);
+
+  void take_range(const Object& object, SurfaceView& view);
+
+  ObjectSurfacer surfacer_;
+  std::shared_ptr<const Object> made_from_;  ///< what last_ was made from
+  ObjectPointers made_beside_;               ///< and its neighbours then
+  PolyhedronSurface last_;
+  Quality last_quality_ = Quality::drag;
+  std::shared_ptr<const DisplayMesh> base_mesh_;  ///< of the whole surface with revision base_revision_
+  std::uint64_t base_revision_ = 0, facet_revision_ = 0;
+  std::shared_ptr<const CombLines> combs_;  ///< of last_
+  SurfaceMap map_ = SurfaceMap::shaded;
+  MapRange range_settings_;
+  ValueRange range_;
+  std::vector<float> histogram_;
+};
+
+}  // namespace hariko

@@ -1,0 +1,70 @@
+#include "app/input/input_queue.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace hariko {
+
+namespace {
+
+using Kind = InputEvent::Kind;
+
+bool is_move(const InputEvent& event) {
+  return event.kind == Kind::move || event.kind == Kind::leave;
+}
+
+/// Shift, Ctrl, Alt and Super of either side. Their own events carry the modifiers from before.
+bool is_modifier(const InputEvent& event) {
+  return event.kind == Kind::key && event.code >= GLFW_KEY_LEFT_SHIFT && event.code <= GLFW_KEY_RIGHT_SUPER;
+}
+
+/// Whether a frame that sees `batch` may see `next` as well.
+bool fits(const std::vector<InputEvent>& batch, const InputEvent& next) {
+  const bool only_moves = std::all_of(batch.begin(), batch.end(), is_move);
+  switch (next.kind) {
+    case Kind::move:
+    case Kind::leave:
+      return only_moves;
+    case Kind::button:
+      // A slider lets go in the frame that sees the button up: what it was dragged to must have come before.
+      return next.down ? only_moves : batch.empty();
+    case Kind::wheel:
+      return std::all_of(batch.begin(), batch.end(),
+                         [](const InputEvent& event) { return is_move(event) || event.kind == Kind::wheel; });
+    case Kind::key:
+    case Kind::text:
+      return std::all_of(batch.begin(), batch.end(), [&](const InputEvent& event) {
+        if (event.kind == Kind::text || is_move(event)) return true;
+        if (event.kind != Kind::key) return false;
+        // The frame would not see a key that went down and up, nor modifiers that hold for some keys only: a
+        // shortcut whose modifier goes up in the same frame would be a bare letter.
+        if (is_modifier(event) || is_modifier(next)) return false;
+        const bool same = next.kind == Kind::key && next.code == event.code && next.down != event.down;
+        return !same && (next.kind == Kind::text || next.modifiers == event.modifiers);
+      });
+    default:
+      return batch.empty();
+  }
+}
+
+}  // namespace
+
+std::vector<InputEvent> InputQueue::take(bool keys_wait) {
+  std::vector<InputEvent> batch;
+  while (!waiting_.empty() && fits(batch, waiting_.front())) {
+    const Kind next = waiting_.front().kind;
+    if (keys_wait && (next == Kind::key || next == Kind::text)) break;
+    if (is_move(waiting_.front()) && !batch.empty()) {
+      waiting_.front().came_at = batch.back().came_at;
+      batch.pop_back();
+    }
+    batch.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+    if (batch.back().kind >= Kind::focus) break;
+  }
+  return batch;
+}
+
+}  // namespace hariko

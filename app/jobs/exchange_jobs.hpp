@@ -1,0 +1,63 @@
+#pragma once
+
+// ExchangeJobs: imports and exports of the window, off the main thread.
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "app/files/open_file.hpp"
+#include "app/jobs/background_work.hpp"
+#include "app/jobs/drawing_export.hpp"
+#include "app/jobs/picture_export.hpp"
+#include "ui/shell/workbench.hpp"
+
+namespace hariko {
+
+/// For the main thread. What went wrong and what was written is told to the designer by notices.
+class ExchangeJobs {
+ public:
+  using Log = std::function<void(const char* what, const std::filesystem::path&)>;
+  /// `log`: told when something is done: "imported", "broken" (a mesh that needs a repair), "export_counted",
+  /// "exported" or "export_failed".
+  ExchangeJobs(Editor& editor, Workbench& workbench, BackgroundWork& work, Log log)
+      : editor_(editor), workbench_(workbench), work_(work), log_(std::move(log)) {}
+  ~ExchangeJobs() { counting_.cancel(); }
+  ExchangeJobs(const ExchangeJobs&) = delete;
+  ExchangeJobs& operator=(const ExchangeJobs&) = delete;
+
+  /// Adds the objects of a file to the document, as one step; asks first whether a broken mesh is repaired,
+  /// or corners that are nearly at the same place are joined, unless `join` says it.
+  void import_file(const std::filesystem::path& path, const JoinChoice& join = {});
+  /// Counts the triangles or faces that an export would write, for the dialogs; a count that is on its way
+  /// is cancelled, and nothing is heard of it any more.
+  void count_export(const std::filesystem::path& path, const ExportSettings& settings);
+  void count_cad(const CadSettings& settings);
+  void cancel_count() { counting_.cancel(); }
+  void export_file(const std::filesystem::path& path, const ExportSettings& settings);
+  void export_cad(const std::filesystem::path& path, const CadSettings& settings);
+  void export_pictures(PictureOrder order);
+  void export_drawing(DrawingOrder order);
+  /// Writes the pages of the paper model as they lie.
+  void export_pages(const std::filesystem::path& path);
+
+ private:
+  /// Where the file says its unit, objects keep their size, otherwise the numbers.
+  void add_imported(const std::filesystem::path& path, const Document& document, bool says_unit,
+                    const std::vector<Message>& warnings);
+  void warn(const std::vector<Message>& warnings);
+  /// Tells of a file that was written, or not.
+  void tell(const std::filesystem::path& path, const Result<Done>& written);
+  Document document_to_export(bool only_selected) const;
+  /// Runs `count(cancel)` on the worker; `take` gets its result unless it was cancelled.
+  template <class Count, class Take>
+  void count(Count count, Take take);
+
+  Editor& editor_;
+  Workbench& workbench_;
+  BackgroundWork& work_;
+  Log log_;
+  CancelToken counting_;  ///< of the last count for a dialog
+};
+
+}  // namespace hariko

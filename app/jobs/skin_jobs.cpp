@@ -1,0 +1,116 @@
+#include "app/jobs/skin_jobs.hpp"
+
+#include <algorithm>
+
+#include "app/files/control_mesh_file.hpp"
+#include "app/files/left_out.hpp"
+#include "core/document/edits.hpp"
+#include "core/skinning/add_section.hpp"
+#include "ui/base/columns_job.hpp"
+#include "ui/editor/skin_edits.hpp"
+
+namespace hariko {
+
+void SkinJobs::add_section(ObjectId id, double place) {
+  // Asked for twice before it is there, by two clicks on one spot.
+  for (const WantedSection& wanted : wanted_)
+    if (wanted.object == id && wanted.place == place) return;
+  wanted_.push_back({id, place});
+  if (wanted_.size() == 1) make_section();
+}
+
+void SkinJobs::make_section() {
+  while (!wanted_.empty()) {
+    const auto [id, place] = wanted_.front();
+    const auto object = editor_.history.current().find_shared(id);
+    if (!object || !object->skin()) {
+      wanted_.pop_front();
+      continue;
+    }
+    edits_.run_cancellable(
+        fill(translatable("Adding a section to {0}"), {object->name}),
+        [object, at = place](const CancelToken& cancel, const Progress& progress) {
+          SkinWork work;
+          work.cancel = cancel;
+          work.progress = progress;
+          return hariko::add_section(*object->skin()->skin, at, work);
+        },
+        [this, object](const Result<SkinEdit>& edit) {
+          made_ = MadeSection{object, edit};
+        });
+    adding_ = editor_.jobs.back();
+    return;
+  }
+}
+
+void SkinJobs::settle() {
+  // A gesture goes on from the skin that it began with: a section that came in its middle would be lost.
+  if (!made_ || editor_.history.in_gesture()) return;
+  const MadeSection made = *std::move(made_);
+  made_.reset();
+  wanted_.pop_front();
+  // It may have been ready when it was cancelled.
+  if (adding_->cancel.cancelled() || (!made.edit.ok() && made.edit.error().code == e_cancelled))
+    wanted_.clear();
+  else
+    take(made);
+  make_section();
+}
+
+const Object* SkinJobs::still(const Object& object, const char* changed) const {
+  const Object* now = editor_.history.current().find(object.id);
+  if (!now || !now->skin()) return nullptr;
+  if (now->skin()->skin == object.skin()->skin) return now;
+  editor_.notify(Notice::Kind::warning, editor_.language(changed));
+  return nullptr;
+}
+
+void SkinJobs::take(const MadeSection& made) {
+  const Object& object = *made.object;
+  if (!made.edit.ok()) return editor_.notify(made.edit.error());
+  if (!still(object, translatable("The skin was changed while the section was taken. Add it again."))) return;
+  if (!commit_skin(editor_, object.id, made.edit, translatable("Add section"))) return;
+  if (editor_.selection.active == object.id) select_new_points(editor_, *made.edit);
+  log_("section_added", {});
+}
+
+void SkinJobs::export_control(const std::filesystem::path& path) {
+  const Document& document = editor_.history.current();
+  files_.run(
+      fill(translatable("Exporting {0}"), {path.filename().string()}),
+      [path, document](const CancelToken&) { return export_control_meshes(document, path); },
+      [this, path, left_out = left_out_of_control_meshes(document)](const Result<Done>& exported) {
+        if (!exported.ok()) {
+          log_("export_failed", path);
+          return editor_.notify(exported.error());
+        }
+        for (const Message& warning : left_out) editor_.notify(warning);
+        editor_.notify(Notice::Kind::info,
+                       fill(editor_.language("Exported {0}."), {path.filename().string()}));
+        ++editor_.exports;
+        log_("control_exported", path);
+      });
+}
+
+void SkinJobs::follow(RebuildEngine& engine) {
+  constexpr double noticeable = 0.3;  // seconds
+  double least = 1;
+  for (const auto& [id, since] : editor_.stale_since)
+    if (const double share = engine.progress(id); share >= 0 && editor_.now - since > noticeable)
+      least = std::min(least, share);
+  if (least < 1) {
+    if (!placing_) {
+      placing_ =
+          std::make_shared<const Job>(Job{placing_columns_job, true, CancelToken::make(), Progress::make()});
+      editor_.jobs.insert(editor_.jobs.begin(), placing_);
+    }
+    placing_->progress.report(least);
+  }
+  if (!placing_) return;
+  if (placing_->cancel.cancelled()) engine.cancel_all();
+  if (least < 1 && !placing_->cancel.cancelled()) return;
+  std::erase(editor_.jobs, placing_);
+  placing_.reset();
+}
+
+}  // namespace hariko

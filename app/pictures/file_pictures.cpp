@@ -1,0 +1,98 @@
+#include "app/pictures/file_pictures.hpp"
+
+#include <epoxy/gl.h>
+
+#include "app/engines/surface_builder.hpp"
+#include "app/files/open_file.hpp"
+#include "core/document/object_shape.hpp"
+#include "ui/editor/object_lines.hpp"
+#include "ui/editor/skin_view.hpp"
+#include "ui/view/view_pictures.hpp"
+
+namespace hariko {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Sections and path of a skin, in the colours that they have in the window.
+void add_sections(const Object& object, Scene& scene) {
+  const SkinView view = view_of(*object.skin()->skin, nullptr);
+  const auto add = [&](const std::vector<Vector3>& curve, const char* colour, float width) {
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+      scene.lines.push_back({object.transform.apply(curve[i]), object.transform.apply(curve[i + 1]),
+                             color_from_hex(colour), width, false});
+  };
+  for (const auto& path : view.paths) add(path, "#4aa3df", 2);
+  for (const SkinView::Section& section : view.sections) add(section.curve, "#3dbb6c", 3);
+}
+
+SceneObject part_of(const Document& document, const std::shared_ptr<const Object>& object,
+                    const CancelToken& cancel) {
+  SceneObject out;
+  SurfaceBuilder builder;
+  out.mesh = builder.build(object, neighbours_of(document, object->id), Quality::final, cancel).mesh;
+  out.polyhedron = lines_of(document, *object);
+  out.transform = matrix_of(object->transform);
+  // The network of anything but a polyhedron is dense, and would hide what the surface was made from.
+  out.show_network = !object->skin() && !object->solids() && !object->outline();
+  out.show_polyhedron = object->polyhedron() || object->solids() || object->outline();
+  // Points of a dense cage would hide it.
+  constexpr std::size_t most_points = 80;
+  out.show_points = !object->solids() && out.polyhedron && out.polyhedron->positions.size() <= most_points;
+  out.show_bodies = out.x_ray = object->solids() != nullptr;
+  return out;
+}
+
+}  // namespace
+
+Scene file_scene(const fs::path& path, const CancelToken& cancel) {
+  Scene scene;
+  scene.grid.visible = false;
+  const auto opened = open_file(path);
+  if (!opened.document) return scene;
+  for (const auto& object : opened.document->objects) {
+    if (!has_shape(*object) || !object->visible) continue;
+    scene.objects.push_back(part_of(*opened.document, object, cancel));
+    if (object->skin()) add_sections(*object, scene);
+  }
+  return scene;
+}
+
+Camera file_camera(const Scene& scene, PixelSize size) {
+  constexpr double margin = 1.12;
+  Camera camera = framed(Camera::standard(StandardView::iso), scene, size);
+  camera.distance *= margin;
+  return camera;
+}
+
+std::optional<Image> draw_picture(Renderer& renderer, const Scene& scene, PixelSize size) {
+  if (scene.objects.empty() ||
+      !renderer.draw(scene, file_camera(scene, size), {size, 4, thumbnail_picture}).ok())
+    return {};
+  Image image = renderer.read(thumbnail_picture);
+  renderer.forget(thumbnail_picture);
+  return image;
+}
+
+ImTextureID upload_picture(const Image& image) {
+  GLuint texture = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  // Without smaller levels: pictures are about as large as they are shown, and a software renderer compiles a
+  // program to make levels, which takes as long as half a start.
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               image.rgba.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui passes names of textures as pointers
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+void release_picture(ImTextureID picture) {
+  const auto texture = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(picture));
+  if (texture != 0) glDeleteTextures(1, &texture);
+}
+
+}  // namespace hariko

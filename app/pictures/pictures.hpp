@@ -1,0 +1,38 @@
+#pragma once
+
+// Pictures: what files look like, small, for the start page. Made once and kept in the cache.
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "app/jobs/background_work.hpp"
+#include "render/renderer.hpp"
+
+namespace hariko {
+
+/// For the main thread, with the GL context of the renderer. Textures live as long as the context.
+class Pictures {
+ public:
+  Pictures(Renderer& renderer, BackgroundWork& background, std::filesystem::path cache)
+      : renderer_(renderer), background_(background), cache_(std::move(cache)) {}
+
+  static constexpr PixelSize size{256, 192};
+
+  /// Gives the picture of a document or mesh file to `done`, at once or later; never where there is none.
+  void request(const std::filesystem::path& file, std::function<void(ImTextureID)> done);
+
+ private:
+  void draw(const std::string& key, const Scene& scene, const std::function<void(ImTextureID)>& done);
+  void keep(const std::string& key, const Image& image);
+
+  Renderer& renderer_;
+  BackgroundWork& background_;
+  std::filesystem::path cache_;
+  std::map<std::string, ImTextureID> textures_;  ///< null: there is none
+};
+
+}  // namespace hariko

@@ -1,0 +1,59 @@
+#include "app/window/interface_text.hpp"
+
+namespace hariko {
+
+std::string catalogue_name(LanguageId language) {
+  return language == LanguageId::japanese ? "ja.json" : std::string();
+}
+
+void InterfaceText::choose(Editor& editor) {
+  LanguageId& wanted = editor.settings.language;
+  if (wanted == language_) return;
+  if (const std::string name = catalogue_name(wanted); name.empty()) {
+    editor.language = {};
+  } else if (!japanese_font_installed()) {
+    wanted = language_;
+    return editor.notify(Notice::Kind::warning, editor.language(no_japanese_font));
+  } else if (auto loaded = Language::load(folder_ / name); loaded.ok()) {
+    editor.language = std::move(loaded).value();
+  } else {
+    wanted = language_;
+    return editor.notify(loaded.error());
+  }
+  language_ = wanted;
+  of_catalogue_.clear();
+  for (const char32_t point : editor.language.characters()) of_catalogue_.insert(point);
+}
+
+void InterfaceText::collect_names(const Editor& editor, const Offers& offers) {
+  const std::size_t offered = offers.recent.size() + offers.recoveries.size();
+  if (editor.history.serial() == names_serial_ && offered == offered_) return;
+  names_serial_ = editor.history.serial(), offered_ = offered;
+  const auto add = [&](std::string_view text) {
+    for (const char32_t point : code_points(text))
+      if (needs_japanese_font(point)) of_names_.insert(point);
+  };
+  add(editor.title());
+  for (const auto& object : editor.document().objects) add(object->name);
+  for (const RecentFile& file : offers.recent) add(file.path.string());
+  for (const RecoveryOffer& offer : offers.recoveries) add(offer.path.string());
+}
+
+void InterfaceText::update(Editor& editor, const Offers& offers, GlWindow& window) {
+  choose(editor);
+  collect_names(editor, offers);
+  of_names_.insert(editor.shown_characters().begin(), editor.shown_characters().end());
+  for (const char32_t point : window.take_typed())
+    if (needs_japanese_font(point)) of_names_.insert(point);
+  FontRequest request;
+  // Who has Japanese names types more of them: all common characters at once instead of a new atlas for each.
+  // The interface itself has a fifth of them, which its start does not wait for.
+  request.japanese = !of_names_.empty();
+  request.characters = of_catalogue_;
+  request.characters.insert(of_names_.begin(), of_names_.end());
+  // The name of the language is offered in its own script.
+  for (const char32_t point : code_points(japanese_in_japanese)) request.characters.insert(point);
+  window.set_fonts(std::move(request));
+}
+
+}  // namespace hariko
