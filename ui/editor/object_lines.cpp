@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/document/edit_attachments.hpp"
-#include "ui/editor/solids_display.hpp"
+#include "ui/editor/object_kind.hpp"
 
 namespace hariko {
 
@@ -86,13 +85,7 @@ std::shared_ptr<const DisplayPolyhedron> lines_of(const Outline& outline) {
 }
 
 std::shared_ptr<const DisplayPolyhedron> lines_of(const Document& document, const Object& object) {
-  if (const PolyhedronSource* source = object.polyhedron())
-    return DisplayPolyhedron::build(attached_polyhedron(document, object), *source->shaping, source->origin);
-  if (const SolidsSource* solids = object.solids()) return display_of(*solids);
-  if (const OutlineSource* outline = object.outline()) return lines_of(*outline->outline);
-  if (const BezierSource* bezier = object.bezier()) return lines_of(*bezier);
-  if (const MeshSource* mesh = object.mesh()) return lines_of(*mesh);
-  return cage_of(object);
+  return object_kind(object).lines(document, object, nullptr, {}).polyhedron;
 }
 
 }  // namespace hariko

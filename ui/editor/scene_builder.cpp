@@ -6,9 +6,7 @@
 
 #include "core/document/object_shape.hpp"
 #include "render/surface_maps.hpp"
-#include "ui/editor/object_lines.hpp"
 #include "ui/editor/reference_pictures.hpp"
-#include "ui/editor/solids_display.hpp"
 
 namespace hariko {
 
@@ -58,14 +56,6 @@ std::vector<Index> patches_of(const DisplayMesh& mesh, const std::set<FaceId>& f
       patches.push_back(p);
   }
   return patches;
-}
-
-/// Points of an outline, by their numbers.
-Highlights points_of(const ElementSelection& selection, const Outline& outline) {
-  Highlights out;
-  for (const VertexId id : selection.vertices)
-    if (id.value < outline.point_count()) out.vertices.push_back(id.value);
-  return out;
 }
 
 /// The surface alone, for what is drawn over it: other lines would be taken for edges.
@@ -142,23 +132,17 @@ void mark_whole(const Editor& editor, const Object& object, SceneObject& out) {
   if (hovered) out.hovered = all;
 }
 
-/// The element that an error names, to be outlined: faces by their edges too.
-Highlights failed_of(const Message& error, const Polyhedron& polyhedron) {
-  const Element& element = error.element;
-  const auto number = static_cast<std::uint32_t>(element.id);
-  ElementSelection failed;
-  if (element.kind == Element::Kind::vertex) failed.vertices.insert(VertexId{number});
-  if (element.kind == Element::Kind::edge) failed.edges.insert(EdgeId::from_packed(element.id));
-  if (element.kind == Element::Kind::face) {
-    failed.faces.insert(FaceId{number});
-    if (const Index face = polyhedron.find(FaceId{number}); face != no_index) {
-      const auto corners = polyhedron.topology().face_vertices(face);
-      for (std::size_t i = 0; i < corners.size(); ++i)
-        failed.edges.insert(EdgeId::of(polyhedron.vertex_id(corners[i]),
-                                       polyhedron.vertex_id(corners[(i + 1) % corners.size()])));
-    }
-  }
-  return highlights_of(failed, polyhedron);
+/// Elements that are chosen or pointed at, and the patches of such faces.
+void mark_elements(const Editor& editor, const Object& object, SceneObject& out) {
+  const auto mark = [&](const ElementSelection& elements, Highlights& lines, std::vector<Index>& patches) {
+    lines = object_kind(object).highlights(object, elements, *out.polyhedron);
+    if (out.mesh && object.cage()) patches = patches_of(*out.mesh, elements.faces);
+  };
+  mark(editor.selection.of(object.id), out.selected, out.selected_patches);
+  if (!editor.hovered || editor.hovered->object != object.id) return;
+  Selection hover;
+  hover.select(*editor.hovered, Selection::How::replace);
+  mark(hover.of(object.id), out.hovered, out.hovered_patches);
 }
 
 }  // namespace
@@ -242,85 +226,49 @@ void SceneBuilder::fold_paper(const PaperState& paper) {
 
 SceneObject SceneBuilder::describe(const Editor& editor, const std::shared_ptr<const Object>& object) {
   SceneObject out;
-  out.polyhedron = polyhedron_of(editor.document(), object);
+  const ObjectKind& kind = object_kind(*object);
+  out.polyhedron = lines_of(editor.document(), object);
   out.transform = matrix_of(object->transform);
   const DisplaySettings display = shown_display(editor.view.map, *object);
   const bool bare = editor.view.surfaces_only;
   out.show_surface = display.surface;
   out.show_polyhedron = display.polyhedron && !bare;
   out.show_network = display.network && !bare;
-  out.quiet_network =
-      object->outline() != nullptr;  // its points inside were found, the loops alone are drawn
-  out.elements_pickable = !(object->patches() || object->bezier()) || display.polyhedron;
   out.x_ray = editor.view.x_ray;
   out.material = display.material;
   out.color = color_of(display.colour);
   out.wire = bare ? PatchWire::none : display.wire;
-  out.show_points = display.points;
+  out.show_points = display.points && object->has_surface();
   out.show_tensions = display.tensions;
-  const Polyhedron* cage = object->cage();
+  kind.adjust(*object, editor.view, out);
   const SurfaceView* view = editor.view_of(object->id);
   if (view) out.mesh = view->mesh;
   if (editor.mode == ElementMode::object && !bare) mark_whole(editor, *object, out);
-  if (!object->has_surface()) {
-    out.show_points = false;
-    out.map = display.map;
-    return out;
-  }
-  if (view) {
-    if (view->mesh && out.polyhedron) out.edge_curves = edge_curves_of(*object, *view->mesh, *out.polyhedron);
-    out.combs = display.combs.shown ? view->combs : nullptr;
-    out.comb_scale = display.combs.scale;
-    if (display.marks && view->continuity) out.marks = marks_of(object->id, *view, editor.view.tolerance);
-    if (view->error && cage) out.failed = failed_of(*view->error, *cage);
-    if (view->error && object->outline()) {
-      ElementSelection failed;
-      if (view->error->element.kind == Element::Kind::vertex)
-        failed.vertices.insert(VertexId{static_cast<std::uint32_t>(view->error->element.id)});
-      out.failed = points_of(failed, *object->outline()->outline);
-    }
-    // A new map shows when its values are there; until then the surface is drawn without.
-    const bool ready = !has_values(display.map) || (view->object && view->object->display.map == display.map);
-    out.map = ready ? display.map : SurfaceMap::shaded;
-    out.range = view->range;
-  }
+  out.map = display.map;
+  if (!object->has_surface()) return out;
+  if (view) describe_surface(editor, *object, *view, out);
   const auto stale = editor.stale_since.find(object->id);
   out.dimmed = (stale != editor.stale_since.end() && editor.now - stale->second > 0.3) ||
                editor.recompute.outdated.contains(object->id);
-  if (bare) return out;
-  if (const OutlineSource* outline = object->outline(); outline && editor.mode == ElementMode::vertex) {
-    out.selected = points_of(editor.selection.of(object->id), *outline->outline);
-    if (editor.hovered && editor.hovered->object == object->id) {
-      Selection hover;
-      hover.select(*editor.hovered, Selection::How::replace);
-      out.hovered = points_of(hover.of(object->id), *outline->outline);
-    }
-  }
-  if (object->solids()) {
-    // They lie inside of their surface.
-    out.x_ray = true;
-    out.show_points = false;
-    out.show_bodies = editor.view.bodies && display.polyhedron;
-    out.faint_bodies = object->locked;
-  }
-  if (editor.mode == ElementMode::object || !(cage || object->solids())) return out;
-  const ElementSelection& selected = editor.selection.of(object->id);
-  if (object->solids()) {
-    out.selected = highlights_of_solids(*out.polyhedron, selected.vertices);
-    if (editor.hovered && editor.hovered->object == object->id)
-      out.hovered = highlights_of_solids(*out.polyhedron,
-                                         {VertexId{static_cast<std::uint32_t>(editor.hovered->element.id)}});
-    return out;
-  }
-  out.selected = highlights_of(selected, *cage);
-  if (out.mesh) out.selected_patches = patches_of(*out.mesh, selected.faces);
-  if (editor.hovered && editor.hovered->object == object->id) {
-    Selection hover;
-    hover.select(*editor.hovered, Selection::How::replace);
-    out.hovered = highlights_of(hover.of(object->id), *cage);
-    if (out.mesh) out.hovered_patches = patches_of(*out.mesh, hover.of(object->id).faces);
-  }
+  if (!bare && editor.mode != ElementMode::object && out.polyhedron) mark_elements(editor, *object, out);
   return out;
+}
+
+/// What is known of the surface that is shown: curves over edges, combs, marks of continuity, its map and its
+/// error.
+void SceneBuilder::describe_surface(const Editor& editor, const Object& object, const SurfaceView& view,
+                                    SceneObject& out) {
+  const DisplaySettings display = shown_display(editor.view.map, object);
+  if (view.mesh && out.polyhedron) out.edge_curves = edge_curves_of(object, *view.mesh, *out.polyhedron);
+  out.combs = display.combs.shown ? view.combs : nullptr;
+  out.comb_scale = display.combs.scale;
+  if (display.marks && view.continuity) out.marks = marks_of(object.id, view, editor.view.tolerance);
+  if (view.error && out.polyhedron)
+    out.failed = object_kind(object).failed(object, view.error->element, *out.polyhedron);
+  // A new map shows when its values are there; until then the surface is drawn without.
+  const bool ready = !has_values(display.map) || (view.object && view.object->display.map == display.map);
+  out.map = ready ? display.map : SurfaceMap::shaded;
+  out.range = view.range;
 }
 
 std::shared_ptr<const EdgeCurves> SceneBuilder::edge_curves_of(const Object& object, const DisplayMesh& mesh,
@@ -389,93 +337,19 @@ std::shared_ptr<const EdgeMarks> SceneBuilder::marks_of(ObjectId id, const Surfa
   return entry.marks;
 }
 
-std::shared_ptr<const DisplayPolyhedron> SceneBuilder::polyhedron_of(
-    const Document& document, const std::shared_ptr<const Object>& object) {
+std::shared_ptr<const DisplayPolyhedron> SceneBuilder::lines_of(const Document& document,
+                                                                const std::shared_ptr<const Object>& object) {
   Entry& entry = entries_[object->id];
-  if (object->polyhedron() && !object->polyhedron()->attachments->empty())
-    return attached_polyhedron_of(entry, document, object);
-  if (entry.attached) entry.object.reset();
-  entry.attached.reset();
-  if (entry.object == object) return entry.polyhedron;
-  const PolyhedronSource* source = object->polyhedron();
-  const PolyhedronSource* before = entry.object ? entry.object->polyhedron() : nullptr;
-  const PatchSource* patches = object->patches();
-  const PatchSource* patches_before = entry.object ? entry.object->patches() : nullptr;
-  if (patches) {
-    const bool same_net = patches_before && patches_before->origin == patches->origin &&
-                          patches_before->net.shared_topology() == patches->net.shared_topology();
-    if (!same_net)
-      entry.polyhedron = cage_of(*object);
-    else if (!(patches_before->net == patches->net))
-      entry.polyhedron = entry.polyhedron->moved(patches->net);
-  } else if (const OutlineSource* outline = object->outline()) {
-    const OutlineSource* outline_before = entry.object ? entry.object->outline() : nullptr;
-    if (!outline_before || !(outline_before->outline == outline->outline))
-      entry.polyhedron = lines_of(*outline->outline);
-  } else if (const BezierSource* bezier = object->bezier()) {
-    const BezierSource* bezier_before = entry.object ? entry.object->bezier() : nullptr;
-    if (!bezier_before || !(*bezier_before == *bezier)) entry.polyhedron = lines_of(*bezier);
-  } else if (!source && !object->mesh()) {
-    entry.polyhedron = object->solids() ? display_of(*object->solids()) : nullptr;
-  } else if (!source) {
-    const MeshSource* mesh_before = entry.object ? entry.object->mesh() : nullptr;
-    if (!mesh_before || !(*mesh_before == *object->mesh())) entry.polyhedron = lines_of(*object->mesh());
-  } else if (before && before->polyhedron.shared_topology() == source->polyhedron.shared_topology() &&
-             before->origin == source->origin) {
-    if (!(before->polyhedron == source->polyhedron))
-      entry.polyhedron = entry.polyhedron->moved(source->polyhedron);
-    if (!(before->shaping == source->shaping))
-      entry.polyhedron = entry.polyhedron->shaped(source->polyhedron, *source->shaping);
-  } else {
-    entry.polyhedron = DisplayPolyhedron::build(source->polyhedron, *source->shaping, source->origin);
-  }
+  // Attached vertices follow objects that may have changed.
+  if (entry.object == object && !entry.lines.attached) return entry.lines.polyhedron;
+  entry.lines = object_kind(*object).lines(document, *object, entry.object.get(), entry.lines);
   entry.object = object;
-  return entry.polyhedron;
-}
-
-/// Attached vertices are shown where their sides end, which others may have moved.
-std::shared_ptr<const DisplayPolyhedron> SceneBuilder::attached_polyhedron_of(
-    Entry& entry, const Document& document, const std::shared_ptr<const Object>& object) {
-  const PolyhedronSource& source = *object->polyhedron();
-  const Polyhedron shown = attached_polyhedron(document, *object);
-  const PolyhedronSource* before = entry.object ? entry.object->polyhedron() : nullptr;
-  if (!before || !entry.attached || entry.attached->shared_topology() != shown.shared_topology() ||
-      before->origin != source.origin) {
-    entry.polyhedron = DisplayPolyhedron::build(shown, *source.shaping, source.origin);
-  } else {
-    if (!(*entry.attached == shown)) entry.polyhedron = entry.polyhedron->moved(shown);
-    if (!(before->shaping == source.shaping))
-      entry.polyhedron = entry.polyhedron->shaped(shown, *source.shaping);
-  }
-  entry.attached = shown;
-  entry.object = object;
-  return entry.polyhedron;
+  return entry.lines.polyhedron;
 }
 
 ElementRef element_at(const Document& document, ObjectId object, Element::Kind kind, Index index) {
   const Object* found = document.find(object);
-  if (found && found->outline() && kind == Element::Kind::vertex &&
-      index < found->outline()->outline->point_count())
-    return {object, element_of(VertexId{index})};
-  const Polyhedron* cage = found ? found->cage() : nullptr;
-  if (!cage) return {object, {}};
-  const Polyhedron& polyhedron = *cage;
-  // The surface on the screen may be that of an earlier state and know faces that are gone: they have no
-  // index.
-  switch (kind) {
-    case Element::Kind::vertex:
-      if (index < polyhedron.vertex_count()) return {object, element_of(polyhedron.vertex_id(index))};
-      break;
-    case Element::Kind::edge:
-      if (index < polyhedron.edge_count()) return {object, element_of(polyhedron.edge_id(index))};
-      break;
-    case Element::Kind::face:
-      if (index < polyhedron.face_count()) return {object, element_of(polyhedron.face_id(index))};
-      break;
-    default:
-      break;
-  }
-  return {object, {}};
+  return {object, found ? object_kind(*found).element_at(*found, kind, index) : Element{}};
 }
 
 }  // namespace hariko

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/editor/editor.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/paper_solid.hpp"
 
 namespace hariko {
@@ -39,8 +40,7 @@ class SceneBuilder {
  private:
   struct Entry {
     std::shared_ptr<const Object> object;
-    std::shared_ptr<const DisplayPolyhedron> polyhedron;
-    std::optional<Polyhedron> attached;  ///< what it shows, where edges are attached
+    ObjectLines lines;
     std::shared_ptr<const EdgeCurves> edge_curves;
     std::shared_ptr<const HalfEdgeMesh> curves_topology;  ///< what the curves of edges were found for
     std::shared_ptr<const EdgeMarks> marks;
@@ -55,10 +55,10 @@ class SceneBuilder {
                                                    const DisplayPolyhedron& polyhedron);
   void colour_by_view(const Editor& editor, Scene& scene);
   SceneObject describe(const Editor& editor, const std::shared_ptr<const Object>& object);
-  std::shared_ptr<const DisplayPolyhedron> polyhedron_of(const Document& document,
-                                                         const std::shared_ptr<const Object>& object);
-  std::shared_ptr<const DisplayPolyhedron> attached_polyhedron_of(
-      Entry& entry, const Document& document, const std::shared_ptr<const Object>& object);
+  void describe_surface(const Editor& editor, const Object& object, const SurfaceView& view,
+                        SceneObject& out);
+  std::shared_ptr<const DisplayPolyhedron> lines_of(const Document& document,
+                                                    const std::shared_ptr<const Object>& object);
 
   void compare(const Editor& editor);
   void fold_paper(const PaperState& paper);

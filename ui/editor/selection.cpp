@@ -1,12 +1,10 @@
 #include "ui/editor/selection.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "core/document/edit_solids.hpp"
-#include "core/modeling/select_convert.hpp"
-#include "core/modeling/select_region.hpp"
 #include "ui/base/language.hpp"
-#include "ui/editor/skin_view.hpp"
+#include "ui/editor/object_kind.hpp"
 
 namespace hariko {
 
@@ -18,62 +16,6 @@ void change(std::set<Id>& set, Id id, bool present) {
     set.insert(id);
   else
     set.erase(id);
-}
-
-template <class Id>
-void keep_existing(std::set<Id>& set, const Polyhedron& polyhedron) {
-  std::erase_if(set, [&](const Id& id) { return polyhedron.find(id) == no_index; });
-}
-
-/// Of a skin points of sections can be selected, and those of the path, which have the highest numbers.
-void keep_existing(ElementSelection& elements, const Skin& skin) {
-  std::erase_if(elements.vertices, [&](VertexId id) {
-    return !is_path_point(id.value) &&
-           std::none_of(skin.sections.begin(), skin.sections.end(),
-                        [&](const SkinSection& section) { return find_point(section, id.value) >= 0; });
-  });
-  elements.edges.clear();
-  elements.faces.clear();
-}
-
-/// Solids are selected as vertices with their ids.
-void keep_solids(ElementSelection& selection, const Object& object) {
-  std::erase_if(selection.vertices, [&](VertexId id) { return !find_solid(object, id.value); });
-  selection.edges.clear();
-  selection.faces.clear();
-}
-ElementSelection all_solids(const Object& object) {
-  ElementSelection all;
-  for (const Solid& solid : object.solids()->input->solids) all.vertices.insert(VertexId{solid.id});
-  return all;
-}
-
-/// The points of an outline are vertices whose ids are their numbers.
-ElementSelection all_points(const OutlineSource& source) {
-  ElementSelection out;
-  for (Index i = 0; i < source.outline->point_count(); ++i)
-    out.vertices.insert(out.vertices.end(), VertexId{i});
-  return out;
-}
-
-/// The points of all sections and those of the path and of the second rail.
-ElementSelection all_points(const Skin& skin) {
-  ElementSelection out;
-  for (const SkinSection& section : skin.sections)
-    for (const SectionPoint& point : section.points) out.vertices.insert(VertexId{point.id});
-  const auto add_path = [&](const SubdivisionCurve& path, std::uint32_t ids) {
-    for (int i = 0; i < path.size(); ++i) out.vertices.insert(VertexId{ids + std::uint32_t(i)});
-  };
-  add_path(skin.path, path_point_ids);
-  if (skin.second_rail) add_path(*skin.second_rail, rail_point_ids);
-  return out;
-}
-
-void keep_points(ElementSelection& selection, const OutlineSource& source) {
-  const std::size_t count = source.outline->point_count();
-  std::erase_if(selection.vertices, [&](VertexId id) { return id.value >= count; });
-  selection.edges.clear();
-  selection.faces.clear();
 }
 
 void append_count(std::string& text, std::size_t count, const char* one, const std::string& many) {
@@ -162,39 +104,20 @@ void Selection::set(ObjectId object, ElementSelection elements) {
 
 void Selection::select_all(const Object& object, ElementMode mode) {
   active = object.id;
-  const Polyhedron* cage = object.cage();
   clear_elements();
   if (mode == ElementMode::object)
     objects_.insert(object.id);
-  else if (object.outline() && mode == ElementMode::vertex)
-    set(object.id, all_points(*object.outline()));
-  else if (cage)
-    set(object.id, hariko::select_all(*cage, kind_of(mode)));
-  else if (object.solids())
-    set(object.id, all_solids(object));
-  else if (object.skin())
-    set(object.id, all_points(*object.skin()->skin));
+  else
+    set(object.id, object_kind(object).all(object, mode));
 }
 
 void Selection::prune(const Document& document) {
   for (auto it = elements_.begin(); it != elements_.end();) {
     const Object* object = document.find(it->first);
-    // Hidden and locked objects are not selected.
-    if (object && (!object->visible || object->locked)) object = nullptr;
-    const Polyhedron* cage = object ? object->cage() : nullptr;
-    if (cage) {
-      keep_existing(it->second.vertices, *cage);
-      keep_existing(it->second.edges, *cage);
-      keep_existing(it->second.faces, *cage);
-    } else if (object && object->solids()) {
-      keep_solids(it->second, *object);
-    } else if (object && object->outline()) {
-      keep_points(it->second, *object->outline());
-    } else if (object && object->skin()) {
-      keep_existing(it->second, *object->skin()->skin);
-    } else {
-      it->second = {};
-    }
+    // Nothing is selected of hidden and locked objects.
+    const bool selectable = object && object->visible && !object->locked;
+    it->second =
+        selectable ? object_kind(*object).existing(*object, std::move(it->second)) : ElementSelection{};
     it = it->second.empty() ? elements_.erase(it) : std::next(it);
   }
   std::erase_if(objects_, [&](ObjectId id) {
@@ -218,26 +141,12 @@ Selection converted(const Selection& selection, const Document& document, Elemen
   result.clear_elements();
   if (from == ElementMode::object) {
     for (const ObjectId id : selection.objects())
-      if (const Object* object = document.find(id); object && object->cage())
-        result.set(id, select_all(*object->cage(), kind_of(to)));
-      else if (object && object->solids())
-        result.set(id, all_solids(*object));
-      else if (object && object->outline() && to == ElementMode::vertex)
-        result.set(id, all_points(*object->outline()));
-      else if (object && object->skin() && to == ElementMode::vertex)
-        result.set(id, all_points(*object->skin()->skin));
+      if (const Object* object = document.find(id)) result.set(id, object_kind(*object).all(*object, to));
     return result;
   }
   for (const auto& [id, elements] : selection.elements()) {
-    const Object* object = document.find(id);
-    if (object && object->solids()) result.set(id, elements);
-    if (!object || !object->cage()) continue;
-    const Polyhedron& polyhedron = *object->cage();
-    // Of corners, what they enclose; of larger elements, what they touch.
-    const Reach reach = from < to ? Reach::inside : Reach::touching;
-    result.set(id, to == ElementMode::vertex ? to_vertices(polyhedron, elements)
-                   : to == ElementMode::edge ? to_edges(polyhedron, elements, reach)
-                                             : to_faces(polyhedron, elements, reach));
+    if (const Object* object = document.find(id))
+      result.set(id, object_kind(*object).converted(*object, elements, from, to));
   }
   return result;
 }
@@ -272,7 +181,7 @@ std::vector<VertexId> touched_vertices(const ElementSelection& selection, const 
     if (face == no_index) continue;
     for (const Index v : polyhedron.topology().face_vertices(face)) vertices.insert(polyhedron.vertex_id(v));
   }
-  keep_existing(vertices, polyhedron);
+  std::erase_if(vertices, [&](VertexId id) { return polyhedron.find(id) == no_index; });
   return {vertices.begin(), vertices.end()};
 }
 

@@ -8,7 +8,7 @@
 
 namespace hariko {
 
-/// Of an object with solids "1 solid" or "3 solids", else as `describe` has it. `object` may be null.
+/// "3 vertices", "1 solid", "2 points": in the words of the object's kind. `object` may be null.
 std::string describe_in(const Object* object, const ElementSelection& selection, const Language& tr);
 
 /// Count of hidden elements that a box left out, and the keys of the command that takes it too; empty where

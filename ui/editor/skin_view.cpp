@@ -157,6 +157,19 @@ std::optional<Vector3> at_value(const std::vector<Vector3>& points, const std::v
 
 }  // namespace
 
+std::optional<Vector3> skin_point(const Skin& skin, std::uint32_t id) {
+  if (!is_path_point(id)) {
+    for (const SkinSection& section : skin.sections)
+      if (const int i = find_point(section, id); i >= 0) return section.points[std::size_t(i)].position;
+    return std::nullopt;
+  }
+  const bool rail = id >= rail_point_ids;
+  if (rail && !skin.second_rail) return std::nullopt;
+  const SubdivisionCurve& curve = rail ? *skin.second_rail : skin.path;
+  const std::size_t index = id - (rail ? rail_point_ids : path_point_ids);
+  return index < curve.points.size() ? std::optional(curve.points[index]) : std::nullopt;
+}
+
 std::optional<Vector2> pixel_of(const Object& object, const Projector& projector, const Vector3& point) {
   const auto at = projector.project(object.transform.apply(point));
   return at ? std::optional<Vector2>(at->head<2>()) : std::nullopt;

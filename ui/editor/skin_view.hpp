@@ -19,6 +19,9 @@ inline constexpr std::uint32_t path_point_ids = 0x80000000U, rail_point_ids = 0x
 inline bool is_path_point(std::uint32_t id) {
   return id >= path_point_ids && id != 0xffffffffU;
 }
+/// Place of a point of a section, of the path or of the second rail, in the object's space; nothing where
+/// there is none with this id.
+std::optional<Vector3> skin_point(const Skin& skin, std::uint32_t id);
 
 /// Of the curves that are shown, for each of their spans.
 inline constexpr int curve_samples = 12;

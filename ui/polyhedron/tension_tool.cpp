@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/document/edits.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/view/overlay_drawing.hpp"
 #include "ui/view/transform_target.hpp"
 

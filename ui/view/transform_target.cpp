@@ -15,6 +15,7 @@
 #include "core/modeling/transform_solid.hpp"
 #include "core/skinning/edit_path.hpp"
 #include "core/skinning/edit_section.hpp"
+#include "ui/editor/object_kind.hpp"
 #include "ui/editor/outlines.hpp"
 #include "ui/editor/skin_edits.hpp"
 #include "ui/editor/skin_view.hpp"
@@ -59,21 +60,6 @@ std::vector<Index> islands(const std::vector<VertexId>& vertices, const Polyhedr
   std::vector<Index> island(vertices.size());
   for (Index i = 0; i < vertices.size(); ++i) island[i] = connected.find(i);
   return island;
-}
-
-/// Place of a point of a section, of the path or of the second rail, in the object's space; nothing where
-/// there is none with this id.
-std::optional<Vector3> point_of(const Skin& skin, std::uint32_t id) {
-  if (!is_path_point(id)) {
-    for (const SkinSection& section : skin.sections)
-      if (const int i = find_point(section, id); i >= 0) return section.points[std::size_t(i)].position;
-    return std::nullopt;
-  }
-  const bool rail = id >= rail_point_ids;
-  if (rail && !skin.second_rail) return std::nullopt;
-  const SubdivisionCurve& curve = rail ? *skin.second_rail : skin.path;
-  const std::size_t index = id - (rail ? rail_point_ids : path_point_ids);
-  return index < curve.points.size() ? std::optional(curve.points[index]) : std::nullopt;
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {
@@ -201,7 +187,7 @@ void TransformTarget::add_skin_points(const Object& object, const ElementSelecti
   part.transform = object.transform;
   part.skin = &*object.skin()->skin;
   for (const VertexId id : elements.vertices)
-    if (const auto at = point_of(*part.skin, id.value)) {
+    if (const auto at = skin_point(*part.skin, id.value)) {
       part.vertices.push_back(id);
       part.start.push_back(*at);
       selected_.push_back(object.transform.apply(*at));
@@ -418,34 +404,6 @@ Result<Document> TransformTarget::apply_locally(const Document& document, const 
   std::vector<Vector3> positions;
   for (const Vector3& start : part.start) positions.push_back(start + local.translation);
   return move_vertices(fixed->document, part.object, part.vertices, positions);
-}
-
-std::optional<Vector3> place_of(const Document& document, const ElementRef& ref) {
-  const Object* object = document.find(ref.object);
-  if (!object) return std::nullopt;
-  if (ref.element.kind == Element::Kind::object) {
-    const Box3 box = world_box(*object);
-    return box.isEmpty() ? object->transform.translation : Vector3(box.center());
-  }
-  if (const Solid* solid = find_solid(*object, static_cast<std::uint32_t>(ref.element.id)))
-    return object->transform.apply(solid->position);
-  if (object->skin() && ref.element.kind == Element::Kind::vertex) {
-    const auto at = point_of(*object->skin()->skin, static_cast<std::uint32_t>(ref.element.id));
-    return at ? std::optional<Vector3>(object->transform.apply(*at)) : std::nullopt;
-  }
-  if (object->outline() && ref.element.kind == Element::Kind::vertex &&
-      ref.element.id < object->outline()->outline->point_count())
-    return place_of_point(*object, static_cast<Index>(ref.element.id)).point;
-  const Polyhedron* cage = object->cage();
-  if (!cage) return std::nullopt;
-  Selection one;
-  one.select(ref, Selection::How::replace);
-  std::vector<Vector3> points;
-  for (const VertexId id : touched_vertices(one.of(ref.object), *cage)) {
-    const Index v = cage->find(id);
-    if (v != no_index) points.push_back(world(*object, v));
-  }
-  return points.empty() ? std::nullopt : std::optional<Vector3>(mean(points));
 }
 
 std::vector<ObjectId> selected_objects(const Editor& editor) {

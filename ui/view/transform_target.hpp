@@ -107,8 +107,6 @@ class TransformTarget {
   std::string what_;
 };
 
-/// Where an element is: a vertex or solid, the middle of an edge or face, the box centre of an object.
-std::optional<Vector3> place_of(const Document& document, const ElementRef& ref);
 /// Objects that commands on objects act on: those selected in object mode, else the active one.
 std::vector<ObjectId> selected_objects(const Editor& editor);
 
