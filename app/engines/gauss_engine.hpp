@@ -3,6 +3,7 @@
 // Keeps the Gauss sphere that is shown up to date, off the main thread.
 
 #include "app/engines/work_lane.hpp"
+#include "core/gaussmap/gauss_sphere.hpp"
 #include "ui/editor/editor.hpp"
 #include "ui/editor/gauss_view.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/gaussmap/gauss_sphere.hpp"
 #include "ui/editor/gauss_view.hpp"
 #include "ui/widgets/panels.hpp"
 
