@@ -2,7 +2,8 @@
 """Draws who includes whom, from the #include lines: the layers, and the folders of core.
 
   scripts/architecture_figure.py             writes docs/pictures/architecture.svg
-  scripts/architecture_figure.py --check     exit code 1 when that picture is not what the sources give
+  scripts/architecture_figure.py --check     exit code 1 when that picture is not what the sources give, or when
+                                             docs/architecture.md lacks a sentence about a folder or has one too many
   scripts/architecture_figure.py --arrows    prints the arrows instead
 
 A folder stands above all that it includes, as low as that allows. An arrow that follows from others is left out
@@ -20,6 +21,8 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.M)
 OUTSIDE = {"tests", "bench"}
 INNER = "core"  # the layer whose folders are shown
 PICTURE = "docs/pictures/architecture.svg"
+PAGE = "docs/architecture.md"
+SENTENCE = re.compile(r"^\| `(\w+)/` \|", re.M)
 
 BOX_HEIGHT, LETTER = 34, 8.4  # of a folder of core; no letter of a name is wider on average
 LAYER = (220, 40)
@@ -324,11 +327,33 @@ def picture(layers, rooms):
     return "\n".join(lines) + "\n"
 
 
+def faults(top, layers, rooms, text):
+    """How the page and its picture differ from the sources, as sentences."""
+    def read(path):
+        try:
+            with open(os.path.join(top, path), encoding="utf-8") as stream:
+                return stream.read()
+        except OSError:
+            return ""
+
+    out = []
+    if read(PICTURE) != text:
+        out.append(f"{PICTURE} is not what the sources give: run scripts/architecture_figure.py")
+    told = SENTENCE.findall(read(PAGE))
+    for folder in sorted(set(layers) | set(rooms)):
+        if folder not in told:
+            out.append(f"{PAGE} has no sentence about the folder {folder}")
+    for folder in told:
+        if folder not in rooms and not os.path.isdir(os.path.join(top, folder)):
+            out.append(f"{PAGE} has a sentence about {folder}, which is no folder")
+    return out
+
+
 def main():
     top = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--root", default=top, help="the folder of the sources; otherwise that of this script")
-    parser.add_argument("--check", action="store_true", help="only say whether the picture is up to date")
+    parser.add_argument("--check", action="store_true", help="only say whether page and picture are up to date")
     parser.add_argument("--arrows", action="store_true", help="print the arrows and write nothing")
     options = parser.parse_args()
     layers, rooms = read_arrows(options.root)
@@ -337,20 +362,15 @@ def main():
             for a, b in reduced(graph):
                 print(f"{a} -> {b}")
         return 0
-    path, text = os.path.join(options.root, PICTURE), picture(layers, rooms)
+    text = picture(layers, rooms)
     if not options.check:
-        with open(path, "w", encoding="utf-8") as stream:
+        with open(os.path.join(options.root, PICTURE), "w", encoding="utf-8") as stream:
             stream.write(text)
         return 0
-    try:
-        with open(path, encoding="utf-8") as stream:
-            shown = stream.read()
-    except OSError:
-        shown = ""
-    if shown != text:
-        print(f"{PICTURE} is not what the sources give: run scripts/architecture_figure.py", file=sys.stderr)
-        return 1
-    return 0
+    found = faults(options.root, layers, rooms, text)
+    for fault in found:
+        print(fault)
+    return 1 if found else 0
 
 
 if __name__ == "__main__":

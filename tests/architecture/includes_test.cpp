@@ -1,6 +1,5 @@
-// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, and inside
-// core modeling, unfolding -> document, unfolding -> exchange, and document, analysis, exchange -> patching
-// -> g2 -> network -> polyhedron, surface -> geometry -> base.
+// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, and those
+// inside core, which are listed here and nowhere else. docs/architecture.md has a figure of them.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// What each folder of core may include of core.
+/// Folders of core that each folder of core may include.
 const std::map<std::string, Names>& core_arrows() {
   static const std::map<std::string, Names> arrows = {
       {"base", {"base"}},
