@@ -1,5 +1,6 @@
-// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, inside of core
-// as `core_arrows` lists them, and inside of ui shell -> workspaces -> view -> widgets -> editor -> base.
+// The arrows between the folders, checked on every #include line: app -> ui -> render -> core, those inside
+// of core, which are listed here and nowhere else, and inside of ui shell -> workspaces -> view -> widgets ->
+// editor -> base. docs/architecture.md has a figure of them.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// What each folder of core may include of core.
+/// Folders of core that each folder of core may include.
 const std::map<std::string, Names>& core_arrows() {
   static const std::map<std::string, Names> arrows = {
       {"base", {"base"}},
