@@ -45,14 +45,14 @@ class ChunkedArray {
     return (*chunk)[i % ChunkSize];
   }
 
-  /// True when element i of both values lies in the same shared memory, hence is equal without a look.
+  /// True when element i of both arrays lies in the same shared memory, hence is equal without comparing.
   bool shares(const ChunkedArray& other, std::size_t i) const {
     return i < size_ && i < other.size_ && chunks_[i / ChunkSize] == other.chunks_[i / ChunkSize];
   }
 
   static constexpr std::size_t chunk_size() { return ChunkSize; }
   std::size_t chunk_count() const { return chunks_.size(); }
-  /// Address of chunk c's memory: for counting shared bytes.
+  /// Address of the memory of chunk c, for counting shared bytes.
   const void* chunk_address(std::size_t c) const { return chunks_[c].get(); }
 
   std::vector<T> to_vector() const {

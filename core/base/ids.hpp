@@ -20,8 +20,8 @@ struct FaceId {
   friend auto operator<=>(const FaceId&, const FaceId&) = default;
 };
 
-/// An edge is named by its two vertices: on a manifold no two edges join the same pair, so the pair is as
-/// stable as the vertices are. Always low < high.
+/// Name of an edge: its two vertices. On a manifold no two edges join the same pair, so the pair is as stable
+/// as the vertices are. Always low < high.
 struct EdgeId {
   VertexId low, high;
 
@@ -38,7 +38,7 @@ struct ObjectId {
   friend auto operator<=>(const ObjectId&, const ObjectId&) = default;
 };
 
-/// "12-13"
+/// Text of an edge's name, such as "12-13".
 inline std::string to_string(const EdgeId& id) {
   return std::to_string(id.low.value) + "-" + std::to_string(id.high.value);
 }
