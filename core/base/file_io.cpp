@@ -84,7 +84,7 @@ Message write_error(const std::filesystem::path& path, const std::string& reason
 /// Target of `path` when symbolic links are followed; it need not exist.
 Result<std::filesystem::path> follow_links(const std::filesystem::path& path) {
   std::filesystem::path target = path;
-  for (int step = 0; step < 40; ++step) {  // as many as Linux follows
+  for (int step = 0; step < 40; ++step) {  // the limit of Linux
     std::error_code error;
     if (!std::filesystem::is_symlink(target, error)) return target;
     const std::filesystem::path next = std::filesystem::read_symlink(target, error);

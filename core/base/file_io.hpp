@@ -17,7 +17,7 @@ inline constexpr Code e_file_open{"E_FILE_OPEN"};    ///< does not exist, is not
 inline constexpr Code e_file_read{"E_FILE_READ"};    ///< failed while reading
 inline constexpr Code e_file_write{"E_FILE_WRITE"};  ///< failed while writing
 inline constexpr Code e_limit{"E_LIMIT"};            ///< larger than this program accepts
-/// text that the format does not allow; readers give the line or offset
+/// Text that the format does not allow; readers give the line or offset.
 inline constexpr Code e_parse{"E_PARSE"};
 
 inline constexpr std::uint64_t default_file_size_limit = std::uint64_t{4} << 30;  ///< bytes

@@ -33,8 +33,8 @@ struct Message {
   Severity severity = Severity::error;
   Code code;
   Element element;
-  std::string text;    ///< what is wrong and where, one sentence for a designer
-  std::string remedy;  ///< what to do about it; may be empty
+  std::string text;    ///< the fault and its place, one sentence for a designer
+  std::string remedy;  ///< advice for the designer; may be empty
 };
 
 /// Text of a message with its code: "E_FACE_TOO_SMALL (face 3): The face has 2 corners. Delete it or add a
