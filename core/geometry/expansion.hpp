@@ -7,8 +7,9 @@
 
 namespace hariko {
 
-/// The sum of its terms, which do not overlap and ascend in magnitude. Exact unless a product of two terms
-/// underflows (below 1e-308): so for inputs between 1e-60 and 1e60 in magnitude, or zero.
+/// Floating-point expansion: the exact sum of its terms, which do not overlap and ascend in magnitude. Exact
+/// unless a product of two terms underflows (below 1e-308), that is, for inputs between 1e-60 and 1e60 in
+/// magnitude, or zero.
 class Expansion {
  public:
   Expansion() = default;
@@ -28,7 +29,7 @@ class Expansion {
     return out;
   }
 
-  /// -1, 0 or 1.
+  /// Sign of the value: -1, 0 or 1.
   int sign() const { return terms_.empty() ? 0 : (terms_.back() > 0 ? 1 : -1); }
 
   void add(double value) {
