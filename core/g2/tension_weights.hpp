@@ -1,7 +1,7 @@
 #pragma once
 
-// TensionWeights: weights of faces, curves and tangents in the energy of mode G2, by tensions and tags (g2.md
-// section 5).
+// TensionWeights: the weights of faces, curves and tangents in the energy of mode G2, from tensions and tags
+// (g2.md section 5).
 
 #include <vector>
 
