@@ -11,6 +11,7 @@ namespace hariko {
 /// Encodes with the alphabet of + and /, with padding, on one line.
 std::string to_base64(std::string_view bytes);
 
+/// Result of decoding: the bytes, and where the text is invalid.
 struct Base64Bytes {
   std::string bytes;                 ///< decoded bytes, up to the first invalid character
   std::optional<std::size_t> wrong;  ///< offset of the first invalid character

@@ -16,11 +16,13 @@ inline constexpr Code e_cancelled{"E_CANCELLED"};
 class CancelToken {
  public:
   CancelToken() = default;
+  /// A token with a flag of its own.
   static CancelToken make() {
     CancelToken token;
     token.flag_ = std::make_shared<std::atomic<bool>>(false);
     return token;
   }
+  /// Requests cancellation of the computation; a default token ignores it.
   void cancel() const {
     if (flag_) flag_->store(true, std::memory_order_relaxed);
   }

@@ -13,6 +13,7 @@
 
 namespace hariko {
 
+/// Array of chunks of `ChunkSize` elements, which copies share until they edit them.
 template <class T, std::size_t ChunkSize>
 class ChunkedArray {
  public:
@@ -55,6 +56,7 @@ class ChunkedArray {
   /// Address of the memory of chunk c, for counting shared bytes.
   const void* chunk_address(std::size_t c) const { return chunks_[c].get(); }
 
+  /// Copy of all elements. O(size).
   std::vector<T> to_vector() const {
     std::vector<T> out;
     out.reserve(size_);

@@ -15,6 +15,7 @@ using Coefficients3 = Eigen::Array3d;
 
 namespace conjugate_gradients_detail {
 
+/// Quotient a / b, 0 where b is 0: a coordinate without a residual stays as it is.
 inline Coefficients3 ratio(const Coefficients3& a, const Coefficients3& b) {
   return (b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0);
 }
@@ -44,6 +45,7 @@ inline double one(double) {
 
 }  // namespace conjugate_gradients_detail
 
+/// Options of a solve: the state at its start, and when it ends.
 struct ConjugateGradientsOptions {
   bool warm = false;  ///< x holds an initial guess; otherwise it is zero
   /// Residual in the preconditioner's norm, relative to that of the right-hand side.
@@ -57,6 +59,7 @@ struct ConjugateGradientsOptions {
   /// there with the earlier tolerance.
   bool corrected = false;
 };
+/// Outcome of a solve.
 struct ConjugateGradientsReport {
   int iterations = 0;
   bool converged = true;

@@ -6,6 +6,7 @@
 
 namespace hariko {
 
+/// Node and weight of a quadrature rule.
 struct GaussPoint {
   double node, weight;
 };

@@ -29,6 +29,7 @@ struct Element {
 /// Text of an element: "vertex 12", "edge 12-13", "face 3", "line 7"; empty for none.
 std::string to_string(const Element& element);
 
+/// Error or warning about an element of the input.
 struct Message {
   Severity severity = Severity::error;
   Code code;
@@ -41,6 +42,7 @@ struct Message {
 /// corner."
 std::string to_string(const Message& message);
 
+/// Message of severity error, or of severity warning.
 Message make_error(Code code, std::string text, std::string remedy = {}, Element element = {});
 Message make_warning(Code code, std::string text, std::string remedy = {}, Element element = {});
 

@@ -12,6 +12,7 @@ namespace hariko {
 class Progress {
  public:
   Progress() = default;
+  /// A progress with a fraction of its own, at first negative.
   static Progress make() {
     Progress progress;
     progress.fraction_ = std::make_shared<std::atomic<double>>(-1.0);

@@ -12,6 +12,7 @@
 
 namespace hariko {
 
+/// Value of type T, or the error message that says why there is none.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -21,6 +21,7 @@ struct SymmetricAxes {
   Vector3 values;
   Matrix3 vectors;
 };
+/// Eigenvalue decomposition of a symmetric matrix.
 SymmetricAxes symmetric_axes(const Matrix3& matrix);
 
 /// Singular value decomposition: matrix = u diagonal(values) v^T, values descending. Zero values and
@@ -29,6 +30,7 @@ struct SingularAxes {
   Vector3 values = Vector3::Zero();
   Matrix3 u = Matrix3::Identity(), v = Matrix3::Identity();
 };
+/// Singular value decomposition of a matrix.
 SingularAxes singular_axes(const Matrix3& matrix);
 
 }  // namespace hariko

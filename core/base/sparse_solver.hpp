@@ -34,6 +34,7 @@ class SparseCholesky {
   /// True where the factorisation succeeded; false where a pivot is zero, and then nothing can be solved.
   bool succeeded() const;
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+  /// Solutions for all columns of `right`.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
  private:
