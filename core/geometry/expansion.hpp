@@ -14,6 +14,7 @@ class Expansion {
  public:
   Expansion() = default;
 
+  /// Exact difference a - b.
   static Expansion difference(double a, double b) {
     Expansion out;
     const double sum = a - b, virtual_b = a - sum, virtual_a = sum + virtual_b;
@@ -21,6 +22,7 @@ class Expansion {
     out.append(sum);
     return out;
   }
+  /// Exact product a b.
   static Expansion product(double a, double b) {
     Expansion out;
     const double high = a * b;
@@ -32,6 +34,7 @@ class Expansion {
   /// Sign of the value: -1, 0 or 1.
   int sign() const { return terms_.empty() ? 0 : (terms_.back() > 0 ? 1 : -1); }
 
+  /// Adds a double exactly. O(number of terms).
   void add(double value) {
     std::vector<double> terms;
     terms.reserve(terms_.size() + 1);

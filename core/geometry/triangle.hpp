@@ -32,6 +32,7 @@ inline double squared_distance_to_segment(const Vector3& p, const Vector3& a, co
 /// Triangle prepared for many distance queries. A triangle without area counts as its longest side.
 class ClosedTriangle {
  public:
+  /// Prepares the triangle; O(1).
   explicit ClosedTriangle(const TriangleCorners& corners) : p_(corners) {
     const Vector3 e = p_[1] - p_[0], f = p_[2] - p_[0];
     const Vector3 normal = e.cross(f);

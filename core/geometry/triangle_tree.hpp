@@ -15,6 +15,7 @@ namespace hariko {
 /// build, O(log n) per query near the triangles.
 class TriangleTree {
  public:
+  /// Builds the tree. O(n log n).
   TriangleTree(std::span<const Vector3> positions, std::span<const std::array<Index, 3>> triangles);
 
   struct Nearest {
