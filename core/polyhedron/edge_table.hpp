@@ -17,6 +17,7 @@ struct EdgeUse {
   Index corner;
 };
 
+/// Table of the edges of a polygon mesh, with the faces that use each.
 class EdgeTable {
  public:
   /// Collects the edges of the faces with used[f] != 0, or of all faces where `used` is empty. Those faces

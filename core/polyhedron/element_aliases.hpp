@@ -60,6 +60,7 @@ struct ElementAliases {
         return false;
     }
   }
+  /// Original of an element of any kind; other kinds are their own.
   Element original(const Element& element) const {
     switch (element.kind) {
       case Element::Kind::vertex:

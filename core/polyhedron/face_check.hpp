@@ -12,6 +12,7 @@ namespace hariko {
 
 enum class FaceFault : char { none, index_range, too_small, repeated_vertex };
 
+/// Check of one face after the other of a mesh.
 class FaceCheck {
  public:
   explicit FaceCheck(std::size_t vertex_count) : vertex_count_(vertex_count) {}

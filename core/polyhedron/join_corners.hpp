@@ -38,6 +38,7 @@ struct NearCorners {
   std::size_t count = 0;
   double farthest = 0;
 };
+/// Counts the vertices that `join_corners` would join, without joining them. O(corners) expected.
 NearCorners near_corners(const PolygonMesh& mesh, double distance);
 
 /// Drops flat triangles, whose three corners lie on a line (nearer than 1e-6 of their longest side), where

@@ -42,6 +42,7 @@ class Polyhedron {
 
   VertexId vertex_id(Index v) const { return (*vertex_ids_)[v]; }
   FaceId face_id(Index f) const { return (*face_ids_)[f]; }
+  /// Id of an edge, from the ids of its vertices.
   EdgeId edge_id(Index e) const;
   /// Dense index of an id, no_index when there is none. O(log n).
   Index find(VertexId id) const;

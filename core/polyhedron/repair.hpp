@@ -45,6 +45,7 @@ struct RepairReport {
   friend bool operator==(const RepairReport&, const RepairReport&) = default;
 };
 
+/// Mesh after `make_manifold`, with its statistics.
 struct Repaired {
   PolygonMesh mesh;
   RepairReport report;
