@@ -22,6 +22,7 @@ struct NetworkWeights {
 /// Weights of a network. In equal frames: 1 for every edge, and no rays.
 NetworkWeights network_weights(const HalfEdgeMesh& mesh, const VertexFrames& frames);
 
+/// Energy of the split edges as a matrix over the vertices' basis vectors, applied face by face.
 class NetworkRays {
  public:
   NetworkRays() = default;
@@ -38,6 +39,7 @@ class NetworkRays {
     std::vector<Vector3> tangent;      ///< tangent of the split edge at its origin, per half-edge
     std::vector<Matrix3> split_point;  ///< per face: O, Ys and Yc, one per row
   };
+  /// Workspace for a solve at these vertices.
   Workspace make_workspace(std::span<const Index> vertices) const;
 
   /// Adds the matrix's diagonal block of a vertex whose basis begins at `first`.

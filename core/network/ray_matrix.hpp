@@ -12,6 +12,7 @@ namespace hariko {
 /// corners p lie on one line through 0.
 class RayMatrix {
  public:
+  /// Adds the split edge of a corner at p with a weight.
   void add(const Vector2& p, double weight) {
     const Vector3 q(1, p.y(), p.x());
     // Coefficients: 2/3 for O, 1 between O and Y, 2 for Y.

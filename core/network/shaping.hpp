@@ -47,6 +47,7 @@ struct KeptForm {
   std::vector<Edge> edges;  ///< ascending by `to`
   friend bool operator==(const KeptForm&, const KeptForm&) = default;
 
+  /// Entry of the edge to a vertex, null where there is none.
   const Edge* find(VertexId to) const {
     for (const Edge& edge : edges)
       if (edge.to == to) return &edge;

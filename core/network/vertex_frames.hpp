@@ -61,6 +61,7 @@ struct FrameRequest {
   friend bool operator==(const FrameRequest&, const FrameRequest&) = default;
 };
 
+/// Options of vertex frames.
 struct VertexFrameOptions {
   Frames frames = Frames::equal;
   /// Requests at border vertices where no crease ends, at most one per vertex.
