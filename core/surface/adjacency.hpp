@@ -9,6 +9,7 @@
 
 namespace hariko {
 
+/// Seams by sides of patches.
 class Adjacency {
  public:
   /// Collects the seams of every side. O(patches + seams).
@@ -20,6 +21,7 @@ class Adjacency {
   Index full_seam(PatchSide side) const;
   /// Sides that are not wholly covered by seams, in order of patch and side.
   const std::vector<PatchSide>& boundary() const { return boundary_; }
+  /// Whether the surface has no boundary.
   bool closed() const { return boundary_.empty(); }
 
  private:

@@ -49,8 +49,10 @@ Index patch_of(const BicubicNet& net, NetSide side);
 struct SideRows {
   std::array<Index, 4> curve, row;
 };
+/// Control points of an outer side and the row behind it.
 SideRows side_rows(const BicubicNet& net, NetSide side);
 
+/// Patches of a bicubic net.
 class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
  public:
   /// Takes a net with as many points as its size says (asserted).

@@ -16,6 +16,7 @@ namespace hariko::grid_kernel {
 /// Four doubles; the compiler maps them to one AVX or two SSE registers.
 typedef double Lane4 __attribute__((vector_size(32)));
 
+/// Vectors of four points, by coordinates.
 struct Triple {
   Lane4 x, y, z;
 };
@@ -83,6 +84,7 @@ HARIKO_INLINE bool position_normal(const Controls& controls, const double* table
   return degenerate;
 }
 
+/// Vector of point i of a block.
 HARIKO_INLINE Vector3 lane(const Triple& v, std::size_t i) {
   return {v.x[i], v.y[i], v.z[i]};
 }

@@ -21,6 +21,7 @@ enum class Domain : std::uint8_t { triangle, square };
 inline int corner_count(Domain domain) {
   return domain == Domain::triangle ? 3 : 4;
 }
+/// Parameter of a corner, 0 .. corner_count - 1.
 Vector2 corner_parameter(Domain domain, int corner);
 /// Parameter of the point at fraction x in [0, 1] along a side.
 Vector2 side_parameter(Domain domain, int side, double x);
@@ -56,6 +57,7 @@ struct GridPattern {
   int index(int i, int j) const {
     return domain == Domain::triangle ? j * (density + 1) - j * (j - 1) / 2 + i : j * (density + 1) + i;
   }
+  /// Parameters of all points, in order.
   std::vector<Vector2> parameters() const;
   /// Triangles of the grid as point indices, counter-clockwise.
   std::vector<std::array<int, 3>> triangles() const;

@@ -10,6 +10,7 @@
 
 namespace hariko {
 
+/// Tensor-product Bezier patches of possibly different degrees, polynomial or rational.
 class BezierPatchSet final : public PatchSet, public FacetEvaluation {
  public:
   /// Takes patches that pass `check_patch` (asserted).
