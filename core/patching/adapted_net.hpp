@@ -32,10 +32,11 @@ struct AdaptingSide {
   CrossRow row;
 };
 
+/// Net after adaptation, with the outcome per side.
 struct AdaptedNet {
   BicubicNet net;
-  /// Acceptance per side, in order: false where the side was refused, because two sides require different
-  /// positions of a common point.
+  /// Acceptance per side, in order: false where the side was refused, because it has no solution together
+  /// with the earlier ones (as when two sides require different positions of a common point).
   std::vector<bool> adapted;
   /// Kinks per side: true where it was accepted, but an inner side of the grid that ends on it, next to an
   /// earlier side, was smooth and is no longer.

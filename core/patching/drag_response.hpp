@@ -14,6 +14,7 @@
 
 namespace hariko {
 
+/// Response of the patches' control points to a displacement, and the state from which `refine` continues.
 struct DragResponse {
   std::vector<Index> moved;    ///< vertices that move together, ascending
   std::vector<double> weight;  ///< share of the displacement that each of them makes
@@ -36,6 +37,7 @@ struct DragResponse {
 /// drag does not wait; `refine` takes as many more.
 DragResponse drag_response(const SurfaceSystem& system, std::vector<Index> moved, std::vector<double> weight,
                            const CancelToken& cancel = {});
+/// Continues a response that is not settled by a few steps. Nothing changes where cancelled.
 void refine(const SurfaceSystem& system, DragResponse& response, const CancelToken& cancel = {});
 
 /// Displaced patches: base + share * displacement in the patches that move by more than `negligible` (a

@@ -38,6 +38,7 @@ PatchEnergy patch_energy(Index sides);
 /// combined.
 class FairTables {
  public:
+  /// Computes the integrals, by Gauss quadrature.
   FairTables();
   /// Energy matrix plate K + membrane M over a triangle.
   ControlMatrix energy(const ChartTriangle& triangle, double plate, double membrane) const;
@@ -85,6 +86,7 @@ struct FaceElement {
 struct EdgeRows {
   JumpRows first, second;
 };
+/// Jump rows of an inner smooth edge.
 EdgeRows edge_rows(const FairTables& tables, const EdgeMeasure& edge);
 
 /// Element of an inner smooth edge.

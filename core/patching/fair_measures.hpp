@@ -26,6 +26,7 @@ struct ChartTriangle {
 };
 ChartTriangle regular_triangle(Index sides);  ///< triangle of the regular polygon with unit side
 
+/// Coefficients of a patch and of its first split edge.
 struct PatchMeasure {
   ChartTriangle triangle;
   double plate = 1, membrane = 0, pair = 0;           ///< factors of the patch's terms
@@ -33,6 +34,7 @@ struct PatchMeasure {
   double c_centre = 0, c_split = 0, own_split = 0.5;  ///< constants of that split edge, as in PatchConstants
   Vector2 corner = Vector2::Zero();                   ///< p of the corner: Y = corner.y Ys + corner.x Yc
 };
+/// Coefficients of an edge.
 struct EdgeMeasure {
   double jump = -1;               ///< factor of the jump across the edge; negative on sharp edges
   double c_start = 0, c_end = 0;  ///< constants of the G1 condition along the edge's half-edge
@@ -44,6 +46,7 @@ struct FairMeasures {
   std::vector<PatchMeasure> patch;  ///< per half-edge
   std::vector<EdgeMeasure> edge;    ///< per edge; jump < 0 on sharp edges
 };
+/// Computes the coefficients from the frames and the tensions. O(half-edges).
 FairMeasures fair_measures(const HalfEdgeMesh& mesh, const NetworkSystem& network,
                            const PatchConstants& constants, const FairWeights& weights);
 

@@ -37,6 +37,7 @@ struct G2DragResponse {
 /// reference stays fixed, as do target curvatures. Takes a few steps only; `refine` takes as many more.
 G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> moved,
                                 std::vector<double> weight, const CancelToken& cancel = {});
+/// Continues a response that is not settled by a few steps.
 void refine(const SurfaceSystem& system, G2DragResponse& response, const CancelToken& cancel = {});
 
 /// Displaced patches: base + share * displacement in the faces that move by more than `negligible` (a

@@ -25,6 +25,7 @@ struct PrescribedSplit {
   Index half_edge = no_index;  ///< half-edge at the corner
   Vector3 tangent;
 };
+/// Control points and tangents prescribed by joins.
 struct JoinGeometry {
   std::vector<PrescribedSide> sides;
   std::vector<PrescribedSplit> splits;
@@ -35,6 +36,7 @@ struct JoinCoefficients {
   double lambda = 1, l1 = 0, l2 = 0;
 };
 
+/// Plan of all joins of a polyhedron.
 class JoinPlan {
  public:
   JoinPlan() = default;
@@ -50,6 +52,7 @@ class JoinPlan {
   const Polyhedron& polyhedron() const { return *polyhedron_; }
   const std::vector<FrameRequest>& requests() const { return requests_; }
   std::vector<Index> half_edges() const;  ///< joined half-edges, ascending
+  /// Whether any join asks for a common tangent plane.
   bool any_smooth() const;
   /// Flags of the half-edges whose tangent planes are given; empty when there is none.
   std::vector<bool> smooth_sides() const;

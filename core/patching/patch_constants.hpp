@@ -23,6 +23,7 @@ struct PatchConstants {
   std::vector<double> own;  ///< weight of the point of the own face in the condition (0 on sharp edges)
 };
 
+/// Computes the constants from the frames. O(half-edges).
 PatchConstants patch_constants(const HalfEdgeMesh& mesh, const VertexFrames& frames);
 
 }  // namespace hariko

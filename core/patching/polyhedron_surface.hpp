@@ -42,6 +42,7 @@ enum class Quality { drag, final };
 /// dense matrix of (4n)^2 numbers for an n-sided face, mode G2 one of (10n)^2.
 inline constexpr Index largest_fair_side_count = 128;
 
+/// Input of a surface: all that a `final` result depends on.
 struct PolyhedronSurfaceInput {
   Polyhedron polyhedron;
   Shaping shaping;
@@ -57,6 +58,7 @@ struct PolyhedronSurfaceInput {
   Frames frames = Frames::equal;
 };
 
+/// Surface with its report and warnings.
 struct PolyhedronSurface {
   Surface surface;
   /// Curves along the polyhedron's edges; null where only some patches were updated (`changed` is set).

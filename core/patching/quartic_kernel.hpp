@@ -9,6 +9,7 @@
 
 namespace hariko {
 
+/// Functions of one variant of the kernel; all write `points` results.
 struct QuarticKernel {
   /// Positions and unit normals; a normal is zero where the derivatives are parallel (then returns true).
   bool (*position_normal)(const QuarticPatch& patch, const QuarticGridTable& table, std::size_t points,

@@ -14,6 +14,7 @@
 
 namespace hariko {
 
+/// Extended quartic triangle, by its control points.
 struct QuarticPatch {
   std::array<Vector3, quartic_control_count> control;
 };
@@ -31,6 +32,7 @@ struct QuarticGridTable {
 /// Tables by density, computed once and shared by all patch sets of a producer. Thread-safe.
 class QuarticTables {
  public:
+  /// Table of a density, computed at its first use.
   std::shared_ptr<const QuarticGridTable> table(int density) const;
 
  private:
@@ -41,6 +43,7 @@ class QuarticTables {
 /// Array of patches whose copies share memory in chunks of four patches (a quad's).
 using QuarticPatchArray = ChunkedArray<QuarticPatch, 4>;
 
+/// Extended quartic triangles that share grid tables.
 class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
  public:
   QuarticPatchSet(QuarticPatchArray patches, std::shared_ptr<const QuarticTables> tables);

@@ -28,6 +28,7 @@ struct RimBend {
 struct RimMeasure {
   double height = 0, factor = 1;
 };
+/// Measure of a clamped rim, from the chart of its face.
 RimMeasure rim_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index half_edge);
 
 /// Computes the load of a rim. `base`: patches with all unknowns zero, whose split tangents give the

@@ -25,6 +25,7 @@ Surface::Parts polyhedron_surface_parts(const Polyhedron& polyhedron, const Vert
 
 /// Unit normal of a patch at corner 0 (split point) or 1 (vertex), zero if there is none.
 using CornerNormal = std::function<Vector3(Index patch, int corner)>;
+/// Corner normals of quartic patches; keeps a reference to them.
 CornerNormal corner_normals(const QuarticPatchArray& patches);
 
 /// Normals of the nodes' tangent planes, from the corner tangents of one patch each, since all lie in one

@@ -16,6 +16,7 @@
 
 namespace hariko {
 
+/// Systems of a polyhedron's surface.
 struct SurfaceSystem {
   std::shared_ptr<const HalfEdgeMesh> mesh;
   NetworkSystem network;
