@@ -94,6 +94,7 @@ class FaceChart {
   struct Curve {
     double value[7], first[7], second[7];
   };
+  /// Coefficients at a fraction t.
   static Curve curve(double t);
   /// Transforms the seven coefficients to ten of the face's controls, because g1_b and g11_b rotate with the
   /// angle at b, and tangents scale with their edges in the vertices' charts.

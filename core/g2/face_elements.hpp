@@ -39,6 +39,7 @@ void for_faces_by_chart(const G2Layout& layout, std::vector<Index> faces, const 
   });
 }
 
+/// Condensed energies of all faces.
 class FaceElements {
  public:
   FaceElements(const G2Layout& layout, const TensionWeights& weights, double third);
@@ -53,6 +54,7 @@ class FaceElements {
   /// are no such faces.
   bool bend_over(const G2Layout& layout, const FaceReferences& references);
 
+  /// Number of different elements.
   std::size_t count() const;
   /// Bytes of matrices; shared ones are counted once.
   std::size_t bytes() const;

@@ -33,6 +33,7 @@ struct ChartPoint {
   Vector2 point;        ///< position in the chart
   double weight = 0;
 };
+/// Quadrature of the triangle at a side.
 std::vector<ChartPoint> chart_quadrature(const FaceChart& chart, int side);
 
 /// Order of a chart's controls in local vectors: first the unknown ones (three second derivatives of each
@@ -94,6 +95,7 @@ Eigen::MatrixXd bending_matrix(const ChartSamples& samples, const BendingRows& r
 
 /// Plate energy: second derivatives squared plus `third` times third derivatives squared.
 Eigen::MatrixXd plate_matrix(const SamplesOf<Jet3>& samples, double third, const ChartMeasure& measure);
+/// Membrane energy: first derivatives squared.
 Eigen::MatrixXd membrane_matrix(const SamplesOf<Jet3>& samples, const ChartMeasure& measure);
 /// Change of (xx, sqrt(2) xy, yy) from the chart's coordinates to the measure's.
 Eigen::Matrix3d second_order_change(const ChartMeasure& measure);

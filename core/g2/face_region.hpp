@@ -25,6 +25,7 @@ struct FaceRegion {
 /// Numbers the unknowns of a region. `given`, per unknown: it has a value already. Unknowns that are given,
 /// or shared with faces outside, are held at zero. `faces`: ascending.
 FaceRegion face_region(const G2Layout& layout, const std::vector<bool>& given, std::vector<Index> faces);
+/// Region of all faces of the mesh.
 FaceRegion region_of_all(const G2Layout& layout, const std::vector<bool>& given);
 
 }  // namespace hariko

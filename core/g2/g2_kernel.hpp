@@ -9,6 +9,7 @@
 
 namespace hariko {
 
+/// Functions of one variant of the kernel.
 struct G2Kernel {
   /// Computes three sums over the active controls for each point: out[3 i .. 3 i + 2].
   void (*accumulate)(const Vector3* controls, std::span<const int> active, const G2GridTable& table,

@@ -58,6 +58,7 @@ struct G2Atlas {
 /// of an edge have the same bits along it. In the chart's numbering of sides.
 using G2Face = std::vector<Vector3>;
 
+/// Patches of mode G2, one per triangle (centre, vertex, next vertex) of a face.
 class G2PatchSet final : public PatchSet {
  public:
   G2PatchSet(std::shared_ptr<const G2Atlas> atlas, std::vector<std::shared_ptr<const G2Face>> faces);

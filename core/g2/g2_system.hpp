@@ -33,6 +33,7 @@ class G2System {
   /// They must not outlive the system.
   References over(ReferencePatches patches) const;
   References over(std::shared_ptr<const G2PatchSet> surface) const;
+  /// Target curvatures from a reference; for faces with sharp edges from `at_sharp_edges`, if given.
   G2Target target(const References& references, std::span<const Vector3> positions,
                   const References* at_sharp_edges = nullptr) const {
     return curvature_target(layout_, elements_, references, positions, at_sharp_edges);

@@ -9,7 +9,7 @@ struct Derivatives {
   double v, d, dd, ddd;
 };
 
-/// Second-order Taylor coefficients of a function of two variables at a point.
+/// Value, first and second derivatives of a function of two variables at a point.
 struct Jet2 {
   double v = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 

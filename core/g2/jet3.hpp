@@ -7,7 +7,7 @@
 
 namespace hariko {
 
-/// Third-order Taylor coefficients of a function of two variables at a point.
+/// Value and derivatives up to the third order of a function of two variables at a point.
 struct Jet3 {
   double v = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, xxx = 0, xxy = 0, xyy = 0, yyy = 0;
 
