@@ -27,6 +27,7 @@ struct SeamContinuity {
   std::uint16_t folded = 0;
 };
 
+/// Measurements over all seams of a surface.
 struct ContinuityReport {
   double largest_gap = 0;  ///< over all seams
   /// Largest normal jump over the seams intended to be smooth (G1 or G2), radians; nothing when there are

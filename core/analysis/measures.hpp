@@ -9,6 +9,7 @@
 
 namespace hariko {
 
+/// Integral measures of a surface.
 struct Measures {
   double area = 0;  ///< length^2
   /// Volume, length^3, by the divergence theorem; nothing unless the surface is closed.

@@ -9,10 +9,12 @@
 
 namespace hariko {
 
+/// Least and greatest value of a curvature.
 struct CurvatureRange {
   double least = 0, greatest = 0;
 };
 
+/// Ranges of Gaussian, mean and principal curvatures.
 struct CurvatureStatistics {
   CurvatureRange gauss, mean, k1, k2;
 };
