@@ -12,6 +12,7 @@
 
 namespace hariko {
 
+/// Outcome of a refinement, with data that its report can reuse.
 struct BisectionResult {
   /// Facets above the tolerance that were left because their edges are shorter than 2e-4 of their patch.
   std::size_t unreached = 0;

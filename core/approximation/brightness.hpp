@@ -10,6 +10,7 @@
 
 namespace hariko {
 
+/// Luminance by a model, with its directions normalised.
 class Brightness {
  public:
   explicit Brightness(const LuminanceModel& model) : model_(model) {

@@ -24,6 +24,7 @@ class CollapsibleMesh {
   const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
   bool alive(Index facet) const { return alive_[facet] != 0; }
   std::size_t facet_count() const { return count_; }
+  /// Facets around a vertex.
   const std::vector<Index>& round(Index vertex) const { return round_[vertex]; }
   bool kept_edge(Index a, Index b) const { return kept_.contains(edge_key(a, b)); }
   /// Vertices that share a facet with this one, in ascending order.

@@ -36,6 +36,7 @@ struct SurfaceSample {
   Index facet = no_index;
 };
 
+/// Errors of a mesh against a surface, by points and by facets.
 struct MeshErrorMap {
   std::vector<SurfaceSample> samples;
   std::vector<std::array<Index, 3>> sample_triangles;  ///< the surface through its samples, for display
@@ -53,6 +54,7 @@ struct MeshErrorMap {
   ErrorField fold_angle;
 };
 
+/// Options of an error map.
 struct ErrorMapOptions {
   int density = 4;  ///< intervals between samples per side of a facet, 1 to 16
   /// Angle between the surface's own normals along an edge above which it is a crease and no fold; radians.

@@ -10,6 +10,7 @@
 
 namespace hariko {
 
+/// Result of `bounded_distance`.
 struct MeshBound {
   /// Upper bound of the distance of any point of any triangle; nothing where a triangle is, or might be,
   /// farther than the tolerance.

@@ -82,6 +82,7 @@ enum class MeshReport : std::uint8_t {
   all,    ///< also distance and normal angle where they are not required
 };
 
+/// Criteria and options of a triangle mesh.
 struct MeshOptions {
   MeshCriteria criteria;
   MeshStart start = MeshStart::patches;

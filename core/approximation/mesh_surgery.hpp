@@ -14,6 +14,7 @@ namespace hariko {
 /// Editor of a mesh in place; facets that a collapse removes stay as holes until `compact`.
 class MeshSurgery {
  public:
+  /// Begins to edit `mesh`; keeps references to both.
   MeshSurgery(const SurfaceSampler& sampler, ParameterMesh& mesh);
 
   bool alive(Index facet) const { return alive_[facet] != 0; }
@@ -27,6 +28,7 @@ class MeshSurgery {
   /// Freedom of a vertex: to move inside a patch, along a border that it shares with at most one other patch,
   /// or not at all (corners, poles).
   enum class Freedom { inside, border, fixed };
+  /// Freedom of a vertex, by its star. O(valence).
   Freedom freedom(Index vertex) const;
 
   /// Record of a change, for undoing it.
@@ -47,6 +49,7 @@ class MeshSurgery {
   bool move(Index vertex, const Vector2& by, Change& change);
   /// Slides a border vertex towards the target of one of its border edges, by a fraction t of the edge.
   bool slide(Index half_edge, double t, Change& change);
+  /// Undoes a change, the last one made.
   void undo(const Change& change);
   /// Makes a change final; it can no longer be undone.
   void keep(const Change& change);

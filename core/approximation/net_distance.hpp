@@ -8,6 +8,7 @@
 
 namespace hariko {
 
+/// Distance of one polynomial patch from one facet.
 class NetDistance {
  public:
   static constexpr int no_side = -1;
@@ -27,6 +28,7 @@ class NetDistance {
   struct Range {
     double sampled = 0, bound = 0;
   };
+  /// Measures the distance, with the effort of a report.
   Range measure();
 
  private:

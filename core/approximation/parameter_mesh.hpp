@@ -37,6 +37,7 @@ struct ParameterFacet {
   const Vector2& arriving(Index corner) const {
     return std::int32_t(corner) == pole ? pole_parameter : parameter[corner];
   }
+  /// Whether two corners are the same vertex.
   bool degenerate() const {
     return vertex[0] == vertex[1] || vertex[1] == vertex[2] || vertex[2] == vertex[0];
   }
@@ -48,6 +49,7 @@ struct ParameterPieces {
   std::array<ParameterTriangle, 2> triangle;
   int count = 1;
 };
+/// Parameter triangles of a facet.
 ParameterPieces pieces_of(const ParameterFacet& facet);
 
 /// Line segment in a patch's domain.
@@ -83,6 +85,7 @@ class ParameterMesh {
   }
 
   Index add_facet(const ParameterFacet& facet);
+  /// Makes two half-edges twins.
   void link(Index a, Index b) {
     twin[a] = b;
     twin[b] = a;

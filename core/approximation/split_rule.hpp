@@ -15,6 +15,7 @@ struct EdgeSplit {
   double priority = -1, parameter = 0.5;
 };
 
+/// Split of an edge by a rule.
 EdgeSplit edge_split(const SurfaceSampler& sampler, const ParameterMesh& mesh, Index half_edge,
                      SplitRule rule);
 

@@ -14,6 +14,7 @@ namespace hariko {
 
 /// Uniform grid on a triangle in barycentric coordinates, in the order of GridPattern.
 struct BarycentricGrid {
+  /// Makes the grid with `density` intervals per side.
   explicit BarycentricGrid(int density);
   int density;
   std::vector<Vector2> points;  ///< barycentric coordinates of corners 1 and 2
