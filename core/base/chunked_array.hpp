@@ -1,7 +1,7 @@
 #pragma once
 
-// ChunkedArray: an array as a value whose copies share what they do not change. Editing one element of a copy
-// copies one chunk, so a history of thousands of small edits costs little memory.
+// ChunkedArray: an array as a value whose copies share unchanged chunks. Editing one element of a copy copies
+// one chunk, so a history of thousands of small edits costs little memory.
 
 #include <algorithm>
 #include <cstddef>

@@ -28,7 +28,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Translates typed text into what the parser reads: units become factors, and syntax that these expressions
+/// Translates typed text into the parser's syntax: units become factors, and syntax that these expressions
 /// do not have (assignments, comparisons, strings) is refused.
 class Translator {
  public:

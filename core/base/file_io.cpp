@@ -104,7 +104,7 @@ Result<int> existing_mode(const std::filesystem::path& path, const std::filesyst
   }
   if (S_ISDIR(status.st_mode)) return write_error(path, "it is a folder");
   if (!S_ISREG(status.st_mode)) return write_error(path, "it is not a regular file");
-  // Renaming needs no write permission on the file itself, but a designer who protected a file means it.
+  // Renaming needs no write permission on the file itself, but the user's write protection is respected.
   if (::access(target.c_str(), W_OK) != 0) return write_error(path, reason_of(errno));
   return static_cast<int>(status.st_mode & 07777U);
 }

@@ -61,8 +61,8 @@ class SystemFileLayer final : public FileLayer {
 /// flushed to the disk and renamed over the target, then the folder is flushed. On any failure (E_FILE_WRITE)
 /// the old file is intact and the temporary one removed; the one exception is a failure to flush the folder,
 /// where the complete new file is already in place and the text says so. Keeps the permission bits of an
-/// existing file; a symbolic link stays and what it points to is replaced. Folders, devices and
-/// write-protected files are refused.
+/// existing file; a symbolic link stays and its target is replaced. Folders, devices and write-protected
+/// files are refused.
 Result<Done> write_file_atomic(const std::filesystem::path& path, std::string_view bytes, FileLayer& layer);
 Result<Done> write_file_atomic(const std::filesystem::path& path, std::string_view bytes);
 

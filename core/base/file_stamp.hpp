@@ -1,6 +1,6 @@
 #pragma once
 
-// FileStamp: tells whether a file on disk is still the one that was read or written.
+// FileStamp: identifies the state of a file on disk, to detect changes by other programs.
 
 #include <cstdint>
 #include <filesystem>

@@ -46,7 +46,7 @@ bool abandoned(const std::filesystem::path& file) {
   struct stat status {};
   const bool old = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
                    status.st_mtime + stale_seconds < std::time(nullptr);
-  // Where the file system has no locks, writers on other machines cannot be excluded: the file stays.
+  // The file stays where the file system has no locks, as writers on other machines cannot be excluded.
   const bool free = old && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
   ::close(descriptor);
   return free;
