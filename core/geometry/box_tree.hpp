@@ -35,8 +35,8 @@ class BoxTree {
   const std::vector<Index>& order() const { return order_; }
   Index left(Index node) const { return node + 1; }
 
-  /// Traversal that calls visit(item) for all items of nearby leaves: keep(distance(box)) is asked for a
-  /// node's box only when its turn comes, so it may grow stricter on the way. The nearer child goes first.
+  /// Traversal that calls visit(item) for all items of nearby leaves: keep(distance(box)) is evaluated for a
+  /// node's box only when its turn comes, so it may become stricter on the way. The nearer child goes first.
   template <class Distance, class Keep, class Visit>
   void visit_near(const Distance& distance, const Keep& keep, const Visit& visit) const {
     if (nodes_.empty()) return;

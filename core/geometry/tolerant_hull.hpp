@@ -23,8 +23,8 @@ struct TolerantHull {
 /// O(n log n), O(n^2) at worst.
 TolerantHull tolerant_hull(std::span<const Vector3> points, double tolerance);
 
-/// Convexity of a point set: true when no point lies deeper inside the hull than 1e-6 of the diagonal of the
-/// box round all points. O(points times hull triangles).
+/// Convexity of a point set: true when no point lies deeper inside the hull than 1e-6 of the diagonal of
+/// their bounding box. O(points times hull triangles).
 bool is_convex(std::span<const Vector3> points);
 
 }  // namespace hariko
