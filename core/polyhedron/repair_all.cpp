@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double near = 1e-6;  // relative to the diagonal of the box round all used vertices
+constexpr double near = 1e-6;  // relative to the diagonal of the bounding box of all used vertices
 
 /// Appends the loops of a vertex cycle, which is cut wherever it returns to a vertex.
 void add_rounds(std::span<const Index> face, PolygonMesh& out) {
