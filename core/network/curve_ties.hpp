@@ -51,7 +51,7 @@ class CurveTies {
   /// Reference to a tie from one of its vertices.
   struct Seen {
     std::size_t tie;
-    std::size_t own;  ///< which end of the tie lies at the vertex
+    std::size_t own;  ///< the tie's end at the vertex
   };
 
   void add(const Tie& tie, Index first, Index second);
