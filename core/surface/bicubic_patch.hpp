@@ -55,7 +55,7 @@ SideRows side_rows(const BicubicNet& net, NetSide side);
 /// Patches of a bicubic net.
 class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
  public:
-  /// Takes a net with as many points as its size says (asserted).
+  /// Takes a net whose number of points fits its size (asserted).
   explicit BicubicPatchSet(BicubicNet net);
 
   const BicubicNet& net() const { return net_; }
