@@ -18,7 +18,7 @@ namespace hariko {
 struct DragResponse {
   std::vector<Index> moved;    ///< vertices that move together, ascending
   std::vector<double> weight;  ///< share of the displacement that each of them makes
-  /// Patches that feel the displacement, ascending, the share of each of their control points, and the
+  /// Patches affected by the displacement, ascending, the share of each of their control points, and the
   /// largest share of each.
   std::vector<Index> patches;
   std::vector<std::array<double, quartic_control_count>> share;

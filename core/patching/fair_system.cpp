@@ -35,8 +35,8 @@ struct FairSystem::Workspace {
   std::vector<Index> inner_edges;  ///< edges whose z are active: smooth with both faces active, or sharp
   ZeroedArray<double> local_in, local_out;  ///< per face, 3 x local size
   ZeroedArray<FairJump> jump;               ///< per edge
-  std::vector<std::pair<std::size_t, std::size_t>>
-      chunks;                   ///< ranges of active unknowns, ascending, disjoint
+  /// Ranges of active unknowns, ascending, disjoint.
+  std::vector<std::pair<std::size_t, std::size_t>> chunks;
   std::size_t chunk_grain = 1;  ///< chunks per task
 
   /// Appends a range of unknowns; consecutive ranges are merged up to the size of one task.

@@ -23,7 +23,7 @@ std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2Sys
 struct G2DragResponse {
   std::vector<Index> moved;                ///< ascending
   std::vector<double> weight;              ///< share of the displacement that each of them makes
-  std::vector<Index> faces;                ///< faces that feel it, ascending
+  std::vector<Index> faces;                ///< affected faces, ascending
   std::vector<std::vector<double>> share;  ///< per face: the share of each of its controls
   std::vector<double> largest;             ///< per face: largest share
   bool settled = false;                    ///< as in `DragResponse`

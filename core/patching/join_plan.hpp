@@ -52,7 +52,7 @@ class JoinPlan {
   const Polyhedron& polyhedron() const { return *polyhedron_; }
   const std::vector<FrameRequest>& requests() const { return requests_; }
   std::vector<Index> half_edges() const;  ///< joined half-edges, ascending
-  /// Whether any join asks for a common tangent plane.
+  /// Whether any join requires a common tangent plane.
   bool any_smooth() const;
   /// Flags of the half-edges whose tangent planes are given; empty when there is none.
   std::vector<bool> smooth_sides() const;

@@ -34,7 +34,7 @@ struct SolveReport {
 /// Quality of a rebuild. `final`: a function of the input alone, from a cold start. `drag`: may reuse the
 /// last result; where vertices moved by shares of one common displacement since the last `final` result, it
 /// differs from `final` by less than 1e-6 of the displacement (mode G2: 1e-9 of the object's size, with
-/// unchanged target curvatures) and touches only the patches that feel it. Metric frames that stay fixed
+/// unchanged target curvatures) and changes only the patches that it affects. Metric frames that stay fixed
 /// meanwhile (see `frames`) add the effect of their change.
 enum class Quality { drag, final };
 

@@ -218,7 +218,7 @@ class RingSolver {
     ring_.edges.push_back({*split_left - ring_.point, 1 - own_split, own_split, split_left, split_right});
     ring_.x.push_back(constants_.x[h]);
     ring_.x.push_back(constants_.x[previous]);
-    // Where one point of a pair is given, the other stays as near to it as possible.
+    // The other point of a pair stays as near to its given point as possible.
     ring_.target.push_back(given ? *left : target_at(patches_[h], 1));
     ring_.target.push_back(is_given(previous) ? patches_[previous].control[d112u]
                                               : target_at(patches_[previous], 2));

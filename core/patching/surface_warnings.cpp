@@ -21,7 +21,8 @@ constexpr int sample_density = 4;
 /// sample).
 constexpr double folded_cosine = -0.3;
 
-/// Designer's name of an element of the polyhedron; nothing for copies, which the original stands for.
+/// Designer's name of an element of the polyhedron; nothing for copies, which are reported with their
+/// original.
 template <class Id>
 std::optional<Element> designers_own(Id id, const ElementAliases* aliases) {
   if (!aliases) return element_of(id);
