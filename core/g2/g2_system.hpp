@@ -70,7 +70,7 @@ class G2System {
     int iterations = 0;
     bool converged = true;
     bool cancelled = false;
-    std::shared_ptr<const Paused> paused;  ///< with `only_x`, where it has not converged
+    std::shared_ptr<const Paused> paused;  ///< set when an `only_x` solve has not converged
   };
   /// Solves for the unknowns. O(faces) per step.
   Solution solve(const Given& given, const SolveOptions& options, const CancelToken& cancel = {}) const;
