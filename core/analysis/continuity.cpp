@@ -159,7 +159,7 @@ void compare_normals(const SeamPoints& points, const std::array<Vector3, 2>& pla
       continue;
     } else {
       jump = jump_between(n, m);
-      // Where a surface is nearly singular along a seam, both normals consist of rounding errors.
+      // Both normals consist of rounding errors where a surface is nearly singular along a seam.
       if (!jump.folded && beyond_resolution(p) && jump.angle <= turn_by_rounding(p) + turn_by_rounding(q)) {
         ++out.degenerate;
         continue;
