@@ -28,13 +28,13 @@ struct CriterionErrors {
 
 /// Mesh with its measured errors.
 struct MeshApproximation {
-  TriangleMesh mesh;  ///< with the surface's normals, split at creases, if reported
+  TriangleMesh mesh;  ///< has the surface's normals, split at creases, if reported
   /// One per triangle: the part of the surface that it approximates; vertices as in the mesh.
   std::vector<ParameterFacet> parts;
   CriterionErrors distance;      ///< surface to facets and borders; measured as `MeshReport` says
   CriterionErrors normal_angle;  ///< measured likewise
   CriterionErrors fold_angle;    ///< folds between neighbours, except creases of the surface; in every report
-  CriterionErrors luminance;     ///< where required
+  CriterionErrors luminance;     ///< measured if required
   double longest_edge = 0, smallest_angle = 0;
   std::size_t unreached = 0;      ///< facets above a tolerance that could not be refined further
   std::vector<Message> warnings;  ///< W_MESH_UNREACHED, W_MESH_LIMIT

@@ -44,7 +44,7 @@ void ParameterMesh::cut(Index half_edge, Index vertex, const Vector2& parameter,
   const Index f = facet_of(half_edge), c = half_edge % 3, b = (c + 1) % 3, o = (c + 2) % 3;
   ParameterFacet second = facets[f];
   ParameterFacet& first = facets[f];
-  // Where the pole is opposite, the cut ends between its two parameters.
+  // The cut ends between the pole's two parameters where the pole is opposite.
   if (first.pole == std::int32_t(o)) {
     const double span = (first.parameter[b] - first.parameter[c]).norm();
     const double t = span > 0 ? (parameter - first.parameter[c]).norm() / span : 0.5;

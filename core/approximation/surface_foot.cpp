@@ -30,7 +30,7 @@ Vector2 step_to(const PatchPoint& at, const Vector3& point, double damping) {
       at.ds.dot(at.dt) + away.dot(at.dst), at.dt.dot(at.dt) + away.dot(at.dtt);
   const Vector2 gradient(away.dot(at.ds), away.dot(at.dt));
   const double trace = at.ds.squaredNorm() + at.dt.squaredNorm();
-  // Where it is not positive definite, the Gauss-Newton matrix is used.
+  // The Gauss-Newton matrix replaces a Hessian that is not positive definite.
   if (!(hessian(0, 0) > 0 && hessian.determinant() > 1e-12 * trace * trace))
     hessian << at.ds.dot(at.ds), at.ds.dot(at.dt), at.ds.dot(at.dt), at.dt.dot(at.dt);
   hessian.diagonal().array() += damping * trace + 1e-300;
