@@ -57,8 +57,8 @@ class BalancedPulls {
   static Vector3 reach(const HalfEdgeMesh& mesh, std::span<const Vector3> positions,
                        const Direction& direction);
 
-  std::vector<double> edge_coupling_, ray_coupling_;  ///< per vertex: its place in vertices_, or no_index
-  std::vector<Index> place_;                          ///< Per vertex: its place in vertices_, or no_index.
+  std::vector<double> edge_coupling_, ray_coupling_;  ///< per edge, per half-edge
+  std::vector<Index> place_;                          ///< per vertex: its place in vertices_, or no_index
   std::vector<Vertex> vertices_;                      ///< balanced ones only
   std::vector<Direction> directions_;
 };
