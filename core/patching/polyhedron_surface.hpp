@@ -63,10 +63,10 @@ struct PolyhedronSurface {
   Surface surface;
   /// Curves along the polyhedron's edges; null where only some patches were updated (`changed` is set).
   std::shared_ptr<const Network> network;
+  /// Warnings W_LONG_TANGENT, W_FOLD and W_JOIN_SCALE; filled at quality `final` only.
+  std::vector<Message> warnings;
   /// Length by which solids protrude, on purpose, from a ball envelope whose faces lie on theirs
   /// (`EnvelopeSurface`); nothing for other surfaces.
-  std::vector<Message> warnings;
-  /// Length by which solids protrude from their round envelope on purpose (`EnvelopeSurface`).
   std::optional<double> sticks_out;
   SolveReport report;
   /// Coefficients per join, in the order of the half-edges; meaningless for G0. Kept from the last full
