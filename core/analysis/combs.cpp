@@ -11,11 +11,11 @@ namespace hariko {
 
 namespace {
 
-/// Second derivatives of a patch may depend on the direction at its corners, those of its side curves do not:
-/// at the ends of a curve they are taken this share of the curve further inside.
+/// Inset at the ends of a curve, as a share of it. At a patch's corners second derivatives may depend on the
+/// direction, so those of the side curve are taken slightly inside.
 constexpr double inside = 1e-6;
 
-/// A side of a patch, or a part of it.
+/// Side of a patch, or a part of a side.
 struct Curve {
   PatchSide side;
   double begin = 0, end = 1;
@@ -33,7 +33,7 @@ std::vector<Curve> curves_of(const Surface& surface) {
   return curves;
 }
 
-/// Minus the curvature vector of the curve through `point` with parameter direction `along`.
+/// Tooth of a comb: minus the curvature vector of the curve through `point` with parameter direction `along`.
 Vector3 tooth(const PatchPoint& point, const Vector2& along) {
   const Vector3 first = along.x() * point.ds + along.y() * point.dt;
   const Vector3 second = along.x() * along.x() * point.dss + 2 * along.x() * along.y() * point.dst +

@@ -21,7 +21,7 @@ constexpr double degenerate_share = 1e-9;
 constexpr double fold_angle = 1e-6;
 constexpr int mean_density = 4;
 
-/// Mean of |ds x dt| of every patch over a coarse grid.
+/// Mean of |ds x dt| over a coarse grid, per patch.
 std::vector<double> mean_jacobians(const Surface& surface) {
   std::vector<double> out(surface.patch_count(), 0.0);
   const GridPattern pattern{surface.domain(), mean_density};
@@ -37,7 +37,7 @@ std::vector<double> mean_jacobians(const Surface& surface) {
   return out;
 }
 
-/// Fractions x of a seam at which its sides are compared.
+/// Fractions x of a seam at which its two sides are compared.
 std::vector<double> fractions_of(Order order) {
   std::vector<double> out;
   if (order == Order::first)
@@ -47,8 +47,8 @@ std::vector<double> fractions_of(Order order) {
   return out;
 }
 
-/// Points of both sides of seams, of one order. Whole sides are evaluated by the tables of their number,
-/// parts of sides point by point.
+/// Evaluation of both sides of seams to one order. Whole sides use tables by side number, parts of sides are
+/// evaluated point by point.
 class SeamSampler {
  public:
   SeamSampler(const Surface& surface, Order order)
@@ -62,7 +62,7 @@ class SeamSampler {
 
   std::size_t count() const { return fractions_.size(); }
 
-  /// out[k] at fraction k of the part of the side from `begin` to `end`.
+  /// Evaluates the side: out[k] at fraction k of its part from `begin` to `end`.
   void sample(PatchSide side, double begin, double end, std::span<PatchPoint> out) const {
     const bool forward = begin == 0 && end == 1;
     if (!forward && !(begin == 1 && end == 0)) {
@@ -115,7 +115,7 @@ NormalJump jump_between(const Vector3& a, const Vector3& b) {
   return {angle, false};
 }
 
-/// Unit normal, zero where the derivatives span less than the threshold.
+/// Unit normal, zero where |ds x dt| does not exceed the threshold.
 Vector3 normal_above(const PatchPoint& point, double threshold) {
   const Vector3 cross = point.ds.cross(point.dt);
   const double length = cross.norm();
@@ -123,15 +123,15 @@ Vector3 normal_above(const PatchPoint& point, double threshold) {
   return cross / length;
 }
 
-/// Radians by which rounding of the control points alone (a few units in the last place of the position) may
-/// turn the normal; infinite where there is none.
+/// Angle in radians by which the rounding of the control points alone (a few units in the last place of the
+/// position) may turn the normal; infinite where there is no normal.
 double turn_by_rounding(const PatchPoint& point) {
   constexpr double rounding = 1e-15;
   return rounding * point.position.norm() * (point.ds.norm() + point.dt.norm()) /
          point.ds.cross(point.dt).norm();
 }
 
-/// True at vertices of very high tension, whose tangents are tiny: `turn_by_rounding` above 1e-11.
+/// Whether `turn_by_rounding` exceeds 1e-11: true at vertices of very high tension, whose tangents are tiny.
 bool beyond_resolution(const PatchPoint& point) {
   constexpr double share = 1e-15 / 1e-11;  // rounding to resolution
   const double s = point.ds.squaredNorm(), t = point.dt.squaredNorm();
@@ -139,7 +139,7 @@ bool beyond_resolution(const PatchPoint& point) {
          point.ds.cross(point.dt).squaredNorm();
 }
 
-/// `planes`: normals of the nodes at both ends.
+/// Compares positions and normals along a seam. `planes`: normals of the nodes at both ends.
 void compare_normals(const SeamPoints& points, const std::array<Vector3, 2>& planes, double first_threshold,
                      double second_threshold, SeamContinuity& out) {
   for (int k = 0; k < normal_samples; ++k) {
@@ -159,7 +159,7 @@ void compare_normals(const SeamPoints& points, const std::array<Vector3, 2>& pla
       continue;
     } else {
       jump = jump_between(n, m);
-      // Where a surface is nearly singular along a seam, both normals are rounding.
+      // Both normals consist of rounding errors where a surface is nearly singular along a seam.
       if (!jump.folded && beyond_resolution(p) && jump.angle <= turn_by_rounding(p) + turn_by_rounding(q)) {
         ++out.degenerate;
         continue;
@@ -235,7 +235,7 @@ ContinuityReport continuity(const Surface& surface, const CancelToken& cancel) {
 std::vector<Continuity> classify(const Surface& surface, const ContinuityReport& report,
                                  const ContinuityTolerance& tolerance) {
   HARIKO_ASSERT(report.seams.size() == surface.seams().size(), "the report is of another surface");
-  // Curvature times size below this is the rounding of a plane.
+  // Curvature times size that a rounded plane may have.
   constexpr double flat = 1e-9;
   std::vector<Continuity> classes(report.seams.size(), Continuity::g0);
   for (std::size_t i = 0; i < classes.size(); ++i) {

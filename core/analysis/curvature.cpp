@@ -7,10 +7,10 @@ namespace hariko {
 
 namespace {
 
-/// ds and dt are parallel where the sine of the angle between them is at most this (as in `unit_normal`).
+/// Sine of the angle between ds and dt up to which they count as parallel (as in `unit_normal`).
 constexpr double parallel = 1e-12;
 
-/// By parameters along which ds and dt have length one.
+/// Shape operator for extreme lengths: by parameters along which ds and dt have length one.
 std::optional<ShapeOperator> of_extreme_lengths(const PatchPoint& point) {
   const double s = point.ds.stableNorm(), t = point.dt.stableNorm();
   if (!(s > 0 && t > 0) || !std::isfinite(s) || !std::isfinite(t)) return std::nullopt;
@@ -31,9 +31,9 @@ Matrix3 ShapeOperator::tensor() const {
 }
 
 std::optional<ShapeOperator> shape_operator(const PatchPoint& point) {
-  // First fundamental form [e f; f g] and area element w, w^2 = e g - f^2. Squares of lengths that doubles
-  // hold with all their digits; others are brought to unit length first, which the shape operator feels as a
-  // change of parameters.
+  // First fundamental form [e f; f g] and area element w, w^2 = e g - f^2. The squares of the lengths must
+  // keep all their digits; more extreme lengths are scaled to one first, a change of parameters that leaves
+  // the shape operator unchanged.
   constexpr double least = 1e-100, most = 1e100;
   const double e = point.ds.squaredNorm(), g = point.dt.squaredNorm();
   if (!(e > least && e < most && g > least && g < most)) return of_extreme_lengths(point);

@@ -9,37 +9,39 @@
 
 namespace hariko {
 
-/// Signs: positive where the surface bends away from its outward normal, so a sphere of radius r seen from
-/// outside has k1 = k2 = 1/r. Units: 1/length, Gaussian curvature 1/length^2.
+/// Curvature at a point. Signs: positive where the surface bends away from its outward normal, so a sphere of
+/// radius r seen from outside has k1 = k2 = 1/r. Units: 1/length, Gaussian curvature 1/length^2.
 struct Curvature {
   double gauss = 0, mean = 0;
-  double k1 = 0, k2 = 0;                                               ///< principal, k1 >= k2
-  Vector3 direction1 = Vector3::Zero(), direction2 = Vector3::Zero();  ///< unit, tangential, orthogonal
-  Vector3 normal = Vector3::Zero();                                    ///< unit outward
-  /// k1 d1 d1^T + k2 d2 d2^T: does not depend on the parametrisation, so it compares across patches.
+  double k1 = 0, k2 = 0;  ///< principal curvatures, k1 >= k2
+  /// Principal directions: unit, tangential, orthogonal.
+  Vector3 direction1 = Vector3::Zero(), direction2 = Vector3::Zero();
+  Vector3 normal = Vector3::Zero();  ///< unit outward normal
+  /// Curvature tensor k1 d1 d1^T + k2 d2 d2^T. It does not depend on the parametrisation, so it compares
+  /// across patches.
   Matrix3 tensor = Matrix3::Zero();
 };
 
-/// The shape operator in an orthonormal frame of the tangent plane: the symmetric matrix [t11 t12; t12 t22]
-/// whose eigenvalues are the principal curvatures, with the signs of `Curvature`. 1/length.
+/// Shape operator in an orthonormal frame of the tangent plane: the symmetric matrix [t11 t12; t12 t22] whose
+/// eigenvalues are the principal curvatures, with the signs of `Curvature`. 1/length.
 struct ShapeOperator {
   Vector3 normal = Vector3::Zero(), e1 = Vector3::Zero(), e2 = Vector3::Zero();
   double t11 = 0, t12 = 0, t22 = 0;
 
   double mean() const { return (t11 + t22) / 2; }
   double gauss() const { return t11 * t22 - t12 * t12; }
-  /// k1^2 + k2^2, which is also the squared Frobenius norm of the tensor.
+  /// Squared Frobenius norm of the tensor, k1^2 + k2^2.
   double squares() const { return t11 * t11 + 2 * (t12 * t12) + t22 * t22; }
-  /// As `Curvature::tensor`.
+  /// Curvature tensor, as `Curvature::tensor`.
   Matrix3 tensor() const;
 };
 
-/// From position and both orders of derivatives; a third of the time of `curvature`, which needs the angle of
-/// the principal directions. Nothing where `curvature` gives nothing.
+/// Shape operator from first and second derivatives; a third of the time of `curvature`, which needs the
+/// angle of the principal directions. Nothing where `curvature` gives nothing.
 std::optional<ShapeOperator> shape_operator(const PatchPoint& point);
 
-/// From position and both orders of derivatives. Nothing where ds and dt are parallel (as in `unit_normal`)
-/// or a result is not finite. At umbilics the directions are any two orthogonal ones.
+/// Curvature from first and second derivatives. Nothing where ds and dt are parallel (as in `unit_normal`) or
+/// a result is not finite. At umbilics the directions are any two orthogonal ones.
 std::optional<Curvature> curvature(const PatchPoint& point);
 
 }  // namespace hariko

@@ -30,13 +30,13 @@ double pick(const Curvature& at, MapKind kind) {
   return 0;
 }
 
-/// Where second derivatives depend on the direction, the limits along the directions are evaluated this far
-/// (in the patch's parameters) from the corner: curvature differs from its limit by about as much, and
-/// rounding is still far below.
+/// Distance from the corner, in the patch's parameters, at which limits are evaluated where second
+/// derivatives depend on the direction: curvature differs from its limit by about as much, and rounding is
+/// still far below.
 constexpr double limit_distance = 1e-3;
 
-/// The mean of what the map tends to at a corner along both sides and between them; undefined where it tends
-/// to nothing.
+/// Limit of a map at a corner: the mean of the limits along both sides and between them; undefined where none
+/// of them is defined.
 float mean_limit(const Surface& surface, MapKind kind, Index patch, int corner) {
   const int sides = corner_count(surface.domain());
   const Vector2 along_next = side_parameter(surface.domain(), corner, limit_distance);
@@ -52,7 +52,7 @@ float mean_limit(const Surface& surface, MapKind kind, Index patch, int corner) 
   return defined > 0 ? static_cast<float>(sum / defined) : undefined;
 }
 
-/// Calls body(i, first side's point, second side's point) at density + 1 places.
+/// Calls body(i, point on the first side, point on the second side) at density + 1 places of a seam.
 template <class Body>
 void along(const Surface& surface, Index seam_index, int density, std::span<float> values, Order order,
            const Body& body) {
@@ -64,7 +64,7 @@ void along(const Surface& surface, Index seam_index, int density, std::span<floa
     return surface.patches().evaluate(side.patch, parameter, order);
   };
   for (int i = 0; i <= density; ++i) {
-    // Along the seam itself curvature has a limit at both ends, whatever other directions have.
+    // Along the seam itself curvature has a limit at both ends, even where it has none in other directions.
     const double least = order == Order::second ? limit_distance : 0;
     const double x = std::clamp(grid_fraction(i, density), least, 1 - least);
     values[static_cast<std::size_t>(i)] = body(at(seam.first, seam.first_begin, seam.first_end, x),

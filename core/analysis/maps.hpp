@@ -1,6 +1,6 @@
 #pragma once
 
-// Scalar maps for display: one number a point, or a point of a seam.
+// Scalar maps for display: one number per point of a grid, or per point of a seam.
 
 #include <span>
 #include <vector>
@@ -11,23 +11,23 @@ namespace hariko {
 
 enum class MapKind { gauss, mean, k1, k2 };
 
-/// values[k * n + i] for grid point i of patches[k], n = pattern.point_count(). NaN where the curvature is
-/// undefined: where there is no normal, and at corners without second derivatives. At corners where these
-/// depend on the direction it is the mean of the limits along three directions: a grey speck there would say
-/// that the surface is broken. Signs and units as in `Curvature`. Thread-safe; runs on the calling thread.
-/// O(values).
+/// Curvature map: values[k * n + i] for grid point i of patches[k], n = pattern.point_count(). NaN where the
+/// curvature is undefined: where there is no normal, and at corners without second derivatives. At corners
+/// where these depend on the direction the value is the mean of the limits along three directions, so that no
+/// grey speck suggests a broken surface. Signs and units as in `Curvature`. Thread-safe; runs on the calling
+/// thread. O(values).
 void map_values(const Surface& surface, MapKind kind, std::span<const Index> patches,
                 const GridPattern& pattern, std::span<float> values);
 std::vector<float> map_values(const Surface& surface, MapKind kind, const GridPattern& pattern,
                               std::span<const Index> patches);
 
-/// Angle between the two sides' normals in degrees at fractions i / density of a seam, density + 1 values.
-/// NaN where a side has no normal. For maps of continuity along edges. Thread-safe. O(values).
+/// Angle between the normals of a seam's two sides, in degrees, at fractions i / density: density + 1 values.
+/// NaN where a side has no normal. For continuity maps along edges. Thread-safe. O(values).
 void seam_angles(const Surface& surface, Index seam, int density, std::span<float> values);
 
-/// The jump of the curvature tensor across a seam, relative to the mean of both sides' norms, at the same
-/// points: 0 is curvature-continuous, 2 is the most. At the ends it is the limit along the seam. NaN where a
-/// side has no curvature, where both are flat, and at ends without second derivatives.
+/// Jump of the curvature tensor across a seam, relative to the mean of both sides' norms, at the same points:
+/// 0 is curvature-continuous, 2 is the maximum. At the ends it is the limit along the seam. NaN where a side
+/// has no curvature, where both are flat, and at ends without second derivatives.
 void seam_curvature_jumps(const Surface& surface, Index seam, int density, std::span<float> values);
 
 }  // namespace hariko

@@ -62,7 +62,8 @@ Measures measure(const Surface& surface, const CancelToken& cancel) {
     moment += patch.moment;
     facing += patch.facing;
   }
-  // About the middle: the normals of a closed surface sum to zero, but for what the rule is off.
+  // Volume about the centroid: the normals of a closed surface sum to zero except for the error of the
+  // quadrature.
   if (out.area > 0) volume -= moment.dot(facing) / (3 * out.area);
   if (Adjacency(surface).closed()) out.volume = volume;
   return out;

@@ -13,7 +13,8 @@ namespace hariko {
 
 namespace {
 
-/// Diagonal of the box of a few points of every patch; not a number where they are none.
+/// Size of a surface: the diagonal of the box of a few points of every patch; not a number where there are
+/// none.
 double size_of(const SurfaceSampler& sampler) {
   const Surface& surface = sampler.surface();
   const std::vector<Vector2> parameters = GridPattern{surface.domain(), 3}.parameters();
@@ -31,7 +32,7 @@ std::string limit_text(const MeshOptions& options) {
          " facets was reached before the tolerance was.";
 }
 
-/// What the measured errors say beside what the refinement knew.
+/// Adds warnings from the measured errors and from the refinement.
 void add_warnings(const MeshOptions& options, const BisectionResult& refined, MeshApproximation& out) {
   out.unreached = refined.unreached;
   if (refined.limit_reached)
@@ -55,7 +56,7 @@ void add_warnings(const MeshOptions& options, const BisectionResult& refined, Me
         "Ask for a smaller angle, or let the mesh be optimised."));
 }
 
-/// Share of the progress that balancing has; where it does not apply, the rest follows.
+/// Share of the progress that balancing takes; where balancing does not apply, the rest follows.
 constexpr double balancing_share = 0.5;
 
 }  // namespace
@@ -70,7 +71,6 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
   if (auto error = check_criteria(options.criteria, size)) return *error;
   const FacetErrors errors(sampler, options.criteria);
   const auto cancelled = [] { return make_error(e_cancelled, "The meshing was cancelled."); };
-  // What the optimiser leaves is good already but for the folds, which it only estimates.
   if (options.balanced) {
     auto balanced = balanced_mesh(sampler, options, cancel, progress.part(0, balancing_share));
     if (cancel.cancelled()) return cancelled();
@@ -85,6 +85,7 @@ Result<MeshApproximation> approximate(const Surface& surface, const MeshOptions&
   const double begun = options.balanced ? balancing_share : 0;
   ParameterMesh mesh = optimised ? optimised_mesh(sampler, options, cancel, progress.part(begun, 0.8))
                                  : start_mesh(sampler, options);
+  // An optimised mesh is good already except for folds, which the optimiser only estimates.
   const BisectionResult refined =
       bisect(sampler, errors, options, mesh, cancel, progress.part(optimised ? 0.8 : 0, 0.85));
   if (refined.cancelled) return cancelled();

@@ -14,34 +14,36 @@
 
 namespace hariko {
 
-/// Errors of a mesh by one criterion. Lengths, radians or differences of brightness.
+/// Errors of a mesh by one criterion: lengths, radians or differences of luminance.
 struct CriterionErrors {
-  bool measured = false;  ///< else all below is empty
+  bool measured = false;  ///< false: all members below are empty
   double largest = 0, mean = 0;
-  Index facet = no_index;  ///< that has the largest
-  /// Certain: no point has a larger error. Only where `certified`; else the largest is what samples showed.
+  Index facet = no_index;  ///< the facet with the largest error
+  /// Certain upper bound of the error at any point. Only where `certified`; otherwise `largest` is the
+  /// largest of the samples.
   double bound = 0;
   bool certified = false;
-  std::vector<float> facets;  ///< of each facet, from samples
+  std::vector<float> facets;  ///< largest sampled error of each facet
 };
 
-/// A mesh and what is known about it.
+/// Mesh with its measured errors.
 struct MeshApproximation {
-  TriangleMesh mesh;                  ///< with the surface's normals, split at creases, if reported
-  std::vector<ParameterFacet> parts;  ///< one a triangle: what it stands for; vertices as in the mesh
-  CriterionErrors distance;           ///< surface to facets and borders; measured as `MeshReport` says
-  CriterionErrors normal_angle;       ///< likewise
-  CriterionErrors fold_angle;         ///< real folds between neighbours, creases apart; in every report
-  CriterionErrors luminance;          ///< where asked for
+  TriangleMesh mesh;  ///< has the surface's normals, split at creases, if reported
+  /// One per triangle: the part of the surface that it approximates; vertices as in the mesh.
+  std::vector<ParameterFacet> parts;
+  CriterionErrors distance;      ///< surface to facets and borders; measured as `MeshReport` says
+  CriterionErrors normal_angle;  ///< measured likewise
+  CriterionErrors fold_angle;    ///< folds between neighbours, except creases of the surface; in every report
+  CriterionErrors luminance;     ///< measured if required
   double longest_edge = 0, smallest_angle = 0;
   std::size_t unreached = 0;      ///< facets above a tolerance that could not be refined further
   std::vector<Message> warnings;  ///< W_MESH_UNREACHED, W_MESH_LIMIT
 
-  /// All tolerances are kept, as far as measured.
+  /// True when all tolerances are kept, as far as measured.
   bool reached() const { return warnings.empty(); }
 };
 
-/// A mesh of the surface that satisfies the criteria, without cracks: sides that seams join share their
+/// Triangle mesh of a surface that satisfies the criteria, without cracks: sides joined by seams share their
 /// vertices. Closed surfaces give closed meshes. The same input gives the same mesh on any number of threads.
 /// Errors: those of `check_criteria`, E_MESH_NOTHING for a surface without patches, E_MESH_SURFACE,
 /// E_CANCELLED.

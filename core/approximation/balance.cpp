@@ -17,16 +17,17 @@ namespace hariko {
 namespace {
 
 constexpr int curvature_grid = 8;
-constexpr int row_grid = 6;     ///< intervals a facet's side between the rows of the system
+constexpr int row_grid = 6;     ///< intervals per side of a facet between the rows of the system
 constexpr int border_rows = 8;  ///< intervals of a border edge
 constexpr std::array factors{1.78, 1.7, 1.66, 1.62, 1.58, 1.5, 1.35};
-constexpr int most_cuts = 16;  ///< of facets that the balance leaves above the tolerance
-/// The maximum is approached by sums of powers, each solved by a few weighted least squares.
+constexpr int most_cuts = 16;  ///< cuts of facets that are above the tolerance after balancing
+/// Powers of the sums that approximate the maximum; each is minimised by a few weighted least squares.
 constexpr std::array powers{2, 4, 8, 16, 32, 64};
 constexpr int solves_a_power = 6;
-constexpr double farthest = 0.99;  ///< of the tolerance: vertices from the surface
+/// Largest distance of vertices from the surface, relative to the tolerance.
+constexpr double farthest = 0.99;
 
-/// Vertices along their normals: what is solved for.
+/// Minimisation of the largest distance by offsets of the vertices along their normals.
 class Balance {
  public:
   Balance(const SurfaceSampler& sampler, ParameterMesh& mesh) : sampler_(sampler), mesh_(mesh) {
@@ -41,14 +42,14 @@ class Balance {
     }
   }
 
-  /// Moves the vertices, none farther than `most`.
+  /// Moves the vertices, none farther than `most`, a length.
   void solve(double most) {
     for (const int power : powers)
       for (int round = 0; round < solves_a_power; ++round) improve(power, most);
   }
 
  private:
-  /// A point of the surface over a facet (or a border edge), with its barycentric coordinates there.
+  /// Point of the surface over a facet (or a border edge), with its barycentric coordinates there.
   struct Row {
     Vector3 point;
     std::array<Index, 3> vertex;
@@ -72,7 +73,7 @@ class Balance {
     const BarycentricGrid grid(row_grid);
     std::vector<Vector2> parameters(grid.points.size());
     std::vector<Vector3> points(grid.points.size());
-    // The coordinates of a pole's second triangle are those of its foot; one triangle shows enough.
+    // The coordinates of a pole's second triangle are those of its base point; the first triangle is enough.
     for (std::size_t k = 0; k < grid.points.size(); ++k)
       parameters[k] = at_barycentric(pieces.triangle[0], grid.points[k].x(), grid.points[k].y());
     sampler_.positions(mesh_.facets[f].patch, parameters, points);
@@ -91,7 +92,8 @@ class Balance {
                        true});
     }
   }
-  /// How far the point is above its facet, or beside its edge, and the direction that this is measured in.
+  /// Height of the point above its facet, or distance beside its edge, and the direction in which it is
+  /// measured.
   std::pair<double, Vector3> height(const Row& row) const {
     const Vector3 &a = mesh_.positions[row.vertex[0]], &b = mesh_.positions[row.vertex[1]];
     if (!row.border) {
@@ -103,7 +105,7 @@ class Balance {
     across -= across.dot(edge) * edge;
     const double distance = across.norm();
     if (!(distance > 0)) return {0, normal_[row.vertex[0]]};
-    // Signed by the side of the surface.
+    // Sign by the outward side of the surface.
     const Vector3 outward = row.weight[0] * normal_[row.vertex[0]] + row.weight[1] * normal_[row.vertex[1]];
     const double sign = across.dot(outward) < 0 ? -1 : 1;
     return {sign * distance, sign / distance * across};
@@ -139,7 +141,7 @@ class Balance {
     if (!solver.succeeded()) return;
     const Eigen::VectorXd change = solver.solve(right);
     if (!change.allFinite()) return;
-    // The step of Newton's method for this power.
+    // Step length of Newton's method for this power.
     const double step = 1.0 / (power - 1);
     for (std::size_t v = 0; v < start_.size(); ++v) {
       offset_[v] = std::clamp(offset_[v] + step * change[Eigen::Index(v)], -most, most);
@@ -154,9 +156,9 @@ class Balance {
   std::vector<Row> rows_;
 };
 
-/// How the balanced mesh keeps the tolerance, both ways: the facet with the largest error.
+/// Facet of a balanced mesh with the largest error, measured in both directions.
 struct Worst {
-  double error = 0;  ///< relative
+  double error = 0;  ///< relative to the tolerance
   Index facet = no_index;
 };
 Worst worst_facet(const FacetErrors& errors, const SurfaceFeet& feet, const ParameterMesh& mesh,
@@ -180,7 +182,7 @@ Worst worst_facet(const FacetErrors& errors, const SurfaceFeet& feet, const Para
   return out;
 }
 
-/// Cuts the facet's edge that bends most, in the middle of its bend.
+/// Cuts the facet's most strongly curved edge, at half of its curvature integral.
 bool cut(const SurfaceSampler& sampler, ParameterMesh& mesh, Index facet) {
   Index best = no_index;
   EdgeSplit split;
@@ -204,7 +206,7 @@ bool bends_one_way(const SurfaceSampler& sampler) {
     for (const Vector2& at : parameters) {
       const PatchPoint q = sampler.second_order(p, at);
       const Vector3 normal = unit_normal(q);
-      if (normal.isZero(0)) continue;  // a pole
+      if (normal.isZero(0)) continue;  // normal undefined at a pole
       const double l = q.dss.dot(normal), m = q.dst.dot(normal), n = q.dtt.dot(normal);
       if (!(l * n - m * m > 0)) return false;
       const int own = l > 0 ? 1 : -1;

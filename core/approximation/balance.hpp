@@ -1,6 +1,7 @@
 #pragma once
 
-// Vertices off the surface: a mesh through which the surface passes, instead of one that it bulges over.
+// Balanced meshes: vertices off the surface, so that the surface passes through the mesh instead of bulging
+// over it.
 
 #include <optional>
 
@@ -12,16 +13,16 @@
 
 namespace hariko {
 
-/// True where the Gaussian curvature is positive at a grid on every patch, and all of them bend to the same
-/// side.
+/// Convexity test: true where the Gaussian curvature is positive at a grid on every patch, and all patches
+/// bend to the same side.
 bool bends_one_way(const SurfaceSampler& sampler);
 
-/// The optimised mesh for up to 1.9 times the distance, its vertices moved along the normals so that the
-/// largest distance, borders included, is as small as can be; facets that are above the tolerance then are
-/// cut. Of several factors the smallest result that keeps the tolerance: certain bounds of the surface
-/// against the facets where there are any, samples of the facets against the surface. Nothing where distance
-/// is not the only criterion, the surface does not bend one way, no factor does, or it was cancelled. Takes
-/// as long as a few optimised meshes.
+/// Balanced mesh: the optimised mesh for 1.35 to 1.78 times the distance, with its vertices moved along the
+/// normals so that the largest distance, borders included, is as small as possible; facets that are still
+/// above the tolerance are cut. Of several factors the smallest result that keeps the tolerance is taken: by
+/// certain bounds of the surface against the facets where there are any, and by samples of the facets against
+/// the surface. Nothing where distance is not the only criterion, the surface does not bend to one side, no
+/// factor succeeds, or it was cancelled. Takes as long as a few optimised meshes.
 std::optional<ParameterMesh> balanced_mesh(const SurfaceSampler& sampler, const MeshOptions& options,
                                            const CancelToken& cancel, const Progress& progress);
 

@@ -13,17 +13,19 @@ namespace hariko {
 
 namespace {
 
-constexpr double shortest_edge = 2e-4;  ///< of the patch
+constexpr double shortest_edge = 2e-4;  ///< relative to the patch
 constexpr int longest_path = 200, most_detours = 200, most_detours_of_halving = 3;
 constexpr std::size_t largest_batch = 512, facets_per_task = 32;
-/// The paper's rule, where it does not lower a facet's error, gives way to the Gauss image, and that to
-/// middles of longest edges, which always ends: levels 0, 1, 2. Cuts in a row before the next level:
+/// Levels of fallback for the paper's rule: 0, the rule itself; 1, where it does not lower a facet's error,
+/// the Gauss image; 2, the middle of the longest edge, which always terminates. `patience`: cuts in a row
+/// before the next level.
 constexpr std::uint8_t patience = 3, last_level = 2;
-/// Above this number of facets those that are good lose their nets, which take far more room than they do.
+/// Number of facets above which the nets of good facets are released, as they take far more memory than the
+/// facets.
 constexpr std::size_t most_kept_nets = 100'000;
-/// What an error must come below, of that before the cut, to count as lowered.
+/// Ratio to the error before the cut, below which an error counts as lowered.
 constexpr double lowered = 0.9;
-constexpr int most_failures = 1;  ///< in one patch before all of it gives the paper's rule up
+constexpr int most_failures = 1;  ///< in one patch, before the paper's rule is given up in all of it
 
 class Bisection {
  public:
@@ -70,9 +72,9 @@ class Bisection {
  private:
   struct State {
     double error = 0;
-    double pending = 0;  ///< its part of pending_
+    double pending = 0;  ///< its share of pending_
     std::uint32_t version = 0;
-    double least = 0;         ///< error that it and those it was cut from came down to
+    double least = 0;         ///< least error of the facet and those it was cut from
     std::uint8_t futile = 0;  ///< cuts in a row that did not lower it, plus `patience` for each level
     bool touched = false, cut = false;
   };
@@ -111,7 +113,7 @@ class Bisection {
       rule = rules[std::size_t(highest)];
     }
     split_[h] = edge_split(sampler_, mesh_, h, rule);
-    // Beside angles a length counts by its part of the patch.
+    // Among angles as priorities, a length counts relative to its patch.
     if (rule != options_.split && rule == SplitRule::midpoint)
       split_[h].priority *= shortest_edge / shortest_[mesh_.canonical_line(h).patch];
     if (other != no_index) split_[other] = split_[h];
@@ -126,7 +128,7 @@ class Bisection {
     touched_.push_back(facet);
   }
 
-  /// True when edge a comes before edge b.
+  /// Whether edge a is cut before edge b.
   bool before(Index a, Index b) const {
     if (split_[a].priority != split_[b].priority) return split_[a].priority > split_[b].priority;
     const auto ends = [&](Index h) {
@@ -142,7 +144,7 @@ class Bisection {
     return best;
   }
 
-  /// The edge to cut first when this facet's best edge is to be cut.
+  /// End of the longest-edge path: the edge to cut first when this facet's best edge is to be cut.
   Index end_of_path(Index edge) const {
     for (int step = 0; step < longest_path; ++step) {
       const Index other = mesh_.twin[edge];
@@ -154,8 +156,8 @@ class Bisection {
     return edge;
   }
 
-  /// Cuts edges until one of this facet's is. Priorities that are not lengths may lead on and on: then its
-  /// own edge is cut without asking the neighbours.
+  /// Cuts edges until one of this facet's is cut. With priorities other than lengths the path may not end:
+  /// then the facet's own edge is cut without regard to the neighbours.
   void cut(Index facet) {
     const std::uint32_t version = state_[facet].version;
     const int asked = options_.propagation == Propagation::direct ? 0
@@ -181,8 +183,8 @@ class Bisection {
       split_edge(edge);
     }
   }
-  /// From now on the facet's edges and those made of them follow the rule of the next level; after a few
-  /// facets at which the paper's rule failed those of the whole patch follow the Gauss image.
+  /// Raises a facet to the next level: its edges and those made of them follow the next rule; after a few
+  /// facets at which the paper's rule failed, all facets of the patch follow the Gauss image.
   void give_up(Index facet) {
     std::uint8_t& futile = state_[facet].futile;
     futile = std::uint8_t((futile / patience + 1) * patience);
@@ -199,7 +201,7 @@ class Bisection {
     const Index other = mesh_.twin[edge];
     const ParameterLine line = mesh_.canonical_line(edge);
     const double t = split_[edge].parameter;
-    // A cut facet's second side moves to the new facet and takes its split along.
+    // A cut facet's second side moves to the new facet, with its split.
     const EdgeSplit moved[2] = {split_[next_of(edge)],
                                 other == no_index ? EdgeSplit{} : split_[next_of(other)]};
     const Vector2 at = line.at(t);
@@ -229,7 +231,7 @@ class Bisection {
       touch(g);
     }
     for (int k = 0; k < made.edge_count; ++k) set_split(made.edges[std::size_t(k)]);
-    // Folds change across the sides of what was cut.
+    // Folds change across the sides of the cut facets.
     if (!criteria_.fold_angle) return;
     for (int k = 0; k < made.count; ++k)
       for (Index h = 3 * made.facets[std::size_t(k)]; h < 3 * made.facets[std::size_t(k)] + 3; ++h)
@@ -253,12 +255,12 @@ class Bisection {
     sampler_.positions(line.patch, {&at, 1}, {&m, 1});
     double fold = facet_fold(sampler_, mesh_, facet, crease_);
     if (!is_crease(sampler_, mesh_, edge, crease_)) fold = std::max(fold, virtual_fold(mesh_, edge, m));
-    // Without this a middle that happens to lie in the facet's plane would end the refinement.
+    // Without this test a midpoint that happens to lie in the facet's plane would end the refinement.
     fold = std::max(fold, errors_.normal_spread(mesh_, facet));
     return std::max(worst, fold / *criteria_.fold_angle);
   }
 
-  /// Along a curve that fills the patch (Morton's), the patches one after the other.
+  /// Position along a space-filling curve (Morton order), patch by patch.
   std::uint64_t place_of(Index facet) const {
     const ParameterFacet& at = mesh_.facets[facet];
     const Vector2 centre = (at.parameter[0] + at.parameter[1] + at.parameter[2]) / 3;
@@ -269,7 +271,7 @@ class Bisection {
     return place;
   }
 
-  /// What the report needs of a net that goes.
+  /// Records the data that the report needs of a net before its release.
   void note_sampled(Index facet) {
     if (options_.report == MeshReport::none) return;
     if (const FacetNet net = nets_->of(mesh_.facets[facet].patch, facet); net.shape)
@@ -310,7 +312,7 @@ class Bisection {
     }
     touched_.clear();
   }
-  /// Counts the facet's cuts that did not lower its error.
+  /// Counts the facet's cuts that did not lower its error, and raises its level when there are too many.
   void take_stock(Index facet, double error) {
     State& state = state_[facet];
     const int own = state.futile / patience;
@@ -339,14 +341,14 @@ class Bisection {
   std::shared_ptr<FacetNets> nets_;
   double crease_;
   std::vector<double> shortest_;  ///< per patch
-  std::vector<int> failures_;     ///< per patch: facets at which halving was given up
+  std::vector<int> failures_;     ///< per patch: number of facets at which halving was given up
   std::vector<State> state_;      ///< per facet
   std::vector<EdgeSplit> split_;  ///< per half-edge
   FacetQueue queue_{[this](Index facet) { return place_of(facet); }};
   std::vector<Index> touched_;
   std::vector<double> fresh_, bounds_;
-  std::vector<float> sampled_;  ///< per facet; empty as long as all nets are kept
-  double pending_ = 0;          ///< about how many facets those in the queue will become
+  std::vector<float> sampled_;  ///< per facet; empty while all nets are kept
+  double pending_ = 0;          ///< Estimate of the number of facets that those in the queue will become.
   BisectionResult result_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Refinement by cutting facets in two until all errors are within their tolerances.
+// Refinement by bisecting facets until all errors are within their tolerances.
 
 #include <memory>
 
@@ -12,15 +12,16 @@
 
 namespace hariko {
 
+/// Outcome of a refinement, with data that its report can reuse.
 struct BisectionResult {
   /// Facets above the tolerance that were left because their edges are shorter than 2e-4 of their patch.
   std::size_t unreached = 0;
   bool limit_reached = false, cancelled = false;
-  /// Of the facets as they are now; some may have no net. Bounds only where distance is a criterion.
+  /// Nets of the final facets; some may have none. Bounds only where distance is a criterion.
   std::shared_ptr<const FacetNets> nets;
   std::vector<double> distance_bounds;
-  /// What `FacetErrors::net_sampled` gave for facets whose nets were given back, below 0 for those that never
-  /// had one; empty where all nets were kept.
+  /// Result of `FacetErrors::net_sampled` for facets whose nets were released, below 0 for those that never
+  /// had a net; empty where all nets were kept.
   std::vector<float> sampled_distances;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// How bright a point looks under each of several lights.
+// Luminance of a point under each of several lights.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 namespace hariko {
 
+/// Luminance by a model, with its directions normalised.
 class Brightness {
  public:
   explicit Brightness(const LuminanceModel& model) : model_(model) {
@@ -25,6 +26,7 @@ class Brightness {
   }
 
   std::size_t lights() const { return lamps_.size(); }
+  /// Luminance under one of the lights, by `LuminanceModel`.
   double of(const Vector3& unit_normal, std::size_t light) const {
     const Lamp& lamp = lamps_[light];
     return model_.diffuse * std::max(unit_normal.dot(lamp.light), 0.0) +

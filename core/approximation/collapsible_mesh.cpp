@@ -61,11 +61,11 @@ CollapsibleMesh::Freedom CollapsibleMesh::freedom_of(Index vertex) const {
     kept += kept_edge(vertex, w);
     borders += border_.contains(edge_key(vertex, w));
   }
-  // One fan has as many neighbours as facets, an open one has one more.
+  // A closed fan has as many neighbours as facets, an open fan has one more.
   const bool closed = borders == 0 && near_v_.size() == facets.size();
   const bool open = borders == 2 && near_v_.size() == facets.size() + 1;
   if (!(closed || open) || (kept != 0 && kept != 2)) return Freedom::fixed;
-  // Several fans can have these numbers too: walk one.
+  // Several fans may have these numbers as well: one fan is walked.
   std::map<Index, std::vector<Index>> across;
   for (const Index f : facets)
     for (const Index w : triangles_[f])
@@ -104,13 +104,13 @@ bool CollapsibleMesh::may_collapse(Index v, Index w) const {
       if (u != v && u != w) opposite.push_back(u);
   }
   if (facets == 0 || facets > 2 || round_[v].size() <= facets) return false;
-  // Neighbours of both are the corners opposite to the edge, no others.
+  // Link condition: common neighbours are the corners opposite to the edge, and no others.
   std::sort(opposite.begin(), opposite.end());
   std::vector<Index> both;
   std::set_intersection(near_v_.begin(), near_v_.end(), near_w_.begin(), near_w_.end(),
                         std::back_inserter(both));
   if (both != opposite) return false;
-  // A kept edge from v to a corner opposite would come to lie on the edge from w there.
+  // A kept edge from v to an opposite corner would fall onto the edge from w to it.
   return std::none_of(opposite.begin(), opposite.end(), [&](Index u) { return kept_edge(v, u); });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// A mesh under half-edge collapses: facets round vertices, and which edges and vertices must stay.
+// CollapsibleMesh: a mesh under half-edge collapses, with the facets around each vertex, and the edges and
+// vertices that must stay.
 
 #include <array>
 #include <unordered_set>
@@ -12,26 +13,28 @@
 
 namespace hariko {
 
-/// Triangles and, of each vertex, those round it. Kept edges are borders, sharp edges and edges of more than
-/// two facets.
+/// Triangle mesh for half-edge collapses. Kept edges are borders, sharp edges and edges of more than two
+/// facets.
 class CollapsibleMesh {
  public:
-  /// Edges between facets whose normals differ by more than `sharp` are kept.
+  /// Takes a mesh; edges between facets whose normals differ by more than `sharp` (radians) are kept.
   CollapsibleMesh(std::vector<Vector3> positions, std::vector<std::array<Index, 3>> triangles, double sharp);
 
   const std::vector<Vector3>& positions() const { return positions_; }
   const std::vector<std::array<Index, 3>>& triangles() const { return triangles_; }
   bool alive(Index facet) const { return alive_[facet] != 0; }
   std::size_t facet_count() const { return count_; }
+  /// Facets around a vertex.
   const std::vector<Index>& round(Index vertex) const { return round_[vertex]; }
   bool kept_edge(Index a, Index b) const { return kept_.contains(edge_key(a, b)); }
   /// Vertices that share a facet with this one, in ascending order.
   void neighbours(Index vertex, std::vector<Index>& out) const;
 
-  /// True when pulling v into w leaves a mesh of the same kind, and v may leave its place that way.
+  /// Whether collapsing v into w leaves a mesh of the same kind, and v may leave its place in that direction.
   bool may_collapse(Index v, Index w) const;
-  /// The facets round v that stay, with w in its place.
+  /// Facets around v that remain after the collapse, with w in place of v.
   void moved_facets(Index v, Index w, std::vector<std::pair<Index, std::array<Index, 3>>>& out) const;
+  /// Collapses v into w; `may_collapse` must hold.
   void collapse(Index v, Index w);
 
  private:

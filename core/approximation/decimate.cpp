@@ -17,21 +17,22 @@ namespace hariko {
 
 namespace {
 
-constexpr double most_turn = 0.61;   ///< 35 degrees: of a facet's normal in one collapse
-constexpr double long_edges = 1e-6;  ///< what a squared length counts beside a squared distance
+constexpr double most_turn = 0.61;   ///< 35 degrees: largest turn of a facet's normal in one collapse
+constexpr double long_edges = 1e-6;  ///< weight of a squared length relative to a squared distance
 constexpr std::size_t elements_per_task = 256;
-/// The collapses look at points only; where the certain check finds more, they are done again within less.
+/// Factors of the tolerance. Collapses test points only; where the certain bound is larger, they are repeated
+/// with a smaller tolerance.
 constexpr std::array<double, 6> narrowings{1, 0.97, 0.9, 0.8, 0.6, 0.3};
 
 Vector3 normal_of(const std::vector<Vector3>& p, const std::array<Index, 3>& t) {
   return facet_normal(p[t[0]], p[t[1]], p[t[2]]);
 }
 
-/// The dense mesh as what is approximated: its corners, and the middles of its facets with their normals.
+/// Dense mesh as the reference: its corners, and the centroids of its facets with their normals.
 struct DenseMesh {
   std::vector<Vector3> positions;
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<Vector3> normals;  ///< of facets; zero without area
+  std::vector<Vector3> normals;  ///< normals of facets; zero without area
   TriangleTree tree;
 
   explicit DenseMesh(const TriangleMesh& mesh)
@@ -44,7 +45,7 @@ struct DenseMesh {
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.push_back(t);
     return out;
   }
-  /// Samples: first the middles of the facets, then the corners.
+  /// Number of samples: first the centroids of the facets, then the corners.
   std::size_t sample_count() const { return triangles.size() + positions.size(); }
   Vector3 sample(Index s) const {
     if (s >= triangles.size()) return positions[s - triangles.size()];
@@ -104,7 +105,7 @@ class Decimator {
     }
   }
 
-  /// What is left, with vertices numbered anew.
+  /// Remaining mesh, with vertices renumbered.
   TriangleMesh result(const Vector3& origin) const {
     TriangleMesh out;
     out.origin = origin;
@@ -148,7 +149,7 @@ class Decimator {
         const Index a = t[c], b = t[(c + 1) % 3];
         add(a, normal, dense_.positions[a]);
         if (!mesh_.kept_edge(a, b)) continue;
-        // Kept edges keep to themselves by planes across their facets.
+        // Kept edges are held in place by planes through them, across their facets.
         const Vector3 across = normal.cross(dense_.positions[b] - dense_.positions[a]);
         if (across.norm() > 0)
           for (const Index v : {a, b}) add(v, across.normalized(), dense_.positions[a]);
@@ -188,8 +189,8 @@ class Decimator {
     return {mesh_.positions()[t[0]], mesh_.positions()[t[1]], mesh_.positions()[t[2]]};
   }
 
-  /// Each sample of the facets round the vertex goes to the nearest of the moved ones; false where one is
-  /// too far, or looks elsewhere.
+  /// Assigns each sample of the facets around the vertex to the nearest of the moved facets; false where one
+  /// is too far, or has a normal that does not fit.
   bool share_samples(Index from) {
     closed_.clear();
     for (const auto& [f, t] : moved_) closed_.emplace_back(corners(t));
@@ -224,7 +225,7 @@ class Decimator {
           return false;
     return true;
   }
-  /// Points of the moved facets and their edges from w against the dense mesh.
+  /// Whether points of the moved facets and of their edges from w are near the dense mesh.
   bool near_dense(Index to) const {
     if (!criteria_.distance) return true;
     const double limit = *criteria_.distance;
@@ -241,7 +242,7 @@ class Decimator {
     }
     return true;
   }
-  /// Folds between the moved facets, and between them and the ones beyond.
+  /// Whether the folds between the moved facets, and between them and their neighbours, are small enough.
   bool good_folds() const {
     if (!criteria_.fold_angle) return true;
     const auto moved_as = [&](Index f) {
@@ -277,7 +278,7 @@ class Decimator {
   Brightness brightness_;
   const CancelToken& cancel_;
   CollapsibleMesh mesh_;
-  std::vector<std::vector<Index>> samples_;  ///< of each facet: those that are nearest to it
+  std::vector<std::vector<Index>> samples_;  ///< per facet: the samples nearest to it
   std::vector<std::uint32_t> version_;
   std::vector<Quadric> quadric_;
   std::priority_queue<Entry> queue_;
@@ -301,7 +302,7 @@ void note(CriterionErrors& errors, Index facet, double value) {
   errors.facet = facet;
 }
 
-/// Errors of the result by the dense mesh's corners and middles and by points of the facets.
+/// Measures the result at the dense mesh's corners and centroids and at points of the facets.
 void measure(const DenseMesh& dense, const Brightness& brightness, bool luminance, MeshApproximation& out) {
   const std::vector<Vector3>& p = out.mesh.positions;
   const auto& triangles = out.mesh.triangles;
@@ -385,7 +386,7 @@ Result<MeshApproximation> decimate(const TriangleMesh& mesh, const MeshOptions& 
   if (auto error = check_criteria(options.criteria, size)) return *error;
   const auto cancelled = [] { return make_error(e_cancelled, "The meshing was cancelled."); };
   MeshApproximation out;
-  // Without a tolerance for distances the bound of what was made is not looked for.
+  // Without a tolerance for distances no bound is computed.
   const bool bounded = options.criteria.distance.has_value();
   double done = 0;
   for (const double narrowing : narrowings) {
@@ -409,7 +410,7 @@ Result<MeshApproximation> decimate(const TriangleMesh& mesh, const MeshOptions& 
   }
   if (cancel.cancelled()) return cancelled();
   if (bounded && !out.distance.certified) {
-    // The dense mesh itself is no farther from itself than nothing.
+    // Falls back to the dense mesh itself, at distance zero.
     out.mesh = {mesh.origin, dense.positions, dense.triangles, {}, {}};
     out.distance.certified = true;
   }
@@ -418,7 +419,7 @@ Result<MeshApproximation> decimate(const TriangleMesh& mesh, const MeshOptions& 
   measure(dense, Brightness(options.criteria.luminance_model), options.criteria.luminance.has_value(), out);
   measure_shapes(out);
   out.distance.certified = certified;
-  // Samples are no farther than the certain bound, but for the rounding of their own distances.
+  // The distance of samples does not exceed the certain bound, except for rounding.
   if (certified) out.distance.largest = std::min(out.distance.largest, bound);
   out.distance.bound = std::max(bound, out.distance.largest);
   for (CriterionErrors* errors : {&out.normal_angle, &out.fold_angle, &out.luminance})

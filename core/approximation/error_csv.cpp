@@ -43,7 +43,7 @@ class CsvLines {
   std::string take() { return std::move(text_); }
 
  private:
-  /// The shortest text that reads back as the same number, with a dot in every locale.
+  /// Appends the shortest text that reads back as the same number, with a decimal point in every locale.
   template <class Number>
   void add(Number value) {
     char digits[40];

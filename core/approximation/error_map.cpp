@@ -16,11 +16,13 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t points_per_task = 256;
-/// Meshes without parts: samples of the whole surface, a facet and at the least.
+/// Numbers of samples for meshes without parts: per facet, and at least and at most on the whole surface.
 constexpr std::size_t samples_a_facet = 12, fewest_samples = 20'000, most_samples = 2'000'000;
-constexpr std::size_t looked_round = 32;  ///< samples round which the largest distance is looked for
+/// Number of samples around which the largest distance is searched for.
+constexpr std::size_t looked_round = 32;
 constexpr int halvings = 7;
-/// How far beside an edge its surface's normals are taken, of the way to the facet's middle.
+/// Offset from an edge at which its surface's normals are taken, relative to the way to the facet's opposite
+/// corner.
 constexpr double beside = 1e-3;
 
 class ErrorMapper {
@@ -136,7 +138,7 @@ class ErrorMapper {
       } else {
         const double own = tree_.triangle(sample.facet).distance(sample.position);
         found = tree_.nearest(sample.position, own);
-        // Its own facet is as near as any to rounding.
+        // Up to rounding, its own facet is as near as any.
         if (found.triangle == no_index || found.distance >= own * (1 - 1e-12)) found = {sample.facet, own};
       }
       nearest_[i] = found.triangle;
@@ -171,7 +173,7 @@ class ErrorMapper {
     field.place = place;
   }
 
-  /// Between the samples with the largest distances their neighbourhood is searched on ever finer crosses.
+  /// Searches the neighbourhoods of the samples with the largest distances on ever finer crosses.
   void look_round_the_largest() {
     if (cancel_.cancelled()) return;
     std::vector<std::size_t> order(map_.samples.size());
@@ -261,7 +263,7 @@ class ErrorMapper {
       return std::tie(low, high, facet, corner) < std::tie(other.low, other.high, other.facet, other.corner);
     }
   };
-  /// The surface's normal beside an edge, on a facet's side of it.
+  /// Normal of the surface beside an edge, on a facet's side of it.
   Vector3 normal_beside(const SurfaceFeet& feet, const Edge& edge) const {
     if (!parts_.empty() && parts_[edge.facet].pole < 0) {
       const auto& w = parts_[edge.facet].parameter;
@@ -285,7 +287,7 @@ class ErrorMapper {
         edges.push_back({std::min(a, b), std::max(a, b), f, c});
       }
     std::sort(edges.begin(), edges.end());
-    // Of each pair of facets at one edge, next to each other in the order.
+    // Fold per pair of facets at one edge, which are adjacent in the order.
     std::vector<double> fold(edges.size(), -1.0);
     each(edges.size(), [&](std::size_t k) {
       if (k == 0 || edges[k].low != edges[k - 1].low || edges[k].high != edges[k - 1].high) return;
@@ -319,8 +321,8 @@ class ErrorMapper {
   const CancelToken& cancel_;
   std::vector<Vector3> positions_;  ///< relative to the surface's origin
   TriangleTree tree_;
-  std::vector<double> weight_;  ///< of samples: their part of the area
-  std::vector<Index> nearest_;  ///< facet of each sample
+  std::vector<double> weight_;  ///< per sample: its share of the area
+  std::vector<Index> nearest_;  ///< nearest facet of each sample
   MeshErrorMap map_;
 };
 

@@ -14,15 +14,15 @@ namespace {
 constexpr int spread_density = 2, angle_density = 6, distance_density = 8;
 constexpr int refinements = 2;
 constexpr int deepest_bound = 3;
-constexpr std::size_t max_samples = 91;  ///< of a grid of TriangleCollocation::max_degree intervals
+constexpr std::size_t max_samples = 91;  ///< size of a grid of TriangleCollocation::max_degree intervals
 constexpr int no_side = NetDistance::no_side;
 constexpr double sliver_angle = 0.02, watched_tangent = 0.2553419212210362;  ///< tan 0.25
-constexpr double fold_over = 2;  ///< relative error of a facet that looks the other way than the surface
+constexpr double fold_over = 2;  ///< relative error of a facet oriented against the surface
 
 using Sides = NetDistance::Sides;
 
-/// Sides of a facet's pieces at which the facet might stick out beyond what the surface over it shows:
-/// borders, and all sides of slivers, whose neighbours need not make up for them.
+/// Sides of a facet's pieces at which the facet might protrude beyond the surface over it: borders, and all
+/// sides of slivers, whose neighbours need not cover the protrusion.
 std::array<Sides, 2> watched_sides(const ParameterMesh& mesh, Index facet) {
   const bool sliver =
       !mesh.facets[facet].degenerate() && has_sharp_angle(mesh.corners(facet), watched_tangent);
@@ -43,7 +43,7 @@ void at_grid(const ParameterTriangle& triangle, const BarycentricGrid& grid, std
 
 }  // namespace
 
-/// The search for the largest distance over one facet.
+/// Search for the largest distance over one facet.
 class DistanceSearch {
  public:
   DistanceSearch(const FacetErrors& errors, const ParameterMesh& mesh, Index facet, double tolerance)
@@ -55,7 +55,7 @@ class DistanceSearch {
         tolerance_(tolerance),
         degree_(errors.sampler_.hull_degree(patch_)) {}
 
-  /// Whether the facet is within the tolerance; stops where it is not.
+  /// Bounds the distance as far as needed to decide on the tolerance; stops where it is exceeded.
   DistanceError decide(const ParameterPieces& pieces, const std::array<Sides, 2>& sides) {
     DistanceError out;
     out.certified = degree_ > 0;
@@ -83,7 +83,7 @@ class DistanceSearch {
     out.sampled = std::sqrt(sampled_);
     out.bound = out.sampled;
     if (degree_ == 0) return out;
-    // Deeper only where the bound is not tight yet.
+    // Subdivides only where the bound is not tight yet.
     tolerance_ = out.sampled * 1.01;
     limit_ = std::numeric_limits<double>::infinity();
     for (int k = 0; k < pieces.count; ++k)
@@ -98,8 +98,8 @@ class DistanceSearch {
     return squared_distance_to_segment(p, corners_[std::size_t(side)], corners_[std::size_t(side + 1) % 3]);
   }
 
-  /// Bound over a triangle of parameters. Where it is above the tolerance and `depth` allows, that of its
-  /// quarters.
+  /// Certain bound over a triangle of parameters; where it is above the tolerance and `depth` allows, the
+  /// bound over its quarters.
   double certain(const ParameterTriangle& triangle, const Sides& sides, int depth, bool stop) {
     const BarycentricGrid& grid = barycentric_grid(degree_);
     const std::size_t count = grid.points.size();
@@ -145,7 +145,7 @@ class DistanceSearch {
         for (const int i : grid.sides[k]) each(sides[k], i);
   }
 
-  /// Samples at a grid, then round the worst ones.
+  /// Samples at a grid, and then around the worst point.
   double estimate(const ParameterTriangle& triangle, const Sides& sides) {
     const BarycentricGrid& grid = barycentric_grid(distance_density);
     const std::size_t count = grid.points.size();
@@ -190,7 +190,7 @@ class DistanceSearch {
   ClosedTriangle closed_;
   double limit_, tolerance_;
   int degree_;
-  double sampled_ = 0;  ///< squared
+  double sampled_ = 0;  ///< squared distance
 };
 
 FacetErrors::FacetErrors(const SurfaceSampler& sampler, const MeshCriteria& criteria)
@@ -222,7 +222,7 @@ double largest_angle(const SurfaceSampler& sampler, const ParameterMesh& mesh, I
     at_grid(pieces.triangle[std::size_t(piece)], grid, {parameters.data(), count});
     sampler.normals(mesh.facets[facet].patch, {parameters.data(), count}, {normals.data(), count});
     for (std::size_t k = 0; k < count; ++k) {
-      // (sine, cosine) grows with the angle: compare tangents of halves.
+      // (sine, cosine) grows with the angle: compares tangents of half angles.
       worst = std::max(worst, normals[k].isZero(0) ? 0.0 : angle_between(normals[k], normal));
     }
   }
@@ -275,7 +275,7 @@ double FacetErrors::shape_error(const ParameterMesh& mesh, Index facet) const {
   std::array<double, 3> length{(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()};
   std::sort(length.begin(), length.end());
   if (criteria_.max_edge) worst = length[2] / *criteria_.max_edge;
-  // Halving the longest edge makes a needle's angle larger; the sharp ends of a flat triangle stay.
+  // Halving the longest edge enlarges a needle's angle; the sharp ends of a flat triangle stay.
   if (criteria_.min_angle && !mesh.facets[facet].degenerate() && length[0] < 0.5 * length[1])
     worst = std::max(worst, *criteria_.min_angle / std::max(smallest_angle(p), 1e-9));
   return worst;
@@ -295,14 +295,14 @@ DistanceError FacetErrors::net_measured(const ParameterMesh& mesh, Index facet, 
   return {range.sampled, range.bound, true};
 }
 
-/// Whether the surface at a corner looks the other way than the facet, which is no sliver.
+/// Whether the surface is oriented against the facet at one of its corners; false for slivers.
 bool FacetErrors::looks_back(const ParameterMesh& mesh, Index facet, const FacetNet& net) const {
   const auto corners = mesh.corners(facet);
   const Vector3 normal = facet_normal(corners[0], corners[1], corners[2]);
   if (normal.isZero(0)) return false;
   bool turned = false, known = net.shape != nullptr;
   for (int k = 0; k < 3 && known; ++k) {
-    // The net's legs at a corner span the tangent plane; where they do not, the surface decides.
+    // The net's legs at a corner span the tangent plane; where they do not, the surface's normals decide.
     const std::span<const int> leaving = net.shape->side(k), arriving = net.shape->side((k + 2) % 3);
     const Vector3& at = net.points[leaving[0]];
     const Vector3 a = net.points[leaving[1]] - at, b = net.points[arriving[arriving.size() - 2]] - at;
@@ -316,7 +316,7 @@ bool FacetErrors::looks_back(const ParameterMesh& mesh, Index facet, const Facet
     sampler_.normals(mesh.facets[facet].patch, mesh.facets[facet].parameter, normals);
     turned = std::any_of(normals.begin(), normals.end(), [&](const Vector3& n) { return n.dot(normal) < 0; });
   }
-  // Which way a sliver looks says nothing, and cutting it makes more of them.
+  // The orientation of a sliver is meaningless, and cutting it makes more slivers.
   return turned && smallest_angle(corners) > sliver_angle;
 }
 

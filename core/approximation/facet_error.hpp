@@ -1,6 +1,6 @@
 #pragma once
 
-// The errors of one facet against the part of the surface that it stands for.
+// Errors of one facet against the part of the surface that it approximates.
 
 #include <optional>
 
@@ -12,47 +12,47 @@
 
 namespace hariko {
 
-/// How far a facet is from the surface. `bound` is certain where `certified`; else it repeats `sampled`,
-/// which is a little below the truth (about 0.1 %).
+/// Distance of the surface from a facet. `bound` is certain where `certified`; otherwise it equals `sampled`,
+/// which is slightly below the true value (about 0.1 %).
 struct DistanceError {
   double sampled = 0, bound = 0;
   bool certified = false;
 };
 
-/// Borrows sampler and criteria. Thread-safe; no call allocates.
+/// Error measures of facets. Keeps references to sampler and criteria. Thread-safe; no call allocates.
 class FacetErrors {
  public:
   FacetErrors(const SurfaceSampler& sampler, const MeshCriteria& criteria);
 
   /// Distance of the surface's part to the closed facet, and of the curve over each side that is a border to
-  /// that side: without it the facet could stick out. Looked into as deep as needed to tell whether it is
-  /// within `tolerance`; where it is not, or nothing is certain, `bound` may be above it.
+  /// that side, without which the facet could protrude. Refined as far as needed to decide whether it is
+  /// within `tolerance`; where it is not, or nothing is certain, `bound` may be above the tolerance.
   DistanceError distance(const ParameterMesh& mesh, Index facet, double tolerance) const;
-  /// The best estimate: a grid of 8 intervals a side, then twice a finer one round the worst point; and the
-  /// bound where it has one, three levels deep.
+  /// Best estimate of the distance: a grid of 8 intervals per side, then twice a finer one around the worst
+  /// point; and the certain bound, three levels deep, where there is one.
   DistanceError measured_distance(const ParameterMesh& mesh, Index facet) const;
 
-  /// Largest angle between the surface's normals at a grid of 6 intervals a side and the facet's, radians; pi
-  /// for a facet without area.
+  /// Largest angle between the surface's normals, at a grid of 6 intervals per side, and the facet's,
+  /// radians; pi for a facet without area.
   double normal_angle(const ParameterMesh& mesh, Index facet) const;
-  /// The same at corners and middles of sides only.
+  /// Largest angle between the normals at corners and midpoints of sides, and the facet's.
   double normal_spread(const ParameterMesh& mesh, Index facet) const;
-  /// Largest difference of brightness, at a grid of 6 intervals a side.
+  /// Largest difference of luminance, at a grid of 6 intervals per side.
   double luminance(const ParameterMesh& mesh, Index facet) const;
 
-  /// The same from the facet's net, faster. The first is as `distance` bounds it, the second the largest of
-  /// twelve points, the third as `measured_distance`.
+  /// Distances from the facet's net, which is faster: a bound as in `distance`, the largest at twelve points,
+  /// and an estimate as in `measured_distance`.
   double net_bound(const ParameterMesh& mesh, Index facet, const FacetNet& net, double tolerance) const;
   double net_sampled(const ParameterMesh& mesh, Index facet, const FacetNet& net) const;
   DistanceError net_measured(const ParameterMesh& mesh, Index facet, const FacetNet& net) const;
 
-  /// Largest error relative to its tolerance, over all criteria but the fold angle; at most 1 is good. A
-  /// facet that would be good counts as 2 where the surface at a corner looks the other way. With the facet's
-  /// net, where it has one, distances are bounded by that. `distance_bound` gets the bound of the distance.
+  /// Largest error relative to its tolerance, over all criteria except the fold angle; at most 1 is good. A
+  /// facet that would be good counts as 2 where the surface at a corner is oriented against it. Distances are
+  /// bounded by the facet's net where it has one. `distance_bound` gets the bound of the distance.
   double relative_error(const ParameterMesh& mesh, Index facet, const FacetNet& net = {},
                         double* distance_bound = nullptr) const;
 
-  /// The same from samples alone and without stopping at the tolerance, for comparing meshes with each other.
+  /// Relative error from samples alone and without stopping at the tolerance, for comparing meshes.
   double sampled_error(const ParameterMesh& mesh, Index facet) const;
 
  private:

@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-/// Rounding of one cut, relative to the coordinates; generous.
+/// Rounding error of one cut, relative to the coordinates; a generous bound.
 constexpr double cut_rounding = 1e-15;
 
 }  // namespace

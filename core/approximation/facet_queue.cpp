@@ -10,10 +10,10 @@ namespace hariko {
 
 namespace {
 
-/// More are not kept in strict order: the heap, and the facets all over the memory, would take most of the
-/// time.
+/// Number of facets above which they are no longer kept in strict order: the heap, and access to facets
+/// scattered over the memory, would take most of the time.
 constexpr std::size_t most_in_order = 16'384;
-constexpr std::size_t octave_count = 64;  ///< larger errors are in the last
+constexpr std::size_t octave_count = 64;  ///< larger errors are in the last octave
 
 bool later(const FacetQueue::Entry& a, const FacetQueue::Entry& b) {
   return a.error < b.error || (a.error == b.error && a.facet > b.facet);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The facets that refinement is still to cut, those with the largest errors first.
+// FacetQueue: the facets that refinement has still to cut, those with the largest errors first.
 
 #include <cstdint>
 #include <functional>
@@ -10,9 +10,9 @@
 
 namespace hariko {
 
-/// While there are few facets they come strictly by their errors. When there are many, those whose errors are
-/// within a factor of two of each other come the last first, those that were there before one neighbourhood
-/// after the other: what is cut together then lies together in memory.
+/// Priority queue of facets. Few facets are kept strictly by their errors. Many facets are kept in octaves of
+/// error, within which the last comes first and those present at the change lie in order of neighbourhood, so
+/// that facets cut one after the other are close in memory.
 class FacetQueue {
  public:
   struct Entry {
@@ -20,22 +20,23 @@ class FacetQueue {
     Index facet = no_index;
     std::uint32_t version = 0;
   };
-  /// `place`: a number for each facet that is there, near for facets that are near each other.
+  /// `place`: a number per existing facet that is close for facets close to each other.
   explicit FacetQueue(std::function<std::uint64_t(Index)> place) : place_(std::move(place)) {}
 
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  /// O(log n) while there are few, else O(1).
+  /// Adds an entry. O(log n) while there are few, otherwise O(1).
   void push(const Entry& entry);
-  /// The queue is not empty (asserted).
+  /// Removes the first entry. The queue is not empty (asserted).
   Entry pop();
 
  private:
+  /// Moves all entries from the heap to the octaves.
   void pour();
 
   std::function<std::uint64_t(Index)> place_;
   std::vector<Entry> heap_;
-  std::vector<std::vector<Entry>> octaves_;  ///< by the error's exponent; none while the heap is in use
+  std::vector<std::vector<Entry>> octaves_;  ///< by the error's exponent; empty while the heap is in use
   std::size_t highest_ = 0;                  ///< no octave above it has entries
   std::size_t size_ = 0;
 };

@@ -16,7 +16,7 @@ constexpr double same_parameter = 1e-10;
 constexpr int side_samples = 16;
 constexpr int max_cuts = 3;
 
-/// A piece of a side, in the direction of the side, and its half-edge.
+/// Piece of a side, in the direction of the side, and its half-edge.
 struct SidePiece {
   double begin, end;
   Index half_edge;
@@ -94,7 +94,7 @@ class InitialMesh {
       for (int j = 0; j < rows; ++j) same_.join(vertex[index(columns, j)], vertex[index(columns, j + 1)]);
     if (is_collapsed(3))
       for (int j = 0; j < rows; ++j) same_.join(vertex[index(0, j)], vertex[index(0, j + 1)]);
-    // Half-edge of each cell's side, no_index where it is shrunk.
+    // Half-edges of each cell's sides, no_index for a side that is shrunk.
     std::vector<std::array<Index, 4>> cells;
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < columns; ++i) {
@@ -132,12 +132,12 @@ class InitialMesh {
     sides_[slot(side)].push_back({grid_fraction(i, count), grid_fraction(i + 1, count), half_edge});
   }
 
-  /// Facets of one quadrilateral; gives the half-edges of its sides.
+  /// Adds the facets of one quadrilateral; returns the half-edges of its sides.
   std::array<Index, 4> add_cell(Index patch, const std::array<Index, 4>& v, const std::array<Vector2, 4>& w,
                                 const std::array<bool, 4>& shrunk) {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!shrunk[k]) continue;
-      // Corners k and k + 1 are the pole: leaving it at k + 1, arriving at k.
+      // Corners k and k + 1 are the pole: edges leave it at k + 1 and arrive at k.
       const std::size_t b = (k + 1) % 4, c = (k + 2) % 4, d = (k + 3) % 4;
       ParameterFacet facet;
       facet.patch = patch;
@@ -211,13 +211,13 @@ class InitialMesh {
     }
   }
 
-  /// Both parts of every seam get the ends of the seam and each other's cuts.
+  /// Cuts both sides of every partial seam at the ends of the seam and at each other's cuts.
   void cut_at_joints() {
     std::vector<const Seam*> partial;
     for (const Seam& seam : surface_.seams())
       if (!is_full(seam) || sides_[slot(seam.first)].size() != sides_[slot(seam.second)].size())
         partial.push_back(&seam);
-    // A cut may travel along a chain of joints; each round takes it one seam further.
+    // A cut may propagate along a chain of joints; each round takes it one seam further.
     for (int round = 0; round < 16; ++round) {
       bool changed = false;
       for (const Seam* seam : partial) {
@@ -255,14 +255,14 @@ class InitialMesh {
       const auto cut = mesh_.split(piece.half_edge, forward ? t : 1 - t,
                                    at(side.patch, side_parameter(surface_.domain(), side.side, x)));
       pieces[k].end = x;
-      // The third edge that a cut at a border names is the second half.
+      // At a border, the third edge of a cut is the second half.
       pieces.insert(pieces.begin() + std::ptrdiff_t(k) + 1, {x, piece.end, cut.edges[2]});
       renumber_moved(cut, side);
       return true;
     }
     return false;
   }
-  /// A cut facet's last side now belongs to the new facet: where that is a border, its piece must know.
+  /// Updates the piece of a side that moved to the new facet of a cut, where that side is a border.
   void renumber_moved(const ParameterMesh::Split& cut, PatchSide side) {
     const Index old_facet = cut.facets[0], new_facet = cut.facets[1];
     const Index corner = (cut.edges[1] % 3 + 1) % 3;
@@ -296,7 +296,7 @@ class InitialMesh {
         same_.join(mesh_.to(piece.half_edge), mesh_.from(found->half_edge));
       }
     }
-    // Corners that are one node, and pieces at a side's corner that belong to it.
+    // Corners that are one node, and the pieces at a side's corner that belong to it.
     std::vector<Index> first(surface_.node_count(), no_index);
     for (Index p = 0; p < surface_.patch_count(); ++p)
       for (int c = 0; c < corners_; ++c) {
@@ -334,14 +334,14 @@ class InitialMesh {
 
   const Surface& surface_;
   int corners_;
-  std::span<const PatchCells> cells_;  ///< one a patch, or one for all
+  std::span<const PatchCells> cells_;  ///< one per patch, or one for all
   std::vector<std::vector<SidePiece>> sides_;
   std::vector<char> collapsed_;
-  DisjointSets same_;  ///< vertices that are one
+  DisjointSets same_;  ///< vertices that coincide
   ParameterMesh mesh_;
 };
 
-/// Facets with two equal corners, or two edges between the same vertices.
+/// Whether the mesh has facets with two equal corners, or two edges between the same vertices.
 bool needs_cuts(const ParameterMesh& mesh) {
   std::vector<std::pair<Index, Index>> edges;
   for (Index f = 0; f < mesh.facets.size(); ++f) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t triangles_per_task = 64;
 constexpr int deepest = 40;
-constexpr int most_pieces = 100'000;  ///< of one triangle
+constexpr int most_pieces = 100'000;  ///< per triangle
 
 class PieceBound {
  public:
@@ -19,7 +19,8 @@ class PieceBound {
              std::span<const std::array<Index, 3>> triangles, double tolerance)
       : tree_(tree), positions_(positions), triangles_(triangles), tolerance_(tolerance) {}
 
-  /// Negative where the piece is not within the tolerance, or that cannot be told.
+  /// Bound of one triangle's distance; negative where it is not within the tolerance, or where that cannot be
+  /// decided.
   double of(const TriangleCorners& corners) {
     pieces_ = 0;
     std::array<Corner, 3> piece;
@@ -52,7 +53,7 @@ class PieceBound {
     return cut(piece, depth - 1);
   }
 
-  /// The plane between two triangles with a common edge, as a point and a normal.
+  /// Bisecting plane between two triangles with a common edge, as a point and a normal.
   std::optional<std::pair<Vector3, Vector3>> between(Index a, Index b) const {
     Index common[2] = {no_index, no_index}, opposite[2] = {no_index, no_index};
     int count = 0;
@@ -100,7 +101,7 @@ class PieceBound {
       const double t = side[i] / (side[i] - side[j]);
       return corner(p[i].at + t * (p[j].at - p[i].at));
     };
-    // Turned so that corner k is alone on its side, or on the plane with the others on both sides of it.
+    // Rotated so that corner k is alone on its side, or on the plane with the others on opposite sides.
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
       if (side[k] == 0 && side[a] * side[b] < 0) {

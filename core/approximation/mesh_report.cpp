@@ -15,7 +15,7 @@ namespace {
 
 constexpr double same_normal = 1e-3;
 constexpr std::size_t facets_per_task = 256;
-constexpr std::size_t most_careful = 512;  ///< facets that are measured once more
+constexpr std::size_t most_careful = 512;  ///< number of facets that are measured again with care
 
 template <class Measure>
 CriterionErrors measure_facets(std::size_t count, const Measure& measure) {
@@ -37,7 +37,7 @@ CriterionErrors measure_facets(std::size_t count, const Measure& measure) {
   return out;
 }
 
-/// Facets with area only, with vertices numbered anew. `original`: the number that each facet had.
+/// Mesh of the facets with area, with vertices renumbered. `original`: the former number of each facet.
 ParameterMesh without_degenerate(const ParameterMesh& mesh, std::vector<Index>& original) {
   ParameterMesh out;
   out.positions.reserve(mesh.positions.size());
@@ -62,7 +62,7 @@ ParameterMesh without_degenerate(const ParameterMesh& mesh, std::vector<Index>& 
   for (Index f = 0; f < mesh.facets.size(); ++f) {
     if (kept[f] == no_index) continue;
     for (Index c = 0; c < 3; ++c) {
-      // A dropped facet closes like a zipper: the facets on its two long sides are neighbours.
+      // A dropped facet closes like a zipper: the facets on its two long sides become neighbours.
       Index other = mesh.twin[3 * f + c];
       for (int step = 0; step < 64 && other != no_index && kept[facet_of(other)] == no_index; ++step) {
         Index across = no_index;
@@ -77,21 +77,21 @@ ParameterMesh without_degenerate(const ParameterMesh& mesh, std::vector<Index>& 
   return out;
 }
 
-/// A corner's normal, known by where it was taken.
+/// Normal of a corner, identified by patch and parameter.
 struct CornerNormal {
   Index patch = 0, normal = no_index;
   Vector2 parameter = Vector2::Zero();
-  Index following = no_index;  ///< at the same vertex
+  Index following = no_index;  ///< next one at the same vertex
 };
 
-/// Normals at corners, shared where they agree.
+/// Computes normals at corners, shared where they agree.
 void add_normals(const SurfaceSampler& sampler, const ParameterMesh& mesh, TriangleMesh& out) {
   const auto place = [&](std::size_t corner) {
     const ParameterFacet& facet = mesh.facets[corner / 3];
     const Vector2& own = facet.parameter[corner % 3];
     return facet.pole == int(corner % 3) ? Vector2(0.5 * (own + facet.pole_parameter)) : own;
   };
-  // Within a patch the facets round a vertex ask for the normal at one place.
+  // Within a patch, the facets around a vertex take their normal at one parameter.
   std::vector<Index> first(mesh.positions.size(), no_index), taken(3 * mesh.facets.size());
   std::vector<CornerNormal> places;
   std::vector<std::size_t> corner_of;
@@ -118,7 +118,7 @@ void add_normals(const SurfaceSampler& sampler, const ParameterMesh& mesh, Trian
     for (std::size_t k = begin; k < end; ++k)
       normals[k] = sampler.normal(places[k].patch, places[k].parameter);
   });
-  // In the order of the corners, so that the first one's normal stands for those that agree with it.
+  // In the order of the corners, so that the first normal represents those that agree with it.
   std::vector<Index> of_vertex(mesh.positions.size(), no_index), following;
   for (std::size_t k = 0; k < places.size(); ++k) {
     Index at = of_vertex[mesh.facets[corner_of[k] / 3].vertex[corner_of[k] % 3]], last = no_index;
@@ -137,19 +137,19 @@ void add_normals(const SurfaceSampler& sampler, const ParameterMesh& mesh, Trian
   for (std::size_t c = 0; c < taken.size(); ++c) out.normal_triangles[c / 3][c % 3] = places[taken[c]].normal;
 }
 
-/// What the refinement knows of facets that were numbered anew.
+/// Results of the refinement for renumbered facets.
 struct Known {
   const BisectionResult& refined;
   std::vector<Index> original;
 
-  /// Where the facet's net was given back it is made in `room`.
+  /// Net of a facet; computed into `room` where it was released.
   FacetNet of(const ParameterMesh& mesh, Index f, std::span<Vector3, TriangleNet::max_count> room) const {
     const FacetNets* nets = refined.nets.get();
     if (!nets) return {};
     const FacetNet kept = nets->of(mesh.facets[f].patch, original[f]);
     return kept.shape || !nets->possible(mesh.facets[f]) ? kept : nets->made(mesh.facets[f], room);
   }
-  /// As a first pass finds it.
+  /// Distance as in a first pass.
   DistanceError distance(const FacetErrors& errors, const ParameterMesh& mesh, Index f,
                          double tolerance) const {
     const Index number = original[f];
@@ -162,21 +162,21 @@ struct Known {
   }
 };
 
-/// The largest distance, looked for with care where it matters; per facet values by a first pass.
+/// Measures the largest distance, with care where it matters; values per facet come from a first pass.
 CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh& mesh, const Known& known,
                                  double tolerance) {
   std::vector<float> bound(mesh.facets.size());
   std::vector<char> certified(mesh.facets.size());
   CriterionErrors out = measure_facets(mesh.facets.size(), [&](Index f) {
     const DistanceError error = known.distance(errors, mesh, f, tolerance);
-    // Up, so that the bound stays one.
+    // Rounded up, so that it remains a bound.
     bound[f] = std::nextafter(static_cast<float>(error.bound), std::numeric_limits<float>::infinity());
     certified[f] = error.certified;
     return error.sampled;
   });
   if (mesh.facets.empty()) return out;
   out.certified = std::all_of(certified.begin(), certified.end(), [](char c) { return c != 0; });
-  // The largest is among the facets with the largest bounds.
+  // The largest distance is among the facets with the largest bounds.
   std::vector<Index> order(mesh.facets.size());
   std::iota(order.begin(), order.end(), Index{0});
   const auto later = [&](Index a, Index b) { return bound[a] < bound[b] || (bound[a] == bound[b] && a > b); };
@@ -204,7 +204,7 @@ CriterionErrors measure_distance(const FacetErrors& errors, const ParameterMesh&
   return out;
 }
 
-/// Folds across the edges of each facet, creases apart.
+/// Measures folds across the edges of each facet, except creases.
 CriterionErrors measure_folds(const SurfaceSampler& sampler, const ParameterMesh& mesh, double crease) {
   std::vector<Vector3> normals(mesh.facets.size());
   parallel_for(mesh.facets.size(), facets_per_task, [&](std::size_t begin, std::size_t end) {
@@ -214,7 +214,7 @@ CriterionErrors measure_folds(const SurfaceSampler& sampler, const ParameterMesh
     }
   });
   return measure_facets(mesh.facets.size(), [&](Index f) {
-    // The angle grows with the distance of the normals.
+    // The angle grows with the distance between the normals.
     double farthest = 0;
     Vector3 across = normals[f];
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
@@ -230,7 +230,7 @@ CriterionErrors measure_folds(const SurfaceSampler& sampler, const ParameterMesh
   });
 }
 
-/// Longest edge and smallest angle.
+/// Measures the longest edge and the smallest angle.
 void measure_shapes(const ParameterMesh& mesh, MeshApproximation& out) {
   double longest = 0, sharpest = 0;  // squared length; cotangent
   bool any = false;

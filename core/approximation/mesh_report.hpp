@@ -1,6 +1,6 @@
 #pragma once
 
-// A finished parameter mesh as a result: triangles with normals, and its measured errors.
+// Mesh report: a finished parameter mesh as a result, with triangles, normals and measured errors.
 
 #include "core/approximation/approximate.hpp"
 #include "core/approximation/bisection.hpp"
@@ -8,9 +8,9 @@
 
 namespace hariko {
 
-/// Drops facets without area at poles, shares normals that agree to 1e-3 radians, measures what `options` ask
-/// for. `unreached` and warnings are left to the caller. Nothing is set where cancelled.
-/// What the refinement found out about the facets need not be measured again.
+/// Converts a parameter mesh: drops facets without area at poles, shares normals that agree to 1e-3 radians,
+/// and measures the errors that `options` require, reusing those known from the refinement. `unreached` and
+/// warnings are left to the caller. Nothing is set where cancelled.
 MeshApproximation mesh_report(const SurfaceSampler& sampler, const FacetErrors& errors,
                               const MeshOptions& options, const ParameterMesh& mesh,
                               const BisectionResult& refined = {}, const CancelToken& cancel = {},

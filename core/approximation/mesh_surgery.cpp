@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_area = 1e-9;  ///< of a facet's parameters, twice
+constexpr double least_area = 1e-9;  ///< least doubled area of a facet's parameters
 
 double twice_area(const ParameterTriangle& t) {
   const Vector2 a = t[1] - t[0], b = t[2] - t[0];
@@ -45,7 +45,7 @@ void MeshSurgery::star(Index vertex, std::vector<Index>& out) const {
     }
   }
   for (Index h = mesh_.twin[start]; h != no_index; h = mesh_.twin[next_of(h)]) out.push_back(next_of(h));
-  // The last loop looks at the half-edge that arrives; its next one leaves.
+  // Each step gives the half-edge that arrives; its next one leaves.
 }
 
 bool MeshSurgery::is_border_edge(Index h) const {
@@ -72,7 +72,7 @@ MeshSurgery::Freedom MeshSurgery::freedom(Index vertex) const {
     if (facet.pole >= 0 || facet.degenerate() || at_domain_corner(facet.parameter[h % 3]))
       return Freedom::fixed;
     borders += is_border_edge(h);
-    // The last facet of an open star arrives by a border.
+    // The last facet of an open star has a border edge that arrives.
     if (mesh_.twin[previous_of(h)] == no_index) ++borders;
   }
   return borders == 0 ? Freedom::inside : borders == 2 ? Freedom::border : Freedom::fixed;
@@ -103,7 +103,7 @@ bool MeshSurgery::collapse(Index half_edge, Change& change) {
   const Freedom own = freedom(v);
   if (own == Freedom::fixed || (own == Freedom::border && !is_border_edge(half_edge))) return false;
   star(v, star_);
-  // Neighbours of both: only the corners opposite to the edge.
+  // Link condition: common neighbours are the corners opposite to the edge, and no others.
   std::vector<Index> round_v, round_w;
   const auto neighbours = [&](const std::vector<Index>& leaving, std::vector<Index>& out) {
     for (const Index h : leaving) {
@@ -120,10 +120,10 @@ bool MeshSurgery::collapse(Index half_edge, Change& change) {
   std::set_intersection(round_v.begin(), round_v.end(), round_w.begin(), round_w.end(),
                         std::back_inserter(both));
   if (both.size() != (across == no_index ? 1U : 2U)) return false;
-  // A last triangle's worth of facets must remain.
+  // At least one facet must remain in the star.
   if (star_.size() <= (across == no_index ? 1U : 2U)) return false;
 
-  // Parameters of w, by side of the border that v lies on.
+  // Parameter of w, in the patch on the facet's side of the border that v lies on.
   const auto parameter_of = [&](const ParameterFacet& facet, Index h) -> std::optional<Vector2> {
     for (const Index e : {half_edge, across}) {
       if (e == no_index) continue;
@@ -161,7 +161,7 @@ bool MeshSurgery::collapse(Index half_edge, Change& change) {
   close(next_of(half_edge), previous_of(half_edge));
   if (across != no_index) close(next_of(across), previous_of(across));
   change.removed = removed;
-  // A facet that lost both of its neighbours to a border's end would be alone.
+  // No facet may be inverted in its parameters.
   for (const Index f : change.facets) {
     if (turned(f)) {
       undo(change);
@@ -268,7 +268,7 @@ void MeshSurgery::keep(const Change& change) {
     for (const Index v : mesh_.facets[f].vertex)
       if (leaving_[v] != no_index && facet_of(leaving_[v]) == f) leaving_[v] = no_index;
   }
-  // Every vertex of a removed or changed facet gets a half-edge of one that lives.
+  // Every vertex of a removed or changed facet gets a half-edge of a living facet.
   const auto claim = [&](Index f) {
     for (Index h = 3 * f; h < 3 * f + 3; ++h) leaving_[mesh_.from(h)] = h;
   };

@@ -7,18 +7,20 @@ namespace hariko {
 
 namespace {
 
-/// Halvings, a little deeper than three times quarters.
+/// Greatest depth of halvings, slightly more than three levels of quarters.
 constexpr int deepest = 8;
-/// Bounds beyond this many tolerances are not looked into: those of the whole net are about 1.2 of the truth.
+/// Bounds larger than this many tolerances are not refined: bounds of whole nets are about 1.2 times the true
+/// value.
 constexpr double hopeless = 2;
-constexpr double narrow = 1.01;  ///< what a measured bound may be of the sampled distance
+constexpr double narrow = 1.01;  ///< accepted ratio of a measured bound to the sampled distance
 
 }  // namespace
 
 NetDistance::NetDistance(const TriangleCorners& corners, const FacetNet& net, const Sides& sides)
     : corners_(corners), closed_(corners), net_(net), sides_(sides) {}
 
-/// Largest distance of control points to the facet, and of those over a watched side to that side.
+/// Bound by the largest distance of control points to the facet, and of those over a watched side to that
+/// side.
 double NetDistance::bound_of(const Vector3* points, const Sides& sides) const {
   double worst = closed_.largest_squared_distance({points, net_.shape->count()});
   for (int k = 0; k < 3; ++k) {
@@ -39,8 +41,8 @@ double NetDistance::at_point(const Vector3& p, int side) const {
   return std::sqrt(worst);
 }
 
-/// Where halving helps: the side that is bent most, for the longest may be straight; where none is bent, as
-/// on a saddle, the longest.
+/// Side whose halving tightens the bound: the most strongly curved one, since the longest may be straight;
+/// the longest where none is curved, as on a saddle.
 int NetDistance::side_to_halve(const Vector3* points) const {
   const int n = net_.shape->degree();
   std::array<double, 3> bend{}, length{};
@@ -53,12 +55,12 @@ int NetDistance::side_to_halve(const Vector3* points) const {
           bend[std::size_t(k)], (points[side[std::size_t(i)]] - a - (double(i) / n) * chord).squaredNorm());
   }
   const auto most = std::max_element(bend.begin(), bend.end());
-  constexpr double straight = 1e-4;  ///< squared, of the longest side
+  constexpr double straight = 1e-4;  ///< squared, relative to the longest side
   const auto longest = std::max_element(length.begin(), length.end());
   return int(*most > straight * *longest ? most - bend.begin() : longest - length.begin());
 }
 
-/// `middle`: the distance of the point on the surface at which the piece is cut.
+/// Halves a piece. `middle`: the distance of the surface point at the cut.
 void NetDistance::halve(const Vector3* points, const Sides& sides, Piece& first, Piece& second,
                         double& middle) const {
   const int side = side_to_halve(points);
@@ -76,7 +78,7 @@ double NetDistance::decide(double tolerance) {
   return inner <= tolerance ? inner : bound;
 }
 
-/// The largest bound of the pieces; infinite once a point or a smallest piece is beyond the tolerance.
+/// Largest bound of the pieces; infinite once a point or a smallest piece is beyond the tolerance.
 double NetDistance::within(const Vector3* points, const Sides& sides, double tolerance, int depth) const {
   constexpr double beyond = std::numeric_limits<double>::infinity();
   if (depth == 0) return beyond;
@@ -120,7 +122,7 @@ double NetDistance::narrowed(const Vector3* points, const Sides& sides, double b
   sampled = std::max(sampled, middle);
   const double a = bound_of(first.points.data(), first.sides),
                b = bound_of(second.points.data(), second.sides);
-  // The worse half first: what is found there spares the other.
+  // The worse half first, as its samples may make the other unnecessary.
   const Piece &worse = a >= b ? first : second, &better = a >= b ? second : first;
   const double most = narrowed(worse.points.data(), worse.sides, std::max(a, b), depth - 1, sampled);
   return std::min(bound, std::max(most, narrowed(better.points.data(), better.sides, std::min(a, b),

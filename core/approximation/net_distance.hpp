@@ -1,32 +1,34 @@
 #pragma once
 
-// How far a polynomial patch is from a facet, by its control points: the patch lies in their hull, and the
-// distance to a triangle is convex, so the farthest control point bounds it.
+// NetDistance: the distance of a polynomial patch from a facet by its control points: the patch lies in their
+// hull, and the distance to a triangle is convex, so the farthest control point bounds it.
 
 #include "core/approximation/facet_nets.hpp"
 #include "core/geometry/triangle.hpp"
 
 namespace hariko {
 
+/// Distance of one polynomial patch from one facet.
 class NetDistance {
  public:
   static constexpr int no_side = -1;
-  /// Which side of the facet each side of a net lies on, where the curve over it is compared with that side;
-  /// else no_side.
+  /// Side of the facet for each side of a net over which the curve is compared with that side; otherwise
+  /// no_side.
   using Sides = std::array<int, 3>;
 
-  /// `net` is that of the whole facet. Borrows its points.
+  /// `net` is that of the whole facet; its points are kept by reference.
   NetDistance(const TriangleCorners& corners, const FacetNet& net, const Sides& sides);
 
-  /// A certain bound, at most `tolerance` wherever bisecting the net can show that; else the bound above it
-  /// that is known without.
+  /// Certain bound, at most `tolerance` wherever bisecting the net can show that; otherwise the bound of the
+  /// net as it is.
   double decide(double tolerance);
-  /// The largest distance of twelve points over the facet, about 0.93 of the truth or more.
+  /// Largest distance at twelve points over the facet, at least about 0.93 of the true value.
   double sampled() const;
-  /// The largest distance of points looked for where the bound is large, and a bound about 1 % above it.
+  /// Largest distance at points sampled where the bound is large, and a bound about 1 % above it.
   struct Range {
     double sampled = 0, bound = 0;
   };
+  /// Measures the distance, with the effort of a report.
   Range measure();
 
  private:

@@ -18,14 +18,16 @@ namespace hariko {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double most_turn = 0.61;  ///< 35 degrees: normals at corners of a facet that a collapse may make
+/// 35 degrees: largest turn of normals at the corners of a facet that a change may make
+constexpr double most_turn = 0.61;
 constexpr int cycles = 6, sweeps_a_cycle = 3, flip_sweeps = 8;
-/// The search ends, wherever it is, after this many errors of facets: about a minute.
+/// Budget of facet errors at which the search ends in any case: about a minute.
 constexpr std::size_t most_judgements = 12'000'000;
-/// What the whole search takes of them, about, for one facet of the plain refinement.
+/// Approximate number of facet errors of the whole search per facet of the plain refinement.
 constexpr std::size_t judgements_a_facet = 1200;
-/// Decimation goes beyond the tolerance on purpose; what repair then cuts is less than what was gained.
-constexpr double beyond = 1.35, further = 0.1;  ///< in the first cycle, and more in each one after it
+/// Factors of the tolerance. Decimation exceeds the tolerance on purpose, as the cuts of the repair are fewer
+/// than the facets saved.
+constexpr double beyond = 1.35, further = 0.1;  ///< in the first cycle, and the increase per cycle
 
 MeshCriteria scaled(MeshCriteria criteria, double factor) {
   for (std::optional<double>* tolerance :
@@ -39,7 +41,7 @@ class Optimiser {
   Optimiser(const SurfaceSampler& sampler, const MeshOptions& options, const CancelToken& cancel)
       : sampler_(sampler), options_(options), cancel_(cancel), errors_(sampler, options_.criteria) {}
 
-  /// Removes what can go without anything else, for meshes that are too large to be searched.
+  /// Removes vertices without any other change, for meshes that are too large to be searched.
   ParameterMesh thinned(ParameterMesh start) {
     most_facets_ = start.facets.size();
     take(start);
@@ -47,12 +49,12 @@ class Optimiser {
     return repair() ? mesh_ : start;
   }
 
-  /// The smallest of `best`, which satisfies the criteria, and what is found from a start that need not.
+  /// Smallest of `best`, which satisfies the criteria, and the meshes found from a start that need not.
   ParameterMesh run(ParameterMesh start, ParameterMesh best, const Progress& progress) {
     const auto keep_best = [&] {
       if (mesh_.facets.size() < best.facets.size()) best = mesh_;
     };
-    // Beyond it a mesh is of no use.
+    // A larger mesh is of no use.
     most_facets_ = 2 * std::max(best.facets.size(), start.facets.size()) + 64;
     take(std::move(start));
     flips();
@@ -108,7 +110,7 @@ class Optimiser {
   struct Judged {
     double largest = 0, sum = 0;
   };
-  /// Errors of the facets of a change, into `fresh_`; stops above a limit.
+  /// Computes the errors of the facets of a change, into `fresh_`; stops above a limit.
   Judged judge(const MeshSurgery::Change& change, double limit) {
     Judged out;
     fresh_.clear();
@@ -163,13 +165,13 @@ class Optimiser {
     }
   }
 
-  /// The cheapest way to remove a vertex, by the largest error that it leaves.
+  /// Best collapse of a vertex, with the largest error that it leaves.
   std::pair<double, Index> best_collapse(Index vertex, double limit) {
     std::pair<double, Index> best{infinite, no_index};
     if (surgery_->freedom(vertex) == MeshSurgery::Freedom::fixed) return best;
     std::vector<Index> edges;
     surgery_->star(vertex, edges);
-    // At an open star the last border edge only arrives; its collapse is that of the other facet's side.
+    // In an open star the last border edge only arrives; its collapse belongs to the other facet's side.
     const double most = limit;
     for (const Index h : edges) {
       if (!surgery_->collapse(h, change_)) continue;
@@ -232,7 +234,7 @@ class Optimiser {
     take(surgery_->compacted());
   }
 
-  /// Each vertex looks for a place where the largest error round it is smaller.
+  /// Moves each vertex to a place where the largest error around it is smaller.
   void relax(int sweeps, double radius) {
     std::vector<Index> edges;
     for (int sweep = 0; sweep < sweeps && !over(); ++sweep)
@@ -265,7 +267,7 @@ class Optimiser {
       if (!surgery_->is_border_edge(h)) continue;
       for (const double step : {radius, 0.35 * radius})
         for (const double sign : {1.0, -1.0})
-          // Backwards is along the other border edge, which continues this one in the domain.
+          // Backwards runs along the other border edge, which continues this one in the domain.
           if (surgery_->slide(h, sign * step, change_)) keep_if_better();
     }
   }
@@ -280,8 +282,8 @@ class Optimiser {
       surgery_->undo(change_);
   }
 
-  /// Cuts what is above the tolerance, by certain bounds. False where that comes to no end: the square root
-  /// of curvature makes needles, between which folds stay as they are.
+  /// Cuts facets above the tolerance, by certain bounds. False where that does not terminate: splitting by
+  /// the square root of curvature makes needles, between which folds remain.
   bool repair() {
     MeshOptions options = options_;
     if (!options_.criteria.fold_angle) {
@@ -313,7 +315,7 @@ MeshOptions start_options_of(MeshOptions options) {
   return options;
 }
 
-/// The uniform grid with the fewest cells whose facets are all good; none below `most` facets.
+/// Best uniform grid: the one with the fewest cells, fewer than `most` facets, whose facets are all good.
 std::optional<ParameterMesh> best_grid(const SurfaceSampler& sampler, const MeshOptions& options,
                                        std::size_t most, const CancelToken& cancel) {
   const FacetErrors errors(sampler, options.criteria);
@@ -328,7 +330,7 @@ std::optional<ParameterMesh> best_grid(const SurfaceSampler& sampler, const Mesh
     return true;
   };
   for (int columns = 1; 2 * std::size_t(columns) < most && !cancel.cancelled(); ++columns) {
-    // Finer rows never hurt much: halve the interval of their number.
+    // Finer rows hardly ever hurt, so their number is found by bisection.
     int low = 0, high = int((most - 1) / (2 * std::size_t(columns)));
     if (high < 1 || !good(grid(columns, high))) continue;
     while (high - low > 1) {
@@ -345,7 +347,7 @@ std::optional<ParameterMesh> best_grid(const SurfaceSampler& sampler, const Mesh
 
 ParameterMesh optimised_mesh(const SurfaceSampler& sampler, const MeshOptions& options,
                              const CancelToken& cancel, const Progress& progress) {
-  // Round poles and where many small patches meet, refinement alone may do better.
+  // Near poles and where many small patches meet, refinement alone may be better.
   ParameterMesh plain = initial_mesh(sampler.surface());
   MeshOptions start_options = start_options_of(options);
   bisect(sampler, FacetErrors(sampler, options.criteria), start_options, plain, cancel,

@@ -38,12 +38,13 @@ Index ParameterMesh::add_facet(const ParameterFacet& facet) {
   return static_cast<Index>(facets.size() - 1);
 }
 
-/// Facet f = (a, b, o) with a -> b the half-edge becomes (a, m, o), and a new one (m, b, o) is added.
+/// Cuts facet f = (a, b, o), with a -> b the half-edge: it becomes (a, m, o), and a new one (m, b, o) is
+/// added.
 void ParameterMesh::cut(Index half_edge, Index vertex, const Vector2& parameter, Split& out) {
   const Index f = facet_of(half_edge), c = half_edge % 3, b = (c + 1) % 3, o = (c + 2) % 3;
   ParameterFacet second = facets[f];
   ParameterFacet& first = facets[f];
-  // Where the pole is opposite, the cut ends between its two parameters.
+  // The cut ends between the pole's two parameters where the pole is opposite.
   if (first.pole == std::int32_t(o)) {
     const double span = (first.parameter[b] - first.parameter[c]).norm();
     const double t = span > 0 ? (parameter - first.parameter[c]).norm() / span : 0.5;

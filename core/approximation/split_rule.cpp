@@ -12,24 +12,25 @@ namespace hariko {
 namespace {
 
 constexpr int steps = 24;
-/// Splits by curvature stay away from ends, where facets would become slivers.
+/// Range of splits by curvature, away from the ends, where facets would become slivers.
 constexpr double least = 0.1, most = 0.9;
-/// Where the paper's rule puts its split: a zero nearer to an end would be chosen again and again, and what
-/// is left between are slivers.
+/// Range of splits by the paper's rule: a zero nearer to an end would be chosen again and again, leaving
+/// slivers.
 constexpr double literal_least = 0.1, literal_most = 0.9;
 
-/// Images of normals and square roots of curvature (over the square root of the length) that count as zero.
+/// Thresholds of images of normals, and of square roots of curvature (relative to the square root of the
+/// length), that count as zero.
 constexpr double flat_angle = 1e-7, flat_curvature = 1e-5;
 
 constexpr double shortest_bend = 0.1;  ///< in parameters
 
-/// To 40 binary digits.
+/// Value rounded to 40 binary digits.
 double rounded(double x) {
   constexpr std::uint64_t half = 1U << 11, mask = ~std::uint64_t{0xfff};
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + half) & mask);
 }
 
-/// Fraction at which the running sum of `weight` over equal steps reaches its half.
+/// Fraction at which the running sum of `weight` over equal steps reaches half of the total.
 double halving_fraction(const std::array<double, steps>& weight, double total) {
   double sum = 0;
   for (std::size_t i = 0; i < steps; ++i) {
@@ -62,7 +63,7 @@ EdgeSplit by_gauss_image(const SurfaceSampler& sampler, const ParameterLine& lin
   return by_weights(weight);
 }
 
-/// Normal curvature of the surface along the line, and its speed.
+/// Normal curvature of the surface along a line, and its speed.
 struct Bend {
   double curvature = 0, speed = 0;
 };
@@ -85,11 +86,11 @@ EdgeSplit by_curvature(const SurfaceSampler& sampler, const ParameterLine& line)
   return by_weights(weight);
 }
 
-/// A zero of f between a and b, where it changes its sign.
+/// Zero of f between a and b, where it changes its sign.
 template <class Function>
 double zero_between(const Function& f, double a, double b, double fa, double fb) {
   for (int round = 0; round < 60 && b - a > 1e-12; ++round) {
-    // The secant's point where it halves the interval at least now and then, else the middle.
+    // The secant's point if it makes good progress, otherwise the midpoint.
     const double secant = a - fa * (b - a) / (fb - fa);
     const double middle = 0.5 * (a + b);
     const double t = round % 3 != 2 && secant > a && secant < b ? secant : middle;
@@ -106,7 +107,7 @@ double zero_between(const Function& f, double a, double b, double fa, double fb)
   return 0.5 * (a + b);
 }
 
-/// The paper's point: where the normal halves the angle between the end normals, or where the normal
+/// Split by the paper's rule: where the normal halves the angle between the end normals, or where the normal
 /// curvature vanishes (section 4.2).
 EdgeSplit by_normal_halving(const SurfaceSampler& sampler, const ParameterLine& line) {
   const Vector3 na = sampler.normal(line.patch, line.from), nb = sampler.normal(line.patch, line.to);
@@ -133,8 +134,9 @@ EdgeSplit by_normal_halving(const SurfaceSampler& sampler, const ParameterLine& 
   return out;
 }
 
-/// Length of an edge; where the surface turns back under it, so that a half is longer than the whole, that of
-/// both halves: such an edge would never be the longest of its facets, and cutting the others would not end.
+/// Length of an edge; where the surface turns back under it, so that a half is longer than the whole, the
+/// length of both halves: otherwise such an edge would never be the longest of its facets, and cutting the
+/// others would not end.
 double bent_length(const SurfaceSampler& sampler, const ParameterMesh& mesh, Index half_edge) {
   const double length = mesh.length(half_edge);
   const ParameterLine line = mesh.canonical_line(half_edge);

@@ -14,20 +14,20 @@ namespace {
 
 constexpr double bend_places[] = {1.0 / 6, 0.5, 5.0 / 6};
 constexpr double most_cells = 256;  ///< along a side
-/// Cells are that much longer than the tolerance lets them be: bisection does the rest where it is needed. Of
-/// 1, 2, 4, 6 and 8 times the distance 4, which is twice the length, leaves the fewest facets.
+/// Factor by which cells are longer than the tolerance allows; bisection refines them where needed. Of 1, 2,
+/// 4, 6 and 8 times the distance, 4, which is twice the length, leaves the fewest facets.
 constexpr double coarse = 2;
-/// Largest over mean bend: what bends in one place only is for bisection alone (measured: up to 1.53 cells
-/// leave fewer facets, at 1.96 and 3.4 more).
+/// Greatest ratio of largest to mean bend for which cells are used: a bend in one place only is better left
+/// to bisection (measured: up to 1.53 cells leave fewer facets, at 1.96 and 3.4 more).
 constexpr double most_uneven = 1.75;
-/// A direction that needs less than this part of a cut is straight.
+/// Part of a cut below which a direction counts as straight.
 constexpr double straight = 0.1;
-constexpr double margin = 1.15;  ///< on the largest of a few samples
+constexpr double margin = 1.15;  ///< factor on the largest of a few samples
 
-/// How much a patch bends along one direction of its parameters, from side to side.
+/// Bending of a patch along one direction of its parameters, from side to side.
 struct ParameterBend {
-  double mean = 0, most = 0;  ///< length: of the second derivative along the normal
-  double turn = 0;            ///< radians, mean
+  double mean = 0, most = 0;  ///< Lengths: normal component of the second derivative.
+  double turn = 0;            ///< mean turn of the tangent, radians
 
   void add(const Vector3& first, const Vector3& second, const Vector3& normal) {
     constexpr double share = 1.0 / (std::size(bend_places) * std::size(bend_places));
@@ -55,19 +55,19 @@ PatchBends bends_of(const SurfaceSampler& sampler, Index patch) {
   return out;
 }
 
-/// Numbers of cells, not yet whole, along the sides of a patch.
+/// Numbers of cells along the sides of a patch, not yet rounded.
 struct WantedCells {
   double columns = 1, rows = 1;
 };
 
-/// What is bent along one direction only gets all cuts across it at once: bisection would cut it along the
-/// other one, too.
+/// Cells for a patch bent along one direction only: all cuts across it at once, as bisection would cut it
+/// along the other direction, too.
 WantedCells along_one(double columns, double rows) {
   return columns > rows ? WantedCells{std::ceil(columns), 1} : WantedCells{1, std::ceil(rows)};
 }
 
-/// A cell of 1 / c x 1 / r keeps within (l / c^2 + n / r^2) / 8 of its surface, where l and n are the bends;
-/// the fewest cells share that equally.
+/// Cells by distance: a cell of 1 / c x 1 / r keeps within (l / c^2 + n / r^2) / 8 of its surface, where l
+/// and n are the bends; the fewest cells share that equally.
 WantedCells by_distance(const PatchBends& bends, double tolerance) {
   const auto& [columns, rows] = bends;
   const double unit = 8 * tolerance;
@@ -81,7 +81,7 @@ WantedCells by_distance(const PatchBends& bends, double tolerance) {
   return {count(columns), count(rows)};
 }
 
-/// Normals turn by at most `turn` across a cell.
+/// Cells by angle: normals turn by at most `turn` across a cell.
 WantedCells by_turn(const PatchBends& bends, double turn) {
   const auto& [columns, rows] = bends;
   if (std::min(columns.turn, rows.turn) < straight * turn)
@@ -97,7 +97,7 @@ class StartCells {
 
   std::vector<PatchCells> find() const {
     const Surface& surface = sampler_.surface();
-    // Two pairs of sides a patch, along which it has the same number of cells.
+    // Two pairs of opposite sides per patch, which have the same number of cells.
     DisjointSets pairs(2 * std::size_t(surface.patch_count()));
     const auto pair_of = [](const PatchSide& side) { return 2 * side.patch + side.side % 2; };
     for (const Seam& seam : surface.seams())

@@ -1,6 +1,6 @@
 #pragma once
 
-// The mesh from which refinement starts, as the options want it.
+// Start mesh: the mesh from which refinement starts, by the options.
 
 #include "core/approximation/mesh_options.hpp"
 #include "core/approximation/parameter_mesh.hpp"
@@ -8,9 +8,9 @@
 
 namespace hariko {
 
-/// For `MeshStart::cells` the number of cells along each side comes from a few samples of the curvature
-/// across it; sides that seams join have the same. Triangular patches, and criteria without a distance or an
-/// angle, start with whole patches. O(patches + facets).
+/// Makes the start mesh. For `MeshStart::cells` the number of cells along each side comes from a few samples
+/// of the curvature across it; sides joined by seams have the same number. Triangular patches, and criteria
+/// without a distance or an angle, start with whole patches. O(patches + facets).
 ParameterMesh start_mesh(const SurfaceSampler& sampler, const MeshOptions& options);
 
 }  // namespace hariko

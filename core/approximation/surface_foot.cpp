@@ -22,7 +22,7 @@ Vector2 within(Domain domain, Vector2 p) {
   return {s, 1 - s};
 }
 
-/// A damped Newton step towards the foot; where the parameter is at a border that the step leaves, along it.
+/// Damped Newton step towards the closest point.
 Vector2 step_to(const PatchPoint& at, const Vector3& point, double damping) {
   const Vector3 away = at.position - point;
   Eigen::Matrix2d hessian;
@@ -30,14 +30,14 @@ Vector2 step_to(const PatchPoint& at, const Vector3& point, double damping) {
       at.ds.dot(at.dt) + away.dot(at.dst), at.dt.dot(at.dt) + away.dot(at.dtt);
   const Vector2 gradient(away.dot(at.ds), away.dot(at.dt));
   const double trace = at.ds.squaredNorm() + at.dt.squaredNorm();
-  // Not positive definite: Gauss-Newton's matrix is.
+  // The Gauss-Newton matrix replaces a Hessian that is not positive definite.
   if (!(hessian(0, 0) > 0 && hessian.determinant() > 1e-12 * trace * trace))
     hessian << at.ds.dot(at.ds), at.ds.dot(at.dt), at.ds.dot(at.dt), at.dt.dot(at.dt);
   hessian.diagonal().array() += damping * trace + 1e-300;
   return -hessian.inverse() * gradient;
 }
 
-/// Directions that a border forbids are left out of the step.
+/// Step with the directions removed that leave the domain: along its border.
 Vector2 along_border(Domain domain, const Vector2& at, const PatchPoint& here, const Vector3& point,
                      Vector2 step) {
   const Vector3 away = here.position - point;
@@ -103,7 +103,7 @@ SurfaceFoot SurfaceFeet::foot(const Vector3& point) const {
     return best;
   }
   best.patch = t / Index(pattern_.size());
-  // Start at the nearest corner; the steps do the rest.
+  // Starts at the nearest corner.
   const auto& corners = pattern_[t % pattern_.size()];
   double nearest = std::numeric_limits<double>::infinity();
   for (const int c : corners) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The point of a surface that is nearest to a point in space.
+// Closest point on a surface to a point in space.
 
 #include "core/approximation/surface_sampler.hpp"
 #include "core/base/cancellation.hpp"
@@ -9,6 +9,7 @@
 
 namespace hariko {
 
+/// Closest point on a surface.
 struct SurfaceFoot {
   Index patch = 0;
   Vector2 parameter = Vector2::Zero();
@@ -16,16 +17,16 @@ struct SurfaceFoot {
   double distance = 0;
 };
 
-/// Looks among the triangles of a fine mesh of every patch first and goes on from there on the patch itself.
-/// A foot is always a point of the surface, so that its distance is at least the true one; it is larger only
-/// where another part of the surface is as near to within the fine mesh's own error. Borrows the sampler;
-/// thread-safe.
+/// Closest point search. Starts from the triangles of a fine mesh of every patch and continues by Newton
+/// steps on the patch itself. The result is always a point of the surface, so its distance is at least the
+/// true one; it is larger only where another part of the surface is as near within the fine mesh's own error.
+/// Keeps a reference to the sampler; thread-safe.
 class SurfaceFeet {
  public:
-  /// With about `triangles` triangles, at least two a patch; O(n log n).
+  /// Prepares a mesh of about `triangles` triangles, at least two per patch; O(n log n).
   explicit SurfaceFeet(const SurfaceSampler& sampler, std::size_t triangles = 40'000);
 
-  /// Positions are relative to the surface's origin.
+  /// Closest point; positions are relative to the surface's origin.
   SurfaceFoot foot(const Vector3& point) const;
 
  private:
@@ -34,13 +35,13 @@ class SurfaceFeet {
 
   const SurfaceSampler& sampler_;
   std::vector<std::array<int, 3>> pattern_;  ///< triangles of one patch
-  std::vector<Vector2> parameters_;          ///< of one patch
-  std::vector<Vector3> points_;              ///< of all patches
+  std::vector<Vector2> parameters_;          ///< parameters of one patch's points
+  std::vector<Vector3> points_;              ///< points of all patches
   TriangleTree tree_;
 };
 
-/// Largest distance that a surface was found to have from `other`, at 15 points of each of its patches
-/// (square ones: 25). O(patches log patches). Not to be used when cancelled.
+/// Largest distance found of a surface from `other`, at 15 points of each of its patches (square ones: 25).
+/// O(patches log patches). Invalid when cancelled.
 double farthest_from(const Surface& surface, const Surface& other, const CancelToken& cancel = {},
                      const Progress& progress = {});
 

@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// `unit_normal`, which keeps clear of the limits of numbers, where there is need to.
+/// Unit normal by the fast formula; by `unit_normal`, which avoids overflow and underflow, where necessary.
 Vector3 quick_normal(const PatchPoint& point) {
   const Vector3 cross = point.ds.cross(point.dt);
   const double square = cross.squaredNorm(), sides = point.ds.squaredNorm() * point.dt.squaredNorm();

@@ -1,6 +1,7 @@
 #pragma once
 
-// Points, normals and hulls of a surface for small parameter triangles, whatever its patches offer.
+// SurfaceSampler: points, normals and hulls of a surface for small parameter triangles, by the fastest way
+// its patches offer.
 
 #include <array>
 #include <span>
@@ -11,19 +12,20 @@
 
 namespace hariko {
 
-/// The points of a uniform grid on a triangle in barycentric coordinates, in the order of GridPattern.
+/// Uniform grid on a triangle in barycentric coordinates, in the order of GridPattern.
 struct BarycentricGrid {
+  /// Makes the grid with `density` intervals per side.
   explicit BarycentricGrid(int density);
   int density;
-  std::vector<Vector2> points;  ///< coordinates of corners 1 and 2
-  /// Points on the side from corner 0 to 1, 1 to 2, 2 to 0, in this direction.
+  std::vector<Vector2> points;  ///< barycentric coordinates of corners 1 and 2
+  /// Points on the sides from corner 0 to 1, 1 to 2, 2 to 0, in these directions.
   std::array<std::vector<int>, 3> sides;
 };
 
-/// The grid of a density, 1 to 12, made when it is first asked for. Thread-safe.
+/// Shared grid of a density from 1 to 12, made at its first use. Thread-safe.
 const BarycentricGrid& barycentric_grid(int density);
 
-/// Borrows the surface. Thread-safe.
+/// Evaluator of a surface, to which it keeps a reference. Thread-safe.
 class SurfaceSampler {
  public:
   explicit SurfaceSampler(const Surface& surface)
@@ -32,7 +34,8 @@ class SurfaceSampler {
   const Surface& surface() const { return surface_; }
 
   Vector3 position(Index patch, const Vector2& parameter) const;
-  /// Unit; at a point without one, that of a point 1e-4 of the domain further inside. Zero if both fail.
+  /// Unit normal; where it is undefined, that of a point 1e-4 of the domain further inside. Zero if both
+  /// fail.
   Vector3 normal(Index patch, const Vector2& parameter) const;
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const;
   void normals(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const;
@@ -40,7 +43,7 @@ class SurfaceSampler {
     return surface_.patches().evaluate(patch, parameter, Order::second);
   }
 
-  /// 0 where the patch has no bound; see FacetEvaluation.
+  /// Degree of the hull, 0 where the patch has no bound; see FacetEvaluation.
   int hull_degree(Index patch) const { return fast_ ? fast_->hull_degree(patch) : 0; }
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const {

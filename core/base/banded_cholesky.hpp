@@ -1,6 +1,6 @@
 #pragma once
 
-// Symmetric positive definite systems whose entries lie near the diagonal.
+// Cholesky factorisation of symmetric positive definite band matrices.
 
 #include <cstddef>
 #include <span>
@@ -8,18 +8,18 @@
 
 namespace hariko {
 
-/// L L^T of a matrix of which entry (i, k) is zero where |i - k| > bandwidth. O(size bandwidth^2), and O(size
-/// bandwidth) for a solution.
+/// Cholesky factorisation L L^T of a band matrix: entry (i, k) is zero where |i - k| > bandwidth. Factorising
+/// takes O(size bandwidth^2), a solution O(size bandwidth).
 class BandedCholesky {
  public:
   BandedCholesky(std::size_t size, std::size_t bandwidth);
 
   std::size_t size() const { return size_; }
-  /// Entry of the lower triangle before `factor`; column <= row <= column + bandwidth.
+  /// Entry of the lower triangle, to be set before `factor`; column <= row <= column + bandwidth.
   double& entry(std::size_t row, std::size_t column) {
     return rows_[row * (bandwidth_ + 1) + column + bandwidth_ - row];
   }
-  /// False where the matrix is not positive definite: nothing can be solved.
+  /// Factorises in place; false where the matrix is not positive definite, and then nothing can be solved.
   bool factor();
   /// Replaces `right` by the solution.
   void solve(std::span<double> right) const;
@@ -29,7 +29,8 @@ class BandedCholesky {
   std::size_t first(std::size_t i) const { return i > bandwidth_ ? i - bandwidth_ : 0; }
 
   std::size_t size_, bandwidth_;
-  std::vector<double> rows_;  ///< of the lower triangle, each from `bandwidth` before the diagonal on
+  /// Lower triangle, row by row; each row begins `bandwidth` columns before the diagonal.
+  std::vector<double> rows_;
 };
 
 }  // namespace hariko

@@ -8,14 +8,15 @@
 
 namespace hariko {
 
-/// With padding, on one line.
+/// Encodes with the alphabet of + and /, with padding, on one line.
 std::string to_base64(std::string_view bytes);
 
+/// Result of decoding: the bytes, and where the text is invalid.
 struct Base64Bytes {
-  std::string bytes;                 ///< up to the wrong character
-  std::optional<std::size_t> wrong;  ///< place of the first character that does not belong there
+  std::string bytes;                 ///< decoded bytes, up to the first invalid character
+  std::optional<std::size_t> wrong;  ///< offset of the first invalid character
 };
-/// Either alphabet (+ and /, or - and _), with or without padding.
+/// Decodes either alphabet (+ and /, or - and _), with or without padding.
 Base64Bytes from_base64(std::string_view text);
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// Cancellation: one flag, shared between the one who may lose interest and the one who works.
+// Cancellation: a flag shared between the caller of a long computation and the computation.
 
 #include <atomic>
 #include <memory>
@@ -9,18 +9,20 @@
 
 namespace hariko {
 
-/// What work that was cancelled gives instead of its result.
+/// Error code of a computation that was cancelled.
 inline constexpr Code e_cancelled{"E_CANCELLED"};
 
-/// Copies share the flag. A default token is never cancelled. Thread-safe.
+/// Handle of a shared cancellation flag; copies share it. A default token is never cancelled. Thread-safe.
 class CancelToken {
  public:
   CancelToken() = default;
+  /// A token with a flag of its own.
   static CancelToken make() {
     CancelToken token;
     token.flag_ = std::make_shared<std::atomic<bool>>(false);
     return token;
   }
+  /// Requests cancellation of the computation; a default token ignores it.
   void cancel() const {
     if (flag_) flag_->store(true, std::memory_order_relaxed);
   }

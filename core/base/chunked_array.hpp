@@ -1,7 +1,7 @@
 #pragma once
 
-// ChunkedArray: an array as a value whose copies share what they do not change. Editing one element of a copy
-// copies one chunk, so a history of thousands of small edits costs little memory.
+// ChunkedArray: an array as a value whose copies share unchanged chunks. Editing one element of a copy copies
+// one chunk, so a history of thousands of small edits costs little memory.
 
 #include <algorithm>
 #include <cstddef>
@@ -13,6 +13,7 @@
 
 namespace hariko {
 
+/// Array of chunks of `ChunkSize` elements, which copies share until they edit them.
 template <class T, std::size_t ChunkSize>
 class ChunkedArray {
  public:
@@ -45,16 +46,17 @@ class ChunkedArray {
     return (*chunk)[i % ChunkSize];
   }
 
-  /// True when element i of both values lies in the same shared memory, hence is equal without a look.
+  /// True when element i of both arrays lies in the same shared memory, hence is equal without comparing.
   bool shares(const ChunkedArray& other, std::size_t i) const {
     return i < size_ && i < other.size_ && chunks_[i / ChunkSize] == other.chunks_[i / ChunkSize];
   }
 
   static constexpr std::size_t chunk_size() { return ChunkSize; }
   std::size_t chunk_count() const { return chunks_.size(); }
-  /// Address of chunk c's memory: for counting shared bytes.
+  /// Address of the memory of chunk c, for counting shared bytes.
   const void* chunk_address(std::size_t c) const { return chunks_[c].get(); }
 
+  /// Copy of all elements. O(size).
   std::vector<T> to_vector() const {
     std::vector<T> out;
     out.reserve(size_);

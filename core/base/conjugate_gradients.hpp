@@ -1,6 +1,6 @@
 #pragma once
 
-// Preconditioned conjugate gradients, one coordinate or three at once.
+// Preconditioned conjugate gradients, for one coordinate or three at once.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -10,18 +10,20 @@
 
 namespace hariko {
 
-/// Numbers of a step: one a coordinate. Three coordinates are three systems with the same matrix.
+/// Scalars of a step, one per coordinate. Three coordinates are three systems with the same matrix.
 using Coefficients3 = Eigen::Array3d;
 
 namespace conjugate_gradients_detail {
 
+/// Quotient a / b, 0 where b is 0: a coordinate without a residual stays as it is.
 inline Coefficients3 ratio(const Coefficients3& a, const Coefficients3& b) {
   return (b.abs() > 0).select(a / (b.abs() > 0).select(b, 1.0), 0.0);
 }
 inline double ratio(double a, double b) {
   return std::abs(b) > 0 ? a / b : 0.0;
 }
-/// A coordinate in which the object is flat needs no digits beyond rounding of the largest one.
+/// Squared norm at which the iteration stops. A coordinate in which the object is flat needs no digits beyond
+/// the rounding of the largest one.
 inline Coefficients3 enough(const Coefficients3& energy, double tolerance) {
   return (tolerance * tolerance * energy).max(1e-32 * energy.maxCoeff());
 }
@@ -43,37 +45,43 @@ inline double one(double) {
 
 }  // namespace conjugate_gradients_detail
 
+/// Options of a solve: the state at its start, and when it ends.
 struct ConjugateGradientsOptions {
-  bool warm = false;  ///< x is a start, and not zero
-  double tolerance =
-      1e-13;  ///< residual in the preconditioner's norm, relative to that of the right-hand side
+  bool warm = false;  ///< x holds an initial guess; otherwise it is zero
+  /// Residual in the preconditioner's norm, relative to that of the right-hand side.
+  double tolerance = 1e-13;
   int max_steps = 600;
-  bool resumed = false;  ///< x and room are as an earlier call left them, and its tolerance holds
-  /// x is a start, and room.residual what it leaves of the right-hand side; room.square is x times its image,
-  /// and saves preconditioning the right-hand side itself.
+  bool resumed = false;  ///< x and the workspace are as an earlier call left them; its tolerance holds
+  /// x holds an initial guess and room.residual its residual; room.square is x^T A x, which saves
+  /// preconditioning the right-hand side itself.
   bool begun = false;
-  /// As an earlier call left them, but room.residual was computed anew: begin again from there.
+  /// x and the workspace are as an earlier call left them, but room.residual was computed anew: restarts from
+  /// there with the earlier tolerance.
   bool corrected = false;
 };
+/// Outcome of a solve.
 struct ConjugateGradientsReport {
   int iterations = 0;
   bool converged = true;
   bool cancelled = false;
 };
 
-/// What a solve works in beside x; all zero at the beginning but `residual`, the right-hand side. A solve
-/// that ran out of steps goes on from it without losing its directions: begun anew it would need many more.
+/// Workspace of a solve; all zero at the beginning except `residual`, which is the right-hand side. A solve
+/// that ran out of steps continues from it without losing its search directions; restarted it would need many
+/// more.
 template <class Field, class Coefficient = Coefficients3>
 struct ConjugateGradientsRoom {
   Field residual, preconditioned, direction, image;
-  Coefficient square{}, enough{};  ///< of the residual in the preconditioner's norm: now, and in the end
-  Field preconditioned_image{};    ///< where the preconditioner gives it
+  /// Squared norm of the residual in the preconditioner's norm: now, and where to stop.
+  Coefficient square{}, enough{};
+  /// Image of `preconditioned` under the matrix, where the preconditioner gives it.
+  Field preconditioned_image{};
 };
 
-/// `system`: apply(x, y), precondition(r, z), both symmetric and positive definite; dot(a, b), one number a
-/// coordinate, summed in a fixed order; combine(y, a, b, x): y = a y + b x. A system whose preconditioner
-/// knows what the matrix makes of its result has precondition(r, z, image of z) instead; then steps need no
-/// apply.
+/// Solves a symmetric positive definite system by preconditioned conjugate gradients. `system` has apply(x,
+/// y) and precondition(r, z), both symmetric and positive definite; dot(a, b), one number per coordinate,
+/// summed in a fixed order; combine(y, a, b, x): y = a y + b x. A system whose preconditioner also gives A z
+/// has precondition(r, z, A z) instead; its steps need no apply.
 template <class System, class Field, class Coefficient>
 ConjugateGradientsReport conjugate_gradients(System& system, Field& x,
                                              ConjugateGradientsRoom<Field, Coefficient>& room,

@@ -74,7 +74,7 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
   double scale = scaled.cwiseAbs().maxCoeff();
   if (scale == 0) scale = 1;
   scaled /= scale;
-  // Step by step: the solver's own constructor compiles eigenvectors as well.
+  // Tridiagonalises step by step: the solver's own constructor would compile eigenvectors as well.
   Eigen::VectorXd diagonal = scaled.diagonal(), beside;
   if (matrix.rows() > 1) {
     const Eigen::Tridiagonalization<Eigen::MatrixXd> form(scaled);

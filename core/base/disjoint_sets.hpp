@@ -1,6 +1,6 @@
 #pragma once
 
-// DisjointSets: items that turn out to be the same, merged step by step (union-find).
+// DisjointSets: union-find.
 
 #include <algorithm>
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace hariko {
 
-/// The least item of a set stands for it, whatever the order of the joins. `find` and `join` take O(log n) a
-/// call on average.
+/// Disjoint sets of items 0 .. size - 1. The least item of a set represents it, whatever the order of the
+/// joins. `find` and `join` take O(log n) a call on average.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count = 0) : parent_(count) {
@@ -20,16 +20,17 @@ class DisjointSets {
   }
 
   std::size_t size() const { return parent_.size(); }
-  /// A new item, alone in its set.
+  /// Adds an item, alone in its set.
   Index add() {
     parent_.push_back(static_cast<Index>(parent_.size()));
     return parent_.back();
   }
-  /// The item that stands for an item's set.
+  /// Representative of an item's set.
   Index find(Index i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
+  /// Merges the sets of two items.
   void join(Index a, Index b) {
     a = find(a);
     b = find(b);

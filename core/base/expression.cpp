@@ -28,8 +28,8 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// From what is typed to what the parser reads: units become factors, and nothing that an expression of ours
-/// does not have (assignments, comparisons, strings) gets through.
+/// Translates typed text into the parser's syntax: units become factors, and syntax that these expressions
+/// do not have (assignments, comparisons, strings) is refused.
 class Translator {
  public:
   Translator(std::string_view text, std::span<const UnitFactor> units) : rest_(text), units_(units) {}
@@ -62,7 +62,7 @@ class Translator {
   void number() {
     std::size_t length = digits(0);
     if (length < rest_.size() && rest_[length] == '.') length += 1 + digits(length + 1);
-    // An e that no exponent follows begins a name.
+    // An e without an exponent behind it begins a name.
     if (length < rest_.size() && (rest_[length] == 'e' || rest_[length] == 'E')) {
       std::size_t sign = length + 1;
       if (sign < rest_.size() && (rest_[sign] == '+' || rest_[sign] == '-')) ++sign;
@@ -75,7 +75,7 @@ class Translator {
     while (end < rest_.size() && is_digit(rest_[end])) ++end;
     return end - from;
   }
-  /// "2pi", "3(1+2)"
+  /// Inserts the sign of an implied product: "2pi", "3(1+2)".
   void times() {
     if (operand_) out_ += '*';
   }
@@ -115,7 +115,7 @@ class Translator {
   std::string_view rest_;
   std::span<const UnitFactor> units_;
   std::string out_;
-  bool operand_ = false;  ///< whether a value ends here, which a unit or another factor may follow
+  bool operand_ = false;  ///< a value ends here, so a unit or another factor may follow
 };
 
 double calculate(const std::string& expression) {

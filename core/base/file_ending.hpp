@@ -5,7 +5,7 @@
 
 namespace hariko {
 
-/// ".png" of "Picture.PNG": letters of ASCII are small.
+/// File name extension with its ASCII letters in lower case: ".png" of "Picture.PNG".
 std::string lower_ending(const std::filesystem::path& path);
 
 }  // namespace hariko

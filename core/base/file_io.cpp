@@ -25,7 +25,7 @@ std::string quoted(const std::filesystem::path& path) {
   return "\"" + printable(path.native()) + "\"";
 }
 
-/// A descriptor for reading, closed at the end of its scope.
+/// File descriptor for reading, closed at the end of its scope.
 class ReadDescriptor {
  public:
   explicit ReadDescriptor(const char* path)
@@ -81,10 +81,10 @@ Message write_error(const std::filesystem::path& path, const std::string& reason
                     "Check free space and permissions, or save under another name.");
 }
 
-/// The file that `path` means when symbolic links are followed; it need not exist.
+/// Target of `path` when symbolic links are followed; it need not exist.
 Result<std::filesystem::path> follow_links(const std::filesystem::path& path) {
   std::filesystem::path target = path;
-  for (int step = 0; step < 40; ++step) {  // as many as Linux follows
+  for (int step = 0; step < 40; ++step) {  // the limit of Linux
     std::error_code error;
     if (!std::filesystem::is_symlink(target, error)) return target;
     const std::filesystem::path next = std::filesystem::read_symlink(target, error);
@@ -94,8 +94,8 @@ Result<std::filesystem::path> follow_links(const std::filesystem::path& path) {
   return write_error(path, reason_of(ELOOP));
 }
 
-/// Permission bits to give the new file: of the existing one, or -1 when there is none. Refuses what a rename
-/// must not replace.
+/// Permission bits for the new file: those of the existing one, or -1 when there is none. Refuses targets
+/// that a rename must not replace.
 Result<int> existing_mode(const std::filesystem::path& path, const std::filesystem::path& target) {
   struct stat status {};
   if (::stat(target.c_str(), &status) != 0) {
@@ -104,7 +104,7 @@ Result<int> existing_mode(const std::filesystem::path& path, const std::filesyst
   }
   if (S_ISDIR(status.st_mode)) return write_error(path, "it is a folder");
   if (!S_ISREG(status.st_mode)) return write_error(path, "it is not a regular file");
-  // Renaming needs no write permission on the file itself, but a designer who protected a file means it.
+  // Renaming needs no write permission on the file itself, but the user's write protection is respected.
   if (::access(target.c_str(), W_OK) != 0) return write_error(path, reason_of(errno));
   return static_cast<int>(status.st_mode & 07777U);
 }
@@ -120,7 +120,7 @@ int write_all(FileLayer& layer, int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// File systems without flushing answer EINVAL or ENOTSUP; there is nothing better to do there.
+/// Flushes a file. File systems that cannot flush answer EINVAL or ENOTSUP, which counts as success.
 int sync_if_supported(FileLayer& layer, int descriptor) {
   const int result = layer.sync(descriptor);
   return result == -EINVAL || result == -ENOTSUP ? 0 : result;
@@ -168,7 +168,8 @@ int SystemFileLayer::create(const std::string& path, unsigned mode) {
   const int result =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, static_cast<mode_t>(mode));
   if (result < 0) return -errno;
-  // Says that the writer lives, also to other machines; where there are no locks the file is written without.
+  // The lock tells other processes, also on other machines, that the writer is alive; without locks the file
+  // is written all the same.
   (void)::flock(result, LOCK_EX | LOCK_NB);
   return result;
 }
@@ -216,7 +217,7 @@ Result<Done> write_file_atomic(const std::filesystem::path& path, std::string_vi
   int descriptor = -EEXIST;
   for (int attempt = 0; descriptor == -EEXIST && attempt < 1000; ++attempt) {
     temporary = (target.parent_path() / temporary_name(attempt)).native();
-    // Until the old file's permissions are set on it, nobody else may read the copy.
+    // Nobody else may read the copy before it has the old file's permissions.
     descriptor = layer.create(temporary, *mode < 0 ? 0666U : 0600U);
   }
   if (descriptor < 0) return write_error(path, reason_of(-descriptor));

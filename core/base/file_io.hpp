@@ -1,6 +1,7 @@
 #pragma once
 
-// Whole files: reading with a size limit, and writing so that a file is always either the old or the new one.
+// Whole files: reading with a size limit, and atomic writing, so that a file is always either the old or the
+// new one.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,21 +17,22 @@ inline constexpr Code e_file_open{"E_FILE_OPEN"};    ///< does not exist, is not
 inline constexpr Code e_file_read{"E_FILE_READ"};    ///< failed while reading
 inline constexpr Code e_file_write{"E_FILE_WRITE"};  ///< failed while writing
 inline constexpr Code e_limit{"E_LIMIT"};            ///< larger than this program accepts
-inline constexpr Code e_parse{"E_PARSE"};  ///< text that the format does not allow; readers name the place
+/// Text that the format does not allow; readers give the line or offset.
+inline constexpr Code e_parse{"E_PARSE"};
 
 inline constexpr std::uint64_t default_file_size_limit = std::uint64_t{4} << 30;  ///< bytes
 
-/// The bytes of a regular file. Errors: E_FILE_OPEN, E_FILE_READ, and E_LIMIT above `size_limit` bytes; the
-/// text names the file and the reason. Never blocks on pipes or devices: these are refused.
+/// Reads a regular file. Errors: E_FILE_OPEN, E_FILE_READ, and E_LIMIT above `size_limit` bytes; the text
+/// names the file and the reason. Never blocks on pipes or devices: these are refused.
 Result<std::string> read_file(const std::filesystem::path& path,
                               std::uint64_t size_limit = default_file_size_limit);
 
-/// The system calls that write_file_atomic makes, so that tests can make any of them fail. Every call returns
-/// a non-negative number, or a negative errno.
+/// System calls of write_file_atomic, so that tests can make any of them fail. Every call returns a
+/// non-negative number, or a negative errno.
 class FileLayer {
  public:
   virtual ~FileLayer() = default;
-  /// Creates a file that must not exist yet; returns its descriptor.
+  /// Creates a file that must not exist yet, and returns its descriptor.
   virtual int create(const std::string& path, unsigned mode) = 0;
   /// Gives the file the permission bits of an existing one.
   virtual int set_mode(int descriptor, unsigned mode) = 0;
@@ -59,8 +61,8 @@ class SystemFileLayer final : public FileLayer {
 /// flushed to the disk and renamed over the target, then the folder is flushed. On any failure (E_FILE_WRITE)
 /// the old file is intact and the temporary one removed; the one exception is a failure to flush the folder,
 /// where the complete new file is already in place and the text says so. Keeps the permission bits of an
-/// existing file; a symbolic link stays and what it points to is replaced. Folders, devices and
-/// write-protected files are refused.
+/// existing file; a symbolic link stays and its target is replaced. Folders, devices and write-protected
+/// files are refused.
 Result<Done> write_file_atomic(const std::filesystem::path& path, std::string_view bytes, FileLayer& layer);
 Result<Done> write_file_atomic(const std::filesystem::path& path, std::string_view bytes);
 

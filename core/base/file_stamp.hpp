@@ -1,6 +1,6 @@
 #pragma once
 
-// FileStamp: tells whether a file on disk is still the one that was read or written.
+// FileStamp: identifies the state of a file on disk, to detect changes by other programs.
 
 #include <cstdint>
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace hariko {
 
-/// Any program that writes the file changes at least one of these.
+/// Fingerprint of a file on disk. Any program that writes the file changes at least one of these.
 struct FileStamp {
   std::uint64_t size = 0;     ///< bytes
   std::int64_t modified = 0;  ///< nanoseconds since 1970, UTC
@@ -17,7 +17,7 @@ struct FileStamp {
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
-/// Nothing when there is no such file. Follows symbolic links.
+/// Stamp of a file, or nothing when there is no such file. Follows symbolic links.
 std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
 
 }  // namespace hariko

@@ -10,7 +10,7 @@ bool stands_for_itself(char c) {
          std::string_view("-._~/").find(c) != std::string_view::npos;
 }
 
-/// -1 for what is no hexadecimal digit.
+/// Value of a hexadecimal digit, -1 for other characters.
 int digit_value(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;

@@ -1,6 +1,6 @@
 #pragma once
 
-// FlatMap: a small sorted map as a value, for authored settings of which most elements have none.
+// FlatMap: a small sorted map as a value, for per-element settings that most elements do not have.
 
 #include <algorithm>
 #include <utility>
@@ -18,6 +18,7 @@ class FlatMap {
   auto begin() const { return entries_.begin(); }
   auto end() const { return entries_.end(); }
 
+  /// Value of a key, null where it has none. O(log size).
   const Value* find(const Key& key) const {
     const auto it = lower(key);
     return it != entries_.end() && it->first == key ? &it->second : nullptr;
@@ -35,6 +36,7 @@ class FlatMap {
     else
       entries_.insert(it, {key, std::move(value)});
   }
+  /// Removes a key, if it is there. O(size).
   void erase(const Key& key) {
     const auto it = entries_.begin() + (lower(key) - entries_.begin());
     if (it != entries_.end() && it->first == key) entries_.erase(it);

@@ -17,7 +17,7 @@ void append_integer_text(std::string& out, Number value) {
   out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
 
-/// Digits and the power of ten of the first one: 1.25e3 is {"125", 3}.
+/// Decimal digits, and the power of ten of the first one: 1.25e3 is {"125", 3}.
 struct Decimal {
   std::string digits;
   int exponent = 0;
@@ -38,7 +38,8 @@ Decimal shortest_decimal(double magnitude) {
   return out;
 }
 
-/// A real number can be told from an integer: it has a point or an exponent. Plain from 1e-4 to 1e15.
+/// Appends a real number so that it cannot be taken for an integer: with a point or an exponent. Without an
+/// exponent from 1e-4 to 1e15.
 void append_real_text(std::string& out, double value) {
   if (std::signbit(value)) out += '-';
   if (value == 0) {

@@ -17,12 +17,12 @@
 
 namespace hariko {
 
-/// Writes one value: a number, a string, or an array or object whose contents a function writes. Numbers get
-/// the fewest digits that read back as the same number, and those that are not finite are null. Text that is
-/// not UTF-8 gets U+FFFD in place of each offending byte.
+/// Writer of one JSON value: a number, a string, or an array or object whose contents a function writes.
+/// Numbers get the fewest digits that read back as the same number; numbers that are not finite become null.
+/// Each byte that is not valid UTF-8 becomes U+FFFD.
 class JsonWriter {
  public:
-  /// `indent`: spaces a level, with each entry on a line of its own; negative: everything on one line without
+  /// `indent`: spaces per level, with each entry on its own line; negative: everything on one line without
   /// spaces.
   explicit JsonWriter(int indent = -1) : indent_(indent) {}
 
@@ -41,9 +41,9 @@ class JsonWriter {
   void value(std::string_view value);
   void value(const std::string& value) { this->value(std::string_view(value)); }
   void value(const char* value) { this->value(std::string_view(value)); }
-  /// [x, y, z]
+  /// Writes [x, y, z].
   void value(const Vector3& value);
-  /// Null where there is none.
+  /// Writes null where there is no value.
   template <class T>
   void value(const std::optional<T>& value) {
     if (value)
@@ -64,21 +64,21 @@ class JsonWriter {
     list(values, [this](const T& value) { this->value(value); });
   }
 
-  /// `body` writes the entries by `value`, `object`, `array`.
+  /// Writes an array; `body` writes the entries by `value`, `object`, `array`.
   template <class Body>
   void array(Body&& body) {
     open('[');
     body();
     close(']');
   }
-  /// `body` writes the members by `member` and the like, or by `key` and a value.
+  /// Writes an object; `body` writes the members by `member` and the like, or by `key` and a value.
   template <class Body>
   void object(Body&& body) {
     open('{');
     body();
     close('}');
   }
-  /// An array whose entries `write` writes, one for each entry of the range.
+  /// Writes an array by calling `write` for each entry of the range.
   template <class Range, class Write>
   void list(const Range& range, Write&& write) {
     array([&] {
@@ -86,7 +86,7 @@ class JsonWriter {
     });
   }
 
-  /// The name of the member whose value comes next.
+  /// Writes the name of the member whose value comes next.
   void key(std::string_view name);
   template <class T>
   void member(std::string_view name, const T& value) {
@@ -113,13 +113,13 @@ class JsonWriter {
     key(name);
     list(range, write);
   }
-  /// A value that is JSON already.
+  /// Writes text that is JSON already.
   void raw(std::string_view json);
 
  private:
   void open(char bracket);
   void close(char bracket);
-  /// The comma and the new line before an entry.
+  /// Writes the comma and the line break before an entry.
   void begin_entry();
   void begin_value();
   void line();
@@ -130,8 +130,8 @@ class JsonWriter {
   std::string text_;
   int indent_;
   std::size_t depth_ = 0;
-  bool empty_ = true;     ///< nothing stands in the present array or object yet
-  bool has_key_ = false;  ///< the name of the value to come is written
+  bool empty_ = true;     ///< the present array or object has no entries yet
+  bool has_key_ = false;  ///< the name of the next value is written
 };
 
 }  // namespace hariko

@@ -1,24 +1,24 @@
 #pragma once
 
-// Systems that have many solutions or none. The only door to Eigen's orthogonal factorisations of matrices
-// whose size is known at run time, which take ten seconds to compile.
+// Least squares of systems that have many solutions or none. The only place where Eigen's orthogonal
+// factorisations of matrices of dynamic size are instantiated, which take ten seconds to compile.
 
 #include "core/base/vector.hpp"
 
 namespace hariko {
 
-/// An x that makes matrix x - right shortest; as many of its entries as the rank allows are not zero.
+/// Least-squares solution with at most rank(matrix) nonzero entries: minimises |matrix x - right|.
 Eigen::VectorXd solve_overdetermined(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
-/// The shortest x of those that make matrix x - right shortest.
+/// Minimum-norm least-squares solution: the shortest x that minimises |matrix x - right|.
 Eigen::VectorXd solve_least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
-/// Everything that makes matrix x - right shortest: `shortest` plus any combination of the columns of `free`,
-/// which are orthonormal.
+/// All least-squares solutions, the x that minimise |matrix x - right|: `shortest` plus any combination of
+/// the columns of `free`, which are orthonormal.
 struct LeastSquares {
   Eigen::VectorXd shortest;
   Eigen::MatrixXd free;
 };
-/// Singular values below `rank_tolerance` of the largest count as zero.
+/// All least-squares solutions. Singular values below `rank_tolerance` of the largest count as zero.
 LeastSquares all_least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right,
                                double rank_tolerance);
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// What the program tells a designer about an input: a code, the element it is about, a sentence, and a way
-// out.
+// Messages to the designer about an input: a code, the element concerned, a sentence, and a remedy.
 
 #include <cstdint>
 #include <string>
@@ -9,7 +8,7 @@
 
 namespace hariko {
 
-/// A stable name of a kind of message, such as E_NO_FACES. Each folder declares its own codes as constants;
+/// Stable name of a kind of message, such as E_NO_FACES. Each folder declares its own codes as constants;
 /// names that start with E_ are errors, with W_ warnings.
 struct Code {
   std::string_view name;
@@ -18,7 +17,7 @@ struct Code {
 
 enum class Severity { warning, error };
 
-/// The element a message is about. Ids are the stable ids of the polyhedron, or line numbers of a file (from
+/// Element that a message is about. Ids are the stable ids of the polyhedron, or line numbers of a file (from
 /// 1).
 struct Element {
   enum class Kind { none, vertex, edge, face, object, line };
@@ -27,20 +26,23 @@ struct Element {
   friend bool operator==(const Element&, const Element&) = default;
 };
 
-/// "vertex 12", "edge 12-13", "face 3", "line 7"; empty for none.
+/// Text of an element: "vertex 12", "edge 12-13", "face 3", "line 7"; empty for none.
 std::string to_string(const Element& element);
 
+/// Error or warning about an element of the input.
 struct Message {
   Severity severity = Severity::error;
   Code code;
   Element element;
-  std::string text;    ///< what is wrong and where, one sentence for a designer
-  std::string remedy;  ///< what to do about it; may be empty
+  std::string text;    ///< the fault and its place, one sentence for a designer
+  std::string remedy;  ///< advice for the designer; may be empty
 };
 
-/// "E_FACE_TOO_SMALL (face 3): The face has 2 corners. Delete it or add a corner."
+/// Text of a message with its code: "E_FACE_TOO_SMALL (face 3): The face has 2 corners. Delete it or add a
+/// corner."
 std::string to_string(const Message& message);
 
+/// Message of severity error, or of severity warning.
 Message make_error(Code code, std::string text, std::string remedy = {}, Element element = {});
 Message make_warning(Code code, std::string text, std::string remedy = {}, Element element = {});
 

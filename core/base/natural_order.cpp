@@ -14,7 +14,7 @@ unsigned char lower(char c) {
   return static_cast<unsigned char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
 }
 
-/// The run of digits at a place, without zeros in front; moves the place behind it.
+/// Run of digits at an offset, without leading zeros; moves the offset behind it.
 std::string_view digits(std::string_view text, std::size_t& at) {
   while (at < text.size() && text[at] == '0') ++at;
   const std::size_t begin = at;

@@ -6,8 +6,8 @@
 
 namespace hariko {
 
-/// Whether `a` stands before `b`: runs of digits by their values, ASCII letters without regard to case, other
-/// bytes by their values; equal ones by their bytes. A strict weak order.
+/// Natural order of two names, true where `a` comes before `b`: runs of digits by their values, ASCII letters
+/// ignoring case, other bytes by their values; ties by all bytes. A strict weak order.
 bool natural_less(std::string_view a, std::string_view b);
 
 }  // namespace hariko

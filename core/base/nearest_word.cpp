@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-/// Without dashes in front, in small letters of ASCII.
+/// Word without leading dashes, with ASCII letters in lower case.
 std::string bare(std::string_view word) {
   word.remove_prefix(std::min(word.find_first_not_of('-'), word.size()));
   std::string out(word);
@@ -18,7 +18,7 @@ std::string bare(std::string_view word) {
 }  // namespace
 
 std::size_t spelling_distance(std::string_view a, std::string_view b) {
-  // Rows of the table for the last two letters of `a` and for this one.
+  // Rows of the distance table for the last two letters of `a` and for this one.
   std::vector<std::size_t> older(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -36,7 +36,7 @@ std::size_t spelling_distance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& known) {
-  constexpr std::size_t least_beginning = 3, longest = 100;  // what is longer is no word
+  constexpr std::size_t least_beginning = 3, longest = 100;  // `longest`: longer inputs are not words
   const std::string given = bare(word);
   if (given.empty() || given.size() > longest) return std::nullopt;
   const std::size_t most = std::max<std::size_t>(1, given.size() / 3);

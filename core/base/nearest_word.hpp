@@ -1,6 +1,6 @@
 #pragma once
 
-// Spelling: the word that was probably meant.
+// Spelling suggestions: the word that was probably meant.
 
 #include <optional>
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace hariko {
 
-/// The least number of letters to insert, leave out, replace, or swap with their neighbour to make one word
-/// of the other (optimal string alignment). O(product of the lengths).
+/// Edit distance: the least number of letters to insert, delete, replace, or swap with their neighbour to
+/// turn one word into the other (optimal string alignment). O(product of the lengths).
 std::size_t spelling_distance(std::string_view a, std::string_view b);
 
-/// The first of the words in `known` that are nearest to `word`; nothing where none is near: more than a
-/// third of its letters differ. What begins with `word` (at least three letters) is near. Dashes in front and
-/// capitals do not count.
+/// Spelling suggestion: the first of the words in `known` that are nearest to `word`, or nothing where none
+/// is near, that is, where more than a third of the letters differ. A word that begins with `word` (at least
+/// three letters) is near. Leading dashes and case are ignored.
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace hariko

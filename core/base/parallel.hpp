@@ -1,6 +1,6 @@
 #pragma once
 
-// Parallel loops. The only door to the thread library.
+// Parallel loops. The only place that uses the thread library.
 
 #include <cstddef>
 #include <functional>
@@ -20,8 +20,8 @@ void parallel_for(std::size_t count, std::size_t grain,
 double parallel_sum(std::size_t count, std::size_t grain,
                     const std::function<double(std::size_t begin, std::size_t end)>& body);
 
-/// While alive, loops of the whole process use at most `threads` threads (1 = serial). For tests and for
-/// leaving a core to the user interface.
+/// Limit of the number of threads: while it exists, loops of the whole process use at most `threads` threads
+/// (1 = serial). For tests, and to leave a core to the user interface.
 class ParallelLimit {
  public:
   explicit ParallelLimit(int threads);

@@ -21,7 +21,7 @@ std::string printable(std::string_view text, std::size_t limit) {
 
 std::string shortened(std::string_view text, std::size_t limit) {
   if (text.size() <= limit) return printable(text, limit);
-  // A character that the cut would divide goes with the middle.
+  // A character that the cut would divide goes with the removed middle.
   const auto inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U; };
   std::size_t first = limit / 2, second = text.size() - (limit - first);
   while (first > 0 && inside(first)) --first;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Progress: how far some work is, shared between the one who works and the one who shows it.
+// Progress: the finished fraction of a computation, shared between the computation and its display.
 
 #include <algorithm>
 #include <atomic>
@@ -8,28 +8,29 @@
 
 namespace hariko {
 
-/// Copies share the number. A default one reports to nobody. Thread-safe.
+/// Handle of a shared fraction; copies share it. A default one reports to nobody. Thread-safe.
 class Progress {
  public:
   Progress() = default;
+  /// A progress with a fraction of its own, at first negative.
   static Progress make() {
     Progress progress;
     progress.fraction_ = std::make_shared<std::atomic<double>>(-1.0);
     return progress;
   }
-  /// A part of the same work: its 0 .. 1 is `begin` .. `end` of the whole.
+  /// Progress of one part of the work: its 0 .. 1 is `begin` .. `end` of the whole.
   Progress part(double begin, double end) const {
     Progress progress = *this;
     progress.begin_ = begin_ + begin * length_;
     progress.length_ = (end - begin) * length_;
     return progress;
   }
-  /// `fraction` of this part is done; clamped to [0, 1].
+  /// Reports that `fraction` of this part is done; clamped to [0, 1].
   void report(double fraction) const {
     if (fraction_)
       fraction_->store(begin_ + length_ * std::clamp(fraction, 0.0, 1.0), std::memory_order_relaxed);
   }
-  /// Of the whole, 0 .. 1; negative while nothing was reported.
+  /// Finished fraction of the whole, 0 .. 1; negative while nothing has been reported.
   double fraction() const { return fraction_ ? fraction_->load(std::memory_order_relaxed) : -1; }
 
  private:

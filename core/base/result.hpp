@@ -1,7 +1,7 @@
 #pragma once
 
-// Result<T>: a value, or the error message that says why there is none. For what a user can cause; what only
-// a programmer can cause is an assertion.
+// Result<T>: a value, or the error message that says why there is none. For failures that a user can cause;
+// failures that only a programmer can cause are assertions.
 
 #include <optional>
 #include <utility>
@@ -12,6 +12,7 @@
 
 namespace hariko {
 
+/// Value of type T, or the error message that says why there is none.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -45,7 +46,7 @@ class [[nodiscard]] Result {
   std::variant<T, Message> state_;
 };
 
-/// For functions that either do their work or say why not.
+/// Value of a function that has no result but may fail: Result<Done>.
 struct Done {};
 
 }  // namespace hariko

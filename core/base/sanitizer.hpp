@@ -1,7 +1,7 @@
 #pragma once
 
-// HARIKO_ADDRESS_SANITIZER: defined in builds with that sanitizer, which replaces the allocator and reports
-// crashes.
+// HARIKO_ADDRESS_SANITIZER: defined in builds with the address sanitizer, which replaces the allocator and
+// reports crashes.
 
 #if defined(__SANITIZE_ADDRESS__)
 #define HARIKO_ADDRESS_SANITIZER

@@ -12,8 +12,8 @@ namespace hariko {
 
 namespace {
 
-/// L below the diagonal and D on it, in place, of the matrix with rows and columns exchanged: k with
-/// pivot[k], one after the other. False for the zero matrix.
+/// Factorises L D L^T in place, L below the diagonal and D on it, with rows and columns permuted: k exchanged
+/// with pivot[k], one after the other. False for the zero matrix.
 template <int n>
 bool factorise(Eigen::Matrix<double, n, n>& m, std::array<int, n>& pivot) {
   for (int k = 0; k < n; ++k) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Sparse linear systems. The only door to Eigen's sparse factorisations and sparse products, whose templates
-// take seconds to compile in each file that uses them.
+// Sparse linear systems. The only place where Eigen's sparse factorisations and sparse products are
+// instantiated, whose templates take seconds to compile in each file that uses them.
 
 #include <memory>
 #include <vector>
@@ -13,16 +13,17 @@ namespace hariko {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using SparseEntries = std::vector<Eigen::Triplet<double>>;
 
-/// Entries at the same place are added up.
+/// Sparse matrix of a list of entries; entries at the same place are added up.
 SparseMatrix sparse_matrix(Eigen::Index rows, Eigen::Index columns, const SparseEntries& entries);
-/// a b
+/// Product a b.
 SparseMatrix sparse_product(const SparseMatrix& a, const SparseMatrix& b);
-/// a^T b
+/// Product a^T b.
 SparseMatrix transposed_product(const SparseMatrix& a, const SparseMatrix& b);
-/// `matrix` with row i times scale[i].
+/// Copy of `matrix` with row i multiplied by scale[i].
 SparseMatrix scaled_rows(const Eigen::VectorXd& scale, const SparseMatrix& matrix);
 
-/// L D L^T of a symmetric matrix, with an ordering of minimum degree; its lower triangle is read.
+/// Cholesky factorisation L D L^T of a symmetric matrix, with a minimum degree ordering; its lower triangle
+/// is read.
 class SparseCholesky {
  public:
   explicit SparseCholesky(const SparseMatrix& matrix);
@@ -30,9 +31,10 @@ class SparseCholesky {
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// False where a pivot is zero: nothing can be solved.
+  /// True where the factorisation succeeded; false where a pivot is zero, and then nothing can be solved.
   bool succeeded() const;
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
+  /// Solutions for all columns of `right`.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
  private:
@@ -40,7 +42,7 @@ class SparseCholesky {
   std::unique_ptr<Factor> factor_;
 };
 
-/// L U of a square matrix, with row pivots.
+/// LU factorisation of a square matrix, with row pivoting.
 class SparseLu {
  public:
   explicit SparseLu(const SparseMatrix& matrix);
@@ -48,7 +50,8 @@ class SparseLu {
   SparseLu(const SparseLu&) = delete;
   SparseLu& operator=(const SparseLu&) = delete;
 
-  /// False where the matrix is singular: nothing can be solved.
+  /// True where the factorisation succeeded; false where the matrix is singular, and then nothing can be
+  /// solved.
   bool succeeded() const;
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view prefix = ".hariko-", suffix = ".tmp";
 
-/// The process in a name of the form of `temporary_name`; nothing for other names.
+/// Process id in a name made by `temporary_name`; nothing for other names.
 std::optional<pid_t> writer_of(std::string_view name) {
   if (!name.starts_with(prefix) || !name.ends_with(suffix) || name.size() < prefix.size() + suffix.size())
     return {};
@@ -39,14 +39,14 @@ bool lives(pid_t process) {
   return ::kill(process, 0) == 0 || errno == EPERM;
 }
 
-/// Whether an old regular file that nobody has locked.
+/// Whether a file is regular, old enough, and locked by nobody.
 bool abandoned(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return false;
   struct stat status {};
   const bool old = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
                    status.st_mtime + stale_seconds < std::time(nullptr);
-  // Where the file system has no locks nothing is known of other machines: the file stays.
+  // The file stays where the file system has no locks, as writers on other machines cannot be excluded.
   const bool free = old && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
   ::close(descriptor);
   return free;

@@ -1,6 +1,6 @@
 #pragma once
 
-// ZeroedArray: a large array of numbers, zero at first, of which only a part may ever be touched.
+// ZeroedArray: a large array of numbers, initially zero, of which only a part may ever be touched.
 
 #include <cstddef>
 #include <cstdlib>
@@ -13,8 +13,9 @@
 
 namespace hariko {
 
-/// The system hands out zero pages on first touch, so untouched parts cost neither time nor memory;
-/// `std::vector` would write them all. T must be made of numbers for which zero bits mean zero.
+/// Lazily zeroed array. The operating system supplies zero pages on first touch, so untouched parts cost
+/// neither time nor memory; `std::vector` would write them all. T consists of numbers for which zero bits
+/// mean zero.
 template <class T>
 class ZeroedArray {
  public:

@@ -11,14 +11,14 @@ namespace {
 
 using CornerKey = std::tuple<CornerShape, std::array<double, 3>, bool>;
 
-/// Corners of a face in the order that reads smallest.
+/// Canonical order of a face's corners: the rotation that is least in lexicographic order.
 class SmallestOrder {
  public:
   SmallestOrder(const HalfEdgeMesh& mesh, const std::vector<CornerShape>& corners,
                 const TensionWeights& weights, const std::vector<GivenRibbon>& ribbons)
       : mesh_(mesh), corners_(corners), weights_(weights), ribbons_(ribbons) {}
 
-  /// Corner that the face begins with.
+  /// Corner that the face begins with in canonical order.
   Index find(Index face) {
     const Index n = mesh_.side_count(face), first = mesh_.face_begin(face);
     Index shift = 0;
@@ -31,7 +31,7 @@ class SmallestOrder {
     }
     return shift;
   }
-  /// Corners in the order that was found last.
+  /// Corners in the order found last.
   const std::vector<CornerKey>& corners() const { return best_; }
 
  private:

@@ -11,14 +11,16 @@
 
 namespace hariko {
 
+/// Charts of all faces, and the numbering of their sides.
 struct ChartChoice {
   std::vector<std::shared_ptr<const PlacedChart>> placed;  ///< per face
   std::vector<Index> half_edge;  ///< per corner of the face list: the half-edge of that chart side
   std::vector<int> side;         ///< per half-edge: number of its side within its face's chart
 };
 
-/// Each face begins where its corners, weights and joins read smallest, so that equal faces are seen to be
-/// equal. `corners`: per half-edge. `ribbons`: per half-edge, or empty.
+/// Chooses a chart for each face, beginning with the corner that makes its corners, weights and joins
+/// lexicographically least, so that equal faces get equal charts. `corners`: per half-edge. `ribbons`: per
+/// half-edge, or empty.
 ChartChoice choose_charts(const HalfEdgeMesh& mesh, const std::vector<CornerShape>& corners,
                           const TensionWeights& weights, const std::vector<GivenRibbon>& ribbons);
 

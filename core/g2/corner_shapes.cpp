@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-/// Least distance across an edge, in lengths of the edge.
+/// Least distance across an edge, relative to the edge's length.
 constexpr double least_across = 0.02;
 
 }  // namespace
@@ -29,7 +29,7 @@ std::vector<double> fan_units(const HalfEdgeMesh& mesh, const VertexFrames& fram
 std::vector<CornerShape> corner_shapes(const HalfEdgeMesh& mesh, const VertexFrames& frames) {
   const std::vector<double> unit = fan_units(mesh, frames);
   std::vector<CornerShape> out(mesh.half_edge_count());
-  // How far the corner reaches across its edges.
+  // Extent of each corner across its two edges.
   std::vector<double> over_out(out.size()), over_in(out.size());
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     CornerShape& at = out[h];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Corner shapes: the corners of faces as the vertices' frames have them (g2.md section 3).
+// Corner shapes: angles and lengths of the corners of faces, from the vertices' frames (g2.md section 3).
 
 #include <vector>
 
@@ -10,11 +10,11 @@
 
 namespace hariko {
 
-/// Per half-edge: the corner at its origin. Lengths are relative to the mean edge of the vertex's fan. Equal
-/// frames have unit lengths and the corner's sine across.
+/// Shape of the corner at the origin of each half-edge. Lengths are relative to the mean edge of the vertex's
+/// fan. In equal frames lengths are 1, and the distance across is the sine of the corner.
 std::vector<CornerShape> corner_shapes(const HalfEdgeMesh& mesh, const VertexFrames& frames);
 
-/// Per vertex: the mean edge of its fan, which stands for one in its chart.
+/// Mean edge of each vertex's fan, the unit of length in the vertex's chart.
 std::vector<double> fan_units(const HalfEdgeMesh& mesh, const VertexFrames& frames);
 
 }  // namespace hariko

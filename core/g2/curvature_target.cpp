@@ -11,18 +11,18 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_metric = 1e-6;  ///< of the mean over the face
+constexpr double least_metric = 1e-6;  ///< relative to the mean over the face
 constexpr int form_degree = 4;
 constexpr int form_terms = (form_degree + 1) * (form_degree + 2) / 2;
 
-template <class Each>  // each(side, point, the same with weight)
+template <class Each>  // each(side, number of the point, point)
 void for_points(const ChartSamples& samples, const Each& each) {
   for (int side = 0; side < samples.sides(); ++side)
     for (std::size_t i = 0; i < samples.points(side).size(); ++i)
       each(static_cast<std::size_t>(side), i, samples.points(side)[i]);
 }
 
-/// add(side, point, the same with weight, functions, their controls)
+/// Calls add(side, number of the point, point, functions, their controls) for every point of the quadrature.
 template <class Add>
 void for_functions(const ChartSamples& samples, const Add& add) {
   for (int side = 0; side < samples.sides(); ++side) {
@@ -37,7 +37,7 @@ void for_functions(const ChartSamples& samples, const Add& add) {
 struct FormBasis {
   std::array<double, form_terms> v, x, y;
 };
-/// Products of powers of x / R and y / R, with derivatives by x and y.
+/// Monomials in x / R and y / R, with derivatives by x and y.
 FormBasis form_basis(const Vector2& point, double radius) {
   const double unit = 1 / radius;
   std::array<double, form_degree + 1> x{1}, y{1};
@@ -57,22 +57,22 @@ FormBasis form_basis(const Vector2& point, double radius) {
   return out;
 }
 
-/// (11, 12, 22) in the chart's coordinates: L t L^T.
+/// Form (11, 12, 22) in the chart's coordinates: L t L^T.
 std::array<double, 3> in_chart(const FramedPoint& p) {
   const double a = p.l11, b = p.l21, c = p.l22;
   return {a * a * p.t[0], a * (b * p.t[0] + c * p.t[1]),
           b * b * p.t[0] + 2 * b * c * p.t[1] + c * c * p.t[2]};
 }
 
-/// Rows (11, sqrt(2) 12, 22) of second covariant derivatives in the frame, times the root of the area
-/// element.
+/// Rows (11, sqrt(2) 12, 22) of second covariant derivatives in the orthonormal frame, times the root of the
+/// area element.
 struct CovariantRows {
   double a, b, c, root;
   Eigen::Vector2d gxx, gxy, gyy;
 
   CovariantRows(const ReferencePoint& s, const FramedPoint& p)
       : a(1 / p.l11), b(-p.l21 / (p.l11 * p.l22)), c(1 / p.l22), root(std::sqrt(p.l11 * p.l22)) {
-    // Inverse metric: L^-T L^-1.
+    // Inverse metric L^-T L^-1.
     Eigen::Matrix2d inverse;
     inverse << a * a + b * b, b * c, b * c, c * c;
     const auto christoffel = [&](const Vector3& second) -> Eigen::Vector2d {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The curvature that a face asks for: that of a reference, smoothed over the face's width (g2.md section 8).
+// Target curvature of a face: that of a reference surface, smoothed over the face's width (g2.md section 8).
 
 #include <array>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// Second fundamental form of the reference and its metric at a point.
+/// Second fundamental form of the reference and its metric, at one point.
 struct FramedPoint {
   Vector3 normal;           ///< unit; zero where the reference has none
   double l11, l21, l22;     ///< g = L L^T in the chart's coordinates
@@ -17,23 +17,23 @@ struct FramedPoint {
 };
 using FramedFace = std::vector<std::vector<FramedPoint>>;
 
-/// Metrics are kept above 1e-6 of their mean over the face, so that folds stay finite. Empty where the
-/// reference has shrunk to a point.
+/// Forms and metrics of a reference at the points of the quadrature. Metrics are kept above 1e-6 of their
+/// mean over the face, so that folds stay finite. Empty where the reference has shrunk to a point.
 FramedFace framed(const ChartSamples& samples, const FaceReference& reference);
 
-/// Replaces t by polynomials of degree four in the chart's coordinates, as smooth as a length of `width`
-/// times the face's narrowest chart width asks for.
+/// Smooths the forms: replaces t by polynomials of degree four in the chart's coordinates, with a smoothing
+/// length of `width` times the face's narrowest chart width.
 void smooth_forms(const ChartSamples& samples, double width, FramedFace& face);
 
-/// One vector a control: the integral of the target's second derivatives times the control's function, over
-/// the chart. The target has the tangential part of the reference's second derivatives and the forms of
-/// `smooth`, times `share`.
+/// Load of the target over the chart, one vector per control: the integral of the target's second derivatives
+/// times the control's function. The target has the tangential part of the reference's second derivatives and
+/// the forms of `smooth`, times `share`.
 std::vector<Vector3> chart_load(const ChartSamples& samples, const FaceReference& reference,
                                 const FramedFace& own, const FramedFace& smooth, double share,
                                 const ChartMeasure& measure);
 
-/// Bending over the reference itself: the integral of squared second covariant derivatives, and the load of
-/// the forms of `smooth` for it.
+/// Bending matrix over the reference itself, the integral of squared second covariant derivatives;
+/// `metric_load` is the corresponding load of the forms of `smooth`.
 Eigen::MatrixXd metric_plate(const ChartSamples& samples, const FaceReference& reference,
                              const FramedFace& frames);
 std::vector<Vector3> metric_load(const ChartSamples& samples, const FaceReference& reference,

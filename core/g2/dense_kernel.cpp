@@ -33,7 +33,7 @@ HARIKO_INLINE void multiply_body(const PaddedMatrix& matrix, const Vector3* x, V
 
 HARIKO_INLINE void multiply_one_body(const PaddedMatrix& matrix, const double* x, double* y) {
   for (std::size_t row = 0; row < matrix.rows; row += 8) {
-    // Two sums each, so that additions do not wait for each other.
+    // Two accumulators each, so that additions do not wait for each other.
     Lane4 a0{}, a1{}, b0{}, b1{};
     const double* column = matrix.value.data() + row;
     const auto add = [&](Lane4 & a, Lane4 & b, double v) __attribute__((always_inline)) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Small dense matrix times three right-hand sides, or one: the inner loop of mode G2's solver, for the
-// processor at hand. All variants add in the same order, so results do not depend on the processor.
+// Product of a small dense matrix with three right-hand sides, or one: the inner loop of mode G2's solver, by
+// kind of processor. All variants add in the same order, so results do not depend on the processor.
 
 #include <cstddef>
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace hariko {
 
-/// Columns one after the other, each padded with zeros to a multiple of eight rows.
+/// Column-major matrix, each column padded with zeros to a multiple of eight rows.
 struct PaddedMatrix {
   std::size_t rows = 0, stride = 0, columns = 0;
   std::vector<double> value;
@@ -21,7 +21,7 @@ struct PaddedMatrix {
   explicit PaddedMatrix(const Eigen::MatrixXd& matrix);
 };
 
-/// y[i] = sum_k m(i, k) x[k].
+/// Matrix product y[i] = sum_k m(i, k) x[k].
 void multiply(const PaddedMatrix& matrix, const Vector3* x, Vector3* y);
 void multiply(const PaddedMatrix& matrix, const double* x, double* y);
 

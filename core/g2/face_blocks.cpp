@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t block_grain = 16;
 
-/// Everything that a block depends on: the elements round each corner, in order from the face itself.
+/// Key of a block, all that it depends on: the elements around each corner, in order from the face itself.
 std::vector<std::uintptr_t> block_key(const G2Layout& layout, const FaceElements& elements, Index face) {
   const HalfEdgeMesh& mesh = layout.mesh();
   const VertexFrames& frames = layout.frames();
@@ -42,7 +42,7 @@ std::vector<std::uintptr_t> block_key(const G2Layout& layout, const FaceElements
   return key;
 }
 
-/// Faces round a face's corners, itself included.
+/// Faces around a face's corners, including the face itself.
 std::set<Index> faces_around(const HalfEdgeMesh& mesh, Index face) {
   std::set<Index> around;
   for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {
@@ -59,15 +59,16 @@ std::set<Index> faces_around(const HalfEdgeMesh& mesh, Index face) {
   return around;
 }
 
-/// The whole matrix restricted to the face's unknowns.
+/// Matrix of the whole system restricted to the face's unknowns.
 Eigen::MatrixXd restricted_matrix(const G2Layout& layout, const FaceElements& elements, Index face) {
   const int size = layout.slot_count(face);
-  std::map<Index, int> place;  // of the face's unknowns
+  std::map<Index, int> place;  // row of each of the face's unknowns
   for (int i = 0; i < size; ++i) place[layout.slot_unknown(face, i)] = i;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   struct Column {
-    int place = 0;                                ///< among the face's unknowns
-    std::array<std::pair<int, double>, 3> entry;  ///< what it moves of the neighbour's controls
+    int place = 0;  ///< row among the face's unknowns
+    /// neighbour's controls that the unknown moves, with factors
+    std::array<std::pair<int, double>, 3> entry;
     int entries = 0;
   };
   std::vector<Column> columns;
@@ -99,7 +100,7 @@ Eigen::MatrixXd restricted_matrix(const G2Layout& layout, const FaceElements& el
   return matrix;
 }
 
-/// turn * inverse * turn^T, a column at a time, then a row at a time.
+/// Transforms the block from unknowns to controls: turn * inverse * turn^T, applied by columns, then by rows.
 void turn_to_controls(const G2Layout& layout, Index face, Eigen::MatrixXd& inverse) {
   const int size = static_cast<int>(inverse.rows());
   std::vector<Vector3> column;

@@ -11,15 +11,14 @@ namespace hariko {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// Distance from a vertex, in sides, below which its quadratic stands for the blend: the blend differs from
-/// it by the third order, and its second derivatives lose digits to the division by the square of the
-/// distance.
+/// Distance from a vertex, in sides, below which its quadratic replaces the blend: the blend differs from it
+/// by the third order, and its second derivatives lose digits to the division by the square of the distance.
 constexpr double vertex_radius = 1e-6;
-/// A ribbon whose weight is below the cube of this is not evaluated.
+/// Threshold of weights: a ribbon whose weight is below the cube of this is not evaluated.
 constexpr double cut_off = 1e-13;
-/// Ribbons of sides that are far shorter than those beside them still reach so far, in apothems.
+/// Least reach of a ribbon, in apothems, for sides far shorter than those beside them.
 constexpr double least_reach = 0.03;
-/// Reach of a ribbon, in apothems, per slenderness: in a quad, as far as the side is long.
+/// Reach of a ribbon, in apothems, per slenderness: in a quad, it is as long as the side.
 constexpr double longest_reach = 2;
 /// Largest slant of a ribbon, in lengths of its side.
 constexpr double bound = 0.5;
@@ -37,7 +36,7 @@ void quintic(double t, Derivatives (&out)[7]) {
   out[2] = {0.5 * t2 * a3, 0.5 * t * a2 * (2 - 5 * t), 0.5 * a * (2 - 16 * t + 20 * t2),
             -9 + 36 * t - 30 * t2};
   out[3] = {t3 * (1 + 3 * a + 6 * a2), 30 * t2 * a2, 60 * t * a * (1 - 2 * t), 60 * (1 - 6 * t * a)};
-  // Derivative at 1 along increasing t.
+  // Derivative at 1 in the direction of increasing t.
   out[4] = {-a * t3 * (1 + 3 * a), t2 * (1 - 3 * a) * (1 + 5 * a), -a * t * (-36 + 60 * a),
             -36 + 192 * a - 180 * a2};
   out[5] = {0.5 * a2 * t3, -0.5 * a * t2 * (2 - 5 * a), 0.5 * t * (2 - 16 * a + 20 * a2),
@@ -46,7 +45,7 @@ void quintic(double t, Derivatives (&out)[7]) {
             6 * (1 - 2 * t) * (1 - 10 * t * a)};
 }
 
-/// Cubic Hermite functions, t^2 (1 - t)^2, and that times 2t - 1.
+/// Cubic Hermite functions, t^2 (1 - t)^2, and the latter times 2t - 1.
 void cubic(double t, Derivatives (&out)[6]) {
   const double a = 1 - t, t2 = t * t, a2 = a * a, odd = 2 * t - 1;
   out[0] = {a2 * (1 + 2 * t), -6 * t * a, -6 + 12 * t, 12};
@@ -58,7 +57,7 @@ void cubic(double t, Derivatives (&out)[6]) {
   out[5] = {bump * odd, bump1 * odd + 2 * bump, bump2 * odd + 4 * bump1, bump3 * odd + 6 * bump2};
 }
 
-/// Linear functions, t (1 - t), and that times 2t - 1.
+/// Linear functions, t (1 - t), and the latter times 2t - 1.
 void linear(double t, Derivatives (&out)[4]) {
   out[0] = {1 - t, -1, 0, 0};
   out[1] = {t, 1, 0, 0};
@@ -67,8 +66,9 @@ void linear(double t, Derivatives (&out)[4]) {
   out[3] = {bump * odd, bump1 * odd + 2 * bump, -2 * odd + 4 * bump1, -12};
 }
 
-/// u (1 + (u/bound)^4)^(-1/4): u near zero, never beyond the bound. A ribbon's slant grows no further with
-/// the distance from its side, else ribbons of long, slanting faces would be looked at far beyond their ends.
+/// Bounded slant u (1 + (u/bound)^4)^(-1/4): equal to u near zero, never beyond the bound. A ribbon's slant
+/// must not grow with the distance from its side, since ribbons of long, slanting faces would be evaluated
+/// far beyond their ends.
 Derivatives bounded(double u) {
   const double k = 1 / (bound * bound * bound * bound);
   const double u2 = u * u, u3 = u2 * u, q = 1 + k * u2 * u2, root = 1 / std::sqrt(std::sqrt(q));
@@ -151,7 +151,8 @@ FaceChart::CornerPoint<Jet> FaceChart::in_corner(int corner, const Vector2& poin
   return {along(forward, back), along(back, forward)};
 }
 
-/// Length of a side for each length of the sides beside it across it; the smaller one at its ends.
+/// Length of a side relative to the width across it, the extent of the sides beside it; the smaller ratio of
+/// both ends.
 double FaceChart::slenderness(int side) const {
   const int b = (side + 1) % sides();
   const CornerShape &at = corner(side), &to = corner(b);
@@ -195,8 +196,8 @@ template <class Jet>
 void FaceChart::vertex_jet(int j, const Vector2& point, std::vector<Jet>& all) const {
   const auto [alpha, beta] = in_corner<Jet>(j, point);
   const CornerShape& at = corner(j);
-  // A straight corner's map is not differentiable at the corner: its derivative along the diagonal stands for
-  // it, which leaves the tangent plane and the curvature as they are.
+  // A straight corner's map is not differentiable at the corner: its derivative along the diagonal replaces
+  // it, which leaves the tangent plane and the curvature unchanged.
   const Jet y1 = straight(j) ? at.out * (alpha - beta) : at.out * alpha + (at.in * cosine(j)) * beta;
   const Jet y2 = straight(j) ? (0.5 * at.out) * (alpha + beta) : (at.in * sine(j)) * beta;
   const auto set = [&](CornerControl which, const Jet& jet) {
@@ -242,7 +243,7 @@ void FaceChart::add_ribbon(int side, const Vector2& point, const Jet& weight, Ro
   at(a, corner_g2) += sa * f1[0];
   at(a, corner_g12) += (sa * la) * f1[1];
   at(a, corner_g22) += (sa * sa) * f2[0];
-  // At b: derivatives in the frame of the edge that closes the corner, seen from b.
+  // Derivatives at b in the frame of the edge that closes the corner, seen from b.
   const double c = cosine(b), d = sine(b);
   const Jet g1 = -lb * f0[4], g11 = (lb * lb) * f0[5], g2 = -sb * f1[2], g12 = (sb * lb) * f1[3],
             g22 = (sb * sb) * f2[1];
@@ -315,8 +316,8 @@ void FaceChart::basis(int side, const Vector2& point, std::span<Jet> out, Room<J
     HARIKO_ASSERT(count < most_reached, "few ribbons reach a point");
     reached[count++] = m;
   }
-  // w_m ~ (1 - d_m / reach)^3 prod_(k != m) d_k^3, the centre prod_k d_k^3; factors of sides out of reach
-  // cancel.
+  // Weights w_m ~ (1 - d_m / reach)^3 prod_(k != m) d_k^3, and prod_k d_k^3 for the centre; factors of sides
+  // out of reach cancel.
   Jet weight[most_reached], centre = Jet::constant(1), sum = Jet::constant(0);
   for (int i = 0; i < count; ++i) {
     Jet product = cube(Jet::constant(1) - (1 / reach(reached[i])) * distance[std::size_t(reached[i])]);
@@ -340,7 +341,7 @@ FaceChart::Curve FaceChart::curve(double t) {
   quintic(t, r0);
   Curve out;
   for (int i = 0; i < 7; ++i) {
-    const double sign = i == 4 ? -1 : 1;  // g1 at b looks back along the edge
+    const double sign = i == 4 ? -1 : 1;  // g1 at b points back along the edge
     out.value[i] = sign * r0[i].v;
     out.first[i] = sign * r0[i].d;
     out.second[i] = sign * r0[i].dd;

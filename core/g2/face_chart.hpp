@@ -1,7 +1,7 @@
 #pragma once
 
-// FaceChart: how a face's surface depends on its controls. The face lives over the regular n-gon of unit
-// side; ribbons of second order along its sides and a polynomial in its middle are blended by rational
+// FaceChart: a face's surface as a linear function of its controls. The face lies over the regular n-gon of
+// unit side; ribbons of second order along its sides and a polynomial in its middle are blended by rational
 // weights (g2.md sections 3 and 4).
 
 #include <array>
@@ -13,35 +13,36 @@
 
 namespace hariko {
 
-/// Controls of a corner, in the frame of the edge that opens it (turned from the sector's by the edge's
-/// angle): position, derivatives, second derivatives.
+/// Controls of a corner, in the frame of the edge that opens it (rotated from the sector's by the edge's
+/// angle): position, first and second derivatives.
 enum CornerControl { corner_p, corner_g1, corner_g2, corner_g11, corner_g12, corner_g22 };
 inline constexpr int corner_control_count = 6;
-/// Controls of a side, in the direction in which the face runs along it: of the curve, and pairs of the first
-/// and of the second cross derivative.
+/// Controls of a side, in the direction in which the face runs along it: one of the curve, and a pair each of
+/// the first and second cross derivatives.
 enum SideControl { side_e0, side_e1, side_e1_odd, side_e2, side_e2_odd };
 inline constexpr int side_control_count = 5;
-/// By how much the ribbon of a joined side departs from the quadratics of its corners: second derivative of
-/// its curve and derivative of its cross derivative at both ends, along the side.
+/// Departures of a joined side's ribbon from the quadratics of its corners: second derivative of its curve
+/// and derivative of its cross derivative at both ends, along the side.
 enum SideDeparture { departs_curve_a, departs_cross_a, departs_curve_b, departs_cross_b };
 inline constexpr int side_departure_count = 4;
 
-/// How the two edges of a corner lie in the chart of its vertex (y of g2.md section 1).
+/// Shape of a corner: its two edges in the chart of its vertex (y of g2.md section 1).
 struct CornerShape {
-  double angle = 0;  ///< between them, in (0, pi]; pi means a straight corner, whose second tangent is free
-  double out = 1, in = 1;  ///< lengths of the edge that opens the corner and of the one that closes it
-  /// Distance from these edges that counts as one across them; both faces of an edge have the same.
+  /// Angle between the edges, in (0, pi]; pi means a straight corner, whose second tangent is free.
+  double angle = 0;
+  double out = 1, in = 1;  ///< Lengths of the edge that opens the corner and of the one that closes it.
+  /// Unit of distance across these edges; the same for both faces of an edge.
   double across_out = 1, across_in = 1;
   friend auto operator<=>(const CornerShape&, const CornerShape&) = default;
 };
 
-/// Shared by all faces with the same corners. Controls are numbered: six a corner, five a side, then
-/// the coefficients of the centre's polynomial in (x, y) / circumradius by ascending degree, then the
+/// Chart shared by all faces with the same corners. Controls are numbered: six per corner, five per side,
+/// then the coefficients of the centre's polynomial in (x, y) / circumradius by ascending degree, then the
 /// departures of joined sides. All in the face's own numbering of corners, which begins at the rotation that
 /// makes equal faces equal.
 class FaceChart {
  public:
-  /// `joined`: sides whose ribbons may depart from the corners, ascending.
+  /// Builds a chart. `joined`: sides whose ribbons may depart from the corners, ascending.
   explicit FaceChart(std::vector<CornerShape> corners, const std::vector<int>& joined = {});
 
   int sides() const { return static_cast<int>(corners_.size()); }
@@ -55,7 +56,7 @@ class FaceChart {
   double apothem() const { return apothem_; }
   /// Distance from a side, in apothems, at which its ribbon ends.
   double reach(int side) const { return reach_[static_cast<std::size_t>(side)]; }
-  /// That of a side which is as long as the face is deep.
+  /// Reach of a side that is as long as the face is deep, in apothems.
   double full_reach() const { return full_reach_; }
   double area() const;
 
@@ -67,35 +68,36 @@ class FaceChart {
   int centre_control_count() const { return (degree_ + 1) * (degree_ + 2) / 2; }
   int first_departure_control() const { return first_centre_control() + centre_control_count(); }
   bool joined(int side) const { return departure_[static_cast<std::size_t>(side)] >= 0; }
-  /// Joined sides only.
+  /// Control of a departure; joined sides only.
   int departure_control(int side, SideDeparture which) const {
     return departure_[static_cast<std::size_t>(side)] + which;
   }
   int control_count() const { return first_departure_control() + departure_count_; }
 
-  /// Controls, ascending, that the triangle (centre, vertex(side), vertex(side + 1)) depends on.
+  /// Controls, ascending, on which the triangle (centre, vertex(side), vertex(side + 1)) depends.
   std::span<const int> active_controls(int side) const { return active_[static_cast<std::size_t>(side)]; }
 
-  /// Room for `basis`; one a thread.
+  /// Workspace of `basis`; one per thread.
   template <class Jet>
   struct Room {
     std::vector<Jet> all, distance;
   };
   using Scratch = Room<Jet2>;
-  /// The functions of the active controls of a triangle at a point of it, with derivatives by the chart's x
-  /// and y, aligned with `active_controls(side)`. At a vertex and closer than 1e-6 to it: those of the
-  /// vertex's quadratic alone. Bit for bit the same from both triangles where they meet. For Jet2 and Jet3.
+  /// Basis functions of the active controls of a triangle at one of its points, with derivatives by the
+  /// chart's x and y, aligned with `active_controls(side)`. Within 1e-6 of a vertex: those of the vertex's
+  /// quadratic alone. Bit for bit the same from both triangles where they meet. For Jet2 and Jet3.
   template <class Jet>
   void basis(int side, const Vector2& point, std::span<Jet> out, Room<Jet>& room) const;
 
-  /// Coefficients of a side's curve at fraction t from the corner controls at both ends and E0:
-  /// (P_a, g1_a, g11_a, P_b, g1_b, g11_b, E0), g1_b and g11_b along the edge seen from b.
+  /// Curve of a side at fraction t as coefficients of the corner controls at both ends and E0: (P_a, g1_a,
+  /// g11_a, P_b, g1_b, g11_b, E0), with g1_b and g11_b along the edge seen from b.
   struct Curve {
     double value[7], first[7], second[7];
   };
+  /// Coefficients at a fraction t.
   static Curve curve(double t);
-  /// Coefficients of the seven become those of ten of the face's controls, because g1_b and g11_b turn with
-  /// the angle at b, and tangents are as long as their edges in the vertices' charts.
+  /// Transforms the seven coefficients to ten of the face's controls, because g1_b and g11_b rotate with the
+  /// angle at b, and tangents scale with their edges in the vertices' charts.
   static constexpr int curve_control_count = 10;
   std::array<int, curve_control_count> curve_controls(int side) const;
   std::array<double, curve_control_count> spread_curve(int side, const double (&seven)[7]) const;
@@ -105,7 +107,7 @@ class FaceChart {
   struct CornerMap {
     Jet t, s;
   };
-  /// Coordinates of a point in the frame of a corner's two sides.
+  /// Coordinates of a point in the basis of a corner's two sides.
   template <class Jet>
   struct CornerPoint {
     Jet alpha, beta;
@@ -124,16 +126,17 @@ class FaceChart {
   void add_centre(const Vector2& point, const Jet& weight, std::vector<Jet>& all) const;
   double slenderness(int side) const;
   double regular_cosine() const;
-  /// s per unit of the corner's second coordinate beside the edge that opens it and the one that closes it.
+  /// Ratio of s to the corner's second coordinate, beside the edge that opens the corner and the one that
+  /// closes it.
   double rise_out(int corner) const;
   double rise_in(int corner) const;
 
   std::vector<CornerShape> corners_;
   std::vector<double> cosine_, sine_;
   std::vector<bool> straight_;
-  std::vector<int> departure_;  ///< per side: its first departure's control, or -1
+  std::vector<int> departure_;  ///< per side: the control of its first departure, or -1
   int departure_count_ = 0;
-  std::vector<Vector2> vertices_, normals_;  ///< normals: inward, of unit length
+  std::vector<Vector2> vertices_, normals_;  ///< normals: inward, unit length
   double radius_ = 0, apothem_ = 0, full_reach_ = 1;
   std::vector<double> reach_;  ///< per side
   int degree_ = 4;
@@ -141,7 +144,7 @@ class FaceChart {
   std::vector<std::vector<int>> active_;
 };
 
-/// True for the angle of a straight corner.
+/// Whether an angle is that of a straight corner.
 bool is_straight(double angle);
 
 }  // namespace hariko

@@ -16,11 +16,11 @@
 
 namespace hariko {
 
-/// A reference at the points of a face's quadrature.
+/// Supplier of a reference surface at the points of a face's quadrature.
 using FaceReferences = std::function<FaceReference(Index face, const ChartSamples& samples)>;
 
-/// Faces with equal charts one after the other, so that a chart's functions are computed once a task:
-/// body(face, samples).
+/// Calls body(face, samples) for faces in the order of their charts, so that a chart's functions are computed
+/// once per task.
 template <class Jet, class Body>
 void for_faces_by_chart(const G2Layout& layout, std::vector<Index> faces, const Body& body) {
   constexpr std::size_t grain = 16;
@@ -39,22 +39,24 @@ void for_faces_by_chart(const G2Layout& layout, std::vector<Index> faces, const 
   });
 }
 
+/// Condensed energies of all faces.
 class FaceElements {
  public:
   FaceElements(const G2Layout& layout, const TensionWeights& weights, double third);
 
   const CondensedFace& operator[](Index face) const { return *element_[face]; }
   const FaceWeights& weights(Index face) const { return weights_[face]; }
-  /// Share of a face's bending that is measured over the reference, and the factor from there to the charts.
+  /// Share of a face's bending that is measured over the reference, and the scale from there to the charts.
   double over_reference(Index face) const { return over_reference_[face]; }
   double reference_scale() const { return reference_scale_; }
 
-  /// Faces with a tension of vertices measure part of their bending over this surface. False where there are
-  /// none.
+  /// Measures part of the bending over this surface in faces whose vertices have tension. False where there
+  /// are no such faces.
   bool bend_over(const G2Layout& layout, const FaceReferences& references);
 
+  /// Number of different elements.
   std::size_t count() const;
-  /// Bytes of matrices, shared ones counted once.
+  /// Bytes of matrices; shared ones are counted once.
   std::size_t bytes() const;
 
  private:

@@ -16,7 +16,7 @@ constexpr int triangle_points = 8;  ///< in each direction
 constexpr int curve_points = 6;
 constexpr int most_held_sides = 12;
 
-/// Adds up rows^T rows over all quadrature points of a face; rows(side, point, basis, out) fills one point's.
+/// Integral of rows^T rows over a face; rows(side, point, basis, out) computes the rows of one point.
 template <int RowCount, class Jet, class Rows>
 Eigen::MatrixXd integrate(const SamplesOf<Jet>& samples, const Rows& rows) {
   const FaceChart& chart = samples.chart();
@@ -39,7 +39,7 @@ Eigen::MatrixXd integrate(const SamplesOf<Jet>& samples, const Rows& rows) {
       for (Eigen::Index b = 0; b <= a; ++b)
         out(active[std::size_t(a)], active[std::size_t(b)]) += square(a, b);
   }
-  // Active controls ascend, so all went below the diagonal.
+  // Active controls ascend, so all entries went below the diagonal.
   return out.selfadjointView<Eigen::Lower>();
 }
 
@@ -52,7 +52,7 @@ Eigen::MatrixXd part(const Eigen::MatrixXd& from, const std::vector<int>& rows,
   return out;
 }
 
-/// The rule on [0, 1], on every part of it between the places.
+/// Gauss rule on [0, 1], split at the given places.
 std::vector<GaussPoint> split_rule(std::vector<double> places) {
   places.insert(places.begin(), 0.0);
   places.push_back(1.0);
@@ -65,13 +65,13 @@ std::vector<GaussPoint> split_rule(std::vector<double> places) {
   return out;
 }
 
-/// Between the centre and a side: both sides of the end of its ribbon.
+/// Rule between the centre and a side, split where the side's ribbon ends.
 std::vector<GaussPoint> radial_points(const FaceChart& chart, int side) {
   if (chart.reach(side) >= 1) return split_rule({});
   return split_rule({1 - chart.reach(side)});
 }
 
-/// Along a side: where the ribbons of the sides beside it end early.
+/// Rule along a side, split where the ribbons of the sides beside it end early.
 std::vector<GaussPoint> lateral_points(const FaceChart& chart, int side) {
   const int n = chart.sides();
   const auto end = [&](int beside) {
@@ -100,7 +100,7 @@ std::vector<double> numbers_of(const FaceWeights& w) {
   return out;
 }
 
-/// Weight of the squared distance between a side's curve and the cubic with the same ends and end tangents.
+/// Matrix of the squared distance between a side's curve and the cubic with the same ends and end tangents.
 using CurveMatrix = Eigen::Matrix<double, FaceChart::curve_control_count, FaceChart::curve_control_count>;
 CurveMatrix curve_matrix(const FaceChart& chart, int side) {
   CurveMatrix out = CurveMatrix::Zero();
@@ -183,7 +183,7 @@ Eigen::Matrix3d second_order_change(const ChartMeasure& measure) {
 
 namespace {
 
-/// The same of (xxx, sqrt(3) xxy, sqrt(3) xyy, yyy).
+/// Change of (xxx, sqrt(3) xxy, sqrt(3) xyy, yyy) from the chart's coordinates to the measure's.
 Eigen::Matrix4d third_order_change(const ChartMeasure& measure) {
   const Eigen::Matrix2d& b = measure.inverse;
   const double root = std::numbers::sqrt3;

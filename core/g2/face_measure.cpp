@@ -9,10 +9,10 @@ namespace hariko {
 
 namespace {
 
-/// Exponent of areas in the weights of faces: as in the network and in mode FAIR, between "long edges win"
-/// and true bending (kuriyama.md section 12.5).
+/// Exponent of areas in the weights of faces: as in the network and in mode FAIR, between "long edges
+/// dominate" and true bending (kuriyama.md section 12.5).
 constexpr double area_power = 0.25;
-constexpr double least_length = 1e-4;  ///< of the mean
+constexpr double least_length = 1e-4;  ///< relative to the mean
 
 }  // namespace
 

@@ -8,10 +8,10 @@
 
 namespace hariko {
 
-/// The regular polygon in equal frames; by measure, the affine image of it that the face's chart comes
-/// nearest to. `first`: corner of the face that is the chart's first.
+/// Measure of a face's chart: the regular polygon in equal frames; in metric frames, its affine image nearest
+/// to the face's chart. `first`: corner of the face that is the chart's first.
 ChartMeasure face_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index face, Index first);
-/// Weight of an edge's terms beside those of faces.
+/// Weight of an edge's terms relative to those of faces.
 double edge_measure(const FaceCharts& charts, Index edge);
 
 }  // namespace hariko

@@ -13,7 +13,7 @@ FaceReference reference_of_patches(const ChartSamples& samples, const ReferenceP
   for (int side = 0; side < chart.sides(); ++side) {
     room.resize(samples.points(side).size());
     patches(patch(side), samples.points(side), room);
-    // From derivatives by the patch's parameters.
+    // Change from derivatives by the patch's parameters.
     Eigen::Matrix2d edges;
     edges << chart.vertex(side), chart.vertex((side + 1) % chart.sides());
     const Eigen::Matrix2d inverse = edges.inverse();

@@ -22,7 +22,7 @@ FaceRegion face_region(const G2Layout& layout, const std::vector<bool>& given, s
   region.first_slot.push_back(region.slot.size());
   std::vector<Index> own(count, no_index);
   for (Index i = 0; i < count; ++i) {
-    // Not here, or shared with a face outside, or given.
+    // Not in this region, or shared with a face outside, or given.
     if (met[i] == 0 || met[i] != incidence[i] || given[i]) continue;
     own[i] = static_cast<Index>(region.global.size());
     region.global.push_back(i);

@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-/// (g1, g2) of the corner at a half-edge's origin.
+/// Tangents (g1, g2) of the corner at a half-edge's origin.
 std::array<Vector3, 2> corner_frame(const G2Layout& layout, Index h, const std::vector<Vector3>& unknowns) {
   const CornerUnknowns& corner = layout.unknowns().corner[h];
   const Vector3 &a = unknowns[corner.tangent[0]], &b = unknowns[corner.tangent[1]];
@@ -15,7 +15,7 @@ std::array<Vector3, 2> corner_frame(const G2Layout& layout, Index h, const std::
   return {turn(0, 0) * a + turn(0, 1) * b, turn(1, 0) * a + turn(1, 1) * b};
 }
 
-/// Bezier points of degree six along the edge's first half-edge.
+/// Bezier points, of degree six, of the curve along the edge's first half-edge.
 std::array<Vector3, 7> edge_curve(const G2Layout& layout, Index edge, const G2Given& given,
                                   const std::vector<Vector3>& unknowns) {
   const HalfEdgeMesh& mesh = layout.mesh();

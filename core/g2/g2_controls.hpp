@@ -1,6 +1,6 @@
 #pragma once
 
-// Controls of faces and tangents of the network, by a solution of mode G2 (g2.md sections 2 and 6).
+// Controls of faces and tangents of the network from a solution of mode G2 (g2.md sections 2 and 6).
 
 #include <vector>
 
@@ -8,12 +8,12 @@
 
 namespace hariko {
 
-/// All controls of a face: those of its chart, then seven Bezier points of each side's curve. Both faces of
-/// an edge get the same bits for its curve.
+/// Controls of a face: those of its chart, then seven Bezier points of each side's curve. Both faces of an
+/// edge get the same bits for its curve.
 G2Face face_controls(const G2Layout& layout, const CondensedFace& element, Index face, const G2Given& given,
                      const std::vector<Vector3>& unknowns);
 
-/// The network with the tangents that the surface has.
+/// Network with the surface's own tangents.
 Network surface_network(const G2Layout& layout, const G2Given& given, const std::vector<Vector3>& unknowns);
 
 }  // namespace hariko

@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-/// (g1, g2) of the corner at a half-edge's origin as the network has them; g2 zero at straight corners.
+/// Tangents (g1, g2) of the corner at a half-edge's origin, from the network; g2 is zero at straight corners.
 std::array<Vector3, 2> network_frame(const G2Layout& layout, Index h, const Network& network) {
   const CornerShape& at = layout.corner(h);
   const Vector3 g1 = 3 / at.out * network.start[h];

@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-/// The active ones of a face's controls.
+/// Active controls of a face, in order.
 struct ActiveControls {
   const Vector3* controls;
   std::span<const int> active;

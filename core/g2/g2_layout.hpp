@@ -15,8 +15,8 @@
 
 namespace hariko {
 
-/// A face's local vector has its unknowns in the order of `ControlPlaces::unknown`. Its controls there are
-/// the unknowns turned by the corners' maps and multiplied by the sides' signs.
+/// Layout of local vectors. A face's local vector has its unknowns in the order of `ControlPlaces::unknown`.
+/// Its controls are the unknowns transformed by the corners' maps and multiplied by the sides' signs.
 class G2Layout {
  public:
   G2Layout(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
@@ -32,25 +32,26 @@ class G2Layout {
   const std::shared_ptr<const PlacedChart>& placed(Index face) const { return charts_.placed[face]; }
   const FaceChart& chart(Index face) const { return charts_.placed[face]->chart; }
   const ControlPlaces& places(Index face) const { return charts_.placed[face]->places; }
-  /// Number of a half-edge's side within its face's chart, and the half-edge of a side.
+  /// Number of a half-edge's side within its face's chart; `half_edge` is the inverse.
   int chart_side(Index half_edge) const { return charts_.side[half_edge]; }
   Index half_edge(Index face, int chart_side) const {
     return charts_.half_edge[mesh_->face_begin(face) + static_cast<Index>(chart_side)];
   }
 
-  /// Unknowns of a face, and the number of each.
+  /// Number of a face's unknowns; `slot_unknown` is the global number of each.
   int slot_count(Index face) const { return static_cast<int>(places(face).unknown.size()); }
   Index slot_unknown(Index face, int slot) const;
-  /// Per unknown: faces that have it.
+  /// Number of faces that have each unknown.
   const std::vector<std::uint32_t>& incidence() const { return incidence_; }
 
-  /// Controls of the face that one of its unknowns moves, and by how much. Returns their number.
+  /// Column of the transformation: the controls of the face that one of its unknowns moves, with factors.
+  /// Returns their number.
   int turn_column(Index face, int slot, std::array<std::pair<int, double>, 3>& entry) const;
   enum class Turn { plain, transposed, inverse, inverse_transposed };
-  /// In place: local vectors from unknowns to the face's controls.
+  /// Transforms a local vector from unknowns to the face's controls, in place.
   template <Turn which, class Value>
   void turn(Index face, Value* local) const;
-  /// From the derivatives of the corner at a half-edge's origin to their unknowns.
+  /// Inverse map from the derivatives of the corner at a half-edge's origin to their unknowns.
   const Eigen::Matrix2d& inverse_tangent_turn(Index half_edge) const {
     return inverse_tangent_turn_[half_edge];
   }

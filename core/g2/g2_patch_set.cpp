@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// Derivatives by the triangle's (s, t), with a and b the chart's vectors from the centre.
+/// Derivatives by the triangle's (s, t); a and b are the chart's vectors from the centre.
 struct TriangleRow {
   double value, ds, dt, dss, dst, dtt;
 };
@@ -24,7 +24,7 @@ TriangleRow in_triangle(const Jet2& f, const Vector2& a, const Vector2& b) {
           f.xx * (b.x() * b.x()) + 2 * (f.xy * (b.x() * b.y())) + f.yy * (b.y() * b.y())};
 }
 
-/// The chart's point of a parameter: the same bits from both triangles along their common line.
+/// Point of the chart at a parameter: the same bits from both triangles along their common line.
 Vector2 chart_point(const Vector2& a, const Vector2& b, const Vector2& parameter) {
   if (parameter.y() == 0) return parameter.x() * a;
   if (parameter.x() == 0) return parameter.y() * b;
@@ -192,7 +192,8 @@ CornerSecondOrder G2PatchSet::second_order_at_corner(Index patch, int corner) co
   return departure <= 1e-9 * size ? CornerSecondOrder::exact : CornerSecondOrder::direction_dependent;
 }
 
-/// each(k, active, table, controls) for every patch; one look-up for patches of the same triangle in a row.
+/// Calls each(k, active, table, controls) for every patch; consecutive patches of the same triangle share one
+/// look-up.
 template <class Each>
 void G2PatchSet::for_tables(std::span<const Index> patches, int density, G2Tables::Derivatives which,
                             const Each& each) const {

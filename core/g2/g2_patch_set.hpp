@@ -1,7 +1,7 @@
 #pragma once
 
-// The patches of mode G2 as a PatchSet: one a triangle (centre, vertex, next vertex) of a face, all of a face
-// drawing on the same controls.
+// G2PatchSet: the patches of mode G2 as a PatchSet: one per triangle (centre, vertex, next vertex) of a face;
+// all patches of a face share its controls.
 
 #include <array>
 #include <map>
@@ -14,22 +14,22 @@
 
 namespace hariko {
 
-/// Functions of a triangle's active controls at the points of a grid, in the layout of the kernel: for each
-/// block of four points and each control three groups (value, d/ds, d/dt, or the second derivatives) of four
-/// doubles.
+/// Basis functions of a triangle's active controls at the points of a grid, in the layout of the kernel: for
+/// each block of four points and each control three groups (value, d/ds, d/dt, or the second derivatives) of
+/// four doubles.
 struct G2GridTable {
   static constexpr std::size_t width = 4;
   std::size_t blocks = 0;
   std::vector<double> value;
 };
 
-/// Tables made once and shared by the patch sets of a producer, up to a limit of memory; beyond it tables are
-/// made and dropped, with the same numbers. Thread-safe.
+/// Cache of tables, computed once and shared by the patch sets of a producer, up to a limit of memory; beyond
+/// it tables are computed and dropped, with the same numbers. Thread-safe.
 class G2Tables {
  public:
   enum class Derivatives { first, second };
   explicit G2Tables(std::size_t byte_limit = std::size_t(256) << 20) : byte_limit_(byte_limit) {}
-  /// `chart` must live as long as this object.
+  /// Table of a triangle; `chart` must live as long as this object.
   std::shared_ptr<const G2GridTable> table(const FaceChart& chart, int side, int density,
                                            Derivatives which) const;
 
@@ -46,7 +46,7 @@ class G2Tables {
   mutable std::map<Key, std::shared_ptr<const G2GridTable>> tables_;
 };
 
-/// Which triangle of which chart each patch is, and the charts' tables.
+/// Map from patches to triangles of charts, with the charts' tables.
 struct G2Atlas {
   std::vector<std::shared_ptr<const FaceChart>> chart;  ///< per face
   std::vector<Index> face;                              ///< per patch
@@ -58,6 +58,7 @@ struct G2Atlas {
 /// of an edge have the same bits along it. In the chart's numbering of sides.
 using G2Face = std::vector<Vector3>;
 
+/// Patches of mode G2, one per triangle (centre, vertex, next vertex) of a face.
 class G2PatchSet final : public PatchSet {
  public:
   G2PatchSet(std::shared_ptr<const G2Atlas> atlas, std::vector<std::shared_ptr<const G2Face>> faces);
@@ -68,12 +69,12 @@ class G2PatchSet final : public PatchSet {
 
   /// Point of a face by its chart's coordinates, with derivatives by them; anywhere in the polygon.
   PatchPoint evaluate_chart(Index face, const Vector2& point, Order order) const;
-  /// Normal of the tangent plane at the patch's corner: 0 centre, 1 origin, 2 target of its half-edge. Zero
-  /// if there is none.
+  /// Normal of the tangent plane at a patch's corner: 0 centre, 1 origin, 2 target of its half-edge. Zero if
+  /// there is none.
   Vector3 corner_normal(Index patch, int corner) const;
 
-  /// Bezier points of r1 along the patch's outer side, which must be cubic: no freedom of its own, and no
-  /// departure.
+  /// Bezier points of the cross derivative r1 along the patch's outer side, which must be cubic: without
+  /// freedom of its own, and without departure.
   std::array<Vector3, 4> side_cross_derivative(Index patch) const;
 
   Domain domain() const override { return Domain::triangle; }
@@ -83,8 +84,8 @@ class G2PatchSet final : public PatchSet {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Exact, since every sector of a vertex has one quadratic form; but where a joined side departs from it
-  /// the second order depends on the direction.
+  /// Exact, since every sector of a vertex has one quadratic form; direction-dependent where a joined side
+  /// departs from it.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
  private:

@@ -1,4 +1,4 @@
-// G2System's solution: conjugate gradients over faces, in x, y and z or in x alone (g2.md section 6).
+// Solution of G2System by conjugate gradients over faces, in x, y and z or in x alone (g2.md section 6).
 
 #include <numeric>
 #include <type_traits>
@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t product_grain = 32;  ///< faces a task
+constexpr std::size_t product_grain = 32;  ///< faces per task
 constexpr std::size_t unknown_grain = 2048;
 
 template <class Value>
@@ -45,12 +45,12 @@ inline double combined(double y, double scale, double factor, double x) {
 
 }  // namespace
 
-/// The system over a region, for fields of vectors or of numbers.
+/// System restricted to a region, for fields of vectors or of numbers.
 template <class Value>
 class G2System::Restricted {
  public:
   using Field = std::vector<Value>;
-  /// Of a step: one number a coordinate.
+  /// Scalar of a step: one number per coordinate.
   using Coefficient = std::conditional_t<std::is_same_v<Value, double>, double, Coefficients3>;
 
   Restricted(const G2System& system, const FaceRegion& region)
@@ -86,7 +86,7 @@ class G2System::Restricted {
 
   void right_side(const Given& given, Field& b) {
     const G2Layout& layout = system_.layout_;
-    Field known;  // given unknowns, others zero
+    Field known;  // given unknowns; zero for others
     const auto values = known_unknowns(system_.layout_, system_.fixed_, given);
     if (!values.empty()) known.assign(system_.unknown_count(), zero<Value>());
     for (const auto& [unknown, value] : values) known[unknown] = part<Value>(value);
@@ -134,7 +134,7 @@ class G2System::Restricted {
   void for_unknowns(const Body& body) const {
     parallel_for(region_.size(), unknown_grain, body);
   }
-  /// body(face, first slot, slots, room for one face's vector)
+  /// Calls body(face, first slot, number of slots, workspace for one face's vector).
   template <class Body>
   void for_faces(const Body& body) const {
     parallel_for(region_.faces.size(), product_grain, [&](std::size_t begin, std::size_t end) {
@@ -159,7 +159,7 @@ class G2System::Restricted {
 
   const G2System& system_;
   const FaceRegion& region_;
-  Field local_;  ///< one value a slot
+  Field local_;  ///< one value per slot
 };
 
 struct G2System::Paused {

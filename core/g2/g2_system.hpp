@@ -12,31 +12,33 @@
 
 namespace hariko {
 
-/// Every face is a dense matrix over the unknowns of its corners and sides, with its centre eliminated; equal
-/// faces share one. The matrix of the whole is never stored. Conjugate gradients precondition with the exact
-/// inverses of overlapping blocks, one a face.
+/// Linear system of mode G2. Each face is a dense matrix over the unknowns of its corners and sides, with its
+/// centre eliminated; equal faces share one. The whole matrix is never stored. It is solved by conjugate
+/// gradients, preconditioned with the exact inverses of overlapping blocks, one per face.
 class G2System {
  public:
-  /// `ribbons`, per half-edge: what joins give; empty when there are none. Frames by measure: positions
-  /// matter through the network's frames only.
+  /// Assembles the system. `ribbons`, per half-edge: prescribed by joins; empty when there are none. With
+  /// metric frames, positions matter through the network's frames only.
   G2System(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
            const G2Weights& weights = {}, const std::vector<GivenRibbon>& ribbons = {});
   G2System(const G2System&) = delete;
   G2System& operator=(const G2System&) = delete;
 
-  /// Flags, per vertex: those that keep the network's tangents as they are. Empty: none. Vertices of joined
-  /// sides always do.
+  /// Fixes the tangents of the flagged vertices (per vertex; empty: none) to those of the network. Vertices
+  /// of joined sides always keep them.
   void fix_tangents(const std::vector<bool>& vertices);
 
   using References = FaceReferences;
-  /// Patch h belongs to half-edge h, corners: centre, origin, target. Not to outlive the system.
+  /// References over a surface whose patch h belongs to half-edge h, with corners centre, origin, target.
+  /// They must not outlive the system.
   References over(ReferencePatches patches) const;
   References over(std::shared_ptr<const G2PatchSet> surface) const;
+  /// Target curvatures from a reference; for faces with sharp edges from `at_sharp_edges`, if given.
   G2Target target(const References& references, std::span<const Vector3> positions,
                   const References* at_sharp_edges = nullptr) const {
     return curvature_target(layout_, elements_, references, positions, at_sharp_edges);
   }
-  /// Faces with a tension of vertices measure part of their bending over this surface. Does nothing where
+  /// Measures part of the bending over this surface in faces whose vertices have tension. Does nothing where
   /// there are none.
   void bend_over(const References& references);
 
@@ -46,18 +48,18 @@ class G2System {
   const FaceChart& chart(Index face) const { return layout_.chart(face); }
 
   using Given = G2Given;
-  /// The sides must be those that the system was made for.
+  /// Resolves the given sides, which must be those that the system was made for.
   GivenSides resolve(std::vector<GivenSide> sides) const {
     return resolve_given_sides(mesh(), layout_.frames(), layout_.unknowns(), std::move(sides));
   }
   using Field = std::vector<Vector3>;  ///< one vector per unknown
-  /// A solution in x alone that ran out of steps, to be gone on with.
+  /// Interrupted solution in x alone that ran out of steps and can be continued.
   struct Paused;
   struct SolveOptions {
-    const Field* start = nullptr;  ///< begin here instead of at zero
-    /// Go on here, with the faces and the tolerance of that solution; `only_x`.
+    const Field* start = nullptr;  ///< initial guess instead of zero
+    /// Continues this solution, with its faces and tolerance; needs `only_x`.
     std::shared_ptr<const Paused> paused;
-    /// Solve in these faces (ascending) only; unknowns that other faces share are held at zero.
+    /// Restricts the solve to these faces (ascending); unknowns shared with other faces are held at zero.
     const std::vector<Index>* active_faces = nullptr;
     bool only_x = false;       ///< positions and network are zero in y and z: a third of the work
     double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
@@ -68,17 +70,18 @@ class G2System {
     int iterations = 0;
     bool converged = true;
     bool cancelled = false;
-    std::shared_ptr<const Paused> paused;  ///< with `only_x`, where it has not converged
+    std::shared_ptr<const Paused> paused;  ///< set when an `only_x` solve has not converged
   };
+  /// Solves for the unknowns. O(faces) per step.
   Solution solve(const Given& given, const SolveOptions& options, const CancelToken& cancel = {}) const;
 
-  /// All controls of a face (`face_controls`).
+  /// Controls of a face (`face_controls`).
   G2Face controls(Index face, const Given& given, const Field& unknowns) const;
-  /// The network with the tangents that the surface has.
+  /// Network with the surface's own tangents.
   Network network_of(const Given& given, const Field& unknowns) const;
 
   std::size_t element_count() const { return elements_.count(); }
-  /// Bytes of matrices, shared ones counted once.
+  /// Bytes of matrices; shared ones are counted once.
   std::size_t matrix_bytes() const;
 
  private:
@@ -94,10 +97,10 @@ class G2System {
   G2Layout layout_;
   FaceElements elements_;
   std::vector<std::shared_ptr<const PaddedMatrix>> blocks_;  ///< per face
-  std::vector<bool> joined_;                                 ///< per unknown: joins give it
+  std::vector<bool> joined_;                                 ///< per unknown: given by joins
   std::vector<bool> joined_vertex_;                          ///< per vertex; empty when there are no joins
-  std::vector<bool> fixed_;  ///< per vertex: tangents are the network's; empty when none are
-  std::vector<bool> given_;  ///< per unknown: it has a value already
+  std::vector<bool> fixed_;  ///< Per vertex: tangents are the network's; empty when none are.
+  std::vector<bool> given_;  ///< per unknown: it has a known value
   std::shared_ptr<const FaceRegion> whole_;
 };
 

@@ -10,13 +10,14 @@ namespace hariko {
 
 namespace {
 
-/// In equal frames faces with more sides ask for no curvature: the reference's is too far from what is seen.
+/// Number of sides above which faces in equal frames have no target curvature: the reference is too far from
+/// the visible surface.
 constexpr Index largest_equal_target_side_count = 6;
-/// Smoothing of target curvatures, in widths of a face.
+/// Smoothing length of target curvatures, in widths of a face.
 constexpr double smoothing_width = 0.4;
 
-/// Share of the target. In equal frames none where a vertex of the face has edges of very different lengths,
-/// which these frames make nothing good of.
+/// Weight of the target. In equal frames it is zero where a vertex of the face has edges of very different
+/// lengths, as the reference has no good curvature there.
 double target_share(const G2Layout& layout, Index face, std::span<const Vector3> positions) {
   const HalfEdgeMesh& mesh = layout.mesh();
   if (layout.frames().charts.frames == Frames::metric) return 1;
@@ -40,7 +41,7 @@ double target_share(const G2Layout& layout, Index face, std::span<const Vector3>
   return std::clamp((8 - largest) / 3, 0.0, 1.0);
 }
 
-/// The centre's coefficients minimise the energy with their part of the load.
+/// Splits the load: the centre's coefficients minimise the energy with their part of it.
 void split_load(const ControlPlaces& places, const CondensedFace& element, const std::vector<Vector3>& load,
                 FaceTarget& out) {
   std::vector<Vector3> centre(places.centre.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-// G2Target: what the target curvature of faces adds to the right-hand side (g2.md section 8).
+// G2Target: the contribution of target curvatures to the right-hand side (g2.md section 8).
 
 #include <span>
 #include <vector>
@@ -16,8 +16,8 @@ struct FaceTarget {
 };
 using G2Target = std::vector<FaceTarget>;  ///< per face
 
-/// Curvature to come near to, from a reference; at faces with a border or a crease from `at_sharp_edges`, if
-/// it is given. For the elements as they are. O(faces).
+/// Target curvatures from a reference surface; for faces with a border or a crease from `at_sharp_edges`, if
+/// given. Uses the elements in their present state. O(faces).
 G2Target curvature_target(const G2Layout& layout, const FaceElements& elements,
                           const FaceReferences& references, std::span<const Vector3> positions,
                           const FaceReferences* at_sharp_edges);

@@ -10,19 +10,21 @@ namespace hariko {
 
 namespace {
 
-/// Part of a corner's sector that an end of a border side sees: the form along the side, and the second
+/// Unknowns of a corner's sector at an end of a border side: the form along the side, and the second
 /// derivative along and across it.
 struct SideEnd {
   Index corner = no_index;
   Index along = no_index, across = no_index;
 };
 
-/// The side's half-edge opens the first sector of its origin's fan, and closes the last one of its target's.
+/// Unknowns at an end of a side: its half-edge opens the first sector of its origin's fan and closes the last
+/// one of its target's.
 SideEnd end_of(const HalfEdgeMesh& mesh, const G2Unknowns& unknowns, Index half_edge, bool at_origin) {
   SideEnd out;
   out.corner = at_origin ? half_edge : mesh.next(half_edge);
   const CornerUnknowns& corner = unknowns.corner[out.corner];
-  // At a smooth line (along, H12, H22); at a corner vertex (c_a, m, c_b), where a side that closes has c_b.
+  // At a smooth line the unknowns are (along, H12, H22); at a corner vertex (c_a, m, c_b), where a side that
+  // closes the sector has c_b.
   out.along = corner.unknown[at_origin || !corner.between_sharp_edges ? 0 : 2];
   out.across = corner.unknown[1];
   return out;
@@ -63,7 +65,7 @@ class Resolver {
   bool at_corner_vertex(const SideEnd& end) const { return unknowns_.corner[end.corner].between_sharp_edges; }
   /// Angle between the two sharp edges of the sector.
   double opening(const SideEnd& end) const { return unknowns_.corner[end.corner].opening; }
-  /// r1' = sigma g12.
+  /// Factor of the mixed derivative: r1' = sigma g12.
   double sigma(const SideEnd& end) const {
     const double step = frames_.step[end.corner];
     return is_straight(step) ? 1.0 : std::sin(step);

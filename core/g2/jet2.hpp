@@ -9,11 +9,12 @@ struct Derivatives {
   double v, d, dd, ddd;
 };
 
+/// Value, first and second derivatives of a function of two variables at a point.
 struct Jet2 {
   double v = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
   static Jet2 constant(double c) { return {c, 0, 0, 0, 0, 0}; }
-  /// value + ax (x - x0) + ay (y - y0)
+  /// Linear function value + ax (x - x0) + ay (y - y0).
   static Jet2 linear(double value, double ax, double ay) { return {value, ax, ay, 0, 0, 0}; }
 
   Jet2& operator+=(const Jet2& b) {
@@ -39,7 +40,7 @@ inline Jet2 operator*(const Jet2& a, const Jet2& b) {
           a.v * b.xy + a.x * b.y + a.y * b.x + a.xy * b.v,
           a.v * b.yy + 2 * (a.y * b.y) + a.yy * b.v};
 }
-/// f(a) from the derivatives of f at a.v
+/// Composition f(a), from the derivatives of f at a.v.
 inline Jet2 compose(const Derivatives& f, const Jet2& a) {
   return {f.v,
           f.d * a.x,

@@ -7,11 +7,12 @@
 
 namespace hariko {
 
+/// Value and derivatives up to the third order of a function of two variables at a point.
 struct Jet3 {
   double v = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, xxx = 0, xxy = 0, xyy = 0, yyy = 0;
 
   static Jet3 constant(double c) { return {c, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }
-  /// value + ax (x - x0) + ay (y - y0)
+  /// Linear function value + ax (x - x0) + ay (y - y0).
   static Jet3 linear(double value, double ax, double ay) { return {value, ax, ay, 0, 0, 0, 0, 0, 0, 0}; }
 
   Jet3& operator+=(const Jet3& b) {

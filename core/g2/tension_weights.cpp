@@ -9,7 +9,7 @@ namespace hariko {
 
 namespace {
 
-/// Faces with more sides measure their bending over their charts always.
+/// Number of sides above which faces measure their bending over their charts only.
 constexpr Index largest_reference_side_count = 12;
 /// Mean alpha at which half of a face's bending is measured over the reference.
 constexpr double half_reference_alpha = 0.05;
@@ -44,7 +44,7 @@ TensionWeights tension_weights(const HalfEdgeMesh& mesh, const NetworkSystem& ne
     const double loose = 1 + at_origin + at_target;
     const double own = out.membrane[mesh.face(h)];
     const double tau = border ? own : (own + out.membrane[mesh.face(twin)]) / 2;
-    // Both faces carry half of an inner edge.
+    // Both faces have half of an inner edge's terms.
     const double share = (border ? 1.0 : 0.5) * edge_measure(charts, e);
     const double curve = share * (weights.curve / (loose * loose) + weights.curve_tension * tau +
                                   (sharp ? weights.sharp_curve : 0));

@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// (H11, H12, H22) seen in a frame turned by an angle.
+/// Map of a form (H11, H12, H22) to a frame rotated by an angle.
 Matrix3 turned(double cosine, double sine) {
   const double c = cosine, s = sine;
   Matrix3 m;
@@ -19,7 +19,8 @@ Matrix3 turned(double cosine, double sine) {
   return m;
 }
 
-/// (H11, H12, H22) of a corner sector with opening phi from (c_a, m, c_b) = (H(a, a), H(a, b), H(b, b)).
+/// Map to the form (H11, H12, H22) of a corner sector with opening phi from (c_a, m, c_b) = (H(a, a), H(a,
+/// b), H(b, b)).
 Matrix3 from_sharp_edges(double phi) {
   const double c = std::cos(phi), s = std::sin(phi);
   Matrix3 m;
@@ -27,7 +28,7 @@ Matrix3 from_sharp_edges(double phi) {
   return m;
 }
 
-/// The frame (J1, J2) of a corner sector with opening phi from its sharp edges' images.
+/// Map to the frame (J1, J2) of a corner sector with opening phi from the images of its sharp edges.
 Eigen::Matrix2d frame_from_sharp_edges(double phi) {
   Eigen::Matrix2d m;
   m << 1, 0, -std::cos(phi) / std::sin(phi), 1 / std::sin(phi);
@@ -55,7 +56,7 @@ class UnknownBuilder {
   }
   bool opens_sector(Index h) const { return frames_.sharp[mesh_.edge(h)]; }
 
-  /// Corners of v counter-clockwise, from the first sharp edge where sectors are told apart.
+  /// Corners of v counter-clockwise, beginning at a sharp edge where there are several sectors.
   std::vector<Index> fan(Index v) const {
     std::vector<Index> corners;
     const Index first = mesh_.outgoing(v);
@@ -80,7 +81,7 @@ class UnknownBuilder {
     bool between_sharp_edges = false;
   };
 
-  /// Corners of one sector: form and derivative of the first are base * (x[unknown...]).
+  /// Adds the corners of one sector: form and derivative of the first are base * (x[unknown...]).
   void add_sector(std::span<const Index> corners, const Sector& sector) {
     double opening = 0, angle = 0;
     for (const Index h : corners) opening += frames_.step[h];
@@ -92,7 +93,7 @@ class UnknownBuilder {
       corner.opening = opening;
       corner.between_sharp_edges = sector.between_sharp_edges;
       if (is_straight(step)) {
-        // Half turns leave a quadratic form as it is and reverse both tangents.
+        // Half turns leave a quadratic form unchanged and reverse both tangents.
         corner.turn = sector.form_base;
         corner.tangent_turn = (k % 2 == 0 ? 1.0 : -1.0) * sector.tangent_base;
       } else {
@@ -116,7 +117,7 @@ class UnknownBuilder {
       add_sector(corners, sector);
       return;
     }
-    std::vector<std::size_t> begin;  // of each sector
+    std::vector<std::size_t> begin;  // first corner of each sector
     for (std::size_t k = 0; k < corners.size(); ++k)
       if (opens_sector(corners[k])) begin.push_back(k);
     const std::size_t sectors = begin.size();
@@ -131,7 +132,7 @@ class UnknownBuilder {
         Sector sector;
         sector.form = {along, across, across + 1};
         sector.tangent = {tangent, across + 2};
-        sector.tangent_base(0, 0) = i % 2 == 0 ? 1 : -1;  // each begins with an edge of its own
+        sector.tangent_base(0, 0) = i % 2 == 0 ? 1 : -1;  // each begins with its own sharp edge
         add_sector(part(i), sector);
       }
       return;
@@ -163,7 +164,7 @@ class UnknownBuilder {
       const Index other = take(4);
       out_.side[twin] = {{curve, other, other + 1, other + 2, other + 3}, {1, 1, 1, 1, 1}};
     } else {
-      // From the other side t runs backwards and s downwards.
+      // Seen from the other side, t runs backwards and s points the other way.
       out_.side[twin] = {{curve, cross, cross + 1, cross + 2, cross + 3}, {1, -1, 1, 1, -1}};
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Angles between directions, radians; accurate for small ones and for those near a half turn.
+// Angles between directions, in radians; accurate near zero and near a half turn.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -14,7 +14,8 @@ inline double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// Angle that turns `a` to `b` counter-clockwise about a unit `axis` at right angles to both, -pi .. pi.
+/// Signed angle that turns `a` to `b`, counter-clockwise about a unit `axis` at right angles to both, -pi ..
+/// pi.
 inline double signed_angle(const Vector3& a, const Vector3& b, const Vector3& axis) {
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }

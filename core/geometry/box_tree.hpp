@@ -1,6 +1,6 @@
 #pragma once
 
-// BoxTree: a bounding volume hierarchy, a binary tree of axis-parallel boxes over items with boxes of their
+// BoxTree: a bounding volume hierarchy, a binary tree of axis-aligned boxes over items with boxes of their
 // own.
 
 #include <Eigen/Geometry>
@@ -14,29 +14,29 @@
 
 namespace hariko {
 
-/// Halves of halves, across the widest extent of the items' middles. Parents come before their children, the
-/// left child right behind its parent: what is summed over subtrees goes through the nodes backwards. The
-/// same for the same input.
+/// Bounding volume hierarchy by median splits across the widest extent of the items' midpoints. Parents come
+/// before their children, and the left child right behind its parent, so a sum over subtrees visits the nodes
+/// backwards. The same result for the same input.
 class BoxTree {
  public:
   struct Node {
     Eigen::AlignedBox3d box;
-    Index begin = 0, end = 0;  ///< its items, by their places in `order`
-    Index right = no_index;    ///< none: a leaf
+    Index begin = 0, end = 0;  ///< range of its items in `order`
+    Index right = no_index;    ///< no_index for a leaf
     bool is_leaf() const { return right == no_index; }
   };
 
   BoxTree() = default;
-  /// At most `leaf_size` items a leaf. O(n log n).
+  /// Builds the tree with at most `leaf_size` items per leaf. O(n log n).
   BoxTree(std::span<const Eigen::AlignedBox3d> boxes, std::span<const Vector3> middles, Index leaf_size);
 
   const std::vector<Node>& nodes() const { return nodes_; }
-  /// Items, those of a node beside each other.
+  /// Items in the order of the leaves; the items of a node are consecutive.
   const std::vector<Index>& order() const { return order_; }
   Index left(Index node) const { return node + 1; }
 
-  /// visit(item) for all items of leaves that are near: keep(distance(box)) is asked of a node's box at the
-  /// time when its turn comes, so it may grow stricter. The nearer child goes first.
+  /// Traversal that calls visit(item) for all items of nearby leaves: keep(distance(box)) is evaluated for a
+  /// node's box only when its turn comes, so it may become stricter on the way. The nearer child goes first.
   template <class Distance, class Keep, class Visit>
   void visit_near(const Distance& distance, const Keep& keep, const Visit& visit) const {
     if (nodes_.empty()) return;
@@ -60,7 +60,7 @@ class BoxTree {
   }
 
  private:
-  /// Halves of halves: more levels than indices have bits do not occur.
+  /// Depth limit: median splits make no more levels than an index has bits.
   static constexpr std::size_t deepest = 64;
   Index build(Index begin, Index end, std::span<const Eigen::AlignedBox3d> boxes,
               std::span<const Vector3> middles, Index leaf_size);
@@ -69,7 +69,7 @@ class BoxTree {
   std::vector<Node> nodes_;
 };
 
-/// Tree over triangles, whose middles are their centroids.
+/// Tree over triangles, split by their centroids.
 BoxTree box_tree_of(std::span<const Vector3> positions, std::span<const std::array<Index, 3>> triangles,
                     Index leaf_size);
 

@@ -8,7 +8,7 @@
 namespace hariko {
 namespace {
 
-/// Four points that span space, far apart; none when all lie in one plane.
+/// Four points that span space, far apart; nothing when all points lie in one plane.
 std::optional<std::array<Index, 4>> spanning_points(const std::vector<Vector3>& points) {
   if (points.size() < 4) return {};
   const auto farthest = [&](auto&& measure) {
@@ -47,7 +47,7 @@ bool ConvexHull::begin(const std::array<Index, 4>& corners) {
             {{v[2], v[1], v[3]}, {0, 1, 3}},
             {{v[0], v[2], v[3]}, {0, 2, 1}}};
   for (Index f = 0; f < 4; ++f)
-    if (sees(inner_, f)) return false;  // so flat that the centre is rounded out of it
+    if (sees(inner_, f)) return false;  // so flat that rounding puts the centre outside
   return true;
 }
 
@@ -74,8 +74,8 @@ Index ConvexHull::walk(const Vector3& point) const {
   Index face = static_cast<Index>(faces_.size());
   while (!faces_[--face].alive) {
   }
-  // The faces, seen from inside, need not make a Delaunay triangulation, so a walk could go round in circles:
-  // the first edge tried changes from step to step, and in the end all faces are looked at.
+  // The faces, seen from inside, need not be a Delaunay triangulation, so a walk could run in circles: the
+  // edge tried first changes from step to step, and in the end all faces are tested.
   const std::size_t limit = 100 + 4 * faces_.size();
   Index came_from = no_index;
   for (std::size_t step = 0; step < limit; ++step) {
@@ -109,8 +109,8 @@ Index ConvexHull::visible_face(const Vector3& point) const {
 ConvexHull::Horizon ConvexHull::horizon(const Vector3& point, Index seed) const {
   Horizon out;
   out.faces.push_back(seed);
-  // Visible regions are small, so a search in the list is the fastest set; large ones are sorted out by the
-  // map.
+  // One flag per face of a small hull. Clearing flags for all faces of a large hull would cost more than a
+  // search in the list of visible faces, which is mostly short.
   std::vector<char> seen(faces_.size() > 4096 ? 0 : faces_.size(), 0);
   const auto known = [&](Index face) {
     if (!seen.empty()) return seen[face] != 0;
@@ -131,7 +131,7 @@ ConvexHull::Horizon ConvexHull::horizon(const Vector3& point, Index seed) const 
       }
     }
   }
-  // In order: each edge begins where the one before ends.
+  // Links the edges: each begins where the one before ends.
   out.edges.reserve(edges.size());
   out.edges.push_back(edges.front());
   while (out.edges.size() < edges.size()) {

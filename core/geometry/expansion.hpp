@@ -7,12 +7,14 @@
 
 namespace hariko {
 
-/// The sum of its terms, which do not overlap and ascend in magnitude. Exact unless a product of two terms
-/// underflows (below 1e-308): so for inputs between 1e-60 and 1e60 in magnitude, or zero.
+/// Floating-point expansion: the exact sum of its terms, which do not overlap and ascend in magnitude. Exact
+/// unless a product of two terms underflows (below 1e-308), that is, for inputs between 1e-60 and 1e60 in
+/// magnitude, or zero.
 class Expansion {
  public:
   Expansion() = default;
 
+  /// Exact difference a - b.
   static Expansion difference(double a, double b) {
     Expansion out;
     const double sum = a - b, virtual_b = a - sum, virtual_a = sum + virtual_b;
@@ -20,6 +22,7 @@ class Expansion {
     out.append(sum);
     return out;
   }
+  /// Exact product a b.
   static Expansion product(double a, double b) {
     Expansion out;
     const double high = a * b;
@@ -28,9 +31,10 @@ class Expansion {
     return out;
   }
 
-  /// -1, 0 or 1.
+  /// Sign of the value: -1, 0 or 1.
   int sign() const { return terms_.empty() ? 0 : (terms_.back() > 0 ? 1 : -1); }
 
+  /// Adds a double exactly. O(number of terms).
   void add(double value) {
     std::vector<double> terms;
     terms.reserve(terms_.size() + 1);

@@ -28,7 +28,7 @@ int exact_side(const Vector3& a, const Vector3& b, const Vector3& c, const Vecto
 }  // namespace
 
 int side_of_plane(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
-  // The filter of Shewchuk 1997, equation for orient3d's stage A.
+  // Static filter: the error bound of orient3d's stage A (Shewchuk 1997).
   const Vector3 u = b - a, v = c - a, w = d - a;
   const double xy = u.x() * v.y(), yx = u.y() * v.x();
   const double yz = u.y() * v.z(), zy = u.z() * v.y();

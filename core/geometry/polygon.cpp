@@ -9,7 +9,7 @@ namespace hariko {
 
 namespace {
 
-/// A normal for polygons whose Newell normal vanishes (symmetric bow ties): of the longest diagonal from
+/// Normal of a polygon whose Newell normal vanishes (a symmetric bow tie): that of the longest diagonal from
 /// corner 0 and the corner farthest from it. Zero for polygons within a line.
 Vector3 widest_normal(std::span<const Vector3> corners) {
   Vector3 diagonal = Vector3::Zero();
@@ -23,7 +23,7 @@ Vector3 widest_normal(std::span<const Vector3> corners) {
   return normal.norm() > 1e-12 * diagonal.squaredNorm() ? normal : Vector3::Zero();
 }
 
-/// True when the open segments ab and cd cross in a single inner point.
+/// Whether the open segments ab and cd cross in a single inner point.
 bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
   const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
   const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
@@ -31,7 +31,8 @@ bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const 
          ((a_side > 0 && b_side < 0) || (a_side < 0 && b_side > 0));
 }
 
-/// Sides sorted by their left ends; each is compared with those that begin before it ends.
+/// Whether two sides cross. The sides are sorted by their left ends; each is compared with those that begin
+/// before it ends.
 bool crosses_itself(const std::vector<Vector2>& corners) {
   const std::size_t n = corners.size();
   const auto end_of = [&](std::size_t side) -> const Vector2& { return corners[(side + 1) % n]; };
@@ -52,7 +53,7 @@ bool crosses_itself(const std::vector<Vector2>& corners) {
   return false;
 }
 
-/// Least triangle area at a corner (negative where it turns inwards) and the polygon's area, both doubled and
+/// Least triangle area at a corner (negative at a reflex corner) and the polygon's area, both doubled and
 /// signed.
 struct Turning {
   double least_triangle, area;
@@ -111,8 +112,8 @@ FaceShape classify_face(std::span<const Vector3> corners) {
 
   const std::vector<Vector2> flat = flattened(corners, corners[0], normal.normalized());
   const Turning turning = turning_of(flat);
-  // Without an inward turn a polygon of one turn crosses nowhere; stars turn more than once, so they are
-  // searched too.
+  // Without a reflex corner a polygon with turning number 1 crosses nowhere; stars turn more than once, so
+  // they are searched too.
   if (crosses_itself(flat)) return FaceShape::self_crossing;
   return turning.least_triangle < -1e-4 * turning.area ? FaceShape::concave : FaceShape::convex;
 }

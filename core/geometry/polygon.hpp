@@ -10,9 +10,9 @@
 
 namespace hariko {
 
-/// Newell's normal of the closed polygon at(0) .. at(count - 1): direction of the mean plane, length twice
-/// the projected area. Taken about the first corner, so that a polygon far from zero is as precise as one at
-/// zero.
+/// Newell normal of the closed polygon at(0) .. at(count - 1): direction of the mean plane, length twice the
+/// projected area. Computed relative to the first corner, so that a polygon far from the origin is as precise
+/// as one at the origin.
 template <class At>
 Vector3 newell_normal(std::size_t count, const At& at) {
   Vector3 sum = Vector3::Zero();
@@ -23,7 +23,7 @@ Vector3 newell_normal(std::size_t count, const At& at) {
 }
 Vector3 newell_normal(std::span<const Vector3> corners);
 
-/// Coordinates in the plane through `origin` at right angles to a unit normal, seen from the normal's tip.
+/// Coordinates of points in the plane through `origin` at right angles to a unit normal, seen from its tip.
 std::vector<Vector2> flattened(std::span<const Vector3> points, const Vector3& origin, const Vector3& normal);
 
 /// Twice the signed area, positive where the corners run counter-clockwise.
@@ -37,11 +37,11 @@ bool inside_polygon(std::span<const Vector2> corners, const Vector2& point);
 
 enum class FaceShape { convex, concave, self_crossing };
 
-/// The shape of a polygon that need not be planar, judged along Newell's normal (where that vanishes, in the
-/// plane of the two longest independent diagonals). `self_crossing`: two sides cross inside both. `concave`:
-/// a corner turns inwards by a triangle of more than 1e-4 of the polygon's area (the reflex test of
-/// kuriyama.md section 11). Polygons within a line are convex. Typically O(n log n) in the number of corners;
-/// the search for crossings stops after 2,000,000 pairs of sides.
+/// Shape of a polygon that need not be planar, judged along the Newell normal (where that vanishes, in the
+/// plane of the two longest independent diagonals). `self_crossing`: two sides cross in a point inside both.
+/// `concave`: a corner turns inwards by a triangle of more than 1e-4 of the polygon's area (the reflex test
+/// of kuriyama.md section 11). Polygons within a line are convex. Typically O(n log n) in the number of
+/// corners; the search for crossings stops after 2,000,000 pairs of sides.
 FaceShape classify_face(std::span<const Vector3> corners);
 
 }  // namespace hariko

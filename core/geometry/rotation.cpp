@@ -9,9 +9,9 @@ namespace hariko {
 Eigen::Quaterniond least_rotation(const Vector3& from, const Vector3& to) {
   const Vector3 a = from.stableNormalized(), b = to.stableNormalized();
   if (!(a.squaredNorm() > 0) || !(b.squaredNorm() > 0)) return Eigen::Quaterniond::Identity();
-  // Half of the angle by its sine and cosine: exact for small angles and for nearly opposite directions.
+  // Sine and cosine of half the angle: exact for small angles and for nearly opposite directions.
   const double cosine = 0.5 * (a + b).norm(), sine = 0.5 * (a - b).norm();
-  // a x b, without the rounding of nearly parallel directions.
+  // Direction of a x b, without the rounding errors of nearly parallel directions.
   Vector3 axis = a.cross(sine < cosine ? Vector3(b - a) : Vector3(a + b));
   if (!(axis.squaredNorm() > 0)) axis = a.unitOrthogonal();
   Eigen::Quaterniond out;

@@ -8,9 +8,10 @@
 
 namespace hariko {
 
-/// The rotation by the least angle that takes the direction of `from` to that of `to`; between opposite ones
-/// a half turn about some axis across, and none where one of them is zero. Lengths do not matter. Eigen's own
-/// is a singular value decomposition, which takes compilers longer than most whole files.
+/// Rotation by the least angle that takes the direction of `from` to that of `to`; for opposite directions a
+/// half turn about some axis across them, and the identity where one of them is zero. Lengths do not matter.
+/// Eigen's own version is a singular value decomposition, which takes longer to compile than most whole
+/// files.
 Eigen::Quaterniond least_rotation(const Vector3& from, const Vector3& to);
 
 }  // namespace hariko

@@ -13,7 +13,8 @@ namespace hariko {
 
 namespace {
 
-/// Squared sine, by area, by which the planes at a corner leave the two main ones.
+/// Flatness limit of a vertex: least eigenvalue of the area-weighted mean of n n^T over the facets around it
+/// (n: unit normals), a squared sine.
 constexpr double flat_share = 1e-14;
 
 struct Facet {
@@ -25,7 +26,7 @@ struct Facet {
   bool alive = true;
 };
 
-/// Quickhull. Every round takes the farthest point of a facet, so that inner points of faces come last.
+/// Quickhull. Each round takes the farthest point of a facet, so that points inside faces come last.
 class Quickhull {
  public:
   Quickhull(std::span<const Vector3> points, std::span<const Index> use, double tolerance)
@@ -33,7 +34,7 @@ class Quickhull {
 
   std::vector<std::array<Index, 3>> make() {
     if (!start()) return {};
-    // New facets come last and take over the points: none before f gets any.
+    // New facets come last and take over the points, so facets before f receive none.
     for (Index f = 0; f < facets_.size(); ++f)
       while (facets_[f].alive && !facets_[f].outside.empty()) take(f);
     std::vector<std::array<Index, 3>> out;
@@ -110,7 +111,7 @@ class Quickhull {
     for (std::size_t k = 0; k < seen.size(); ++k)
       for (const Index g : facets_[seen[k]].across)
         if (!visible[g] && height(facets_[g], apex) > 1e-3 * tolerance_) visible[g] = 1, seen.push_back(g);
-    // The horizon, as a loop: side from a to b, facet beyond.
+    // Horizon as a map: from corner a to corner b and the facet beyond the side ab.
     std::map<Index, std::pair<Index, Index>> horizon;
     for (const Index g : seen)
       for (std::size_t i = 0; i < 3; ++i)
@@ -147,7 +148,8 @@ class Quickhull {
       facets_[g].outside.clear();
     }
   }
-  /// Rounding has made the visible part something else than a disk: the point is as good as on the hull.
+  /// Drops a point whose visible facets are not a disk because of rounding: it lies on the hull within
+  /// rounding.
   void drop(Index f, Index apex) { std::erase(facets_[f].outside, apex); }
 
   std::span<const Vector3> points_;
@@ -164,7 +166,7 @@ std::vector<Index> used(const std::vector<std::array<Index, 3>>& triangles) {
   return out;
 }
 
-/// Vertices in the middle of a face or an edge of the hull: the planes at them do not make a corner.
+/// Vertices in the middle of a face or an edge of the hull: the planes around them do not form a corner.
 std::vector<Index> flat_vertices(std::span<const Vector3> points,
                                  const std::vector<std::array<Index, 3>>& triangles) {
   struct Normals {
@@ -199,7 +201,7 @@ TolerantHull tolerant_hull(std::span<const Vector3> points, double tolerance) {
     out.triangles = Quickhull(points, use, tolerance).make();
     out.vertices = used(out.triangles);
     if (out.triangles.empty()) return out;
-    // All points of a place go: another of them would come up in the next round.
+    // All points at the same position are removed: a duplicate would come up in the next round.
     std::set<std::array<double, 3>> flat;
     const auto place = [&](Index p) {
       return std::array<double, 3>{points[p].x(), points[p].y(), points[p].z()};

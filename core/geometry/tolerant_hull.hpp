@@ -1,7 +1,7 @@
 #pragma once
 
-// TolerantHull: the convex hull of points whose places are known within a tolerance, without vertices in the
-// middle of edges and faces. `ConvexHull` decides exactly instead, and keeps them.
+// TolerantHull: the convex hull of points known within a tolerance, without vertices in the middle of edges
+// and faces. `ConvexHull` decides exactly instead, and keeps them.
 
 #include <array>
 #include <span>
@@ -11,19 +11,20 @@
 
 namespace hariko {
 
-/// Triangles are counter-clockwise seen from outside; indices are those of the points given. Empty where all
-/// points lie in a plane.
+/// Convex hull with a tolerance. Triangles are counter-clockwise seen from outside; indices are those of the
+/// given points. Empty where all points lie in a plane.
 struct TolerantHull {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> vertices;  ///< ascending
 };
 
-/// Points that lie within `tolerance` (a length) of the hull of the others are not vertices of it. Points in
-/// one plane make triangles in that plane. The same for the same input. O(n log n) typically, O(n^2) at
-/// worst.
+/// Convex hull of points: a point that lies within `tolerance` (a length) of the hull of the others is not a
+/// vertex. Points in one plane become triangles in that plane. The same result for the same input. Typically
+/// O(n log n), O(n^2) at worst.
 TolerantHull tolerant_hull(std::span<const Vector3> points, double tolerance);
 
-/// No point lies deeper in the hull of all than 1e-6 of their size.
+/// Convexity of a point set: true when no point lies deeper inside the hull than 1e-6 of the diagonal of
+/// their bounding box. O(points times hull triangles).
 bool is_convex(std::span<const Vector3> points);
 
 }  // namespace hariko

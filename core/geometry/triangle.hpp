@@ -16,11 +16,12 @@ namespace hariko {
 
 using TriangleCorners = std::array<Vector3, 3>;
 
-/// At right angles to the triangle, as long as twice its area.
+/// Area vector: at right angles to the triangle, as long as twice its area.
 inline Vector3 area_vector(const Vector3& a, const Vector3& b, const Vector3& c) {
   return (b - a).cross(c - a);
 }
 
+/// Squared distance of `p` to the segment ab.
 inline double squared_distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 edge = b - a, offset = p - a;
   const double length = edge.squaredNorm();
@@ -28,9 +29,10 @@ inline double squared_distance_to_segment(const Vector3& p, const Vector3& a, co
   return (offset - t * edge).squaredNorm();
 }
 
-/// A triangle prepared for many distances. One without area is its longest edge.
+/// Triangle prepared for many distance queries. A triangle without area counts as its longest side.
 class ClosedTriangle {
  public:
+  /// Prepares the triangle; O(1).
   explicit ClosedTriangle(const TriangleCorners& corners) : p_(corners) {
     const Vector3 e = p_[1] - p_[0], f = p_[2] - p_[0];
     const Vector3 normal = e.cross(f);
@@ -42,10 +44,11 @@ class ClosedTriangle {
     third_ = normal.cross(e) / square;
   }
 
-  /// Unit; zero for a triangle without area.
+  /// Unit normal; zero for a triangle without area.
   const Vector3& normal() const { return normal_; }
   bool has_area() const { return flat_; }
 
+  /// Squared distance of `p` to the closed triangle.
   double squared_distance(const Vector3& p) const {
     if (flat_) {
       const Vector3 w = p - p_[0];
@@ -54,7 +57,7 @@ class ClosedTriangle {
         const double height = normal_.dot(w);
         return height * height;
       }
-      // The nearest point is on a side that the foot lies beyond.
+      // The nearest point is on a side that the projection lies beyond.
       double nearest = std::numeric_limits<double>::infinity();
       if (b + c > 1) nearest = squared_distance_to_segment(p, p_[1], p_[2]);
       if (b < 0) nearest = std::min(nearest, squared_distance_to_segment(p, p_[2], p_[0]));
@@ -65,10 +68,11 @@ class ClosedTriangle {
                      squared_distance_to_segment(p, p_[1], p_[2]),
                      squared_distance_to_segment(p, p_[2], p_[0])});
   }
+  /// Largest squared distance of several points to the closed triangle.
   double largest_squared_distance(std::span<const Vector3> points) const {
     double worst = 0;
     for (const Vector3& p : points) {
-      // Most feet lie inside: only the others need the sides.
+      // Most projections lie inside: only the others need the sides.
       const Vector3 w = p - p_[0];
       const double b = second_.dot(w), c = third_.dot(w), height = normal_.dot(w);
       const bool inside = flat_ && is_inside(b, c);
@@ -79,7 +83,7 @@ class ClosedTriangle {
   double distance(const Vector3& p) const { return std::sqrt(squared_distance(p)); }
 
  private:
-  /// Feet on a side count as inside although rounding puts them beyond it.
+  /// Whether a projection lies inside; projections on a side count, although rounding may put them beyond it.
   static bool is_inside(double b, double c) {
     constexpr double rounding = 1e-13;
     return b >= -rounding && c >= -rounding && b + c <= 1 + rounding;
@@ -89,14 +93,14 @@ class ClosedTriangle {
   bool flat_ = false;
 };
 
-/// Whether an angle of a triangle is below one whose tangent is given, at most a right angle.
+/// Whether an angle of the triangle is below the one with the given tangent, at most a right angle.
 inline bool has_sharp_angle(const TriangleCorners& p, double tangent) {
   const Vector3 e = p[1] - p[0], f = p[2] - p[1], g = p[0] - p[2];
   const double area = e.cross(f).norm();  // twice; the same from every corner
   return area < tangent * std::max({-e.dot(g), -f.dot(e), -g.dot(f)});
 }
 
-/// Unit normal; zero for a triangle without area.
+/// Unit normal; zero for a triangle with less than 1e-12 of its squared longest side as doubled area.
 inline Vector3 facet_normal(const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 normal = area_vector(a, b, c);
   const double size = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm()});
@@ -104,6 +108,7 @@ inline Vector3 facet_normal(const Vector3& a, const Vector3& b, const Vector3& c
   return length > 1e-12 * size ? Vector3(normal / length) : Vector3::Zero();
 }
 
+/// Smallest interior angle, radians.
 inline double smallest_angle(const TriangleCorners& p) {
   double out = 4;
   for (std::size_t c = 0; c < 3; ++c)

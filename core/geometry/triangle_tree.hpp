@@ -1,6 +1,6 @@
 #pragma once
 
-// TriangleTree: the nearest of many triangles, by a tree of boxes.
+// TriangleTree: nearest triangle queries, by a bounding volume hierarchy.
 
 #include <limits>
 #include <span>
@@ -11,17 +11,19 @@
 
 namespace hariko {
 
-/// Closed triangles over a copy of their corners. Immutable; queries are thread-safe. O(n log n) to make,
-/// O(log n) a query near the triangles.
+/// Bounding volume hierarchy over a copy of the triangles. Immutable; queries are thread-safe. O(n log n) to
+/// build, O(log n) per query near the triangles.
 class TriangleTree {
  public:
+  /// Builds the tree. O(n log n).
   TriangleTree(std::span<const Vector3> positions, std::span<const std::array<Index, 3>> triangles);
 
   struct Nearest {
-    Index triangle = no_index;  ///< of several as near, the one of the smallest number; no_index when none
+    /// The lowest number among equally near triangles; no_index when there is none.
+    Index triangle = no_index;
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// The nearest triangle that is not farther than `limit`.
+  /// Nearest triangle that is not farther than `limit`.
   Nearest nearest(const Vector3& point, double limit = std::numeric_limits<double>::infinity()) const;
 
   const ClosedTriangle& triangle(Index t) const { return closed_[t]; }

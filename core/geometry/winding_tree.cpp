@@ -11,7 +11,8 @@ namespace hariko {
 namespace {
 
 constexpr Index winding_leaf_size = 8;
-constexpr double far_factor = 3;  ///< radii away, the area vector stands for the triangles
+/// Distance, in radii of a node, from which its area vector replaces its triangles.
+constexpr double far_factor = 3;
 
 double square_distance_to_box(const Vector3& p, const Eigen::AlignedBox3d& box) {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(Vector3::Zero()).squaredNorm();
@@ -107,7 +108,7 @@ double WindingTree::winding(Index at, const Vector3& point) const {
 }
 
 WindingTree::Nearest WindingTree::nearest(const Vector3& point) const {
-  Nearest best;  // its distance squared
+  Nearest best;  // holds the squared distance
   tree_.visit_near([&](const Eigen::AlignedBox3d& box) { return square_distance_to_box(point, box); },
                    [&](double away) { return away < best.distance; },
                    [&](Index t) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// WindingTree: generalised winding numbers of triangle meshes. Is a point inside, also where the mesh cuts
-// itself?
+// WindingTree: generalised winding numbers of triangle meshes, to tell whether a point is inside, even where
+// the mesh intersects itself.
 
 #include <array>
 #include <limits>
@@ -12,25 +12,26 @@
 
 namespace hariko {
 
-/// Triangles in a tree of boxes; far ones count by their area vector (Barill et al. 2018, first order).
+/// Bounding volume hierarchy of triangles; far nodes count by their area vector (Barill et al. 2018, first
+/// order).
 class WindingTree {
  public:
-  /// The mesh must be closed; positions and triangles must outlive the tree. O(n log n).
+  /// Builds the tree over a closed mesh; positions and triangles must outlive it. O(n log n).
   WindingTree(std::span<const Vector3> positions, std::span<const std::array<Index, 3>> triangles);
 
-  /// About the number of times that the mesh winds round the point: 1 inside, 0 outside. O(log n).
+  /// Approximate winding number of the mesh about the point: 1 inside, 0 outside. O(log n).
   double winding(const Vector3& point) const;
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     Index triangle = no_index;
   };
-  /// The nearest triangle. O(log n).
+  /// Nearest triangle. O(log n).
   Nearest nearest(const Vector3& point) const;
-  /// No triangle is nearer than `radius`. O(log n); cheaper than `nearest` the more triangles there are.
+  /// True when no triangle is nearer than `radius`. O(log n); the more triangles, the cheaper than `nearest`.
   bool is_clear(const Vector3& point, double radius) const;
 
  private:
-  /// The triangles of a node as seen from far away.
+  /// Far-field summary of the triangles of a node.
   struct Moments {
     Vector3 centre = Vector3::Zero(), area = Vector3::Zero();
     double radius = 0;

@@ -11,15 +11,15 @@ namespace hariko {
 
 namespace {
 
-/// Cosines of the angle between a direction and the opposite one where balancing begins and is complete: 53
-/// and 26 degrees. Right angles and the edges of pyramids and antiprisms keep their pulls.
+/// Cosines of the angle between a direction and the opposite one at which balancing begins and is complete:
+/// 46 and 26 degrees. Right angles and the edges of pyramids and antiprisms keep their pulls.
 constexpr double begins = 0.7, complete = 0.9;
-/// Share of the mean length: shorter edges count as ones of this length.
+/// Least edge length, relative to the mean length: shorter edges count as edges of this length.
 constexpr double shortest = 1e-6;
 
 }  // namespace
 
-/// Edges and split edges round one smooth vertex, counter-clockwise.
+/// Edges and split edges around one smooth vertex, counter-clockwise.
 class BalancedPulls::Fan {
  public:
   Fan(const HalfEdgeMesh& mesh, const VertexFrames& frames, const NetworkWeights& weights,
@@ -46,7 +46,7 @@ class BalancedPulls::Fan {
     find_opposites();
   }
 
-  /// Part of the odd directions, by the sharpest turn.
+  /// Share of balancing, 0 .. 1, by the sharpest turn between opposite directions.
   double share(const HalfEdgeMesh& mesh, std::span<const Vector3> positions) const {
     std::vector<Vector3> unit;
     for (const Direction& each : directions_) unit.push_back(reach(mesh, positions, each) / each.length);

@@ -9,14 +9,15 @@ namespace hariko {
 
 namespace {
 
-/// How many times as long as the width between them curves are where ties begin, and where they do not grow
-/// any more. The sides of a cylinder of 32 sides as high as wide, ten times as long as the rim's, are free.
+/// Ratios of a curve's length to the width of the polyhedron beside it: where ties begin (beside a short
+/// side, past a close corner), and where they stop growing. On a cylinder of 32 sides as high as wide, whose
+/// sides are ten times as long as the rim's edges, nothing is tied.
 constexpr double first_beside = 12, first_corner = 8, last_ratio = 1000;
-/// Weights relative to what else pulls at a vertex.
+/// Weights of ties, relative to the other energies at a vertex.
 constexpr double beside_weight = 0.02, corner_weight = 1;
 
-/// Grows smoothly from zero, in the end as the ratio does: a strip resists being twisted as its length over
-/// its width.
+/// Strength of a tie: grows smoothly from zero, and for large ratios like the ratio itself, as the torsional
+/// stiffness of a strip grows with its length over its width.
 double strength(double ratio, double first) {
   const double r = std::min(ratio, last_ratio);
   return r > first ? (r - first) * (r - first) / r : 0.0;
@@ -38,7 +39,7 @@ void add_image(const TangentCoefficients& tangent, const Vector3& value, std::ve
   if (tangent.basis[1] != no_index) out[tangent.basis[1]] += tangent.c[1] * value;
 }
 
-/// What pulls at each vertex, per unit of its fan.
+/// Sum of the weights that act at each vertex, per unit length of its fan.
 std::vector<double> pulls(const HalfEdgeMesh& mesh, const VertexFrames& frames, const NetworkWeights& weights,
                           std::span<const double> beta) {
   std::vector<double> out(mesh.vertex_count(), 0.0);
@@ -69,7 +70,7 @@ void CurveTies::add(const Tie& tie, Index first, Index second) {
   ties_.push_back(tie);
 }
 
-/// The sides that meet a short one leave it with tangents that differ from their chords alike.
+/// Ties the tangents, less their chords, with which the two sides beside a far shorter one leave it.
 void CurveTies::tie_beside_short_sides(const HalfEdgeMesh& mesh, const VertexFrames& frames,
                                        std::span<const double> pull) {
   const std::vector<double>& length = frames.charts.edge_length;
@@ -89,8 +90,8 @@ void CurveTies::tie_beside_short_sides(const HalfEdgeMesh& mesh, const VertexFra
   }
 }
 
-/// A side bulges over the foot of a corner by a t + b t', tangents at both of its ends. Which foot it is
-/// decides the parts; their squares add up to one.
+/// Ties the bulge of a side over the projection of a close corner: a t + b t', with the tangents at both of
+/// its ends. The position of the projection decides a and b; a^2 + b^2 = 1.
 void CurveTies::tie_to_close_corners(const HalfEdgeMesh& mesh, const VertexFrames& frames,
                                      std::span<const double> pull, std::span<const Vector3> positions) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -142,7 +143,7 @@ void CurveTies::add_right_side(std::span<const Index> vertices, std::span<const 
   for (const Index v : vertices)
     for (const Seen& seen : seen_[v]) {
       const Tie& tie = ties_[seen.tie];
-      // Relative to the vertex, so that nothing is lost far from the origin: the factors add up to zero.
+      // Relative to the vertex, so that no digits are lost far from the origin: the factors add up to zero.
       Vector3 goal = Vector3::Zero();
       for (std::size_t i = 0; i < tie.vertex.size(); ++i)
         goal += tie.factor[i] * (positions[tie.vertex[i]] - positions[v]);

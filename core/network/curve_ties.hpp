@@ -1,6 +1,7 @@
 #pragma once
 
-// CurveTies: curves of a network by measure that run close to each other (kuriyama.md section 12.8).
+// CurveTies: ties between curves of a network in metric frames that run close to each other (kuriyama.md
+// section 12.8).
 
 #include <array>
 #include <span>
@@ -14,40 +15,43 @@ namespace hariko {
 
 struct NetworkWeights;
 
-/// Energies that keep curves apart where the polyhedron is far narrower than they are long. Both sides of a
-/// face next to a far shorter one bulge alike, and a side does not bulge past a corner of its face that is
-/// close to it. Values for frozen frames; linear in the positions. Nothing is tied in even cages.
+/// Energies that keep curves apart where the polyhedron is far narrower than the curves are long. The two
+/// sides of a face next to a far shorter side bulge alike, and a side does not bulge past a corner of its
+/// face that is close to it. Computed for fixed frames; linear in the positions. Cages with edges of similar
+/// lengths have no ties.
 class CurveTies {
  public:
-  /// Nothing is tied.
+  /// Ties nothing.
   CurveTies() = default;
-  /// `beta`: per edge. The frames must be by measure. O(edges), and the square of a face's sides.
+  /// Finds the ties. `beta`: edge tension, per edge. The frames must be metric. O(edges), plus the square of
+  /// the number of sides of each face.
   CurveTies(const HalfEdgeMesh& mesh, const VertexFrames& frames, const NetworkWeights& weights,
             std::span<const double> beta, std::span<const Vector3> positions);
 
   bool empty() const { return ties_.empty(); }
 
-  /// Adds the matrix's diagonal block of a vertex whose basis begins at `first`.
+  /// Adds the ties' part of the matrix's diagonal block of a vertex whose basis begins at `first`.
   void add_diagonal(Index v, Index first, Eigen::MatrixXd& block) const;
-  /// Adds the vertex's part of the matrix's product with x.
+  /// Adds the vertex's part of the ties' product with x.
   void add_product(Index v, const std::vector<Vector3>& x, std::vector<Vector3>& y) const;
-  /// Adds the right-hand side that these positions give at the vertices.
+  /// Adds the ties' right-hand side for these positions at the vertices.
   void add_right_side(std::span<const Index> vertices, std::span<const Vector3> positions,
                       std::vector<Vector3>& b) const;
 
  private:
-  /// Half the weight times the square of first + second - goal, images of basis vectors at two vertices.
+  /// Energy of a tie: half the weight times the square of first + second - goal, with images of basis vectors
+  /// at two vertices.
   struct Tie {
     std::array<TangentCoefficients, 2> end;
     double weight;
-    /// The goal: the sum of these positions times the factors.
+    /// Goal: the sum of these positions times the factors.
     std::array<Index, 4> vertex;
     std::array<double, 4> factor;
   };
-  /// A tie as one of its vertices sees it.
+  /// Reference to a tie from one of its vertices.
   struct Seen {
     std::size_t tie;
-    std::size_t own;  ///< end of the tie
+    std::size_t own;  ///< the tie's end at the vertex
   };
 
   void add(const Tie& tie, Index first, Index second);
@@ -57,7 +61,7 @@ class CurveTies {
                             std::span<const double> pull, std::span<const Vector3> positions);
 
   std::vector<Tie> ties_;
-  std::vector<std::vector<Seen>> seen_;  ///< per vertex; none where nothing is tied
+  std::vector<std::vector<Seen>> seen_;  ///< per vertex; empty where nothing is tied
 };
 
 }  // namespace hariko

@@ -13,20 +13,20 @@ namespace hariko {
 
 namespace {
 
-/// Share of the mean length that keeps the charts of faces without any size above zero.
+/// Least size of a chart, relative to the mean edge length, so that faces without size keep a chart.
 constexpr double least_chart_size = 1e-6;
-/// A rectangle 4000 times as long as wide; narrower faces count as flattened ones. With twice as much, the
-/// sides of a prism of 128 sides and height 100 would.
-constexpr double short_side = 0.01;  ///< of the mean side of a face
+/// Least opening of a face, that of a rectangle 4000 times as long as wide; narrower faces count as
+/// flattened. With twice this value, the sides of a prism of 128 sides and height 100 would.
+constexpr double short_side = 0.01;  ///< relative to the mean side of a face
 constexpr double least_opening = 5e-4;
-/// Part of what is between its neighbours that a corner on a side keeps from both.
+/// Least share of the side between its neighbours that a corner on a side keeps from both.
 constexpr double least_part = 0.005;
 
 double det(const Vector2& a, const Vector2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// One face's polygon, from its corners in space.
+/// Chart of one face, from its corners in space.
 class PolygonChart {
  public:
   PolygonChart(std::span<const Vector3> corners, double least_size)
@@ -59,7 +59,7 @@ class PolygonChart {
     return {std::cos(angle), std::sin(angle)};
   }
 
-  /// The projection along the mean normal, seen from the middle of the sides.
+  /// Projects along the mean normal, from the mean of the sides weighted by length.
   void project(std::span<const Vector3> corners, double least_size) {
     const Vector3& first = corners[0];
     Vector3 centre = Vector3::Zero(), mean = Vector3::Zero();
@@ -84,7 +84,7 @@ class PolygonChart {
     flat_ = !(normal.norm() > 1e-9 * size_ * size_);
     if (flat_) return;
     normal.normalize();
-    // Any axes of the plane do; these depend on the longest arm.
+    // Any axes of the plane would do; these depend on the longest arm.
     const auto longest = std::max_element(r.begin(), r.end(), [](const Vector3& a, const Vector3& b) {
       return a.squaredNorm() < b.squaredNorm();
     });
@@ -108,7 +108,7 @@ class PolygonChart {
     if (flat_) p_ = affine_ = regular_;
   }
 
-  /// A face whose affine part has no area, or turns the other way, becomes regular.
+  /// Moves a face whose affine part has no area, or is inverted, towards the regular polygon.
   void unfold() {
     const double opening =
         det(affine_[0], affine_[1]) / (size_ * size_ * std::sin(2 * std::numbers::pi / double(n_)));
@@ -120,8 +120,8 @@ class PolygonChart {
     }
   }
 
-  /// Towards the affine part as soon as a patch gets flat: its height far below the mean height. Sides far
-  /// shorter than the others have no say, since their height is a matter of chance.
+  /// Moves the corners towards the affine part as soon as a patch gets flat, its height far below the mean
+  /// height. Sides far shorter than the others do not count, since their height is arbitrary.
   void widen() {
     double sum = 0, length = 0;
     for (std::size_t j = 0; j < n_; ++j) {
@@ -138,7 +138,7 @@ class PolygonChart {
     blend(1 - s * s * (3 - 2 * s));
   }
 
-  /// Keeps the areas of short sides from zero, as the fans at vertices keep their lengths.
+  /// Keeps the areas at short sides above zero, as fan_length keeps the lengths at vertices.
   void lift() {
     double least = INFINITY, sum = 0;
     for (std::size_t j = 0; j < n_; ++j) {
@@ -189,7 +189,7 @@ FaceCharts equal_charts(const HalfEdgeMesh& mesh) {
 namespace {
 
 /// Corners of a face's chart: those of `polygon` (by their numbers in the face), and the others on its sides,
-/// where corner j divides what is between its neighbours at share[j].
+/// where corner j divides the part of the side between its neighbours at share[j].
 std::vector<Vector2> with_corners_on_sides(const std::vector<Vector2>& polygon,
                                            const std::vector<std::size_t>& numbers,
                                            std::span<const double> share) {
@@ -215,7 +215,7 @@ std::vector<Vector2> with_corners_on_sides(const std::vector<Vector2>& polygon,
   return out;
 }
 
-/// One face's chart; the chart's polygon has the face's corners but for those that lie on sides.
+/// Chart of one face. Its polygon has the corners of the face except those that lie on sides.
 std::vector<Vector2> metric_chart(std::span<const Vector3> corners, std::span<const double> share,
                                   bool regular, double least_size) {
   std::vector<std::size_t> numbers;
@@ -246,7 +246,7 @@ FaceCharts metric_charts(const Polyhedron& polyhedron, const std::vector<bool>& 
     out.edge_length[e] = (polyhedron.position(mesh.target(h)) - polyhedron.position(mesh.origin(h))).norm();
     out.mean_length += out.edge_length[e] / double(mesh.edge_count());
   }
-  if (!(out.mean_length > 0)) out.mean_length = 1;  // all in one place: no scale of its own
+  if (!(out.mean_length > 0)) out.mean_length = 1;  // all vertices in one place: no scale of its own
   const Index count = mesh.half_edge_count();
   out.corner.resize(count);
   out.square.resize(count);

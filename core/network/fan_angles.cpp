@@ -13,23 +13,24 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double least_step = 0.1 * degree;
-/// Above its limit less this a step approaches the limit smoothly.
+/// Width of the range below its limit in which a step approaches the limit smoothly.
 constexpr double soft_range = 4 * degree;
 constexpr double first_flat = 150 * degree, full_flat = 170 * degree, most_turn = 10 * degree;
 constexpr int limit_rounds = 30;
-/// Numbers of sides: rims of fewer have corners, those of more are round as they are.
+/// Rims of faces by number of sides: those of fewer sides than `first_rim` keep their corners, those of more
+/// than `last_rim` are round already.
 constexpr double rim_factor = 4, first_rim = 6, full_rim = 12, last_full_rim = 16, last_rim = 32;
 
 double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Angle from a to b in a triangle that turns counter-clockwise, 0 .. pi.
+/// Angle from a to b in a counter-clockwise triangle, 0 .. pi.
 double triangle_angle(const Vector2& a, const Vector2& b) {
   return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
 }
 
-/// Flow lines go straight through a vertex where the corners on both sides of them differ little.
+/// Straightens edge flow lines through a vertex where the corners on both sides of them differ little.
 void straighten(std::vector<double>& steps) {
   const std::size_t half = steps.size() / 2;
   double largest = 0;
@@ -44,20 +45,20 @@ void straighten(std::vector<double>& steps) {
   }
 }
 
-/// Factor by which the turn of a face's rim at its corners is drawn smaller.
+/// Factor by which the turn of a face's rim at its corners is reduced.
 double rim_factor_of(Index sides) {
   const double n = double(sides);
   return 1 + (rim_factor - 1) * smooth_step((n - first_rim) / (full_rim - first_rim)) *
                  (1 - smooth_step((n - last_full_rim) / (last_rim - last_full_rim)));
 }
 
-/// The rim of a face of many sides is a flow line, to which the corners of other faces give way. It does not
-/// go straight altogether: the split vector moves along the edge by the ratio of the polygon's turn and the
-/// fan's.
+/// Straightens the rim of a face of many sides, as an edge flow line; the corners of other faces become
+/// smaller. The rim keeps some turn: the split vector moves along the edge by the ratio of the polygon's turn
+/// and the fan's.
 void straighten_rims(std::vector<double>& steps, std::span<const double> angles,
                      std::span<const Index> sides) {
   constexpr double half_turn = 180 * degree;
-  double gained = 0, rest = 0;  // rest: corners of other faces, which give
+  double gained = 0, rest = 0;  // rest: sum of the corners of other faces, which become smaller
   std::vector<double> gain(steps.size(), 0.0);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const double factor = rim_factor_of(sides[k]);
@@ -76,8 +77,8 @@ void straighten_rims(std::vector<double>& steps, std::span<const double> angles,
       steps[k] *= 1 - part * gained / rest;
 }
 
-/// The largest step of a corner with this angle in its face. It is lower for reflex corners, whose split
-/// edges move faster with the position along an edge.
+/// Largest step of a corner with this angle in its face. It is lower for reflex corners, whose split edges
+/// move faster with the position along an edge.
 double limit_of(double angle) {
   return std::max(150 * degree, 178 * degree - 1.5 * std::max(0.0, angle - 180 * degree));
 }
@@ -110,7 +111,7 @@ void keep_in_limits(std::vector<double>& steps, std::span<const double> angles, 
 }  // namespace
 
 double corner_angle(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index corner) {
-  // Patches turn counter-clockwise round 0, so both parts are below a half turn.
+  // Patches turn counter-clockwise around 0, so both parts are below a half turn.
   const Vector2& p = charts.corner[corner];
   return triangle_angle(charts.corner[mesh.next(corner)] - p, -p) +
          triangle_angle(-p, charts.corner[mesh.previous(corner)] - p);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Kept forms: between the offsets that a vertex keeps along its edges and those of its basis vectors
-// (kuriyama.md section 12.7).
+// Kept forms: conversion between the offsets that a vertex keeps along its edges and those of its basis
+// vectors (kuriyama.md section 12.7).
 
 #include <span>
 #include <vector>
@@ -11,32 +11,33 @@
 
 namespace hariko {
 
-/// One edge of a vertex's fan: the end of a half-edge that describes it (VertexFrames), and what it leads to.
+/// Edge of a vertex's fan: the end of a half-edge that describes it (VertexFrames), and the vertex at its
+/// other end.
 struct FanEnd {
   Index end = no_index;
   Index other = no_index;
 };
-/// Counter-clockwise, in the order of the fan.
+/// Edges of a vertex's fan, counter-clockwise.
 std::vector<FanEnd> fan_ends(const HalfEdgeMesh& mesh, Index v);
 
-/// The directions of the edges of a fan: along the edge and square to the mean normal of the corners, to the
-/// left, and that normal. Zero where an edge has no such direction.
+/// Coordinate frames of the edges of a fan, as columns: along the edge and at right angles to the mean normal
+/// of the corners; to the left; and that normal. Zero where an edge has no such direction.
 std::vector<Matrix3> edge_directions(const Polyhedron& polyhedron, Index v, std::span<const FanEnd> fan);
 
 /// Image of an end's unit vector under basis vectors.
 Vector3 image_of_unit(const VertexFrames& frames, Index end, std::span<const Vector3> basis);
 
-/// Sets the vertex's basis vectors (part of those of all) to the ones whose images of the unit vectors of the
-/// edges come nearest to `images`; those of `ends` only. Leaves them as they are and gives false where the
-/// edges do not determine them.
+/// Fits the vertex's basis vectors (its part of `basis`, the basis vectors of all vertices): sets them to
+/// those whose images of the unit vectors of `ends` come nearest to `images`, by least squares. False, and no
+/// change, where the edges do not determine them.
 bool fit_basis(const VertexFrames& frames, Index v, std::span<const Index> ends,
                std::span<const Vector3> images, std::span<Vector3> basis);
 
-/// Sets the vertex's part of `offset` (one a basis vector of all vertices) to what the form says.
+/// Sets the vertex's part of `offset` (one per basis vector of all vertices) to what the kept form gives.
 void add_form_offset(const Polyhedron& polyhedron, const VertexFrames& frames, Index v, const KeptForm& form,
                      std::span<Vector3> offset);
 
-/// The form of the vertex's image in a mirror, with the same names.
+/// Mirror image of a vertex's kept form, with the same ids.
 KeptForm reflected_form(KeptForm form);
 
 }  // namespace hariko

@@ -1,7 +1,6 @@
 #pragma once
 
-// The minimum-norm curve network over a polyhedron's edges (Kuriyama 1991, section 2.1; kuriyama.md section
-// 2).
+// Minimum-norm curve network over a polyhedron's edges (Kuriyama 1991, section 2.1; kuriyama.md section 2).
 
 #include <memory>
 #include <vector>
@@ -19,14 +18,16 @@ inline constexpr Code e_singular_vertex{"E_SINGULAR_VERTEX"};
 inline constexpr Code e_corner_needs_crease{"E_CORNER_NEEDS_CREASE"};
 inline constexpr Code e_pin_mismatch{"E_PIN_MISMATCH"};
 
-/// Tangents of the network. The cubic along half-edge h from a to b has Bezier points P_a, P_a + start(h),
-/// P_b + end(h), P_b: tangents are a third of the derivative.
+/// Tangents of the curve network. The cubic along half-edge h from a to b has the Bezier points P_a, P_a +
+/// start(h), P_b + end(h), P_b: tangents are a third of the derivative.
 struct Network {
   std::vector<Vector3> start;  ///< per half-edge: T(a -> b)
   std::vector<Vector3> end;    ///< per half-edge: T(b -> a)
-  std::vector<Vector3>
-      normal;  ///< per vertex: unit Tc x Ts of the tangent plane, zero at corners and isolated vertices
-  double energy = 0;   ///< sigma of equation (3), scaled as in kuriyama.md section 1
+  /// Unit normal Tc x Ts of the tangent plane, per vertex; zero at corners and isolated vertices.
+  std::vector<Vector3> normal;
+  /// Energy of the edges, the sigma of equation (3) times their weights, scaled as in kuriyama.md section 1.
+  /// Split edges and ties are not counted.
+  double energy = 0;
   int iterations = 0;  ///< conjugate-gradient steps of the solve
 };
 

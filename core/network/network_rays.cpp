@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t face_grain = 512;
 constexpr double least_share = 1e-3;
-/// Share of the mean length: shorter edges count as ones of about this length.
+/// Least edge length, relative to the mean length: shorter edges count as edges of about this length.
 constexpr double least_length = 1e-6;
 
 /// Angle between half-edge h and the split edge of the corner at its origin, in the vertex's fan.
@@ -24,7 +24,7 @@ double angle_to_split(const HalfEdgeMesh& mesh, const VertexFrames& frames, Inde
   return std::atan2(second * b * std::sin(step), first * a + second * b * std::cos(step));
 }
 
-/// Adds a tangent times a factor; both depend on the same two basis vectors at the most.
+/// Adds a tangent times a factor; together they depend on at most two basis vectors.
 void add_tangent(const TangentCoefficients& from, double factor, TangentCoefficients& to) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (from.basis[i] == no_index) continue;
@@ -44,7 +44,7 @@ NetworkWeights network_weights(const HalfEdgeMesh& mesh, const VertexFrames& fra
   const FaceCharts& charts = frames.charts;
   if (charts.frames == Frames::equal) return out;
   out.ray.resize(mesh.half_edge_count());
-  std::vector<double> share(mesh.edge_count(), 0.0);  // mean of both ends
+  std::vector<double> share(mesh.edge_count(), 0.0);  // mean over both ends
   const auto by_length = [&](double length) {
     return 1 / std::sqrt(std::hypot(length / charts.mean_length, least_length));
   };
@@ -156,7 +156,7 @@ void NetworkRays::add_right_side(std::span<const Index> vertices, std::span<cons
   parallel_for(work.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const Index f = work.faces[k];
-      // Relative to the mean of the face, so that nothing is lost far from the origin.
+      // Relative to the mean of the face, so that no digits are lost far from the origin.
       const Vector3& reference = positions[mesh_->origin(mesh_->face_begin(f))];
       Vector3 mean = Vector3::Zero();
       for (const Index v : mesh_->face_vertices(f)) mean += positions[v] - reference;

@@ -1,6 +1,6 @@
 #pragma once
 
-// NetworkRays: the split edges' part in the energy of a network by measure, with their split points
+// NetworkRays: the energy of the split edges (rays) of a network in metric frames, with their split points
 // eliminated (kuriyama.md section 12.4).
 
 #include <span>
@@ -13,48 +13,53 @@
 
 namespace hariko {
 
-/// How much edges and split edges count, by the part of the turn round their ends that is theirs and by their
-/// length.
+/// Weights of edges and split edges in the energy, by their share of the full turn around their ends and by
+/// their length.
 struct NetworkWeights {
   std::vector<double> edge;  ///< per edge
   std::vector<double> ray;   ///< per half-edge: the split edge at its origin
 };
-/// All 1, and no rays, in equal frames.
+/// Weights of a network. In equal frames: 1 for every edge, and no rays.
 NetworkWeights network_weights(const HalfEdgeMesh& mesh, const VertexFrames& frames);
 
+/// Energy of the split edges as a matrix over the vertices' basis vectors, applied face by face.
 class NetworkRays {
  public:
   NetworkRays() = default;
-  /// `alpha`: per vertex. The frames must be by measure.
+  /// Assembles the rays. `alpha`: vertex tension, per vertex. `weight`: per half-edge, as in
+  /// NetworkWeights::ray. The frames must be metric.
   NetworkRays(std::shared_ptr<const HalfEdgeMesh> mesh, const VertexFrames& frames,
               std::span<const double> alpha, std::span<const double> weight, const BalancedPulls& balanced);
 
   bool empty() const { return rays_.empty(); }
 
-  /// Room for a solve.
+  /// Workspace of a solve.
   struct Workspace {
-    std::vector<Index> faces;          ///< round the vertices that take part, ascending
-    std::vector<Vector3> tangent;      ///< per half-edge: of the split edge at its origin
-    std::vector<Matrix3> split_point;  ///< per face: a row each for O, Ys and Yc
+    std::vector<Index> faces;          ///< faces around the vertices that take part, ascending
+    std::vector<Vector3> tangent;      ///< tangent of the split edge at its origin, per half-edge
+    std::vector<Matrix3> split_point;  ///< per face: O, Ys and Yc, one per row
   };
+  /// Workspace for a solve at these vertices.
   Workspace make_workspace(std::span<const Index> vertices) const;
 
   /// Adds the matrix's diagonal block of a vertex whose basis begins at `first`.
   void add_diagonal(Index v, Index first, Eigen::MatrixXd& block) const;
-  /// The matrix's product is made in three steps: split tangents at the vertices, the faces' answer, and what
-  /// both add at the vertices.
+  /// Matrix product in three steps: split tangents at the vertices; the split points that minimise the energy
+  /// of their faces for these tangents; the contributions of both at the vertices.
   void set_tangents(Index v, const std::vector<Vector3>& x, Workspace& work) const;
-  void answer(std::size_t begin, std::size_t end, Workspace& work) const;  ///< faces of the workspace
+  /// for faces of the workspace, by place
+  void answer(std::size_t begin, std::size_t end, Workspace& work) const;
   void add_product(Index v, const Workspace& work, std::vector<Vector3>& y) const;
-  /// Adds the right-hand side that these positions, one a vertex, give at the vertices.
+  /// Adds the right-hand side for these positions, one per vertex, at the vertices.
   void add_right_side(std::span<const Index> vertices, std::span<const Vector3> positions,
                       std::vector<Vector3>& b) const;
 
  private:
   struct Ray {
-    TangentCoefficients tangent;  ///< none where the corner is a half turn: it points to the face's middle
+    /// none where the corner is a half turn: it points to the middle of the face
+    TangentCoefficients tangent;
     double weight = 0, alpha = 0;
-    double coupling = 1;  ///< to the split point, 0 .. 1 (BalancedPulls)
+    double coupling = 1;  ///< coupling to the split point, 0 .. 1 (BalancedPulls)
     Vector3 place;        ///< O + Y is place . (O, Ys, Yc)
     bool known() const { return tangent.basis[0] == no_index; }
   };

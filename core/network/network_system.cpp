@@ -12,8 +12,8 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t grain = 2048;  ///< vertices a task: about 0.1 ms of a step
-/// 0.268^30 and 0.38^60 are below any tolerance that makes sense; ties of curves ask for more steps.
+constexpr std::size_t grain = 2048;  ///< vertices per task: about 0.1 ms of a step
+/// 0.268^30 and 0.38^60 are below any sensible tolerance; ties of curves need more steps.
 constexpr int max_steps = 30, max_steps_with_rays = 60, max_steps_with_ties = 400;
 
 std::string name_of(VertexId id) {
@@ -303,7 +303,7 @@ std::vector<Vector3> NetworkSystem::right_side(std::span<const Index> vertices,
     for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
       const Index at = incident_ends_[i], h = mesh_->half_edge_of_edge(at / 2);
       const Index other = at & 1U ? mesh_->origin(h) : mesh_->target(h);
-      // D counts as much as both tangents of a straight edge together.
+      // D has the same weight as both tangents of a straight edge together.
       const double share = (2 + balanced_.of_edge(at / 2)) / 3;
       const Vector3 pull = edge_weight_[at / 2] * beta_[at / 2] * share * (positions[other] - positions[v]);
       const TangentCoefficients& tangent = edge_ends_[at];
@@ -352,8 +352,8 @@ void NetworkSystem::combine(std::span<const Index> vertices, std::vector<Vector3
   });
 }
 
-/// The system at some vertices as conjugate gradients want it, projected onto what pins and conditions leave
-/// free.
+/// System at some vertices in the form that conjugate gradients need, projected onto the directions that pins
+/// and conditions leave free.
 struct NetworkSystem::Projected {
   using Field = std::vector<Vector3>;
   const NetworkSystem& system;
@@ -384,7 +384,7 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
   x = starting_point(vertices, options);
 
   r = right_side(vertices, positions);
-  if (!frames_.offset.empty() && !options.homogeneous) {  // the solution moves by the offsets of kept forms
+  if (!frames_.offset.empty() && !options.homogeneous) {  // the solution is offset by kept forms
     apply(vertices, frames_.offset, work, q);
     combine(vertices, r, 1, 1, q);
   }
@@ -392,14 +392,15 @@ NetworkSystem::Solution NetworkSystem::solve(std::span<const Vector3> positions,
   project(vertices, b);
   precondition(vertices, b, room.preconditioned);
   room.enough = options.tolerance * options.tolerance * dot(vertices, b, room.preconditioned);
-  // The start need not lie in the free directions: what it leaves is projected here, and measured against b.
+  // The initial guess need not lie in the free directions: its residual is projected here, and measured
+  // against b.
   apply(vertices, x, work, q);
   combine(vertices, r, 1, -1, q);
   project(vertices, r);
   Projected system{*this, vertices, work};
   solution.iterations =
       conjugate_gradients(system, x, room, {.max_steps = limit, .corrected = true}, {}).iterations;
-  // Rounding of many steps would otherwise leave the pinned planes a little.
+  // The rounding errors of many steps would otherwise move the tangents slightly out of the pinned planes.
   keep_in_planes(vertices, x);
   for (const auto& [v, vertex] : conditioned_)
     for (std::size_t k = 0; k < vertex.known.size(); ++k) {

@@ -18,30 +18,30 @@
 
 namespace hariko {
 
-/// What is known of one basis vector of a border vertex before the network is solved (joins): that it lies in
-/// a plane, or what it is.
+/// Condition of a join on one basis vector of a border vertex, before the network is solved: it lies in a
+/// plane, or has a given value.
 struct BasisCondition {
   enum class Kind : std::uint8_t { plane, fixed };
   Index vertex = no_index;
-  Index basis = no_index;  ///< one of the vertex's
+  Index basis = no_index;  ///< one of the vertex's own
   Kind kind = Kind::fixed;
   Vector3 vector = Vector3::Zero();  ///< the plane's normal, or the basis vector
 };
 
-/// The matrix is applied edge by edge and never stored. With the block-Jacobi preconditioner its spectrum
-/// lies in [1/2, 3/2] for every mesh and every tension >= 0, so conjugate gradients gain a factor 0.268 a
-/// step and need no factorisation; pins and conditions are projections, which keep that bound. Frames by
-/// measure add the split edges, their split points eliminated: then it was found within [0.3, 1.5], a factor
-/// 0.38 a step.
+/// Linear system of the minimum-norm network. The matrix is applied edge by edge and never stored. With the
+/// block-Jacobi preconditioner its spectrum lies in [1/2, 3/2] for every mesh and every tension >= 0, so
+/// conjugate gradients gain a factor 0.268 per step and need no factorisation; pins and conditions are
+/// projections, which keep that bound. Metric frames add the split edges, with their split points eliminated:
+/// then the spectrum was found within [0.3, 1.5], a factor 0.38 per step.
 class NetworkSystem {
  public:
-  /// Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_CORNER_NEEDS_CREASE, E_PIN_MISMATCH,
-  /// E_SINGULAR_VERTEX. Settings of elements that the polyhedron does not have are ignored. Positions matter
-  /// with frames by measure only. O(edges).
+  /// Assembles the system. Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_CORNER_NEEDS_CREASE,
+  /// E_PIN_MISMATCH, E_SINGULAR_VERTEX. Settings of elements that the polyhedron does not have are ignored.
+  /// Positions matter only with metric frames. O(edges).
   static Result<NetworkSystem> assemble(const Polyhedron& polyhedron, const Shaping& shaping,
                                         const VertexFrameOptions& options = {});
 
-  /// Replaces all conditions; each basis vector has at most one, and its vertex no pin. O(conditions).
+  /// Replaces all conditions. Each basis vector has at most one, and its vertex has no pin. O(conditions).
   void set_conditions(std::span<const BasisCondition> conditions);
 
   const VertexFrames& frames() const { return frames_; }
@@ -57,17 +57,18 @@ class NetworkSystem {
     int iterations = 0;
   };
   struct SolveOptions {
-    /// Start from these basis vectors (the last frame's) instead of zero.
+    /// Initial guess instead of zero: these basis vectors (the last frame's).
     const std::vector<Vector3>* start = nullptr;
-    /// Solve at these vertices only, all others held at zero; for the response to a local displacement.
+    /// Restricts the solve to these vertices, all others held at zero; for the response to a local
+    /// displacement.
     const std::vector<Index>* active_vertices = nullptr;
     /// Relative residual in the preconditioner's norm.
     double tolerance = 1e-14;
-    /// Pinned tangents are replaced by zero: the answer to a displacement instead of to positions.
+    /// Replaces pinned tangents by zero: the response to a displacement instead of to positions.
     bool homogeneous = false;
   };
-  /// positions: one per vertex. O(edges) a step, at most 30 steps (60 with frames by measure, more where
-  /// curves are tied).
+  /// Solves for the basis vectors. positions: one per vertex. O(edges) per step, at most 30 steps (60 with
+  /// metric frames, more where curves are tied).
   Solution solve(std::span<const Vector3> positions, const SolveOptions& options) const;
 
   /// Tangents, plane normals and energy of a solution.
@@ -81,7 +82,7 @@ class NetworkSystem {
   std::optional<Message> read_tensions(const Polyhedron& polyhedron, const Shaping& shaping);
   std::optional<Message> read_pins(const Polyhedron& polyhedron, const Shaping& shaping);
   std::optional<Message> factor_blocks(const Polyhedron& polyhedron);
-  /// The vertex's diagonal block of the matrix, for one coordinate.
+  /// Diagonal block of the matrix at the vertex, for one coordinate.
   Eigen::MatrixXd diagonal_block(Index v) const;
   struct Workspace {
     std::vector<Vector3> end_tangents;
@@ -92,15 +93,15 @@ class NetworkSystem {
              std::vector<Vector3>& y) const;
   void precondition(std::span<const Index> vertices, const std::vector<Vector3>& r,
                     std::vector<Vector3>& z) const;
-  /// Takes away what sticks out of pinned planes.
+  /// Removes the components normal to pinned planes.
   void keep_in_planes(std::span<const Index> vertices, std::vector<Vector3>& x) const;
-  /// Projection onto the directions that pins leave free: planes, or nothing.
+  /// Projects onto the directions that pins leave free: planes, or nothing.
   void project(std::span<const Index> vertices, std::vector<Vector3>& r) const;
   std::vector<Vector3> right_side(std::span<const Index> vertices, std::span<const Vector3> positions) const;
   std::vector<Vector3> starting_point(std::span<const Index> vertices, const SolveOptions& options) const;
   double dot(std::span<const Index> vertices, const std::vector<Vector3>& a,
              const std::vector<Vector3>& b) const;
-  /// y = scale y + factor x at these vertices
+  /// Computes y = scale y + factor x at these vertices.
   void combine(std::span<const Index> vertices, std::vector<Vector3>& y, double scale, double factor,
                const std::vector<Vector3>& x) const;
 
@@ -110,10 +111,10 @@ class NetworkSystem {
   std::vector<double> edge_weight_;  ///< per edge, 1 in equal frames
   BalancedPulls balanced_;
   CurveTies ties_;
-  NetworkRays rays_;  ///< none in equal frames
+  NetworkRays rays_;  ///< empty in equal frames
   std::vector<Index> all_vertices_;
-  std::vector<TangentCoefficients>
-      edge_ends_;  ///< end 2e: origin of the edge's first half-edge; 2e + 1: its target
+  /// End 2e: origin of the edge's first half-edge; end 2e + 1: its target.
+  std::vector<TangentCoefficients> edge_ends_;
   std::vector<Index> incident_begin_, incident_ends_;  ///< ends at each vertex
   std::vector<std::size_t> block_begin_;
   std::vector<double> block_inverse_;  ///< row-major inverse of each vertex's diagonal block
@@ -121,11 +122,11 @@ class NetworkSystem {
   std::vector<PinState> pin_state_;  ///< empty when there are no pins
   std::vector<Vector3> pin_normal_, pinned_basis_;
 
-  /// Conditions of one vertex: per basis vector what is left free of it, and the inverse of the block on what
-  /// is left free of all of them (three rows a basis vector).
+  /// Conditions of one vertex: per basis vector the projection onto its free directions, and the inverse of
+  /// the block restricted to all free directions (three rows per basis vector).
   struct ConditionedVertex {
     std::vector<Matrix3> free;
-    std::vector<Vector3> known;  ///< the fixed basis vectors, zero for others
+    std::vector<Vector3> known;  ///< the fixed basis vectors; zero for others
     Eigen::MatrixXd inverse;
   };
   std::map<Index, ConditionedVertex> conditioned_;

@@ -1,20 +1,21 @@
 #pragma once
 
-// RayMatrix: the bending of a face's split edges as a function of its split point (kuriyama.md sections 3 and
-// 12.4).
+// RayMatrix: bending energy of a face's split edges as a function of its split point (kuriyama.md sections 3
+// and 12.4).
 
 #include "core/base/vector.hpp"
 
 namespace hariko {
 
-/// The matrix of the derivatives by O, Ys and Yc of sum w (|Y|^2 + O . Y + |O|^2 / 3), Y = p.y Ys + p.x Yc:
-/// the energy of the split edges where the vertices and the split tangents are zero. Positive definite where
-/// the corners p do not lie on one line through 0.
+/// Matrix of the derivatives by O, Ys and Yc of sum w (|Y|^2 + O . Y + |O|^2 / 3), Y = p.y Ys + p.x Yc: the
+/// energy of the split edges where the vertices and the split tangents are zero. Positive definite unless the
+/// corners p lie on one line through 0.
 class RayMatrix {
  public:
+  /// Adds the split edge of a corner at p with a weight.
   void add(const Vector2& p, double weight) {
     const Vector3 q(1, p.y(), p.x());
-    // 2/3 for O, 1 between O and Y, 2 for Y.
+    // Coefficients: 2/3 for O, 1 between O and Y, 2 for Y.
     matrix_ += weight * (2 * q * q.transpose());
     matrix_(0, 0) -= weight * 4 / 3;
     for (int i = 1; i < 3; ++i) {
@@ -23,7 +24,7 @@ class RayMatrix {
     }
   }
 
-  /// By cofactors; exactly symmetric.
+  /// Inverse by cofactors; exactly symmetric.
   Matrix3 inverse() const {
     const Matrix3& m = matrix_;
     Matrix3 c;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Shaping: what a designer sets on the elements of a polyhedron to shape its surface. Sparse, keyed by stable
-// ids.
+// Shaping: the designer's settings on elements of a polyhedron that shape its surface. Sparse, keyed by
+// stable ids.
 
 #include <vector>
 
@@ -11,14 +11,14 @@
 
 namespace hariko {
 
-/// How the surface treats a vertex on a border or crease (kuriyama.md section 2.1). `automatic`: a border
-/// vertex with two edges is a corner, one with more is smooth; an inner vertex with two creases is smooth,
-/// with three or more a corner.
+/// Treatment of a vertex on a border or crease (kuriyama.md section 2.1). `automatic`: a border vertex with
+/// two edges is a corner, one with more is smooth; an inner vertex with two creases is smooth, one with three
+/// or more is a corner.
 enum class VertexTag { automatic, corner, smooth };
 
-/// A pin fixes a vertex's tangent plane. `tangents`: the vertex's basis vectors themselves (Ts, Tc of
-/// kuriyama.md 2.1; as many as the vertex has), length units. `normal`: only the plane, by a normal vector of
-/// any length.
+/// Constraint on a vertex's tangent plane. `tangents`: fixes the vertex's basis vectors themselves (Ts, Tc of
+/// kuriyama.md section 2.1; as many as the vertex has), in length units. `normal`: fixes the plane only, by a
+/// normal vector of any length.
 struct Pin {
   enum class Kind { tangents, normal };
   Kind kind = Kind::normal;
@@ -26,27 +26,28 @@ struct Pin {
   friend bool operator==(const Pin&, const Pin&) = default;
 };
 
-/// Memory of a refinement at a vertex so that the surface stays: how its tangents differ from those that
-/// frames by measure give it (kuriyama.md section 12.7). The numbers follow the edges: moving, turning and
-/// scaling the polyhedron leaves them as they are.
+/// Record of a refinement at a vertex that keeps the surface: the difference between its tangents and those
+/// that metric frames give it (kuriyama.md section 12.7). The numbers are relative to the edges: moving,
+/// rotating and scaling the polyhedron leaves them unchanged.
 struct KeptForm {
   struct Edge {
     VertexId to;         ///< the edge's other end
     double turn = 0;     ///< added to its direction in the fan, radians, counter-clockwise
     double stretch = 0;  ///< natural logarithm of the factor of its length in the fan
-    /// Added to the image of its unit vector: along the edge, to the left of it and outward.
+    /// Added to the image of its unit vector, in components along the edge, to its left and outward.
     Vector3 offset = Vector3::Zero();
-    /// Beside a corner of nearly a half turn: the share of the corner by which the split vector is turned
-    /// there, counter-clockwise. Both edges of the corner have it.
+    /// Turn of the split vector beside a corner of nearly a half turn, counter-clockwise, as a share of the
+    /// corner's angle. Both edges of the corner have the same value.
     double lean = 0;
-    /// Beside a corner of nearly a half turn that lies on a side of its face's chart: the edge's part of what
-    /// is between the corners before and behind it, in the same unit for both edges; 0 elsewhere.
+    /// Position of a corner of nearly a half turn on a side of its face's chart: this edge's part of the side
+    /// between the corners before and behind, in the same unit for both edges of the corner; 0 elsewhere.
     double side = 0;
     friend bool operator==(const Edge&, const Edge&) = default;
   };
   std::vector<Edge> edges;  ///< ascending by `to`
   friend bool operator==(const KeptForm&, const KeptForm&) = default;
 
+  /// Entry of the edge to a vertex, null where there is none.
   const Edge* find(VertexId to) const {
     for (const Edge& edge : edges)
       if (edge.to == to) return &edge;
@@ -54,30 +55,31 @@ struct KeptForm {
   }
 };
 
+/// Shaping settings of a polyhedron. Elements without an entry have the defaults.
 struct Shaping {
   FlatMap<VertexId, double> alpha;  ///< vertex tension, 0 .. 1000, default 0
-  FlatMap<EdgeId, double>
-      beta;  ///< edge tension, 0.001 .. 1000 (0 allowed where the system stays regular), default 1
-  FlatMap<EdgeId, bool> crease;  ///< sharp edges (value always true)
+  /// Edge tension, 0.001 .. 1000 (0 allowed where the system stays regular), default 1.
+  FlatMap<EdgeId, double> beta;
+  FlatMap<EdgeId, bool> crease;  ///< sharp edges (the value is always true)
   FlatMap<VertexId, VertexTag> tag;
   FlatMap<VertexId, Pin> pin;
   FlatMap<VertexId, KeptForm> form;
-  /// Memory of a refinement at faces: factor of the area with which mode FAIR counts a face in frames by
-  /// measure, default 1 (kuriyama.md section 12.7).
+  /// Record of a refinement at faces: factor of the face's area in mode FAIR with metric frames, default 1
+  /// (kuriyama.md section 12.7).
   FlatMap<FaceId, double> kept_area;
   friend bool operator==(const Shaping&, const Shaping&) = default;
 };
 
-/// The construction of the surface over the network (kuriyama.md, head). `fair` is the default for designers.
-/// `g2` has continuous curvature (g2.md).
+/// Construction of the surface over the network (kuriyama.md, introduction). `fair` is the default for
+/// designers; `g2` has continuous curvature (g2.md).
 enum class Mode { paper, target, fair, g2 };
 
-/// How vertices and faces are laid out in the plane. `equal`: equal angles and unit lengths at every vertex,
-/// regular faces, as in the paper. `metric`: as the polyhedron's angles and lengths are (kuriyama.md section
-/// 12). Mode PAPER takes the first always.
+/// Layout of vertices and faces in the plane. `equal`: equal angles and unit lengths at every vertex, regular
+/// faces, as in the paper. `metric`: by the polyhedron's angles and lengths (kuriyama.md section 12). Mode
+/// PAPER always uses equal frames.
 enum class Frames { equal, metric };
 
-/// The frames that a surface of this mode has.
+/// Frames of a surface of this mode.
 inline Frames frames_in(Mode mode, Frames frames) {
   return mode == Mode::paper ? Frames::equal : frames;
 }

@@ -11,20 +11,21 @@ namespace hariko {
 
 namespace {
 
-/// Share of the longest edge of a fan that keeps lengths from zero, and the one that keeps those of edges
-/// without any length.
+/// Length that keeps short edges above zero, relative to the longest edge of the fan, and the one that keeps
+/// edges of no length above zero.
 constexpr double floor_share = 0.01, zero_share = 1e-3;
-/// Share of the longest edge below which an edge is kept from zero by less.
+/// Length, relative to the longest edge, below which the former decreases.
 constexpr double full_share = 1.0 / 16;
-/// Length relative to that of the shortest edge beside it, below which an edge is short.
+/// Length, relative to that of the shortest edge beside it, below which an edge counts as short.
 constexpr double short_ratio = 0.1;
-/// Part of what the ends differ by that is taken away: the split vector moves along an edge by the ratio of
-/// the turns in the face and in the fan, so that a corner in a face does not become quite straight.
+/// Part of the difference between the two ends that is removed. Not all of it, since the split vector moves
+/// along an edge by the ratio of the turns in the face and in the fan, so that a corner in a face should not
+/// become quite straight.
 constexpr double agreement = 0.75;
-/// Inflation of a fan that counts where there is none.
+/// Least inflation of a fan, for ends where there is none.
 constexpr double least_gain = std::numbers::pi / 180;
 
-/// The two corners beside an edge at one of its ends.
+/// The two corners beside an edge, at one of its ends.
 struct Beside {
   Index left, right;
 };
@@ -46,7 +47,7 @@ std::vector<double> steps_beside_short_edges(const HalfEdgeMesh& mesh, const Fac
   if (n < 3) return steps;
   const auto length = [&](Index h) { return charts.edge_length[mesh.edge(h)]; };
   const auto sum = [&](const Beside& at) { return own_steps[at.left] + own_steps[at.right]; };
-  // Angles of a sharp corner are scaled up to a full turn: that is what has to give.
+  // Inflation: the angles of a sharp corner are scaled up to a full turn, and that end changes more.
   const auto inflation = [&](const Beside& at) {
     const double seen = corner_angle(mesh, charts, at.left) + corner_angle(mesh, charts, at.right);
     return std::max(0.0, sum(at) - seen) + least_gain;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Edges far shorter than those beside them: lengths and fans of their ends (kuriyama.md section 12.8).
+// Edges far shorter than those beside them: lengths and fan angles at their ends (kuriyama.md section 12.8).
 
 #include <span>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace hariko {
 
-/// Length of an edge in its vertex's fan, whose longest edge is given: kept from zero, but hardly longer than
+/// Length of an edge in its vertex's fan with the given longest edge: kept above zero, but hardly longer than
 /// the edge is.
 double fan_length(double length, double longest);
 
-/// Steps of the fan of a vertex inside the mesh, from its own steps and those of its neighbours before this:
-/// both ends of a far shorter edge see the edges beside it alike. `corners`: of the fan, counter-clockwise.
-/// `own_steps`: per corner of the mesh, 0 round vertices that do not take part. With the same sum; not yet
-/// limited.
+/// Steps of the fan of a vertex inside the mesh after alignment beside short edges, from its own steps and
+/// those of its neighbours before alignment: at both ends of a far shorter edge the edges beside it look
+/// alike. `corners`: those of the fan, counter-clockwise. `own_steps`: per corner of the mesh, 0 around
+/// vertices that do not take part. The sum stays the same; not yet limited.
 std::vector<double> steps_beside_short_edges(const HalfEdgeMesh& mesh, const FaceCharts& charts,
                                              std::span<const Index> corners,
                                              std::span<const double> own_steps);

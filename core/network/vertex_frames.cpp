@@ -19,16 +19,16 @@ namespace hariko {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// Share of a flat corner that its split vector keeps from its edges: 9 degrees.
+/// Least share of a flat corner between its split vector and either edge: 9 degrees.
 constexpr double least_place = 0.05;
 
-/// One edge of a fan: the half-edge that carries it and which of its ends lies at the vertex.
+/// Edge of a fan: the half-edge that carries it and which of its ends lies at the vertex.
 struct FanEdge {
   Index half_edge;
   bool at_origin;
 };
 
-/// Edges counter-clockwise; corner k lies between edges k and k + 1.
+/// Edges around a vertex, counter-clockwise; corner k lies between edges k and k + 1.
 struct Fan {
   std::vector<FanEdge> edges;
   std::vector<Index> corners;
@@ -50,17 +50,17 @@ Fan fan_of(const HalfEdgeMesh& mesh, Index v) {
   return fan;
 }
 
-/// Corners between two sharp edges, or all round a vertex that has at most one, and what the image of a plane
-/// vector is there.
+/// Sector: the corners between two sharp edges, or all corners around a vertex that has at most one sharp
+/// edge, and the map from plane vectors to tangents there.
 struct Sector {
   enum class Image : std::uint8_t { smooth, straight, line, corner };
   Image image = Image::smooth;
-  std::size_t first = 0, corners = 0;  ///< its first edge in the fan, and how many corners follow
+  std::size_t first = 0, corners = 0;  ///< its first edge in the fan, and the number of corners that follow
   double opening = 0;
-  /// Smooth: Ts, Tc. Straight: Tc. Line: Ts (none with one corner), Tc. Corner: X of the first and of the
-  /// last edge.
+  /// Basis vectors by image. Smooth: Ts, Tc. Straight: Tc. Line: Ts (none with one corner), Tc. Corner: X of
+  /// the first and of the last edge.
   std::array<Index, 2> basis{no_index, no_index};
-  double sign = 1;  ///< line: of Tc
+  double sign = 1;  ///< sign of Tc in a line
 };
 
 class FrameBuilder {
@@ -118,7 +118,8 @@ class FrameBuilder {
     }
   }
 
-  /// Per half-edge, for corners that forms put on a side of their face; empty where there are none.
+  /// Positions of corners that kept forms put on a side of their face, per half-edge; empty where there are
+  /// none.
   std::vector<double> side_shares() const {
     std::vector<double> out;
     for (const auto& entry : shaping_.form) {
@@ -148,7 +149,7 @@ class FrameBuilder {
         unit_[v] = true;
   }
 
-  /// Steps round smooth vertices as the corners there give them.
+  /// Steps around smooth vertices from their own corners alone.
   void find_own_steps() {
     own_step_.assign(mesh_.half_edge_count(), 0.0);
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
@@ -160,7 +161,7 @@ class FrameBuilder {
     }
   }
 
-  /// Divides the fan into sectors and takes the vertex's basis vectors.
+  /// Divides the fan into sectors and allocates the vertex's basis vectors.
   std::optional<Message> divide(Index v) {
     const VertexTag tag = shaping_.tag.get_or(polyhedron_.vertex_id(v), VertexTag::automatic);
     std::vector<std::size_t> sharp;
@@ -231,7 +232,7 @@ class FrameBuilder {
     }
   }
 
-  /// `given`: the opening of the only sector, where it is known.
+  /// Divides the fan of a corner vertex. `given`: the opening of its only sector, where it is known.
   void divide_corner(Index v, const std::vector<std::size_t>& sharp, std::optional<double> given = {}) {
     frames_.kind[v] = FrameKind::corner;
     const Index first_basis = take_basis(static_cast<Index>(sharp.size()));
@@ -285,8 +286,8 @@ class FrameBuilder {
     if (form) add_offset(v, *form);
   }
 
-  /// Part of a form for each edge of the fan. Edges that it does not know are turned and stretched as those
-  /// beside them; none where it knows no edge.
+  /// Kept form of each edge of the fan. Edges without an entry are interpolated between the nearest known
+  /// edges; empty where the form knows no edge of the fan.
   std::vector<KeptForm::Edge> kept_edges(const KeptForm& form) const {
     const std::size_t n = fan_.edges.size();
     std::vector<KeptForm::Edge> out(n);
@@ -317,7 +318,7 @@ class FrameBuilder {
     add_form_offset(polyhedron_, frames_, v, form, frames_.offset);
   }
 
-  /// Angle of each edge of the sector from its first one.
+  /// Angle of each edge of the sector from its first one, in equal frames.
   static std::vector<double> equal_angles(const Sector& sector) {
     std::vector<double> angles(sector.corners + 1);
     for (std::size_t j = 0; j <= sector.corners; ++j)
@@ -325,7 +326,7 @@ class FrameBuilder {
     return angles;
   }
 
-  /// Angles of the corners in the charts of their faces.
+  /// Corner angles of the sector in the charts of their faces.
   std::vector<double> seen_angles(const Sector& sector) const {
     std::vector<double> seen(sector.corners);
     for (std::size_t j = 0; j < sector.corners; ++j)
@@ -361,7 +362,8 @@ class FrameBuilder {
     return angles;
   }
 
-  /// Lengths of the edges in space, kept from zero by the longest of them. Edges at a half turn share one.
+  /// Lengths of the edges in space, kept above zero relative to the longest. The two edges of a half-turn
+  /// corner share one length.
   std::vector<double> fan_lengths(std::span<const Sector> sectors) const {
     std::vector<double> lengths;
     double longest = 0;
@@ -383,15 +385,16 @@ class FrameBuilder {
     return lengths;
   }
 
-  /// Angle from the corner's first edge to its split vector, as a share of the corner's.
+  /// Angle from the corner's first edge to its split vector, as a share of the corner's angle.
   double split_place(Index corner, std::size_t first, std::size_t second) const {
     const double lean = kept_.empty() ? 0 : (kept_[first].lean + kept_[second].lean) / 2;
     return std::clamp(place_in_corner(mesh_, frames_.charts, corner) + lean, least_place, 1 - least_place);
   }
 
-  /// Between edges that nearly go straight on, the split vector is the difference of two large vectors, so
-  /// that a small part of their lengths turns it far. There the lengths are the ones with which it has its
-  /// direction in the face's chart. The shorter edge gives way, whose curve hardly changes by that.
+  /// Lengths of edges, corrected beside flat corners. Between edges that are nearly opposite the split vector
+  /// is the difference of two large vectors, so a small relative change of their lengths turns it far. There
+  /// the ratio of lengths is the one that gives it its direction in the face's chart. The shorter edge
+  /// changes more, as its curve is hardly affected.
   std::vector<double> lengths_beside_flat_corners(std::vector<double> lengths,
                                                   std::span<const Sector> sectors,
                                                   std::span<const std::vector<double>> angles) const {
@@ -420,7 +423,7 @@ class FrameBuilder {
   void place(const Sector& sector, const std::vector<double>& angles, const std::vector<double>& lengths) {
     for (std::size_t j = 0; j <= sector.corners; ++j) {
       const double length = lengths[(sector.first + j) % lengths.size()];
-      if (j < fan_.edges.size())  // all round, the last edge is the first one
+      if (j < fan_.edges.size())  // in a closed fan the last edge is the first one
         set_edge(sector, j, scaled(image(sector, angles, j), length), length);
       if (j < sector.corners)
         frames_.step[corner(sector, j)] =
@@ -435,7 +438,7 @@ class FrameBuilder {
     return tangent;
   }
 
-  /// The image of the unit vector along edge j.
+  /// Image of the unit vector along edge j.
   static TangentCoefficients image(const Sector& sector, const std::vector<double>& angles, std::size_t j) {
     const double angle = angles[j];
     const bool first = j == 0, last = j == sector.corners;
@@ -468,8 +471,9 @@ class FrameBuilder {
     if (twin != no_index) set(2 * twin + (at.at_origin ? 1 : 0));
   }
 
-  /// One factor for the whole sector, so that its split vectors are as long, in the geometric mean, as the
-  /// corners' arms in the faces. A fan of unit lengths stands for one of the edges' mean length.
+  /// Sets the split gain of a sector: one factor, so that its split vectors are as long, in the geometric
+  /// mean, as the corners' arms in the face charts. A fan of unit lengths represents one with the mean length
+  /// of its edges.
   void find_gain(const Sector& sector, bool metric) {
     if (frames_.half_turn[corner(sector, 0)]) return;
     const FaceCharts& charts = frames_.charts;
@@ -492,7 +496,8 @@ class FrameBuilder {
     }
   }
 
-  /// A side that is given at both ends leaves the surface at one speed, which goes with the gains there.
+  /// Equalises split gains along chains of given sides: a side that is given at both ends leaves the surface
+  /// at one speed, which is proportional to the gains there.
   void share_gains() {
     DisjointSets chains(mesh_.vertex_count());
     for (const Index h : options_.joined) chains.join(mesh_.origin(h), mesh_.target(h));
@@ -532,11 +537,11 @@ class FrameBuilder {
   std::map<Index, const FrameRequest*> requests_;
   VertexFrames frames_;
   Fan fan_;
-  std::vector<Sector> sectors_;            ///< of all vertices, in order
+  std::vector<Sector> sectors_;            ///< sectors of all vertices, in order
   std::vector<std::size_t> sector_begin_;  ///< per vertex, plus one
-  std::vector<bool> unit_;                 ///< per vertex; empty in equal frames
-  std::vector<double> own_step_;           ///< per corner, 0 round other than smooth vertices
-  std::vector<KeptForm::Edge> kept_;       ///< of `fan_`; empty where nothing is kept
+  std::vector<bool> unit_;        ///< per vertex: keeps equal angles and unit lengths; empty in equal frames
+  std::vector<double> own_step_;  ///< per corner, 0 at vertices that are not smooth
+  std::vector<KeptForm::Edge> kept_;  ///< kept form of the edges of `fan_`; empty where nothing is kept
   Index next_basis_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Vertex frames: how the tangents at a vertex depend on its few basis vectors (Kuriyama 1991, equation (2),
-// extended to borders, creases, darts and corners; kuriyama.md section 2.1; fans by measure: section 12.2).
+// Vertex frames: the tangents at a vertex as functions of its few basis vectors (Kuriyama 1991, equation (2),
+// extended to borders, creases, darts and corners; kuriyama.md section 2.1; metric fans: section 12.2).
 
 #include <array>
 #include <span>
@@ -14,18 +14,18 @@
 
 namespace hariko {
 
-/// T = c[0] X[basis[0]] + c[1] X[basis[1]]. A tangent never depends on more than two basis vectors.
+/// Tangent as a combination of basis vectors, T = c[0] X[basis[0]] + c[1] X[basis[1]]; never more than two.
 struct TangentCoefficients {
   std::array<Index, 2> basis{no_index, no_index};
   std::array<double, 2> c{0, 0};
 };
 
-/// The rows of the table in kuriyama.md 2.1.
+/// Kind of vertex, by the rows of the table in kuriyama.md section 2.1.
 enum class FrameKind : std::uint8_t { isolated, smooth, straight, sharp_line, corner };
 
-/// Equal frames depend on connectivity and tags only, those by measure on the positions as well. "End" 2h is
-/// half-edge h at its origin: T(origin -> target); end 2h + 1 is h at its target: T(target -> origin). Both
-/// half-edges of an edge describe the same two tangents.
+/// Frames of all vertices. Equal frames depend on connectivity and tags only, metric frames on the positions
+/// as well. "End" 2h is half-edge h at its origin: T(origin -> target); end 2h + 1 is h at its target:
+/// T(target -> origin). Both half-edges of an edge describe the same two tangents.
 struct VertexFrames {
   std::vector<FrameKind> kind;     ///< per vertex
   std::vector<Index> basis_begin;  ///< per vertex, plus one: basis vectors of v are [begin[v], begin[v + 1])
@@ -33,26 +33,27 @@ struct VertexFrames {
   std::vector<double> length;   ///< per end: length of the edge's vector in the fan, 1 in equal frames
   std::vector<double> step;     ///< per half-edge: angle between the edges of the corner at its origin
   std::vector<bool> half_turn;  ///< per half-edge: that angle is a half turn, by connectivity and tags
-  /// Per half-edge: the split tangent of the corner at its origin is this times (x of the patch behind the
-  /// corner T(edge) + x of the half-edge's own patch T(edge behind)); 1 in equal frames.
+  /// Factor of split tangents, per half-edge: the split tangent of the corner at its origin is this times (x
+  /// of the patch behind the corner T(edge) + x of the half-edge's own patch T(edge behind)); 1 in equal
+  /// frames.
   std::vector<double> split_gain;
   std::vector<bool> sharp;  ///< per edge: border or crease
-  /// Per basis vector: what kept forms add to it; empty where there are none.
+  /// Offset that kept forms add, per basis vector; empty where there are none.
   std::vector<Vector3> offset = {};
   FaceCharts charts;
   std::vector<double> kept_area = {};  ///< per face: factor of its area in mode FAIR; empty where all are 1
 
   Index basis_count() const { return basis_begin.back(); }
-  /// Factors of the tangents along half-edge h and along the one before it in the split tangent of the
-  /// corner at h's origin. Not at a half turn.
+  /// Factors of the tangents along half-edge h and along the one before it in the split tangent of the corner
+  /// at h's origin. Not defined at a half turn.
   std::array<double, 2> split_factors(const HalfEdgeMesh& mesh, Index h) const {
     return {split_gain[h] * charts.area[mesh.previous(h)], split_gain[h] * charts.area[h]};
   }
 };
 
-/// What the curves on both sides of a border vertex ask of its frame when they are given (joins): a smooth
-/// line where they are one curve, else a corner with their true opening, counter-clockwise from the border
-/// edge that leaves the vertex. It comes before tags.
+/// Requirement of the given curves on both sides of a border vertex on its frame (joins): a smooth line where
+/// they are one curve, otherwise a corner with their true opening, counter-clockwise from the border edge
+/// that leaves the vertex. Takes precedence over tags.
 struct FrameRequest {
   Index vertex = no_index;
   bool line = true;
@@ -60,16 +61,18 @@ struct FrameRequest {
   friend bool operator==(const FrameRequest&, const FrameRequest&) = default;
 };
 
+/// Options of vertex frames.
 struct VertexFrameOptions {
   Frames frames = Frames::equal;
-  /// At border vertices where no crease ends, each at most once.
+  /// Requests at border vertices where no crease ends, at most one per vertex.
   std::span<const FrameRequest> requests = {};
   /// Border half-edges whose curves are given (joins). Their ends keep equal angles and unit lengths, as do
-  /// vertices with a pin of kind `tangents`; along a chain of them all split gains are the same.
+  /// vertices with a pin of kind `tangents`; along a chain of them all split gains are equal.
   std::span<const Index> joined = {};
 };
 
-/// Error: E_CORNER_NEEDS_CREASE where an inner vertex tagged corner has fewer than two sharp edges.
+/// Builds the frames of all vertices. Error: E_CORNER_NEEDS_CREASE where an inner vertex tagged corner has
+/// fewer than two sharp edges.
 Result<VertexFrames> build_vertex_frames(const Polyhedron& polyhedron, const Shaping& shaping,
                                          const VertexFrameOptions& options = {});
 

@@ -13,15 +13,15 @@ namespace hariko {
 
 namespace {
 
-constexpr double fit_tolerance = 1e-9;  ///< of the net's size, and of the rank of the conditions
+constexpr double fit_tolerance = 1e-9;  ///< relative to the net's size; also for the rank of the conditions
 constexpr double smallest_share = 0.125;
-constexpr double straight_tolerance = 1e-6;  ///< when three points of a row count as smooth
+constexpr double straight_tolerance = 1e-6;  ///< for three points of a row to count as smooth
 
-/// Unknowns of a side: 1 / lambda, l1 / lambda, l2 / lambda, in which the new row is linear.
+/// Number of unknowns of a side, 1 / lambda, l1 / lambda, l2 / lambda, in which the new row is linear.
 constexpr Eigen::Index unknowns = 3;
 using RowMatrix = Eigen::Matrix<double, 3, unknowns>;
 
-/// P(i,1) - P(i,0) = matrix * unknowns.
+/// Matrix of the new row's dependence on the unknowns: P(i,1) - P(i,0) = matrix * unknowns.
 RowMatrix dependence(const std::array<Vector3, 4>& curve, const CrossRow& row, int i) {
   const Vector3 d0 = curve[1] - curve[0], d1 = curve[2] - curve[1], d2 = curve[3] - curve[2];
   const std::array<Vector3, 4> first{3 * d0, 2 * d1, d2, Vector3::Zero()};
@@ -31,19 +31,19 @@ RowMatrix dependence(const std::array<Vector3, 4>& curve, const CrossRow& row, i
   return out / 3;
 }
 
-/// Three neighbours of an adapting row, over the end of an inner side: beyond - end = ratio (end - inner).
+/// Smooth joint of an adapting row across the end of an inner side: beyond - end = ratio (end - inner).
 struct RowJoint {
   Index inner, end, beyond;
   double ratio;
 };
 
-/// Where the net's row is smooth, at both ends of the side.
+/// Joints at both ends of a side where the net's row is smooth.
 std::vector<RowJoint> row_joints(const BicubicNet& net, const std::vector<Index>& same, NetSide side) {
   std::vector<RowJoint> out;
   const int places = int(places_of(net, side.side));
   const SideRows own = side_rows(net, side);
   for (const bool forwards : {true, false}) {
-    // The next place along the grid's side; round a closed grid the first follows the last.
+    // The next place along the grid's side; in a closed grid the first follows the last.
     int place = int(side.place) + (forwards ? 1 : -1);
     const Index end = same[own.row[forwards ? 3 : 0]], inner = same[own.row[forwards ? 2 : 1]];
     if (place < 0 || place >= places) {
@@ -67,12 +67,12 @@ class Fit {
       const std::vector<Index>& same, const std::vector<RowJoint>& joints)
       : net_(net), sides_(sides), held_(held), same_(same), joints_(joints) {}
 
-  /// New places of points, or nothing where the sides have no common solution.
+  /// New positions of points, or nothing where the sides have no common solution.
   std::optional<std::map<Index, Vector3>> solve() {
     collect();
     auto x = minimum({});
     if (x && !positive(*x)) {
-      // Lambda would change its sign: take a natural one.
+      // Lambda would change its sign: the first side gets a natural one.
       Eigen::VectorXd row = Eigen::VectorXd::Zero(x->size());
       row[0] = 1;
       x = minimum(std::pair{row, natural(0)});
@@ -158,7 +158,7 @@ class Fit {
     }
   }
 
-  /// Least squares on the solutions of the conditions; `extra` is one more of them.
+  /// Least-squares solution under the conditions; `extra` is one more condition.
   std::optional<Eigen::VectorXd> minimum(
       const std::optional<std::pair<Eigen::VectorXd, double>>& extra) const {
     Eigen::MatrixXd a = conditions_ / size_;
@@ -196,7 +196,7 @@ class Fit {
   double size_ = 1;
 };
 
-/// Points of a closed net that are one point: the number of the first of them.
+/// Number of the first of all points that coincide in a closed net, for each point.
 std::vector<Index> same_points(const BicubicNet& net) {
   std::vector<Index> out(net.points.size());
   for (Index p = 0; p < out.size(); ++p) out[p] = p;
@@ -210,8 +210,8 @@ std::vector<Index> same_points(const BicubicNet& net) {
   return out;
 }
 
-/// Where an inner side that ended on an adapting one keeps its row smooth: the point beyond follows. Points
-/// that adapting sides claim have their own places.
+/// Keeps rows smooth across inner sides that end on an adapting side: the point beyond follows. Points that
+/// adapting sides determine keep their positions.
 void follow(const BicubicNet& before, const std::vector<RowJoint>& joints, const std::set<Index>& held,
             std::map<Index, Vector3>& moved) {
   const std::map<Index, Vector3> given = moved;
@@ -265,7 +265,7 @@ AdaptedNet adapted_net(const BicubicNet& net, const std::vector<AdaptingSide>& s
     auto fit = Fit(net, accepted, still, same, all).solve();
     bool kinked = false;
     if (!fit) {
-      // Tangent planes along whole sides count more than the smoothness of an inner side.
+      // Tangent planes along whole sides take precedence over the smoothness of an inner side.
       std::erase_if(all, [&](const RowJoint& joint) {
         return std::any_of(own.begin(), own.end(),
                            [&](const RowJoint& mine) { return mine.end == joint.end; });

@@ -16,7 +16,7 @@ namespace {
 
 enum class PatchKind { other, quartic, g2, bicubic };
 
-/// Control points of patches of any kind that has some.
+/// Control points of patches, for the kinds of patches that have them.
 class Controls {
  public:
   explicit Controls(const PatchSet& set)
@@ -38,7 +38,7 @@ class Controls {
         points_.push_back(bicubic_->net().points[bicubic_->net().index(patch, i, j)]);
     return points_;
   }
-  /// Whether control `i` of a patch is a point of the surface's space and not a derivative.
+  /// Whether control `i` of a patch is a point in space and not a derivative.
   bool is_point(std::size_t i, Index patch) const {
     return !g2_ || i >= std::size_t(g2_->atlas()->chart[g2_->atlas()->face[patch]]->control_count());
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a drag's response is solved in: the rings of faces round the vertices that move, and the network's
-// answer there.
+// Drag region: the rings of faces around the moved vertices in which the response to a drag is solved, and
+// the network's response there.
 
 #include <vector>
 
@@ -9,23 +9,25 @@
 
 namespace hariko {
 
-/// Patches and faces that feel less of a displacement than this share are not kept in a response.
+/// Share of a displacement below which patches and faces are left out of a response.
 inline constexpr double negligible_share = 1e-11;
 
+/// Faces and vertices of a drag region.
 struct Neighbourhood {
   std::vector<Index> faces, vertices;  ///< ascending
 };
 
-/// `rings` rings of faces round the vertices; the influence of a vertex fades by about 0.27 a ring.
+/// Faces and vertices within `rings` rings of faces around the given vertices; the influence of a vertex
+/// fades by about 0.27 per ring.
 Neighbourhood neighbourhood(const HalfEdgeMesh& mesh, const std::vector<Index>& moved, int rings);
 
-/// What a response starts from.
+/// Start of a response: the region, the displacement field and the network's response.
 struct LocalDrag {
   Neighbourhood near;
-  std::vector<Vector3> field;  ///< each vertex's share of a unit displacement along x; y and z stay zero
-  Network network;             ///< tangents that answer it: zero outside the neighbourhood
+  std::vector<Vector3> field;  ///< share of each vertex in a unit displacement along x; y and z stay zero
+  Network network;             ///< tangents in response to it: zero outside the neighbourhood
 };
-/// Requires `!system.network.couples_coordinates()`.
+/// Solves the network's response. Requires `!system.network.couples_coordinates()`.
 LocalDrag local_drag(const SurfaceSystem& system, const std::vector<Index>& moved,
                      const std::vector<double>& weight, int rings, double tolerance);
 

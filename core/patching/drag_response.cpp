@@ -7,7 +7,8 @@ namespace hariko {
 
 namespace {
 
-/// Rings of faces to solve in: 0.27^16 is 8e-10, of a displacement that is a part of the object's size.
+/// Number of rings to solve in: 0.27^16 is 8e-10, relative to a displacement that is a part of the object's
+/// size.
 constexpr int ring_count = 16;
 constexpr double response_tolerance = 1e-10;
 constexpr int steps_a_frame = 6;

@@ -11,7 +11,7 @@ namespace {
 /// Four doubles; the compiler maps them to one AVX or two SSE registers.
 typedef double Lane4 __attribute__((vector_size(32)));
 
-/// Adds the sums of `lanes` last lanes of four rows.
+/// Adds the sums of the last `lanes` lanes of four rows.
 HARIKO_INLINE void add_lanes(double* to, const Lane4& sum, std::size_t lanes) {
   if (lanes == 4) {
     Lane4 all;
@@ -52,7 +52,7 @@ HARIKO_INLINE void add_product_body(std::size_t rows, std::size_t inner, const d
   while (i < rows && rows >= 4) {
     const std::size_t lanes = rows - i < 4 ? rows - i : 4;
     i += lanes;
-    const std::size_t first = i - 4;  // rows before i - lanes are summed once more, and left out
+    const std::size_t first = i - 4;  // rows before i - lanes are summed again and discarded
     Lane4 x0{}, y0{}, z0{};
     const double* column = a + first;
     for (std::size_t k = 0; k < inner; ++k, column += rows) {
@@ -93,7 +93,8 @@ __attribute__((target("avx2"))) void add_product_avx2(std::size_t rows, std::siz
 using AddProduct = void (*)(std::size_t rows, std::size_t inner, const double* a, const double* b,
                             double* out);
 
-/// All variants do the same additions and multiplications in the same order.
+/// Fastest variant for the processor. All variants do the same additions and multiplications in the same
+/// order.
 AddProduct fastest_add_product() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2")) return add_product_avx2;
@@ -109,7 +110,7 @@ inline Pair load(const double* from) {
   return out;
 }
 
-/// Sum of products of `count` pairs.
+/// Sum of the products of `count` pairs, as a balanced tree.
 template <std::size_t count>
 inline Pair tree(const double* a, const double* b) {
   if constexpr (count == 1)

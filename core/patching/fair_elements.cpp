@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t jump_points = 6;
 constexpr int energy_points = 12;
-constexpr std::size_t own_grain = 64;  ///< elements a task
+constexpr std::size_t own_grain = 64;  ///< elements per task
 
-/// out += a^T b: a, b columns of `rows` numbers.
+/// Calls add(i, j, value) for the entries of a^T b, whose columns have `rows` numbers.
 template <class A, class B, class Add>
 void add_products(const A& a, const B& b, const Add& add) {
   for (Eigen::Index j = 0; j < b.cols(); ++j)
@@ -26,7 +26,7 @@ void add_products(const A& a, const B& b, const Add& add) {
     }
 }
 
-/// left times a matrix that is mostly zero.
+/// Product of `left` with a matrix that is mostly zero.
 template <class Left>
 Eigen::Matrix<double, Left::RowsAtCompileTime, patch_unknown_count> times(const Left& left,
                                                                           const PatchMatrix& sparse) {
@@ -38,7 +38,7 @@ Eigen::Matrix<double, Left::RowsAtCompileTime, patch_unknown_count> times(const 
   return out;
 }
 
-/// How the 18 control points of a patch depend on its 9 unknowns.
+/// Dependence of the 18 control points of a patch on its 9 unknowns.
 PatchMatrix patch_dependence(const PatchMeasure& first, const PatchMeasure& second) {
   using namespace quartic;
   PatchMatrix m = PatchMatrix::Zero();
@@ -48,7 +48,7 @@ PatchMatrix patch_dependence(const PatchMeasure& first, const PatchMeasure& seco
     const PatchMeasure& of;
     Control outer, middle, at_centre, at_vertex;
     int z;
-    double centre_share;  ///< of z in the patch's point at the centre; the opposite at the vertex
+    double centre_share;  ///< Factor of z in the patch's point at the centre; its negative at the vertex.
   };
   const SplitEdge splits[2] = {{first, d310, d220, d211w, d121w, 3, 1 - first.own_split},
                                {second, d301, d202, d211v, d112v, 5, -second.own_split}};
@@ -104,7 +104,7 @@ FairTables::FairTables() : points_(gauss_legendre_unit(int(jump_points))) {
       add(first, 1, 1, first_[2]);
     }
 
-  // u, v, w: the centre, the first and the second end of the face's side.
+  // Indices of u, v, w: the centre, the first and the second end of the face's side.
   constexpr Eigen::Index variables[4][3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {2, 1, 0}};
   constexpr std::size_t entries[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
   for (std::size_t side = 0; side < 4; ++side)
@@ -123,7 +123,7 @@ FairTables::FairTables() : points_(gauss_legendre_unit(int(jump_points))) {
 
 ControlMatrix FairTables::energy(const ChartTriangle& triangle, double plate, double membrane) const {
   const double det = triangle.determinant, square = det * det;
-  // The inverse of the matrix of scalar products.
+  // Inverse of the matrix of scalar products.
   const double vv = triangle.qq / square, vw = -triangle.pq / square, ww = triangle.pp / square;
   const double k = plate * det, m = membrane * det;
   ControlMatrix out = k * vv * vv * second_[0];
@@ -174,7 +174,8 @@ PatchParts patch_parts(const FairTables& tables, const PatchMeasure& patch, cons
     out.energy(first + 1, first) -= patch.pair;
   }
   out.dependence = patch_dependence(patch, following);
-  // From O outward the patch lies on the left of its first split edge and on the right of its second one.
+  // Seen from O outward, the patch lies on the left of its first split edge and on the right of its second
+  // one.
   out.first = tables.jump_rows(FairTables::centre_to_first, patch.c_centre, patch.c_split, patch.own_split,
                                patch.split_jump);
   out.second = -tables.jump_rows(FairTables::centre_to_second, following.c_centre, following.c_split,
@@ -244,7 +245,8 @@ void FairElements::share() {
     const EdgeMeasure& edge = measures_.edge[e];
     if (edge.jump < 0) continue;
     const Index h = mesh_.half_edge_of_edge(e), twin = mesh_.twin(h);
-    // Element addresses are stable for the life of this object, so they stand for what they depend on.
+    // Element addresses do not change during the life of this object, so they represent the properties the
+    // elements were made from.
     const auto place = [&](Index side) {
       return double(reinterpret_cast<std::uintptr_t>(faces_[mesh_.face(side)].get()));
     };
@@ -277,7 +279,8 @@ std::shared_ptr<FaceElement> FairElements::make_face(Index face) const {
   element.sides = sides;
   const int size = 3 + 4 * int(sides);
   element.matrix = Eigen::MatrixXd::Zero(size, size);
-  std::vector<JumpColumns> left(sides), right(sides);  // of each patch, at its first and second split edge
+  // Jump columns of each patch, at its first and second split edge.
+  std::vector<JumpColumns> left(sides), right(sides);
   if (shared_) element.parts.reserve(sides);
   for (Index j = 0; j < sides; ++j) {
     const Index h = first + j;
@@ -291,7 +294,7 @@ std::shared_ptr<FaceElement> FairElements::make_face(Index face) const {
     right[j] = times(parts.second, parts.dependence);
     if (shared_) element.parts.push_back(std::move(parts));
   }
-  // A split edge's jump touches the unknowns of the two patches beside it only.
+  // The jump across a split edge involves only the unknowns of the two patches beside it.
   for (Index j = 0; j < sides; ++j) {
     const Index behind = (j + sides - 1) % sides;
     const auto own = element.columns(j), other = element.columns(behind);

@@ -8,22 +8,23 @@ namespace hariko {
 
 namespace {
 
-/// Bends of patches count with area^(3 - p)/2 and those of edges alike, with p = 1/2 between long edges that
-/// win (p = 0) and short ones (p = 3, true bending).
+/// Exponent of areas: bending of patches is weighted by area^((3 - p)/2), and jumps across edges likewise,
+/// with p = 1/2 between p = 0, where long edges dominate, and p = 3, true bending, where short ones do.
 constexpr double area_power = 1.25;
-/// Least height of a patch relative to that of the one across its side: lower ones are measured as if they
+/// Least height of a patch relative to that of the one across its side: lower patches are measured as if they
 /// were higher.
 constexpr double least_ratio = 0.05;
 
-/// Jump over an edge of this length between triangles of these areas: (L / h^3) (h L)^(5/4), 1/h the sum of
-/// the reciprocal heights.
+/// Measure of the jump across an edge of this length between triangles of these areas: (L / h^3) (h L)^(5/4),
+/// with 1/h the sum of the reciprocal heights.
 double jump_measure(double length, double x_left, double x_right) {
   const double height_times_length = 2 * x_left * x_right / (x_left + x_right);
   return std::pow(length, 4.0) * std::pow(height_times_length, area_power - 3);
 }
 
 /// Factor of the height with which a patch is measured. The condition across its side hardly moves the points
-/// of a patch far lower than the other one, so for what its own form wants those of the other would go far.
+/// of a patch far lower than the other one, so a small gain in its own bending would move the other's points
+/// far.
 double stretch(const HalfEdgeMesh& mesh, const PatchConstants& constants, Index h) {
   if (!constants.smooth[h]) return 1;
   const double ratio = constants.x[h] / constants.x[mesh.twin(h)];
@@ -32,16 +33,16 @@ double stretch(const HalfEdgeMesh& mesh, const PatchConstants& constants, Index 
   return least_ratio * (1 + share * share) / (2 * ratio);
 }
 
-/// The triangle with its height above the side p q times a factor.
+/// Triangle with its height above the side p q multiplied by a factor.
 ChartTriangle stretched(const ChartTriangle& t, double factor) {
   if (factor == 1) return t;
-  const double side = t.pp - 2 * t.pq + t.qq;  // squared
-  // Gain of the squared height: determinant = height x side.
+  const double side = t.pp - 2 * t.pq + t.qq;  // squared length
+  // Increase of the squared height: determinant = height x side.
   const double gain = (factor * factor - 1) * t.determinant * t.determinant / side;
   return {t.pp + gain, t.pq + gain, t.qq + gain, factor * t.determinant};
 }
 
-/// Mean of the squared lengths of a face's edges, kept from zero.
+/// Mean of the squared lengths of a face's edges, kept above zero.
 double mean_square(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index face) {
   double sum = 0;
   for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {
@@ -52,7 +53,7 @@ double mean_square(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index fac
   return sum + least * least;
 }
 
-/// Membrane energy that the tensions of a face ask for.
+/// Factor of the membrane energy, from the tensions of a face.
 double membrane_factor(const HalfEdgeMesh& mesh, const NetworkSystem& network, Index face, double tension) {
   double excess = 0, alpha = 0;
   for (Index h = mesh.face_begin(face); h < mesh.face_end(face); ++h) {

@@ -25,7 +25,7 @@ FairNumbering::FairNumbering(std::shared_ptr<const HalfEdgeMesh> of, const Patch
     count += 2;
     if (twin == no_index) continue;
     if (constants.smooth[h]) {
-      // The condition is a_own G_own + a_other G_other = R: z moves along its null space.
+      // The condition is a_own G_own + a_other G_other = R: z moves the points within its null space.
       side_origin[twin] = side_target[h];
       side_target[twin] = side_origin[h];
       side_scale[h] = constants.own[twin];

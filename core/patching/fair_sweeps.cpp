@@ -12,12 +12,12 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t block_grain = 16, copy_grain = 64;  ///< faces a task
-/// Faces of a cluster: what they need of each other stays in the cache, and a thousand faces give several
-/// threads work.
+constexpr std::size_t block_grain = 16, copy_grain = 64;  ///< faces per task
+/// Faces of a cluster: small enough that the data they exchange stays in the cache, and that a thousand faces
+/// keep several threads busy.
 constexpr std::size_t cluster_size = 32;
 
-/// Unknowns of a patch that no other face has come first.
+/// Number of a patch's unknowns that no other face has; they come first.
 constexpr std::size_t own_unknown_count = patch_unknown_count - 2;
 
 }  // namespace
@@ -29,7 +29,7 @@ FairSweeps::FairSweeps(const FairElements& elements, const FairNumbering& number
   make_blocks(shared);
 }
 
-/// Faces near to each other, in the order in which they are found from the first one on.
+/// Groups faces into clusters of neighbours, in breadth-first order from the first free face.
 void FairSweeps::find_clusters() {
   std::vector<bool> taken(mesh_.face_count(), false);
   for (Index seed = 0; seed < mesh_.face_count(); ++seed) {
@@ -46,8 +46,8 @@ void FairSweeps::find_clusters() {
   }
 }
 
-/// The least colour that no cluster has with a face that is, or has a neighbour that is, a neighbour of one
-/// of its faces.
+/// Colours the clusters: each gets the least colour that no face within two steps of it has, so that clusters
+/// of one colour have no common neighbour.
 void FairSweeps::find_colours() {
   std::vector<int> colour(mesh_.face_count(), -1);
   std::vector<std::size_t> last_taker;  // per colour: the last cluster that could not have it, plus 1
@@ -100,8 +100,8 @@ void FairSweeps::make_blocks(bool shared) {
   }
 }
 
-/// Equal elements all round mean an equal block; the neighbour's element decides the scale of shared z as
-/// well.
+/// Key of a face's block: equal elements of the face and all its neighbours give an equal block; the
+/// neighbour's element also decides the scale of shared z.
 std::vector<std::uintptr_t> FairSweeps::surroundings(Index face) const {
   const auto address = [](const void* p) { return reinterpret_cast<std::uintptr_t>(p); };
   const auto neighbour = [&](Index h) {
@@ -144,7 +144,7 @@ FairSweeps::Block FairSweeps::make_block(Index face) const {
   return inverse;
 }
 
-/// Jumps over the face's sides, and what the neighbours' own elements make of shared z.
+/// Adds the jumps across the face's sides, and the action of the neighbours' own elements on shared z.
 void FairSweeps::add_neighbours(Index face, const Eigen::VectorXd& scale, Eigen::MatrixXd& matrix) const {
   const FaceElement& element = *elements_.face(face);
   const Index first_side = mesh_.face_begin(face);
@@ -165,7 +165,7 @@ void FairSweeps::add_neighbours(Index face, const Eigen::VectorXd& scale, Eigen:
     for (int a = 0; a < patch_unknown_count; ++a)
       for (int b = 0; b < patch_unknown_count; ++b)
         matrix(columns[std::size_t(a)], columns[std::size_t(b)]) += rows.col(a).dot(rows.col(b));
-    // The neighbour may share several sides.
+    // The neighbour may share several sides with the face.
     for (Index k = first_side; k < mesh_.face_end(face); ++k) {
       if (!elements_.edge(mesh_.edge(k)) || mesh_.face(mesh_.twin(k)) != beside) continue;
       const double product = numbering_.side_scale[twin] * numbering_.side_scale[mesh_.twin(k)];
@@ -180,8 +180,8 @@ void FairSweeps::add_neighbours(Index face, const Eigen::VectorXd& scale, Eigen:
   }
 }
 
-/// The inverse of what is left of the face's matrix without rows and columns of sides whose other face is not
-/// active; zero there.
+/// Inverse of the face's matrix without the rows and columns of sides whose other face is not active; zero in
+/// these.
 FairSweeps::Block FairSweeps::without_held_sides(Index face, const std::vector<bool>& active) const {
   const auto size = Eigen::Index(numbering_.local_size(face));
   Block block = Eigen::Map<const Block>(entries_.data() + block_begin_[face], size, size);
@@ -223,12 +223,12 @@ FairSweeps::Plan FairSweeps::plan(std::vector<Index> faces) const {
   return out;
 }
 
-/// Whether the face on the other side takes part and shares z.
+/// Whether the face on the other side is active and shares z.
 bool FairSweeps::joins(const Plan& plan, Index h) const {
   return elements_.edge(mesh_.edge(h)) && plan.active[mesh_.face(mesh_.twin(h))];
 }
 
-/// The residual at shared z is the sum over both faces; at first the edge's first face has all of it.
+/// Splits the residual at shared z into a sum over both faces; at first the edge's first face has all of it.
 void FairSweeps::begin(Plan& plan, Index face, const FairField& r) const {
   const std::size_t size = numbering_.local_size(face), at = 3 * numbering_.local_begin[face];
   double* residual = plan.residual.data() + at;
@@ -284,7 +284,8 @@ void FairSweeps::solve_face(Plan& plan, Index face, std::vector<double>& change)
   }
 }
 
-/// Takes away from the neighbour's residual what its jump over side h, and its own element, feel of a change.
+/// Subtracts the effect of a face's change from the neighbour's residual: through the jump across side h, and
+/// through the neighbour's own element.
 void FairSweeps::tell_neighbour(Plan& plan, Index h, const double* change) const {
   const Index face = mesh_.face(h), twin = mesh_.twin(h), beside = mesh_.face(twin);
   const std::size_t size = numbering_.local_size(face), their_size = numbering_.local_size(beside);
@@ -294,7 +295,7 @@ void FairSweeps::tell_neighbour(Plan& plan, Index h, const double* change) const
   const JumpColumns& own = first ? edge.first_columns : edge.second_columns;
   const JumpColumns& other = first ? edge.second_columns : edge.first_columns;
 
-  // The opposite of the change, and of the neighbour's z, as the elements have them.
+  // Negative of the change, for both faces, scaled as the elements have it.
   const auto columns = element.columns(h - mesh_.face_begin(face));
   FairUnknowns values;
   std::array<double, 6> shared;
@@ -324,7 +325,7 @@ void FairSweeps::tell_neighbour(Plan& plan, Index h, const double* change) const
       residual[their_columns[a]] += felt[c * own_unknown_count + a];
 }
 
-/// Asks for the numbers that a face will need, so that they are there when it is its turn.
+/// Prefetches the data of a face, so that it is in the cache when the face is solved.
 void FairSweeps::fetch(const Plan& plan, Index face) const {
   constexpr std::size_t line = 8, most = 64;  // doubles, lines of one matrix
   const auto ask = [](const double* from, std::size_t count) {
@@ -345,7 +346,7 @@ void FairSweeps::fetch(const Plan& plan, Index face) const {
   }
 }
 
-/// Unknowns of the face alone, and those of sides that it has from the edge's first side.
+/// Writes the unknowns of the face alone, and those of the sides for which it has the edge's first half-edge.
 void FairSweeps::finish(const Plan& plan, Index face, const FairField& r, FairField& z,
                         FairField& image) const {
   const std::size_t size = numbering_.local_size(face), at = 3 * numbering_.local_begin[face];

@@ -14,32 +14,32 @@ namespace hariko {
 
 namespace {
 
-constexpr std::size_t face_grain = 64;  ///< faces a task
+constexpr std::size_t face_grain = 64;  ///< faces per task
 constexpr std::size_t edge_grain = 128;
 constexpr std::size_t dot_grain = 4096;
 
-/// Solutions asked for as exactly as this are checked by the matrix itself, and corrected.
+/// Tolerance from which on solutions are checked by the matrix itself, and corrected.
 constexpr double checked_tolerance = 1e-12;
 constexpr int most_corrections = 2;
-/// Squared share of the residual that may have come from rounding.
+/// Limit of the squared share of the residual that may come from rounding.
 constexpr double largest_drift = 0.25;
 
 using Array3 = Coefficients3;
 
 }  // namespace
 
-/// What one solve needs beside the unknowns, and the vector operations on the active ones.
+/// Workspace of a solve, and the vector operations on the active unknowns.
 struct FairSystem::Workspace {
-  FairSweeps::Plan plan;           ///< its faces are the active ones
+  FairSweeps::Plan plan;           ///< its faces are the active faces
   std::vector<Index> edges;        ///< smooth edges with an active face
   std::vector<Index> inner_edges;  ///< edges whose z are active: smooth with both faces active, or sharp
   ZeroedArray<double> local_in, local_out;  ///< per face, 3 x local size
   ZeroedArray<FairJump> jump;               ///< per edge
-  std::vector<std::pair<std::size_t, std::size_t>>
-      chunks;                   ///< ranges of active unknowns, ascending, disjoint
-  std::size_t chunk_grain = 1;  ///< chunks a task
+  /// Ranges of active unknowns, ascending, disjoint.
+  std::vector<std::pair<std::size_t, std::size_t>> chunks;
+  std::size_t chunk_grain = 1;  ///< chunks per task
 
-  /// Consecutive ranges grow together up to one task's worth.
+  /// Appends a range of unknowns; consecutive ranges are merged up to the size of one task.
   void add_chunks(std::size_t begin, std::size_t end) {
     if (!chunks.empty() && chunks.back().second == begin && end - chunks.back().first <= dot_grain) {
       chunks.back().second = end;
@@ -54,7 +54,7 @@ struct FairSystem::Workspace {
       for (std::size_t k = begin; k < end; ++k) body(k, chunks[k].first, chunks[k].second);
     });
   }
-  /// Per coordinate; sums a chunk at a time, in order.
+  /// Dot product per coordinate; summed by chunks, in order.
   Array3 dot(const Field& a, const Field& b) const {
     std::vector<Array3> parts(chunks.size());
     for_chunks([&](std::size_t k, std::size_t begin, std::size_t end) {
@@ -64,7 +64,7 @@ struct FairSystem::Workspace {
     });
     return std::accumulate(parts.begin(), parts.end(), Array3(Array3::Zero()));
   }
-  /// y = scale y + factor x
+  /// Computes y = scale y + factor x.
   void combine(Field& y, const Array3& scale, const Array3& factor, const Field& x) const {
     for_chunks([&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) y[i] = scale * y[i].array() + factor * x[i].array();
@@ -72,7 +72,7 @@ struct FairSystem::Workspace {
   }
 };
 
-/// The system as `conjugate_gradients` sees it.
+/// System in the form that `conjugate_gradients` needs.
 struct FairSystem::Iteration {
   const FairSystem& system;
   Workspace& work;
@@ -91,7 +91,7 @@ FairSystem::FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSy
     : numbering_(std::move(mesh), constants, given_side),
       own_split_(constants.own_split),
       corner_(network.frames().charts.corner) {
-  // Frames by measure: no two faces are equal.
+  // In metric frames no two faces are equal.
   const Frames frames = network.frames().charts.frames;
   const bool shared = frames == Frames::equal;
   elements_ = std::make_unique<const FairElements>(
@@ -195,7 +195,7 @@ void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base,
     }
   });
   parallel_for(work.plan.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {
-    std::vector<FairControls> controls;  // of the face's patches
+    std::vector<FairControls> controls;  // control points of the face's patches
     std::vector<PatchParts> room;
     EdgeRows edge_room;
     for (std::size_t k = begin; k < end; ++k) {
@@ -208,7 +208,7 @@ void FairSystem::right_side(Workspace& work, std::span<const QuarticPatch> base,
       for (Index j = 0; j < n; ++j) controls.push_back(fair_controls(base[first + j]));
       for (Index j = 0; j < n; ++j) {
         const Index following = (j + 1) % n, behind = (j + n - 1) % n, e = mesh.edge(first + j);
-        // The patch takes part in the jumps over its two split edges and over its side.
+        // The patch contributes to the jumps across its two split edges and across its side.
         FairJump before{}, after{};
         add_jump(parts[j].first, controls[j], before);
         add_jump(parts[behind].second, controls[behind], before);
@@ -293,7 +293,7 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
                                      Field(numbering_.count), Field(numbering_.count)};
   room.preconditioned_image = Field(numbering_.count);
   Iteration iteration{*this, work};
-  /// What x leaves of the right-hand side.
+  /// Residual of x, by the matrix.
   const auto measure = [&](Field& residual, Field& image) {
     apply(work, x, image);
     work.combine(residual, 0 * one, one, right);
@@ -310,8 +310,8 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
     solution.converged = report.converged;
     solution.cancelled = report.cancelled;
     if (!checks || !report.converged || report.cancelled) break;
-    // Sweeps leave no residual in the faces that they solve but for rounding, which is much in thin faces:
-    // the matrix itself says what is left.
+    // After the sweeps, solved faces have no residual except for rounding errors, which are large in thin
+    // faces: the true residual is computed with the matrix.
     measure(room.direction, room.image);
     work.combine(room.residual, -one, one, room.direction);
     const Array3 drift = work.dot(room.residual, room.residual),
@@ -323,7 +323,7 @@ FairSystem::Solution FairSystem::solve(std::span<const QuarticPatch> base, const
   return solution;
 }
 
-/// Split points in the middle of their faces, and straight split edges.
+/// Initial guess: split points in the middle of their faces, and straight split edges.
 void FairSystem::guess(const Workspace& work, std::span<const QuarticPatch> base, Field& x) const {
   const HalfEdgeMesh& mesh = this->mesh();
   parallel_for(work.plan.faces.size(), face_grain, [&](std::size_t begin, std::size_t end) {

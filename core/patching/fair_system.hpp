@@ -19,12 +19,12 @@ namespace hariko {
 
 class FairSweeps;
 
-/// The matrix is kept as dense elements, shared where faces are equal, and applied face by face; conjugate
-/// gradients precondition with sweeps over the faces.
+/// Linear system of mode FAIR. The matrix is kept as dense elements, shared where faces are equal, and
+/// applied face by face; it is solved by conjugate gradients, preconditioned by sweeps over the faces.
 class FairSystem {
  public:
-  /// `given_side`, per half-edge: the points that serve this border edge are in the base patch, their z is
-  /// zero; empty when there are none. `weights`: other than `fair_weights`.
+  /// Assembles the system. `given_side`, per half-edge: the points that serve this border edge are in the
+  /// base patch, and its z is zero; empty when there is none. `weights`: instead of `fair_weights`.
   FairSystem(std::shared_ptr<const HalfEdgeMesh> mesh, const NetworkSystem& network,
              const PatchConstants& constants, const std::vector<bool>& given_side = {},
              const std::optional<FairWeights>& weights = {});
@@ -38,12 +38,12 @@ class FairSystem {
   using Field = FairField;
 
   struct SolveOptions {
-    const Field* start = nullptr;  ///< begin here instead of with split points in the middle of faces
-    /// Solve in these faces (ascending) only; unknowns of other faces and of edges on the rim are held at
-    /// zero.
+    const Field* start = nullptr;  ///< initial guess instead of split points in the middle of faces
+    /// Restricts the solve to these faces (ascending); unknowns of other faces and of edges on the rim are
+    /// held at zero.
     const std::vector<Index>* active_faces = nullptr;
-    std::span<const RimBend> rims =
-        {};                    ///< where bending across borders is known; elsewhere it tends to zero
+    /// Borders across which the bending is known; elsewhere it tends to zero.
+    std::span<const RimBend> rims = {};
     double tolerance = 1e-13;  ///< relative residual in the preconditioner's norm
     int max_steps = 600;
   };
@@ -54,17 +54,18 @@ class FairSystem {
     bool cancelled = false;
   };
 
-  /// `base[h]`: control points of patch h with all unknowns zero (PatchBuilder::base_patch with O and Y
-  /// zero), for the half-edges of the active faces and of their neighbours across edges. O(faces) a step.
+  /// Solves for all unknowns. `base[h]`: control points of patch h with all unknowns zero
+  /// (PatchBuilder::base_patch with O and Y zero), for the half-edges of the active faces and of their
+  /// neighbours across edges. O(faces) per step.
   Solution solve(std::span<const QuarticPatch> base, const SolveOptions& options,
                  const CancelToken& cancel = {}) const;
 
-  /// The system's matrix times x, per coordinate: for tests and comparisons.
+  /// Product of the system's matrix with x, per coordinate: for tests and comparisons.
   Field multiply(const Field& x) const;
 
-  /// Split points and their tangents from the unknowns, for the given faces.
+  /// Extracts split points and their tangents from the unknowns, for the given faces.
   void fill_split_points(const Field& unknowns, std::span<const Index> faces, PatchNetwork& out) const;
-  /// Adds the z of the given faces to base patches that were made with these split points.
+  /// Adds the z of the given faces to base patches made with these split points.
   void add_free_parts(const Field& unknowns, std::span<const Index> faces,
                       std::span<QuarticPatch> patches) const;
 
@@ -74,7 +75,7 @@ class FairSystem {
 
   Workspace make_workspace(const SolveOptions& options) const;
   void guess(const Workspace& work, std::span<const QuarticPatch> base, Field& x) const;
-  /// Adds up the faces' shares of the z unknowns of the active edges, sides of sharp edges included.
+  /// Sums the faces' shares of the z unknowns of the active edges, sides of sharp edges included.
   void collect_sides(const Workspace& work, Field& y) const;
   void apply(Workspace& work, const Field& x, Field& y) const;
   void right_side(Workspace& work, std::span<const QuarticPatch> base, Field& b) const;

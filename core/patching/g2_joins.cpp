@@ -47,8 +47,8 @@ class SideMaker {
   }
 
  private:
-  /// Factor of split tangents along the chain of joined sides that a half-edge belongs to. Half turns have
-  /// none of their own.
+  /// Split gain along the chain of joined sides that a half-edge belongs to. Half-turn corners have no gain
+  /// of their own.
   double gain(Index half_edge) const {
     const auto turns = [&](Index corner) { return frames_.half_turn[corner]; };
     const auto joined = [&](Index h) {
@@ -61,8 +61,8 @@ class SideMaker {
     while (turns(mesh_.next(h)) && joined(mesh_.next(h)) && mesh_.next(h) != half_edge) h = mesh_.next(h);
     return turns(mesh_.next(h)) ? 1 : frames_.split_gain[mesh_.next(h)];
   }
-  /// Second tangent of a half-turn corner: towards the face's middle the chart's derivative is three split
-  /// tangents, over f diagonals.
+  /// Second tangent of a half-turn corner: along the diagonal towards the middle of the face, the chart's
+  /// derivative is three split tangents, over f diagonals.
   std::optional<Vector3> straight_tangent(Index corner, double factor) const {
     if (!is_straight(frames_.step[corner])) return std::nullopt;
     for (const PrescribedSplit& split : joined_.geometry.splits)
@@ -70,7 +70,7 @@ class SideMaker {
     HARIKO_ASSERT(false, "joined half-turn corners have a given split tangent");
     return std::nullopt;
   }
-  /// r1 at the side's ends.
+  /// Cross derivative r1 at the side's ends.
   Vector3 at_origin(const GivenSide& side) const {
     if (side.tangent_origin) return *side.tangent_origin;
     const Index h = side.half_edge;
@@ -88,7 +88,7 @@ class SideMaker {
   const VertexFrames& frames_;
   const PatchConstants& constants_;
   const Network& network_;
-  std::vector<Index> half_edges_;  ///< joined ones, ascending
+  std::vector<Index> half_edges_;  ///< joined half-edges, ascending
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace hariko {
 namespace {
 
 constexpr std::size_t g2_face_grain = 64;
-/// Rings of faces to solve in: 0.27^18 is 6e-11.
+/// Number of rings of faces to solve in: 0.27^18 is 6e-11.
 constexpr int g2_ring_count = 18;
 constexpr double g2_response_tolerance = 1e-12;
 constexpr int g2_steps_a_frame = 14;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Surfaces of mode G2 from a solved network, and their answer to a drag.
+// Surfaces of mode G2 from a solved network, and their response to a drag.
 
 #include <memory>
 #include <vector>
@@ -11,35 +11,37 @@
 
 namespace hariko {
 
-/// A surface of mode FAIR, to take curvature from.
+/// Reference surface of mode FAIR, from which target curvatures are taken.
 ReferencePatches reference_patches(const QuarticPatchArray& patches);
 
-/// Controls of all faces.
+/// Patches of mode G2: the controls of all faces from a solution.
 std::shared_ptr<const G2PatchSet> g2_patches(const G2System& system, const G2System::Given& given,
                                              const G2System::Field& unknowns);
 
-/// How the controls of faces answer a common displacement of some vertices, of which each may follow in part.
+/// Response of the controls of faces to a common displacement of some vertices, each of which may follow in
+/// part.
 struct G2DragResponse {
   std::vector<Index> moved;                ///< ascending
   std::vector<double> weight;              ///< share of the displacement that each of them makes
-  std::vector<Index> faces;                ///< that feel it, ascending
-  std::vector<std::vector<double>> share;  ///< per face: of each of its controls
+  std::vector<Index> faces;                ///< affected faces, ascending
+  std::vector<std::vector<double>> share;  ///< per face: the share of each of its controls
   std::vector<double> largest;             ///< per face: largest share
   bool settled = false;                    ///< as in `DragResponse`
 
   LocalDrag local;
-  std::shared_ptr<const G2System::Paused> paused;  ///< where `refine` goes on
+  std::shared_ptr<const G2System::Paused> paused;  ///< state from which `refine` continues
 };
 
-/// Requires `!system.network.couples_coordinates()`. Solves within the rings of faces that matter, with the
-/// matrix as it is: where it measures bending over a reference, that stays frozen, as do target curvatures.
-/// Takes some steps only; `refine` takes as many more.
+/// Solves the response to a displacement. Requires `!system.network.couples_coordinates()`. Solves within the
+/// rings of faces that matter, with the matrix as it is: where it measures bending over a reference, the
+/// reference stays fixed, as do target curvatures. Takes a few steps only; `refine` takes as many more.
 G2DragResponse g2_drag_response(const SurfaceSystem& system, std::vector<Index> moved,
                                 std::vector<double> weight, const CancelToken& cancel = {});
+/// Continues a response that is not settled by a few steps.
 void refine(const SurfaceSystem& system, G2DragResponse& response, const CancelToken& cancel = {});
 
-/// base + share * displacement in the faces that move by more than `negligible` (a length); `changed` gets
-/// their patches, ascending.
+/// Displaced patches: base + share * displacement in the faces that move by more than `negligible` (a
+/// length); `changed` gets their patches, ascending.
 std::shared_ptr<const G2PatchSet> displaced(const HalfEdgeMesh& mesh, const G2PatchSet& base,
                                             const G2DragResponse& response, const Vector3& displacement,
                                             double negligible, std::vector<Index>& changed);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Join: a border edge of a polyhedron's surface takes the curve, and the tangent planes, of a side of a
-// bicubic patch (Kuriyama 1991, appendix 2; kuriyama.md section 8).
+// Join: a border edge of a polyhedron's surface takes the curve, and optionally the tangent planes, of a side
+// of a bicubic patch (Kuriyama 1991, appendix 2; kuriyama.md section 8).
 
 #include <array>
 
@@ -20,19 +20,20 @@ inline constexpr Code e_join_twist{"E_JOIN_TWIST"};
 inline constexpr Code e_join_pinned{"E_JOIN_PINNED"};
 inline constexpr Code w_join_scale{"W_JOIN_SCALE"};
 
-/// Control points P(i, 0) and P(i, 1) of the bicubic patch, from the half-edge's origin to its target,
-/// relative to the origin of the polyhedron's positions. With G0 only the curve counts.
+/// Join of a border edge, with the control points P(i, 0) and P(i, 1) of the bicubic patch, from the
+/// half-edge's origin to its target, relative to the origin of the polyhedron's positions. With G0 only the
+/// curve counts.
 struct Join {
-  Index half_edge = no_index;  ///< on the border
+  Index half_edge = no_index;  ///< a border half-edge
   Continuity continuity = Continuity::g1;
   std::array<Vector3, 4> curve, row;
-  /// With G0: the patch's row will follow the surface. Mode G2 then keeps the cross derivative cubic along
-  /// the edge, since a bicubic patch has no other.
+  /// With G0: the patch's second row will follow the surface. Mode G2 then keeps the cross derivative cubic
+  /// along the edge, since a bicubic patch can follow no other.
   bool patch_follows = false;
   friend bool operator==(const Join&, const Join&) = default;
 };
 
-/// What tells how well sides fit each other at a corner: positions relative to the size of the object,
+/// Tolerance to which sides must fit each other at a corner: positions relative to the size of the object,
 /// tangents relative to their lengths, angles in radians, ratios relative.
 inline constexpr double join_tolerance = 1e-9;
 

@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double smallest_sine = 0.1;  ///< of the angle of a corner between two given sides
+constexpr double smallest_sine = 0.1;  ///< least sine of the angle of a corner between two given sides
 
 Message at_vertex(Code code, Index v, const Polyhedron& polyhedron, std::string text, std::string remedy) {
   return make_error(code, std::move(text), std::move(remedy), element_of(polyhedron.vertex_id(v)));

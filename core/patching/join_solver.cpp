@@ -1,4 +1,5 @@
-// JoinPlan::solve: one lambda for each joined side, and what follows from it (kuriyama.md section 8).
+// JoinPlan::solve: one lambda for each joined side, and the conditions and points that follow from it
+// (kuriyama.md section 8).
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,24 +15,24 @@ namespace hariko {
 
 namespace {
 
-/// A lambda below this share of the natural one is raised to it.
+/// Least lambda, relative to the natural one; smaller values are raised to it.
 constexpr double smallest_share = 0.125;
 
 }  // namespace
 
-/// One end of a G1 join. The split tangent of its corner is rest + gain * other, where `other` is the basis
+/// End of a G1 join. The split tangent of its corner is rest + gain * other, where `other` is the basis
 /// vector beside the side's own, or the split tangent itself at a half-turn corner.
 struct JoinPlan::End {
   JoinFrame frame;
   Index vertex = no_index;
-  Index corner = no_index;  ///< half-edge whose split edge it is
+  Index corner = no_index;  ///< half-edge at the corner
   Index other = no_index;   ///< basis vector; no_index at a half-turn corner
   double gain = 1;
   Vector3 rest = Vector3::Zero();
   bool known = false;  ///< `other` is the tangent of another joined side
   std::size_t group = 0;
 
-  /// The part along `across` of a vector of the plane, in the basis (across, along).
+  /// Component along `across` of a vector of the tangent plane, in the basis (across, along).
   double across_part(const Vector3& y) const {
     return y.cross(frame.along).dot(frame.normal) / frame.across.cross(frame.along).dot(frame.normal);
   }
@@ -54,18 +55,19 @@ class JoinPlan::Solver {
   }
 
  private:
-  /// A vector that one or two ends depend on.
+  /// Vector that one or two ends depend on.
   struct Group {
     std::vector<std::size_t> ends;
     Vector3 value = Vector3::Zero();
     bool known = false;
-    bool linked = false;  ///< both ends see the same part of it
+    bool linked = false;  ///< both ends depend on the same component of it
   };
 
   void collect_ends(std::span<const Vector3> basis);
   End make_end(std::size_t join, bool at_origin, std::span<const Vector3> basis);
   void find_lambdas();
-  /// Lambdas of the sides that hang together with this one, up to one factor, and then that factor.
+  /// Finds the lambdas of the chain of sides linked with this one, up to a common factor, and then that
+  /// factor.
   void follow_chain(std::size_t join);
   double estimate(std::size_t end) const;
   double natural(const End& end) const;
@@ -85,8 +87,8 @@ class JoinPlan::Solver {
   const HalfEdgeMesh& mesh_;
   const VertexFrames& frames_;
   const PatchConstants& constants_;
-  std::vector<End>
-      ends_;  ///< 2 j: at the origin of join j; 2 j + 1: at its target. Those of G0 are not used.
+  /// End 2 j: at the origin of join j; end 2 j + 1: at its target. Those of G0 joins are unused.
+  std::vector<End> ends_;
   std::vector<Group> groups_;
   std::map<Index, Vector3> own_;         ///< basis vectors that are tangents of sides
   std::vector<double> weight_, lambda_;  ///< per join
@@ -144,7 +146,7 @@ JoinPlan::End JoinPlan::Solver::make_end(std::size_t join, bool at_origin, std::
     group.value = (mean - plan_.polyhedron_->position(end.vertex)) / 3;
     group.value -= end.frame.normal * end.frame.normal.dot(group.value);
   } else {
-    // The side's own edge opens the corner at its origin and closes the one at its target.
+    // The side's own edge opens the corner at its origin and closes the corner at its target.
     const auto [first, second] = frames_.split_factors(mesh_, end.corner);
     const double by_own = at_origin ? first : second, by_beside = at_origin ? second : first;
     end.rest = by_own * end.frame.tangent;
@@ -226,7 +228,8 @@ void JoinPlan::Solver::follow_chain(std::size_t first) {
       const Group& group = groups_[ends_[e].group];
       if (!group.linked) continue;
       const std::size_t other = group.ends[0] == e ? group.ends[1] : group.ends[0];
-      // Into the face, in the plane; both lambdas are multiples of the vector's part along it.
+      // Direction into the face, in the plane; both lambdas are proportional to the vector's component along
+      // it.
       const Vector3 inward = ends_[e].frame.normal.cross(ends_[e].frame.along);
       const double ratio = (ends_[other].gain * ends_[other].across_part(inward)) /
                            (ends_[e].gain * ends_[e].across_part(inward));
@@ -241,7 +244,7 @@ void JoinPlan::Solver::follow_chain(std::size_t first) {
                    plan_.name(ends_[e].vertex) + " is where they disagree.");
       }
     }
-  // Ends between two given sides leave no choice.
+  // An end between two given sides determines its lambda.
   std::optional<double> given;
   double logarithms = 0;
   std::size_t free_ends = 0;
@@ -317,7 +320,7 @@ void JoinPlan::Solver::finish() {
              frame.along.squaredNorm();
     };
     out.l1 = along(2 * j);
-    // The triangle's row i = 3 begins at D013, a step back along the curve.
+    // The triangle's row i = 3 begins at D013, one step back along the curve.
     out.l2 = along(2 * j + 1) - 1;
     const auto& p = plan_.joins_[j].curve;
     const auto& q = plan_.joins_[j].row;

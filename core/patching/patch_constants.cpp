@@ -6,10 +6,10 @@ namespace hariko {
 
 namespace {
 
-/// s . t / (t . t) of the split vector s of corner h and the vector t of one of the corner's edges: of
-/// half-edge h, or of the one before it.
+/// Component s . t / (t . t) of the split vector s of corner h along the vector t of one of the corner's
+/// edges: half-edge h, or the one before it.
 double split_along(const HalfEdgeMesh& mesh, const VertexFrames& frames, Index h, bool own_edge) {
-  if (frames.half_turn[h]) return 0;  // the parts of both sides of the edge cancel
+  if (frames.half_turn[h]) return 0;  // the contributions of both sides of the edge cancel
   const auto [first, second] = frames.split_factors(mesh, h);
   const double a = frames.length[2 * h], b = frames.length[2 * mesh.previous(h) + 1];
   const double cosine = std::cos(frames.step[h]);
@@ -42,7 +42,7 @@ PatchConstants patch_constants(const HalfEdgeMesh& mesh, const VertexFrames& fra
     if (!out.smooth[h]) continue;
     const Index twin = mesh.twin(h);
     const double own = out.x[twin] / (x + out.x[twin]), other = x / (x + out.x[twin]);
-    // The corners beside the edge, at its origin and at its target: one opens with it, one closes.
+    // Corners beside the edge, at its origin and at its target: one opens with it, the other closes with it.
     out.c_origin[h] = 0.75 * (own * split_along(mesh, frames, h, true) +
                               other * split_along(mesh, frames, mesh.next(twin), false));
     out.c_target[h] = 0.75 * (own * split_along(mesh, frames, mesh.next(h), false) +

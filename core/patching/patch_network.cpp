@@ -9,13 +9,14 @@ namespace {
 
 constexpr std::size_t split_face_grain = 512;
 
-/// R - P = [(3 - 2 c_P - c_Q) T_P + 2 c_P (Q - P + T_Q)] / 3
+/// Right-hand side of the G1 condition at an end P of an edge: R - P = [(3 - 2 c_P - c_Q) T_P + 2 c_P (Q - P
+/// + T_Q)] / 3.
 Vector3 right_side(const Vector3& p, const Vector3& tp, const Vector3& q, const Vector3& tq, double cp,
                    double cq) {
   return p + ((3 - 2 * cp - cq) * tp + 2 * cp * (q - p + tq)) / 3;
 }
 
-/// Inner quartic points of a cubic by degree elevation; symmetric, so both neighbours get the same bits.
+/// Inner quartic points of a cubic by degree elevation; symmetric, so that both neighbours get the same bits.
 void elevate(const Vector3& v0, const Vector3& v1, const Vector3& v2, const Vector3& v3, Vector3& first,
              Vector3& middle, Vector3& last) {
   first = (3 * v1 + v0) / 4;
@@ -109,7 +110,7 @@ void fill_split_points(const HalfEdgeMesh& mesh, const FaceCharts& charts, std::
       const Index f = faces[k], first = mesh.face_begin(f), n = mesh.side_count(f);
       const Vector3 mean = face_mean(mesh, positions, f);
       RayMatrix rays;
-      Matrix3 right = Matrix3::Zero();  // a row an unknown
+      Matrix3 right = Matrix3::Zero();  // one row per unknown
       for (Index j = 0; j < n; ++j) {
         const Vector2& p = charts.corner[first + j];
         const Vector3& tangent = out.split_tangent[first + j];

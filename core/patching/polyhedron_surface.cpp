@@ -15,10 +15,11 @@ namespace hariko {
 
 namespace {
 
-constexpr double drag_tolerance = 1e-6;  ///< of the fairness solve when tensions change in a drag
-/// Of the object's size: patches that a drag moves less stay as they are.
+constexpr double drag_tolerance = 1e-6;  ///< tolerance of the fairness solve when tensions change in a drag
+/// Distance, relative to the object's size, below which a drag leaves patches as they are.
 constexpr double drag_negligible = 1e-10;
-/// Half-edges up to which frames by measure follow a drag: a surface is then made anew in a frame's time.
+/// Number of half-edges up to which metric frames follow a drag: such a surface is rebuilt within a frame's
+/// time.
 constexpr Index largest_live_frames = 1000;
 
 std::optional<Message> check_sides(const Polyhedron& polyhedron, Mode mode) {
@@ -41,14 +42,14 @@ bool equal_but_pins(const Shaping& a, const Shaping& b) {
          a.form == b.form && a.kept_area == b.kept_area;
 }
 
-/// A long diagonal of the polyhedron's box.
+/// Diagonal of the bounding box of the positions.
 double size_of(std::span<const Vector3> positions) {
   Eigen::AlignedBox3d box;
   for (const Vector3& p : positions) box.extend(p);
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-/// Flags, per vertex; empty where nothing is pinned.
+/// Flags of pinned vertices; empty where nothing is pinned.
 std::vector<bool> pinned_vertices(const PolyhedronSurfaceInput& input) {
   std::vector<bool> out;
   for (const auto& [id, pin] : input.shaping.pin) {
@@ -60,15 +61,15 @@ std::vector<bool> pinned_vertices(const PolyhedronSurfaceInput& input) {
   return out;
 }
 
-/// What moved between two states of a polyhedron, each vertex by a share of one displacement.
+/// Common displacement between two states of a polyhedron, of which each moved vertex makes a share.
 struct CommonMove {
   std::vector<Index> moved;
   std::vector<double> weight;
   Vector3 displacement = Vector3::Zero();
 };
 
-/// Nothing where the moves are no shares of one displacement. Weights in `known`, if it moves the same
-/// vertices and they fit, are kept.
+/// Common displacement of the moved vertices; nothing where their moves are not shares of one displacement.
+/// The weights of `known` are kept if it moves the same vertices and they fit.
 template <class Response>
 std::optional<CommonMove> common_move(const Polyhedron& polyhedron, const std::vector<Vector3>& from,
                                       const std::optional<Response>& known) {
@@ -105,30 +106,30 @@ std::optional<CommonMove> common_move(const Polyhedron& polyhedron, const std::v
 }  // namespace
 
 struct PolyhedronSurfacer::State {
-  // What the systems were built for.
+  // Input that the systems were built for.
   std::optional<Polyhedron> polyhedron;
   Shaping shaping;
   std::shared_ptr<const ElementAliases> aliases;
   std::optional<SurfaceSystem> system;
-  std::vector<Vector3> charted;  ///< frames by measure: the positions that they were taken from
+  std::vector<Vector3> charted;  ///< metric frames: the positions that they were computed from
   JoinPlan joins;
   Surface::Parts parts;
   std::shared_ptr<const QuarticTables> tables = std::make_shared<QuarticTables>();
 
-  // Warm starts for quality `drag`; `final` never reads them.
+  // Initial guesses for quality `drag`; `final` never reads them.
   std::vector<Vector3> last_basis;
   FairSystem::Field last_unknowns;
   G2System::Field last_g2;
-  G2Target g2_target;  ///< of the last surface; stays while dragging
+  G2Target g2_target;  ///< target of the last surface; stays while dragging
 
-  // The last `final` result, the base of a drag.
+  // Last `final` result, the base of a drag.
   struct Base {
     std::vector<Vector3> positions;
     double size = 0;
-    QuarticPatchArray patches;             // not in mode G2
-    std::shared_ptr<const G2PatchSet> g2;  // mode G2
+    QuarticPatchArray patches;             // in all modes except G2
+    std::shared_ptr<const G2PatchSet> g2;  // in mode G2
     Surface surface;
-    std::vector<Vector3> basis;  ///< of the network
+    std::vector<Vector3> basis;  ///< basis vectors of the network
     std::uint64_t revision = 0;
     std::vector<Join> joins;
     std::shared_ptr<const std::vector<JoinCoefficients>> coefficients;
@@ -140,7 +141,7 @@ struct PolyhedronSurfacer::State {
 
   std::optional<Message> prepare(const PolyhedronSurfaceInput& input, Quality quality);
   Result<NetworkSystem> assemble(const PolyhedronSurfaceInput& input) const;
-  /// The network's solution, and what joins give beside it.
+  /// Solves the network, and the coefficients of the joins.
   Result<NetworkSystem::Solution> solve_network(std::span<const Vector3> positions, Quality quality,
                                                 JoinPlan::Solution& joined);
   std::optional<Message> prepare_pins(const PolyhedronSurfaceInput& input);
@@ -224,8 +225,8 @@ std::optional<Message> PolyhedronSurfacer::State::prepare(const PolyhedronSurfac
   return std::nullopt;
 }
 
-/// Pins concern the network only. Where they fix what the base has anyway (the beginning of a local edit), it
-/// stays the base of the drag that follows.
+/// Takes over changed pins, which concern the network only. Where they fix the tangents that the base has
+/// anyway (the beginning of a local edit), it remains the base of the drag that follows.
 std::optional<Message> PolyhedronSurfacer::State::prepare_pins(const PolyhedronSurfaceInput& input) {
   if (!joins.empty() || !base_has(input)) base.reset();
   response.reset();
@@ -246,7 +247,7 @@ std::optional<Message> PolyhedronSurfacer::State::prepare_pins(const PolyhedronS
   return std::nullopt;
 }
 
-/// Whether the pins of the input are those of the base, and tangents that the base's network has.
+/// Whether the input adds to the base's pins at most pins of the tangents that the base's network has.
 bool PolyhedronSurfacer::State::base_has(const PolyhedronSurfaceInput& input) const {
   if (!base) return false;
   const auto& before = shaping.pin;
@@ -263,7 +264,8 @@ bool PolyhedronSurfacer::State::base_has(const PolyhedronSurfaceInput& input) co
   return true;
 }
 
-/// How a rim bends is no multiple of what the corners of its triangle move by.
+/// Whether a move affects the bending at a rim, which is not linear in the positions of its triangle's
+/// corners.
 bool PolyhedronSurfacer::State::moves_rim(const CommonMove& move) const {
   const HalfEdgeMesh& mesh = *system->mesh;
   const auto moved = [&](Index v) { return std::binary_search(move.moved.begin(), move.moved.end(), v); };
@@ -272,8 +274,8 @@ bool PolyhedronSurfacer::State::moves_rim(const CommonMove& move) const {
   });
 }
 
-/// The fast path: since the last final result vertices moved along one displacement only, each by a share of
-/// it.
+/// Fast path of a drag: since the last final result vertices moved along one displacement only, each by a
+/// share of it.
 std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const PolyhedronSurfaceInput& input,
                                                                  const CancelToken& cancel) {
   if (!base || system->network.couples_coordinates() || base->surface.origin() != input.origin ||
@@ -281,7 +283,7 @@ std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const Polyhedro
     return std::nullopt;
   std::shared_ptr<const PatchSet> patches;
   CornerNormal normal;
-  /// Keeps `response` or makes the one for this move; false when it was cancelled.
+  /// Keeps `response` or solves a new one for this move; false when it was cancelled.
   const auto prepare_response = [&](auto& known, CommonMove& move, const auto& make) {
     if (known && known->moved == move.moved && known->weight == move.weight) {
       if (!known->settled) refine(*system, *known, cancel);
@@ -326,8 +328,8 @@ std::optional<PolyhedronSurface> PolyhedronSurfacer::State::drag(const Polyhedro
   return out;
 }
 
-/// Joined sides are met in two steps: with tangents kept in the sides' planes, and then with the lengths that
-/// one lambda for each side asks for.
+/// Solves the network. Joined sides are satisfied in two steps: first with tangents kept in the sides'
+/// planes, then with the tangents that one lambda per side requires.
 Result<NetworkSystem::Solution> PolyhedronSurfacer::State::solve_network(std::span<const Vector3> positions,
                                                                          Quality quality,
                                                                          JoinPlan::Solution& joined) {
@@ -348,7 +350,7 @@ Result<NetworkSystem::Solution> PolyhedronSurfacer::State::solve_network(std::sp
 }
 
 /// Patches of mode G2 over a solved network; nothing when cancelled. Target curvatures come from the surface
-/// of mode FAIR, and from the surface that these give. `drawn` becomes the network with the surface's
+/// of mode FAIR, and then from the surface solved with these. `drawn` becomes the network with the surface's
 /// tangents.
 std::shared_ptr<const G2PatchSet> PolyhedronSurfacer::State::solve_g2(
     const std::vector<Vector3>& positions, const Network& network, const JoinPlan::Solution& joined,

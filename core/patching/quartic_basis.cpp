@@ -4,7 +4,7 @@ namespace hariko {
 
 namespace {
 
-/// u^i v^j w^k 4!/(i! j! k!) for the twelve boundary points.
+/// Monomial u^i v^j w^k 4!/(i! j! k!) of one of the twelve boundary points.
 struct Monomial {
   int exponent[3];
   double factor;
@@ -13,7 +13,8 @@ constexpr Monomial boundary_monomials[12] = {{{4, 0, 0}, 1}, {{0, 4, 0}, 1}, {{0
                                              {{2, 2, 0}, 6}, {{1, 3, 0}, 4}, {{0, 3, 1}, 4}, {{0, 2, 2}, 6},
                                              {{0, 1, 3}, 4}, {{1, 0, 3}, 4}, {{2, 0, 2}, 6}, {{3, 0, 1}, 4}};
 
-/// 12 r^2 g(p, q), g = p^2 q / (p + q): the function serves the edge q = 0 at the corner r = 1.
+/// Rational basis function 12 r^2 g(p, q), g = p^2 q / (p + q), of an inner point: it serves the edge q = 0
+/// at the corner r = 1.
 struct Rational {
   int r, p, q;
 };
@@ -25,7 +26,7 @@ double power(double x, int n) {
   return out;
 }
 
-/// Product of x_i^(e_i - d_i) times the falling factorials: the derivative d of a monomial.
+/// Derivative of a monomial: the product of x_i^(e_i - d_i) times the falling factorials.
 double derivative(const Monomial& m, const double x[3], int a, int b) {
   int order[3] = {0, 0, 0};
   if (a >= 0) ++order[a];

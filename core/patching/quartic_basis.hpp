@@ -12,7 +12,7 @@ namespace hariko {
 inline constexpr std::size_t quartic_control_count = 18;
 
 /// Control points of a patch, in this order everywhere. The superscript of an inner point names the variable
-/// that vanishes on the edge it serves. Corner u = 1 is the split point, v = 1 and w = 1 are the ends of the
+/// that vanishes on the edge it serves. Corner u = 1 is the split point; v = 1 and w = 1 are the ends of the
 /// face's side.
 namespace quartic {
 enum Control : std::size_t {
@@ -48,8 +48,9 @@ struct QuarticBasis {
   std::array<Eigen::Matrix3d, quartic_control_count> hessian;
 };
 
-/// u, v, w >= 0 with u + v + w = 1. At a corner the second derivatives of the two inner functions that belong
-/// to it depend on the direction; there both get the mean direction's (a = b = 1/2 in kuriyama.md 4.5).
+/// Basis functions at u, v, w >= 0 with u + v + w = 1. At a corner the second derivatives of the two inner
+/// functions that belong to it depend on the direction; there both get those of the mean direction (a = b =
+/// 1/2 in kuriyama.md section 4.5).
 QuarticBasis quartic_basis(double u, double v, double w);
 
 }  // namespace hariko

@@ -1,5 +1,4 @@
-// Extended quartic triangles cut into small facets: points at any parameters, and hulls over parameter
-// triangles.
+// Extended quartic triangles for meshing: points at any parameters, and hulls over parameter triangles.
 
 #include <algorithm>
 
@@ -15,8 +14,8 @@ using namespace quartic;
 constexpr int degree = 4;
 constexpr std::size_t node_count = 15;
 
-/// The two ends between which an inner control point slides: p / (p + q) of the way from `second` to `first`
-/// (kuriyama.md, equation (8)), where p and q are barycentric coordinates by number.
+/// Pair of control points between which an inner point is blended: p / (p + q) of the way from `second` to
+/// `first` (equation (8)), where p and q are barycentric coordinates by number.
 struct Slide {
   Control first, second;
   int r, p, q;
@@ -24,7 +23,7 @@ struct Slide {
 constexpr std::array<Slide, 3> slides{
     {{d211w, d211v, 0, 1, 2}, {d121w, d121u, 1, 0, 2}, {d112v, d112u, 2, 0, 1}}};
 
-/// The quartic with inner points `inner` at the corners u, v, w.
+/// Point at (u, v, w) of the quartic with inner points `inner` at the corners u, v, w.
 Vector3 quartic_point(const QuarticPatch& patch, const std::array<Vector3, 3>& inner, double u, double v,
                       double w) {
   const auto& d = patch.control;
@@ -37,8 +36,8 @@ Vector3 quartic_point(const QuarticPatch& patch, const std::array<Vector3, 3>& i
   return out + (uvw * u) * inner[0] + (uvw * v) * inner[1] + (uvw * w) * inner[2];
 }
 
-/// Share of the slide's first end at barycentric coordinates x; at the corner r = 1, where it depends on the
-/// direction and does not matter, a half.
+/// Blending weight of the pair's first point at barycentric coordinates x; one half at the corner r = 1,
+/// where it depends on the direction and does not matter.
 double share(const Slide& slide, const double x[3]) {
   const double sum = x[slide.p] + x[slide.q];
   return sum > 0 ? x[slide.p] / sum : 0.5;
@@ -48,7 +47,7 @@ Vector3 slid(const QuarticPatch& patch, const Slide& slide, double at) {
   return at * patch.control[slide.first] + (1 - at) * patch.control[slide.second];
 }
 
-/// Value and derivatives by (u, v, w) of the function that belongs to an end, 12 r^2 g with g = p^2 q / (p +
+/// Adds value and derivatives by (u, v, w) of the function of one inner point, 12 r^2 g with g = p^2 q / (p +
 /// q).
 void add_end(const Vector3& control, int r, int p, int q, const double x[3], PatchPoint& point,
              std::array<Vector3, 3>& gradient) {
@@ -117,9 +116,10 @@ void QuarticPatchSet::first_order(Index patch, std::span<const Vector2> paramete
   }
 }
 
-// For shares held fixed within their intervals the patch is a quartic whose control points over the triangle
-// are those for the middle shares, moved by at most what an inner function's coefficient times half the slide
-// allows. Each point of the patch is the point of one such quartic at the same parameter.
+// For blending weights held fixed within their intervals the patch is a quartic whose control points over the
+// triangle are those for the middle weights, moved by at most the coefficient of an inner function times half
+// of the interval's length in space. Each point of the patch is the point of one such quartic at the same
+// parameter.
 void QuarticPatchSet::hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3>,
                            std::span<HullBall> out) const {
   const QuarticPatch& at = patches_[patch];
@@ -133,7 +133,7 @@ void QuarticPatchSet::hull(Index patch, const ParameterTriangle& triangle, std::
   std::array<double, 3> half_slide;
   for (std::size_t i = 0; i < 3; ++i) {
     // p / (p + q) is constant along lines through the corner r = 1 and monotone across them: its extremes are
-    // at corners of the triangle, of which r = 1 itself adds none.
+    // at corners of the triangle, and r = 1 itself adds none.
     double low = 1, high = 0;
     for (const auto& x : corner) {
       if (x[slides[i].p] + x[slides[i].q] < 1e-13) continue;

@@ -16,7 +16,7 @@ constexpr std::array<std::array<std::size_t, 5>, 3> side_controls{{
 }};
 
 /// Side of the triangle that a parameter lies on, with the fraction along it and its complement; side -1 for
-/// inside.
+/// inner parameters.
 struct OnSide {
   int side = -1;
   double x = 0, one_minus_x = 0;
@@ -60,7 +60,7 @@ QuarticGridTable quartic_point_table(std::span<const Vector2> parameters) {
 
 namespace {
 
-/// Normal of a point where the derivatives are parallel: from slightly further inside.
+/// Normal where the derivatives are parallel: taken slightly further inside.
 Vector3 inner_normal(const QuarticPatch& patch, const Vector2& parameter) {
   const Vector2 centre(1.0 / 3, 1.0 / 3);
   return unit_normal(evaluate_patch(patch, parameter + 1e-4 * (centre - parameter), Order::first));
@@ -167,7 +167,8 @@ void QuarticPatchSet::evaluate_grid(std::span<const Index> patches, const GridPa
 
 namespace {
 
-/// Tables of the basis functions at the parameters; those on sides by the curve of the side.
+/// Batch evaluation by tables of the basis functions at the parameters; points on sides by the curve of the
+/// side.
 class QuarticBatch final : public BatchEvaluation {
  public:
   QuarticBatch(const QuarticPatchArray& patches, std::span<const Vector2> parameters)

@@ -1,7 +1,7 @@
 #pragma once
 
-// Extended quartic triangles as a PatchSet: polynomial quartic boundaries, rational inner points, G1 across
-// edges (Kuriyama 1991, section 3).
+// QuarticPatchSet: extended quartic triangles as a PatchSet: polynomial quartic boundaries, rational inner
+// points, G1 across edges (Kuriyama 1991, section 3).
 
 #include <array>
 #include <map>
@@ -14,6 +14,7 @@
 
 namespace hariko {
 
+/// Extended quartic triangle, by its control points.
 struct QuarticPatch {
   std::array<Vector3, quartic_control_count> control;
 };
@@ -28,9 +29,10 @@ struct QuarticGridTable {
   std::vector<double> second;  ///< blocks * 18 * 3 * width
 };
 
-/// Tables by density, made once and shared by all patch sets of a producer. Thread-safe.
+/// Tables by density, computed once and shared by all patch sets of a producer. Thread-safe.
 class QuarticTables {
  public:
+  /// Table of a density, computed at its first use.
   std::shared_ptr<const QuarticGridTable> table(int density) const;
 
  private:
@@ -38,9 +40,10 @@ class QuarticTables {
   mutable std::map<int, std::shared_ptr<const QuarticGridTable>> tables_;
 };
 
-/// Copies of the patch array share memory four patches at a time (a quad's).
+/// Array of patches whose copies share memory in chunks of four patches (a quad's).
 using QuarticPatchArray = ChunkedArray<QuarticPatch, 4>;
 
+/// Extended quartic triangles that share grid tables.
 class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
  public:
   QuarticPatchSet(QuarticPatchArray patches, std::shared_ptr<const QuarticTables> tables);
@@ -57,16 +60,16 @@ class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
   std::unique_ptr<const BatchEvaluation> batch(std::vector<Vector2> parameters) const override;
-  /// Exact where the corner's two inner points coincide (to 1e-12 of the patch's size): the patch is an
-  /// ordinary quartic there.
+  /// Exact where the corner's two inner points coincide (to 1e-12 of the patch's size), as the patch is an
+  /// ordinary quartic there; direction-dependent elsewhere.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
   void first_order(Index patch, std::span<const Vector2> parameters,
                    std::span<PatchPoint> out) const override;
   int hull_degree(Index) const override { return 4; }
-  /// The inner points slide between two ends each; intervals of where they are over the triangle give the
-  /// radii.
+  /// Hull with radii from the intervals of the rational weights over the triangle, as each inner point is a
+  /// blend of two control points.
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const override;
 
@@ -75,11 +78,11 @@ class QuarticPatchSet final : public PatchSet, public FacetEvaluation {
   std::shared_ptr<const QuarticTables> tables_;
 };
 
-/// A point of one patch by the scalar form.
+/// Evaluates a point of one patch by the scalar formulas.
 PatchPoint evaluate_patch(const QuarticPatch& patch, const Vector2& parameter, Order order);
 
-/// Point at fraction x of a side; the arithmetic is symmetric under reversal, so both neighbours get the same
-/// bits.
+/// Point at fraction x of a side; the arithmetic is symmetric under reversal, so that both neighbours get the
+/// same bits.
 Vector3 evaluate_side(const QuarticPatch& patch, int side, double x, double one_minus_x);
 
 }  // namespace hariko

@@ -9,12 +9,12 @@
 namespace hariko {
 namespace {
 
-/// Of the mean square of the sides: keeps the form bounded in slivers, where three chords say nothing about
-/// the direction across them; elsewhere a quarter of a percent.
+/// Regularisation relative to the mean square of the sides: keeps the form bounded in slivers, where three
+/// chords do not determine it in the direction across them; elsewhere an error of a quarter of a percent.
 constexpr double sliver = 0.05;
 
-/// The second fundamental form over a triangle, from the tangent planes in its corners: along a chord d, d
-/// times the change of the normal.
+/// Second fundamental form over a triangle, fitted to the tangent planes at its corners: along a chord d its
+/// value is d . (change of the normal).
 class TriangleForm {
  public:
   TriangleForm(const std::array<Vector3, 3>& corner, const std::array<Vector3, 3>& normal)
@@ -30,7 +30,7 @@ class TriangleForm {
       values[Eigen::Index(k)] = chord.dot(normal[k] - normal[next]);
       square += chord.squaredNorm() / 3;
     }
-    // Relative to the sides, so that nothing depends on the unit.
+    // Relative to the sides, so that nothing depends on the unit of length.
     if (!(square > 0)) return;
     rows /= square;
     const Matrix3 normal_equations = rows.transpose() * rows + sliver * sliver * Matrix3::Identity();
@@ -68,7 +68,7 @@ std::vector<Index> clamped_rims(const Polyhedron& polyhedron, const Shaping& sha
 }
 
 RimMeasure rim_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index half_edge) {
-  if (charts.frames == Frames::equal)  // the circle in the triangle of unit side
+  if (charts.frames == Frames::equal)  // the inradius of the triangle with unit side
     return {0.5 / std::sqrt(3.0), 1};
   const double length = charts.edge_length[mesh.edge(half_edge)], x = charts.area[half_edge];
   return {2 * x / length, length * std::pow(x, 1.25)};
@@ -83,14 +83,14 @@ RimBend rim_bend(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, c
     normal[k] = network.normal[mesh.origin(h)];
   }
   const TriangleForm form(corner, normal);
-  // Derivatives across the rim, inward in the chart, at its ends.
+  // Derivatives across the rim, pointing inward in the chart, at its ends.
   using namespace quartic;
   const auto& d = base[half_edge].control;
   const double height = measure.height;
   const Vector3 a = 4 * (d[d130] - (d[d040] + d[d031]) / 2) / height;
   const Vector3 b = 4 * (d[d103] - (d[d004] + d[d013]) / 2) / height;
-  // Integrated by parts, bending that should be II(v, v) n across the rim pulls there on the derivative 4 z_i
-  // B_i(t) / height, B_i the cubic Bernstein functions, v running from a to b.
+  // Integrated by parts, the bending II(v, v) n required across the rim acts there on the derivative 4 z_i
+  // B_i(t) / height, with B_i the cubic Bernstein functions and v running from a to b.
   const double aa = form(a, a), ab = form(a, b), bb = form(b, b);
   const Vector3 outward = -4 * measure.factor / height * (normal[0] + normal[1]).stableNormalized();
   return {half_edge, (2 * aa + 2 * ab + bb) / 20 * outward, (aa + 2 * ab + 2 * bb) / 20 * outward};

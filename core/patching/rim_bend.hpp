@@ -1,6 +1,6 @@
 #pragma once
 
-// How mode FAIR bends across rims where tangent planes are known (kuriyama.md section 6).
+// Boundary bending of mode FAIR at rims where tangent planes are known (kuriyama.md section 6).
 
 #include <span>
 #include <vector>
@@ -13,24 +13,26 @@
 
 namespace hariko {
 
-/// Border half-edges of triangles whose vertices all have pinned tangents, with both ends tagged smooth,
-/// ascending: rims over outlines with normals.
+/// Clamped boundary edges: border half-edges, ascending, of triangles whose vertices all have pinned
+/// tangents, with both ends tagged smooth. These are the rims over outlines with normals.
 std::vector<Index> clamped_rims(const Polyhedron& polyhedron, const Shaping& shaping);
 
-/// What the bending of the surface that goes on beyond a rim adds to the right-hand side of mode FAIR, for z
-/// at both ends of the half-edge. Length units.
+/// Load of a clamped rim: contribution of the bending across it to the right-hand side of mode FAIR, for z at
+/// both ends of the half-edge. Length units.
 struct RimBend {
   Index half_edge = no_index;
   Vector3 at_origin = Vector3::Zero(), at_target = Vector3::Zero();
 };
 
-/// How far the chart of a patch reaches from its rim, and the factor of the patch's part in the energy.
+/// Height of a patch's chart over its rim, and the factor of the patch's term in the energy.
 struct RimMeasure {
   double height = 0, factor = 1;
 };
+/// Measure of a clamped rim, from the chart of its face.
 RimMeasure rim_measure(const HalfEdgeMesh& mesh, const FaceCharts& charts, Index half_edge);
 
-/// `base`: patches with all unknowns zero, whose split tangents say how fast the surface leaves the rim.
+/// Computes the load of a rim. `base`: patches with all unknowns zero, whose split tangents give the
+/// derivative across the rim.
 RimBend rim_bend(const HalfEdgeMesh& mesh, std::span<const Vector3> positions, const Network& network,
                  std::span<const QuarticPatch> base, Index half_edge, const RimMeasure& measure);
 

@@ -6,20 +6,20 @@ namespace hariko {
 
 namespace {
 
-/// An edge of a refined ring. Looking outward from the ring's point, `left` and `right` are the inner points
-/// of the two patches beside the edge that serve it; the condition is a1 left + a2 right = r (relative to the
+/// Edge of a refined ring. Looking outward from the ring's point, `left` and `right` are the inner points of
+/// the two patches beside the edge that serve it; the condition is a1 left + a2 right = r (relative to the
 /// point).
 struct RingEdge {
   Vector3 r = Vector3::Zero();
   double a1 = 0, a2 = 0;
   Vector3* left = nullptr;
   Vector3* right = nullptr;
-  bool given = false;  ///< of a border edge: its point is known, not sought
+  bool given = false;  ///< border edge whose point is known, not solved for
 };
 
-/// Edges counter-clockwise; patch i lies between edge i and edge i + 1, with weight x[i] (its area in the
-/// chart) and target[i]. Closed: as many patches as edges. Open: one fewer, and the first and last edge carry
-/// no condition.
+/// Ring around a point. Edges are counter-clockwise; patch i lies between edge i and edge i + 1, with weight
+/// x[i] (its area in the chart) and target[i]. Closed: as many patches as edges. Open: one fewer, and the
+/// first and last edge have no condition.
 struct Ring {
   Vector3 point = Vector3::Zero();
   bool closed = true;
@@ -34,7 +34,8 @@ struct Ring {
   }
 };
 
-/// Target of kuriyama.md 4.4: the quartic that reproduces quadratics, seen from one corner of a patch.
+/// Target of kuriyama.md section 4.4: the quartic that reproduces quadratics, seen from one corner of a
+/// patch.
 Vector3 target_at(const QuarticPatch& patch, int corner) {
   using namespace quartic;
   const auto& d = patch.control;
@@ -68,8 +69,7 @@ void solve_closed(Ring& ring, Mode mode) {
   std::vector<Vector3> g(n, Vector3::Zero());
   std::vector<Vector3> r(n);
   for (std::size_t i = 0; i < n; ++i) r[i] = ring.edges[i].r;
-  if (n % 2 ==
-      0) {  // the conditions depend on each other: take the nearest right-hand side that has a solution
+  if (n % 2 == 0) {  // the conditions are dependent: take the nearest right-hand side that has a solution
     Vector3 defect = Vector3::Zero();
     double square = 0;
     const auto y = [&](std::size_t i) {
@@ -81,11 +81,11 @@ void solve_closed(Ring& ring, Mode mode) {
     }
     for (std::size_t i = 0; i < n; ++i) r[i] -= y(i) / square * defect;
   }
-  // A particular solution by substitution, from g[n - 1] = 0: a1 and a2 are ratios of neighbouring x, so
-  // their products telescope.
+  // Particular solution by substitution, from g[n - 1] = 0: a1 and a2 are ratios of neighbouring x, so their
+  // products telescope.
   Vector3 last = Vector3::Zero();
   for (std::size_t i = 0; i < n; ++i) last = g[i] = (r[i] - ring.edges[i].a2 * last) / ring.edges[i].a1;
-  // Null direction of the substitution: (-1)^i x_i, with which g[n - 1] must come out as it went in.
+  // Null direction of the substitution: (-1)^i x_i; with it, g[n - 1] must end as it started.
   const auto null = [&](std::size_t i) { return (i % 2 ? -1.0 : 1.0) * ring.x[i]; };
   Vector3 amount;
   if (n % 2 == 1) {
@@ -105,8 +105,8 @@ void solve_closed(Ring& ring, Mode mode) {
   for (std::size_t i = 0; i < n; ++i) write_pair(ring.edges[i], g[i], g[before(i)], ring.point);
 }
 
-/// Nearest to the targets under the conditions of the inner edges: G = Gt + C^T (C C^T)^-1 (R - C Gt). C C^T
-/// is tridiagonal and diagonally dominant enough for elimination without pivots.
+/// Solves an open chain: nearest to the targets under the conditions of the inner edges, G = Gt + C^T (C
+/// C^T)^-1 (R - C Gt). C C^T is tridiagonal and diagonally dominant enough for elimination without pivoting.
 void solve_open(Ring& ring) {
   const std::size_t n = ring.edges.size(), inner = n - 2;
   std::vector<Vector3> g(n - 1);
@@ -203,7 +203,7 @@ class RingSolver {
     ring_.point = patches_[mesh_.outgoing(v)].control[quartic::d040];
   }
 
-  /// The corner's opening edge, its patch, its split edge, and the patch behind it.
+  /// Adds the corner's opening edge, its patch, its split edge, and the patch behind it.
   void add_corner(Index h) {
     using namespace quartic;
     const Index previous = mesh_.previous(h), twin = mesh_.twin(h);
@@ -218,7 +218,7 @@ class RingSolver {
     ring_.edges.push_back({*split_left - ring_.point, 1 - own_split, own_split, split_left, split_right});
     ring_.x.push_back(constants_.x[h]);
     ring_.x.push_back(constants_.x[previous]);
-    // Where a point of a patch is given, its other point of the pair keeps as near to it as it can.
+    // The other point of a pair stays as near to its given point as possible.
     ring_.target.push_back(given ? *left : target_at(patches_[h], 1));
     ring_.target.push_back(is_given(previous) ? patches_[previous].control[d112u]
                                               : target_at(patches_[previous], 2));
@@ -246,7 +246,7 @@ class RingSolver {
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
                  std::span<const Index> vertices, std::span<const Index> faces,
                  std::span<QuarticPatch> patches, const std::vector<bool>& given_side) {
-  // Rings touch different inner points of a patch, and read only boundary points and their own inner points.
+  // Rings write different inner points of a patch, and read only boundary points and their own inner points.
   parallel_for(vertices.size(), 512, [&](std::size_t begin, std::size_t end) {
     RingSolver solver(mesh, constants, mode, patches, given_side);
     for (std::size_t k = begin; k < end; ++k) solver.vertex(vertices[k]);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Rings: the G1 conditions round a point, solved locally (Kuriyama 1991, equations (11), (13);
-// kuriyama.md 4.3, 4.4).
+// Rings: the G1 conditions around a point, solved locally (Kuriyama 1991, equations (11), (13); kuriyama.md
+// sections 4.3 and 4.4).
 
 #include <span>
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace hariko {
 
-/// Sets inner points for mode PAPER or TARGET, in the rings round these vertices and round the split points
-/// of these faces. `patches` holds base patches (PatchBuilder::base_patch) of all half-edges concerned on
-/// entry. `given_side`, per half-edge: the points that serve this border edge stay as they are; empty when
-/// there are none.
+/// Solves the inner points for mode PAPER or TARGET, in the rings around these vertices and around the split
+/// points of these faces. `patches` holds base patches (PatchBuilder::base_patch) of all half-edges concerned
+/// on entry. `given_side`, per half-edge: the points that serve this border edge stay as they are; empty when
+/// there is none.
 void solve_rings(const HalfEdgeMesh& mesh, const PatchConstants& constants, Mode mode,
                  std::span<const Index> vertices, std::span<const Index> faces,
                  std::span<QuarticPatch> patches, const std::vector<bool>& given_side);

@@ -6,7 +6,7 @@ namespace hariko {
 
 namespace {
 
-/// True where all patches at the vertex share one tangent plane.
+/// Whether all patches at the vertex share one tangent plane.
 bool has_plane(const HalfEdgeMesh& mesh, const VertexFrames& frames, Index v) {
   switch (frames.kind[v]) {
     case FrameKind::smooth:

@@ -22,7 +22,8 @@ FairSystem::Solution build_patches(const SurfaceSystem& system, std::span<const 
   split.centre_tangent.assign(mesh.half_edge_count(), Vector3::Zero());
   fill_split_tangents(mesh, system.network.frames(), system.constants, positions, network, faces, split);
 
-  // Joined half-turn corners: given by the join, and zero in the response to a displacement.
+  // Split tangents of joined half-turn corners: given by the join, and zero in the response to a
+  // displacement.
   if (!system.given_side.empty())
     for (const Index f : faces)
       for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h)

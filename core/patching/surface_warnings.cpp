@@ -16,11 +16,13 @@ namespace {
 
 constexpr std::size_t message_limit = 100;
 constexpr int sample_density = 4;
-/// A patch whose normal turns this far (107 degrees) from its mean lies over itself. Sharply curved patches
-/// that do not fold reach 92 degrees (the car's sills), folded ones 129 and more (the concave sample).
+/// Cosine of 107 degrees: a patch whose normal turns so far from its mean is folded over itself. Sharply
+/// curved patches that do not fold reach 92 degrees (the car's sills), folded ones 129 and more (the concave
+/// sample).
 constexpr double folded_cosine = -0.3;
 
-/// How the designer calls an element of the polyhedron; none for copies, which are spoken of as the original.
+/// Designer's name of an element of the polyhedron; nothing for copies, which are reported with their
+/// original.
 template <class Id>
 std::optional<Element> designers_own(Id id, const ElementAliases* aliases) {
   if (!aliases) return element_of(id);

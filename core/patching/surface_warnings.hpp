@@ -12,9 +12,10 @@
 
 namespace hariko {
 
-/// W_LONG_TANGENT per edge whose Bezier tangent is longer than the edge (the curve may loop), W_FOLD per face
-/// where the normal at a sample point turns by more than 107 degrees from the patch's mean normal. At most
-/// 100 of each. Elements are named by `aliases` where given, and nothing is said of copies. O(patches).
+/// Warnings of a surface: W_LONG_TANGENT per edge whose Bezier tangent is longer than the edge (the curve may
+/// loop), W_FOLD per face where the normal at a sample point turns by more than 107 degrees from the patch's
+/// mean normal. At most 100 of each. Elements are named by `aliases` where given, and copies are not
+/// mentioned. O(patches).
 std::vector<Message> surface_warnings(const Polyhedron& polyhedron, const Network& network,
                                       const Surface& surface, const ElementAliases* aliases = nullptr);
 

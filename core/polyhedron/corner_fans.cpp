@@ -4,7 +4,7 @@ namespace hariko {
 
 namespace {
 
-/// Per corner of a sound face, the corner before it.
+/// Previous corner in its face, per corner of a sound face.
 std::vector<Index> previous_corners(const PolygonMesh& mesh) {
   std::vector<Index> previous(mesh.face_vertices.size());
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
@@ -35,7 +35,7 @@ CornerFans find_corner_fans(const PolygonMesh& mesh, const std::vector<char>& so
   });
 
   // The next corner counter-clockwise is a partial injection: its paths are the open fans, its cycles the
-  // closed ones.
+  // closed fans.
   const std::vector<Index> previous = previous_corners(mesh);
   const auto label_from = [&](Index start) {
     const Index number = out.fan_count[mesh.face_vertices[start]]++;

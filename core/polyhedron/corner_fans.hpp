@@ -10,15 +10,17 @@
 
 namespace hariko {
 
-/// Corners of one vertex are in one fan when faces joined by manifold edges (is_manifold_edge) connect them.
+/// Corner fans: two corners of a vertex are in the same fan when faces joined by manifold edges
+/// (is_manifold_edge) connect them.
 struct CornerFans {
-  std::vector<Index> fan;  ///< per corner: number of its fan at its vertex, from 0; no_index in unsound faces
+  /// Per corner: number of its fan at its vertex, from 0; no_index in unsound faces.
+  std::vector<Index> fan;
   std::vector<Index> fan_count;       ///< per vertex
-  std::vector<char> at_faulty_edge;   ///< per vertex: 1 when an edge of it is not manifold
+  std::vector<char> at_faulty_edge;   ///< per vertex: 1 when one of its edges is not manifold
   std::vector<char> at_unsound_face;  ///< per vertex: 1 when a face with a fault of its own uses it
 };
 
-/// `sound` from sound_faces, `edges` of the sound faces. O(corners).
+/// Finds the fans. `sound` comes from sound_faces, `edges` are those of the sound faces. O(corners).
 CornerFans find_corner_fans(const PolygonMesh& mesh, const std::vector<char>& sound, const EdgeTable& edges);
 
 }  // namespace hariko

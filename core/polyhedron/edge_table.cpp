@@ -23,8 +23,8 @@ void for_each_directed_edge(const PolygonMesh& mesh, std::span<const char> used,
 
 EdgeTable::EdgeTable(const PolygonMesh& mesh, std::span<const char> used)
     : offsets_(mesh.positions.size() + 2, 0) {
-  // Counting sort by the lower vertex. Counts are kept two places ahead, so that scattering leaves the
-  // offsets right.
+  // Counting sort by the lower vertex. Counts are kept two places ahead, so that scattering leaves correct
+  // offsets.
   for_each_directed_edge(mesh, used, [&](Index, Index a, Index b) { ++offsets_[std::min(a, b) + 2]; });
   for (std::size_t i = 2; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
   uses_.resize(offsets_.back());
@@ -42,7 +42,7 @@ void EdgeTable::sort_bucket(Index begin, Index end) {
     });
     return;
   }
-  // Insertion sort: buckets hold about four uses, and it keeps the order of the corners.
+  // Insertion sort: a bucket holds about four uses, and the order of the corners is kept.
   for (Index i = begin + 1; i < end; ++i) {
     const EdgeUse use = uses_[i];
     Index j = i;

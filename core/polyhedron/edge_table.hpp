@@ -1,8 +1,7 @@
 #pragma once
 
 // EdgeTable: the corners of a polygon mesh grouped by the undirected edge they start, for meshes that need
-// not be manifold. The common ground of building connectivity, reporting what is wrong with it, and repairing
-// it.
+// not be manifold. Shared by building connectivity, reporting its errors, and repairing it.
 
 #include <span>
 #include <vector>
@@ -12,16 +11,18 @@
 
 namespace hariko {
 
-/// One face's use of an edge: corner `corner` of the face list starts it, towards or from the vertex `high`.
+/// Use of an edge by one face: corner `corner` of the face list starts it, towards or from the vertex `high`.
 struct EdgeUse {
   Index high;
   Index corner;
 };
 
+/// Table of the edges of a polygon mesh, with the faces that use each.
 class EdgeTable {
  public:
-  /// Edges of the faces with used[f] != 0, or of all faces where `used` is empty. Those faces must have all
-  /// indices in range and no vertex twice. O(corners) expected, O(corners log corners) at worst.
+  /// Collects the edges of the faces with used[f] != 0, or of all faces where `used` is empty. Those faces
+  /// must have all indices in range and no vertex twice. O(corners) expected, O(corners log corners) at
+  /// worst.
   explicit EdgeTable(const PolygonMesh& mesh, std::span<const char> used = {});
 
   /// Calls visit(low, high, uses) for every edge in ascending order of (low, high), low < high; uses ascend
@@ -44,7 +45,7 @@ class EdgeTable {
   std::vector<EdgeUse> uses_;
 };
 
-/// True for an edge with one face, or with two that traverse it in opposite directions.
+/// Whether an edge is manifold: one face, or two that traverse it in opposite directions.
 inline bool is_manifold_edge(const PolygonMesh& mesh, std::span<const EdgeUse> uses) {
   return uses.size() == 1 ||
          (uses.size() == 2 && mesh.face_vertices[uses[0].corner] != mesh.face_vertices[uses[1].corner]);

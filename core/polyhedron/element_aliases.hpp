@@ -1,7 +1,7 @@
 #pragma once
 
-// ElementAliases: from the elements of a polyhedron that was derived from another one (concave faces cut, a
-// half mirrored) to the elements that the designer knows.
+// ElementAliases: a map from the elements of a derived polyhedron (concave faces cut, a half mirrored) to the
+// elements that the designer knows.
 
 #include <utility>
 #include <vector>
@@ -11,17 +11,19 @@
 
 namespace hariko {
 
-/// Copies have ids from `first_vertex` and `first_face` on; all lower ids are those of what was copied. Of
-/// that, faces may be pieces of a face, between inner edges that the designer does not have.
+/// Map from derived elements to original ones. Mirrored copies have ids from `first_vertex` and `first_face`
+/// on; lower ids belong to the half that was copied. There, faces may be pieces of an original face,
+/// separated by inner edges that the original does not have.
 struct ElementAliases {
   VertexId first_vertex{no_index};
-  std::vector<VertexId> vertices;  ///< what each copy is of
+  std::vector<VertexId> vertices;  ///< original of each copied vertex
   FaceId first_face{no_index};
+  /// Original of each copied face, before `pieces` is applied.
   std::vector<FaceId> faces;
-  FlatMap<FaceId, FaceId> pieces;       ///< the face that each piece with an id of its own is part of
-  FlatMap<EdgeId, FaceId> inner_edges;  ///< the face that each inner edge lies in
-  /// Faces that were merged into another one, and which that is; and where the sides (origin, target) of such
-  /// faces come from.
+  FlatMap<FaceId, FaceId> pieces;       ///< original face of each piece that has an id of its own
+  FlatMap<EdgeId, FaceId> inner_edges;  ///< original face that each inner edge lies in
+  /// Original faces that were merged into another one, with the face they went into; `sides` gives the
+  /// original face of a side (origin, target) of a merged face.
   FlatMap<FaceId, FaceId> merged;
   FlatMap<std::pair<VertexId, VertexId>, FaceId> sides;
 
@@ -32,14 +34,14 @@ struct ElementAliases {
     const FaceId copied = is_copy(id) ? faces[id.value - first_face.value] : id;
     return pieces.get_or(copied, copied);
   }
-  /// The face that a patch over a side belongs to.
+  /// Original face of the patch over a side.
   FaceId original(FaceId face, VertexId origin, VertexId target) const {
     const FaceId* own = nullptr;
     if (!sides.empty())
       own = is_copy(face) ? sides.find({original(target), original(origin)}) : sides.find({origin, target});
     return own ? *own : original(face);
   }
-  /// An edge, or the face where it is an inner edge.
+  /// Original edge, or the original face of an inner edge.
   Element original(EdgeId id) const {
     const EdgeId copied = EdgeId::of(original(id.low), original(id.high));
     const FaceId* face = inner_edges.find(copied);
@@ -58,6 +60,7 @@ struct ElementAliases {
         return false;
     }
   }
+  /// Original of an element of any kind; other kinds are their own.
   Element original(const Element& element) const {
     switch (element.kind) {
       case Element::Kind::vertex:

@@ -1,6 +1,6 @@
 #pragma once
 
-// ElementNames: from dense indices to what messages call an element.
+// ElementNames: the names of elements in messages, from dense indices.
 
 #include <span>
 
@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// Names by given stable ids, or by the dense indices themselves where none are given.
+/// Names of elements by given stable ids, or by the dense indices themselves where none are given.
 struct ElementNames {
   std::span<const VertexId> vertex_ids;
   std::span<const FaceId> face_ids;
@@ -20,7 +20,7 @@ struct ElementNames {
   Element face(Index f) const { return element_of(face_id(f)); }
   Element edge(Index a, Index b) const { return element_of(EdgeId::of(vertex_id(a), vertex_id(b))); }
 
-  /// The name of an element that is given by dense indices.
+  /// Name of an element that is given by dense indices.
   Element of_dense(const Element& dense) const {
     switch (dense.kind) {
       case Element::Kind::vertex:

@@ -11,8 +11,8 @@
 namespace hariko {
 namespace {
 
-/// Along the mean normal, scaled to an extent of about 1; where there is no mean normal, along the axis that
-/// the polygon extends least along.
+/// Projection of the corners along the mean normal, scaled to an extent of about 1; where there is no mean
+/// normal, along the axis of least extent.
 std::vector<Vector2> in_mean_plane(std::span<const Vector3> corners) {
   Vector3 low = Vector3::Zero(), high = Vector3::Zero();
   for (const Vector3& p : corners) {
@@ -53,7 +53,7 @@ class EarClipper {
       ears_.erase(best);
       judge(i % ring_.size());
       judge((i + ring_.size() - 1) % ring_.size());
-      if (ring_.size() == 4)  // the cut now decides the triangle that is left, too
+      if (ring_.size() == 4)  // this cut also decides the last triangle
         for (std::size_t k = 0; k < 4; ++k) judge(k);
     }
     out.push_back({ring_[0], ring_[1], ring_[2]});
@@ -61,7 +61,8 @@ class EarClipper {
   }
 
  private:
-  /// Allowed before not; without other corners inside before not; then the better shaped.
+  /// Quality of an ear, in order of importance: the cut is allowed, no other corner lies inside, the shape is
+  /// good.
   struct Ear {
     bool allowed = false, clear = false;
     double quality = 0;
@@ -77,7 +78,7 @@ class EarClipper {
     return longest > 0 ? cross(q - p, r - q) / longest : 0;
   }
 
-  /// No other corner lies in the closed triangle, but for those at the same place as its corners.
+  /// Whether no other corner lies in the closed triangle, except at the position of one of its corners.
   bool is_clear(std::size_t i) const {
     const Vector2 &a = points_[ring_[before(i)]], &b = points_[ring_[i]], &c = points_[ring_[after(i)]];
     const double slack = -1e-14;
@@ -105,7 +106,7 @@ class EarClipper {
   std::vector<Ear> ears_;
 };
 
-/// Two pieces with a side in common, in opposite directions, as one.
+/// Union of two pieces that share a side, which they run through in opposite directions.
 std::vector<Index> joined(const std::vector<Index>& p, const std::vector<Index>& q, Index a, Index b) {
   // p holds a -> b, q holds b -> a: p from b round to a, then q from after a round to before b.
   std::vector<Index> out;
@@ -115,7 +116,7 @@ std::vector<Index> joined(const std::vector<Index>& p, const std::vector<Index>&
   const std::size_t start_p = at(p, b), start_q = at(q, a);
   for (std::size_t i = 0; i < p.size(); ++i) out.push_back(p[(start_p + i) % p.size()]);
   for (std::size_t i = 1; i + 1 < q.size(); ++i) out.push_back(q[(start_q + i) % q.size()]);
-  // In order from the lowest corner.
+  // Starts at the lowest corner.
   std::rotate(out.begin(), std::min_element(out.begin(), out.end()), out.end());
   return out;
 }

@@ -16,14 +16,14 @@ namespace hariko {
 
 namespace {
 
-constexpr double flat_height = 1e-6;  ///< of the longest side
+constexpr double flat_height = 1e-6;  ///< height of a flat triangle, relative to its longest side
 
 using Edge = std::pair<Index, Index>;  ///< low vertex first
 Edge edge_of(Index a, Index b) {
   return std::minmax(a, b);
 }
 
-/// Faces as lists that change.
+/// Removal of flat triangles from faces kept as editable lists.
 class FlatRemover {
  public:
   explicit FlatRemover(const PolygonMesh& mesh) : mesh_(mesh) {
@@ -54,7 +54,8 @@ class FlatRemover {
   }
 
  private:
-  /// Corner opposite to the longest side, where it lies on that side, nearly; nothing for other faces.
+  /// Middle corner of a flat triangle: the corner that nearly lies on the longest side; nothing for other
+  /// faces.
   std::optional<std::size_t> middle_of(std::span<const Index> face) const {
     if (face.size() != 3) return {};
     std::array<Vector3, 3> at;
@@ -96,14 +97,14 @@ class FlatRemover {
       if (face[k] == from && face[(k + 1) % face.size()] == to) return true;
     return false;
   }
-  /// The other faces at an edge of a face.
+  /// Other faces at an edge of a face.
   std::vector<std::size_t> others(std::size_t f, Index a, Index b) const {
     std::vector<std::size_t> out = users_.at(edge_of(a, b));
     std::erase(out, f);
     return out;
   }
 
-  /// Without it, no edge of its has a face too many or too few.
+  /// Drops a triangle where its edges remain manifold without it; false where they would not.
   bool drop(std::size_t f) {
     const auto face = faces_[f];
     std::size_t fitting = 0;
@@ -114,13 +115,13 @@ class FlatRemover {
       if (rest.size() != 2 || runs(rest[0], a, b) == runs(rest[1], a, b)) return false;
       ++fitting;
     }
-    if (fitting == 0) return false;  // alone it is what the file wants
+    if (fitting == 0) return false;  // an isolated triangle is kept
     enter(f, false);
     faces_[f].clear();
     return true;
   }
 
-  /// Gives its middle corner to the face across its longest side.
+  /// Turns a triangle that fills a T-joint: the face across its longest side gets its middle corner.
   bool turn(std::size_t f) {
     const auto face = faces_[f];
     const std::size_t k = *middle_of(face);

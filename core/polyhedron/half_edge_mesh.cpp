@@ -68,7 +68,7 @@ void HalfEdgeMesh::number_faces_and_edges() {
   }
 }
 
-/// Chooses the first half-edge of every fan; false where the corners of a vertex form several.
+/// Chooses the first half-edge of every fan; false where the corners of a vertex form several fans.
 bool HalfEdgeMesh::find_fans(Index vertex_count) {
   outgoing_.assign(vertex_count, no_index);
   corner_count_.assign(vertex_count, 0);
@@ -78,8 +78,8 @@ bool HalfEdgeMesh::find_fans(Index vertex_count) {
     if (outgoing_[v] == no_index || (twin_[h] == no_index && twin_[outgoing_[v]] != no_index))
       outgoing_[v] = h;
   }
-  // Turning is a partial injection on the half-edges of a vertex, so every walk ends at the border or at its
-  // start.
+  // Rotation about a vertex is a partial injection on its half-edges, so every walk ends at the boundary or
+  // at its start.
   for (Index v = 0; v < vertex_count; ++v) {
     const Index start = outgoing_[v];
     if (start == no_index) continue;
@@ -129,7 +129,7 @@ Index HalfEdgeMesh::border_loop_count() const {
   for (Index v = 0; v < vertex_count(); ++v) {
     if (visited[v] || !is_border_vertex(v)) continue;
     ++loops;
-    // The first half-edge of a border vertex's fan leads along the border to the next one.
+    // The first half-edge of a boundary vertex's fan leads along the boundary to the next boundary vertex.
     for (Index w = v; !visited[w]; w = target(outgoing(w))) visited[w] = 1;
   }
   return loops;

@@ -12,13 +12,14 @@
 
 namespace hariko {
 
-/// Half-edge h is corner h of the face list: it runs from the corner's vertex to the next vertex of its face,
-/// with the face on its left. Borders have no half-edges of their own: a border edge has one half-edge whose
-/// twin is no_index.
+/// Half-edge mesh. Half-edge h is corner h of the face list: it runs from the corner's vertex to the next
+/// vertex of its face, with the face on its left. The boundary has no half-edges of its own: a boundary edge
+/// has one half-edge, whose twin is no_index.
 ///
 /// Fan of vertex v (kuriyama.md section 0): outgoing edges e_0 .. e_{n-1} counter-clockwise, corner k between
-/// e_k and e_{k+1}. A closed fan has n corners; an open fan has n-1, e_0 is the border edge with no face on
-/// its right. The corners of the fan, in order, are the half-edges outgoing(v), rotate(outgoing(v)), ...
+/// e_k and e_{k+1}. A closed fan has n corners; an open fan has n-1, and e_0 is the boundary edge with no
+/// face on its right. The corners of the fan, in order, are the half-edges outgoing(v), rotate(outgoing(v)),
+/// ...
 class HalfEdgeMesh {
  public:
   /// Builds from polygons. Errors: E_NO_FACES, E_INDEX_RANGE, E_FACE_TOO_SMALL, E_FACE_REPEATED_VERTEX,
@@ -34,13 +35,13 @@ class HalfEdgeMesh {
   Index target(Index h) const { return origin_[next(h)]; }
   Index face(Index h) const { return face_[h]; }
   Index edge(Index h) const { return edge_[h]; }
-  Index twin(Index h) const { return twin_[h]; }  ///< no_index on a border
+  Index twin(Index h) const { return twin_[h]; }  ///< no_index on the boundary
   Index next(Index h) const { return h + 1 == face_offsets_[face_[h] + 1] ? face_offsets_[face_[h]] : h + 1; }
   Index previous(Index h) const {
     return h == face_offsets_[face_[h]] ? face_offsets_[face_[h] + 1] - 1 : h - 1;
   }
 
-  /// Half-edges (= corners) of face f, in order.
+  /// Half-edges (= corners) of face f: the range [face_begin, face_end), in order.
   Index face_begin(Index f) const { return face_offsets_[f]; }
   Index face_end(Index f) const { return face_offsets_[f + 1]; }
   Index side_count(Index f) const { return face_offsets_[f + 1] - face_offsets_[f]; }
@@ -50,25 +51,25 @@ class HalfEdgeMesh {
 
   /// First half-edge of v's fan; no_index for an isolated vertex.
   Index outgoing(Index v) const { return outgoing_[v]; }
-  /// The next outgoing half-edge counter-clockwise, no_index at the end of an open fan.
+  /// Next outgoing half-edge counter-clockwise, no_index at the end of an open fan.
   Index rotate(Index h) const { return twin_[previous(h)]; }
   bool is_border_vertex(Index v) const { return outgoing_[v] != no_index && twin_[outgoing_[v]] == no_index; }
   Index corner_count(Index v) const { return corner_count_[v]; }
   /// Number of edges at v: corners, plus one on an open fan.
   Index valence(Index v) const { return corner_count_[v] + (is_border_vertex(v) ? 1 : 0); }
 
-  /// One half-edge of edge e (the one with the smaller index). The other one, if any, is its twin.
+  /// One half-edge of edge e, the one with the smaller index. The other one, if any, is its twin.
   Index half_edge_of_edge(Index e) const { return edge_half_edge_[e]; }
   bool is_border_edge(Index e) const { return twin_[edge_half_edge_[e]] == no_index; }
-  /// The half-edge from a to b, or no_index. O(valence of a).
+  /// Half-edge from a to b, or no_index. O(valence of a).
   Index find_half_edge(Index a, Index b) const;
 
-  /// Connected components (isolated vertices not counted): component of each face, numbered from 0.
+  /// Connected component of each face, numbered from 0; isolated vertices are not counted.
   std::vector<Index> face_components() const;
-  /// Number of closed border loops.
+  /// Number of boundary loops.
   Index border_loop_count() const;
 
-  /// Equal vertex counts and equal polygons in the same order: all else follows from them.
+  /// Equality of vertex counts and of polygons in the same order: everything else follows from them.
   friend bool operator==(const HalfEdgeMesh& a, const HalfEdgeMesh& b);
 
  private:

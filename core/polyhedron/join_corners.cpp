@@ -24,8 +24,8 @@ bool is_sound(const PolygonMesh& mesh) {
   return connectivity_errors(mesh, 1).empty();
 }
 
-/// 1 for vertices of edges that do not have exactly two faces which fit; 0 where faces close round a vertex.
-/// `loose` becomes whether every edge has one face only.
+/// Vertices whose edges do not all have exactly two consistently oriented faces: 1 for those, 0 where faces
+/// close round a vertex. `loose` becomes true when every edge has one face only.
 std::vector<char> open_vertices(const PolygonMesh& mesh, bool& loose) {
   std::vector<char> out(mesh.positions.size(), 0);
   loose = true;
@@ -40,11 +40,11 @@ std::vector<char> open_vertices(const PolygonMesh& mesh, bool& loose) {
   return out;
 }
 
-/// For each vertex the one that stands for it: among the open ones the first that is near.
+/// Target of each vertex: itself, or for an open vertex the first open vertex near it.
 std::vector<Index> targets_of(const PolygonMesh& mesh, double distance, bool& loose) {
   std::vector<Index> out = own_numbers(mesh);
   const std::vector<Index> all = representatives(mesh.positions, distance);
-  if (all == out) return out;  // as most files are
+  if (all == out) return out;  // the usual case
   const std::vector<char> open = open_vertices(mesh, loose);
   std::vector<Index> numbers;
   std::vector<Vector3> points;
@@ -58,7 +58,8 @@ std::vector<Index> targets_of(const PolygonMesh& mesh, double distance, bool& lo
   return out;
 }
 
-/// Without repeated corners, which neighbours that became one are. Empty where fewer than three are left.
+/// Corners without consecutive repetitions, which joined neighbours leave. Empty where fewer than three
+/// remain.
 std::vector<Index> without_repeats(std::vector<Index> corners) {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
@@ -66,7 +67,7 @@ std::vector<Index> without_repeats(std::vector<Index> corners) {
   return corners;
 }
 
-/// The mesh with all corners at their targets, and without the vertices that only stood there.
+/// Mesh with all corners moved to their targets, without the vertices that are no longer used.
 TidyMesh moved_to(const PolygonMesh& mesh, const std::vector<Index>& target) {
   TidyMesh out;
   out.vertex_of.assign(target.size(), no_index);
@@ -93,7 +94,7 @@ TidyMesh moved_to(const PolygonMesh& mesh, const std::vector<Index>& target) {
         ++out.collapsed;
         continue;
       }
-    } else {  // for `validate`, which tells
+    } else {  // kept for `validate`, which reports it
       for (Index& v : corners) v = v < out.vertex_of.size() ? out.vertex_of[v] : no_index;
     }
     out.mesh.add_face(corners);
@@ -117,7 +118,8 @@ TidyMesh join_corners(const PolygonMesh& mesh, double distance) {
   if (joined.joined == 0 || is_sound(joined.mesh)) return joined;
   TidyMesh apart = moved_to(mesh, itself);
   if (!is_sound(apart.mesh)) return joined;
-  // Fans that touch in a point get their vertices back; it does not matter which of the equal ones.
+  // Fans that touch in a point only get separate vertices again; the positions are equal, so the choice does
+  // not matter.
   PolygonMesh split = split_nonmanifold_vertices(joined.mesh);
   if (is_sound(split)) {
     joined.joined -= std::min(joined.joined, split.positions.size() - joined.mesh.positions.size());

@@ -1,7 +1,7 @@
 #pragma once
 
-// Faults of files of other programs: corners of neighbouring faces that are not joined, and triangles without
-// area.
+// Repair of typical faults in imported files: corners of neighbouring faces that are not joined, and
+// triangles without area.
 
 #include <vector>
 
@@ -9,40 +9,42 @@
 
 namespace hariko {
 
-/// A mesh that was made tidy.
+/// Mesh after a repair, with a record of the changes.
 struct TidyMesh {
   PolygonMesh mesh;
-  std::vector<Index> vertex_of;  ///< of each vertex before, its number now
-  std::size_t joined = 0;        ///< vertices that went into others
-  double farthest = 0;           ///< of them, from where they were
-  std::size_t collapsed = 0;     ///< faces that were left with fewer than three corners, and dropped
+  std::vector<Index> vertex_of;  ///< new number of each vertex of the input
+  std::size_t joined = 0;        ///< vertices that were merged into others
+  double farthest = 0;           ///< greatest distance that one of them was moved
+  std::size_t collapsed = 0;     ///< faces left with fewer than three corners, dropped
   std::size_t flat = 0;          ///< triangles along an edge that were dropped or turned
 };
 
-/// Part of the size that near corners are apart at most where nothing else is said.
+/// Default joining distance, relative to the size of the mesh.
 inline constexpr double usual_joining_distance = 1e-6;
 
-/// Length of the diagonal of the box round the vertices that faces use.
+/// Size of a mesh: the diagonal of the bounding box of the vertices that faces use.
 double used_size(const PolygonMesh& mesh);
 
-/// Joins vertices on borders that are at most `distance` apart (>= 0; 0: equal ones). Vertices round which
-/// faces already close stay as they are, so bodies that touch are not joined, nor are fans that touch in a
-/// point only. Where joining makes more than two faces meet at an edge, or faces look against each other,
-/// and the mesh was sound without it, nothing is joined, unless none of its faces had a neighbour: then it is
-/// said by what follows (`validate`). Faces lose corners that became the same. O(corners) expected.
+/// Joins vertices on open boundaries that are at most `distance` apart (a length >= 0; 0 joins equal
+/// positions). Vertices round which faces already close stay as they are, so bodies that touch are not
+/// joined, nor are fans that touch in a point only. Where joining would make more than two faces meet at an
+/// edge or neighbours disagree in orientation, although the mesh was sound before, nothing is joined, unless
+/// no face had a neighbour: then `validate`, which follows, reports the faults. Corners that became equal are
+/// removed from faces. O(corners) expected.
 TidyMesh join_corners(const PolygonMesh& mesh, double distance);
 
-/// How many vertices `join_corners` would join, and how far they are apart.
+/// Number of vertices that `join_corners` would join, and their greatest distance.
 struct NearCorners {
   std::size_t count = 0;
   double farthest = 0;
 };
+/// Counts the vertices that `join_corners` would join, without joining them. O(corners) expected.
 NearCorners near_corners(const PolygonMesh& mesh, double distance);
 
-/// Drops triangles whose three corners lie on a line (nearer than 1e-6 of their longest side) where the other
-/// faces at their edges fit together without them, and turns those that fill the gap of a T-joint, so that
-/// the face across their longest side gets their middle corner. Expected O(corners + flat triangles^2 at
-/// worst).
+/// Drops flat triangles, whose three corners lie on a line (nearer than 1e-6 of their longest side), where
+/// the other faces at their edges fit together without them, and turns those that fill the gap of a T-joint,
+/// so that the face across their longest side gets their middle corner. O(corners) expected, plus O(flat
+/// triangles^2) at worst.
 TidyMesh drop_flat_triangles(const PolygonMesh& mesh);
 
 }  // namespace hariko

@@ -29,7 +29,7 @@ Index first_out_of_range(const PolygonMesh& mesh, std::size_t f) {
   return no_index;
 }
 
-/// Reports the faces with faults of their own and returns 1 for every sound face.
+/// Reports the faces with faults of their own; returns 1 for every sound face, 0 for the others.
 std::vector<char> report_faces(const PolygonMesh& mesh, std::size_t limit, std::vector<Message>& out) {
   std::vector<FaceFault> faults(mesh.face_count());
   FaceCheck check(mesh.positions.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-// The errors of a polygon mesh, each with its element (dense indices).
+// Errors of a polygon mesh, each with its element (dense indices).
 
 #include <vector>
 
@@ -9,12 +9,13 @@
 
 namespace hariko {
 
-/// E_NONFINITE for every vertex with a coordinate that is infinite or not a number.
+/// Errors of positions: E_NONFINITE for every vertex with a coordinate that is infinite or not a number.
 std::vector<Message> position_errors(const PolygonMesh& mesh, std::size_t limit);
 
-/// E_NO_FACES, E_INDEX_RANGE, E_FACE_TOO_SMALL, E_FACE_REPEATED_VERTEX, E_EDGE_NONMANIFOLD_OR_FLIPPED and
-/// E_VERTEX_NONMANIFOLD, in this order. Edges are judged among the faces that are sound by themselves,
-/// vertices where all their faces and edges are sound. Empty exactly when HalfEdgeMesh::build succeeds.
+/// Errors of connectivity: E_NO_FACES, E_INDEX_RANGE, E_FACE_TOO_SMALL, E_FACE_REPEATED_VERTEX,
+/// E_EDGE_NONMANIFOLD_OR_FLIPPED and E_VERTEX_NONMANIFOLD, in this order. Edges are judged among the faces
+/// that are sound by themselves, vertices where all their faces and edges are sound. Empty exactly when
+/// HalfEdgeMesh::build succeeds.
 std::vector<Message> connectivity_errors(const PolygonMesh& mesh, std::size_t limit);
 
 }  // namespace hariko

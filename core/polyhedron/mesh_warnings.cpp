@@ -14,7 +14,7 @@ namespace hariko {
 
 namespace {
 
-/// What all checks need.
+/// Input of all checks.
 struct Checked {
   const HalfEdgeMesh& topology;
   std::span<const Vector3> positions;
@@ -47,7 +47,7 @@ void warn_inside_out(const Checked& mesh) {
   }
 }
 
-/// Lengths up to this are zero for a designer: 1e-12 of the size of the box round all used vertices.
+/// Length that counts as zero: 1e-12 of the diagonal of the bounding box of all used vertices.
 double zero_length(const Checked& mesh) {
   Eigen::AlignedBox3d box;
   for (Index v = 0; v < mesh.topology.vertex_count(); ++v)

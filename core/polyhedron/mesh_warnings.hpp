@@ -1,6 +1,6 @@
 #pragma once
 
-// The warnings of a manifold mesh, each with its element.
+// Warnings of a manifold mesh, each with its element.
 
 #include <span>
 #include <vector>
@@ -17,7 +17,7 @@ namespace hariko {
 std::vector<Message> mesh_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
                                    const ElementNames& names, std::size_t limit);
 
-/// Of these W_CONCAVE_FACE and W_SELF_CROSSING_FACE only. O(corners log corners).
+/// The warnings W_CONCAVE_FACE and W_SELF_CROSSING_FACE alone. O(corners log corners).
 std::vector<Message> face_shape_warnings(const HalfEdgeMesh& topology, std::span<const Vector3> positions,
                                          const ElementNames& names, std::size_t limit);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// MessageGroup: messages of one code, of which only the first few are written out.
+// MessageGroup: messages of one code, of which only the first few are written out and the rest counted.
 
 #include <cstdlib>
 #include <string>
@@ -15,14 +15,15 @@ namespace hariko {
 inline constexpr const char* more_begins = " (";
 inline constexpr std::string_view more_ends = " more like this.)";
 
-/// The text of a last message without what says how many more there were, and that number.
+/// Text of the last message of a group without its count of omitted messages, and that count.
 inline std::pair<std::string, std::size_t> without_more(const std::string& text) {
   const std::size_t begin = text.rfind(more_begins);
   if (!text.ends_with(more_ends) || begin == std::string::npos) return {text, 0};
   return {text.substr(0, begin), std::strtoull(text.c_str() + begin + 2, nullptr, 10)};
 }
 
-/// Appends to `out`. When it goes out of scope its last message says how many more there were.
+/// Collector of messages of one code, appended to `out`. When it goes out of scope, its last message gets the
+/// number of omitted ones.
 class MessageGroup {
  public:
   MessageGroup(std::vector<Message>& out, Severity severity, Code code, std::string remedy, std::size_t limit)
@@ -34,7 +35,7 @@ class MessageGroup {
       out_.back().text += more_begins + std::to_string(count_ - limit_) + std::string(more_ends);
   }
 
-  /// text() is called only for messages within the limit.
+  /// Adds a message; text() is called only within the limit.
   template <class Text>
   void add(Element element, Text&& text) {
     if (++count_ <= limit_) out_.push_back({severity_, code_, element, text(), remedy_});

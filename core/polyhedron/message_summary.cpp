@@ -11,13 +11,14 @@ namespace {
 
 constexpr std::size_t most_elements = 5;
 
-/// "\"left\": " of a message about one of several objects.
+/// Name of the object at the start of a message about one of several objects, with the quotation mark before
+/// it.
 std::string_view object_of(std::string_view text) {
   const std::size_t end = text.starts_with('"') ? text.find("\": ") : std::string_view::npos;
   return end == std::string_view::npos ? std::string_view() : text.substr(0, end);
 }
 
-/// Both say the same of an element of the same object, or the very same.
+/// Whether two messages are of one kind: the same code about elements of the same object, or the same text.
 bool same_kind(const Message& a, const Message& b) {
   if (!(a.code == b.code) || a.severity != b.severity) return false;
   if (a.text == b.text) return true;

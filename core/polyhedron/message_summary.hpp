@@ -1,6 +1,6 @@
 #pragma once
 
-// Many messages of one kind as one, for lists that people read.
+// Summaries of messages: many messages of one kind as one, for lists that people read.
 
 #include <span>
 #include <string>
@@ -10,21 +10,22 @@
 
 namespace hariko {
 
-/// Messages with the same code about elements of one kind, or with the same text: the first of them, the
-/// elements of the first few, and how many there are, those included that `validate` only counts.
+/// Summary of messages with the same code about elements of one kind, or with the same text: the first
+/// message, the elements of the first few, and their number, including those that `validate` only counts.
 struct MessageSummary {
   Message first;
   std::vector<Element> elements;
   std::size_t count = 1;
 
-  /// "edge 3-7, edge 5-9, edge 6-8"; "..." behind it where there are more. Empty where none is named.
+  /// Elements as text: "edge 3-7, edge 5-9, edge 6-8", followed by "..." where there are more. Empty where no
+  /// element is named.
   std::string list() const;
 };
 
-/// One for each kind, in the order in which they come first.
+/// Summaries of the messages, one per kind, in the order of their first messages.
 std::vector<MessageSummary> summarised(std::span<const Message> messages);
 
-/// The first message, which says how many more there are, and names some.
+/// Single message for a summary: the first one, with the number of further ones and some of their elements.
 Message one_message(const MessageSummary& summary);
 
 }  // namespace hariko

@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// Points by cells of a uniform grid: an open hash table whose entries chain the points of a cell.
+/// Hash grid: points by cells of a uniform grid, with the points of a cell chained.
 class CellTable {
  public:
   explicit CellTable(std::size_t capacity)
@@ -47,10 +47,10 @@ std::vector<Index> representatives(std::span<const Vector3> points, double dista
     if (p.allFinite()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   const bool exact = distance <= largest * 1e-290;
   if (exact) distance = 0;
-  // Standing points are more than `distance` apart, so a cell of twice that holds at most a few dozen of
+  // Representatives are more than `distance` apart, so a cell of twice that size holds at most a few dozen of
   // them, and all neighbours of a point are in the eight cells round the nearest grid corner. Cell numbers
-  // are doubles: beyond 2^53 they are coarser than the cells, but there distinct coordinates are farther
-  // apart than `distance` anyway.
+  // are doubles: beyond 2^53 they are coarser than the cells, but distinct coordinates are then farther apart
+  // than `distance` anyway.
   const double cell_size = 2 * distance;
 
   CellTable table(points.size());

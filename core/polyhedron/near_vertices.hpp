@@ -1,6 +1,6 @@
 #pragma once
 
-// Vertices that lie at the same place, or nearly.
+// Clusters of vertices at the same position, or nearly.
 
 #include <span>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace hariko {
 
-/// For each point the first point that stands for it: walking the points in order, a point within `distance`
-/// (>= 0) of an earlier standing one gets the nearest such (the earliest of equally near ones), any other
-/// stands for itself. Non-finite points always stand for themselves; distances below 1e-290 of the largest
+/// Representative of each point: in the order of the points, a point within `distance` (>= 0) of an earlier
+/// representative gets the nearest one (the earliest of equally near ones); any other point is its own
+/// representative. Non-finite points always represent themselves; distances below 1e-290 of the largest
 /// coordinate count as 0. O(points) expected.
 std::vector<Index> representatives(std::span<const Vector3> points, double distance);
 

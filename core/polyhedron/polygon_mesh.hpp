@@ -1,6 +1,6 @@
 #pragma once
 
-// PolygonMesh: what files hold. Positions and polygons, nothing checked.
+// PolygonMesh: the content of a mesh file, positions and polygons, unchecked.
 
 #include <initializer_list>
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace hariko {
 
-/// Polygons as vertex cycles, counter-clockwise seen from outside. No invariant beyond the offsets: indices
-/// may be out of range, faces degenerate. `Polyhedron::build` is where that is checked.
+/// Polygon mesh: vertex cycles, counter-clockwise seen from outside. No invariant beyond the offsets: indices
+/// may be out of range, faces degenerate. `Polyhedron::build` checks them.
 struct PolygonMesh {
   std::vector<Vector3> positions;
   std::vector<Index> face_offsets{0};  ///< face f has corners [face_offsets[f], face_offsets[f + 1])

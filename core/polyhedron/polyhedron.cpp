@@ -20,7 +20,7 @@ std::vector<Id> ascending_ids(std::size_t count) {
   return ids;
 }
 
-/// Ids count up strictly and none is the "no element" value.
+/// Whether ids ascend strictly and none is the "no element" value.
 template <class Id>
 bool are_valid(const std::vector<Id>& ids, std::size_t count) {
   if (ids.size() != count) return false;
@@ -123,7 +123,7 @@ Vector3 origin_for(std::span<const Vector3> positions) {
     high = high.cwiseMax(p);
   }
   if (!(low.array() <= high.array()).all()) return Vector3::Zero();
-  // Halves first, so that boxes of nearly the largest numbers do not overflow.
+  // Halved before the subtraction, so that boxes of nearly the largest numbers do not overflow.
   Vector3 centre = low / 2 + high / 2;
   const double half_extent = (high / 2 - low / 2).maxCoeff();
   if (half_extent == 0) return centre;
@@ -131,7 +131,7 @@ Vector3 origin_for(std::span<const Vector3> positions) {
   const double mantissa = std::frexp(half_extent, &exponent);  // in [0.5, 1)
   const double step = std::ldexp(1.0, mantissa == 0.5 ? exponent : exponent + 1);
   if (!std::isfinite(step)) return Vector3::Zero();
-  // Beyond 2^53 steps a double is a multiple of the step already. Halfway cases go to even: [0, 1] keeps
+  // Beyond 2^53 steps a double is a multiple of the step already. Ties go to even, so that [0, 1] keeps
   // origin 0.
   return centre.unaryExpr(
       [step](double c) { return std::abs(c) / step < 0x1p53 ? std::nearbyint(c / step) * step + 0.0 : c; });

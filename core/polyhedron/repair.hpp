@@ -1,6 +1,7 @@
 #pragma once
 
-// Repairs that validation offers. Each returns a new mesh and leaves positions of kept vertices alone.
+// Repairs of polygon meshes that validation offers. Each returns a new mesh and leaves positions of kept
+// vertices alone.
 
 #include "core/base/result.hpp"
 #include "core/polyhedron/polygon_mesh.hpp"
@@ -12,8 +13,9 @@ namespace hariko {
 /// consistent orientation exists (a one-sided surface) or an edge has more than two faces.
 Result<PolygonMesh> repair_orientation(const PolygonMesh& mesh);
 
-/// The same as far as it goes: edges with more than two faces count as cuts, and where a one-sided surface
-/// closes it stays as it is. Parts are turned outward where they are closed and none of this happened.
+/// Orients faces as far as possible: edges with more than two faces count as boundary, and a one-sided
+/// surface stays cut where it would close. Parts are turned outward where they are closed and neither of
+/// these occurred.
 PolygonMesh orient_where_possible(const PolygonMesh& mesh);
 
 /// Cuts the mesh open along edges with more than two faces, or used twice in one direction, by duplicating
@@ -26,33 +28,34 @@ PolygonMesh split_nonmanifold_vertices(const PolygonMesh& mesh);
 /// Removes vertices that no face uses.
 PolygonMesh remove_isolated_vertices(const PolygonMesh& mesh);
 
-/// Faces that come back to a vertex become several, one for each round.
+/// Splits faces that return to a vertex into several, one for each loop.
 PolygonMesh split_repeated_corners(const PolygonMesh& mesh);
 
 /// Merges vertices closer than `distance` (in the mesh's unit, >= 0; 0 merges equal positions only). Faces
 /// that lose corners shrink; those left with fewer than three are dropped.
 PolygonMesh weld(const PolygonMesh& mesh, double distance);
 
-/// What `make_manifold` did.
+/// Statistics of `make_manifold`.
 struct RepairReport {
-  std::size_t merged_vertices = 0;   ///< into others at nearly the same place
-  std::size_t dropped_faces = 0;     ///< degenerate, double, or with vertices that are not there
-  std::size_t turned_faces = 0;      ///< to agree with their neighbours
+  std::size_t merged_vertices = 0;   ///< merged into others at nearly the same position
+  std::size_t dropped_faces = 0;     ///< degenerate, double, or with vertices that do not exist
+  std::size_t turned_faces = 0;      ///< turned to agree with their neighbours
   std::size_t split_vertices = 0;    ///< copies added where the mesh was cut apart
-  std::size_t removed_vertices = 0;  ///< that no face used
+  std::size_t removed_vertices = 0;  ///< vertices used by no face
   friend bool operator==(const RepairReport&, const RepairReport&) = default;
 };
 
+/// Mesh after `make_manifold`, with its statistics.
 struct Repaired {
   PolygonMesh mesh;
   RepairReport report;
 };
 
-/// All of these, one after the other, so that `Polyhedron::build` accepts the result: vertices nearer than
-/// 1e-6 of the size of the box are merged, faces that cannot be used dropped, the others oriented, and what
-/// is still not manifold cut apart. A manifold mesh without near vertices comes back as it is, but for
-/// unused vertices. Errors: E_NO_FACES when no face is left, E_NONFINITE when a position that is used is not
-/// finite.
+/// Makes a mesh manifold by all of these repairs in turn, so that `Polyhedron::build` accepts the result:
+/// vertices nearer than 1e-6 of the diagonal of the box are merged, unusable faces dropped, the others
+/// oriented, and parts that are still not manifold cut apart. A manifold mesh without near vertices is
+/// returned unchanged except for unused vertices. Errors: E_NO_FACES when no face is left, E_NONFINITE when a
+/// used position is not finite.
 Result<Repaired> make_manifold(const PolygonMesh& mesh);
 
 }  // namespace hariko

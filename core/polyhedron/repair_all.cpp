@@ -1,4 +1,4 @@
-// make_manifold: the repairs in the order in which they help one another.
+// make_manifold: the repairs, in an order in which each prepares the next.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace hariko {
 
 namespace {
 
-constexpr double near = 1e-6;  // of the size of the box round all used vertices
+constexpr double near = 1e-6;  // relative to the diagonal of the bounding box of all used vertices
 
-/// Appends the rounds of a cycle of vertices: it is cut wherever it comes back to a vertex.
+/// Appends the loops of a vertex cycle, which is cut wherever it returns to a vertex.
 void add_rounds(std::span<const Index> face, PolygonMesh& out) {
   std::vector<Index> open;
   for (const Index v : face) {
@@ -41,8 +41,8 @@ PolygonMesh with_faces(const PolygonMesh& mesh, Keep&& keep) {
   return out;
 }
 
-/// Drops faces with the vertices of an earlier one where an edge of theirs has more than two faces: without
-/// them two faces back to back are a closed surface.
+/// Drops faces with the same vertices as an earlier one where one of their edges has more than two faces.
+/// Elsewhere two faces back to back form a closed surface, which stays.
 PolygonMesh without_doubles(const PolygonMesh& mesh) {
   std::vector<char> crowded(mesh.face_count(), 0);
   std::vector<Index> face_of(mesh.face_vertices.size());
@@ -62,7 +62,7 @@ PolygonMesh without_doubles(const PolygonMesh& mesh) {
   });
 }
 
-/// Length of the diagonal of the box round the used vertices.
+/// Size of a mesh: the diagonal of the bounding box of its used vertices.
 double size_of(const PolygonMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Index v : mesh.face_vertices) box.extend(mesh.positions[v]);
@@ -107,11 +107,11 @@ Result<Repaired> make_manifold(const PolygonMesh& given) {
   const PolygonMesh oriented = orient_where_possible(mesh);
   const PolygonMesh split = split_nonmanifold_vertices(split_nonmanifold_edges(oriented));
   report.split_vertices = split.positions.size() - oriented.positions.size();
-  // What was cut apart may have become closed: those parts are turned outward now.
+  // Parts that were cut apart may have become closed: they are turned outward now.
   out.mesh = orient_where_possible(split);
   for (std::size_t f = 0; f < mesh.face_count(); ++f)
     report.turned_faces += same_face(mesh, oriented, f) != same_face(split, out.mesh, f);
-  // Faces that were dropped may have left vertices behind.
+  // Removes vertices that only dropped faces used.
   const std::size_t kept = out.mesh.positions.size();
   out.mesh = remove_isolated_vertices(out.mesh);
   report.removed_vertices += kept - out.mesh.positions.size();

@@ -7,8 +7,8 @@ namespace hariko {
 
 namespace {
 
-/// The mesh with the kept vertices only, in their order. Corners are mapped by target[]; indices out of range
-/// stay so.
+/// Mesh with the kept vertices only, in their order. Corners are mapped by target[]; indices out of range
+/// stay out of range.
 PolygonMesh with_kept_vertices(const PolygonMesh& mesh, const std::vector<char>& keep,
                                const std::vector<Index>& target) {
   PolygonMesh out;

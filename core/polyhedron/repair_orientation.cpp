@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-/// A face across an edge, and whether the two agree in orientation as they are given.
+/// Neighbour of a face across an edge, and whether the two agree in orientation as given.
 struct Neighbour {
   Index face;
   bool agrees;
@@ -47,7 +47,8 @@ Message not_orientable(Index low, Index high, std::size_t faces) {
       "Split the non-manifold edges to cut it open.", edge);
 }
 
-/// `strict` refuses edges with more than two faces; else they count as borders.
+/// Finds the neighbours of every face. `strict` refuses edges with more than two faces; otherwise they count
+/// as boundary.
 Result<Neighbours> find_neighbours(const PolygonMesh& mesh, const EdgeTable& edges, bool strict) {
   const std::vector<Index> face = faces_of_corners(mesh);
   Neighbours out;
@@ -72,14 +73,14 @@ Result<Neighbours> find_neighbours(const PolygonMesh& mesh, const EdgeTable& edg
   return out;
 }
 
-/// One connected part: its faces and, for each, whether it is to be flipped to agree with the first.
+/// Connected part: its faces and, for each, whether it must be flipped to agree with the first.
 struct Part {
   std::vector<Index> faces;
   bool closed = true;
 };
 
 /// Flood fill from `seed`; `flip` holds -1 for faces not reached yet. A one-sided part is an error when
-/// `strict`; else it does not count as closed.
+/// `strict`; otherwise it does not count as closed.
 Result<Part> flood(const PolygonMesh& mesh, const Neighbours& neighbours, Index seed, bool strict,
                    std::vector<signed char>& flip) {
   Part part;
@@ -104,7 +105,7 @@ Result<Part> flood(const PolygonMesh& mesh, const Neighbours& neighbours, Index 
   return part;
 }
 
-/// Volume of a closed part once its flips are done.
+/// Volume of a closed part after its flips.
 double volume_of(const PolygonMesh& mesh, const Part& part, const std::vector<signed char>& flip) {
   const Vector3 reference = mesh.positions[mesh.face(part.faces[0])[0]];
   double volume = 0;
@@ -132,7 +133,7 @@ Result<PolygonMesh> orient(const PolygonMesh& mesh, bool strict) {
     if (!part) return part.error();
     const auto flipped =
         std::count_if(part->faces.begin(), part->faces.end(), [&](Index f) { return flip[f] == 1; });
-    // Closed parts face outwards; open ones keep the orientation of most of their faces.
+    // Closed parts face outwards; open parts keep the orientation of most of their faces.
     const bool turn = part->closed ? volume_of(mesh, *part, flip) < 0
                                    : static_cast<std::size_t>(flipped) * 2 > part->faces.size();
     if (turn)

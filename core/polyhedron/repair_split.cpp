@@ -7,11 +7,12 @@ namespace hariko {
 
 namespace {
 
-/// At the chosen vertices, every fan but the first gets its own copy of the vertex, appended at the end.
+/// Gives every fan but the first its own copy of the vertex, at the chosen vertices; copies are appended at
+/// the end.
 template <class Choose>
 PolygonMesh split_fans(const PolygonMesh& mesh, const CornerFans& fans, Choose&& choose) {
   PolygonMesh out = mesh;
-  std::vector<Index> first_copy(mesh.positions.size(), no_index);  // of fan 1
+  std::vector<Index> first_copy(mesh.positions.size(), no_index);  // copy for fan 1
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (fans.fan_count[v] < 2 || !choose(v)) continue;
     first_copy[v] = static_cast<Index>(out.positions.size());
@@ -35,8 +36,8 @@ CornerFans fans_of(const PolygonMesh& mesh) {
 
 }  // namespace
 
-// Fans are cut at faulty edges, and a fan starts and ends at most once, so among the copies every directed
-// edge is left to at most one face.
+// Fans are cut at faulty edges, and each fan starts and ends at most once, so every directed edge of the
+// result belongs to at most one face.
 PolygonMesh split_nonmanifold_edges(const PolygonMesh& mesh) {
   const CornerFans fans = fans_of(mesh);
   return split_fans(mesh, fans, [&](std::size_t v) { return fans.at_faulty_edge[v] != 0; });

@@ -18,7 +18,7 @@ std::vector<Message> validate(const PolygonMesh& mesh, std::size_t limit) {
 
 namespace {
 
-/// Calls warn with the mesh's topology, positions and names.
+/// Calls warn with the mesh's topology, positions and element names.
 template <class Warn>
 std::vector<Message> with_names(const Polyhedron& polyhedron, std::size_t limit, Warn&& warn) {
   std::vector<VertexId> vertex_ids(polyhedron.vertex_count());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Validation of polygons: every error and warning with its element named (kuriyama.md section 5).
+// Validation of polygon meshes: every error and warning with its element named (kuriyama.md section 5).
 
 #include <vector>
 
@@ -26,18 +26,19 @@ inline constexpr Code w_concave_face{"W_CONCAVE_FACE"};
 inline constexpr Code w_self_crossing_face{"W_SELF_CROSSING_FACE"};
 inline constexpr Code w_valence_2{"W_VALENCE_2"};
 
-/// All errors and warnings of a mesh; elements are dense indices. At most `limit` messages of each code; the
-/// last one then says how many more there are. Warnings need a mesh without errors. Typically O(corners log
+/// Errors and warnings of a mesh; elements are dense indices. At most `limit` messages of each code; the last
+/// one then says how many more there are. Warnings need a mesh without errors. Typically O(corners log
 /// corners).
 ///
 /// Errors come first, in the order of the codes above, then warnings in theirs. The first error is the one
-/// that Polyhedron::build returns. "Nearly zero" lengths (W_DUPLICATE_VERTEX, W_ZERO_EDGE) are up to 1e-12 of
-/// the size of the box round all used vertices. W_INSIDE_OUT names the first face of a closed part.
+/// that Polyhedron::build returns. Lengths that count as zero (W_DUPLICATE_VERTEX, W_ZERO_EDGE) are up to
+/// 1e-12 of the diagonal of the bounding box of all used vertices. W_INSIDE_OUT names the first face of a
+/// closed part.
 std::vector<Message> validate(const PolygonMesh& mesh, std::size_t limit = 100);
 
-/// The warnings of a polyhedron, with its stable ids.
+/// Warnings of a polyhedron, with its stable ids.
 std::vector<Message> warnings_of(const Polyhedron& polyhedron, std::size_t limit = 100);
-/// Of these W_CONCAVE_FACE and W_SELF_CROSSING_FACE only.
+/// The warnings W_CONCAVE_FACE and W_SELF_CROSSING_FACE alone.
 std::vector<Message> face_shape_warnings_of(const Polyhedron& polyhedron, std::size_t limit = 100);
 
 }  // namespace hariko

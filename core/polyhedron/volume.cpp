@@ -17,7 +17,7 @@ std::vector<double> closed_component_volumes(const HalfEdgeMesh& topology,
   for (Index f = 0; f < topology.face_count(); ++f) {
     const Index c = component[f];
     const std::span<const Index> corners = topology.face_vertices(f);
-    // A point of the component itself as reference keeps far objects as precise as near ones.
+    // The reference point lies in the component, so that far objects are as precise as near ones.
     if (!seen[c]) reference[c] = positions[corners[0]];
     seen[c] = 1;
     const Vector3 p = positions[corners[0]] - reference[c];

@@ -1,6 +1,6 @@
 #pragma once
 
-// The signed volume of the closed parts of a mesh.
+// Signed volumes of the closed parts of a mesh.
 
 #include <span>
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace hariko {
 
-/// Per component (numbered as by HalfEdgeMesh::face_components): the volume its faces enclose, each face as
-/// triangles from its first corner; positive when they face outwards. 0 for open components, and for those
-/// that enclose less than 1e-12 of what their faces span (doubled sheets).
+/// Volume that each component encloses (numbered as by HalfEdgeMesh::face_components), each face as triangles
+/// from its first corner; positive when the faces point outwards. 0 for open components, and for those that
+/// enclose less than 1e-12 of the volume that their faces span (doubled sheets).
 std::vector<double> closed_component_volumes(const HalfEdgeMesh& topology,
                                              std::span<const Vector3> positions);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Adjacency: which seams a side of a patch has, and what is boundary. Derived from a surface's seams.
+// Adjacency: the seams at each side of a patch, and the boundary. Derived from a surface's seams.
 
 #include <span>
 #include <vector>
@@ -9,17 +9,19 @@
 
 namespace hariko {
 
+/// Seams by sides of patches.
 class Adjacency {
  public:
-  /// O(patches + seams).
+  /// Collects the seams of every side. O(patches + seams).
   explicit Adjacency(const Surface& surface);
 
   /// Indices of the seams on a side, ascending. A seam between two parts of one side is listed twice.
   std::span<const Index> seams(PatchSide side) const;
-  /// The one seam that covers the whole side; no_index when there is none.
+  /// The seam that covers the whole side; no_index when there is none.
   Index full_seam(PatchSide side) const;
-  /// Sides that seams do not cover wholly, in order of patch and side.
+  /// Sides that are not wholly covered by seams, in order of patch and side.
   const std::vector<PatchSide>& boundary() const { return boundary_; }
+  /// Whether the surface has no boundary.
   bool closed() const { return boundary_.empty(); }
 
  private:
@@ -30,7 +32,7 @@ class Adjacency {
   std::vector<Index> full_;
 };
 
-/// True when the seam joins two whole sides, in opposite directions.
+/// Whether a seam joins two whole sides, in opposite directions.
 bool is_full(const Seam& seam);
 
 }  // namespace hariko

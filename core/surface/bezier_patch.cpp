@@ -25,7 +25,7 @@ std::optional<Message> check_patch(const BezierPatch& patch, std::size_t number)
     return make_error(e_patch_points,
                       named(number) + " has " + std::to_string(patch.points.size()) + " control points.",
                       "Its degree needs " + std::to_string(count) + ".");
-  // Differences and products of coordinates must stay finite.
+  // Limit that keeps differences and products of coordinates finite.
   constexpr double limit = 1e100;
   const bool finite = std::all_of(patch.points.begin(), patch.points.end(), [](const Vector3& p) {
     return p.allFinite() && p.lpNorm<Eigen::Infinity>() <= limit;

@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// Bernstein polynomials of degree three with derivatives. The arithmetic is symmetric under reversal.
+/// Cubic Bernstein polynomials with derivatives. The arithmetic is symmetric under reversal.
 struct Bernstein {
   std::array<double, 4> value, first, second;
   Bernstein(double x, double y)  // y = 1 - x
@@ -21,7 +21,7 @@ struct Bernstein {
         second{6 * y, 6 * (x - 2 * y), 6 * (y - 2 * x), 6 * x} {}
 };
 
-/// Both ends together, then the middle: the same bits from either end.
+/// Weighted sum that adds both ends first, then the middle: the same bits from either end.
 Vector3 sum(const std::array<double, 4>& weight, const Vector3& a, const Vector3& b, const Vector3& c,
             const Vector3& d) {
   return (weight[0] * a + weight[3] * d) + (weight[1] * b + weight[2] * c);
@@ -39,7 +39,7 @@ Vector3 along_t(const std::array<Vector3, 4>& row, const std::array<double, 4>& 
   return sum(weight, row[0], row[1], row[2], row[3]);
 }
 
-/// A point on a side depends on that side's curve only.
+/// Recomputes a point on a side from that side's curve alone.
 void set_side_position(const Controls& p, double s, double t, PatchPoint& point, const Bernstein& bs,
                        const Bernstein& bt) {
   if (t == 0)
@@ -68,7 +68,7 @@ PatchPoint point_of(const Controls& p, double s, double t, Order order) {
   return point;
 }
 
-/// Normal of a point where the derivatives are parallel: from slightly further inside.
+/// Normal where the derivatives are parallel: taken slightly further inside.
 Vector3 normal_of(const Controls& p, double s, double t, const PatchPoint& point) {
   const Vector3 normal = unit_normal(point);
   if (!normal.isZero(0)) return normal;
@@ -255,7 +255,7 @@ class GridSurface {
     if (closed_t_) l %= net_.rows;
     return l * nodes_across_ + k;
   }
-  /// The middle edge of a side, by the numbers of its points.
+  /// Source edge of a side: its middle control edge, by the numbers of its points.
   Element side_source(Index patch, int side) const {
     const auto point = [&](int i, int j) { return VertexId{net_.index(patch, i, j)}; };
     switch (side) {
@@ -309,13 +309,13 @@ class GridSurface {
             patches_->evaluate(side.patch, side_parameter(Domain::square, side.side, at), Order::first));
       };
       const Vector3 a = normal(first, x), b = normal(second, 1 - x);
-      // Where a side is shrunk to a point there is nothing to compare.
+      // A side that shrinks to a point has no tangent planes to compare.
       if (!a.isZero(0) && !b.isZero(0) && (a - b).norm() > smooth_angle) return false;
     }
     return true;
   }
 
-  /// The common normal of the patches at each node, zero where they have none.
+  /// Common normal of the patches at each node, zero where they have none in common.
   std::vector<Vector3> node_normals() const {
     std::vector<Vector3> normals(node_count_, Vector3::Zero());
     std::vector<bool> seen(node_count_, false);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Grids of bicubic Bezier patches: the control net as a value, the patches as a PatchSet, and the Surface.
+// Grids of bicubic Bezier patches: the control net as a value, the patches as a PatchSet, and as a Surface.
 
 #include <array>
 #include <memory>
@@ -11,9 +11,10 @@
 
 namespace hariko {
 
-/// columns x rows patches over (3 columns + 1) x (3 rows + 1) control points, row by row: point (i, j) is
-/// points[j (3 columns + 1) + i]. Patch (k, l), number l columns + k, has the points 3k .. 3k + 3 by
-/// 3l .. 3l + 3; its s runs with i and its t with j. Neighbours share a row or column of points.
+/// Control net of a grid of bicubic patches: columns x rows patches over (3 columns + 1) x (3 rows + 1)
+/// control points, row by row: point (i, j) is points[j (3 columns + 1) + i]. Patch (k, l), number l columns
+/// + k, has the points 3k .. 3k + 3 by 3l .. 3l + 3; its s runs with i and its t with j. Neighbours share a
+/// row or column of points.
 struct BicubicNet {
   Index columns = 0, rows = 0;
   std::vector<Vector3> points;
@@ -30,27 +31,31 @@ struct BicubicNet {
   friend bool operator==(const BicubicNet&, const BicubicNet&) = default;
 };
 
-/// The outer side of one patch of a net: side 0 .. 3 of the grid as of a patch, and which patch along it,
-/// counted in the side's own direction (counter-clockwise).
+/// Outer side of one patch of a net: side 0 .. 3 of the grid, numbered as in a patch, and the place of the
+/// patch along it, counted in the side's own direction (counter-clockwise).
 struct NetSide {
   std::uint8_t side = 0;
   Index place = 0;
   friend auto operator<=>(const NetSide&, const NetSide&) = default;
 };
+/// Number of patches along a side of the grid.
 inline Index places_of(const BicubicNet& net, int side) {
   return side % 2 == 0 ? net.columns : net.rows;
 }
-/// The patch that the side belongs to.
+/// Patch that an outer side belongs to.
 Index patch_of(const BicubicNet& net, NetSide side);
-/// Indices of the side's four points in its direction, and of the row behind them (P(i,0) and P(i,1)).
+/// Indices of the four control points of an outer side in its direction, and of the row behind them (P(i,0)
+/// and P(i,1)).
 struct SideRows {
   std::array<Index, 4> curve, row;
 };
+/// Control points of an outer side and the row behind it.
 SideRows side_rows(const BicubicNet& net, NetSide side);
 
+/// Patches of a bicubic net.
 class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
  public:
-  /// The net has as many points as it says (asserted).
+  /// Takes a net whose number of points fits its size (asserted).
   explicit BicubicPatchSet(BicubicNet net);
 
   const BicubicNet& net() const { return net_; }
@@ -62,7 +67,7 @@ class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Exact; undefined where a side is shrunk to the corner.
+  /// Exact everywhere, except undefined where a side shrinks to the corner.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
@@ -78,10 +83,10 @@ class BicubicPatchSet final : public PatchSet, public FacetEvaluation {
   BicubicNet net_;
 };
 
-/// The grid as a surface. Seams between neighbours are G1 where the tangent planes of both agree to 1e-6 rad
-/// all along, else G0. A grid whose first and last column (row) of points are equal, bit for bit, closes.
-/// Sources number the net's quads and points: a patch comes from the quad in its middle, a side from the
-/// middle edge of its three. O(patches).
+/// Surface of a grid of bicubic patches. Seams between neighbours are G1 where both tangent planes agree to
+/// 1e-6 rad all along, otherwise G0. A grid whose first and last column (row) of points are equal, bit for
+/// bit, closes. Sources number the net's quads and points: a patch comes from the quad in its middle, a side
+/// from the middle one of its three edges. O(patches).
 Surface bicubic_surface(const Vector3& origin, BicubicNet net);
 
 }  // namespace hariko

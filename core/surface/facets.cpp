@@ -21,7 +21,7 @@ class FacetPatches final : public PatchSet {
     PatchPoint point;
     point.ds = positions_[b] - positions_[a];
     point.dt = positions_[c] - positions_[a];
-    // Corners as they are, bit for bit.
+    // Corners keep their bits.
     if (parameter.x() == 1)
       point.position = positions_[b];
     else if (parameter.y() == 1)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Facets as a surface: flat triangles, so that reference meshes go where surfaces go.
+// Facet surfaces: flat triangles as a Surface, so that reference meshes can be used wherever surfaces are.
 
 #include <array>
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace hariko {
 
-/// One flat patch for each triangle of positions relative to `origin`. Without seams and boundary sides: each
-/// facet has its own normal. `sources` are the elements of the triangles, one each. O(triangles).
+/// Surface with one flat patch for each triangle of positions relative to `origin`. It has no seams and no
+/// boundary sides: each facet has its own normal. `sources` are the elements of the triangles, one each.
+/// O(triangles).
 Surface facet_surface(const Vector3& origin, std::span<const Vector3> positions,
                       std::vector<std::array<Index, 3>> triangles, std::span<const Element> sources);
 

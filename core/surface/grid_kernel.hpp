@@ -1,8 +1,8 @@
 #pragma once
 
-// The inner loop of grid evaluation, for kernels that compile it once for each kind of processor: sums of
-// control points times tables, four grid points at a time. A table has for each block of four points and each
-// control three groups (such as value, d/ds, d/dt) of four doubles. Include in kernels only.
+// Inner loop of grid evaluation, for kernels that compile it once per kind of processor: sums of control
+// points times tables, four grid points at a time. For each block of four points and each control, a table
+// has three groups (such as value, d/ds, d/dt) of four doubles. Include in kernels only.
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,14 @@ namespace hariko::grid_kernel {
 /// Four doubles; the compiler maps them to one AVX or two SSE registers.
 typedef double Lane4 __attribute__((vector_size(32)));
 
+/// Vectors of four points, by coordinates.
 struct Triple {
   Lane4 x, y, z;
 };
 
 inline constexpr std::size_t lanes = 4;
 
-/// out[0..2] are the three sums for four points. `controls`: size(), and [k], a vector.
+/// Computes three sums for four points into out[0..2]. `controls` has size() and [k], a vector.
 template <class Controls>
 HARIKO_INLINE void sum_block(const Controls& controls, const double* table, Triple out[3]) {
   Lane4 ax{}, ay{}, az{}, bx{}, by{}, bz{}, cx{}, cy{}, cz{};
@@ -48,7 +49,7 @@ HARIKO_INLINE void sum_block(const Controls& controls, const double* table, Trip
   out[2] = {cx, cy, cz};
 }
 
-/// each(first point, points of the block, sums) for every block.
+/// Calls each(first point, points of the block, sums) for every block.
 template <class Controls, class Each>
 HARIKO_INLINE void for_blocks(const Controls& controls, const double* table, std::size_t blocks,
                               std::size_t points, const Each& each) {
@@ -60,8 +61,8 @@ HARIKO_INLINE void for_blocks(const Controls& controls, const double* table, std
   }
 }
 
-/// Positions and unit normals; a normal is zero where the derivatives are parallel to within 1e-12 of their
-/// lengths' product (then returns true).
+/// Positions and unit normals; a normal is zero where the derivatives are parallel to within 1e-12 of the
+/// product of their lengths (then returns true).
 template <class Controls>
 HARIKO_INLINE bool position_normal(const Controls& controls, const double* table, std::size_t blocks,
                                    std::size_t points, Vector3* positions, Vector3* normals) {
@@ -83,6 +84,7 @@ HARIKO_INLINE bool position_normal(const Controls& controls, const double* table
   return degenerate;
 }
 
+/// Vector of point i of a block.
 HARIKO_INLINE Vector3 lane(const Triple& v, std::size_t i) {
   return {v.x[i], v.y[i], v.z[i]};
 }

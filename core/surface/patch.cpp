@@ -24,8 +24,7 @@ Vector2 side_parameter(Domain domain, int side, double x) {
 
 double grid_fraction(int i, int density) {
   HARIKO_ASSERT(density >= 1 && i >= 0 && i <= density, "grid index out of range");
-  // The half near 1 is a multiple of 2^-53, and so is its exact distance from 1: the half near 0 is that
-  // distance.
+  // The upper half is a multiple of 2^-53, so its distance from 1 is exact: the lower half is that distance.
   const int far = std::max(i, density - i);
   const double upper = 1.0 - double(density - far) / density;
   return i == far ? upper : 1.0 - upper;
@@ -78,7 +77,7 @@ std::vector<int> GridPattern::side(int side) const {
 
 namespace {
 
-/// One point after the other.
+/// Default batch: evaluates one point after the other.
 class SinglePoints final : public BatchEvaluation {
  public:
   SinglePoints(const PatchSet& patches, std::vector<Vector2> parameters)
@@ -103,7 +102,7 @@ std::unique_ptr<const BatchEvaluation> PatchSet::batch(std::vector<Vector2> para
 }
 
 Vector3 unit_normal(const PatchPoint& point) {
-  // Scaled first: derivatives may be as small or large as doubles go.
+  // Scaled first, since derivatives may be as small or large as doubles allow.
   const double s = point.ds.stableNorm(), t = point.dt.stableNorm();
   if (!(s > 0) || !(t > 0)) return Vector3::Zero();
   const Vector3 cross = (point.ds / s).cross(point.dt / t);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Vocabulary of patches: parameters, evaluated points, and sets of patches of one type.
+// Patches: parameter domains, evaluated points, and sets of patches of one type.
 
 #include <array>
 #include <cstdint>
@@ -12,38 +12,41 @@
 
 namespace hariko {
 
-/// A triangle has parameters s, t >= 0, s + t <= 1 and corners (0,0), (1,0), (0,1); with barycentric (u, v,
-/// w) of the papers: s = v, t = w, u = 1 - s - t. A square has 0 <= s, t <= 1 and corners (0,0), (1,0),
-/// (1,1), (0,1). Corners and sides are numbered counter-clockwise; side i runs from corner i to corner i + 1.
+/// Parameter domain of a patch. A triangle has parameters s, t >= 0, s + t <= 1 and corners (0,0), (1,0),
+/// (0,1); with the barycentric (u, v, w) of the papers: s = v, t = w, u = 1 - s - t. A square has 0 <= s, t
+/// <= 1 and corners (0,0), (1,0), (1,1), (0,1). Corners and sides are numbered counter-clockwise; side i runs
+/// from corner i to corner i + 1.
 enum class Domain : std::uint8_t { triangle, square };
 
 inline int corner_count(Domain domain) {
   return domain == Domain::triangle ? 3 : 4;
 }
+/// Parameter of a corner, 0 .. corner_count - 1.
 Vector2 corner_parameter(Domain domain, int corner);
 /// Parameter of the point at fraction x in [0, 1] along a side.
 Vector2 side_parameter(Domain domain, int side, double x);
 
-/// i / density to within 1.2e-16, made exactly symmetric: grid_fraction(i, n) + grid_fraction(n - i, n) is 1
-/// and one minus the other is the other, bit for bit. So both sides of a seam ask for the same point of their
+/// Symmetric fraction i / density, to within 1.2e-16: grid_fraction(i, n) + grid_fraction(n - i, n) is 1 and
+/// one minus the one is the other, bit for bit, so that both sides of a seam evaluate the same point of their
 /// common curve. 0 <= i <= density.
 double grid_fraction(int i, int density);
 
-/// Position and derivatives with respect to (s, t).
+/// Position and derivatives with respect to (s, t), at one point of a patch.
 struct PatchPoint {
   Vector3 position = Vector3::Zero(), ds = Vector3::Zero(), dt = Vector3::Zero();
-  /// Zero when only first order was asked for.
+  /// Second derivatives; zero when only first order was requested.
   Vector3 dss = Vector3::Zero(), dst = Vector3::Zero(), dtt = Vector3::Zero();
 };
 
 enum class Order { first, second };
 
-/// What second order means at a patch's corner (statistics skip where it is not exact, maps take limits).
+/// Meaning of second derivatives at a patch's corner (statistics skip corners where they are not exact, maps
+/// take limits).
 enum class CornerSecondOrder : std::uint8_t { exact, direction_dependent, undefined };
 
-/// Points of a uniform triangular (or square) grid with n >= 1 intervals a side, in a fixed order. Triangle:
-/// for j = 0..n, i = 0..n-j: s = i/n, t = j/n (as `grid_fraction`; s + t is exactly 1 on side 1). Square: for
-/// j = 0..n, i = 0..n.
+/// Uniform triangular (or square) grid with n >= 1 intervals per side, in a fixed order. Triangle: for j =
+/// 0..n, i = 0..n-j: s = i/n, t = j/n (by `grid_fraction`; s + t is exactly 1 on side 1). Square: for j =
+/// 0..n, i = 0..n.
 struct GridPattern {
   Domain domain;
   int density;
@@ -54,23 +57,24 @@ struct GridPattern {
   int index(int i, int j) const {
     return domain == Domain::triangle ? j * (density + 1) - j * (j - 1) / 2 + i : j * (density + 1) + i;
   }
+  /// Parameters of all points, in order.
   std::vector<Vector2> parameters() const;
   /// Triangles of the grid as point indices, counter-clockwise.
   std::vector<std::array<int, 3>> triangles() const;
-  /// Point indices along a side, from its first corner to its last (density + 1 of them).
+  /// Indices of the density + 1 points along a side, from its first corner to its last.
   std::vector<int> side(int side) const;
 };
 
-/// Evaluation of one list of parameters on many patches of a set; see `PatchSet::batch`.
+/// Evaluation of one list of parameters on many patches of a set; made by `PatchSet::batch`.
 class BatchEvaluation {
  public:
   virtual ~BatchEvaluation() = default;
-  /// points[k * n + i] is the point of patches[k] at parameter i of n, as `PatchSet::evaluate` gives it to
-  /// within rounding; positions on sides have its very bits. Thread-safe.
+  /// Evaluates all parameters: points[k * n + i] is the point of patches[k] at parameter i of n, equal to
+  /// `PatchSet::evaluate` within rounding; positions on sides are equal bit for bit. Thread-safe.
   virtual void evaluate(std::span<const Index> patches, Order order, std::span<PatchPoint> points) const = 0;
 };
 
-/// Patches of one type, immutable. Implementations are values behind a shared pointer; all calls are
+/// Set of patches of one type, immutable. Implementations are values behind a shared pointer; all calls are
 /// thread-safe.
 class PatchSet {
  public:
@@ -78,26 +82,28 @@ class PatchSet {
   virtual Domain domain() const = 0;
   virtual Index patch_count() const = 0;
 
-  /// One point, any parameter of the domain. Points on a side depend, bit for bit, only on that side's curve
+  /// Point at any parameter of the domain. Points on a side depend, bit for bit, only on that side's curve
   /// and on min(x, 1-x)-symmetric arithmetic, so two patches that share a curve agree exactly.
   virtual PatchPoint evaluate(Index patch, const Vector2& parameter, Order order) const = 0;
 
-  /// All points of a grid for each of `patches`: positions[k * n + i] and unit outward normals for point i of
-  /// patches[k], n = pattern.point_count(). Positions on sides as in `evaluate`. This is the fast path.
+  /// Evaluates all points of a grid for each of `patches`: positions[k * n + i] and unit outward normals for
+  /// point i of patches[k], n = pattern.point_count(). Positions on sides as in `evaluate`. This is the fast
+  /// path.
   virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                              std::span<Vector3> positions, std::span<Vector3> normals) const = 0;
-  /// The same with both orders of derivatives.
+  /// Evaluates the same points with first and second derivatives.
   virtual void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                              std::span<PatchPoint> points) const = 0;
+  /// Kind of second derivatives at a corner.
   virtual CornerSecondOrder second_order_at_corner(Index patch, int corner) const = 0;
 
-  /// Evaluation of any parameters where they are the same on many patches: a set of patches with common basis
-  /// functions makes their tables here, once. The result must not outlive the set.
+  /// Batch evaluation of a list of parameters on many patches: a set whose patches share basis functions
+  /// tabulates them here, once. The result must not outlive the set.
   virtual std::unique_ptr<const BatchEvaluation> batch(std::vector<Vector2> parameters) const;
 };
 
-/// Unit vector along ds x dt; zero where the two are parallel to within 1e-12 of their lengths' product, or
-/// zero.
+/// Unit vector along ds x dt; zero where one is zero or both are parallel to within 1e-12 of the product of
+/// their lengths.
 Vector3 unit_normal(const PatchPoint& point);
 
 }  // namespace hariko

@@ -16,7 +16,7 @@ using Vector4 = Eigen::Vector4d;
 
 static_assert(max_bezier_degree == max_tensor_degree);
 
-/// Values and derivatives of one direction's polynomials.
+/// Bernstein polynomials of one direction, with derivatives.
 struct Direction {
   BernsteinValues value, first, second;
   Direction(int degree, double x, Order order) {
@@ -41,7 +41,7 @@ struct Homogeneous {
           dst = Vector4::Zero(), dtt = Vector4::Zero();
 };
 
-/// The quotient rule: S = A / w, S' = (A' - S w') / w, and so on.
+/// Projection of a rational point by the quotient rule: S = A / w, S' = (A' - S w') / w, and so on.
 PatchPoint project(const Homogeneous& h, Order order) {
   const double w = h.value.w();
   PatchPoint out;
@@ -178,8 +178,8 @@ void BezierPatchSet::hull(Index patch, const ParameterTriangle& triangle, std::s
     triangle_collocation(degree).controls(samples, out);
 }
 
-/// The triangle's homogeneous control points have positive weights, being averages of the patch's, so the
-/// projected ones span a hull.
+/// The triangle's homogeneous control points have positive weights, as averages of the patch's, so the
+/// projected points span a hull.
 void BezierPatchSet::rational_hull(Index patch, const ParameterTriangle& triangle,
                                    std::span<HullBall> out) const {
   const BezierPatch& at = patches_[patch];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Tensor-product Bezier patches of any degree, polynomial or rational, as a PatchSet.
+// BezierPatchSet: tensor-product Bezier patches of any degree, polynomial or rational, as a PatchSet.
 
 #include <vector>
 
@@ -10,9 +10,10 @@
 
 namespace hariko {
 
+/// Tensor-product Bezier patches of possibly different degrees, polynomial or rational.
 class BezierPatchSet final : public PatchSet, public FacetEvaluation {
  public:
-  /// Patches pass `check_patch` (asserted).
+  /// Takes patches that pass `check_patch` (asserted).
   explicit BezierPatchSet(std::vector<BezierPatch> patches);
 
   const BezierPatch& patch(Index i) const { return patches_[i]; }
@@ -24,13 +25,14 @@ class BezierPatchSet final : public PatchSet, public FacetEvaluation {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Exact; undefined where a side is shrunk to the corner.
+  /// Exact everywhere, except undefined where a side shrinks to the corner.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
   void first_order(Index patch, std::span<const Vector2> parameters,
                    std::span<PatchPoint> out) const override;
-  /// degree_s + degree_t where that is at most TriangleCollocation::max_degree.
+  /// Degree of the hull: degree_s + degree_t where that is at most TriangleCollocation::max_degree, otherwise
+  /// 0.
   int hull_degree(Index patch) const override;
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const override;

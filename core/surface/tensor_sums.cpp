@@ -4,7 +4,7 @@ namespace hariko {
 
 namespace {
 
-/// The common degrees, with loops that the compiler unrolls.
+/// Positions for degrees known at compile time, with loops that the compiler unrolls.
 template <int p, int q>
 void fixed_positions(const Vector3* control, std::span<const Vector2> parameters, std::span<Vector3> out) {
   double rows[q + 1][3];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Bernstein polynomials and tensor sums whose arithmetic is the same from either end, so that neighbours get
+// Bernstein polynomials and tensor sums whose arithmetic is symmetric under reversal, so that neighbours get
 // the same bits along a common side.
 
 #include <array>
@@ -27,7 +27,7 @@ inline constexpr auto binomials = make_binomials();
 
 }  // namespace tensor_detail
 
-/// Values of the degree n polynomials at x, with y = 1 - x.
+/// Bernstein polynomials of degree n at x, with y = 1 - x.
 inline void bernstein(int n, double x, double y, BernsteinValues& out) {
   BernsteinValues px, py;
   px[0] = py[0] = 1;
@@ -40,14 +40,14 @@ inline void bernstein(int n, double x, double y, BernsteinValues& out) {
     out[i] = tensor_detail::binomials[degree][i] * (px[i] * py[degree - i]);
 }
 
-/// Derivatives of the degree n polynomials from the values of degree n - 1; n >= 1.
+/// Derivatives of the Bernstein polynomials of degree n from the values of degree n - 1; n >= 1.
 inline void bernstein_derivative(int n, const BernsteinValues& lower, BernsteinValues& out) {
   const auto degree = std::size_t(n);
   for (std::size_t i = 0; i <= degree; ++i)
     out[i] = n * ((i > 0 ? lower[i - 1] : 0.0) - (i < degree ? lower[i] : 0.0));
 }
 
-/// Sum over i of weight[i] point[stride i], both ends together.
+/// Sum over i of weight[i] point[stride i], from both ends at the same time.
 template <class Point>
 Point symmetric_sum(int degree, const BernsteinValues& weight, const Point* point, int stride) {
   const auto n = std::size_t(degree);
@@ -58,7 +58,7 @@ Point symmetric_sum(int degree, const BernsteinValues& weight, const Point* poin
   return out;
 }
 
-/// Sum over i, j of s[i] t[j] control[j (p + 1) + i].
+/// Tensor sum over i, j of s[i] t[j] control[j (p + 1) + i].
 template <class Point>
 Point tensor_sum(int p, int q, const BernsteinValues& s, const BernsteinValues& t, const Point* control) {
   std::array<Point, max_tensor_degree + 1> rows;

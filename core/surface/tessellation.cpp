@@ -13,11 +13,13 @@ namespace {
 
 constexpr std::size_t patches_per_task = 16;
 
-/// Numbers the points of a uniform grid on every patch: shared corners first, then the inner points of sides,
-/// then the inner points of patches. Used twice, for positions and for normals, which share different things.
+/// Numbering of the points of a uniform grid on every patch: shared corners first, then the inner points of
+/// sides, then the inner points of patches. Used twice, for positions and for normals, which are shared
+/// differently.
 class Numbering {
  public:
-  /// corner_class: number of each corner below class_count. shared: does a full seam share its points?
+  /// `corner_class`: number of each corner, below `class_count`. `shared`: whether a full seam shares its
+  /// points.
   template <class Shared>
   Numbering(const Surface& surface, const Adjacency& adjacency, const GridPattern& pattern,
             std::vector<Index> corner_class, Index class_count, const Shared& shared)
@@ -68,7 +70,8 @@ class Numbering {
   }
 
  private:
-  /// side -1: inside, `at` counts. at -1: corner `side`. Else inner point `at` of the side.
+  /// Place of a grid point. side = -1: inside the patch, number `at`. at = -1: corner `side`. Otherwise inner
+  /// point `at` of the side.
   struct Place {
     int side = -1, at = -1;
   };
@@ -114,7 +117,8 @@ bool smooth(const Seam& seam) {
   return seam.intended != Continuity::g0;
 }
 
-/// Corners share a normal where the node has one, or where smooth seams lead from one to the other.
+/// Classes of corners that share a normal: the node has one, or smooth seams lead from one corner to the
+/// other.
 CornerClasses normal_corners(const Surface& surface) {
   const int corners = corner_count(surface.domain());
   const std::size_t total = std::size_t{surface.patch_count()} * std::size_t(corners);
@@ -145,7 +149,8 @@ CornerClasses normal_corners(const Surface& surface) {
   return out;
 }
 
-/// For every number, the first (patch, grid point) in order of patches that has it is the one that writes it.
+/// Owner of every number: the first (patch, grid point), in order of patches, that has it; it writes the
+/// value.
 std::vector<Index> owners(const Surface& surface, const Numbering& numbering, int points) {
   std::vector<Index> owner(numbering.count(), no_index);
   for (Index p = surface.patch_count(); p-- > 0;)
@@ -206,7 +211,7 @@ TriangleMesh tessellate(const Surface& surface, int density, const CancelToken& 
   parallel_for(surface.patch_count(), patches_per_task, fill);
   if (cancel.cancelled()) return {};
 
-  // The tangent plane at a node is known exactly; evaluation at a corner may be degenerate.
+  // The tangent plane at a node is known exactly, whereas evaluation at a corner may be degenerate.
   const int corner_total = corner_count(surface.domain());
   for (int c = 0; c < corner_total; ++c) {
     const int i = pattern.side(c)[0];

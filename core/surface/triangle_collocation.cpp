@@ -25,7 +25,7 @@ Real power(Real x, int n) {
   return out;
 }
 
-/// Relative error of a sampled position; generous.
+/// Relative error of a sampled position; a generous bound.
 constexpr double sample_rounding = 1e-15;
 
 }  // namespace
@@ -58,7 +58,7 @@ TriangleCollocation::TriangleCollocation(int degree) : degree_(degree) {
 }
 
 void TriangleCollocation::controls(std::span<const Vector3> samples, std::span<HullBall> out) const {
-  // Relative to the first corner, so that rounding is relative to the triangle's size.
+  // Relative to the first corner, so that rounding errors are relative to the triangle's size.
   const Vector3 base = samples[0];
   double local[3][91];
   static_assert((max_degree + 1) * (max_degree + 2) / 2 == 91);

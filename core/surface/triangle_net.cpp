@@ -54,9 +54,9 @@ TriangleNet::TriangleNet(int degree) : degree_(degree) {
 
 namespace {
 
-/// De Casteljau's steps on one row of m + 1 control points. The coordinates of all points stand one after the
-/// other, so that a step is one sum of long vectors; lengths known only at run time cost nothing there, and
-/// compile at once.
+/// De Casteljau's steps on one row of m + 1 control points. The coordinates of all points are stored
+/// consecutively, so that a step is one sum of long vectors; run-time lengths cost nothing there and keep
+/// compile time low.
 void split_row(int m, const int* at, double t, const Vector3* net, Vector3* first, Vector3* second) {
   std::array<double, 3 * (TriangleNet::max_degree + 1)> row{};
   const auto store = [&](Vector3& to, int i) {
@@ -81,7 +81,7 @@ void TriangleNet::split(int side, double t, const Vector3* net, Vector3* first, 
 }
 
 void TriangleNet::samples(const Vector3* net, std::span<Vector3, sample_count> out) const {
-  // One coordinate after the other, so that its sums stay in registers.
+  // One coordinate at a time, so that its sums stay in registers.
   using Sums = Eigen::Array<double, int(sample_count), 1>;
   std::array<Sums, 3> sums;
   for (int axis = 0; axis < 3; ++axis) {

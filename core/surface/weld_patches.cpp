@@ -13,31 +13,32 @@ namespace hariko {
 
 namespace {
 
-/// Share of the whole's size. Files of IGES have nine digits of a number, so that both sides are off by up to
-/// 5e-9 in each direction.
+/// Welding tolerance, relative to the size of the whole. IGES files have nine digits per number, so that both
+/// sides are off by up to 5e-9 in each direction.
 constexpr double weld_tolerance = 2e-8;
 constexpr double smooth_angle = 1e-6;
-/// Rounding of a number in a file, relative to its distance from zero.
+/// Rounding error of a number in a file, relative to its distance from zero.
 constexpr double number_rounding = 64 * std::numeric_limits<double>::epsilon();
-constexpr int samples = 16;  ///< intervals at which sides are compared
-/// Parameters that are nearer than this to a multiple of 1 / `halvings` are that: sides are mostly halved.
+constexpr int samples = 16;  ///< intervals by which sides are compared
+/// Snapping distance of parameters to multiples of 1 / `halvings`, as sides are mostly halved.
 constexpr double same_parameter = 1e-5;
 constexpr double halvings = 4096;
-/// Share of a side that must be free for it to be a boundary: parts end where digits of files put them.
+/// Share of a side that must be free for it to be boundary: the rounding of files leaves smaller gaps between
+/// parts.
 constexpr double least_gap = 1e-6;
 
 struct SideCurve {
   std::array<Vector3, samples + 1> point;
-  Eigen::AlignedBox3d box;   ///< round the points
-  Eigen::AlignedBox3d hull;  ///< round the whole curve, which goes beyond its points between them
+  Eigen::AlignedBox3d box;   ///< box of the sampled points
+  Eigen::AlignedBox3d hull;  ///< box of the whole curve, which extends beyond the samples
   bool collapsed = false;
 };
 
-/// Two sides that meet; begins and ends as in Seam, but of patches that are not turned yet.
+/// Two sides that meet; begins and ends as in Seam, but before patches are flipped.
 struct Meeting {
   Index first, second;  ///< slots: 4 patch + side
   double first_begin, first_end, second_begin, second_end;
-  /// Both run the same way, so that one of the two patches must be flipped.
+  /// Whether both sides run the same way, so that one of the two patches must be flipped.
   bool parallel() const { return (first_end > first_begin) == (second_end > second_begin); }
 };
 
@@ -63,7 +64,7 @@ class Welder {
     return loose_.evaluate(slot / 4, side_parameter(Domain::square, int(slot % 4), x), Order::first).position;
   }
 
-  /// Round the control points of a side.
+  /// Bounding box of the control points of a side.
   Eigen::AlignedBox3d hull_of(Index slot) const {
     const BezierPatch& patch = loose_.patch(slot / 4);
     const int side = int(slot % 4), m = patch.degree_s, n = patch.degree_t;
@@ -104,8 +105,9 @@ class Welder {
     return true;
   }
 
-  /// Sides that are the same curve have the same middle: a sweep over sorted middles finds them. It goes in a
-  /// direction that nets of points do not have, for else all middles of a net across it would be candidates.
+  /// Finds sides that are the same curve by a sweep over their sorted midpoints. The sweep direction is one
+  /// that control nets rarely have, since across an aligned direction all midpoints of a net would be
+  /// candidates.
   void match_whole_sides() {
     const Vector3 direction = Vector3(0.4871, 0.6257, 0.6092).normalized();
     std::vector<Index> order;
@@ -128,11 +130,11 @@ class Welder {
               [](const Meeting& a, const Meeting& b) { return a.first < b.first; });
   }
 
-  /// Parameter of the point on a side that is nearest to p; negative when it is farther than the tolerance.
+  /// Parameter of the point on a side nearest to p; negative when it is farther than the tolerance.
   double parameter_on(Index slot, const Vector3& p) const {
     const SideCurve& curve = curves_[slot];
     if (curve.hull.exteriorDistance(p) > tolerance_) return -1;
-    // Ends first: at the slow beginning of a curve, one place has parameters that differ.
+    // Ends first: where a curve begins slowly, a range of parameters lies within the tolerance.
     if ((curve.point[0] - p).norm() <= tolerance_) return 0;
     if ((curve.point[samples] - p).norm() <= tolerance_) return 1;
     int nearest = 0;
@@ -150,7 +152,7 @@ class Welder {
       else
         low = a;
     }
-    // Golden sections stop at the square root of rounding; Gauss-Newton goes on.
+    // Golden section search stops at the square root of rounding; Gauss-Newton refines it.
     double x = 0.5 * (low + high);
     for (int round = 0; round < 4; ++round) {
       const double h = 1e-6;
@@ -178,8 +180,8 @@ class Welder {
       matched_[small] = 1;
     }
   }
-  /// Pairs of sides of which the first's points lie in the second's hull, in order of the first: a sweep over
-  /// where hulls begin, in the direction in which there are most.
+  /// Pairs of sides where the points of the first lie in the box of the second, in order of the first: a
+  /// sweep over the beginnings of boxes, along the axis of greatest extent.
   std::vector<std::pair<Index, Index>> points_in_hulls(const std::vector<Index>& open) const {
     Eigen::AlignedBox3d all;
     for (const Index slot : open) all.extend(curves_[slot].hull);
@@ -218,7 +220,7 @@ class Welder {
     return true;
   }
 
-  /// Chooses which patches are flipped, so that all sides that meet run against each other.
+  /// Chooses the patches to flip, so that sides that meet run in opposite directions.
   void orient() {
     std::vector<std::vector<Index>> at(count_);
     for (Index m = 0; m < meetings_.size(); ++m) {
@@ -250,7 +252,7 @@ class Welder {
     });
   }
 
-  /// The side of a patch that may have been flipped, and a parameter along it.
+  /// Side of a patch that may have been flipped, and a parameter along it.
   PatchSide turned_side(Index slot) const {
     const Index patch = slot / 4, side = slot % 4;
     return {patch, static_cast<std::uint8_t>(flip_[patch] ? 3 - side : side)};
@@ -319,12 +321,12 @@ class Welder {
       const Vector3 a = side_normal(seam.first, seam.first_begin + x * (seam.first_end - seam.first_begin));
       const Vector3 b =
           side_normal(seam.second, seam.second_begin + x * (seam.second_end - seam.second_begin));
-      // Where a side is shrunk to a point there is nothing to compare.
+      // A side that shrinks to a point has no tangent planes to compare.
       if (!a.isZero(0) && !b.isZero(0) && (a - b).norm() > smooth_angle) return false;
     }
     return true;
   }
-  /// The common normal of the patches at each node, zero where they have none.
+  /// Common normal of the patches at each node, zero where they have none in common.
   std::vector<Vector3> node_normals(const std::vector<Index>& nodes, Index node_count) const {
     std::vector<Vector3> normals(node_count, Vector3::Zero());
     std::vector<char> seen(node_count, 0);
