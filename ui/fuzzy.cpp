@@ -87,9 +87,9 @@ bool holds_words(std::string_view query, std::string_view text) {
     const std::u32string word = wanted.substr(i, end - i);
     i = end + 1;
     if (word.empty()) continue;
-    any = true;
     const bool spaced = word.front() < 0x2e80;
-    if (word.size() < (spaced ? least_letters : least_ideographs)) return false;
+    // "in" and "of" say too little alone.
+    any = any || word.size() >= (spaced ? least_letters : least_ideographs);
     bool found = false;
     for (std::size_t at = in.find(word); at != std::u32string::npos && !found; at = in.find(word, at + 1)) {
       const std::size_t after = at + word.size();

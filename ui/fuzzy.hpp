@@ -12,8 +12,8 @@ namespace hariko {
 /// matches everything equally. O(query · text) characters.
 double fuzzy_score(std::string_view query, std::string_view text);
 
-/// Whether a sentence has every word of the query, whole: of at least three letters, or two characters of a
-/// script without spaces, which may stand anywhere. False for an empty query.
+/// Whether a sentence has every word of the query, whole, and one of them has at least three letters, or two
+/// characters of a script without spaces, which may stand anywhere. False for an empty query.
 bool holds_words(std::string_view query, std::string_view text);
 
 }  // namespace hariko

@@ -47,6 +47,15 @@ TEST(Fuzzy, RanksTheBetterMatchHigher) {
   better("select", "Select all", "Deselect");
 }
 
+TEST(Fuzzy, SentencesAreFoundByTheirWordsShortOnesIncluded) {
+  const char* sentence = "Show the program in this language.";
+  for (const char* query :
+       {"Show the program in this language.", "program in", "in this language", "LANGUAGE"})
+    EXPECT_TRUE(holds_words(query, sentence)) << query;
+  for (const char* query : {"", "in", "in of", "program on", "gram", "show x"})
+    EXPECT_FALSE(holds_words(query, sentence)) << query;
+}
+
 Command command(const char* id, const char* menu, const char* label, const char* help) {
   Command c;
   c.id = id;
