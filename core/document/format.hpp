@@ -19,8 +19,8 @@ inline constexpr int format_version = 6;
 
 /// Limits on input, so that no file can exhaust memory or time.
 inline constexpr std::size_t max_document_bytes = std::size_t(256) << 20;
-inline constexpr std::size_t max_document_values =
-    20'000'000;  ///< numbers, strings, arrays, objects together
+/// Numbers, strings, arrays, objects together.
+inline constexpr std::size_t max_document_values = 20'000'000;
 inline constexpr int max_document_depth = 64;
 
 /// Reads a document. Errors: E_LIMIT (text too long, or too many or too deeply nested values); E_PARSE (not

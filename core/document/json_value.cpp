@@ -185,8 +185,8 @@ class Builder final : public nlohmann::json_sax<Json> {
   std::string_view text_;
   const std::size_t& consumed_;
   JsonValue root_;
-  std::vector<JsonValue*>
-      open_;  ///< containers being filled; addresses stay valid, because only the innermost one grows
+  /// Containers being filled; addresses stay valid, because only the innermost one grows.
+  std::vector<JsonValue*> open_;
   std::size_t values_ = 0;
   std::optional<Message> error_;
 };

@@ -96,8 +96,8 @@ Shaping shaping_on(const Polyhedron& after, const Shaping& shaping, const Polyhe
     const Index old = before.find(id);
     if (old != no_index && has_vertex(id) &&
         fan_at(before, shaping_before, old) == fan_at(after, out, after.find(id))) {
-      KeptForm known =
-          form;  // some of its edges may have crossed faces that were cut in the preparation of the surface
+      // Some of its edges may have crossed faces that were cut in the preparation of the surface.
+      KeptForm known = form;
       std::erase_if(known.edges, [&](const KeptForm::Edge& edge) { return !has_vertex(edge.to); });
       out.form.set(id, std::move(known));
     }
