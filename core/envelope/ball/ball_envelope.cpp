@@ -17,7 +17,7 @@ constexpr double least_rounding = 1.0 / 160;
 /// Radius relative to the solids' size of the ball for the hull; its envelope differs from the hull by
 /// 1/16000 of the size.
 constexpr double hull_ball = 2000;
-/// Relative to the tolerance: patches may deviate more between samples.
+/// Largest deviation of samples relative to the tolerance, because patches may deviate more between samples.
 constexpr double sample_margin = 0.9;
 constexpr double cube_share = 2;     ///< edge of cubes of one size, in sigma
 constexpr double finer_share = 0.7;  ///< factor of the edges for finer patches

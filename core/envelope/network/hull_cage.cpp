@@ -80,7 +80,7 @@ class HullCageBuilder {
       for (Index v = 0; v < solid.unit_vertices.size(); ++v)
         all_.push_back({solid.world(solid.unit_vertices[v]), s, v});
     }
-    // Of duplicates the one of the lowest solid stays: compares within cells of a sorted axis.
+    // Among duplicates the one of the lowest solid stays: compares within cells of a sorted axis.
     std::vector<Index> order(all_.size());
     for (Index i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
