@@ -1,6 +1,6 @@
 #pragma once
 
-// How surfaces are written as STEP and IGES.
+// Settings of the export of surfaces to STEP and IGES.
 
 #include <numbers>
 
@@ -8,10 +8,11 @@
 
 namespace hariko {
 
+/// Accuracy of exported surfaces, see `grade_of`.
 enum class CadQuality { light, balanced, fine };
 
-/// Limits of a quality: the distance in millimetres, or as a share of an object's size where that is more,
-/// and the angle between faces in radians.
+/// Tolerances of a quality: the distance in millimetres, or as a fraction of the object's size where that is
+/// larger, and the angle between faces in radians.
 struct CadGrade {
   double millimetres, share, angle;
 };
@@ -22,17 +23,19 @@ inline constexpr CadGrade grade_of(CadQuality quality) {
                                        : CadGrade{0.01, 1e-4, 0.1 * degree};
 }
 
+/// Export choices for STEP and IGES.
 struct CadChoices {
-  /// Between surface and faces that cannot be exact, in the document's unit; 0: as the quality says.
+  /// Largest distance between the surface and faces that cannot be exact, in the document's unit; 0: from the
+  /// quality.
   double tolerance = 0;
-  double angle = 0;  ///< between faces along smooth edges, radians; 0: as the quality says
+  double angle = 0;  ///< between faces along smooth edges, radians; 0: from the quality
   CadQuality quality = CadQuality::balanced;
-  bool exact = false;  ///< what is a spline stays it, also where a fit weighs less
-  /// One CAD face for each face of a polyhedron that has four sides, also where several weigh less.
+  bool exact = false;  ///< splines are written exactly even where a fit makes a smaller file
+  /// Writes one CAD face for each four-sided face of a polyhedron, even where several make a smaller file.
   bool whole_faces = false;
-  Unit unit = Unit::millimetre;  ///< that the file is written in
-  double scale = 1;              ///< of all lengths
-  bool ap242 = false;            ///< the newer schema of STEP, instead of AP214
+  Unit unit = Unit::millimetre;  ///< unit of the file
+  double scale = 1;              ///< factor of all lengths
+  bool ap242 = false;            ///< newer STEP schema, AP242 instead of AP214
 
   friend bool operator==(const CadChoices&, const CadChoices&) = default;
 };

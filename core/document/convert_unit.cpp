@@ -19,7 +19,7 @@ Result<Done> scale_positions(Polyhedron& polyhedron, double factor) {
   return Done{};
 }
 
-/// Frozen sides lie in the object's space.
+/// Scales the frozen sides, which lie in the object's space.
 void scale_attachments(PolyhedronSource& source, double factor) {
   Attachments scaled = *source.attachments;
   for (const auto& [edge, attachment] : *source.attachments) {

@@ -1,14 +1,14 @@
 #pragma once
 
-// Changing the unit of a document so that everything keeps its size.
+// Conversion of a document to another unit with its real size unchanged.
 
 #include "core/document/document.hpp"
 
 namespace hariko {
 
 /// Multiplies every length by the ratio of the units: positions, origins, translations, basis vectors of
-/// pins. Locked objects too: nothing of them changes in the world. To change what the numbers mean instead,
-/// see `set_unit`. Errors: E_NONFINITE where a number leaves the range of doubles.
+/// pins. Includes locked objects, whose real size and place do not change. To reinterpret the numbers
+/// instead, see `set_unit`. Errors: E_NONFINITE where a number leaves the range of doubles.
 Result<Document> convert_unit(const Document& document, Unit unit);
 
 }  // namespace hariko

@@ -1,6 +1,7 @@
 #pragma once
 
-// DisplaySettings: what of an object is shown, and how. Authored, hence part of the document.
+// DisplaySettings: the visible parts of an object and their look. Set by the designer, hence part of the
+// document.
 
 #include <array>
 #include <cstddef>
@@ -14,10 +15,10 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// What colours the surface.
+/// Colouring of the surface.
 enum class SurfaceMap : std::uint8_t {
   shaded,
-  patches,        ///< one colour a patch
+  patches,        ///< one colour per patch
   zebra,          ///< reflection lines
   gaussian,       ///< Gaussian curvature
   mean,           ///< mean curvature
@@ -28,36 +29,36 @@ enum class SurfaceMap : std::uint8_t {
 };
 inline constexpr int surface_map_count = 9;
 
-/// How the surface takes the light, of the map `shaded`.
+/// Light reflection of the surface in the map `shaded`.
 enum class Material : std::uint8_t { clay, porcelain, metal, wax, rubber, plastic };
 inline constexpr int material_count = 6;
-/// The colour that belongs to a material until the designer chooses another one.
+/// Default colour of a material, used until the designer chooses another one.
 Colour natural_colour(Material material);
 
-/// Which values a map's colours span.
+/// Range of values that a map's colours cover.
 enum class RangeMode : std::uint8_t {
-  symmetric,   ///< the same distance on both sides of zero (from zero, where no value is negative), leaving
-               ///< out the outermost 2 %
+  /// Same distance on both sides of zero (from zero, where no value is negative), without the outermost 2%.
+  symmetric,
   percentile,  ///< from the 2 % to the 98 % quantile
-  full,        ///< from the least to the greatest value
-  manual       ///< low to high
+  full,        ///< from the smallest to the largest value
+  manual       ///< from `low` to `high`
 };
 
 struct MapRange {
   RangeMode mode = RangeMode::symmetric;
-  /// In the map's own unit; kept while another mode is on. Finite, low < high.
+  /// Limits in the map's own unit; kept while another mode is active. Finite, low < high.
   double low = -1, high = 1;
   friend bool operator==(const MapRange&, const MapRange&) = default;
 };
 
-/// Lines over the surface.
+/// Patch lines drawn on the surface.
 enum class PatchWire : std::uint8_t { none, borders, mesh };
 
-/// Teeth of length proportional to the curvature of the curves over the polyhedron's edges.
+/// Curvature combs on the curves over the polyhedron's edges.
 struct CombSettings {
   bool shown = false;
-  int density = 24;  ///< intervals a curve, min_density .. max_density
-  double scale = 1;  ///< times the automatic length, min_scale .. max_scale
+  int density = 24;  ///< intervals per curve, min_density .. max_density
+  double scale = 1;  ///< factor of the automatic length, min_scale .. max_scale
   static constexpr int min_density = 4, max_density = 128;
   static constexpr double min_scale = 1.0 / 64, max_scale = 64;
   friend bool operator==(const CombSettings&, const CombSettings&) = default;
@@ -68,28 +69,29 @@ struct DisplaySettings {
   bool polyhedron = true;
   bool network = true;
   SurfaceMap map = SurfaceMap::shaded;
-  /// Least intervals a patch side when drawn, min_density .. max_density; small models are drawn finer.
+  /// Least number of intervals per patch side when drawn, min_density .. max_density; small models are drawn
+  /// finer.
   int density = 8;
   Colour colour{0xb9, 0xb4, 0xac};
   Material material = Material::clay;
-  bool points = true;  ///< vertices, with the polyhedron
+  bool points = true;  ///< vertices, shown with the polyhedron
   PatchWire wire = PatchWire::none;
   bool tensions = false;  ///< tensions as colours and numbers on the polyhedron
   bool marks = false;     ///< continuity of the edges: G0, G1, G2
   CombSettings combs{};
-  /// Of the maps with values, see `range_slot`.
+  /// Ranges of the maps with values, see `range_slot`.
   std::array<MapRange, 5> ranges{};
 
   static constexpr int min_density = 1, max_density = 64;
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
-/// The settings with another material; a colour that nobody chose follows it.
+/// Returns the settings with another material; the colour changes with it unless the designer chose one.
 DisplaySettings with_material(DisplaySettings display, Material material);
 
-/// Place of a map's range in `DisplaySettings::ranges`; nothing for maps without values.
+/// Index of a map's range in `DisplaySettings::ranges`; nothing for maps without values.
 std::optional<std::size_t> range_slot(SurfaceMap map);
-/// The range of a map with values (asserted).
+/// Range of a map with values (asserted).
 const MapRange& range_of(const DisplaySettings& display, SurfaceMap map);
 MapRange& range_of(DisplaySettings& display, SurfaceMap map);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Document: what the designer made, as a value. Objects in order, each with one source.
+// Document: the designer's work, as a value. Ordered objects, each with one source.
 
 #include <memory>
 #include <string>
@@ -21,19 +21,21 @@ inline constexpr Code e_name_empty{"E_NAME_EMPTY"};
 inline constexpr Code e_name_invalid{"E_NAME_INVALID"};
 inline constexpr Code e_too_many_objects{"E_TOO_MANY_OBJECTS"};
 
-/// The unit of all lengths of a document.
+/// Unit of all lengths of a document.
 enum class Unit : std::uint8_t { millimetre, centimetre, metre, inch };
 
-/// "mm", "cm", "m", "in".
+/// Symbol of the unit: "mm", "cm", "m", "in".
 std::string_view to_string(Unit unit);
+/// Length of the unit in millimetres.
 double millimetres_per(Unit unit);
 
-/// Invariant: the name is not blank, at most `max_name_length` bytes of UTF-8 without control characters.
+/// Object: a named, placed source with its display. Invariant: the name is not blank, at most
+/// `max_name_length` bytes of UTF-8 without control characters.
 struct Object {
   ObjectId id;
   std::string name;
   bool visible = true;
-  bool locked = false;   ///< shown, but edits of its shape, place and existence are refused (E_LOCKED)
+  bool locked = false;   ///< shown, but edits of its shape, placement and existence are refused (E_LOCKED)
   Similarity transform;  ///< from object space to the document's space
   DisplaySettings display;
   Source source;
@@ -49,14 +51,14 @@ struct Object {
   const SkinSource* skin() const { return std::get_if<SkinSource>(&source); }
   const OutlineSource* outline() const { return std::get_if<OutlineSource>(&source); }
   const PictureSource* picture() const { return std::get_if<PictureSource>(&source); }
-  /// What can be selected of the object: its polyhedron, or the control net of its patches. Null otherwise.
+  /// Selectable mesh of the object: its polyhedron, or the control net of its patches. Null otherwise.
   const Polyhedron* cage() const {
     if (const PolyhedronSource* own = polyhedron()) return &own->polyhedron;
     return patches() ? &patches()->net : nullptr;
   }
-  /// A smooth surface is made of the object.
+  /// Whether a smooth surface is made from the object.
   bool has_surface() const { return cage() || bezier() || solids() || skin() || outline(); }
-  /// What the cage's positions are relative to.
+  /// Origin of the cage's positions.
   Vector3 cage_origin() const {
     if (const PolyhedronSource* own = polyhedron()) return own->origin;
     return patches() ? patches()->origin : Vector3(Vector3::Zero());
@@ -65,30 +67,30 @@ struct Object {
   friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// Right-handed, z up, front looks along +y. Invariants: object ids are unique and below next_object_id; no
-/// pointer of an object is null. A copy shares its objects; an edit replaces the object it changes. Same
-/// pointer means same object.
+/// Coordinate system: right-handed, z up, the front view looks along +y. Invariants: object ids are unique
+/// and below next_object_id; no pointer of an object is null. A copy shares its objects; an edit replaces the
+/// object it changes. Equal pointers mean equal objects.
 struct Document {
   Unit unit = Unit::millimetre;
   std::vector<std::shared_ptr<const Object>> objects;
   ObjectId next_object_id{1};
-  std::shared_ptr<const PaperModel> paper;  ///< null: none was made
+  std::shared_ptr<const PaperModel> paper;  ///< null: there is no paper model
   Shared<KeptMembers> kept;
 
   static constexpr std::size_t max_objects = 100000;
 
-  /// The object with this id, or nullptr. O(objects).
+  /// Object with this id, or nullptr. O(objects).
   const Object* find(ObjectId id) const;
   std::shared_ptr<const Object> find_shared(ObjectId id) const;
 
   friend bool operator==(const Document& a, const Document& b);
 };
 
-/// A new document with one polyhedron, all settings at their defaults. Errors: those of
+/// Makes a new document with one polyhedron and all settings at their defaults. Errors: those of
 /// `PolyhedronSource::from_mesh` and of `check_name`.
 Result<Document> document_from_mesh(PolygonMesh mesh, std::string name);
 
-/// E_NAME_EMPTY, E_NAME_INVALID.
+/// Checks the name of an object. Errors: E_NAME_EMPTY, E_NAME_INVALID.
 Result<Done> check_name(std::string_view name);
 
 }  // namespace hariko

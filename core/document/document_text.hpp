@@ -1,6 +1,6 @@
 #pragma once
 
-// DocumentText: the text of documents, laid out for people.
+// DocumentText: writer of document text in a human-readable layout.
 
 #include <array>
 #include <charconv>
@@ -15,7 +15,7 @@
 
 namespace hariko::detail {
 
-/// Builds JSON text. Lists of numbers stay on one line each, everything else has a line of its own.
+/// Builds JSON text. Lists of numbers stay on one line each, every other value gets its own line.
 class DocumentText {
  public:
   std::string take() {
@@ -48,10 +48,10 @@ class DocumentText {
   void raw(std::string_view json) { text_ += json; }
   void boolean(bool value) { text_ += value ? "true" : "false"; }
 
-  /// The shortest text that reads back as the same number.
+  /// Writes the shortest text that reads back as the same number.
   void number(double value) {
     HARIKO_ASSERT(value - value == 0, "JSON has no number that is not finite");
-    if (value == 0) {  // "-0" would read back as a whole number, without its sign
+    if (value == 0) {  // "-0" would read back as an integer, without its sign
       text_ += std::signbit(value) ? "-0.0" : "0";
       return;
     }
@@ -76,7 +76,7 @@ class DocumentText {
     }
     text_ += '"';
   }
-  /// [a, b, c] on one line; each entry is written by write(i).
+  /// Writes [a, b, c] on one line; each entry is written by write(i).
   template <class Write>
   void row(std::size_t count, Write&& write) {
     text_ += '[';
@@ -89,22 +89,23 @@ class DocumentText {
   void vector(const Vector3& v) {
     row(3, [&](std::size_t i) { number(v[static_cast<Eigen::Index>(i)]); });
   }
-  /// [a, b, c] of plain numbers.
+  /// Writes [a, b, c] of numbers.
   template <class Number>
   void numbers(const std::vector<Number>& values) {
     row(values.size(), [&](std::size_t i) { number(values[i]); });
   }
-  /// [[x, y, z], ...] on one line.
+  /// Writes [[x, y, z], ...] on one line.
   void vectors(const std::vector<Vector3>& values) {
     row(values.size(), [&](std::size_t i) { vector(values[i]); });
   }
+  /// Writes kept members, byte for byte.
   void kept(const KeptMembers& members) {
     for (const KeptMember& member : members) {
       key(member.name);
       raw(member.json);
     }
   }
-  /// "name": [ one line for each entry ], or nothing when there are none.
+  /// Writes "name": [ one line for each entry ], or nothing when the range is empty.
   template <class Range, class Write>
   void list(std::string_view name, const Range& range, Write&& write) {
     if (range.empty()) return;

@@ -1,7 +1,7 @@
 #pragma once
 
-// EdgeSet: quick answers to "is this an edge of the polyhedron?" for many edges. A vertex may have any number
-// of edges, so asking the polyhedron for each of them could take quadratic time.
+// EdgeSet: lookup of edges of a polyhedron in logarithmic time. A vertex may have any number of edges, so
+// asking the polyhedron for each of many edges could take quadratic time.
 
 #include <algorithm>
 #include <vector>

@@ -10,7 +10,7 @@ namespace hariko {
 
 namespace {
 
-/// Whose surface depends on whose: a follower on what it follows.
+/// Objects whose surfaces the surface of this object depends on.
 std::vector<ObjectId> followed(const Document& document, const Object& object) {
   std::vector<ObjectId> out;
   const auto leads = [](const Attachment& attachment) {
@@ -28,7 +28,7 @@ std::vector<ObjectId> followed(const Document& document, const Object& object) {
   return out;
 }
 
-/// Whether `from` follows `to`, at first hand or by others.
+/// Whether `from` depends on `to`, directly or through others.
 bool follows(const Document& document, ObjectId from, ObjectId to) {
   std::vector<ObjectId> waiting{from};
   std::set<ObjectId> seen;
@@ -99,7 +99,7 @@ std::optional<NetSide> side_of(const PatchSource& patches, EdgeId edge) {
 RelativePlace relative_place(const Object& from, const Object& to) {
   const Similarity &a = from.transform, &b = to.transform;
   RelativePlace out;
-  // Equal parts cancel before they can round.
+  // Equal parts cancel exactly, without rounding errors.
   if (a.rotation.coeffs() != b.rotation.coeffs() || a.scale != b.scale)
     out.linear = a.scale / b.scale * (b.rotation.conjugate() * a.rotation).toRotationMatrix();
   const Vector3 origin =

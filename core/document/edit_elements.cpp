@@ -47,8 +47,8 @@ Result<Done> check_elements(const Polyhedron& polyhedron, std::span<const EdgeId
   return Done{};
 }
 
-/// The map with `value` at all ids, or with no entry there when there is no value. One merge, O(n log n) in
-/// the ids: setting one after the other would be quadratic.
+/// Map with `value` at all ids, or without entries there when there is no value. One merge, O(n log n) in the
+/// ids: setting one after the other would be quadratic.
 template <class Id, class Value>
 FlatMap<Id, Value> with_entries(const FlatMap<Id, Value>& map, std::span<const Id> ids,
                                 const std::optional<Value>& value) {
@@ -69,7 +69,7 @@ FlatMap<Id, Value> with_entries(const FlatMap<Id, Value>& map, std::span<const I
   return result;
 }
 
-/// Faces with a corner at one of the vertices, some of them more than once.
+/// Faces with a corner at one of the vertices; may contain duplicates.
 std::vector<FaceId> faces_round(const Polyhedron& polyhedron, std::span<const VertexId> vertices) {
   std::vector<FaceId> out;
   const HalfEdgeMesh& mesh = polyhedron.topology();
@@ -84,7 +84,7 @@ std::vector<FaceId> faces_round(const Polyhedron& polyhedron, std::span<const Ve
   return out;
 }
 
-/// The common form of all settings of elements: check, copy the shaping, change one of its maps.
+/// Common implementation of all settings of elements: checks, copies the shaping, changes one of its maps.
 template <class Id, class Value>
 Result<Document> set_shaping(const Document& document, ObjectId object, std::span<const Id> ids,
                              FlatMap<Id, Value> Shaping::*member, const Value& value, const Value& by_default,
@@ -100,7 +100,7 @@ Result<Document> set_shaping(const Document& document, ObjectId object, std::spa
   });
 }
 
-/// One value an id; of repeated ids the last wins.
+/// Sets one value per id; of repeated ids the last wins.
 template <class Id>
 Result<Document> set_tensions(const Document& document, ObjectId object, std::span<const Id> ids,
                               std::span<const double> values, FlatMap<Id, double> Shaping::*member,
@@ -140,7 +140,7 @@ Result<Done> check_tension(double value, double low, double high, const char* ra
   return Done{};
 }
 
-/// Takes back what moved vertices of a mirror's seam out of its plane.
+/// Moves vertices of a mirror's seam back into its plane.
 Result<Polyhedron> seam_kept_in_plane(const PolyhedronSource& before, const Polyhedron& moved,
                                       std::span<const Index> vertices) {
   const std::vector<char> seam = mirror_seam(before.polyhedron, before.origin, *before.mirror);

@@ -2,8 +2,8 @@
 
 // Edits of the elements of one polyhedron object: positions, tensions, creases, tags, pins, mode.
 //
-// All of them may fail with E_UNKNOWN_OBJECT, E_LOCKED and E_WRONG_KIND (the object is not a polyhedron);
-// those that take ids with E_UNKNOWN_ELEMENT. Settings at their default value are not stored.
+// Errors of all functions: E_UNKNOWN_OBJECT, E_LOCKED and E_WRONG_KIND (the object is not a polyhedron); of
+// those that take ids: E_UNKNOWN_ELEMENT. Settings at their default value are not stored.
 
 #include <optional>
 #include <span>
@@ -20,28 +20,29 @@ inline constexpr Code e_form_invalid{"E_FORM_INVALID"};
 
 inline constexpr double max_alpha = 1000;
 inline constexpr double min_beta = 0.001, max_beta = 1000;
-/// A bound for files only: the network knows how many tangents a vertex has.
+/// Largest number of vectors of a pin in a file; only the network knows how many tangents a vertex has.
 inline constexpr std::size_t max_pin_vectors = 1000;
-/// Kept forms are turns, logarithms and shares: far beyond what any surface needs.
+/// Largest absolute value of turns, logarithms and fractions in kept forms, far beyond what any surface
+/// needs.
 inline constexpr double max_form_number = 100;
-inline constexpr double max_kept_area = 1e6;  ///< and at least its reciprocal value
+inline constexpr double max_kept_area = 1e6;  ///< the smallest value is its reciprocal
 
-/// Puts vertices at positions[i], relative to the source's origin like all positions of the polyhedron (not a
-/// displacement). Both spans have the same size; of repeated ids the last wins. Errors: E_NONFINITE. Copies
-/// 128 positions for each run of moved vertices. Vertices of the seam of a live mirror stay in its plane.
-/// Of a patch object, moves control points.
+/// Moves vertices to positions[i], relative to the source's origin like all positions of the polyhedron (not
+/// a displacement). Both spans have the same size; of repeated ids the last wins. Errors: E_NONFINITE. Copies
+/// 128 positions for each run of moved vertices. Vertices of the seam of a live mirror stay in its plane. In
+/// a patch object, moves control points.
 Result<Document> move_vertices(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                                std::span<const Vector3> positions);
 
-/// Vertex tension, 0 .. 1000. Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_TENSION_RANGE.
+/// Sets vertex tension, 0 .. 1000. Errors: E_TENSION_NEGATIVE, E_TENSION_NONFINITE, E_TENSION_RANGE.
 Result<Document> set_alpha(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                            double alpha);
 
-/// Edge tension, 0.001 .. 1000. Errors as for alpha.
+/// Sets edge tension, 0.001 .. 1000. Errors as for `set_alpha`.
 Result<Document> set_beta(const Document& document, ObjectId object, std::span<const EdgeId> edges,
                           double beta);
 
-/// One tension an element; both spans have the same size. Errors as above. O(n log n).
+/// Sets one tension per element; both spans have the same size. Errors as for `set_alpha`. O(n log n).
 Result<Document> set_alphas(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                             std::span<const double> alphas);
 Result<Document> set_betas(const Document& document, ObjectId object, std::span<const EdgeId> edges,
@@ -51,32 +52,34 @@ Result<Document> set_betas(const Document& document, ObjectId object, std::span<
 Result<Document> set_crease(const Document& document, ObjectId object, std::span<const EdgeId> edges,
                             bool crease);
 
+/// Sets the tag of vertices.
 Result<Document> set_vertex_tag(const Document& document, ObjectId object, std::span<const VertexId> vertices,
                                 VertexTag tag);
 
-/// Fixes the tangent plane of a vertex. Errors: E_PIN_INVALID (vectors missing, too many, not finite, or a
-/// zero normal). Whether tangents fit the vertex in their number is known to the network only: E_PIN_MISMATCH
-/// on rebuild.
+/// Fixes the tangent plane or the tangents of a vertex. Errors: E_PIN_INVALID (vectors missing, too many, not
+/// finite, or a zero normal). Only the network knows whether the number of tangents fits the vertex:
+/// E_PIN_MISMATCH on rebuild.
 Result<Document> set_pin(const Document& document, ObjectId object, VertexId vertex, Pin pin);
-/// Kept forms go as well, and kept areas of the faces round the vertices.
+/// Removes pins, kept forms, and kept areas of the faces round the vertices.
 Result<Document> clear_pins(const Document& document, ObjectId object, std::span<const VertexId> vertices);
 
+/// Sets the surface mode.
 Result<Document> set_mode(const Document& document, ObjectId object, Mode mode);
-/// Whether angles and lengths of the polyhedron count (modes TARGET and FAIR).
+/// Sets whether angles and lengths of the polyhedron enter the vertex frames (modes TARGET and FAIR).
 Result<Document> set_frames(const Document& document, ObjectId object, Frames frames);
-/// Errors: E_AUTOMATIC_TENSION_RANGE.
+/// Sets the preparation. Errors: E_AUTOMATIC_TENSION_RANGE.
 Result<Document> set_preparation(const Document& document, ObjectId object, const Preparation& preparation);
 
-/// Begins, changes or ends a live mirror; the half stays as it is. Errors: E_MIRROR_INVALID.
+/// Adds, changes or removes a live mirror; the half stays as it is. Errors: E_MIRROR_INVALID.
 Result<Document> set_mirror(const Document& document, ObjectId object, const std::optional<Mirror>& mirror);
 
-/// The checks of the edits above, for those who read values from elsewhere.
+/// Checks of the edits above, for values read from files.
 Result<Done> check_alpha(double alpha);
 Result<Done> check_beta(double beta);
 Result<Done> check_pin(const Pin& pin);
-/// E_FORM_INVALID: a number that is not finite or out of all proportion.
+/// Checks a kept form. E_FORM_INVALID: a number that is not finite or above `max_form_number`.
 Result<Done> check_form(const KeptForm& form);
-/// E_FORM_INVALID: not between 1 / max_kept_area and max_kept_area.
+/// Checks a kept area. E_FORM_INVALID: not between 1 / max_kept_area and max_kept_area.
 Result<Done> check_kept_area(double factor);
 
 }  // namespace hariko

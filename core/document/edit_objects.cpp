@@ -30,7 +30,7 @@ Result<Document> change_object(const Document& document, ObjectId id, bool unloc
   if (unlocked_only && object->locked) return locked_object(*object);
   Object changed = *object;
   if (const Result<Done> done = change(changed); !done) return done.error();
-  // An unchanged object stays shared, so that the equality test of the history is quick.
+  // An unchanged object stays shared, so that the equality test of the history is fast.
   if (changed == *object) return document;
   return with_object(document, std::move(changed));
 }
@@ -63,7 +63,8 @@ Result<Similarity> checked_transform(const Similarity& transform) {
     return make_error(e_transform_invalid, "The object cannot be placed like this.",
                       "Use finite numbers, a rotation that is not zero, and a scale from 1e-9 to 1e9.");
   Similarity result = transform;
-  // Stored numbers come back as they were: only a rotation that is clearly not a unit quaternion is changed.
+  // Stored numbers are returned unchanged: only a rotation that is clearly not a unit quaternion is
+  // normalised.
   if (std::abs(norm - 1) > 1e-12) result.rotation.normalize();
   return result;
 }

@@ -24,45 +24,47 @@ struct Added {
 Result<Added> add_object(const Document& document, std::string name, Source source,
                          const Similarity& transform = {}, const DisplaySettings& display = {});
 
-/// Appends every object of `other` under new ids (opening a file into the scene). Positions keep their
+/// Appends every object of `other` under new ids (opening a file into the scene). Coordinates stay as
 /// numbers; units are not converted. Errors: E_TOO_MANY_OBJECTS.
 Result<Document> append_document(const Document& document, const Document& other);
 
-/// Edges of others that are attached to them keep copies of their sides. Errors: E_UNKNOWN_OBJECT, E_LOCKED.
+/// Deletes objects. Edges of others that are attached to them keep copies of their sides. Errors:
+/// E_UNKNOWN_OBJECT, E_LOCKED.
 Result<Document> delete_objects(const Document& document, std::span<const ObjectId> objects);
 
-/// Puts objects, in their present order, before the one that is now at `position` (0 .. number of objects;
-/// the number itself: to the end). Errors: E_UNKNOWN_OBJECT.
+/// Moves objects, in their present order, before the one now at `position` (0 .. number of objects; the
+/// number itself: to the end). Errors: E_UNKNOWN_OBJECT.
 Result<Document> reorder_objects(const Document& document, std::span<const ObjectId> objects,
                                  std::size_t position);
 
-/// The copy follows its original in order, its attached edges keep copies of their sides, it is called
-/// "<name> copy", and is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
+/// Duplicates an object. The copy follows its original in the list, its attached edges keep copies of their
+/// sides, it is called "<name> copy" and is not locked. Errors: E_UNKNOWN_OBJECT, E_TOO_MANY_OBJECTS.
 Result<Added> duplicate_object(const Document& document, ObjectId object);
 
-/// The name itself where no object has it, else it with the least number that is free: "Box", "Box 2", "Box
-/// 3". A number that it ends with counts as one: of "Box 2" the next is "Box 3". Not longer than
+/// Returns the name itself where no object has it, else with the lowest free number: "Box", "Box 2", "Box 3".
+/// A number at the end of the name is counted on from: after "Box 2" comes "Box 3". Not longer than
 /// Object::max_name_length. O(objects).
 std::string free_name(const Document& document, const std::string& name);
 
-/// Errors: E_UNKNOWN_OBJECT, E_NAME_EMPTY, E_NAME_INVALID.
+/// Renames an object. Errors: E_UNKNOWN_OBJECT, E_NAME_EMPTY, E_NAME_INVALID.
 Result<Document> rename_object(const Document& document, ObjectId object, std::string name);
 
-/// Errors: E_UNKNOWN_OBJECT.
+/// Shows or hides an object. Errors: E_UNKNOWN_OBJECT.
 Result<Document> set_visible(const Document& document, ObjectId object, bool visible);
 
-/// The document with these objects visible and no others. Objects without a change are shared. O(n log n).
+/// Returns the document with these objects visible and no others. Unchanged objects are shared. O(n log n).
 Result<Document> showing_only(const Document& document, std::span<const ObjectId> objects);
+/// Locks or unlocks an object. Errors: E_UNKNOWN_OBJECT.
 Result<Document> set_locked(const Document& document, ObjectId object, bool locked);
 
-/// Normalises the rotation unless it is a unit quaternion already. Errors: E_UNKNOWN_OBJECT, E_LOCKED,
-/// E_TRANSFORM_INVALID (not finite, zero rotation, scale outside 1e-9 .. 1e9).
+/// Places an object. Normalises the rotation unless it is a unit quaternion already. Errors:
+/// E_UNKNOWN_OBJECT, E_LOCKED, E_TRANSFORM_INVALID (not finite, zero rotation, scale outside 1e-9 .. 1e9).
 Result<Document> set_transform(const Document& document, ObjectId object, const Similarity& transform);
 
-/// Errors: E_UNKNOWN_OBJECT, E_DISPLAY_INVALID (density out of range).
+/// Sets the display of an object. Errors: E_UNKNOWN_OBJECT, E_DISPLAY_INVALID (density out of range).
 Result<Document> set_display(const Document& document, ObjectId object, const DisplaySettings& display);
 
-/// Changes what lengths mean, not the numbers.
+/// Changes the unit without converting the numbers, so that real sizes change.
 Document set_unit(const Document& document, Unit unit);
 
 /// Replaces the source (after a repair, a re-import, an edit of connectivity). Errors: E_UNKNOWN_OBJECT,

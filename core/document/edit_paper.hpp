@@ -8,16 +8,17 @@
 
 namespace hariko {
 
-/// The document with this paper model; an equal one changes nothing.
+/// Returns the document with this paper model; an equal one changes nothing.
 Document set_paper(const Document& document, PaperModel paper);
-/// The document without one.
+/// Returns the document without a paper model.
 Document remove_paper(const Document& document);
 
-/// The objects that can be unfolded: visible, with a surface or facets. Ascending.
+/// Objects that can be unfolded: visible, with a surface or facets. Ascending.
 std::vector<ObjectId> unfoldable_objects(const Document& document);
 
-/// A distance between surface and facets that suits paper: 1 % of the diagonal of the box of the objects'
-/// polyhedra, nets and meshes, rounded to one digit. Positive.
+/// Suitable distance between surface and facets for paper: 1 % of the diagonal of the bounding box of the
+/// objects' polyhedra, nets and meshes, rounded to one digit. Positive; 0.5 where the box is empty or a
+/// point.
 double proposed_distance(const Document& document, std::span<const ObjectId> objects);
 
 }  // namespace hariko

@@ -14,7 +14,7 @@ Message no_picture(const Object& object) {
                     "Select a reference picture.", element_of(object.id));
 }
 
-/// Calls change(Object&, PictureSource&) -> Result<Done> on a copy, and checks what comes of it.
+/// Calls change(Object&, PictureSource&) -> Result<Done> on a copy, and checks the result.
 template <class Change>
 Result<Document> change_picture(const Document& document, ObjectId id, bool unlocked_only, Change&& change) {
   return detail::change_object(document, id, unlocked_only, [&](Object& object) -> Result<Done> {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the edits share: finding the object, checking it, and replacing it in a copy of the document.
+// Helpers of the edits: finding the object, checking it, and replacing it in a copy of the document.
 
 #include <functional>
 #include <string>
@@ -10,20 +10,22 @@
 
 namespace hariko::detail {
 
+/// Errors E_UNKNOWN_OBJECT and E_LOCKED.
 Message unknown_object(ObjectId id);
 Message locked_object(const Object& object);
 
-/// "Cup copy": the name, cut at a character boundary where it would be too long, and the suffix.
+/// Name with a suffix, such as "Cup copy"; the name is cut at a character boundary where the result would be
+/// too long.
 std::string name_with(std::string name, std::string_view suffix);
 
-/// A copy of the document in which `object` stands for the one with the same id.
+/// Copy of the document in which `object` replaces the one with the same id.
 Document with_object(const Document& document, Object object);
 
 /// Calls `change` on a copy of the object; refuses locked objects if `unlocked_only`.
 Result<Document> change_object(const Document& document, ObjectId id, bool unlocked_only,
                                const std::function<Result<Done>(Object&)>& change);
 
-/// E_TRANSFORM_INVALID, E_DISPLAY_INVALID.
+/// Checks of placement and display. Errors: E_TRANSFORM_INVALID, E_DISPLAY_INVALID.
 Result<Similarity> checked_transform(const Similarity& transform);
 Result<Done> check_display(const DisplaySettings& display);
 

@@ -1,10 +1,10 @@
 #pragma once
 
-// Edits: pure functions from a document to the next one. All of them are here.
+// Edits: pure functions from a document to the next one. This header includes all of them.
 //
-// What an edit does not name stays as it is. An edit that changes nothing gives an equal document, which the
-// history does not turn into a step. On an error nothing happened. The cost is that of the part that changes,
-// everything else is shared with the given document.
+// Parts that an edit does not name stay as they are. An edit without effect returns an equal document, which
+// the history does not turn into a step. On an error nothing has changed. The cost is that of the changed
+// part; everything else is shared with the given document.
 
 #include "core/document/edit_attachments.hpp"
 #include "core/document/edit_elements.hpp"

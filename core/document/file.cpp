@@ -7,7 +7,7 @@
 namespace hariko {
 namespace {
 
-/// The text of the document, once it has been read back and found equal.
+/// Returns the text of the document after it has been read back and found equal.
 Result<std::string> verified_text(const Document& document) {
   std::string text = write_document(document);
   const Result<Document> again = read_document(text);
@@ -20,7 +20,7 @@ Result<std::string> verified_text(const Document& document) {
   return text;
 }
 
-/// Absolute; empty where it cannot be found out.
+/// Absolute folder of a file; empty where it cannot be determined.
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   std::error_code unknown;
   const std::filesystem::path absolute = std::filesystem::absolute(file, unknown);

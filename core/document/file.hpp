@@ -1,6 +1,6 @@
 #pragma once
 
-// Documents on disk.
+// Loading and saving of documents.
 
 #include <filesystem>
 
@@ -11,14 +11,14 @@ namespace hariko {
 
 inline constexpr Code e_save_verify{"E_SAVE_VERIFY"};
 
-/// Errors: those of `read_file` and of `read_document`; the text names the file.
+/// Loads a document. Errors: those of `read_file` and of `read_document`; the text names the file.
 Result<Document> load_document(const std::filesystem::path& path);
 
-/// Writes the text, reads it back and compares (E_SAVE_VERIFY when they differ, nothing is written then), and
-/// replaces the file in one step: on any error the old file is as it was (`write_file_atomic`, whose errors
-/// come back).
+/// Saves a document: writes the text, reads it back, compares (E_SAVE_VERIFY when they differ; nothing is
+/// written then), and replaces the file in one step. On any error the old file stays unchanged. Errors also
+/// of `write_file_atomic`.
 Result<Done> save_document(const Document& document, const std::filesystem::path& path);
-/// The same through other system calls, for tests.
+/// Saves through other system calls, for tests.
 Result<Done> save_document(const Document& document, const std::filesystem::path& path, FileLayer& layer);
 
 }  // namespace hariko

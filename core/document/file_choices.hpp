@@ -1,6 +1,6 @@
 #pragma once
 
-// How a document's lengths and directions stand in a file for other programs.
+// Conversion of a document's lengths and directions for files of other programs.
 
 #include <optional>
 
@@ -8,13 +8,14 @@
 
 namespace hariko {
 
-/// Formats that fix the unit, the up axis or the encoding keep to theirs.
+/// Export choices. Formats that prescribe the unit, the up axis or the encoding ignore them.
 struct FileChoices {
-  std::optional<Unit> unit;  ///< of the file's numbers; nothing: the document's
-  double scale = 1;          ///< all lengths are multiplied by it; above 0, finite
-  bool y_up = false;         ///< else z
+  std::optional<Unit> unit;  ///< unit of the file's numbers; nothing: the document's
+  double scale = 1;          ///< factor of all lengths; greater than 0, finite
+  bool y_up = false;         ///< y up; else z up
   bool ascii = false;        ///< text; else binary, where the format has both
-  bool to_zero = false;      ///< triangles: the middle of the box of all that is written comes to lie at zero
+  /// Triangles: moves the centre of the bounding box of everything written to the origin.
+  bool to_zero = false;
 
   friend bool operator==(const FileChoices&, const FileChoices&) = default;
 };

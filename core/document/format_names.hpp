@@ -1,6 +1,6 @@
 #pragma once
 
-// The words of the file format, in the order of the enumerations: reader and writer use the same lists.
+// Words of the file format, in the order of the enumerations; reader and writer use the same lists.
 
 #include <array>
 #include <span>
@@ -25,7 +25,7 @@ inline constexpr std::array tag_names{"automatic"sv, "corner"sv, "smooth"sv};
 inline constexpr std::array axis_names{"x"sv, "y"sv, "z"sv};
 inline constexpr std::array pin_names{"tangents"sv, "normal"sv};
 
-/// Members that this version knows; all others are kept as they are, or refused where that is not possible.
+/// Members that this version knows; all others are kept unchanged, or refused where that is not possible.
 inline constexpr std::array document_members{"format"sv,         "version"sv, "unit"sv,
                                              "next_object_id"sv, "objects"sv, "paper"sv};
 inline constexpr std::array object_members{"id"sv,        "name"sv,    "visible"sv, "locked"sv,
@@ -55,13 +55,13 @@ inline constexpr std::array bezier_patch_members{"degree"sv, "points"sv, "weight
 inline constexpr std::array mirror_members{"axis"sv, "weld_distance"sv};
 inline constexpr std::array pin_members{"vertex"sv, "kind"sv, "vectors"sv};
 inline constexpr std::array form_members{"vertex"sv, "edges"sv};
-/// Many of them are of files before version 4.
+/// Members of solids; many of them occur only in files before version 4.
 inline constexpr std::array solids_members{"kind"sv,        "primitives"sv, "roundness"sv,    "waist"sv,
                                            "tightness"sv,   "clearance"sv,  "detail"sv,       "merge_deg"sv,
                                            "cage_detail"sv, "method"sv,     "surface"sv,      "symmetry"sv,
                                            "waists"sv,      "fullness"sv,   "offsets"sv,      "ball_radius"sv,
                                            "rounding"sv,    "on_faces"sv,   "finer_patches"sv};
-/// "auto" and "field" are of files before version 4.
+/// Names of methods; "auto" and "field" occur only in files before version 4.
 inline constexpr std::array method_names{"auto"sv, "network"sv, "field"sv, "ball"sv};
 inline constexpr std::array envelope_surface_names{"rational"sv, "fair"sv};
 inline constexpr std::array symmetry_names{"none"sv, "x"sv, "y"sv, "z"sv};
@@ -100,6 +100,7 @@ inline constexpr std::array paper_setting_members{
 inline constexpr std::array goal_names{"fewest"sv, "balanced"sv, "easiest"sv};
 inline constexpr std::array element_names{"none"sv, "vertex"sv, "edge"sv, "face"sv, "object"sv};
 
+/// Word of an enumerator.
 template <class Enum>
 std::string_view name_of(Enum value, Names names) {
   return names[static_cast<std::size_t>(value)];

@@ -5,7 +5,7 @@
 namespace hariko {
 namespace {
 
-/// What labels of steps that do not exist refer to.
+/// Label returned for steps that do not exist.
 const std::string no_label;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// JsonReader and JsonCursor: typed access to a JsonValue, with the path of what is wrong in the message.
+// JsonReader and JsonCursor: typed access to a JsonValue with errors that name the path of the faulty value.
 
 #include <cmath>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace hariko::detail {
 
-/// A value and how it was reached. Lives on the stack below its parent; the path is spelled out only for a
+/// A value with the path to it. Lives on the stack below its parent; the path is written out only for a
 /// message.
 class JsonCursor {
  public:
@@ -27,7 +27,7 @@ class JsonCursor {
 
   const JsonValue& value() const { return *value_; }
   const JsonMember* member() const { return member_; }
-  /// "objects[2].source.vertices[17]"; "the document" for the root.
+  /// Path of the value, such as "objects[2].source.vertices[17]"; "the document" for the root.
   std::string path() const;
 
  private:
@@ -37,8 +37,8 @@ class JsonCursor {
   std::size_t index_ = 0;
 };
 
-/// Reads values and keeps the first error. After an error everything returns a default, so callers check once
-/// at the end of a step; loops over arrays stop by themselves.
+/// Reads values and stores the first error. After an error every function returns a default value, so callers
+/// check once at the end of a step; loops over arrays stop by themselves.
 class JsonReader {
  public:
   /// Version of the document's format, which some members depend on; the newest unless set.
@@ -47,21 +47,21 @@ class JsonReader {
 
   bool failed() const { return error_.has_value(); }
   const Message& error() const { return *error_; }
-  /// Keeps the first error only.
+  /// Stores the error unless there is one already.
   void fail(Message message) {
     if (!error_) error_ = std::move(message);
   }
-  /// E_SCHEMA: "objects[2].id: <text>."
+  /// Reports E_SCHEMA with the text "objects[2].id: <text>."
   void fail(const JsonCursor& at, const std::string& text);
 
   double number(const JsonCursor& at);
-  /// An integer in low .. high.
+  /// Integer in low .. high.
   std::uint32_t integer(const JsonCursor& at, std::uint32_t low, std::uint32_t high);
   bool boolean(const JsonCursor& at);
   std::string string(const JsonCursor& at);
-  /// An array of three numbers.
+  /// Array of three numbers.
   Vector3 vector(const JsonCursor& at);
-  /// Number of elements, of an array that has between low and high of them.
+  /// Number of elements of an array that has between low and high of them.
   std::size_t array_size(const JsonCursor& at, std::size_t low, std::size_t high);
   bool is_object(const JsonCursor& at);
   /// Index of the text among `names`.
@@ -78,7 +78,7 @@ class JsonReader {
   void if_member(const JsonCursor& at, std::string_view name, Body&& body) {
     if (const JsonMember* member = find(at, name); member && !failed()) body(JsonCursor(at, *member));
   }
-  /// The same, an error where there is none.
+  /// Calls body(const JsonCursor&) for the member; an error if there is none.
   template <class Body>
   void member(const JsonCursor& at, std::string_view name, Body&& body) {
     if (!find(at, name)) fail(at, "the member \"" + std::string(name) + "\" is missing");

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Walks over the text and tells where the parser is: its events come without a place.
+/// Iterates over the text and counts consumed characters, because the parser's events carry no position.
 class TrackingIterator {
  public:
   // NOLINTBEGIN(readability-identifier-naming): names that iterators must have
@@ -36,7 +36,8 @@ class TrackingIterator {
     ++*this;
     return before;
   }
-  // A member: as an unused friend one compiler or the other complains, depending on how != is rewritten.
+  // Member function, because as an unused friend it causes warnings in some compilers, depending on how != is
+  // rewritten.
   bool operator==(const TrackingIterator& other) const { return at_ == other.at_; }
 
  private:
@@ -113,7 +114,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
  private:
-  /// Puts a value where the text has it and gives its final address.
+  /// Stores a value at its place in the tree and returns its final address.
   JsonValue* place(JsonValue value) {
     if (open_.empty()) {
       root_ = std::move(value);
@@ -156,8 +157,8 @@ class Builder final : public nlohmann::json_sax<Json> {
     open_.pop_back();
     end_member(false);
   }
-  /// A value is complete: notes where its text ends, when it is a member. The parser reads one character past
-  /// a number.
+  /// Records where a complete value's text ends, when it is a member. The parser reads one character past a
+  /// number.
   void end_member(bool number) {
     if (open_.empty() || !open_.back()->object()) return;
     JsonMember& member = open_.back()->object()->back();
@@ -184,8 +185,8 @@ class Builder final : public nlohmann::json_sax<Json> {
   std::string_view text_;
   const std::size_t& consumed_;
   JsonValue root_;
-  std::vector<JsonValue*>
-      open_;  ///< containers being filled; addresses hold, as only the innermost one grows
+  /// Containers being filled; addresses stay valid, because only the innermost one grows.
+  std::vector<JsonValue*> open_;
   std::size_t values_ = 0;
   std::optional<Message> error_;
 };

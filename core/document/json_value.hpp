@@ -1,6 +1,6 @@
 #pragma once
 
-// JsonValue: JSON text taken apart, with the place of every member in the text.
+// JsonValue: parsed JSON, with the position of every member in the text.
 
 #include <memory>
 #include <string>
@@ -17,7 +17,7 @@ class JsonValue;
 using JsonArray = std::vector<JsonValue>;
 using JsonObject = std::vector<JsonMember>;  ///< in the order of the text, names unique
 
-/// Sixteen bytes, as most values of a document are numbers.
+/// JSON value of sixteen bytes, because most values of a document are numbers.
 class JsonValue {
  public:
   JsonValue() = default;
@@ -27,7 +27,7 @@ class JsonValue {
   static JsonValue make_array();
   static JsonValue make_object();
 
-  /// Each is nullptr when the value is of another kind.
+  /// Access by kind; nullptr when the value is of another kind.
   const bool* boolean() const { return std::get_if<bool>(&state_); }
   const double* number() const { return std::get_if<double>(&state_); }
   const std::string* string() const { return get<std::string>(); }
@@ -50,11 +50,11 @@ class JsonValue {
 struct JsonMember {
   std::string name;
   JsonValue value;
-  std::size_t begin = 0, end = 0;  ///< where the value's text lies
+  std::size_t begin = 0, end = 0;  ///< range of the value in the text
 };
 
-/// Parses one JSON value and nothing after it but white space. Errors: E_LIMIT, E_PARSE, and E_SCHEMA for a
-/// name that appears twice in one object.
+/// Parses one JSON value followed only by white space. Errors: E_LIMIT, E_PARSE, and E_SCHEMA for a name that
+/// appears twice in one object.
 Result<JsonValue> parse_json(std::string_view text);
 
 }  // namespace hariko::detail

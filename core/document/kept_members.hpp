@@ -1,16 +1,16 @@
 #pragma once
 
-// KeptMembers: what a file has beyond what this program knows.
+// KeptMembers: members of a file that this program does not know.
 
 #include <string>
 #include <vector>
 
 namespace hariko {
 
-/// A member of a file that this program does not know: kept, and written back as it was.
+/// Unknown member of a file, kept and written back unchanged.
 struct KeptMember {
   std::string name;
-  std::string json;  ///< the text of its value, byte for byte
+  std::string json;  ///< text of its value, byte for byte
   friend bool operator==(const KeptMember&, const KeptMember&) = default;
 };
 using KeptMembers = std::vector<KeptMember>;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Units of lengths for what is typed.
+// Units of typed lengths.
 
 #include <array>
 
@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// mm, cm, m, in and the inch sign, in the given unit.
+/// Factors of mm, cm, m, in and the inch sign relative to the given unit.
 std::array<UnitFactor, 5> length_units(Unit unit);
 
 }  // namespace hariko

@@ -3,7 +3,7 @@
 namespace hariko {
 namespace {
 
-/// Header of an allocation, control block of a shared pointer, rounding.
+/// Header of an allocation, control block of a shared pointer, rounding, in bytes.
 constexpr std::size_t block_overhead = 48;
 
 std::size_t bytes_of(const KeptMembers& kept) {
@@ -76,16 +76,16 @@ std::size_t bytes_of(const Outline& outline) {
   return bytes;
 }
 
-/// Connectivity and the ids that go with it.
+/// Bytes of the connectivity and its ids.
 std::size_t bytes_of(const HalfEdgeMesh& mesh) {
   return 8 * block_overhead + sizeof(HalfEdgeMesh) +
          sizeof(Index) * (4 * std::size_t(mesh.half_edge_count()) + 3 * std::size_t(mesh.vertex_count()) +
                           2 * std::size_t(mesh.face_count()) + mesh.edge_count());
 }
 
-/// Calls visit(address, bytes) for each block of the polyhedron that other values may share. Positions lie in
-/// chunks that are not visible from outside, but where neighbours in the array are not neighbours in memory,
-/// a chunk ends.
+/// Calls visit(address, bytes) for each block of the polyhedron that other values may share. The chunks of
+/// positions are not visible from outside, but a chunk ends where neighbours in the array are not neighbours
+/// in memory.
 template <class Visit>
 void visit_polyhedron(const Polyhedron& polyhedron, Visit&& visit) {
   visit(polyhedron.shared_topology().get(), bytes_of(polyhedron.topology()));

@@ -1,6 +1,6 @@
 #pragma once
 
-// SharedMemory: how many bytes a set of documents needs, with what they share counted once.
+// SharedMemory: memory use of a set of documents, with shared blocks counted once.
 
 #include <cstddef>
 #include <functional>
@@ -11,12 +11,12 @@
 namespace hariko {
 
 /// Counts blocks by address and number of users. Sizes are those of the arrays plus an allowance for each
-/// block, within about 10 % of what the allocator hands out.
+/// block, within about 10 % of the allocator's.
 class SharedMemory {
  public:
-  /// O(objects), plus O(vertices / 128) for each object not counted yet.
+  /// Adds a document. O(objects), plus O(vertices / 128) for each object not counted yet.
   void add(const Document& document);
-  /// Must have been added before.
+  /// Removes a document, which must have been added before.
   void remove(const Document& document);
   std::size_t bytes() const { return bytes_; }
 
@@ -25,7 +25,7 @@ class SharedMemory {
     std::size_t users = 0;
     std::size_t bytes = 0;
   };
-  /// True when the block was not counted before (add) or is not any more (remove).
+  /// Returns true when the block was not counted before (add) or no longer is (remove).
   bool enter(const void* address, std::size_t bytes);
   bool leave(const void* address);
 

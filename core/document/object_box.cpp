@@ -4,7 +4,7 @@ namespace hariko {
 
 namespace {
 
-/// Calls visit(point) with points of the object's own space whose box is that of its source.
+/// Calls visit(point) with points of the object's own space whose bounding box is that of its source.
 template <class Visit>
 void visit_points(const Object& object, Visit&& visit) {
   if (const Polyhedron* cage = object.cage()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How large an object is, by what it is made from.
+// Size of an object, from its source.
 
 #include <Eigen/Geometry>
 
@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// A box along the document's axes round what the object is made from, the image in a live mirror included.
-/// Its surface may bulge out of it. Empty for kinds that are not known. O(points).
+/// Bounding box, along the document's axes, of the object's source including its image in a live mirror. The
+/// surface may extend beyond it. Empty for unknown kinds. O(points).
 Eigen::AlignedBox3d world_box(const Object& object);
 
 }  // namespace hariko

@@ -1,12 +1,12 @@
 #pragma once
 
-// Objects that go into pictures, measures and files.
+// Objects that can appear in pictures, measurements and files.
 
 #include "core/document/document.hpp"
 
 namespace hariko {
 
-/// There is something to show, measure and export: a surface, or reference facets.
+/// Whether there is a shape to show, measure and export: a surface, or reference facets.
 inline bool has_shape(const Object& object) {
   return object.has_surface() || object.mesh();
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-// PaperModel: what the designer decided about a paper model of the document: settings, which edges fold, what
-// was chosen by hand, and where pieces lie. Coordinates, tabs, numbers and pages follow from it and from the
-// model (core/unfolding/paper_document.hpp).
+// PaperModel: the designer's choices for a paper model of the document: settings, fold and cut edges, edges
+// chosen by hand, and places of pieces. Coordinates, tabs, numbers and pages are derived from it and from the
+// objects (core/unfolding/paper_document.hpp).
 
 #include <array>
 #include <cstdint>
@@ -14,55 +14,57 @@
 
 namespace hariko {
 
-/// A corner of facets by what it is on the model, so that it is found again when the model has changed.
+/// Corner of facets, identified by its place on the model, so that it is found again when the model has
+/// changed.
 struct PaperVertex {
   ObjectId object;
-  Element element;  ///< that the patch comes from; a vertex itself; none: a vertex of a reference mesh
-  /// Of the element, as in `Provenance`, plus 65536 for its image in a live mirror; the number of the mesh's
-  /// vertex.
+  /// Element that the patch comes from, or the vertex itself; none: a vertex of a reference mesh.
+  Element element;
+  /// Side of the element, as in `Provenance`, plus 65536 for its image in a live mirror; for a reference mesh
+  /// the index of the vertex.
   std::uint32_t side = 0;
-  double u = 0, v = 0;  ///< on the patch
+  double u = 0, v = 0;  ///< parameters on the patch
 
   friend bool operator==(const PaperVertex&, const PaperVertex&) = default;
   friend bool operator<(const PaperVertex& a, const PaperVertex& b);
 };
 
-/// Numbers of `PaperModel::vertices`, the lower first unless said otherwise.
+/// Edge by indices into `PaperModel::vertices`, the lower first unless stated otherwise.
 using PaperEdge = std::array<std::uint32_t, 2>;
 
-/// As `PiecePlacement`: a point p of the frame lies at R(angle) p + (x, y) on the page.
+/// Placement as in `PiecePlacement`: a point p of the frame lies at R(angle) p + (x, y) on the page.
 struct PaperPlace {
   std::uint32_t page = 0;
   double angle = 0, x = 0, y = 0;  ///< radians, mm
   friend bool operator==(const PaperPlace&, const PaperPlace&) = default;
 };
 
-/// What is preferred of layouts.
+/// Preferred property of the cuts.
 enum class CutGoal : std::uint8_t {
-  fewest,    ///< pieces
-  balanced,  ///< pieces + pages + 0.05 strips
-  easiest    ///< to glue: few slits, so few strips
+  fewest,    ///< fewest pieces
+  balanced,  ///< least pieces + pages + 0.05 strips
+  easiest    ///< easiest to glue: few slits, so few strips
 };
 
-/// Invariants (checked by the file reader): vertices ascend; all numbers name vertices; lists of edges
-/// ascend.
+/// Paper model. Invariants (checked by the file reader): vertices ascend; all indices refer to vertices;
+/// lists of edges ascend.
 struct PaperModel {
-  std::vector<ObjectId> objects;  ///< that it is made of, ascending; they need not exist
-  bool of_polyhedra = false;      ///< the faces of polyhedra are the facets, not their surfaces
-  double distance = 0;            ///< largest between surface and facets, the document's unit
-  double normal_angle = 0;        ///< largest between their normals, radians; 0: any
+  std::vector<ObjectId> objects;  ///< unfolded objects, ascending; they need not exist
+  bool of_polyhedra = false;      ///< facets are the faces of polyhedra instead of their surfaces
+  double distance = 0;            ///< largest distance between surface and facets, in the document's unit
+  double normal_angle = 0;        ///< largest angle between their normals, radians; 0: unlimited
   PaperSettings settings;         ///< `scale` for the document's unit
   CutGoal goal = CutGoal::fewest;
-  std::uint64_t steps = 300'000;  ///< of the search for cuts
+  std::uint64_t steps = 300'000;  ///< number of steps of the search for cuts
 
   std::vector<PaperVertex> vertices;
-  std::vector<PaperEdge> folds, cuts;          ///< all of them, but for borders
-  std::vector<PaperEdge> own_folds, own_cuts;  ///< those the designer chose
-  std::vector<PaperEdge> tabs;    ///< chosen sides: of the facet that has the edge in this direction
-  std::vector<PaperEdge> strips;  ///< chosen instead of tabs
+  std::vector<PaperEdge> folds, cuts;          ///< all folds and cuts, except borders
+  std::vector<PaperEdge> own_folds, own_cuts;  ///< folds and cuts chosen by the designer
+  std::vector<PaperEdge> tabs;  ///< sides chosen for tabs: that of the facet with the edge in this direction
+  std::vector<PaperEdge> strips;  ///< edges chosen to have strips instead of tabs
 
-  /// Where a facet lies whose first corner is the origin of its frame and whose second is on its x axis. The
-  /// piece with the facet lies so; where it has several of these facets, the first one counts.
+  /// Place of a facet whose first corner is the origin of its frame and whose second is on its x axis. It
+  /// determines the place of its piece; where a piece has several of these facets, the first one counts.
   struct FacetPlace {
     std::array<std::uint32_t, 3> facet{};
     PaperPlace place;
@@ -77,7 +79,7 @@ struct PaperModel {
   std::vector<StripPlace> strip_places;
   KeptMembers kept;
 
-  /// Cuts were chosen; otherwise there are settings only.
+  /// Whether cuts were chosen; otherwise there are only settings.
   bool unfolded() const { return !vertices.empty(); }
   friend bool operator==(const PaperModel&, const PaperModel&) = default;
 };

@@ -8,7 +8,7 @@ namespace hariko {
 
 namespace {
 
-/// Text that JSON and the file system can hold both.
+/// Whether both JSON and the file system can represent the path.
 bool storable_path(const std::string& path) {
   if (path.empty() || path.size() > PictureSource::longest_path || path.find('\0') != std::string::npos)
     return false;

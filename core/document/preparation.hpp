@@ -1,6 +1,6 @@
 #pragma once
 
-// Preparation: what is done to a polyhedron on the way to its surface, beside the designer's own settings.
+// Preparation: automatic steps between a polyhedron and its surface, beside the designer's own settings.
 
 #include "core/base/result.hpp"
 
@@ -8,11 +8,12 @@ namespace hariko {
 
 inline constexpr Code e_automatic_tension_range{"E_AUTOMATIC_TENSION_RANGE"};
 
-/// The designer's polyhedron stays as it is; only what the surface is made from changes.
+/// Settings of the preparation. The designer's polyhedron stays as it is; only the input of the surface
+/// changes.
 struct Preparation {
   /// Concave faces are cut into convex ones (core/modeling/convex_faces.hpp).
   bool split_concave = false;
-  /// Triangles in one plane are merged (core/modeling/merged_faces.hpp), before concave faces are cut.
+  /// Coplanar triangles are merged (core/modeling/merged_faces.hpp), before concave faces are cut.
   bool merge_coplanar = false;
   /// 0 (off) .. 1: the tension of every edge is multiplied by (mean length / its length) to this power
   /// (core/modeling/automatic_tension.hpp).
@@ -20,7 +21,7 @@ struct Preparation {
   friend bool operator==(const Preparation&, const Preparation&) = default;
 };
 
-/// E_AUTOMATIC_TENSION_RANGE: not a number from 0 to 1.
+/// Checks a preparation. E_AUTOMATIC_TENSION_RANGE: automatic tension is not a number from 0 to 1.
 Result<Done> check_preparation(const Preparation& preparation);
 
 }  // namespace hariko

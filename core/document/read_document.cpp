@@ -19,7 +19,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-/// "#b9b4ac"
+/// Reads a colour such as "#b9b4ac".
 Colour read_colour(JsonReader& reader, const JsonCursor& at) {
   const std::string text = reader.string(at);
   const bool valid = text.size() == 7 && text[0] == '#' &&
@@ -160,8 +160,8 @@ std::shared_ptr<const Object> read_object(JsonReader& reader, const JsonCursor& 
                                                detail::kept_members(at, detail::object_members, text)});
 }
 
-/// E_FORMAT or E_VERSION_NEWER, before anything else is looked at: the rest of a newer file may mean
-/// anything.
+/// Checks format and version (E_FORMAT, E_VERSION_NEWER) before anything else, because the rest of a newer
+/// file may mean anything.
 void check_head(JsonReader& reader, const JsonCursor& root) {
   const auto not_hariko = [&] {
     reader.fail(make_error(e_format, "The file is not a Hariko document.",
@@ -185,7 +185,7 @@ void check_head(JsonReader& reader, const JsonCursor& root) {
   });
 }
 
-/// Ids are unique, and new objects will not get one of them again.
+/// Checks that ids are unique and that new objects cannot get one of them again.
 void check_object_ids(JsonReader& reader, const JsonCursor& root, Document& document, bool has_next_id) {
   std::vector<ObjectId> ids;
   for (const auto& object : document.objects) ids.push_back(object->id);

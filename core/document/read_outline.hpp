@@ -1,6 +1,6 @@
 #pragma once
 
-// Outlines from JSON: as parts of documents, and as files of their own.
+// Reading outlines from JSON: as parts of documents, and as separate files.
 
 #include <string_view>
 
@@ -9,20 +9,21 @@
 
 namespace hariko {
 
-/// More points than any drawn outline has; checks of convexity compare all pairs.
+/// Largest number of points of an outline, more than any drawn outline has; tests of convexity compare all
+/// pairs.
 inline constexpr std::size_t max_outline_points = 20000;
 
-/// An outline's own layout: {"loops": [{"points": [[x, y, z], ...], "normals": [...], "K": [...]}]}; K, the
-/// Gaussian curvature, may be missing. Errors: E_LIMIT, E_PARSE, E_SCHEMA. What the numbers mean is checked
-/// by `check_outline`.
+/// Reads a separate outline file: {"loops": [{"points": [[x, y, z], ...], "normals": [...], "K": [...]}]}; K,
+/// the Gaussian curvature, is optional. Errors: E_LIMIT, E_PARSE, E_SCHEMA. `check_outline` checks the
+/// geometry.
 Result<Outline> read_outline(std::string_view text);
 
 namespace detail {
 
-/// The loops within an object that may have other members.
+/// Reads the loops within an object that may have other members.
 Outline read_loops(JsonReader& reader, const JsonCursor& at);
 
-/// The settings beside the loops; every member may be missing.
+/// Reads the settings beside the loops; every member is optional.
 OutlineSettings read_outline_settings(JsonReader& reader, const JsonCursor& at);
 
 }  // namespace detail

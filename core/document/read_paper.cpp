@@ -133,7 +133,7 @@ class PaperReader {
     paper_.vertices.push_back(vertex);
   }
 
-  /// Checked numbers of different vertices.
+  /// Reads N different vertex indices, checked.
   template <std::size_t N>
   std::array<std::uint32_t, N> corners(const JsonCursor& row) {
     std::array<std::uint32_t, N> out{};

@@ -7,7 +7,7 @@
 
 namespace hariko::detail {
 
-/// `text` is the whole file, of which unknown parts are kept.
+/// Reads a paper model. `text` is the whole file, from which unknown members are kept.
 PaperModel read_paper(JsonReader& reader, const JsonCursor& at, std::string_view text);
 
 }  // namespace hariko::detail

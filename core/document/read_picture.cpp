@@ -7,7 +7,7 @@ namespace hariko::detail {
 
 namespace {
 
-/// Base64 as it is written: other spellings would come back changed.
+/// Reads base64 text in its canonical form; other spellings would be written back changed.
 std::string read_bytes(JsonReader& reader, const JsonCursor& at) {
   const std::string text = reader.string(at);
   if (reader.failed()) return {};

@@ -7,7 +7,7 @@
 
 namespace hariko::detail {
 
-/// The members but those that are kept.
+/// Reads the known members; the caller keeps the unknown ones.
 PictureSource read_picture(JsonReader& reader, const JsonCursor& at);
 
 }  // namespace hariko::detail

@@ -168,7 +168,7 @@ class SkinReader {
     return plane;
   }
 
-  /// The sections of a strip: by index in the plain layout, by ids otherwise.
+  /// Reads the sections of a strip: by index in the plain layout, by ids otherwise.
   bool read_strip(const JsonCursor& at, std::uint32_t& first, std::uint32_t& second, bool& by_index) {
     by_index = false;
     reader_.if_member(at, "strip", [&](const JsonCursor& m) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double scene_roundness = 0.5;
 constexpr std::uint32_t max_number = no_index - 1;
 
-/// In the order of `method_names`.
+/// Methods in files, in the order of `method_names`.
 enum class FileMethod : std::uint8_t { automatic, network, field, ball };
 
 class SolidsReader {
@@ -58,7 +58,7 @@ class SolidsReader {
     return out;
   }
 
-  /// Members of files before version 4 that mean nothing any more, where they say anything unusual.
+  /// Reads obsolete members of files before version 4, and records those with unusual values as lost.
   void read_before(const JsonCursor& at) {
     reader_.if_member(at, "method", [&](const JsonCursor& member) {
       method_ = FileMethod(reader_.choice(member, method_names));
@@ -87,8 +87,8 @@ class SolidsReader {
       });
   }
 
-  /// Before there was the ball there were other methods: the network at tightness 0 is still there, all else
-  /// becomes the ball. Scenes, which have no version, are of before where they have settings of those
+  /// Converts the methods of files before version 4: the network at tightness 0 still exists, all others
+  /// become the ball. Scene files have no version; they count as old where they have settings of those
   /// methods.
   void settle_method(const JsonCursor& at, EnvelopeInput& out) {
     EnvelopeSettings& s = out.settings;
@@ -178,7 +178,7 @@ class SolidsReader {
     return out;
   }
 
-  /// Solids without an id, or with one that is taken, get the least free one.
+  /// Gives solids without an id, or with one that is taken, the lowest free one.
   static void number_solids(std::vector<Solid>& solids) {
     std::set<std::uint32_t> taken;
     std::vector<Solid*> open;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Scenes of solids from JSON: as sources of documents, and as files of their own.
+// Reading scenes of solids from JSON: as sources of documents, and as separate files.
 
 #include <string_view>
 
@@ -9,14 +9,14 @@
 
 namespace hariko {
 
-/// A scene's own layout: {"primitives": [{"type": "box", "size": [1, 1, 1], "position": ..., "rotation":
-/// ...}], "roundness": 0.5, ...}; angles in degrees. Where the file says no roundness, it is 0.5. Errors:
-/// E_LIMIT, E_PARSE, E_SCHEMA, and those of `check_envelope`.
+/// Reads a separate scene file: {"primitives": [{"type": "box", "size": [1, 1, 1], "position": ...,
+/// "rotation": ...}], "roundness": 0.5, ...}; angles in degrees. Default roundness 0.5. Errors: E_LIMIT,
+/// E_PARSE, E_SCHEMA, and those of `check_envelope`.
 Result<EnvelopeInput> read_scene(std::string_view text);
 
 namespace detail {
 
-/// The members of a scene within an object that may have others.
+/// Reads the members of a scene within an object that may have others.
 EnvelopeInput read_solids(JsonReader& reader, const JsonCursor& at);
 
 }  // namespace detail

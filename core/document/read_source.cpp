@@ -18,7 +18,7 @@ bool is_known(std::string_view name, Names known) {
   return std::find(known.begin(), known.end(), name) != known.end();
 }
 
-/// Takes the message of a check of a value and says where the value is.
+/// Reports the error of a check of a value with the value's path.
 void take_error(JsonReader& reader, const JsonCursor& at, const Result<Done>& checked) {
   if (checked) return;
   Message message = checked.error();
@@ -26,7 +26,7 @@ void take_error(JsonReader& reader, const JsonCursor& at, const Result<Done>& ch
   reader.fail(std::move(message));
 }
 
-/// Ids must ascend, so that each is named once and lists are read in linear time.
+/// Checks that ids ascend, so that each occurs once and lists are read in linear time.
 template <class Id>
 bool ascends(JsonReader& reader, const JsonCursor& at, std::optional<Id>& last, Id id) {
   if (!last || *last < id) {
@@ -37,14 +37,14 @@ bool ascends(JsonReader& reader, const JsonCursor& at, std::optional<Id>& last, 
   return false;
 }
 
-/// The vertex and face lists of a polyhedron as the file has them.
+/// Vertex and face lists of a polyhedron in the file.
 struct Lists {
   PolygonMesh mesh;
   std::vector<VertexId> vertex_ids;
   std::vector<FaceId> face_ids;
 };
 
-/// Rows [id, x, y, z].
+/// Reads rows [id, x, y, z].
 void read_vertices(JsonReader& reader, const JsonCursor& at, Lists& lists) {
   std::optional<VertexId> last;
   reader.for_each(at, [&](const JsonCursor& row) {
@@ -58,7 +58,7 @@ void read_vertices(JsonReader& reader, const JsonCursor& at, Lists& lists) {
   });
 }
 
-/// Rows [id, vertex id, vertex id, ...].
+/// Reads rows [id, vertex id, vertex id, ...].
 void read_faces(JsonReader& reader, const JsonCursor& at, Lists& lists) {
   std::optional<FaceId> last;
   std::vector<Index> corners;
@@ -184,7 +184,7 @@ class ShapingReader {
       reader_.member(row, "edges", [&](const JsonCursor& at) {
         std::optional<VertexId> last_end;
         reader_.for_each(at, [&](const JsonCursor& edge) {
-          // Before version 6 a row ends in a force, which nothing follows any more.
+          // Before version 6 a row ends in a force, which is ignored now.
           const std::size_t size = reader_.version() < 6 ? 9 : 8;
           if (reader_.array_size(edge, size, size) != size) return;
           KeptForm::Edge kept;
@@ -221,7 +221,7 @@ class ShapingReader {
 
   JsonReader& reader_;
   const Polyhedron& polyhedron_;
-  std::optional<EdgeSet> edges_;  ///< made when the first edge is asked for
+  std::optional<EdgeSet> edges_;  ///< made at the first lookup
 };
 
 Vector3 read_origin(JsonReader& reader, const JsonCursor& at) {
@@ -272,7 +272,7 @@ FrozenSide read_frozen(JsonReader& reader, const JsonCursor& at) {
   return frozen;
 }
 
-/// What they refer to need not exist: that is told where they are used.
+/// Reads attachments. The objects and sides they refer to need not exist; the surface reports that.
 Attachments read_attachments(JsonReader& reader, const JsonCursor& list) {
   Attachments out;
   std::optional<EdgeId> last;
@@ -319,7 +319,7 @@ std::optional<Source> read_polyhedron(JsonReader& reader, const JsonCursor& at, 
   reader.if_member(at, "frames", [&](const JsonCursor& member) {
     frames = static_cast<Frames>(reader.choice(member, frames_names));
   });
-  // A choice that mode G2 had: it means nothing any more.
+  // Obsolete setting of mode G2, ignored.
   reader.if_member(at, "round", [&](const JsonCursor& member) { (void)reader.boolean(member); });
   std::optional<Mirror> mirror;
   reader.if_member(at, "mirror", [&](const JsonCursor& member) { mirror = read_mirror(reader, member); });

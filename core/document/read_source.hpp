@@ -10,16 +10,16 @@
 
 namespace hariko::detail {
 
-/// Of ids in files.
+/// Largest id in files.
 inline constexpr std::uint32_t max_id = no_index - 1;
 
-/// `text` is the whole file, of which unknown parts are kept.
+/// Reads a source. `text` is the whole file, from which unknown members are kept.
 std::optional<Source> read_source(JsonReader& reader, const JsonCursor& at, std::string_view text);
 
-/// The members of an object that are not among `known`, as they are in the text.
+/// Members of an object that are not among `known`, with their text unchanged.
 KeptMembers kept_members(const JsonCursor& at, std::span<const std::string_view> known,
                          std::string_view text);
-/// E_SCHEMA at the first such member: for places where nothing can be kept.
+/// Reports E_SCHEMA at the first unknown member, where none can be kept.
 void refuse_unknown_members(JsonReader& reader, const JsonCursor& at,
                             std::span<const std::string_view> known);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading one thing from a text that holds nothing else.
+// Reading one value from a text that contains nothing else.
 
 #include <string_view>
 
@@ -8,8 +8,8 @@
 
 namespace hariko::detail {
 
-/// read(reader, cursor) for the object that `text` is. Errors: E_LIMIT, E_PARSE, E_SCHEMA, and what `read`
-/// fails with.
+/// Calls read(reader, cursor) for the object that `text` contains. Errors: E_LIMIT, E_PARSE, E_SCHEMA, and
+/// those of `read`.
 template <class T, class Read>
 Result<T> read_text(std::string_view text, Read&& read) {
   const Result<JsonValue> root = parse_json(text);

@@ -55,14 +55,14 @@ fs::path copy_path(const fs::path& folder, std::uint64_t generation) {
   return folder / (std::string(copy_begin) + std::to_string(generation) + std::string(copy_end));
 }
 
-/// FNV-1a: tells a copy that was changed by a failing disk from the one that was written.
+/// FNV-1a hash, to detect a copy that a failing disk has changed.
 std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t sum = 0xcbf29ce484222325U;
   for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return sum;
 }
 
-/// The note of a folder with the checksum of the copy it was written for.
+/// Note of a folder with the checksum of the copy it was written for.
 struct NotedCopy {
   RecoveryNote note;
   std::uint64_t generation = 0, bytes_sum = 0;
@@ -116,7 +116,7 @@ std::optional<NotedCopy> read_note(const fs::path& folder) {
 Result<Done> write_recovery(const fs::path& folder, const Document& document, const RecoveryNote& note,
                             FileLayer& layer) {
   const std::vector<CopyFile> older = copies_in(folder);
-  // A number is never used twice, or an old note could be taken for that of a new copy.
+  // No number is used twice, otherwise an old note could be taken for that of a new copy.
   const std::optional<NotedCopy> noted_before = read_note(folder);
   const std::uint64_t generation =
       1 + std::max(older.empty() ? 0 : older.front().generation, noted_before ? noted_before->generation : 0);
@@ -125,13 +125,13 @@ Result<Done> write_recovery(const fs::path& folder, const Document& document, co
     return write_file_atomic(folder / note_name, about, layer);
   };
   const auto write_copy = [&] { return write_file_atomic(copy_path(folder, generation), text, layer); };
-  // The first note comes before its copy, as a copy without any note would not know its file.
+  // The first note is written before its copy, because a copy without any note has no known original file.
   auto first = noted_before ? write_copy() : write_note();
   if (!first) return first;
   auto second = noted_before ? write_note() : write_copy();
   if (!second) return second;
   for (const CopyFile& copy : older)
-    layer.remove(copy.path.native());  // one that stays is older and never read
+    layer.remove(copy.path.native());  // a copy that cannot be removed is older and never read
   return Done{};
 }
 

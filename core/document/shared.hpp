@@ -1,13 +1,14 @@
 #pragma once
 
-// Shared<T>: an immutable value that copies share, compared by value.
+// Shared<T>: an immutable value shared by its copies, compared by value.
 
 #include <memory>
 #include <utility>
 
 namespace hariko {
 
-/// Never null. Copying costs a reference count; two copies of one value compare equal without a look inside.
+/// Shared value, never null. Copying costs a reference count; copies of one value compare equal without
+/// comparing contents.
 template <class T>
 class Shared {
  public:
@@ -16,7 +17,7 @@ class Shared {
 
   const T& operator*() const { return *pointer_; }
   const T* operator->() const { return pointer_.get(); }
-  const T* get() const { return pointer_.get(); }  ///< address: for counting shared bytes
+  const T* get() const { return pointer_.get(); }  ///< address, for counting shared bytes
 
   friend bool operator==(const Shared& a, const Shared& b) {
     return a.pointer_ == b.pointer_ || *a.pointer_ == *b.pointer_;

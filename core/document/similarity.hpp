@@ -1,6 +1,6 @@
 #pragma once
 
-// Similarity: where an object stands in the document. Rotation, uniform scale, translation.
+// Similarity: placement of an object in the document by rotation, uniform scale and translation.
 
 #include <Eigen/Geometry>
 
@@ -8,7 +8,7 @@
 
 namespace hariko {
 
-/// x -> translation + scale * (rotation x). Invariants (checked by `set_transform` and the file reader):
+/// Maps x to translation + scale * (rotation x). Invariants (checked by `set_transform` and the file reader):
 /// everything finite, rotation a unit quaternion to 1e-9, min_scale <= scale <= max_scale.
 struct Similarity {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
@@ -18,7 +18,7 @@ struct Similarity {
   static constexpr double min_scale = 1e-9, max_scale = 1e9;
 
   Vector3 apply(const Vector3& point) const { return translation + scale * (rotation * point); }
-  /// The same for a direction: rotated and scaled, not translated.
+  /// Maps a direction: rotated and scaled, not translated.
   Vector3 apply_to_vector(const Vector3& vector) const { return scale * (rotation * vector); }
   Similarity inverse() const {
     const Eigen::Quaterniond back = rotation.conjugate();

@@ -9,7 +9,7 @@ bool finite(const Vector3& v) {
   return v.allFinite();
 }
 
-/// Makes positions relative to their origin; E_NONFINITE names the first bad vertex.
+/// Makes positions relative to a chosen origin; E_NONFINITE names the first bad vertex.
 Result<Vector3> take_origin(std::vector<Vector3>& positions) {
   for (std::size_t v = 0; v < positions.size(); ++v)
     if (!finite(positions[v]))
@@ -110,7 +110,7 @@ Result<BezierSource> BezierSource::from_patches(const Vector3& origin, std::vect
 }
 
 Result<BezierSource> BezierSource::from_patches(std::vector<BezierPatch> patches) {
-  // Checked before the origin is taken, so that a message names the patch.
+  // Checked before the origin is chosen, so that a message names the patch.
   for (std::size_t k = 0; k < patches.size(); ++k)
     if (auto error = check_patch(patches[k], k)) return *error;
   std::vector<Vector3> points;

@@ -216,7 +216,7 @@ void write_combs(Writer& out, const CombSettings& combs) {
   out.raw("}");
 }
 
-/// The ranges that were changed.
+/// Writes the ranges that differ from the defaults.
 void write_ranges(Writer& out, const DisplaySettings& display) {
   out.raw(", \"ranges\": {");
   bool first = true;
@@ -237,7 +237,7 @@ void write_ranges(Writer& out, const DisplaySettings& display) {
   out.raw("}");
 }
 
-/// What a designer has not touched is left out, so that simple files stay simple.
+/// Writes display settings that differ from the defaults, so that simple files stay simple.
 void write_changed_display(Writer& out, const DisplaySettings& display) {
   const DisplaySettings plain;
   const auto word = [&](std::string_view name, std::string_view value) {

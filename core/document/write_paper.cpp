@@ -31,8 +31,8 @@ void write_settings(DocumentText& out, const PaperSettings& settings) {
   out.raw("}");
 }
 
-/// [object, vertex] of a reference mesh; [object, "face", id, side, u, v] of a surface, with two ids for an
-/// edge.
+/// Writes [object, vertex] for a reference mesh; [object, "face", id, side, u, v] for a surface, with two ids
+/// for an edge.
 void write_vertex(DocumentText& out, const PaperVertex& vertex) {
   out.raw("[");
   out.number(vertex.object.value);

@@ -7,6 +7,7 @@
 
 namespace hariko::detail {
 
+/// Writes the value of the document's member "paper".
 void write_paper(DocumentText& out, const PaperModel& paper);
 
 }  // namespace hariko::detail

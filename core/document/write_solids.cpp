@@ -32,7 +32,7 @@ void write_solid(DocumentText& out, const Solid& solid) {
     out.raw("\": ");
     out.vector(value);
   };
-  // Sizes that mean nothing to the kind are left out unless they were changed.
+  // Sizes without meaning for the kind are left out unless they were changed.
   const Solid usual;
   const SolidKind kind = solid.kind;
   out.raw("{\"type\": ");

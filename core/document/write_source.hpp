@@ -6,6 +6,7 @@
 
 namespace hariko::detail {
 
+/// Writes the value of an object's member "source".
 void write_source(DocumentText& out, const BezierSource& source);
 void write_source(DocumentText& out, const SolidsSource& source);
 void write_source(DocumentText& out, const SkinSource& source);

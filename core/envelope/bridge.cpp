@@ -10,9 +10,10 @@ namespace hariko {
 
 namespace {
 
-constexpr double drawn_share = 0.05;  ///< of the middles, against the weight 1 of the way between the ends
+/// Weight of the centres, relative to the weight 1 of the distance between the ends.
+constexpr double drawn_share = 0.05;
 constexpr int bridge_rounds = 100;
-constexpr double shortest_bridge = 1e-3;  ///< of the radius: a capsule has a length
+constexpr double shortest_bridge = 1e-3;  ///< length relative to the radius: a capsule must have a length
 
 Vector3 nearest_in(const SolidShape& shape, const Vector3& point) {
   const SolidPlace place = shape.place(point);
@@ -24,7 +25,7 @@ Vector3 nearest_in(const SolidShape& shape, const Vector3& point) {
 Solid bridge_between(const Solid& a, const Solid& b, double radius) {
   const Vector3 origin = 0.5 * (a.position + b.position);
   const SolidShape from(a, origin), to(b, origin);
-  // The way and the pulls to the middles are least together: each end in turn.
+  // Minimises the sum of the distance and the pulls to the centres, for each end in turn.
   Vector3 p = from.centre(), q = to.centre();
   for (int round = 0; round < bridge_rounds; ++round) {
     q = nearest_in(to, (p + drawn_share * to.centre()) / (1 + drawn_share));

@@ -24,7 +24,7 @@ AxesPlace<N> axes_place(const Eigen::Matrix<double, N, 1>& half, const Eigen::Ma
     const Vector n = r > 0 ? Vector(point / r) : Vector(Vector::Unit(0));
     return {r - size, n, size * n};
   }
-  // Points in a plane of symmetry have two nearest points: a little beside it there is one.
+  // Points in a plane of symmetry may have two nearest points; beside it there is one.
   Vector p;
   for (int i = 0; i < N; ++i) {
     const double least = 1e-12 * half[i];

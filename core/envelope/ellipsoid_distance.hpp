@@ -1,20 +1,22 @@
 #pragma once
 
-// Signed distance to ellipsoids and ellipses with axes along the coordinates.
+// Signed distance to axis-aligned ellipsoids and ellipses.
 
 #include "core/base/vector.hpp"
 
 namespace hariko {
 
+/// Nearest point of an ellipsoid.
 struct EllipsoidPlace {
   double distance;  ///< negative inside
-  Vector3 normal;   ///< unit, outwards, at the nearest point
+  Vector3 normal;   ///< unit, outward, at the nearest point
   Vector3 nearest;
 };
 
-/// Exact to rounding. `half`: positive half axes.
+/// Nearest point and distance, exact to rounding. `half`: positive half axes.
 EllipsoidPlace ellipsoid_place(const Vector3& half, const Vector3& point);
 
+/// Nearest point of an ellipse.
 struct EllipsePlace {
   double distance;
   Vector2 normal, nearest;

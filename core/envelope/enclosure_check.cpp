@@ -13,11 +13,14 @@ namespace hariko {
 
 namespace {
 
-constexpr double coincident = 1e-9;  ///< of a solid's reach: so deep is what lies on both surfaces
-constexpr int arcs = 8;              ///< of an ellipse, before these are halved
-constexpr std::size_t covered_stride = 37, covered_first = 18;  ///< triangles of a patch that are looked at
+/// Depth within which points count as on both surfaces, relative to a solid's reach.
+constexpr double coincident = 1e-9;
+constexpr int arcs = 8;  ///< parts of an ellipse before these are halved
+/// Step and first index of a patch's tested triangles.
+constexpr std::size_t covered_stride = 37, covered_first = 18;
 constexpr std::size_t covered_samples = 7;
-constexpr double lift = 0.01;  ///< of a triangle's size: winding numbers are taken there
+/// Height at which winding numbers are evaluated, relative to a triangle's size.
+constexpr double lift = 0.01;
 
 struct TestedPoint {
   Vector3 point;
@@ -87,7 +90,8 @@ class Scene {
     return out;
   }
 
-  /// Adds vertices of the surface inside of a solid: it reaches out there as far as the vertex is deep.
+  /// Adds vertices of the surface that lie inside a solid, which reaches out there by the depth of the
+  /// vertex.
   void add_dips(EnclosureReport& report) const {
     std::vector<TestedPoint> deepest(mesh_.positions.size());
     std::vector<double> depth(mesh_.positions.size(), 0);
@@ -123,15 +127,15 @@ class Scene {
     report.points.push_back(point);
   }
 
-  /// All within `radius` of the point lies inside of another solid.
+  /// Whether the ball of `radius` about the point lies inside another solid.
   bool hidden(const Vector3& point, Index solid, double radius) const {
     for (Index s = 0; s < solids_.size(); ++s)
       if (s != solid && solids_[s].distance(point) < -radius - coincident * solids_[s].reach()) return true;
     return false;
   }
 
-  /// The middle of a piece stands for the piece where that is short, inside of another solid as a whole, or
-  /// farther from the surface than its ends are from its middle. Others are halved.
+  /// Tests the midpoint of a piece where the piece is short, inside another solid as a whole, or farther from
+  /// the surface than its ends are from its midpoint. Halves other pieces.
   void add_piece(const SharpCurve& curve, Index solid, double begin, double end,
                  std::vector<TestedPoint>& out) const {
     const double length = (end - begin) * curve.length(), middle = 0.5 * (begin + end);

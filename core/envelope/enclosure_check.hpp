@@ -1,7 +1,7 @@
 #pragma once
 
-// Is every solid inside the surface? Independent of how the surface was made: dense points of the solids
-// against winding numbers of the surface's triangles.
+// Test that every solid lies inside the surface. Independent of the construction of the surface: dense points
+// of the solids against winding numbers of the surface's triangles.
 
 #include <span>
 #include <vector>
@@ -12,32 +12,33 @@
 
 namespace hariko {
 
-/// How closely to look.
+/// Sampling density of the test.
 struct EnclosureEffort {
-  int density = 16;     ///< intervals a patch side of the triangles
-  int points = 500;     ///< spread over each solid
-  double spacing = 0;   ///< > 0, length; of points on sharp curves, where these come near the surface
-  bool covered = true;  ///< look for patches inside of other parts of the surface
+  int density = 16;     ///< intervals per patch side of the triangulation
+  int points = 500;     ///< points on the surface of each solid
+  double spacing = 0;   ///< > 0, length; spacing of points on sharp curves, where these are near the surface
+  bool covered = true;  ///< also look for patches inside other parts of the surface
 };
 
+/// Point of a solid outside the surface.
 struct OutsidePoint {
   Vector3 point;
   Index solid;
-  Index patch;      ///< of the surface, the nearest one
-  double distance;  ///< from the surface
+  Index patch;      ///< nearest patch of the surface
+  double distance;  ///< distance from the surface
 };
 
 struct EnclosureReport {
   std::size_t tested = 0, outside = 0;
-  double worst = 0;  ///< distance of the farthest point outside from the surface, length
+  double worst = 0;  ///< largest distance of a point outside from the surface, length
   std::vector<OutsidePoint> points;
-  std::size_t covered = 0;  ///< patches of which some lies inside of another part of the surface
+  std::size_t covered = 0;  ///< number of patches that lie partly inside another part of the surface
 };
 
-/// Tests points that are spread over the solids and points of their sharp curves, those inside of other
-/// solids left out, and whether points of the surface lie inside of a solid. Points within `slack` (a length)
-/// of the surface count as inside. Shapes are relative to the surface's origin. O((points + patches *
-/// density^2) log(patches * density^2)).
+/// Tests surface points of the solids and points of their sharp curves, except those inside other solids, and
+/// whether points of the surface lie inside a solid. Points within `slack` (a length) of the surface count as
+/// inside. Shapes are relative to the surface's origin. O((points + patches * density^2) log(patches *
+/// density^2)).
 EnclosureReport check_enclosure(const Surface& surface, std::span<const SolidShape> solids,
                                 const EnclosureEffort& effort, double slack, const CancelToken& cancel = {});
 

@@ -12,9 +12,10 @@ namespace hariko {
 
 namespace {
 
-constexpr double enclosure_tolerance = 1e-4;  ///< of the diagonal
-constexpr double curve_spacing = 1e-3;        ///< likewise: of tested points on edges and rims
-constexpr double symmetry_tolerance = 1e-6;   ///< likewise
+constexpr double enclosure_tolerance = 1e-4;  ///< relative to the diagonal
+/// Spacing of tested points on edges and rims, relative to the diagonal.
+constexpr double curve_spacing = 1e-3;
+constexpr double symmetry_tolerance = 1e-6;  ///< relative to the diagonal
 
 std::string percent(double part) {
   char text[32];
@@ -26,7 +27,7 @@ Message cancelled() {
   return make_error(e_cancelled, "The surface was cancelled.");
 }
 
-/// Whether the surface contains the solids and runs into itself.
+/// Tests whether the surface contains the solids and intersects itself.
 Result<Done> examine(const EnvelopedScene& scene, EnvelopeSurface& out, const CancelToken& cancel) {
   std::vector<SolidShape> shapes;
   for (const Solid& solid : scene.input.solids) shapes.emplace_back(solid, out.origin);
@@ -39,15 +40,15 @@ Result<Done> examine(const EnvelopedScene& scene, EnvelopeSurface& out, const Ca
   return Done{};
 }
 
-/// Adds warnings of what a check found. The ball has remedies of its own; curves over a hull have none but
-/// the ball.
+/// Adds warnings about the results of a check, with remedies within method `ball`; a network's only remedy is
+/// that method.
 void add_warnings(bool network, EnvelopeSurface& out) {
   const auto add = [&](Code code, std::string text, const char* of_ball) {
     out.warnings.push_back(make_warning(
         code, std::move(text),
         network ? "Choose the method \"ball\": it contains the solids and does not fold." : of_ball));
   };
-  // Edges are meant to stick out of a surface whose faces lie on the solids.
+  // Edges are meant to protrude from a surface whose faces lie on the solids.
   if (out.check && !out.enclosed && !out.sticks_out)
     add(w_not_enclosed,
         "The surface does not contain the solids: they reach out by up to " +
@@ -62,7 +63,7 @@ void add_warnings(bool network, EnvelopeSurface& out) {
         "Choose a larger ball or rounding, or move the solids a little.");
 }
 
-/// Of solids whose points are not all on their hull.
+/// Adds warnings about polyhedra with points inside their hull.
 void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warnings) {
   for (std::size_t i = 0; i < input.solids.size(); ++i)
     if (input.solids[i].kind == SolidKind::polyhedron && !is_convex(input.solids[i].points))
@@ -71,7 +72,7 @@ void add_hull_warnings(const EnvelopeInput& input, std::vector<Message>& warning
                                       "Make it of several convex solids."));
 }
 
-/// Adds the warning of files that are older than the ball.
+/// Adds the warning about files older than method `ball`.
 void add_file_warnings(const EnvelopeSettings& settings, std::vector<Message>& warnings) {
   if (!settings.from_before && settings.lost.empty()) return;
   std::string text =
@@ -91,7 +92,7 @@ void add_file_warnings(const EnvelopeSettings& settings, std::vector<Message>& w
                                       : "Look at the surface, or choose the ball."));
 }
 
-/// Adds warnings of what the ball's patches miss.
+/// Adds warnings about deviations of the ball's patches.
 void add_ball_warnings(const BallEnvelope& made, double asked, double rounding, EnvelopeSurface& out) {
   if (rounding > asked)
     out.warnings.push_back(
@@ -126,7 +127,7 @@ Result<Done> make_ball(const EnvelopedScene& scene, Quality quality, const Cance
   out.coarse = made->coarse;
   out.rounds = made->rounds;
   out.symmetric = scene.mirror.has_value();
-  // Patches that are as near to the shape as that lie outside of the solids (docs/envelope.md).
+  // Patches within the tolerance of the shape lie outside the solids (docs/envelope.md).
   out.enclosed = made->inward <= made->tolerance;
   if (ball.on_faces) {
     out.sticks_out = made->sticks_out;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Bicubically blended Coons patches with Gregory's variable twists, of points with any number of coordinates.
+// Gregory patches: bicubically blended Coons patches with variable twists, for points with any number of
+// coordinates.
 
 #include <array>
 #include <cmath>
@@ -9,13 +10,13 @@
 
 namespace hariko::gregory {
 
-/// Polynomials of one kind at a parameter, with two derivatives.
+/// Values of a polynomial basis at a parameter, with two derivatives.
 template <std::size_t N>
 struct Blend {
   std::array<double, N> value{}, first{}, second{};
 };
 
-/// Factors of value, derivative, derivative, value.
+/// Cubic Hermite basis: factors of value, derivative, derivative, value.
 inline Blend<4> hermite_at(double t) {
   Blend<4> out;
   out.value = {1 - 3 * t * t + 2 * t * t * t, t - 2 * t * t + t * t * t, t * t * t - t * t,
@@ -25,7 +26,7 @@ inline Blend<4> hermite_at(double t) {
   return out;
 }
 
-/// Bernstein polynomials, the same bits from either end: y is 1 - x.
+/// Bernstein polynomials, bit-identical from either end; y is 1 - x.
 template <std::size_t N>
 std::array<double, N> bernstein_values(double x, double y) {
   std::array<double, N> px, py, out;
@@ -39,6 +40,7 @@ std::array<double, N> bernstein_values(double x, double y) {
   return out;
 }
 
+/// Bernstein polynomials with derivatives; y is 1 - x.
 template <std::size_t N>
 Blend<N> bernstein_at(double x, double y) {
   Blend<N> out;
@@ -55,7 +57,7 @@ Blend<N> bernstein_at(double x, double y) {
   return out;
 }
 
-/// The same bits from either end.
+/// Weighted sum of points, bit-identical from either end.
 template <class Point, std::size_t N>
 Point sum(const std::array<double, N>& weight, const std::array<Point, N>& point) {
   Point out = weight[0] * point[0] + weight[N - 1] * point[N - 1];
@@ -69,7 +71,8 @@ template <class Point>
 struct Rails {
   std::array<Point, 4> value, first, second;
 };
-/// `side`, `cross`: polynomials of the sides' degree and of that of the fields across them.
+/// Evaluates the four curves. `side`, `cross`: bases of the degree of the sides and of the fields across
+/// them.
 template <std::size_t M, std::size_t N, class Side, class Field>
 auto rails(const Side& a, const Field& cross_a, const Field& cross_b, const Side& b, const Blend<M>& side,
            const Blend<N>& cross, Order order) {
@@ -84,14 +87,15 @@ auto rails(const Side& a, const Field& cross_a, const Field& cross_b, const Side
   return out;
 }
 
-/// The part that both blends count twice; twists are `constant` + x `share` with x = p / (p + q), p and q the
-/// distances from the corner along u and v.
+/// Tensor-product part that both blends count twice; twists are `constant` + x `share` with x = p / (p + q),
+/// p and q the distances from the corner along u and v.
 template <class Point>
 struct Corners {
   std::array<std::array<Point, 4>, 4> constant;
   std::array<std::array<Point, 2>, 2> share;
 };
-/// `Patch`: Bezier curves c0, c1 along u, e0, e1 along v, and the derivatives across them, cross_c0 ...
+/// Makes the corner terms. `Patch`: Bezier curves c0, c1 along u, e0, e1 along v, and the derivatives across
+/// them, cross_c0 ...
 template <class Patch>
 auto corners_of(const Patch& p) {
   using Point = typename decltype(p.c0)::value_type;
@@ -115,10 +119,11 @@ auto corners_of(const Patch& p) {
   return out;
 }
 
-/// p / (p + q) with derivatives; 1/2 at the corner, where its factor vanishes.
+/// Ratio p / (p + q) with derivatives; 1/2 at the corner, where its factor vanishes.
 struct Ratio {
   double value, p, q, pp, pq, qq;
 };
+/// Ratio of the distances p and q from the corner.
 inline Ratio ratio(double p, double q) {
   const double s = p + q;
   if (!(s > 0)) return {0.5, 0, 0, 0, 0, 0};
@@ -126,13 +131,14 @@ inline Ratio ratio(double p, double q) {
   return {p / s, q / s2, -p / s2, -2 * q / s3, (p - q) / s3, 2 * p / s3};
 }
 
+/// Point of a patch with derivatives by u and v.
 template <class Point>
 struct Jet {
   Point value = Point::Zero(), u = Point::Zero(), v = Point::Zero();
   Point uu = Point::Zero(), uv = Point::Zero(), vv = Point::Zero();
 };
 
-/// H(u) . across(v) + H(v) . along(u) - H(u) M H(v), without the variable part of the twists.
+/// Coons patch H(u) . across(v) + H(v) . along(u) - H(u) M H(v), without the variable part of the twists.
 template <class Point>
 Jet<Point> coons(const Corners<Point>& m, const Rails<Point>& across, const Rails<Point>& along,
                  const Blend<4>& u, const Blend<4>& v, Order order) {
@@ -156,7 +162,7 @@ Jet<Point> coons(const Corners<Point>& m, const Rails<Point>& across, const Rail
   return out;
 }
 
-/// Takes the variable part of the twists away, at (s, t).
+/// Subtracts the variable part of the twists, at (s, t).
 template <class Point>
 void subtract_twists(const Corners<Point>& m, double s, const Blend<4>& u, double t, const Blend<4>& v,
                      Order order, Jet<Point>& out) {

@@ -9,11 +9,11 @@ namespace hariko {
 
 namespace {
 
-constexpr double nearly = 1e-9;     ///< of the size: what counts as the same place
-constexpr double rounding = 1e-13;  ///< of the distance from the zero: places are not known better
-constexpr int places = 24;          ///< of a solid that are compared with its image
+constexpr double nearly = 1e-9;     ///< distance of coinciding points, relative to the size
+constexpr double rounding = 1e-13;  ///< precision of positions, relative to their distance from the origin
+constexpr int places = 24;          ///< number of points of a solid that are compared with its image
 
-/// Places of a solid that no other solid of the same kind has all of.
+/// Sample points that identify a solid among others of its kind.
 std::vector<Vector3> places_of(const SolidShape& shape) {
   std::vector<Vector3> out = shape.surface_points(places);
   for (const SharpCurve& curve : shape.sharp_curves())
@@ -21,7 +21,7 @@ std::vector<Vector3> places_of(const SolidShape& shape) {
   return out;
 }
 
-/// Whether both are the same set of points.
+/// Whether both shapes are the same set of points.
 bool same(const SolidShape& a, const SolidShape& b) {
   const double tolerance = nearly * a.reach() + rounding * a.centre().norm();
   const auto lies_on = [&](const SolidShape& from, const SolidShape& to) {
@@ -57,7 +57,7 @@ void add_images(EnvelopedScene& scene) {
 }  // namespace
 
 Solid reflected(const Solid& solid, Eigen::Index axis) {
-  // All kinds are symmetric in their own y: M R M_y is a rotation, of these angles.
+  // All kinds are symmetric in their own y: M R M_y is a rotation, with these angles.
   Solid out = solid;
   out.position[axis] = -out.position[axis];
   const Vector3& r = solid.rotation;

@@ -19,7 +19,7 @@ bool positive(double x) {
   return std::isfinite(x) && x > 0;
 }
 
-/// Lengths of a scene lie in a range in which no product of three of them overflows.
+/// Largest length of a scene, for which no product of three lengths overflows.
 constexpr double largest_length = 1e12;
 
 class SolidCheck {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the designer places: simple solids, and the settings of the surface that envelops them. Authored data
+// EnvelopeInput: the solids placed by the designer, and the settings of their envelope surface. Authored data
 // only.
 
 #include <Eigen/Geometry>
@@ -38,57 +38,58 @@ enum class SolidKind : std::uint8_t {
   polyhedron
 };
 
-/// Part of a solid that is the bar between two others.
+/// Marks a solid as the bar between two others.
 struct Bridge {
-  std::array<std::uint32_t, 2> between{};  ///< ids of the two solids, which may be gone
-  /// Method `ball`: of the ball where it touches nothing but the bar and these two, instead of that of the
+  std::array<std::uint32_t, 2> between{};  ///< ids of the two solids, which may have been deleted
+  /// Method `ball`: radius of the ball where it touches only the bar and these two, instead of that of the
   /// settings; length.
   std::optional<double> ball_radius = {};
   friend bool operator==(const Bridge&, const Bridge&) = default;
 };
 
-/// One solid. Which sizes mean something depends on the kind; the others are kept. The axis of round solids
-/// is their z; a cone or pyramid has its centroid, which is a quarter of the height above the base, at
+/// One solid. The kind determines which sizes are used; the others are kept. The axis of round solids is
+/// their z; a cone or pyramid has its centroid, which is a quarter of the height above the base, at
 /// `position`.
 struct Solid {
   SolidKind kind = SolidKind::box;
   Vector3 size = Vector3::Ones();      ///< box: edge lengths
-  double radius = 0.5;                 ///< all but box and polyhedron; prisms: of the corners
+  double radius = 0.5;                 ///< all kinds except box and polyhedron; prism, pyramid: circumradius
   double height = 1;                   ///< cylinder, cone, prism, pyramid
-  double length = 1;                   ///< capsule: between the centres of its ends
+  double length = 1;                   ///< capsule: distance between the centres of its ends
   double tube = 0.2;                   ///< torus: radius of the tube
   std::uint32_t sides = 6;             ///< prism, pyramid
   std::vector<Vector3> points = {};    ///< polyhedron: the solid is their convex hull
   Vector3 position = Vector3::Zero();  ///< length
-  Vector3 rotation = Vector3::Zero();  ///< degrees; first round x, then y, then z
+  Vector3 rotation = Vector3::Zero();  ///< Euler angles in degrees; first about x, then y, then z
   Vector3 scale = Vector3::Ones();     ///< along the solid's own axes, positive
-  std::optional<double> roundness =
-      {};                ///< method `network`: own roundness, (0, 1]; else that of the settings
-  std::uint32_t id = 0;  ///< stable name within the envelope, unique
+  /// Own roundness, (0, 1]. Method `network`: instead of that of the settings; method `ball`: see `softened`.
+  std::optional<double> roundness = {};
+  std::uint32_t id = 0;  ///< stable id within the envelope, unique
   std::optional<Bridge> bridge = {};
 
   friend bool operator==(const Solid&, const Solid&) = default;
 };
 
+/// Method of the envelope: rolling ball or curve network (docs/envelope.md).
 enum class EnvelopeMethod : std::uint8_t { ball, network };
 enum class SymmetryPlane : std::uint8_t { none, x, y, z };  ///< normal of the plane through the origin
 
-/// Lengths are in the document's unit. Ranges are those that `check_envelope` holds.
+/// Settings of the envelope. Lengths are in the document's unit. `check_envelope` checks the ranges.
 struct EnvelopeSettings {
-  EnvelopeMethod method =
-      EnvelopeMethod::network;  ///< the ball's lengths follow from the solids: `choose_ball`
-  /// Method `ball`: of the ball, which fills what it cannot reach; nothing: as large as can be, the hull. At
-  /// least three times the rounding.
+  /// The default, because the ball's lengths depend on the solids: see `choose_ball`.
+  EnvelopeMethod method = EnvelopeMethod::network;
+  /// Method `ball`: radius of the ball; the surface fills the parts it cannot reach; nothing: an infinite
+  /// radius, the hull. At least three times the rounding.
   std::optional<double> ball_radius = {};
   double rounding = 0;   ///< method `ball`: length; edges get a radius of 1.5 times this
-  double clearance = 0;  ///< >= 0, distance that is kept from every solid
-  /// Method `ball`: flat faces of the surface lie on those of the solids, at the clearance; edges stick out.
+  double clearance = 0;  ///< >= 0, distance kept from every solid
+  /// Method `ball`: flat faces of the surface lie on those of the solids, at the clearance; edges protrude.
   bool on_faces = false;
-  bool finer_patches = false;  ///< method `ball`: about twice as many patches, nearer to the shape
+  bool finer_patches = false;  ///< method `ball`: about twice as many patches, closer to the shape
   double roundness = 0.35;     ///< (0, 1], method `network`: tangents on primitive parts; 1: circular arcs
   SymmetryPlane symmetry = SymmetryPlane::none;
   bool from_before = false;  ///< read from a file in which another method made the surface; not saved
-  std::string lost = {};     ///< names of settings in that file that mean nothing any more; not saved
+  std::string lost = {};     ///< names of obsolete settings in that file; not saved
 
   friend bool operator==(const EnvelopeSettings&, const EnvelopeSettings&) = default;
 };
@@ -103,22 +104,23 @@ inline constexpr std::size_t max_solids = 200;
 inline constexpr std::size_t max_solid_points = 2000;
 inline constexpr std::uint32_t max_solid_sides = 64;
 
-/// "box", "sphere", ...
+/// Name of a kind: "box", "sphere", ...
 std::string_view name_of(SolidKind kind);
+/// Kind with a name; nothing for other names.
 std::optional<SolidKind> solid_kind_named(std::string_view name);
 
-/// Errors name the solid by its place in the list (from 0, the element is an object with that number) and the
-/// field: E_NO_SOLIDS, E_TOO_MANY_SOLIDS, E_SOLID_SIZE (not positive or not finite), E_SOLID_SIDES,
-/// E_SOLID_TUBE (tube >= radius), E_SOLID_POINTS (fewer than four, not finite), E_SOLID_FLAT,
-/// E_SOLID_PLACE (position or rotation not finite), E_ENVELOPE_SETTING.
+/// Checks solids and settings. Errors name the solid by its index in the list (from 0, the element is an
+/// object with that number) and the field: E_NO_SOLIDS, E_TOO_MANY_SOLIDS, E_SOLID_SIZE (not positive or not
+/// finite), E_SOLID_SIDES, E_SOLID_TUBE (tube >= radius), E_SOLID_POINTS (fewer than four, not finite),
+/// E_SOLID_FLAT, E_SOLID_PLACE (position or rotation not finite), E_ENVELOPE_SETTING.
 Result<Done> check_envelope(const EnvelopeInput& input);
-/// The same for one solid that is number `index` of a list.
+/// Checks one solid, which has number `index` in a list.
 Result<Done> check_solid(const Solid& solid, std::size_t index);
 
-/// A box along the axes round the solid in its place; not the smallest one of round solids that are turned.
+/// Bounding box of the placed solid along the axes; not the smallest one for rotated round solids.
 Eigen::AlignedBox3d box_of(const Solid& solid);
 
-/// Rz Ry Rx of angles in degrees.
+/// Rotation matrix Rz Ry Rx of angles in degrees.
 Matrix3 solid_rotation(const Vector3& degrees);
 
 }  // namespace hariko

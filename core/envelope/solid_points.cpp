@@ -9,9 +9,10 @@ namespace hariko {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int straight_lines = 16;  ///< of a cone from the tip to the rim, of a capsule between its ends
+/// Lines on a cone from the tip to the rim, on a capsule between its ends.
+constexpr int straight_lines = 16;
 
-/// Directions spread evenly over the sphere.
+/// Directions distributed evenly over the sphere.
 std::vector<Vector3> spread_directions(int count) {
   std::vector<Vector3> out;
   const double turn = pi * (3 - std::sqrt(5.0));
@@ -45,7 +46,7 @@ Vector3 SolidShape::half_extent() const {
 std::vector<Vector3> SolidShape::surface_points(int count) const {
   std::vector<Vector3> out;
   if (form_ == Form::torus) {
-    // Round both ways: rays from the centre miss most of a torus.
+    // Uses both angles of the torus, because rays from the centre miss most of it.
     for (const Vector3& d : spread_directions(count)) {
       const double a = std::atan2(d.y(), d.x()), b = pi * d.z();
       const Vector3 round(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b));

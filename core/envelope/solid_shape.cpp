@@ -15,7 +15,7 @@ namespace hariko {
 
 namespace {
 
-constexpr double flat = 1 - 1e-12;  ///< cosine of the angle between parts of one face
+constexpr double flat = 1 - 1e-12;  ///< cosine of the largest angle between parts of one face
 
 std::vector<Vector3> corners(std::uint32_t count, double radius, double z) {
   std::vector<Vector3> out;
@@ -42,7 +42,8 @@ Vector3 nearest_on_triangle(const Vector3& p, const Vector3& a, const Vector3& b
   return best;
 }
 
-/// From outside: `nearest` is the solid's nearest point, `height` the largest over planes.
+/// Position relative to an outside point: `nearest` is the solid's nearest point, `normal` the direction used
+/// at distance 0.
 SolidPlace place_outside(const Vector3& point, const Vector3& nearest, const Vector3& normal) {
   const Vector3 away = point - nearest;
   const double distance = away.norm();
@@ -95,7 +96,7 @@ SolidShape::SolidShape(const Solid& solid, const Vector3& origin)
   make(solid);
 }
 
-/// Points of an ellipse in the half axes of the cross-section: all kinds of points on it.
+/// Adds points of an ellipse in the half axes of the cross-section, one of each kind.
 void SolidShape::add_ring(double radius, double height, int count) {
   const double turn = half_.x() == half_.y() ? std::numbers::pi / 8 : std::numbers::pi / 2 / (count - 1);
   for (int k = 0; k < count; ++k)
@@ -200,7 +201,7 @@ void SolidShape::make_hull(std::vector<Vector3> points) {
   find_face_middles(coplanar);
 }
 
-/// `coplanar`: neighbouring triangles in one plane.
+/// Finds the centres of flat faces. `coplanar`: neighbouring triangles in one plane.
 void SolidShape::find_face_middles(std::span<const std::array<Index, 2>> coplanar) {
   const std::vector<Hull::Face>& faces = hull_->faces;
   DisjointSets whole(faces.size());
@@ -255,7 +256,7 @@ Vector3 SolidShape::ring_point(double angle) const {
   return {ring_.x() * std::cos(angle), ring_.y() * std::sin(angle), 0};
 }
 
-/// Place of the swept ball that is nearest to a point.
+/// Angle of the swept ball that is nearest to a point.
 double SolidShape::torus_angle(const Vector3& p) const {
   if (ring_.x() == ring_.y()) return std::atan2(p.y(), p.x());
   return least_angle([&](double a) { return ellipsoid_place(half_, p - ring_point(a)).distance; });
@@ -280,7 +281,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
       const Vector3 middle = form_ == Form::capsule ? Vector3(0, 0, std::clamp(p.z(), -along_, along_))
                                                     : ring_point(torus_angle(p));
       const EllipsoidPlace at = ellipsoid_place(half_, p - middle);
-      // The best bound of a ball is the ball itself.
+      // For a ball the best inner ball is the ball itself.
       if (half_.x() == half_.y() && half_.x() == half_.z())
         return {at.distance, at.normal, middle, half_.x()};
       if (at.distance <= 0) return place_inside(p, at.distance, at.normal);
@@ -296,7 +297,7 @@ SolidPlace SolidShape::own_place(const Vector3& p) const {
   if (height <= 0) return place_inside(p, height, top->normal);
   Vector3 nearest = nearest_on_triangle(p, top->a, top->b, top->c, top->normal);
   double square = (p - nearest).squaredNorm();
-  // Straight below the highest plane there is nothing nearer. Triangles of one face may differ by rounding in
+  // Directly below the highest plane there is nothing nearer. Triangles of one face may differ by rounding in
   // the side on which the point lies.
   const double rounding = 1e-12 * reach_;
   if (square > height * height * (1 + 1e-12))
@@ -322,12 +323,12 @@ SolidPlace SolidShape::cylinder_place(const Vector3& p) const {
   return place_outside(p, nearest, side.distance > 0 ? side_normal : end_normal);
 }
 
-/// The cone is the convex hull of its tip and of the ellipse of its base.
+/// Position relative to the cone, which is the convex hull of its tip and of the ellipse of its base.
 SolidPlace SolidShape::cone_place(const Vector3& p) const {
   const double low = -0.5 * half_.z(), high = 1.5 * half_.z();
   const Vector3 tip(0, 0, high);
   const auto rim = [&](double a) { return Vector3(half_.x() * std::cos(a), half_.y() * std::sin(a), low); };
-  // Tangent plane along the line from the tip to the rim.
+  // Normal of the tangent plane along the line from the tip to the rim.
   const auto normal = [&](double a) -> Vector3 {
     return Vector3(std::cos(a) / half_.x(), std::sin(a) / half_.y(), 1 / (high - low)).normalized();
   };

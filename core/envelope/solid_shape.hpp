@@ -1,6 +1,6 @@
 #pragma once
 
-// Exact signed distances to solids of all kinds in every placement and scale (docs/envelope.md).
+// SolidShape: exact signed distances to solids of all kinds in every placement and scale (docs/envelope.md).
 
 #include <array>
 #include <memory>
@@ -12,35 +12,35 @@
 
 namespace hariko {
 
-/// How a solid lies to a point.
+/// Position of a solid relative to a point.
 struct SolidPlace {
   double distance = 0;                  ///< negative inside
   Vector3 gradient = Vector3::UnitZ();  ///< unit, away from the solid
-  /// A ball inside of the solid that is as far from the point as the solid: a bound of the distance
-  /// elsewhere.
+  /// Ball inside the solid that is as far from the point as the solid: gives an upper bound of the distance
+  /// at other points.
   Vector3 core = Vector3::Zero();
   double core_radius = 0;
 };
 
-/// A line or a closed ellipse on the surface of a solid where it is sharp, or straight: what spread points
-/// miss first.
+/// Line or closed ellipse on the surface of a solid where it is sharp or straight, and where surface points
+/// may miss protruding parts.
 struct SharpCurve {
-  Vector3 base;                        ///< where a line begins; the centre of an ellipse
-  Vector3 along;                       ///< to the line's end; to the ellipse's point of share 0
-  std::optional<Vector3> across = {};  ///< of ellipses: to the point of share 1/4
-  /// share: 0 .. 1 from end to end, or once round.
+  Vector3 base;                        ///< start of a line; centre of an ellipse
+  Vector3 along;                       ///< vector to the line's end; to the ellipse's point of share 0
+  std::optional<Vector3> across = {};  ///< ellipses: vector to the point of share 1/4
+  /// Point at share 0 .. 1, from end to end or once round.
   Vector3 at(double share) const;
-  /// Length of the curve; of ellipses a bound: no part is longer than its share of this.
+  /// Length of the curve; for ellipses an upper bound: no part is longer than its share of this.
   double length() const;
 };
 
-/// Distances change by no more than the way from point to point, inside and outside. All solids but the torus
-/// are convex, and so are their distances.
+/// Signed distance to one solid. Distances are 1-Lipschitz, inside and outside. All solids but the torus are
+/// convex, and so are their distance functions.
 class SolidShape {
  public:
-  /// Positions relative to `origin`. `solid` passes `check_solid`.
+  /// Makes the shape, with positions relative to `origin`. `solid` passes `check_solid`.
   SolidShape(const Solid& solid, const Vector3& origin);
-  /// A ball swept from a to b.
+  /// Capsule: a ball swept from a to b.
   static SolidShape capsule(const Vector3& a, const Vector3& b, double radius);
 
   double distance(const Vector3& point) const;
@@ -48,20 +48,20 @@ class SolidShape {
 
   const Vector3& centre() const { return centre_; }
   double reach() const { return reach_; }  ///< no point of the solid is farther from the centre
-  /// Points of the solid, one of each kind of corner, rim and side, in its own axes about its centre: where
-  /// the mean of the distance over a neighbourhood is largest.
+  /// Points of the solid, one of each kind of corner, rim and side, in its own axes about its centre:
+  /// candidates for the largest mean of the distance over a neighbourhood.
   const std::vector<Vector3>& extremes() const { return extremes_; }
-  /// One point of each kind of flat face, in its own axes about its centre: where the mean of the distance
-  /// over a neighbourhood is least. None where no face is flat.
+  /// One point of each kind of flat face, in its own axes about its centre: candidates for the least mean of
+  /// the distance over a neighbourhood. Empty where no face is flat.
   const std::vector<Vector3>& face_middles() const { return face_middles_; }
-  /// A point deep inside of what is convex, in its own axes about its centre.
+  /// Point deep inside a convex solid, in its own axes about its centre.
   Vector3 middle() const;
-  /// `count` points spread over the surface, of which convex solids have no empty parts.
+  /// `count` points distributed over the surface; on convex solids without gaps.
   std::vector<Vector3> surface_points(int count) const;
-  /// Edges, rims, and lines down the sides of cones and along the bodies of capsules.
+  /// Edges, rims, and lines on the sides of cones and along the bodies of capsules.
   std::vector<SharpCurve> sharp_curves() const;
   Vector3 from_own_axes(const Vector3& point) const { return centre_ + rotation_ * point; }
-  /// Distance of a point in the solid's own axes about its centre.
+  /// Distance of a point given in the solid's own axes about its centre.
   double own_distance(const Vector3& point) const;
 
  private:
@@ -73,7 +73,7 @@ class SolidShape {
   void make_hull(std::vector<Vector3> points);
   void find_face_middles(std::span<const std::array<Index, 2>> coplanar);
   void add_ring(double radius, double height, int count);
-  Vector3 half_extent() const;  ///< in the solid's own axes, of what is round about its centre
+  Vector3 half_extent() const;  ///< in the solid's own axes, of forms that are round about their centre
   SolidPlace own_place(const Vector3& point) const;
   SolidPlace cylinder_place(const Vector3& point) const;
   SolidPlace cone_place(const Vector3& point) const;
@@ -84,16 +84,17 @@ class SolidShape {
   Vector3 centre_ = Vector3::Zero();
   Matrix3 rotation_ = Matrix3::Identity();
   /// Box: half sizes. Round forms: half axes of the cross-section, half height. Capsule and torus: half axes
-  /// of the ball that is swept.
+  /// of the swept ball.
   Vector3 half_ = Vector3::Ones();
-  double along_ = 0;                ///< capsule: half of the way of the ball
-  Vector2 ring_ = Vector2::Zero();  ///< torus: half axes of the way of the ball
+  double along_ = 0;                ///< capsule: half the length of the sweep
+  Vector2 ring_ = Vector2::Zero();  ///< torus: half axes of the path of the sweep
   double reach_ = 0;
   std::vector<Vector3> extremes_, face_middles_;
   std::shared_ptr<const Hull> hull_;
 };
 
-/// Convex hull of a polyhedron, with planes: a point is inside where every height is at most 0.
+/// Convex hull of a polyhedron, with planes: a point is inside where its height over every plane is at most
+/// 0.
 struct SolidShape::Hull {
   struct Face {
     Vector3 a, b, c, normal;
@@ -101,7 +102,7 @@ struct SolidShape::Hull {
   };
   std::vector<Face> faces;
   std::vector<std::array<Vector3, 2>> edges;  ///< where faces meet at an angle
-  Vector3 middle = Vector3::Zero();           ///< inside
+  Vector3 middle = Vector3::Zero();           ///< an inner point
 };
 
 }  // namespace hariko

@@ -12,14 +12,14 @@ namespace {
 
 struct Arc {
   Vector3 from, to;
-  Index first, second;  ///< numbers of the ends
+  Index first, second;  ///< numbers of the end points
 };
 
 int side(const Vector3& a, const Vector3& b, const Vector3& c) {
   return side_of_plane(Vector3::Zero(), a, b, c);
 }
 
-/// `point` on the great circle of the arc: strictly between its ends.
+/// Whether a point on the great circle of the arc lies strictly between its ends.
 bool between(const Arc& arc, const Vector3& point) {
   const Vector3 middle = (arc.from + arc.to).normalized();
   return point.dot(middle) > arc.from.dot(middle);
@@ -38,11 +38,12 @@ bool arcs_cross(const Arc& a, const Arc& b) {
   return s1 * s2 <= 0 && s3 * s4 <= 0;
 }
 
-/// Cells of a grid in space that an arc's box touches, at most eight for arcs no longer than a cell.
+/// Calls body for the cells of a spatial grid that an arc's bounding box touches, at most eight for arcs no
+/// longer than a cell.
 template <class Body>
 void for_cells(const Arc& arc, double cell, Body&& body) {
   std::array<std::int64_t, 3> low{}, high{};
-  // An arc bulges out of its chord's box by less than its sagitta.
+  // An arc leaves the bounding box of its chord by less than its sagitta.
   const double bulge = 1 - (arc.from + arc.to).norm() / 2;
   for (int k = 0; k < 3; ++k) {
     low[std::size_t(k)] = std::int64_t(std::floor((std::min(arc.from[k], arc.to[k]) - bulge) / cell));
@@ -59,7 +60,7 @@ void for_cells(const Arc& arc, double cell, Body&& body) {
 
 std::optional<std::pair<Index, Index>> crossing_arcs(const std::vector<std::vector<Vector3>>& loops) {
   std::vector<Arc> arcs;
-  double longest = 1e-5;  // so that a cell's number fits into 21 bits
+  double longest = 1e-5;  // large enough for a cell's index to fit into 21 bits
   for (const auto& loop : loops) {
     const Index first = static_cast<Index>(arcs.size()), count = static_cast<Index>(loop.size());
     for (Index i = 0; i < count; ++i) {

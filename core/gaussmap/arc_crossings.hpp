@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether arcs of great circles cross each other.
+// Intersection test of great-circle arcs.
 
 #include <optional>
 #include <utility>
@@ -10,9 +10,9 @@
 
 namespace hariko {
 
-/// The first pair of arcs that meet otherwise than at an end that they share; arcs are numbered through all
-/// loops, arc i runs from point i to the next of its loop. Arcs are shorter than 90 degrees. Expected O(arcs)
-/// for arcs of like lengths.
+/// First pair of arcs that meet anywhere but at a shared end; arcs are numbered through all loops, arc i runs
+/// from point i to the next of its loop. Arcs must be shorter than 90 degrees. Expected O(arcs) for arcs of
+/// similar length.
 std::optional<std::pair<Index, Index>> crossing_arcs(const std::vector<std::vector<Vector3>>& loops);
 
 }  // namespace hariko

@@ -19,7 +19,7 @@ Message open_border() {
                     "Take the outline from an object whose patches meet along whole sides.");
 }
 
-/// Sides joined end to end, each chain from its lowest patch.
+/// Joins border sides end to end, each chain from its lowest patch.
 Result<std::vector<Sides>> border_chains(const Surface& surface) {
   const Adjacency adjacency(surface);
   const int corners = corner_count(surface.domain());
@@ -46,7 +46,7 @@ Result<std::vector<Sides>> border_chains(const Surface& surface) {
   return out;
 }
 
-/// Gaussian curvature of the patch itself; none where it has none.
+/// Gaussian curvature of the patch; nothing where it is undefined.
 std::optional<double> gauss_at(const Surface& surface, Index patch, const Vector2& parameter) {
   const auto found = curvature(surface.patches().evaluate(patch, parameter, Order::second));
   return found ? std::optional(found->gauss) : std::nullopt;

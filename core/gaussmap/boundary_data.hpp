@@ -1,6 +1,6 @@
 #pragma once
 
-// BoundaryData: what is known at the boundary sites of a SphereMesh. Internal to core/gaussmap.
+// BoundaryData: given data at the boundary sites of a SphereMesh. Internal to core/gaussmap.
 
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace hariko {
 
-/// One entry a boundary site. Lengths are relative to the outline's size, positions to its middle.
+/// One entry per boundary site. Lengths are relative to the outline's size, positions to its centre.
 struct BoundaryData {
   std::vector<Vector3> points;
-  std::vector<double> curvature;  ///< empty where it is not known
+  std::vector<double> curvature;  ///< empty where unknown
 };
 
 }  // namespace hariko

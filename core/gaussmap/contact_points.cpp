@@ -9,7 +9,7 @@
 namespace hariko {
 namespace {
 
-/// The site's neighbours and their neighbours.
+/// Neighbours of the site and their neighbours.
 std::vector<Index> two_rings(const SphereMesh& mesh, Index site) {
   std::vector<Index> out = mesh.ring(site).neighbours;
   for (const Index k : mesh.ring(site).neighbours)
@@ -22,10 +22,10 @@ std::vector<Index> two_rings(const SphereMesh& mesh, Index site) {
 
 struct Fit {
   Vector2 gradient;
-  double determinant;  ///< of the second derivatives
+  double determinant;  ///< determinant of the second derivatives
 };
 
-/// H(t) - H(0) in gnomonic coordinates t at the site: gradient, second derivatives, four cubic terms.
+/// Fit of H(t) - H(0) in gnomonic coordinates t at the site: gradient, second derivatives, four cubic terms.
 class SupportFit {
  public:
   SupportFit(const SphereMesh& mesh, const BoundaryData& boundary, std::span<const double> support,
@@ -44,7 +44,7 @@ class SupportFit {
   Vector3 lift(const Vector2& in) const { return in.x() * u_ + in.y() * w_; }
 
   Fit solve() const {
-    // Few sites on much of the sphere: none is near, and a ball about the origin is as good as anything.
+    // With few sites on a large part of the sphere none is near; assumes a sphere about the origin.
     if (samples_.empty()) return {Vector2::Zero(), support_[site_] * support_[site_]};
     std::vector<double> squares;
     for (const Sample& sample : samples_) squares.push_back(sample.t.squaredNorm());
@@ -65,7 +65,7 @@ class SupportFit {
       value << x, y, x * x / 2, x * y, y * y / 2, x * x * x, x * x * y, x * y * y, y * y * y;
       add(value, sample.value - support_[site_], weight);
       if (!mesh_.is_boundary(sample.site)) continue;
-      // Where the point is known, so is the gradient of H.
+      // If the point is known, the gradient of H is known too.
       dx << 1, 0, x, y, 0, 3 * x * x, 2 * x * y, y * y, 0;
       dy << 0, 1, 0, x, y, 0, x * x, 2 * x * y, 3 * y * y;
       const Vector2 gradient = scale * in_plane(boundary_.points[sample.site]);

@@ -22,9 +22,9 @@ Message point_limit(Index count) {
                       "Raise the limit, or the spacing.");
 }
 
-/// The outline moved to its middle and scaled to size 1. For negative curvature the Gauss map turns
-/// orientation over: the loops are reversed on the way in, the points put back and the faces turned on the
-/// way out.
+/// Normalised outline, moved to its centre and scaled to size 1. For negative curvature the Gauss map
+/// reverses orientation: the loops are reversed in the input, the order of points and faces is restored in
+/// the output.
 class Problem {
  public:
   Problem(const Outline& outline, bool reversed) : reversed_(reversed), size_(outline.size()) {
@@ -50,7 +50,7 @@ class Problem {
   const BoundaryData& boundary() const { return boundary_; }
   double size() const { return size_; }
 
-  /// Scales, moves and renumbers what the solvers made.
+  /// Scales, moves and renumbers the solvers' results.
   void restore(ControlPoints& result, const Outline& outline) const {
     for (std::size_t i = 0; i < result.points.size(); ++i) {
       result.points[i] = result.points[i] * size_ + middle_;
@@ -61,7 +61,7 @@ class Problem {
     const ControlPoints old = result;
     for (std::size_t i = 0; i < number_.size(); ++i) {
       const OutlinePoint at = outline_point(outline, number_[i]);
-      // Bit for bit as they were given: scaling there and back would round them.
+      // The given values are copied, because scaling back and forth would round them.
       result.points[number_[i]] = outline.loops[at.loop].points[at.place];
       result.normals[number_[i]] = old.normals[i];
       result.support[number_[i]] = old.support[i];
@@ -89,7 +89,7 @@ class Solver {
   Solver(const Problem& problem, const GaussOptions& options, const CancelToken& cancel)
       : problem_(problem), options_(options), cancel_(cancel) {}
 
-  /// All steps with one smallest radius, in steps of the outline.
+  /// Runs all steps with one smallest radius, in steps of the outline.
   Result<ControlPoints> solve(double radius) {
     auto begun = SiteInsertion::begin(problem_.loops(), problem_.reversed());
     if (!begun) return begun.error();
@@ -101,7 +101,7 @@ class Solver {
     if (cancel_.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
     const SphereMesh mesh = relaxed(insertion.mesh(), options_.relaxation);
     ControlPoints out;
-    // Newton's method begins at the umbilic fill, which bears noise best.
+    // Newton's method begins at the umbilic fill, the method least sensitive to noise.
     auto support = linear_fill(mesh, problem_.boundary(), options_.mode == GaussMode::curvature);
     if (!support) return support.error();
     out.support = *std::move(support);
@@ -154,7 +154,8 @@ class Solver {
       return Done{};
     }
     out.support = made->support;
-    // Where corners of the polytope merge or lose an edge of a loop, the faces stay those of the sphere.
+    // If corners of the polytope merge or an edge of a loop is lost, the faces of the sphere's
+    // triangulation stay.
     if (!made->triangles.empty()) out.triangles = made->triangles;
     return Done{};
   }
@@ -186,7 +187,7 @@ class Solver {
   const CancelToken& cancel_;
 };
 
-/// The mode position, on the outline moved to its middle and scaled to size 1, in its own order.
+/// Mode position, on the outline moved to its centre and scaled to size 1, without reordering.
 Result<ControlPoints> by_position(const Outline& outline, const GaussOptions& options,
                                   const CancelToken& cancel) {
   Vector3 middle = Vector3::Zero();
@@ -227,7 +228,7 @@ Result<ControlPoints> by_position(const Outline& outline, const GaussOptions& op
   return out;
 }
 
-/// Intersection of the three tangent planes of a face, above the face (gaussmap.md 3).
+/// Largest gap: height of the intersection of a face's three tangent planes above the face (gaussmap.md 3).
 double largest_gap(const ControlPoints& result) {
   double largest = 0;
   for (const auto& [a, b, c] : result.triangles) {
@@ -266,8 +267,8 @@ void add_result_warnings(ControlPoints& result, std::optional<CurvatureSign> sig
         "Check the normals and the curvature along the outline.", element_of(VertexId{*first_concave})));
 }
 
-/// The point of the outline whose normal is nearest to that of the inner point furthest off; none where all
-/// are near.
+/// Point of the outline whose normal is nearest to that of the farthest inner point; nothing where all are
+/// near.
 std::optional<OutlinePoint> runs_away(const Outline& outline, const ControlPoints& result) {
   Vector3 middle = Vector3::Zero();
   for (Index i = 0; i < result.boundary_count; ++i)
@@ -284,7 +285,7 @@ std::optional<OutlinePoint> runs_away(const Outline& outline, const ControlPoint
   return outline_point(outline, nearest_boundary(result.normals, result.boundary_count, *found));
 }
 
-/// Solvers count sites; the text names the outline's point.
+/// Replaces the solvers' site number in the error by the outline's point.
 Message with_point(const Outline& outline, Message error) {
   const bool worst = error.code == e_curvature_incompatible || error.code == e_curvature_unreachable;
   if (!worst || error.element.kind != Element::Kind::vertex) return error;
@@ -294,7 +295,7 @@ Message with_point(const Outline& outline, Message error) {
   return error;
 }
 
-/// What all modes end with. `sign`: none where the curvature may have any.
+/// Final steps of all modes. `sign`: nothing where the curvature may have any sign.
 Result<ControlPoints> finished(const Outline& outline, ControlPoints result,
                                const std::vector<Message>& messages, std::optional<CurvatureSign> sign) {
   if (const auto at = runs_away(outline, result))
@@ -319,7 +320,7 @@ Result<ControlPoints> control_points(const Outline& outline, const GaussOptions&
                                     [](const Message& message) { return message.code == w_normal_tangent; });
   for (const Message& message : messages)
     if (message.severity == Severity::error) return message;
-  // The mode curvature differentiates normals, which slanted ones do not bear (gaussmap.md 7, noise).
+  // Mode curvature differentiates normals, so slanted ones make it unreliable (gaussmap.md 7, noise).
   if (options.mode == GaussMode::curvature && slanted != messages.end()) {
     options.mode = GaussMode::umbilic;
     messages.push_back(make_warning(
@@ -342,10 +343,10 @@ Result<ControlPoints> control_points(const Outline& outline, const GaussOptions&
     result.gap = largest_gap(result);
     if (const double found = result.gap * problem.size(); options.gap && found > *options.gap) {
       const bool limited = result.points.size() >= result.boundary_count + options.most_points;
-      // Along the outline the gap depends on its own steps: finer sites inside do not help there.
+      // The gap along the outline depends on its own steps: more sites inside do not reduce it.
       constexpr double least_radius = 0.3;
       if (radius > least_radius && !limited) {
-        // The gap falls with the square of the spacing.
+        // The gap is proportional to the square of the spacing.
         radius =
             std::max(least_radius, radius * std::clamp(0.9 * std::sqrt(*options.gap / found), 0.25, 0.8));
         continue;

@@ -25,13 +25,13 @@ Result<OutlineLoop> drawn_loop(std::span<const Vector3> corners, const DrawnLoop
     if (!((corners[i] - corners[(i + 1) % corners.size()]).norm() > 1e-6 * size))
       return make_error(e_same_point, "Two corners of the loop lie in one place.", "Leave one of them out.",
                         element_of(VertexId{Index(i)}));
-  // Seen from the tip of the axis the surface lies on the left.
+  // Seen from the tip of the axis the surface must lie on the left.
   if ((vector_area(drawn.points).dot(settings.axis) < 0) != settings.hole) {
     drawn = reversed(drawn);
     std::rotate(drawn.points.rbegin(), drawn.points.rbegin() + 1, drawn.points.rend());
   }
   const LoopCurve curve(drawn);
-  constexpr int pieces = 24;  // of each side, from which the even points are taken
+  constexpr int pieces = 24;  // samples per side, from which the even points are taken
   OutlineLoop fine;
   for (std::size_t i = 0; i < curve.piece_count(); ++i)
     for (int k = 0; k < pieces; ++k) fine.points.push_back(curve.at(i, double(k) / pieces).point);
@@ -40,7 +40,7 @@ Result<OutlineLoop> drawn_loop(std::span<const Vector3> corners, const DrawnLoop
       resample_loop(fine, settings.count, settings.tilt == 0 ? LoopMeasure::arc : LoopMeasure::gauss_arc);
   if (!made) return made;
   OutlineLoop out = *std::move(made);
-  // Perpendicular to the chords of the points that are left.
+  // Perpendicular to the chords of the resampled points.
   out.normals = tilted_normals(out.points, settings.axis, settings.hole ? -settings.tilt : settings.tilt);
   return out;
 }

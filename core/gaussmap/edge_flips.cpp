@@ -51,7 +51,7 @@ class Flipping {
       left_of_[half_edge_key(triangles_[t][k], triangles_[t][(k + 1) % 3])] = t;
   }
 
-  /// The other triangle of the edge that side k of t was, none when it stays.
+  /// Flips side k of triangle t; returns the other triangle of the old edge, or nothing when the edge stays.
   Index flip(Index t, std::size_t k) {
     const Index p = triangles_[t][k], q = triangles_[t][(k + 1) % 3], r = triangles_[t][(k + 2) % 3];
     const auto found = left_of_.find(half_edge_key(q, p));
@@ -79,8 +79,8 @@ class Flipping {
   const BetterDiagonal& better_;
   Index fewest_edges_;
   std::vector<Triangle> triangles_;
-  std::vector<Index> edges_;                          ///< at each vertex
-  std::unordered_map<std::uint64_t, Index> left_of_;  ///< the triangle on the left of each edge
+  std::vector<Index> edges_;                          ///< number of edges at each vertex
+  std::unordered_map<std::uint64_t, Index> left_of_;  ///< triangle on the left of each directed edge
 };
 
 }  // namespace

@@ -11,19 +11,19 @@
 namespace hariko {
 namespace {
 
-/// Drops curvature that only some of the loops have.
+/// Drops curvature unless all loops have it.
 void harmonise(Outline& outline) {
   if (outline.has_curvature()) return;
   for (OutlineLoop& loop : outline.loops) loop.curvature.clear();
 }
 
-/// The message of a loop, about a point of the outline.
+/// Renumbers a loop's message for the whole outline.
 Message of_outline(Message message, Index first) {
   if (message.element.kind == Element::Kind::vertex) message.element.id += first;
   return message;
 }
 
-/// body(loop, numbers of its points that are among the given ones, less the loop's first number)
+/// Calls body(loop, number of its first point, places of its points that are among the given ones).
 template <class Body>
 void for_loops(const Outline& outline, const std::set<Index>& numbers, Body&& body) {
   Index first = 0;
@@ -80,8 +80,8 @@ Outline tilted(const Outline& outline, const std::set<Index>& numbers, double ra
     if (places.empty()) return;
     OutlineLoop& loop = out.loops[l];
     const auto tangents = loop_tangents(loop.points);
-    // The surface lies on the left: turning the normal from there to the right is a turn about the tangent
-    // from the left over the normal.
+    // The surface lies on the left: rotating the normal away from it, to the right, is a rotation about the
+    // tangent from the left over the normal.
     for (const Index place : places)
       loop.normals[place] = Eigen::AngleAxisd(radians, tangents[place]) * loop.normals[place];
   });
@@ -161,7 +161,7 @@ std::vector<double> distances_along(const Outline& outline, const std::set<Index
     const std::size_t count = points.size();
     out.resize(first + count, HUGE_VAL);
     for (const Index place : places) out[first + place] = 0;
-    // Twice round each way reaches everything.
+    // Two passes round the loop in each direction reach all points.
     for (std::size_t k = 0; k < 2 * count; ++k) {
       const std::size_t i = k % count, next = (i + 1) % count;
       out[first + next] = std::min(out[first + next], out[first + i] + (points[next] - points[i]).norm());

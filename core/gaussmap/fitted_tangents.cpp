@@ -26,10 +26,10 @@ std::vector<Index> neighbours(const HalfEdgeMesh& mesh, Index v) {
   }
 }
 
-/// The second fundamental form at v as a symmetric matrix of the tangent plane, negative where the surface
-/// bends away from its normal. Along each edge it is the second derivative of the cubic over the tangent
-/// plane that has the height and slope of both ends. How normals turn across the edges has a say only where
-/// there are too few of them.
+/// Second fundamental form at v as a symmetric matrix of the tangent plane, negative where the surface bends
+/// away from its normal. Along each edge it is the second derivative of the cubic over the tangent plane with
+/// the height and slope of both ends. The rotation of normals across the edges gets a small weight, which
+/// matters only where there are too few edges.
 Matrix3 second_form(const Polyhedron& polyhedron, std::span<const Vector3> normals, Index v) {
   const Vector3 &normal = normals[v], u = normal.unitOrthogonal(), w = normal.cross(u);
   Matrix3 system = Matrix3::Zero();
@@ -47,14 +47,14 @@ Matrix3 second_form(const Polyhedron& polyhedron, std::span<const Vector3> norma
     add(Vector3(-x * y, x * x - y * y, x * y) / square, normals[k].dot(y * u - x * w) / (cosine * square),
         1e-3);
   }
-  system += 1e-9 * Matrix3::Identity();  // none of it is known where there is no neighbour
+  system += 1e-9 * Matrix3::Identity();  // regularisation for directions without a neighbour
   const Vector3 found = system.inverse() * right;
   return found[0] * u * u.transpose() + found[1] * (u * w.transpose() + w * u.transpose()) +
          found[2] * w * w.transpose();
 }
 
-/// Gauss and Newton's method for the sum of squares of what the normal curvature of the curves is off at the
-/// ends of the edges, and of how far tangents are from those of the network.
+/// Gauss-Newton method for the sum of squares of the errors of the curves' normal curvature at the ends of
+/// the edges, and of the deviations of tangents from those of the network.
 class TangentFit {
  public:
   TangentFit(const Polyhedron& polyhedron, const NetworkSystem& network, std::span<const Vector3> normals)
@@ -72,7 +72,7 @@ class TangentFit {
       forms_.push_back(second_form(polyhedron, normals, v));
       const Index begin = frames_.basis_begin[v];
       for (Index b = begin; b < frames_.basis_begin[v + 1]; ++b) vertex_[b] = v;
-      // The first of a smooth border is the tangent along it.
+      // The first basis vector of a smooth border is the tangent along it.
       if (mesh_.is_border_vertex(v)) fixed_[begin] = 1;
     }
   }
@@ -81,7 +81,8 @@ class TangentFit {
 
   void run() {
     constexpr int most_steps = 4;
-    constexpr double enough = 1e-2;  // of the sum of squares: what is left to gain does not show
+    // Relative decrease of the sum of squares below which improvements are invisible.
+    constexpr double enough = 1e-2;
     linearise();
     distrust();
     double before = linearise();
@@ -95,7 +96,7 @@ class TangentFit {
     }
   }
 
-  // The normal equations, as `conjugate_gradients` sees them.
+  // Applies the matrix of the normal equations, for `conjugate_gradients`.
   void apply(const Field& x, Field& y) {
     for (std::size_t i = 0; i < ends_.size(); ++i) image_[i] = tangent(ends_[i].number, x);
     gather(
@@ -119,7 +120,7 @@ class TangentFit {
   }
 
  private:
-  /// A step, as long as it comes out.
+  /// Full Gauss-Newton step.
   void move() {
     const Field zero(basis_.size(), Vector3::Zero());
     ConjugateGradientsRoom<Field, double> room{zero, zero, zero, zero};
@@ -137,18 +138,18 @@ class TangentFit {
       if (fixed_[b]) continue;
       const Vector3& normal = normals_[vertex_[b]];
       basis_[b] += by[b];
-      basis_[b] -= normal * normal.dot(basis_[b]);  // what rounding left of it
+      basis_[b] -= normal * normal.dot(basis_[b]);  // removes the normal component left by rounding
     }
   }
 
-  /// An end of an edge; its other end is its neighbour in the list.
+  /// End of an edge; its other end is its neighbour in the list.
   struct End {
-    Index number = 0;  ///< as in `VertexFrames`
+    Index number = 0;  ///< number in `VertexFrames`
     double trust = 1;  ///< weight of the normal curvature here
-    double off = 0;    ///< what it is off, and the derivatives of that by both ends' tangents
+    double off = 0;    ///< error of the normal curvature, with its derivatives by both ends' tangents
     Vector3 own = Vector3::Zero(), other = Vector3::Zero();
-    Vector3 away = Vector3::Zero();  ///< of the tangent from the network's
-    double hold = 0;                 ///< weight of its square
+    Vector3 away = Vector3::Zero();  ///< deviation of the tangent from the network's
+    double hold = 0;                 ///< weight of the squared deviation
   };
 
   Vector3 tangent(Index end, const Field& basis) const {
@@ -158,8 +159,8 @@ class TangentFit {
     return out;
   }
 
-  /// y becomes the sum of gradient(end, other end, number) by the end's tangent over all ends, by the free
-  /// basis vectors within their planes.
+  /// Computes y: for each free basis vector, within its plane, the sum of gradient(end, other end, number)
+  /// over all ends, by the end's tangent.
   template <class Gradient>
   void gather(const Gradient& gradient, Field& y) const {
     std::fill(y.begin(), y.end(), Vector3::Zero());
@@ -175,16 +176,16 @@ class TangentFit {
     }
   }
 
-  /// Where the curvature is off by much more than tangents could mend, positions and normals do not go
-  /// together, and what they say of the form is worth less.
+  /// Lowers the weight where the error of the curvature is much larger than tangents could correct: positions
+  /// and normals are inconsistent there, and the form is less reliable.
   void distrust() {
-    constexpr double usual = 0.1;  // of the second derivative: 60 % of the curvature
+    constexpr double usual = 0.1;  // relative error of the second derivative: 60 % of the curvature
     for (End& end : ends_) end.trust = 1 / (1 + std::pow(end.off / usual, 2));
   }
 
-  /// Half the sum of squares at the basis as it is, with derivatives.
+  /// Half the sum of squares for the present basis, with derivatives.
   double linearise() {
-    constexpr double hold = 0.03;  // with less of it tangents go astray at the rims
+    constexpr double hold = 0.03;  // with less weight tangents deviate wildly at the rims
     double sum = 0;
     diagonal_.assign(basis_.size(), 1e-300);
     for (Index e = 0; e < mesh_.edge_count(); ++e)
@@ -198,8 +199,8 @@ class TangentFit {
         if (!(chord.norm() > 0)) continue;
         const Vector3 &normal = normals_[v], here = tangent(end.number, basis_),
                       there = tangent(end.number ^ 1U, basis_);
-        // Across the plane the second derivative of the cubic is 6 (chord + other tangent), along it the
-        // first one is 3 tangents: curvature asks for 6 n.(chord + other) = 9 form(tangent, tangent).
+        // Perpendicular to the plane the second derivative of the cubic is 6 (chord + other tangent), along
+        // it the first one is 3 tangents: curvature requires 6 n.(chord + other) = 9 form(tangent, tangent).
         const double scale =
             chord.squaredNorm() * std::max(forms_[v].norm(), 0.01 / chord.norm()) / end.trust;
         end.off = (normal.dot(chord + there) - 1.5 * here.dot(forms_[v] * here)) / scale;
@@ -214,7 +215,7 @@ class TangentFit {
       const double own = ends_[i].own.squaredNorm() / 2 + ends_[i].hold;
       for (std::size_t k = 0; k < 2; ++k)
         if (of.basis[k] != no_index) {
-          // The other end asks something of this one across its own plane.
+          // The other end contributes an equation across its own plane.
           const Vector3& normal = normals_[vertex_[of.basis[k]]];
           const Vector3& other = ends_[i ^ 1U].other;
           const double asked = (other.squaredNorm() - std::pow(other.dot(normal), 2)) / 2;
@@ -230,12 +231,12 @@ class TangentFit {
   std::span<const Vector3> normals_;
   const Field network_;
   Field basis_;
-  std::vector<Index> vertex_;  ///< of each basis vector
-  std::vector<char> fixed_;    ///< one a basis vector
+  std::vector<Index> vertex_;  ///< vertex of each basis vector
+  std::vector<char> fixed_;    ///< one per basis vector
   std::vector<Matrix3> forms_;
-  std::vector<End> ends_;  ///< two an edge
+  std::vector<End> ends_;  ///< two per edge
   Field image_;
-  std::vector<double> diagonal_;  ///< roughly that of the normal equations, one a basis vector
+  std::vector<double> diagonal_;  ///< approximate diagonal of the normal equations, one per basis vector
 };
 
 }  // namespace

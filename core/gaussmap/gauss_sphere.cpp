@@ -6,7 +6,7 @@
 namespace hariko {
 namespace {
 
-/// The next site of each boundary site, so that the image lies on the left.
+/// Next site of each boundary site, in the direction in which the image lies on the left.
 std::vector<Index> next_sites(const Outline& outline, bool reversed) {
   std::vector<Index> out(outline.point_count());
   Index first = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is to be seen of an outline on the Gauss sphere (figure 2 of Yoshida and Kunii 1991).
+// GaussSphere: the display of an outline on the Gauss sphere (figure 2 of Yoshida and Kunii 1991).
 
 #include <optional>
 #include <vector>
@@ -11,27 +11,27 @@
 
 namespace hariko {
 
-/// The image of the outline, and the sites inside of it with their planes. Site i is the normal of control
+/// Gauss image of the outline, and the sites inside it with their planes. Site i is the normal of control
 /// point i, so the outline's points come first, by their numbers. Where the curvature is negative the image
 /// lies on the right of its loops.
 struct GaussSphere {
-  std::vector<std::vector<Vector3>> loops;  ///< unit
+  std::vector<std::vector<Vector3>> loops;  ///< unit vectors
   std::optional<ControlPoints> points;      ///< empty with an error
-  /// Triangles and cells on the sphere; none with an error and in mode position, which uses no Gauss map.
+  /// Triangles and cells on the sphere; nothing with an error or in mode position, which uses no Gauss map.
   std::optional<SphereMesh> mesh;
-  Index inserted = 0;  ///< sites inserted when none is left out
+  Index inserted = 0;  ///< number of sites inserted in the full computation
   std::optional<Message> error;
 };
 
-/// `step`: only so many sites are inserted, and lie where they were inserted; all when empty, spread evenly
-/// (`relaxed`), as the surface has them. Errors are in the result; `inserted` is 0 then. Cost: that of
+/// Computes the display. `step`: number of sites inserted, without relaxation; if empty all sites, evenly
+/// distributed (`relaxed`) as for the surface. Errors are in the result; `inserted` is 0 then. Cost: that of
 /// `control_points`, twice with a step.
 GaussSphere gauss_sphere(const Outline& outline, const OutlineSettings& settings, std::optional<Index> step,
                          const CancelToken& cancel = {});
 
-/// Corners of the facet that the other tangent planes cut out of an inner site's own, in order, in the
+/// Corners of the facet that the other tangent planes cut out of an inner site's plane, in order, in the
 /// outline's space; empty where planes are nearly parallel or the site lies on the outline. With negative
-/// curvature, and of coarse diagrams, it may cross itself.
+/// curvature, and in coarse diagrams, it may intersect itself.
 std::vector<Vector3> tangent_facet(const GaussSphere& sphere, Index site);
 
 }  // namespace hariko

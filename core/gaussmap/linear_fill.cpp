@@ -11,28 +11,28 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-/// The operators of gaussmap.md 4 on the polytope around the unit sphere: w = a^-1 (J h + b) is close to
-/// the sum of the radii of curvature, Lambda is the Laplacian.
+/// Operators of gaussmap.md 4 on the polytope around the unit sphere: w = a^-1 (J h + b) approximates the sum
+/// of the radii of curvature, Lambda is the Laplacian.
 struct Operators {
-  SparseMatrix jacobian, laplacian;  ///< J, Lambda; rows and columns of all sites
+  SparseMatrix jacobian, laplacian;  ///< J, Lambda; rows and columns are all sites
   Vector areas, boundary;            ///< a, b
 };
 
-/// Adds the rows of one site. The edges of its facet lie in the plane n.x = 1.
+/// Adds the matrix rows of one site. The edges of its facet lie in the plane n.x = 1.
 class FacetRows {
  public:
   FacetRows(const SphereMesh& mesh, SparseEntries& jacobian, SparseEntries& laplacian)
       : mesh_(mesh), jacobian_(jacobian), laplacian_(laplacian) {}
 
-  /// Returns the facet's area.
+  /// Adds site i and returns the area of its facet.
   double add(Index i) {
     const auto& ring = mesh_.ring(i);
     const std::size_t count = ring.neighbours.size();
     area_ = 0;
     for (std::size_t t = 0; t < count; ++t) {
       const Index k = ring.neighbours[t];
-      // Neighbour t lies between the triangles t - 1 and t; at the ends of a boundary chain the middle of the
-      // arc stands for the missing one.
+      // Neighbour t lies between the triangles t - 1 and t; at the ends of a boundary chain the midpoint of
+      // the arc replaces the missing one.
       const bool chain = mesh_.is_boundary(i);
       const Vector3 from =
           chain && t == 0 ? middle(i, k) : centre(i, ring.triangles[(t + count - 1) % count]);
@@ -51,12 +51,12 @@ class FacetRows {
   void add_edge(Index i, Index k, const Vector3& from, const Vector3& to) {
     const Vector3 axis = mesh_.site(i).cross(mesh_.site(k));
     const double sine = axis.norm(), cosine = mesh_.site(i).dot(mesh_.site(k));
-    const double length = (to - from).dot(axis) / sine;  // positive where the outward side faces site k
+    const double length = (to - from).dot(axis) / sine;  // positive where the outer side faces site k
     jacobian_.emplace_back(i, k, length / sine);
     jacobian_.emplace_back(i, i, -length * cosine / sine);
     laplacian_.emplace_back(i, k, length / sine);
     laplacian_.emplace_back(i, i, -length / sine);
-    area_ += length * sine / (1 + cosine) / 2;  // the edge is tan(angle / 2) away from the site
+    area_ += length * sine / (1 + cosine) / 2;  // the edge is at distance tan(angle / 2) from the site
   }
 
   const SphereMesh& mesh_;
@@ -80,7 +80,7 @@ Operators make_operators(const SphereMesh& mesh, const BoundaryData& boundary) {
       const Vector3 sum = n + mesh.site(k);
       return Vector3(sum / sum.dot(n));
     };
-    // The half edges n -> middle of the next arc and middle of the one before -> n, together.
+    // Both half edges at the site: n -> midpoint of the next arc, and midpoint of the previous arc -> n.
     const Vector3 edges = (middle(mesh.next(i)) - n) + (n - middle(mesh.previous(i)));
     out.boundary[i] = edges.cross(n).dot(boundary.points[i]);
   }
@@ -101,7 +101,7 @@ std::optional<Vector> solve_umbilic(const Operators& operators, const Vector& kn
 
 std::optional<Vector> solve_curvature(const Operators& operators, const Vector& known, Eigen::Index inner,
                                       const std::vector<RadiusSum>& sums) {
-  constexpr double pull = 100;  // mu of gaussmap.md 4
+  constexpr double pull = 100;  // weight mu of gaussmap.md 4
   const SparseMatrix radii = scaled_rows(operators.areas.cwiseInverse(), operators.jacobian);
   const SparseMatrix unknown = radii.rightCols(inner);
   Vector weights = Vector::Zero(known.size()), wanted = Vector::Zero(known.size());
@@ -116,7 +116,7 @@ std::optional<Vector> solve_curvature(const Operators& operators, const Vector& 
   const SparseCholesky solver(system);
   if (!solver.succeeded()) return {};
   Vector solution = solver.solve(right);
-  // Normal equations: one step gives the lost digits back.
+  // One refinement step restores the digits that the normal equations lose.
   const Vector rest = right - system * solution;
   solution += solver.solve(rest);
   return solution;
@@ -156,7 +156,7 @@ Result<std::vector<double>> linear_fill(const SphereMesh& mesh, const BoundaryDa
   if (inner == 0) return support;
   const Operators operators = make_operators(mesh, boundary);
   const Vector given = Eigen::Map<const Vector>(support.data(), Eigen::Index(support.size()));
-  // w of the given values alone
+  // w for the given values alone.
   const Vector known = (operators.jacobian * given + operators.boundary).cwiseQuotient(operators.areas);
   const auto solution = use_curvature
                             ? solve_curvature(operators, known, inner, boundary_radius_sums(mesh, boundary))

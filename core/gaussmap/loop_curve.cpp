@@ -7,7 +7,7 @@
 namespace hariko {
 namespace {
 
-/// Derivatives at the points of a closed row by the parabola through three of them.
+/// Derivatives at the points of a closed sequence by the parabola through three of them.
 template <class T>
 std::vector<T> slopes(const std::vector<T>& values, const std::vector<double>& chords) {
   const std::size_t count = values.size();
@@ -29,7 +29,7 @@ T hermite(const T& from, const T& slope_from, const T& to, const T& slope_to, do
          length * (x * y * y * slope_from - x * x * y * slope_to);
 }
 
-/// Derivative of `hermite` by x, over the length.
+/// Derivative of `hermite` by x, divided by the length.
 template <class T>
 T hermite_slope(const T& from, const T& slope_from, const T& to, const T& slope_to, double length, double x) {
   return 6 * x * (1 - x) / length * (to - from) + (1 - x) * (1 - 3 * x) * slope_from +
@@ -74,10 +74,10 @@ LoopCurve::Place LoopCurve::at(std::size_t i, double x) const {
                                       : Vector3((loop_.points[k] - loop_.points[i]) / length);
   const Vector3 normal = perpendicular(
       hermite(loop_.normals[i], turns_[i], loop_.normals[k], turns_[k], length, x), out.tangent);
-  // Opposite normals have nothing in between.
+  // Between opposite normals the interpolation is undefined.
   out.normal = x == 0 || normal.norm() < 1e-9 ? loop_.normals[i] : normal.normalized();
   if (!values_.empty()) {
-    if (sign_ == 0)  // may not swing beyond the given values, so not cubic
+    if (sign_ == 0)  // linear, so that it stays between the given values
       out.curvature = (1 - x) * values_[i] + x * values_[k];
     else
       out.curvature =

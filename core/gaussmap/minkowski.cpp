@@ -39,7 +39,7 @@ class Newton {
     while (out.residual > 1e-11 && out.iterations < 60) {
       if (cancel.cancelled()) return make_error(e_cancelled, "The computation was cancelled.");
       if (!step(least, out.residual)) {
-        // Rounding may end the descent just above the tolerance.
+        // Rounding may end the descent slightly above the tolerance.
         if (out.residual < 1e-10) break;
         return unreachable();
       }
@@ -52,7 +52,7 @@ class Newton {
   }
 
  private:
-  /// Names the point of the outline next to the area that is furthest off.
+  /// Error that names the point of the outline next to the area with the largest error.
   Message unreachable() const {
     Element element;
     if (polytope_) {
@@ -97,7 +97,7 @@ class Newton {
     return sparse_matrix(mesh_.inner_count(), mesh_.inner_count(), entries);
   }
 
-  /// Inverse iteration for the eigenvalue nearest to 0 of a^-1/2 J a^-1/2.
+  /// Whether the matrix a^-1/2 J a^-1/2 has an eigenvalue near 0, by inverse iteration.
   bool nearly_singular() const {
     const Vector root = areas_.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     SparseMatrix scaled = jacobian();
@@ -140,7 +140,7 @@ class Newton {
     return false;
   }
 
-  /// Empty where the polytope's corners leave out a loop's edge or a site.
+  /// Dual triangles of the polytope's corners; empty where these omit a loop's edge or a site.
   std::vector<std::array<Index, 3>> inside_triangles() const;
 
   const SphereMesh& mesh_;

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 // Limits of gaussmap.md 7.
-constexpr double same_point = 1e-9;                             // of the size
+constexpr double same_point = 1e-9;                             // relative to the size
 constexpr double same_normal = 1e-6;                            // radians
 constexpr double coarse_step = 45;                              // degrees
-constexpr double uneven_ratio = 6;                              // largest to median step
+constexpr double uneven_ratio = 6;                              // ratio of the largest to the median step
 constexpr double slanted_warning = 2, slanted_error = 10;       // degrees
-constexpr double concave_warning = 1e-9, concave_error = 1e-3;  // of the size
+constexpr double concave_warning = 1e-9, concave_error = 1e-3;  // relative to the size
 
-/// Three significant digits.
+/// Number with three significant digits.
 std::string short_text(double value) {
   std::array<char, 32> buffer;
   const auto result =
@@ -31,7 +31,7 @@ std::string short_text(double value) {
   return {buffer.data(), result.ptr};
 }
 
-/// The worst of the points that are wrong in one way.
+/// Worst of the points with the same fault, and their count.
 struct Worst {
   double value = 0;
   std::size_t count = 0;
@@ -54,7 +54,7 @@ class Check {
   Check(const Outline& outline, GaussMode mode, CurvatureSign sign)
       : outline_(outline), mode_(mode), sign_(sign), size_(outline.size()) {}
 
-  /// What nothing can be computed with.
+  /// Faults that prevent any computation.
   std::vector<Message> unusable() {
     check_values();
     if (out_.empty()) check_points();
@@ -89,7 +89,7 @@ class Check {
   void warn(Code code, std::string text, std::string remedy, const OutlinePoint& point) {
     out_.push_back(make_warning(code, std::move(text), std::move(remedy), element(point)));
   }
-  /// body(loop, point, previous place, next place)
+  /// Calls body(loop, point, previous place, next place) for all points.
   template <class Body>
   void for_points(Body&& body) const {
     OutlinePoint point;
@@ -142,7 +142,7 @@ void Check::check_values() {
           "The position, normal or curvature of " + name(point) + " is not a finite number.",
           "Give it finite numbers.", point);
   });
-  // Beyond this squares and products overflow.
+  // Beyond this size squares and products overflow.
   if (!found && !out_.size() && !(size_ < 1e100))
     error(e_outline_not_finite, "The outline is too large to be computed with.", "Make it smaller.", {});
 }
@@ -199,7 +199,7 @@ void Check::check_slants() {
   Worst warning, wrong;
   for_points([&](const OutlineLoop& loop, const OutlinePoint& point, std::size_t previous, std::size_t next) {
     const Vector3 chord = loop.points[next] - loop.points[previous];
-    if (!(chord.norm() > 0)) return;  // two points apart and back again: no direction to compare with
+    if (!(chord.norm() > 0)) return;  // previous and next point coincide: no direction
     const Vector3& normal = normals_[point.loop][point.place];
     const double slant = std::abs(std::asin(std::clamp(normal.dot(chord.normalized()), -1.0, 1.0))) * degrees;
     if (slant > slanted_error)

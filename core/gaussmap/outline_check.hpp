@@ -1,6 +1,6 @@
 #pragma once
 
-// What is wrong with an outline, before a surface is made from it (gaussmap.md 7).
+// Checks of an outline before a surface is made from it (gaussmap.md 7).
 
 #include <optional>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// How the surface's control points are found (gaussmap.md 4).
+/// Method of computing the surface's control points (gaussmap.md 4).
 enum class GaussMode { curvature, umbilic, minkowski, paper, position };
 
 inline constexpr Code e_outline_too_few{"E_TOO_FEW"};
@@ -29,24 +29,24 @@ inline constexpr Code e_image_crosses{"E_IMAGE_SELF_X"};
 inline constexpr Code e_not_convex{"E_NOT_CONVEX"};
 inline constexpr Code w_not_convex{"W_NOT_CONVEX"};
 
-/// Whether the surface is like a dome or like a saddle: of the curvature where it is given, else as asked
-/// for.
+/// Sign of the Gaussian curvature: like a dome or like a saddle. That of the curvature where it is given,
+/// else the chosen one.
 enum class CurvatureSign { positive, negative };
 
-/// All that is wrong, in the order of the specification; no errors means that `control_points` can begin.
-/// Where many points are wrong in one way, the worst is named and the others are counted. Elements are
+/// Returns all errors and warnings, in the order of gaussmap.md 7; without errors `control_points` can begin.
+/// Where many points have the same fault, the worst is named and the others are counted. Elements are
 /// vertices: the number of the point through all loops. O(points^2) for positive curvature, else near
 /// O(points).
 std::vector<Message> check_outline(const Outline& outline, GaussMode mode,
                                    CurvatureSign sign = CurvatureSign::positive);
 
-/// What keeps even a curve from being laid through the loops, whatever the mode: the first of E_TOO_FEW,
-/// E_NAN, E_DUP_POINT, E_ZERO_NORMAL. O(points).
+/// First fault that prevents even a curve through the loops, in any mode: E_TOO_FEW, E_NAN, E_DUP_POINT,
+/// E_ZERO_NORMAL. O(points).
 std::optional<Message> unusable(const Outline& outline);
 
-/// The sign of the outline's curvature where it has one, else `fallback`.
+/// Sign of the outline's curvature where it has one, else `fallback`.
 CurvatureSign curvature_sign(const Outline& outline, CurvatureSign fallback);
-/// Unit normals; in the order of the loops.
+/// Unit normals of all points, by loop.
 std::vector<std::vector<Vector3>> unit_normals(const Outline& outline);
 
 }  // namespace hariko

@@ -15,7 +15,7 @@ Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points) {
   OutlinePolyhedron out{*std::move(built), {}, origin};
   for (Index i = 0; i < points.points.size(); ++i) {
     out.shaping.pin.set(VertexId{i}, {Pin::Kind::normal, {points.normals[i]}});
-    // A smooth vertex of a border with two edges would be a corner otherwise.
+    // Without the tag a border vertex with two edges would be a corner.
     if (i < points.boundary_count) out.shaping.tag.set(VertexId{i}, VertexTag::smooth);
   }
   const auto rims = rim_tangents(out.polyhedron, out.shaping);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Control points become a polyhedron whose surface runs through the outline with its normals
+// Conversion of control points into a polyhedron whose surface passes through the outline with its normals
 // (gaussmap.md 4).
 
 #include "core/gaussmap/control_points.hpp"
@@ -17,7 +17,7 @@ struct OutlinePolyhedron {
   Vector3 origin = Vector3::Zero();
 };
 
-/// Errors: those of `Polyhedron::build`, `rim_tangents` and `fitted_tangents`.
+/// Makes the polyhedron. Errors: those of `Polyhedron::build`, `rim_tangents` and `fitted_tangents`.
 Result<OutlinePolyhedron> outline_polyhedron(const ControlPoints& points);
 
 }  // namespace hariko

@@ -1,6 +1,6 @@
 #pragma once
 
-// OutlineSettings: what a designer chooses beside the outline itself.
+// OutlineSettings: the designer's choices for the surface inside an outline.
 
 #include <optional>
 
@@ -10,12 +10,12 @@ namespace hariko {
 
 struct GaussOptions;
 
-/// How the surface inside of an outline is found; the meaning of each is that of `GaussOptions`.
+/// Settings of the surface inside an outline; their meaning is that of `GaussOptions`.
 struct OutlineSettings {
   GaussMode mode = GaussMode::umbilic;
   CurvatureSign sign = CurvatureSign::positive;
   double radius = 0.6;                ///< median steps of the normals along the outline; > 0
-  Index most_points = 20000;          ///< inserted ones
+  Index most_points = 20000;          ///< largest number of inserted points
   std::optional<double> gap;          ///< length > 0; empty: only `radius` decides
   bool curvature_continuous = false;  ///< patches of mode G2 instead of FAIR
 
@@ -24,9 +24,11 @@ struct OutlineSettings {
   friend bool operator==(const OutlineSettings&, const OutlineSettings&) = default;
 };
 
+/// Options of `control_points` for these settings.
 GaussOptions gauss_options(const OutlineSettings& settings);
 
-/// Mode curvature where all of the curvature is given and positive, else umbilic with the curvature's sign.
+/// Default settings for an outline: mode curvature where all of the curvature is given and positive, else
+/// umbilic with the curvature's sign.
 OutlineSettings usual_settings(const Outline& outline);
 
 }  // namespace hariko

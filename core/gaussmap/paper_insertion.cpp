@@ -11,7 +11,7 @@
 namespace hariko {
 namespace {
 
-/// The part of a convex polygon where axis . x <= limit.
+/// Part of a convex polygon where axis . x <= limit.
 std::vector<Vector3> clipped(const std::vector<Vector3>& polygon, const Vector3& axis, double limit) {
   std::vector<Vector3> out;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -28,7 +28,7 @@ struct Placement {
   bool clamped;
 };
 
-/// One insertion: the planes before it, and the new plane's direction.
+/// One insertion: the existing planes, and the new plane's direction.
 class PlanePlacement {
  public:
   PlanePlacement(const SphereMesh& mesh, const TangentPolytope& polytope, const BoundaryData& boundary,
@@ -67,7 +67,7 @@ class PlanePlacement {
            curvature_[k];
   }
 
-  /// Area of facet k where direction . x <= height, and on the surface's side of the outline.
+  /// Area of the part of facet k where direction . x <= height, on the surface's side of the outline.
   double facet_area(Index k, double height) const {
     const Vector3& n = mesh_.site(k);
     const std::vector<Vector3> cut = clipped(polytope_.facets()[k].corners, direction_, height);
@@ -85,10 +85,11 @@ class PlanePlacement {
     const std::vector<Vector3> first = left_of(cut, to_next);
     const double both = area(left_of(first, from_previous));
     if (from_previous.cross(to_next).dot(n) >= 0) return both;
-    return area(first) + area(left_of(cut, from_previous)) - both;  // a reflex corner: either side will do
+    // At a reflex corner the union of both sides counts.
+    return area(first) + area(left_of(cut, from_previous)) - both;
   }
 
-  /// The facet's area does not decrease with the height, so its root is found by halving.
+  /// Finds the height by bisection; the facet's area does not decrease with the height.
   Placement by_facet(Index k) const {
     const double wanted = target(k);
     if (wanted >= facet_area(k, high_)) return clamp(high_);
@@ -101,7 +102,7 @@ class PlanePlacement {
     return kept_inside((low + high) / 2);
   }
 
-  /// Area of the section at a height: each facet adds a triangle to a point of the plane.
+  /// Area of the section at a height: each facet adds a triangle with a point of the plane.
   double section_area(double height) const {
     const Vector3 centre = direction_ * height;
     double sum = 0;
@@ -120,7 +121,7 @@ class PlanePlacement {
     return sum;
   }
 
-  /// From the top downwards, the first height whose section has the wanted area.
+  /// Searches downwards from the top for the first height whose section has the wanted area.
   Placement by_own_facet() const {
     const double wanted = target(site_);
     std::vector<double> heights{low_};
@@ -130,7 +131,8 @@ class PlanePlacement {
           heights.push_back(height);
     std::sort(heights.begin(), heights.end(), std::greater<>());
     double above = high_;
-    constexpr int parts = 8;  // the square root of the area is concave: its top may lie between two corners
+    // The square root of the area is concave: its maximum may lie between two corners.
+    constexpr int parts = 8;
     for (const double below : heights) {
       if (above - below < 1e-14 * (high_ - low_)) continue;
       for (int part = 1; part <= parts; ++part) {
@@ -157,7 +159,7 @@ class PlanePlacement {
   const SphereMesh& mesh_;
   const TangentPolytope& polytope_;
   const BoundaryData& boundary_;
-  const std::vector<double>& curvature_;  ///< of all sites, the new one too
+  const std::vector<double>& curvature_;  ///< at all sites, including the new one
   Index site_;
   Vector3 direction_;
   double low_, high_;

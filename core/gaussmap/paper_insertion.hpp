@@ -1,7 +1,7 @@
 #pragma once
 
-// The paper's own method: planes placed one after another (gaussmap.md 4). It does not converge; it is kept
-// for comparison. Internal to core/gaussmap.
+// Original method of the paper: planes placed one after another (gaussmap.md 4). It does not converge and is
+// kept for comparison. Internal to core/gaussmap.
 
 #include "core/gaussmap/boundary_data.hpp"
 #include "core/gaussmap/control_points.hpp"
@@ -10,14 +10,15 @@
 namespace hariko {
 
 struct PaperResult {
-  std::vector<double> support, curvature;  ///< of all sites
+  std::vector<double> support, curvature;  ///< at all sites
   std::vector<Vector3> points;
-  Index clamped_count = 0;  ///< planes put at an end of their interval, as no place gives the area
-  bool limited = false;     ///< the largest number of points ended it, not the radius
+  /// Number of planes put at an end of their interval, because no position gives the area.
+  Index clamped_count = 0;
+  bool limited = false;  ///< ended at the largest number of points, not at the radius
 };
 
 /// Inserts sites into `insertion` until `smallest_radius` or `options.most_points`. `curvature_inside`: null
-/// for the mean of the neighbours. Errors: E_K_UNREACHABLE (the planes enclose nothing), E_CANCELLED.
+/// for the mean of the neighbours. Errors: E_K_UNREACHABLE (the planes enclose no volume), E_CANCELLED.
 /// O(sites^2 log sites).
 Result<PaperResult> insert_by_paper(SiteInsertion& insertion, const BoundaryData& boundary,
                                     double smallest_radius, const GaussOptions& options,

@@ -16,7 +16,7 @@ namespace {
 
 using Positions = Eigen::MatrixX3d;
 
-/// The cotangent Laplacian and the vertices' areas of a mesh as it lies.
+/// Cotangent Laplacian and vertex areas of a mesh in its present shape.
 struct Geometry {
   SparseMatrix laplacian;  ///< positive semidefinite
   Eigen::VectorXd areas;
@@ -44,8 +44,8 @@ Geometry geometry_of(const PositionMesh& mesh) {
   return out;
 }
 
-/// What the conormal along the loops adds to the Laplacian of the position: its integral along each edge, by
-/// the edge and the normal in its middle, half of it at each end. Exact on planes.
+/// Boundary term of the Laplacian of the position from the conormal along the loops: its integral along each
+/// edge, by the edge and the normal at its midpoint, half of it at each end. Exact on planes.
 Positions boundary_flux(const PositionMesh& mesh, const std::vector<Vector3>& normals) {
   Positions out = Positions::Zero(Eigen::Index(mesh.points.size()), 3);
   for (Index i = 0; i < mesh.boundary_count; ++i) {
@@ -92,7 +92,8 @@ void measure(const PositionMesh& mesh, const std::vector<Vector3>& given, Positi
 Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vector3>& normals, double size,
                                       int rounds, const CancelToken& cancel) {
   PositionResult out;
-  // Of the rounds after each of five steps: vertices are spread over the shape as it comes out.
+  // Number of spreading rounds after each of five steps, so that vertices are distributed over the developing
+  // shape.
   const int portion = (rounds + 4) / 5;
   if (mesh.in_rows) rounds = 0;
   const Eigen::Index boundary = mesh.boundary_count, inner = Eigen::Index(mesh.points.size()) - boundary;
@@ -116,10 +117,12 @@ Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vect
     for (Eigen::Index i = 0; i < inner; ++i)
       mesh.points[std::size_t(boundary + i)] += share * move.row(i).transpose();
     ++out.iterations;
-    // The weights lag behind the shape, so steps do not vanish; the energy settles (gaussmap.md 4).
+    // The weights lag behind the shape, so that steps do not vanish; convergence is that of the energy
+    // (gaussmap.md 4).
     const double energy = residual.cwiseAbs2().rowwise().sum().cwiseQuotient(geometry.areas).sum();
     out.settled = share == 1 && std::abs(before - energy) <= 1e-5 * energy;
-    if (out.iterations == most_steps)  // near a minimal surface nearly no energy is left to compare with
+    // Near a minimal surface the energy is almost zero, so a relative test fails.
+    if (out.iterations == most_steps)
       out.settled = share == 1 && std::abs(before - energy) <= 0.05 * energy + 1e-3;
     before = energy;
     if (share < 1 || rounds <= 0 || out.iterations == most_steps) continue;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Inner vertices of a mesh whose loops and normals along them are given: least bending (gaussmap.md 4).
+// Inner vertices of a mesh with given loops and normals along them, by least bending (gaussmap.md 4).
 // Internal to core/gaussmap.
 
 #include "core/base/cancellation.hpp"
@@ -10,18 +10,20 @@ namespace hariko {
 
 inline constexpr Code w_not_settled{"W_NOT_SETTLED"};
 
+/// Normals and curvature of the filled mesh.
 struct PositionResult {
-  std::vector<Vector3> normals;   ///< of all vertices; the given ones on the boundary
-  std::vector<double> curvature;  ///< angle defect by area
+  std::vector<Vector3> normals;   ///< at all vertices; the given ones on the boundary
+  std::vector<double> curvature;  ///< angle defect divided by area
   int iterations = 0;
   bool settled = true;
 };
 
-/// Moves the inner vertices of `mesh`: lagged Gauss-Newton on the integral of the squared mean curvature,
-/// whose boundary terms clamp the normals. After the first full steps the vertices are spread evenly over the
-/// shape, `rounds` rounds of `spread_evenly` in all, which flips edges too; those in rows stay in them.
-/// `normals`: unit, one a boundary vertex. Errors: E_DIVERGED, E_CANCELLED. A sparse factorisation a step, at
-/// most 60.
+/// Moves the inner vertices of `mesh`: Gauss-Newton steps with lagged weights on the integral of the squared
+/// mean curvature, whose boundary terms clamp the normals. After the first full steps the vertices are
+/// distributed evenly over the shape, by `rounds` rounds of `spread_evenly` in total, which also flips edges;
+/// vertices in rows stay in them. `normals`: unit, one per boundary vertex. `size`: that of the outline; a
+/// step moves no vertex by more than a tenth of it. Errors: E_DIVERGED, E_CANCELLED. One sparse factorisation
+/// per step, at most 60.
 Result<PositionResult> fill_positions(PositionMesh& mesh, const std::vector<Vector3>& normals, double size,
                                       int rounds, const CancelToken& cancel);
 

@@ -25,8 +25,8 @@ bool contains(const Loop2& loop, const Vector2& point) {
   return inside;
 }
 
-/// The plane as a part of the sphere so small that it is as good as flat: what triangulates normals
-/// triangulates it.
+/// Maps the plane to a part of the sphere so small that it is nearly flat, so that the triangulation on the
+/// sphere can be used.
 std::vector<std::vector<Vector3>> on_small_cap(const std::vector<Loop2>& loops) {
   Vector2 low = Vector2::Constant(HUGE_VAL), high = -low;
   for (const Loop2& loop : loops)
@@ -51,7 +51,7 @@ std::vector<Loop2> projected(const Outline& outline) {
   Vector3 axis = Vector3::Zero();
   for (const auto& loop : unit_normals(outline))
     for (const Vector3& normal : loop) axis += normal;
-  // Normals all round cancel each other: the loops' vector area has a direction still.
+  // Normals in all directions cancel; the loops' vector area still has a direction.
   if (axis.norm() < 0.1 * double(outline.point_count())) {
     axis.setZero();
     for (const OutlineLoop& loop : outline.loops)
@@ -70,7 +70,7 @@ std::vector<Loop2> projected(const Outline& outline) {
   return out;
 }
 
-/// One loop counter-clockwise, the others clockwise and inside of it, no two crossing.
+/// Whether one loop is counter-clockwise, the others are clockwise and inside it, and no two cross.
 bool is_domain(const std::vector<Loop2>& loops) {
   std::size_t outer = 0, count = 0;
   for (std::size_t l = 0; l < loops.size(); ++l)
@@ -87,7 +87,7 @@ bool is_domain(const std::vector<Loop2>& loops) {
   return true;
 }
 
-/// Points of a circle spaced as those of the loop.
+/// Points of a circle with the spacing of the loop's points.
 Loop2 on_circle(const OutlineLoop& loop) {
   std::vector<double> length{0};
   for (std::size_t i = 0; i < loop.points.size(); ++i)
@@ -119,7 +119,7 @@ Result<PositionMesh> planar_mesh(const Outline& outline, const std::vector<Loop2
   for (const Vector3& point : out.points) middle += point / double(out.points.size());
   out.points.resize(flat.site_count(), middle);
   out.triangles = flat.triangles();
-  // Harmonic over the layout, by relaxation: the solver that follows needs a start only.
+  // Harmonic over the layout, by relaxation: only an initial guess for the solver that follows.
   for (int round = 0; round < 400; ++round)
     for (Index i = out.boundary_count; i < flat.site_count(); ++i) {
       Vector3 sum = Vector3::Zero();
@@ -129,7 +129,7 @@ Result<PositionMesh> planar_mesh(const Outline& outline, const std::vector<Loop2
   return out;
 }
 
-/// A closed polyline by its share of the length, from a place on.
+/// Closed polyline parametrised by its share of the length, starting at a given place.
 class Ring {
  public:
   Ring(std::vector<Vector3> points, double begin) : points_(std::move(points)), begin_(begin), length_{0} {
@@ -161,7 +161,7 @@ struct Row {
   std::vector<double> shares;  ///< ascending, 0 .. 1
 };
 
-/// Triangles between two rows that run the same way, `low` with its left side towards `high`.
+/// Triangles between two rows with the same direction, with `high` on the left of `low`.
 void stitch(const Row& low, const Row& high, std::vector<std::array<Index, 3>>& triangles) {
   std::size_t i = 0, j = 0;
   const std::size_t m = low.vertices.size(), n = high.vertices.size();
@@ -179,7 +179,8 @@ void stitch(const Row& low, const Row& high, std::vector<std::array<Index, 3>>& 
   }
 }
 
-/// The two loops as rings that run the same way, the second from the place that lies nearest.
+/// Mesh of a strip: the two loops as rings with the same direction, the second beginning at the nearest
+/// place.
 Result<PositionMesh> strip_mesh(const Outline& outline, double radius, Index most_points) {
   const auto& first = outline.loops[0].points;
   std::vector<Vector3> second(outline.loops[1].points.rbegin(), outline.loops[1].points.rend());
@@ -197,8 +198,8 @@ Result<PositionMesh> strip_mesh(const Outline& outline, double radius, Index mos
   }
   const Ring high(second, begin);
   const double step = 0.5 * (low.length() / double(first.size()) + high.length() / double(second.size()));
-  // Rows of equilateral triangles whose circles have the radius `radius` in mean steps, at the default as
-  // long as those.
+  // Rows of equilateral triangles with circumcircles of radius `radius` in mean steps; at the default radius
+  // their sides equal the mean step.
   const double wanted = step * radius / 0.6;
   const double distance = std::sqrt(least / 32);
   const auto rows = std::size_t(std::clamp(std::round(distance / (wanted * std::sqrt(0.75))), 1.0, 1e4));

@@ -12,8 +12,8 @@ namespace {
 
 using Triangle = SphereMesh::Triangle;
 
-/// Edges flipped to a Delaunay triangulation. Each flip adds volume under the triangles, so there is an end
-/// to it.
+/// Flips edges to a Delaunay triangulation. Each flip adds volume under the triangles, so the flips
+/// terminate.
 std::vector<Triangle> delaunay(const std::vector<Vector3>& sites, std::vector<Triangle> triangles) {
   const auto outward = [&](Index a, Index b, Index c) {
     return side_of_plane(Vector3::Zero(), sites[a], sites[b], sites[c]) > 0;
@@ -33,7 +33,8 @@ Vector3 centroid(const SphereMesh& mesh, Index site) {
   return sum.normalized();
 }
 
-/// Within the circle over the arc of a loop from a boundary site, where no site may be (gaussmap.md 3).
+/// Whether a site lies in the circle over the arc of a loop from a boundary site, where no site may be
+/// (gaussmap.md 3).
 bool in_cap(const SphereMesh& mesh, Index from, const Vector3& site) {
   if (!mesh.is_boundary(from)) return false;
   const Vector3 &a = mesh.site(from), &b = mesh.site(mesh.next(from));
@@ -43,7 +44,7 @@ bool in_cap(const SphereMesh& mesh, Index from, const Vector3& site) {
 }  // namespace
 
 SphereMesh relaxed(const SphereMesh& mesh, int rounds) {
-  constexpr double reach = 1.5;  // beyond the centroid: as even in half the rounds
+  constexpr double reach = 1.5;  // step relative to that to the centroid: as even in half the rounds
   std::vector<Index> next;
   for (Index i = 0; i < mesh.boundary_count(); ++i) next.push_back(mesh.next(i));
   SphereMesh now = mesh;

@@ -1,16 +1,17 @@
 #pragma once
 
-// Sites on the Gauss sphere spread evenly before planes are put on them.
+// Even distribution of sites on the Gauss sphere before tangent planes are computed.
 
 #include "core/gaussmap/sphere_mesh.hpp"
 
 namespace hariko {
 
-/// Lloyd's method: `rounds` times every inner site moves to the centroid of its Voronoi cell and half as far
-/// beyond, and edges are flipped until the triangulation is Delaunay again inside the loops, which keep their
-/// sites and edges. A site that would turn a triangle over or come too near to a loop stays. Insertion leaves
-/// triangles of all shapes between those of an empty circle and half of one; the curves of a network spread
-/// their tangents evenly round a vertex and need neighbours that are as even. Expected O(sites) a round.
+/// Over-relaxed Lloyd's method: in each of `rounds` rounds every inner site moves to the centroid of its
+/// Voronoi cell and half as far beyond, and edges are flipped until the triangulation is Delaunay again
+/// inside the loops, which keep their sites and edges. A site that would invert a triangle or come too near
+/// to a loop stays. Insertion leaves empty circles between half the largest radius and the full one, so that
+/// triangles are uneven; the curve network distributes its tangents evenly round a vertex and needs even
+/// neighbours. Expected O(sites) per round.
 SphereMesh relaxed(const SphereMesh& mesh, int rounds);
 
 }  // namespace hariko

@@ -10,7 +10,7 @@
 namespace hariko {
 namespace {
 
-constexpr int pieces = 32;  // samples of the curve from point to point, to measure it by
+constexpr int pieces = 32;  // samples of the curve between points, for measuring its length
 
 void append(OutlineLoop& loop, const LoopCurve::Place& place, bool with_curvature) {
   loop.points.push_back(place.point);

@@ -24,7 +24,7 @@ std::vector<std::vector<Index>> border_loops(const HalfEdgeMesh& mesh) {
   return out;
 }
 
-/// The normal of the plane that the points lie in; zero where there is none.
+/// Normal of the common plane of the points; zero where there is none.
 Vector3 common_plane(const std::vector<Vector3>& points) {
   Vector3 middle = Vector3::Zero(), area = Vector3::Zero();
   for (const Vector3& point : points) middle += point / double(points.size());
@@ -36,19 +36,19 @@ Vector3 common_plane(const std::vector<Vector3>& points) {
   return area;
 }
 
-/// Where the tangent plane meets the loop's plane, if that is near the curve's direction: normals that are
-/// not perpendicular to a flat loop leave no better choice than to leave its plane.
+/// Intersection of the tangent plane with the loop's plane, if that is near the curve's direction; normals
+/// that are not perpendicular to a flat loop force the tangent out of its plane.
 Vector3 in_plane(const Vector3& direction, const Vector3& axis, const Vector3& normal) {
   constexpr double near = 0.996;  // cosine of 5 degrees
   Vector3 line = axis.cross(normal);
-  if (line.norm() < 1e-6) return direction;  // the planes are one, or there is none
+  if (line.norm() < 1e-6) return direction;  // the planes coincide, or there is no loop plane
   line.normalize();
   if (line.dot(direction) < 0) line = -line;
   return line.dot(direction) > near ? line : direction;
 }
 
-/// Length of the Bezier tangent of a circular arc over a chord: a third of it over the squared cosine of a
-/// quarter of the arc's angle, of which the tangent makes half with the chord.
+/// Length of the Bezier tangent of a circular arc over a chord: a third of the chord over the squared cosine
+/// of a quarter of the arc's angle; the tangent makes half that angle with the chord.
 double arc_tangent_length(const Vector3& direction, const Vector3& chord) {
   const double length = chord.norm(), cosine = std::abs(direction.dot(chord)) / length;
   return 2 * length / (3 * (1 + cosine));

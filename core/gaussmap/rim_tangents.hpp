@@ -9,11 +9,11 @@
 
 namespace hariko {
 
-/// Pins of kind tangents for the vertices of the border, whose pins in `shaping` are normals: the tangent
-/// along the border is that of the curve through the loop's points (`LoopCurve`), as long as those of the
-/// circular arcs to the neighbours; where a loop lies in a plane and its normals allow it, exactly in that
-/// plane, so that a flat rim stays flat. Across the border tangents are those of the network as it is without
-/// these pins. Errors: those of `NetworkSystem::assemble`. O(vertices).
+/// Returns pins of kind tangents for the vertices of the border, whose pins in `shaping` are normals. The
+/// tangent along the border is that of the curve through the loop's points (`LoopCurve`), with the length for
+/// circular arcs to the neighbours; where a loop is planar and its normals allow it, exactly in its plane, so
+/// that a flat rim stays flat. Tangents across the border are those of the network without these pins.
+/// Errors: those of `NetworkSystem::assemble`. O(vertices).
 Result<FlatMap<VertexId, Pin>> rim_tangents(const Polyhedron& polyhedron, const Shaping& shaping);
 
 }  // namespace hariko

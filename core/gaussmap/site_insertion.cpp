@@ -12,8 +12,8 @@
 namespace hariko {
 namespace {
 
-/// Sites on one circle have a flat hull: one more point, the pole of the circle away from the image, makes it
-/// solid. None when the sites span space (gaussmap.md 3).
+/// Auxiliary point for sites on one circle, whose hull is flat: the pole of the circle away from the image
+/// makes it solid. Nothing when the sites span space (gaussmap.md 3).
 std::optional<Vector3> guard_for(const std::vector<std::vector<Vector3>>& loops,
                                  const std::vector<Vector3>& sites) {
   Vector3 mean = Vector3::Zero(), axis = Vector3::Zero();
@@ -21,7 +21,7 @@ std::optional<Vector3> guard_for(const std::vector<std::vector<Vector3>>& loops,
   Matrix3 spread = Matrix3::Zero();
   for (const Vector3& site : sites) spread += (site - mean) * (site - mean).transpose();
   const SymmetricAxes axes = symmetric_axes(spread);
-  // Squares of the singular values of the sites about their mean.
+  // Eigenvalues are squares of the singular values of the sites about their mean.
   if (axes.values[0] >= 1e-12 * axes.values[2]) return {};
   for (const auto& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i) axis += loop[i].cross(loop[(i + 1) % loop.size()]);
@@ -83,7 +83,7 @@ Result<Done> SiteInsertion::fill_inside(const std::vector<std::vector<Vector3>>&
     if (faces[f].alive)
       for (std::size_t k = 0; k < 3; ++k)
         face_of[half_edge_key(faces[f].corner[k], faces[f].corner[(k + 1) % 3])] = f;
-  // Where the arc from a site to the next one begins for the outline.
+  // Name of the arc from a site to the next one, by its start in the outline.
   struct Place {
     Element element;
     std::string text;
@@ -145,8 +145,8 @@ bool SiteInsertion::near_loop(const Vector3& centre) const {
 }
 
 ConvexHull::Horizon SiteInsertion::admissible_horizon(Index face, const Vector3& centre) const {
-  // A circle so small or so round a pole that rounding hides the centre from its own face is of no use
-  // either.
+  // Also skips circles for which rounding puts the centre behind its own face: very small ones, and ones
+  // round a pole.
   if (near_loop(centre) || !hull_.sees(centre, face)) return {};
   ConvexHull::Horizon horizon = hull_.horizon(centre, face);
   const bool inner =

@@ -23,7 +23,7 @@ double cotangent(const std::vector<Vector3>& points, Index a, Index b, Index tip
 }
 
 std::vector<Triangle> flipped(const std::vector<Vector3>& points, std::vector<Triangle> triangles) {
-  constexpr double slack = 1e-6;  // no edge back and forth by rounding
+  constexpr double slack = 1e-6;  // prevents repeated flips by rounding
   return flip_edges(std::move(triangles), Index(points.size()), 3, [&](Index p, Index q, Index r, Index s) {
     if (cotangent(points, p, q, r) + cotangent(points, q, p, s) >= -slack) return false;
     const Vector3 normal = area_of_triangle(points, p, q, r) + area_of_triangle(points, q, p, s);
@@ -32,7 +32,7 @@ std::vector<Triangle> flipped(const std::vector<Vector3>& points, std::vector<Tr
   });
 }
 
-/// Of each inner vertex the edges (from, to) that its triangles have opposite to it, in any order.
+/// Opposite edges (from, to) of the triangles of each inner vertex, in any order.
 std::vector<std::vector<std::pair<Index, Index>>> opposite_edges(const PositionMesh& mesh) {
   std::vector<std::vector<std::pair<Index, Index>>> out(mesh.points.size());
   for (const auto& triangle : mesh.triangles)
@@ -42,7 +42,7 @@ std::vector<std::vector<std::pair<Index, Index>>> opposite_edges(const PositionM
   return out;
 }
 
-/// The triangles round a vertex, laid into its tangent plane with the vertex at the origin.
+/// Triangles round a vertex, projected into its tangent plane with the vertex at the origin.
 class FlatStar {
  public:
   FlatStar(const std::vector<Vector3>& points, Index vertex,
@@ -61,8 +61,8 @@ class FlatStar {
   bool empty() const { return sides_.empty(); }
   Vector3 lift(const Vector2& in) const { return in.x() * u_ + in.y() * w_; }
 
-  /// The centroid of the Voronoi cell: the parts of the cell over each triangle, signed, so that they add up
-  /// to the cell wherever the circumcentres lie.
+  /// Centroid of the Voronoi cell: the signed parts of the cell over each triangle add up to the cell
+  /// wherever the circumcentres lie.
   Vector2 cell_centroid() const {
     Vector2 moment = Vector2::Zero();
     double area = 0;
@@ -81,7 +81,7 @@ class FlatStar {
     return area > 0 ? Vector2(moment / area) : Vector2::Zero();
   }
 
-  /// At `place` no triangle is turned over.
+  /// Whether no triangle is inverted with the vertex at `place`.
   bool holds(const Vector2& place) const {
     return std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
       return cross(side.from - place, side.to - place) > 0.1 * cross(side.from, side.to);
@@ -96,7 +96,7 @@ class FlatStar {
   std::vector<Side> sides_;
 };
 
-/// In the ball over an edge of a loop.
+/// Whether a place lies in the diametral ball of an edge of a loop.
 bool near_loop(const PositionMesh& mesh, const std::vector<std::pair<Index, Index>>& opposite,
                const Vector3& place) {
   return std::any_of(opposite.begin(), opposite.end(), [&](const std::pair<Index, Index>& edge) {
@@ -109,7 +109,7 @@ bool near_loop(const PositionMesh& mesh, const std::vector<std::pair<Index, Inde
 }  // namespace
 
 void spread_evenly(PositionMesh& mesh, int rounds) {
-  constexpr double reach = 1.5;  // beyond the centroid: as even in half the rounds
+  constexpr double reach = 1.5;  // step relative to that to the centroid: as even in half the rounds
   for (int round = 0; round < rounds; ++round) {
     mesh.triangles = flipped(mesh.points, std::move(mesh.triangles));
     const auto opposite = opposite_edges(mesh);

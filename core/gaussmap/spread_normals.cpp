@@ -16,7 +16,7 @@ Vector3 perpendicular(const Vector3& v, const Vector3& unit) {
   return v - v.dot(unit) * unit;
 }
 
-/// Unit vectors perpendicular to the loop that turn about it as little as they can.
+/// Rotation-minimising frame of a loop: unit vectors perpendicular to it.
 class LoopFrame {
  public:
   explicit LoopFrame(std::span<const Vector3> points) : tangents_(loop_tangents(points)) {
@@ -32,16 +32,16 @@ class LoopFrame {
       lengths_.push_back(lengths_.back() + chord.norm());
       references_.push_back(transported(references_[i], tangents_[i], tangents_[(i + 1) % count], chord));
     }
-    // What the frame turned when it comes back to its beginning, taken back evenly.
+    // Distributes the closing angle of the frame evenly over the length.
     const double closing = angle(0, references_.back());
     references_.pop_back();
     for (std::size_t i = 0; i < count; ++i) references_[i] = at(i, -closing * lengths_[i] / lengths_.back());
   }
 
   const Vector3& tangent(std::size_t i) const { return tangents_[i]; }
-  /// Arc length up to each point; the whole one at the end.
+  /// Arc length up to each point; the last entry is the whole length.
   const std::vector<double>& lengths() const { return lengths_; }
-  /// From the reference to a vector, about the loop.
+  /// Angle from the reference to a vector, about the loop.
   double angle(std::size_t i, const Vector3& v) const {
     return std::atan2(v.dot(tangents_[i].cross(references_[i])), v.dot(references_[i]));
   }
@@ -53,7 +53,7 @@ class LoopFrame {
   }
 
  private:
-  /// Double reflection.
+  /// Transports a reference vector by double reflection.
   static Vector3 transported(const Vector3& reference, const Vector3& from, const Vector3& to,
                              const Vector3& chord) {
     const double square = chord.squaredNorm();
@@ -70,11 +70,11 @@ class LoopFrame {
   std::vector<double> lengths_;
 };
 
-/// A smooth function round a loop that does not swing beyond its given values: cubic pieces with harmonic
-/// means for slopes (Fritsch and Butland 1984). It may gain a constant on each round.
+/// Smooth function round a loop that stays between its given values: cubic pieces with harmonic means for
+/// slopes (Fritsch and Butland 1984). It may gain a constant on each round.
 class AngleCurve {
  public:
-  /// `places` ascending, below `period`; values of the second round are `gain` higher.
+  /// Makes the function. `places` ascending, below `period`; values of the second round are larger by `gain`.
   AngleCurve(std::vector<double> places, std::vector<double> values, double period, double gain)
       : places_(std::move(places)), values_(std::move(values)), period_(period) {
     places_.push_back(places_[0] + period);
@@ -136,7 +136,7 @@ std::vector<Vector3> spread_normals(std::span<const Vector3> points,
   }
   std::vector<Vector3> out;
   if (angles.empty()) return tilted_normals(points, vector_area(points), 0);
-  // The shorter way from the last one to the first one, too.
+  // From the last value to the first one by the shorter way, too.
   const double back = std::remainder(angles.front() - angles.back(), full_turn);
   const double gain = angles.back() + back - angles.front();
   const AngleCurve curve(std::move(places), std::move(angles), frame.lengths().back(), gain);

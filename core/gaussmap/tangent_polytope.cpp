@@ -11,9 +11,9 @@
 namespace hariko {
 namespace {
 
-constexpr double far_away = 30;  // of the size
+constexpr double far_away = 30;  // relative to the size
 
-/// Normals of the six far planes: a cube turned so that no edge is parallel to those of a model.
+/// Normals of the six far planes: a cube rotated so that no edge is parallel to those of typical models.
 std::array<Vector3, 6> far_normals() {
   const Matrix3 turn = (Eigen::AngleAxisd(0.1, Vector3::UnitX()) * Eigen::AngleAxisd(0.23, Vector3::UnitY()) *
                         Eigen::AngleAxisd(0.37, Vector3::UnitZ()))
@@ -27,8 +27,8 @@ double smallest_slack(std::span<const Vector3> normals, std::span<const double> 
   return least;
 }
 
-/// Centre of a nearly largest ball inside of the planes, within the far ones: Newton's method on a
-/// logarithmic barrier over the centre and the radius.
+/// Centre of a nearly largest ball inside the planes and the far planes: Newton's method on a logarithmic
+/// barrier over the centre and the radius.
 Vector3 ball_centre(std::span<const Vector3> normals, std::span<const double> support, const Vector3& start,
                     double size) {
   std::vector<Eigen::Vector4d> rows;
@@ -121,7 +121,7 @@ std::optional<TangentPolytope> TangentPolytope::build(std::span<const Vector3> n
       const auto& v = faces[f].corner;
       const std::size_t k = v[0] == i ? 0 : v[1] == i ? 1 : 2;
       facet.corners.push_back(vertex[f]);
-      // The next face counter-clockwise round i lies beyond the edge from the corner before i to i.
+      // The next face counter-clockwise round i lies beyond the edge from the previous corner to i.
       const Index beyond = v[(k + 2) % 3];
       facet.neighbours.push_back(beyond < count ? beyond : no_index);
       f = faces[f].neighbour[(k + 2) % 3];

@@ -1,6 +1,6 @@
 #pragma once
 
-// TangentPolytope: what planes cut out of space, through polar duality. Internal to core/gaussmap.
+// TangentPolytope: intersection of half-spaces through polar duality. Internal to core/gaussmap.
 
 #include <optional>
 #include <span>
@@ -10,25 +10,28 @@
 
 namespace hariko {
 
-/// {x : normal_i . x <= support_i}. Six far planes bound it where the planes leave it open.
+/// Polytope {x : normal_i . x <= support_i}. Six far planes bound it where the planes leave it open.
 class TangentPolytope {
  public:
+  /// Facet in one plane.
   struct Facet {
     std::vector<Vector3> corners;  ///< counter-clockwise from outside
-    std::vector<Index>
-        neighbours;  ///< plane beyond the edge from corner k to corner k + 1; far planes are no_index
+    /// Plane beyond the edge from corner k to corner k + 1; no_index for far planes.
+    std::vector<Index> neighbours;
   };
 
-  /// `inner`: a point strictly inside of all planes, beside it `size` says what is far. None when there is no
-  /// such point or its polar dual is flat. O(planes log planes) expected.
+  /// Makes the polytope. `inner`: a point strictly inside all planes; `size`: length scale that determines
+  /// the distance of the far planes. Nothing when `inner` is not inside or its polar dual is flat. Expected
+  /// O(planes log planes).
   static std::optional<TangentPolytope> build(std::span<const Vector3> normals,
                                               std::span<const double> support, const Vector3& inner,
                                               double size);
 
-  /// Empty where the plane cuts nothing.
+  /// Facets by plane; empty where the plane does not touch the polytope.
   const std::vector<Facet>& facets() const { return facets_; }
+  /// Area of a plane's facet, whose unit normal is given.
   double area(Index plane, const Vector3& normal) const;
-  /// The corner farthest in a direction, and how far.
+  /// Corner that is farthest in a direction.
   Vector3 farthest(const Vector3& direction) const;
   /// Triples of planes that meet in a corner, counter-clockwise: the dual's faces, without far planes.
   const std::vector<std::array<Index, 3>>& corner_planes() const { return corner_planes_; }
@@ -39,8 +42,8 @@ class TangentPolytope {
   std::vector<std::array<Index, 3>> corner_planes_;
 };
 
-/// A point well inside of all planes: the mean of `points`, moved towards the centre of the largest ball
-/// where that is nearly on a plane (gaussmap.md 4). None when the planes leave no room.
+/// Point well inside all planes: the mean of `points`, moved towards the centre of the largest inscribed ball
+/// where the mean is nearly on a plane (gaussmap.md 4). Nothing when the planes have no common interior.
 std::optional<Vector3> inner_point(std::span<const Vector3> normals, std::span<const double> support,
                                    std::span<const Vector3> points, double size);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Checks of the numbers that operations take.
+// Checks of the numbers passed to modeling operations.
 
 #include <cmath>
 
@@ -9,13 +9,13 @@
 
 namespace hariko::detail {
 
-/// E_BAD_AMOUNT unless the number is finite.
+/// Returns E_BAD_AMOUNT unless the number is finite.
 inline Result<Done> check_finite(double amount) {
   if (std::isfinite(amount)) return Done{};
   return make_error(e_bad_amount, "The amount is not a finite number.", "Type an ordinary number.");
 }
 
-/// E_BAD_AMOUNT unless the number is finite and above zero.
+/// Returns E_BAD_AMOUNT unless the number is finite and greater than zero.
 inline Result<Done> check_positive(double amount) {
   if (const auto finite = check_finite(amount); !finite) return finite;
   if (amount > 0) return Done{};

@@ -6,7 +6,8 @@ BicubicNet arched_net(Index columns, Index rows, double width, double depth, dou
   BicubicNet net{columns, rows, {}};
   for (Index j = 0; j < net.height(); ++j)
     for (Index i = 0; i < net.width(); ++i) {
-      // Control points lie at thirds; the parabola's come from its polar form, which keeps it one curve.
+      // Control points lie at thirds of each patch; the polar form of the parabola gives control points for
+      // which all patches form one parabola.
       const Index segment = i == 3 * columns ? columns - 1 : i / 3, place = i - 3 * segment;
       const double a = 2.0 * segment / columns - 1, b = 2.0 * (segment + 1) / columns - 1;
       const double x = ((3 - double(place)) * a + double(place) * b) / 3;

@@ -13,7 +13,7 @@ namespace hariko {
 
 namespace {
 
-/// The patch's row follows the surface.
+/// Whether the patch's row of control points follows the polyhedron's surface.
 bool patch_follows(const Attachment& attachment) {
   return !attachment.frozen && attachment.continuity != Continuity::g0 && attachment.adapts == Adapts::patch;
 }
@@ -32,8 +32,8 @@ bool same_input(const PolyhedronSurfaceInput& a, const PolyhedronSurfaceInput& b
          a.joins == b.joins && a.frames == b.frames;
 }
 
-/// The image of a join of the half, in the whole: images of faces follow the half's in order, and run the
-/// other way round from the same corner.
+/// Adds the mirror image of a join of the half to the whole: image faces follow the half's in order, and run
+/// the other way round from the same corner.
 void add_image(PolyhedronSurfaceInput& input, const Join& join, const Mirror& mirror, Index half_faces) {
   const HalfEdgeMesh& mesh = input.polyhedron.topology();
   const Index f = mesh.face(join.half_edge), n = mesh.side_count(f);
@@ -100,7 +100,7 @@ ObjectPointers neighbours_of(const Document& document, ObjectId id) {
   return out;
 }
 
-/// A polyhedron that patches adapt to, and its surface as it was made last.
+/// Polyhedron that patches adapt to, with its last surface.
 struct ObjectSurfacer::Helper {
   PolyhedronSurfacer surfacer;
   SurfaceInputCache cache;
@@ -132,7 +132,7 @@ class ObjectSurfacer::Call {
     return found == objects_.end() ? nullptr : *found;
   }
   Result<FrozenSide> side(const Object& polyhedron, EdgeId edge, const Attachment& attachment);
-  /// The surface that patches adapt to, with what it was made from.
+  /// Surface of a polyhedron that patches adapt to, with the input it was made from.
   Result<const Helper*> surface_beyond(const Object& polyhedron);
 
   ObjectSurfacer& owner_;
@@ -314,7 +314,7 @@ Result<PolyhedronSurface> ObjectSurfacer::around(const SolidsSource& source, Qua
 Result<PolyhedronSurface> ObjectSurfacer::over(const SkinSource& source, Quality quality,
                                                const CancelToken& cancel) {
   const LocalSkin local = local_skin(*source.skin);
-  progress_.report(1);  // until something is left to do
+  progress_.report(1);  // complete unless slow work begins
   SkinWork work;
   work.cancel = cancel;
   work.progress = progress_;

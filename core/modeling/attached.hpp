@@ -21,25 +21,26 @@ inline constexpr Code e_join_seam{"E_JOIN_SEAM"};
 
 using ObjectPointers = std::vector<std::shared_ptr<const Object>>;
 
-/// The other objects that an object's surface depends on, in the document's order.
+/// Returns the other objects that an object's surface depends on, in the document's order.
 ObjectPointers neighbours_of(const Document& document, ObjectId object);
 
-/// Makes the surface of one object of any kind that has one. Keeps what helps next time; calls must
-/// not overlap. A `final` result does not depend on earlier calls.
+/// Makes the surface of one object of any kind that has one. Caches intermediate results for the next call;
+/// calls must not overlap. A result at quality `final` does not depend on earlier calls.
 class ObjectSurfacer {
  public:
   ObjectSurfacer();
   ~ObjectSurfacer();
 
-  /// `neighbours`: as `neighbours_of` gives them. Errors: those of `surface_input` and of
-  /// `PolyhedronSurfacer::rebuild`, E_JOIN_LOST (what an edge is attached to is gone), E_JOIN_SEAM (an
-  /// attached edge is inside of the mirrored whole), E_ATTACHMENT_CYCLE; of Bezier patches those of
-  /// `weld_patches`, of solids those of `EnvelopeSurfacer::rebuild`, of skins those of
-  /// `SkinSurfacer::surface`, of outlines those of `control_points` and `outline_polyhedron`. Warnings of
-  /// patches: W_JOIN_REFUSED.
+  /// Returns the surface of `object`. `neighbours`: the result of `neighbours_of`. Errors: those of
+  /// `surface_input` and of `PolyhedronSurfacer::rebuild`, E_JOIN_LOST (the patch side that an edge is
+  /// attached to no longer exists), E_JOIN_SEAM (an attached edge lies inside the mirrored whole),
+  /// E_ATTACHMENT_CYCLE; for Bezier patches those of `weld_patches`, for solids those of
+  /// `EnvelopeSurfacer::rebuild`, for skins those of `SkinSurfacer::surface`, for outlines those of
+  /// `control_points` and `outline_polyhedron`. Warnings of patches: W_JOIN_REFUSED, W_JOIN_KINK.
   Result<PolyhedronSurface> surface(const Object& object, const ObjectPointers& neighbours, Quality quality,
                                     const CancelToken& cancel = {});
-  /// Of the part of the work that takes long: placing the columns of skins. For any thread.
+  /// Progress of the slow part of the work, the placing of the columns of skins. Safe to read from any
+  /// thread.
   const Progress& progress() const { return progress_; }
 
  private:
@@ -60,7 +61,8 @@ class ObjectSurfacer {
   std::uint64_t patch_revision_ = 0;
 };
 
-/// The surface of an object of a document at quality `final`.
+/// Returns the surface of an object of a document at quality `final`. Errors: those of
+/// `ObjectSurfacer::surface`.
 Result<PolyhedronSurface> object_surface(const Document& document, const Object& object,
                                          const CancelToken& cancel = {});
 

@@ -22,15 +22,15 @@ struct FanEdge {
   bool bevelled;
 };
 
-/// The edges at a vertex counter-clockwise; corner k lies between edges k and k + 1.
+/// Edges at a vertex, counter-clockwise; corner k lies between edges k and k + 1.
 struct Fan {
   std::vector<FanEdge> edges;
   std::vector<Index> corners;  ///< half-edges
   bool closed;
 };
 
-/// The points that stand for a vertex in one face: the outline of the face arrives at `end` and leaves from
-/// `start`, mostly one point.
+/// Points that replace a vertex in one face: the boundary of the face arrives at `end` and leaves from
+/// `start`, usually the same point.
 struct CornerPoints {
   Index start, end;
 };
@@ -50,7 +50,7 @@ class EdgeBevel {
     for (Index v = 0; v < mesh_.vertex_count(); ++v) resolve_vertex(v);
   }
 
-  /// An edge whose band has no width at either end; no_index when there is none.
+  /// Returns an edge whose band has no width at either end; no_index when there is none.
   Index pointless_edge() const {
     for (Index e = 0; e < mesh_.edge_count(); ++e) {
       if (!bevelled_[e]) continue;
@@ -60,7 +60,7 @@ class EdgeBevel {
     return no_index;
   }
 
-  /// The width at which the first edge of a face shrinks to nothing.
+  /// Returns the width at which the first edge of a face shrinks to nothing.
   double limit() const {
     double limit = std::numeric_limits<double>::infinity();
     for (Index f = 0; f < mesh_.face_count(); ++f) {
@@ -109,7 +109,7 @@ class EdgeBevel {
   }
 
  private:
-  /// The first points are the old vertices; the others are new and stand for `vertex`.
+  /// Point of the result. The first points are the old vertices; the others are new and replace `vertex`.
   struct Point {
     Slide slide;
     Index vertex;
@@ -143,8 +143,8 @@ class EdgeBevel {
     return direction_of(polyhedron_.position(edge.other) - polyhedron_.position(v));
   }
 
-  /// How far a point slides along `direction` to be 1 away from a line with the normal `away`. Nearly
-  /// parallel lines would ask for any length.
+  /// Length by which a point slides along `direction` to be 1 away from a line with the normal `away`; at
+  /// most 5, because it is unbounded for nearly parallel lines.
   static double slide_length(const Vector3& direction, const Vector3& away) {
     return away.isZero(0) ? 1.0 : 1 / std::max(direction.dot(away), 0.2);
   }
@@ -162,12 +162,12 @@ class EdgeBevel {
       join_bands(v, fan, bands);
   }
 
-  /// Corners first .. last of the fan (indices may run past the end of a closed fan) meet in one point.
+  /// Lets corners first .. last of the fan (indices may exceed the size of a closed fan) meet in one point.
   void set_corners(const Fan& fan, std::size_t first, std::size_t last, Index point) {
     for (std::size_t k = first; k < last; ++k) corners_[fan.corners[k % fan.corners.size()]] = {point, point};
   }
 
-  /// Into the face to the left of fan edge k, and to its right.
+  /// Inward direction in the face to the left of fan edge k; `right_of`: in the face to its right.
   Vector3 left_of(const Fan& fan, std::size_t k) const {
     return inward_direction(polyhedron_, fan.corners[k % fan.corners.size()]);
   }
@@ -176,7 +176,7 @@ class EdgeBevel {
     return inward_direction(polyhedron_, mesh_.previous(fan.corners[(k + count - 1) % count]));
   }
 
-  /// The vertex goes; each sector between two bands, or a band and the border, gets one point.
+  /// Replaces the vertex: each sector between two bands, or between a band and the border, gets one point.
   void join_bands(Index v, const Fan& fan, const std::vector<std::size_t>& bands) {
     std::vector<Index> polygon;
     const std::size_t count = fan.edges.size();
@@ -204,7 +204,7 @@ class EdgeBevel {
     if (polygon.size() >= 3) vertex_polygons_[v] = std::move(polygon);
   }
 
-  /// The only band at an inner vertex ends here, by cutting all other edges; with more than two of them a
+  /// Ends the only band at an inner vertex there, by cutting all other edges; with more than two of them a
   /// face closes the gap.
   void end_band(Index v, const Fan& fan, std::size_t band) {
     const std::size_t count = fan.edges.size();
@@ -251,7 +251,7 @@ class EdgeBevel {
     return out;
   }
 
-  /// Ends of the half-edge as its own face has them.
+  /// End points of the half-edge in its own face.
   Index left_at_origin(Index h) const { return corners_[h].start; }
   Index left_at_target(Index h) const { return corners_[mesh_.next(h)].end; }
 
@@ -279,8 +279,7 @@ class EdgeBevel {
   std::vector<CornerPoints> corners_;
   std::vector<Point> points_;
   std::vector<std::vector<Index>> vertex_polygons_;
-  std::vector<std::pair<Index, Index>>
-      crease_ends_;  ///< sides of end faces through which a crease carries on
+  std::vector<std::pair<Index, Index>> crease_ends_;  ///< sides of end faces through which a crease continues
   std::vector<VertexId> ids_;
 };
 

@@ -32,7 +32,8 @@ namespace hariko {
 /// shrink to nothing), E_WRONG_SELECTION (only open edges; an edge whose band would be a point at both ends).
 Result<Modeled> bevel_edges(const PolyhedronSource& source, std::span<const EdgeId> edges, double width);
 
-/// The width that `bevel_edges` refuses, with all larger ones. Errors: as above, of the selection.
+/// Returns the smallest width that `bevel_edges` refuses; it refuses all larger ones too. Errors: those of
+/// `bevel_edges` that concern the selection.
 Result<double> largest_edge_bevel(const PolyhedronSource& source, std::span<const EdgeId> edges);
 
 }  // namespace hariko

@@ -63,8 +63,8 @@ class VertexBevel {
   }
 
  private:
-  /// The new vertex on each edge near each end that is cut: at the origin (0) or target (1) of the edge's
-  /// first half-edge.
+  /// Places a new vertex on each edge near each end that is cut: index 0 for the origin, 1 for the target of
+  /// the edge's first half-edge.
   void place_points() {
     near_[0].resize(mesh_.edge_count());
     near_[1].resize(mesh_.edge_count());
@@ -147,7 +147,7 @@ class VertexBevel {
   ElementSet selection_;
 };
 
-/// Vertices without faces have nothing to cut.
+/// Returns the selected vertices that have faces; others have nothing to cut.
 Result<std::vector<Index>> chosen_vertices(const Polyhedron& polyhedron, std::span<const VertexId> vertices) {
   auto chosen = selected(polyhedron, vertices, "Select the vertices to bevel.");
   if (!chosen) return chosen;

@@ -10,15 +10,15 @@ namespace hariko {
 std::vector<Index> border_loop(const HalfEdgeMesh& mesh, Index edge) {
   HARIKO_ASSERT(mesh.is_border_edge(edge), "a border loop starts at a border edge");
   std::vector<Index> loop;
-  // The first half-edge of a border vertex's fan leads along the border; reversed, it is the way of a face on
-  // the other side.
+  // The first half-edge of a border vertex's fan leads along the border; reversed, the walk has the direction
+  // of a face on the other side.
   const Index start = mesh.origin(mesh.half_edge_of_edge(edge));
   for (Index v = start; loop.empty() || v != start; v = mesh.target(mesh.outgoing(v))) loop.push_back(v);
   return {loop.rbegin(), loop.rend()};
 }
 
 std::vector<BorderChain> border_chains(const HalfEdgeMesh& mesh, std::span<const Index> edges) {
-  std::map<Index, Index> next;  // on a border a vertex starts one edge and ends one
+  std::map<Index, Index> next;  // on a border each vertex starts one edge and ends one
   std::set<Index> targets;
   for (const Index e : edges) {
     HARIKO_ASSERT(mesh.is_border_edge(e), "a chain of border edges");

@@ -1,6 +1,6 @@
 #pragma once
 
-// The borders of a polyhedron as the cycles that new faces along them would run.
+// Borders of a polyhedron as vertex cycles in the direction of new faces along them.
 
 #include <span>
 #include <vector>
@@ -9,17 +9,18 @@
 
 namespace hariko {
 
-/// Vertices in the order in which a face that closes the border passes them: against the border half-edges.
-/// `edge` must be a border edge. O(border + valences).
+/// Returns the vertices of a border in the order of a face that would close it, which is against the border
+/// half-edges. `edge` must be a border edge. O(border + valences).
 std::vector<Index> border_loop(const HalfEdgeMesh& mesh, Index edge);
 
+/// Border edges joined end to end.
 struct BorderChain {
-  std::vector<Index> vertices;  ///< in the direction of a new face; of a closed one each vertex once
+  std::vector<Index> vertices;  ///< in the direction of a new face; each vertex once if closed
   bool closed = false;
 };
 
-/// Border edges joined end to end, open ones first, then by their lowest vertex. All edges must be border
-/// edges.
+/// Joins border edges end to end; returns open chains first, then ordered by their lowest vertex. All edges
+/// must be border edges.
 std::vector<BorderChain> border_chains(const HalfEdgeMesh& mesh, std::span<const Index> edges);
 
 }  // namespace hariko

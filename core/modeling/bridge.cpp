@@ -17,13 +17,13 @@ namespace {
 /// both.
 using Rungs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// Two ends that run side by side: the new faces pass `a` forwards and `b` backwards. Closed ends repeat
+/// Two ends of a strip side by side: the new faces pass `a` forwards and `b` backwards. Closed ends repeat
 /// their first entry at the end.
 struct Ends {
   std::vector<VertexId> a, b;
 };
 
-/// The shortest rungs from (0, 0) to the far ends with as few triangles as possible. O(p q) for p >= q edges.
+/// Shortest rungs from (0, 0) to the far ends with as few triangles as possible. O(p q) for p >= q edges.
 struct Strip {
   double length = std::numeric_limits<double>::infinity();
   Rungs rungs;
@@ -32,7 +32,7 @@ Strip shortest_strip(std::span<const Vector3> a, std::span<const Vector3> b) {
   const bool swapped = a.size() < b.size();
   const auto longer = swapped ? b : a, shorter = swapped ? a : b;
   const std::size_t p = longer.size() - 1, q = shorter.size() - 1, spare = p - q;
-  // After i steps along the longer end, of which t were triangles, the shorter end is at i - t.
+  // After i steps along the longer end, t of which made triangles, the shorter end is at i - t.
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> best(spare + 1, infinity), before;
   std::vector<std::vector<char>> by_triangle(p + 1, std::vector<char>(spare + 1, 0));
@@ -72,8 +72,7 @@ std::vector<T> closed_from(const std::vector<T>& loop, std::size_t start) {
   return out;
 }
 
-/// The rungs between two closed ends: the start on the second end is the one with the shortest strip, then
-/// turned on by `twist`.
+/// Aligns two closed ends: the second end starts where the strip is shortest, then is rotated by `twist`.
 Ends aligned(const MeshDraft& draft, const std::vector<VertexId>& a, const std::vector<VertexId>& b,
              int twist) {
   const std::vector<Vector3> at_a = places(draft, closed_from(a, 0)), at_b = places(draft, b);
@@ -93,7 +92,7 @@ Ends aligned(const MeshDraft& draft, const std::vector<VertexId>& a, const std::
   std::size_t best = 0;
   for (const std::size_t s : starts) {
     const double length = shortest_strip(at_a, closed_from(at_b, s)).length;
-    if (length < shortest * (1 - 1e-12)) {  // equally good ones: the first
+    if (length < shortest * (1 - 1e-12)) {  // among equally good starts, the first
       shortest = length;
       best = s;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Bridges: strips of faces between two faces, two borders, or two stretches of border.
+// Bridges: strips of faces between two faces, two borders, or two stretches of a border.
 
 #include <span>
 
@@ -10,23 +10,23 @@
 namespace hariko {
 
 struct BridgeOptions {
-  /// Turns the second end on by so many corners from the best alignment (closed bridges only).
+  /// Number of corners by which the second end is rotated from the best alignment (closed bridges only).
   int twist = 0;
 };
 
-/// Ends with more vertices than this are not bridged.
+/// Largest number of vertices of an end that can be bridged.
 inline constexpr std::size_t largest_bridge_end = 2000;
 
-// The strip has quads, and triangles where one end has more edges than the other; of all such strips it takes
-// the one whose cross edges are shortest in sum. Selects the new faces. Errors of all: E_NOTHING_SELECTED,
-// E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (not two ends, ends that touch, edges not on a border),
-// E_WOULD_BE_NONMANIFOLD (an edge runs already where the strip would have one), E_TOO_MANY_ELEMENTS.
+// The strip consists of quads, and of triangles where one end has more edges than the other; among all such
+// strips the one with the least total length of cross edges is chosen. The new faces are selected. Errors of
+// both functions: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (not two ends, ends that touch,
+// edges not on a border), E_WOULD_BE_NONMANIFOLD (an edge of the strip exists already), E_TOO_MANY_ELEMENTS.
 
-/// A tunnel, or a handle, between two faces, which go. The Euler number falls by 2.
+/// Replaces two faces by a tunnel or a handle between them. The Euler number falls by 2.
 Result<Modeled> bridge_faces(const PolyhedronSource& source, FaceId first, FaceId second,
                              const BridgeOptions& options = {});
 
-/// Between the two closed borders, or the two open stretches of border, that the edges form. The Euler number
+/// Bridges the two closed borders, or the two open stretches of border, that the edges form. The Euler number
 /// stays for closed borders and falls by 1 for stretches.
 Result<Modeled> bridge_borders(const PolyhedronSource& source, std::span<const EdgeId> edges,
                                const BridgeOptions& options = {});

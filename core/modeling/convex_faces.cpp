@@ -13,13 +13,13 @@ namespace {
 
 using Pieces = std::vector<std::vector<Index>>;
 
-/// The sides of pieces that are no sides of their face, as pairs of the face's corner numbers.
+/// Visits the inner edges of a decomposition, as pairs of the face's corner numbers.
 template <class Visit>
 void for_each_diagonal(const Pieces& pieces, std::size_t sides, Visit&& visit) {
   for (const std::vector<Index>& piece : pieces)
     for (std::size_t i = 0; i < piece.size(); ++i) {
       const Index a = piece[i], b = piece[(i + 1) % piece.size()];
-      if ((a + 1) % sides != b && a < b) visit(a, b);  // each diagonal is seen from both of its pieces
+      if ((a + 1) % sides != b && a < b) visit(a, b);  // each diagonal occurs in both of its pieces
     }
 }
 
@@ -72,7 +72,7 @@ class CutFinder {
   std::set<std::pair<Index, Index>> diagonals_;
 };
 
-/// The polyhedron with its faces cut, and which face each piece and inner edge belongs to.
+/// Cuts the faces, and records which face each piece and inner edge belongs to.
 Result<ConvexFaces> cut(const PolyhedronSource& source, std::vector<Index> concave,
                         std::vector<FaceCut> cuts) {
   MeshDraft draft(source);
@@ -95,7 +95,7 @@ Result<ConvexFaces> cut(const PolyhedronSource& source, std::vector<Index> conca
   }
   auto finished = std::move(draft).finish();
   if (!finished) return finished.error();
-  // Forms know the inner edges, or turn them with those beside them; pieces count as much as their face.
+  // Kept forms may refer to inner edges; pieces together are weighted as their face.
   if (!source.shaping->form.empty() || !source.shaping->kept_area.empty()) {
     Shaping shaping = *finished->shaping;
     shaping.form = source.shaping->form;
@@ -108,7 +108,7 @@ Result<ConvexFaces> cut(const PolyhedronSource& source, std::vector<Index> conca
                      std::move(aliases)};
 }
 
-/// `previous` at the present positions.
+/// `previous` with the present positions.
 Result<ConvexFaces> moved(const PolyhedronSource& source, std::vector<Index> concave,
                           const ConvexFaces& previous) {
   const Polyhedron &before = previous.before.polyhedron, &whole = previous.source.polyhedron;

@@ -20,7 +20,7 @@ std::size_t corner_of(std::span<const VertexId> face, VertexId v) {
   return static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin());
 }
 
-/// Splits the face between two corners if a new edge may run there: the part from a to b gets a new id.
+/// Splits the face between two corners if a new edge may run there; the part from a to b gets a new id.
 bool split_between(MeshDraft& draft, FaceId face, VertexId a, VertexId b) {
   const auto corners = draft.face(face);
   const std::size_t n = corners.size(), i = corner_of(corners, a), j = corner_of(corners, b);
@@ -40,7 +40,7 @@ bool split_between(MeshDraft& draft, FaceId face, VertexId a, VertexId b) {
   return true;
 }
 
-/// Puts the points of a path into the draft; points of one edge in the order in which they lie on it.
+/// Puts the points of a path into the draft, points of one edge in their order along it.
 Result<std::vector<VertexId>> place_path(MeshDraft& draft, const PolyhedronSource& source,
                                          std::span<const CutPoint> path) {
   std::map<EdgeId, std::map<double, VertexId>> on_edges;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Cutting: faces are split along new edges between points of their outlines.
+// Cutting: faces are split along new edges between points of their boundaries.
 
 #include <span>
 #include <variant>
@@ -12,13 +12,14 @@
 
 namespace hariko {
 
-/// Connects selected points: in every face that has several of them, each with the next one round the face.
-/// An edge stands for its middle, where it gets a vertex. Neighbours along a side and points that an edge
-/// joins already are not joined again, nor are points between which the line would leave a concave face.
+/// Connects selected points: in every face that has several of them, each with the next one round the face. A
+/// selected edge stands for its midpoint, where it gets a vertex. Two points are not connected if they are
+/// neighbours along a side, if an edge joins them already, or if the line between them would leave a concave
+/// face.
 ///
-/// New edges are plain. Pieces of edges keep tension and crease, points on edges get the tension in between.
-/// Split faces pass their id to one part. The Euler number stays. Selected afterwards: the new edges. Given
-/// `on`, the form of `source`, new points lie on the surface, which stays.
+/// New edges are plain. Pieces of edges keep tension and crease; points on edges get the interpolated
+/// tension. Split faces pass their id to one part. The Euler number stays. Selected afterwards: the new
+/// edges. Given `on`, the form of `source`, new points lie on the surface, which stays unchanged.
 ///
 /// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (nothing to connect).
 Result<Modeled> connect_points(const PolyhedronSource& source, std::span<const VertexId> vertices,
@@ -33,8 +34,9 @@ using CutPoint = std::variant<VertexId, EdgePoint>;
 Result<Modeled> cut_path(const PolyhedronSource& source, std::span<const CutPoint> path,
                          const SurfaceForm* on = nullptr);
 
-/// Splits one face between two of its corners. Errors: E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (no corners of
-/// the face, neighbours, joined already, or the line leaves the face).
+/// Splits one face between two of its corners. Errors: E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (the vertices are
+/// not corners of the face, are neighbours or are joined by an edge already, or the line between them leaves
+/// the face).
 Result<Modeled> split_face(const PolyhedronSource& source, FaceId face, VertexId a, VertexId b,
                            const SurfaceForm* on = nullptr);
 

@@ -12,8 +12,8 @@
 namespace hariko {
 namespace {
 
-/// A crossing this share of an edge's length from its end goes through the end: a cut beside a vertex would
-/// leave a sliver that nobody meant.
+/// Fraction of an edge's length within which a crossing is moved to the end: a cut beside a vertex would
+/// leave an unwanted sliver.
 constexpr double vertex_share = 1e-3;
 
 /// A vertex or an edge that the plane crosses.
@@ -22,12 +22,12 @@ struct Crossing {
   friend auto operator<=>(const Crossing&, const Crossing&) = default;
 };
 
-/// What is known of one way: how long it is, and where it came from.
+/// Entry of the shortest-path search: length so far, and the previous crossing.
 struct Reached {
   double length = 0;
   Crossing before;
   Vector3 point = Vector3::Zero();
-  double share = 0;  ///< of crossings of edges, from the end with the smaller id
+  double share = 0;  ///< for crossings of edges, from the end with the smaller id
 };
 
 class PlaneWalk {
@@ -35,7 +35,7 @@ class PlaneWalk {
   PlaneWalk(const Polyhedron& polyhedron, const Vector3& through, const Vector3& normal)
       : polyhedron_(polyhedron), mesh_(polyhedron.topology()), through_(through), normal_(normal) {}
 
-  /// The crossings from one to the other, both included; empty when no way leads there.
+  /// Returns the crossings from one to the other, both included; empty when no path exists.
   std::vector<std::pair<Crossing, double>> find(const Crossing& from, const Crossing& to,
                                                 const Vector3& end) {
     using Entry = std::pair<double, Crossing>;
@@ -68,11 +68,11 @@ class PlaneWalk {
  private:
   double height(Index v) const { return normal_.dot(polyhedron_.position(v) - through_); }
 
-  /// Where the plane crosses a side: inside it, or at one of its ends.
+  /// Offers the crossing of the plane with a side: inside it, or at one of its ends.
   template <class Offer>
   void cross(Index h, const Crossing& from, const Offer& offer) const {
     const Index a = mesh_.origin(h), b = mesh_.target(h);
-    if (from.edge == mesh_.edge(h)) return;  // the cut begins there
+    if (from.edge == mesh_.edge(h)) return;  // the cut begins on this edge
     const double ha = height(a), hb = height(b);
     if ((ha > 0 && hb > 0) || (ha < 0 && hb < 0)) return;
     const double span = std::abs(hb - ha);

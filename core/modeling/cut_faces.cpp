@@ -12,7 +12,7 @@
 namespace hariko {
 namespace {
 
-/// Puts the pieces (corner numbers of the face) in the place of the face.
+/// Replaces the face by the pieces (given by corner numbers of the face).
 void replace_face(MeshDraft& draft, FaceId face, const std::vector<std::vector<Index>>& pieces,
                   ElementSet& selection) {
   const auto old = draft.face(face);
@@ -38,7 +38,7 @@ Message cannot_cut(FaceId face, std::size_t sides) {
                     "Choose other faces.", element_of(face));
 }
 
-/// Calls cut(corners, may_join) for each face; its pieces, if there are several, take the face's place.
+/// Calls cut(corners, may_join) for each face; if it returns several pieces, they replace the face.
 template <class Cut>
 Result<Modeled> cut_faces(const PolyhedronSource& source, std::span<const FaceId> faces, const char* nothing,
                           Cut&& cut) {
@@ -81,7 +81,7 @@ Result<Modeled> decompose_concave_faces(const PolyhedronSource& source, std::spa
   return cut_faces(source, faces, "None of the faces is concave.",
                    [](const std::vector<Vector3>& corners, const MayJoin& may_join) -> Pieces {
                      if (classify_face(corners) != FaceShape::concave)
-                       return std::vector<std::vector<Index>>(1);  // stays
+                       return std::vector<std::vector<Index>>(1);  // a single piece: the face stays
                      return convex_pieces(corners, may_join);
                    });
 }

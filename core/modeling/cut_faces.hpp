@@ -1,7 +1,6 @@
 #pragma once
 
-// Cutting faces by diagonals, without new vertices: into triangles, or where they are concave into convex
-// pieces.
+// Cutting faces by diagonals, without new vertices: into triangles, or concave faces into convex pieces.
 
 #include <span>
 
@@ -10,14 +9,14 @@
 
 namespace hariko {
 
-/// Faces into triangles (`triangles_of`). The first triangle keeps the face's id. Selects the triangles.
-/// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (only triangles are given),
-/// E_WOULD_BE_NONMANIFOLD (every diagonal that would do is an edge already), E_TOO_MANY_ELEMENTS.
+/// Cuts faces into triangles (`triangles_of`). The first triangle keeps the face's id. Selects the triangles.
+/// Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (all faces given are triangles),
+/// E_WOULD_BE_NONMANIFOLD (every suitable diagonal is an edge already), E_TOO_MANY_ELEMENTS.
 Result<Modeled> triangulate_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
 
-/// Concave faces into convex pieces (`convex_pieces`); the new edges have no tension and no crease. Faces
-/// that are convex, or whose projection crosses itself, stay. Selects the pieces. Errors as above;
-/// E_WRONG_SELECTION where no face given is concave.
+/// Cuts concave faces into convex pieces (`convex_pieces`); the new edges have no tension and no crease.
+/// Faces that are convex, or whose projection intersects itself, stay. Selects the pieces. Errors as for
+/// `triangulate_faces`, but E_WRONG_SELECTION where no face given is concave.
 Result<Modeled> decompose_concave_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
 
 }  // namespace hariko

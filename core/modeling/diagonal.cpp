@@ -17,7 +17,8 @@ bool segments_cross(const Vector2& a, const Vector2& b, const Vector2& c, const 
          ((a_side >= 0 && b_side <= 0) || (a_side <= 0 && b_side >= 0));
 }
 
-/// Whether direction d leaves corner `at` between the sides to the next and the previous corner.
+/// Whether the direction from `at` to `to` lies inside the corner between the sides to the next and the
+/// previous corner.
 bool leaves_inside(const Vector2& previous, const Vector2& at, const Vector2& next, const Vector2& to) {
   const Vector2 out = next - at, in = previous - at, d = to - at;
   if (cross(out, in) >= 0) return cross(out, d) > 0 && cross(d, in) > 0;

@@ -19,8 +19,8 @@ Message not_a_disk(FaceId face) {
                     "Dissolve fewer elements at a time.", element_of(face));
 }
 
-/// The border of a group of faces, as the corners of the one face that takes their place. None unless the
-/// group is a disk: one border loop that passes no vertex twice, and no handle inside.
+/// Border of a group of faces, as the corners of the face that replaces them. Nothing unless the group is a
+/// disk: one border loop that passes no vertex twice, and no handle inside.
 std::optional<std::vector<Index>> outline(const HalfEdgeMesh& mesh, DisjointSets& groups,
                                           std::span<const Index> faces) {
   std::map<Index, Index> next;
@@ -39,7 +39,7 @@ std::optional<std::vector<Index>> outline(const HalfEdgeMesh& mesh, DisjointSets
     }
   if (next.size() != border_sides || border_sides == 0) return std::nullopt;
   if (vertices.size() + faces.size() != border_sides + inner_sides / 2 + 1) return std::nullopt;
-  // From the first corner of the first face that lies on the border, so that little changes.
+  // Starts at the first corner of the first face that lies on the border, so that little changes.
   std::vector<Index> loop;
   for (const Index v : mesh.face_vertices(faces[0]))
     if (loop.empty() && next.contains(v)) loop.push_back(v);
@@ -49,7 +49,7 @@ std::optional<std::vector<Index>> outline(const HalfEdgeMesh& mesh, DisjointSets
   return loop;
 }
 
-/// What a vertex with two edges lies between.
+/// The two neighbours of a vertex with two edges.
 std::pair<VertexId, VertexId> neighbours_of(const MeshDraft& draft, VertexId v) {
   const auto corners = draft.face(draft.faces_at(v).front());
   const auto n = corners.size();
@@ -57,7 +57,7 @@ std::pair<VertexId, VertexId> neighbours_of(const MeshDraft& draft, VertexId v) 
   return {corners[(i + n - 1) % n], corners[(i + 1) % n]};
 }
 
-/// Why a vertex with two edges cannot be taken out of its faces.
+/// Reason why a vertex with two edges cannot be removed from its faces; nothing if it can.
 std::optional<Message> cannot_drop(const MeshDraft& draft, VertexId v) {
   for (const FaceId f : draft.faces_at(v))
     if (draft.face(f).size() <= 3)
@@ -70,7 +70,7 @@ std::optional<Message> cannot_drop(const MeshDraft& draft, VertexId v) {
                     "Merge vertices instead.", element_of(v));
 }
 
-/// Takes a vertex with two edges out of its faces; the edge that remains is a crease if both were, and has
+/// Removes a vertex with two edges from its faces; the edge that remains is a crease if both were, and has
 /// their tension if they agree.
 void drop_vertex(MeshDraft& draft, VertexId v) {
   const auto [a, b] = neighbours_of(draft, v);
@@ -99,7 +99,7 @@ bool has_two_edges(const MeshDraft& draft, VertexId v) {
   return neighbours.size() == 2;
 }
 
-/// Joins every group of several faces in the draft and selects what it gives.
+/// Joins every group of several faces in the draft and selects the joined faces.
 std::optional<Message> join_groups(const Polyhedron& polyhedron, DisjointSets& groups, MeshDraft& draft,
                                    ElementSet& selection) {
   std::map<Index, std::vector<Index>> members;
@@ -128,7 +128,8 @@ Result<Modeled> dissolve_vertices(const PolyhedronSource& source, std::span<cons
   DisjointSets groups(mesh.face_count());
   MeshDraft draft(source);
   ElementSet selection;
-  // The fan of a vertex becomes one face; a vertex with two edges leaves its faces apart.
+  // The fan of a vertex becomes one face; a vertex with two edges separates no faces, so that they stay
+  // apart.
   for (const Index v : *chosen) {
     if (mesh.outgoing(v) == no_index || mesh.valence(v) == 2) continue;
     const Index first = mesh.outgoing(v);
@@ -138,7 +139,7 @@ Result<Modeled> dissolve_vertices(const PolyhedronSource& source, std::span<cons
   if (auto failed = join_groups(source.polyhedron, groups, draft, selection)) return *std::move(failed);
   for (const Index v : *chosen) {
     const VertexId id = source.polyhedron.vertex_id(v);
-    if (draft.faces_at(id).empty()) continue;  // inside a joined face
+    if (draft.faces_at(id).empty()) continue;  // it was inside a joined face
     if (auto failed = cannot_drop(draft, id)) return *std::move(failed);
     drop_vertex(draft, id);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Dissolving: taking elements away without making a hole, the faces round them become one.
+// Dissolving: removing elements without leaving a hole, by joining the faces round them.
 
 #include <span>
 
@@ -9,20 +9,21 @@
 
 namespace hariko {
 
-// Errors of all: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (nothing to join), E_FACE_TOO_SMALL
-// (a face would keep fewer than three corners), E_WOULD_BE_NONMANIFOLD (the joined face would not be a disk,
-// or an edge would come twice). The joined face keeps the lowest id of its parts; the Euler number stays.
+// Errors of all three functions: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (nothing to join),
+// E_FACE_TOO_SMALL (a face would keep fewer than three corners), E_WOULD_BE_NONMANIFOLD (the joined face
+// would not be a disk, or two edges would join the same vertices). The joined face keeps the lowest id of its
+// parts; the Euler number stays.
 
-/// The faces round each vertex become one; at a vertex of two edges, and at a border, these edges become one.
-/// Selects the joined faces.
+/// Joins the faces round each vertex into one; at a vertex of two edges, and at a border, joins these two
+/// edges into one. Selects the joined faces.
 Result<Modeled> dissolve_vertices(const PolyhedronSource& source, std::span<const VertexId> vertices);
 
-/// The faces on both sides become one. Vertices that keep two edges go as well where their faces have corners
-/// to spare: they would only bend an edge. Border edges have a face on one side only and are refused. Selects
-/// the joined faces.
+/// Joins the faces on both sides of each edge into one. Vertices left with two edges are removed too where
+/// their faces have more than three corners, because they would only bend an edge. Border edges have a face
+/// on one side only and are refused. Selects the joined faces.
 Result<Modeled> dissolve_edges(const PolyhedronSource& source, std::span<const EdgeId> edges);
 
-/// Neighbouring faces of the selection become one. Selects the joined faces.
+/// Joins neighbouring faces of the selection into one. Selects the joined faces.
 Result<Modeled> dissolve_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
 
 }  // namespace hariko

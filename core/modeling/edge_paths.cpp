@@ -5,7 +5,7 @@
 namespace hariko {
 namespace {
 
-/// The half-edge straight on from where this one arrives, or no_index.
+/// Half-edge straight on from the target of this one, or no_index.
 Index straight_on(const HalfEdgeMesh& mesh, Index h) {
   const Index v = mesh.target(h);
   if (mesh.is_border_vertex(v)) return mesh.twin(h) == no_index ? mesh.outgoing(v) : no_index;
@@ -29,7 +29,7 @@ std::vector<Index> follow(const HalfEdgeMesh& mesh, Index start, bool& closed) {
 }
 
 /// Walks a ring from a half-edge whose face is the next to be crossed. Calls visit(o) with each opposite
-/// half-edge; true when it came back to the start.
+/// half-edge; returns true when the walk came back to the start.
 template <class Visit>
 bool cross_quads(const HalfEdgeMesh& mesh, Index start, Visit&& visit) {
   for (Index h = start; h != no_index && mesh.side_count(mesh.face(h)) == 4;) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// From operations on polyhedra to edits of the document.
+// Application of operations on polyhedra as edits of the document.
 
 #include <functional>
 
@@ -10,6 +10,7 @@
 
 namespace hariko {
 
+/// Edited document, and the elements selected after the edit.
 struct ModeledDocument {
   Document document;
   ElementSet selection;  ///< elements of the object

@@ -10,7 +10,7 @@ ElementFlags::ElementFlags(const Polyhedron& polyhedron)
 ElementFlags::ElementFlags(const Polyhedron& polyhedron, const ElementSet& set) : ElementFlags(polyhedron) {
   for (const VertexId id : set.vertices)
     if (const Index v = polyhedron.find(id); v != no_index) vertices[v] = 1;
-  // Looking up an edge takes time in proportion to a valence; looking up its name does not.
+  // Looking up an edge costs O(valence); looking up its id in the set does not.
   if (!set.edges.empty())
     for (Index e = 0; e < polyhedron.edge_count(); ++e) edges[e] = set.edges.contains(polyhedron.edge_id(e));
   faces = face_flags(polyhedron, set.faces);

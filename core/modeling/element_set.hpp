@@ -1,6 +1,6 @@
 #pragma once
 
-// ElementSet: some vertices, edges and faces of one polyhedron, by their stable ids.
+// ElementSet: vertices, edges and faces of one polyhedron, by their stable ids.
 
 #include <cstddef>
 #include <set>
@@ -19,7 +19,7 @@ struct ElementSet {
   friend bool operator==(const ElementSet&, const ElementSet&) = default;
 };
 
-/// Ascending, as most operations take them.
+/// Returns the ids in ascending order, as most operations take them.
 template <class Id>
 std::vector<Id> list_of(const std::set<Id>& ids) {
   return {ids.begin(), ids.end()};

@@ -27,7 +27,7 @@ Result<Done> check_region(const Region& region, const Vector3& normal, double di
   return Done{};
 }
 
-/// The old rim keeps its shaping; what that means for the copy and the walls.
+/// Carries the shaping of the old rim, which keeps it, to the copy and the walls.
 void carry_shaping(MeshDraft& draft, const Polyhedron& polyhedron, const Shaping& before,
                    const std::vector<Region>& regions) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
@@ -40,7 +40,8 @@ void carry_shaping(MeshDraft& draft, const Polyhedron& polyhedron, const Shaping
       draft.inherit(point.base, point.top);
       draft.inherit(polyhedron.edge_id(mesh.edge(point.out)), EdgeId::of(point.top, arriving.at(point.out)));
       if (!std::any_of(point.inner_edges.begin(), point.inner_edges.end(), creased)) continue;
-      // Does the crease come from outside? The edges there are those between `in` and `out`, round the back.
+      // Finds whether the crease comes from outside: the edges there run between `in` and `out`, outside the
+      // region.
       const Index first = mesh.outgoing(point.vertex);
       bool outside = false;
       for (Index h = first; h != no_index && !outside;) {
@@ -54,8 +55,8 @@ void carry_shaping(MeshDraft& draft, const Polyhedron& polyhedron, const Shaping
   }
 }
 
-/// Closes the body of a sheet that was extruded as a whole. The faces of the back are new; the inner vertices
-/// of the sheet went with the front, so the back gets new ones.
+/// Closes the body of a sheet that was extruded as a whole. The faces of the back are new; the sheet's inner
+/// vertices moved with the front, so the back gets new ones.
 void add_back(MeshDraft& draft, const Polyhedron& polyhedron, const Region& region,
               std::vector<FaceId>& back) {
   std::map<Index, VertexId> base;
@@ -83,7 +84,7 @@ void turn_over(MeshDraft& draft, FaceId face) {
   draft.set_face(face, std::move(corners));
 }
 
-/// Every face of the body turned over: front, back and the walls, which are those at the base of the rim.
+/// Reverses every face of the body: front, back and the walls, which are the faces at the base of the rim.
 void turn_body(MeshDraft& draft, const Polyhedron& polyhedron, const Region& region,
                const std::vector<FaceId>& back) {
   std::vector<FaceId> body = back;

@@ -18,14 +18,14 @@ std::vector<Vector3> corners_of(const Polyhedron& polyhedron, Index face) {
   return corners;
 }
 
-/// Half of it, so that nothing overflows.
+/// Half the largest coordinate extent of the corners from the first one; halved so that nothing overflows.
 double extent_of(const std::vector<Vector3>& corners) {
   double extent = 0;
   for (const Vector3& p : corners) extent = std::max(extent, (p / 2 - corners[0] / 2).cwiseAbs().maxCoeff());
   return extent;
 }
 
-/// Newell's normal in units of `extent` squared, so that neither large nor small faces leave the range.
+/// Newell's normal in units of `extent` squared, so that neither large nor small faces overflow or underflow.
 Vector3 scaled_normal(std::vector<Vector3> corners, double extent) {
   if (!(extent > 0)) return Vector3::Zero();
   const Vector3 first = corners[0];
@@ -33,7 +33,7 @@ Vector3 scaled_normal(std::vector<Vector3> corners, double extent) {
   return newell_normal(corners);
 }
 
-/// The part of a convex polygon to the left of the line from a to b.
+/// Part of a convex polygon to the left of the line from a to b.
 std::vector<Vector2> left_part(const std::vector<Vector2>& polygon, const Vector2& a, const Vector2& b) {
   const auto height = [&](const Vector2& p) { return cross(b - a, p - a); };
   std::vector<Vector2> out;
@@ -46,8 +46,8 @@ std::vector<Vector2> left_part(const std::vector<Vector2>& polygon, const Vector
   return out;
 }
 
-/// Centroid of the points from which all of a counter-clockwise polygon is seen; none where they have hardly
-/// any area.
+/// Centroid of the kernel of a counter-clockwise polygon; nothing where the kernel's area is below 1e-6 of
+/// the polygon's.
 std::optional<Vector2> kernel_centroid(const std::vector<Vector2>& outline) {
   constexpr double least_share = 1e-6;
   Eigen::AlignedBox2d box;
@@ -83,7 +83,7 @@ Vector3 face_normal(const Polyhedron& polyhedron, Index face) {
   std::vector<Vector3> corners = corners_of(polyhedron, face);
   const double extent = extent_of(corners);
   const Vector3 normal = scaled_normal(std::move(corners), extent);
-  // Below this the direction is that of rounding errors.
+  // Below this length the direction would be that of rounding errors.
   return normal.norm() > 1e-12 ? direction_of(normal) : Vector3::Zero();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Filling holes.
+// Filling holes with faces.
 
 #include <span>
 
@@ -9,7 +9,7 @@
 
 namespace hariko {
 
-/// Closes each border that one of the edges lies on by one face. Selects the new faces. Errors:
+/// Closes with one face each border that contains one of the edges. Selects the new faces. Errors:
 /// E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (an edge is not on a border),
 /// E_WOULD_BE_NONMANIFOLD.
 Result<Modeled> fill_holes(const PolyhedronSource& source, std::span<const EdgeId> edges);

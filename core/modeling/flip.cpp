@@ -51,7 +51,7 @@ Result<Modeled> flip_faces(const PolyhedronSource& source, std::span<const FaceI
       shaping.pin.set(id, {Pin::Kind::normal, {Vector3(-pin->vectors[0])}});
   }
   auto flipped = std::move(draft).finish(std::move(selection));
-  if (flipped && !forms.empty()) {  // the edges at their vertices are the same, the other way round
+  if (flipped && !forms.empty()) {  // the edges at the form's vertices are the same, in reverse order
     Shaping kept = *flipped->source.shaping;
     for (auto& [id, form] : forms) kept.form.set(id, std::move(form));
     flipped.value().source.shaping = std::move(kept);

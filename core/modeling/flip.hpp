@@ -1,6 +1,6 @@
 #pragma once
 
-// Turning faces over.
+// Reversing the orientation of faces.
 
 #include <span>
 
@@ -9,9 +9,9 @@
 
 namespace hariko {
 
-/// Faces look the other way; pinned normals turn with them. Only whole parts can: neighbours of one surface
-/// must agree. Selects the faces. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_WRONG_SELECTION (a face
-/// has a neighbour that is not given; names it).
+/// Reverses the orientation of faces and of pinned normals. Only whole connected parts can be reversed,
+/// because neighbouring faces must agree. Selects the faces. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT,
+/// E_WRONG_SELECTION (a face has a neighbour that is not given; names it).
 Result<Modeled> flip_faces(const PolyhedronSource& source, std::span<const FaceId> faces);
 
 }  // namespace hariko

@@ -12,8 +12,8 @@
 namespace hariko {
 namespace {
 
-/// The corners from the one before the first on the positive side to the one after the last. Empty where no
-/// corner is on the positive side; none where they are not all in one run.
+/// Corners from the one before the first on the positive side to the one after the last. Empty where no
+/// corner is on the positive side; nothing where they are not all in one run.
 std::optional<std::vector<VertexId>> positive_part(std::span<const VertexId> corners,
                                                    const std::map<VertexId, int>& side) {
   const std::size_t n = corners.size();
@@ -38,8 +38,8 @@ std::optional<std::vector<VertexId>> positive_part(std::span<const VertexId> cor
   return out;
 }
 
-/// Share of an edge's curve, from its end with the smaller id, at which it crosses the plane through the zero
-/// of the object; its ends lie on different sides. `usual` where the surface has no such curve.
+/// Fraction of an edge's curve, from its end with the smaller id, at which it crosses the plane through the
+/// origin of the object; its ends lie on different sides. `usual` where the surface has no such curve.
 double crossing_share(const SurfaceForm& form, EdgeId edge, Axis axis, double usual) {
   const auto curve = form.curve(edge);
   if (!curve) return usual;
@@ -97,7 +97,7 @@ Result<Modeled> halved(const PolyhedronSource& source, const Mirror& mirror, con
       draft.set_face(id, *std::move(part));
   }
   if (!on) return std::move(draft).finish({});
-  // The half's memory is meant for the whole.
+  // Kept forms are computed for the mirrored whole.
   const RefinedPoints places = draft.places();
   auto half = std::move(draft).finish();
   if (!half) return half.error();

@@ -22,7 +22,7 @@ struct InsetRegion {
   double limit;
 };
 
-/// Per half-edge of the region the displacement of its origin.
+/// Displacement of the origin of each half-edge of the region, per unit of width.
 std::map<Index, Vector3> corner_rates(const HalfEdgeMesh& mesh, const Region& region,
                                       const std::vector<Vector3>& rates) {
   std::map<Index, Vector3> at;
@@ -74,7 +74,7 @@ Message too_wide(Element element) {
                     "Use a smaller amount.", element);
 }
 
-/// The band carries on the inner edges of the region that end at the rim.
+/// Continues the inner edges of the region that end at the rim across the band.
 void carry_shaping(MeshDraft& draft, const Polyhedron& polyhedron, const Shaping& before,
                    const Region& region) {
   for (const RimPoint& point : region.rim) {

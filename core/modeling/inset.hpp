@@ -12,8 +12,8 @@ namespace hariko {
 
 struct InsetOptions {
   double amount = 0;
-  /// `distance`: the width of the band. `share`: 0 .. 1 (both excluded) of the width at which the first edge
-  /// of a group shrinks to nothing, for each group by itself.
+  /// `distance`: the width of the band. `share`: fraction, 0 .. 1 (both excluded), of the width at which the
+  /// first edge of a group shrinks to nothing, for each group separately.
   enum class Measure { distance, share } measure = Measure::distance;
   Grouping as = Grouping::region;
 };
@@ -33,8 +33,9 @@ struct InsetOptions {
 Result<Modeled> inset_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
                             const InsetOptions& options);
 
-/// The distance at which the first edge of a group shrinks to nothing: `inset_faces` refuses it and all
-/// larger ones. Infinity where no edge shrinks. Errors: as above, of the selection.
+/// Returns the distance at which the first edge of a group shrinks to nothing: `inset_faces` refuses it and
+/// all larger ones. Infinity where no edge shrinks. Errors: those of `inset_faces` that concern the
+/// selection.
 Result<double> largest_inset(const PolyhedronSource& source, std::span<const FaceId> faces, Grouping as);
 
 }  // namespace hariko

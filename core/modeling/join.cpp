@@ -32,7 +32,8 @@ Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added
   MeshDraft draft(base);
   const Polyhedron& polyhedron = added.polyhedron;
   std::map<VertexId, VertexId> names;
-  // Origins first: their difference is small where the objects are near each other, however far from zero.
+  // Subtracting origins first keeps digits: their difference is small where the objects are near each other,
+  // however far from zero.
   const Vector3 shift = to_base.apply(added.origin) - base.origin;
   for (Index v = 0; v < polyhedron.vertex_count(); ++v)
     names.emplace(polyhedron.vertex_id(v),
@@ -74,8 +75,8 @@ Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added
   if (!result) return result.error();
   PolyhedronSource source = std::move(result).value();
   if (!tangents.empty() || !added.shaping->form.empty() || !areas.empty()) {
-    // The draft forgets tangents at new vertices and areas of new faces; here the edges round them are the
-    // same in the same order.
+    // The draft drops tangents at new vertices and areas of new faces; here they stay valid, because the
+    // edges round them are the same in the same order.
     Shaping with_tangents = *source.shaping;
     for (const auto& [id, pin] : tangents) with_tangents.pin.set(id, pin);
     for (const auto& [id, area] : areas) with_tangents.kept_area.set(id, area);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Several polyhedron objects become one.
+// Joining several polyhedron objects into one.
 
 #include <span>
 
@@ -10,15 +10,15 @@
 
 namespace hariko {
 
-/// `added` as further parts of `base`. `to_base` takes points of `added`'s space to `base`'s. The added
-/// elements get ids after all others, in order; pins turn and stretch with their vertices. Selects the added
-/// faces. Errors: E_NONFINITE, E_TOO_MANY_ELEMENTS.
+/// Adds `added` as further parts to `base`. `to_base` takes points of `added`'s space to `base`'s. The added
+/// elements get ids after all others, in order; pins are rotated and scaled with their vertices. Selects the
+/// added faces. Errors: E_NONFINITE, E_TOO_MANY_ELEMENTS.
 Result<Modeled> join(const PolyhedronSource& base, const PolyhedronSource& added, const Similarity& to_base);
 
-/// The first object takes in all others, which stay where they are in the document's space, and these go.
-/// Live mirrors are applied first: their planes would not be those of the joined object. Errors:
-/// E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND, E_WRONG_SELECTION (fewer than two objects), and those of `baked`
-/// and `join`.
+/// Joins all given objects into the first one. They stay where they are in the document's space; the others
+/// are removed. Live mirrors are applied first, because their planes would not be those of the joined object.
+/// Errors: E_UNKNOWN_OBJECT, E_LOCKED, E_WRONG_KIND, E_WRONG_SELECTION (fewer than two objects), and those of
+/// `baked` and `join`.
 Result<Document> join_objects(const Document& document, std::span<const ObjectId> objects);
 
 }  // namespace hariko

@@ -16,13 +16,13 @@ namespace hariko {
 namespace {
 
 constexpr double half_circle = std::numbers::pi;
-/// Share of a turn: how far tangents in one plane may miss to go round once.
+/// Relative tolerance of the sum of the angles between tangents, and tolerance of negative angles in radians.
 constexpr double turn_tolerance = 1e-2;
 
 struct Wish {
   Index end = no_index;
   VertexId other;
-  bool copy = false;  ///< leads to an image in a mirror
+  bool copy = false;  ///< leads to a mirror image
   Vector3 tangent = Vector3::Zero();
   double turn = 0, stretch = 0, lean = 0, side = 0;
 };
@@ -54,7 +54,7 @@ class FormFinder {
  private:
   bool is_copy(VertexId id) const { return input_.aliases && input_.aliases->is_copy(id); }
 
-  /// Forms that say which vertices lie on sides of faces, and nothing else.
+  /// Forms that record only which vertices lie on sides of faces.
   FlatMap<VertexId, KeptForm> sides() const {
     FlatMap<VertexId, KeptForm> out;
     for (Index v = 0; v < polyhedron_.vertex_count(); ++v) {
@@ -87,7 +87,7 @@ class FormFinder {
     return !pin || pin->kind != Pin::Kind::tangents;
   }
 
-  /// The edges of a vertex, in the order of its fan; none where something is not wanted.
+  /// Wishes for the edges of a vertex in the order of its fan; empty where something is not wanted.
   std::vector<Wish> wishes(Index v) const {
     std::vector<Wish> out;
     bool copies = false;
@@ -114,12 +114,12 @@ class FormFinder {
     return out;
   }
 
-  /// The corner between an edge of a fan and the next one, by its half-edge.
+  /// Corner between an edge of a fan and the next one, by its half-edge.
   static Index corner(const Wish& wish) { return wish.end / 2; }
 
   double edge_length(const Wish& wish) const { return frames_.charts.edge_length[mesh_.edge(wish.end / 2)]; }
 
-  /// Lengths of the edges in the vertex's fan before any form.
+  /// Lengths of the edges in the vertex's fan without any form.
   std::vector<double> lengths_of(const std::vector<Wish>& fan) const {
     double longest = 0;
     for (const Wish& wish : fan) longest = std::max(longest, edge_length(wish));
@@ -161,7 +161,7 @@ class FormFinder {
     if (frames_.kind[v] == FrameKind::smooth || frames_.kind[v] == FrameKind::sharp_line) find_leans(v, fan);
   }
 
-  /// Finds how far the split vectors of nearly flat corners are wanted from where the frames put them.
+  /// Finds the wanted offsets of the split vectors of nearly flat corners from their default directions.
   void find_leans(Index v, std::vector<Wish>& fan) const {
     const bool closed = fan.back().end % 2 == 0;
     for (std::size_t k = 0; k + (closed ? 0 : 1) < fan.size(); ++k) {
@@ -189,8 +189,8 @@ class FormFinder {
       body(sharp.back(), fan.size() - sharp.back() + sharp.front());
   }
 
-  /// Angles from the first tangent to the others round their common normal; none where they do not go round
-  /// once by `total`.
+  /// Angles from the first tangent to the others about their common normal; empty where they do not add up to
+  /// `total`.
   static std::vector<double> angles_of(const std::vector<Wish>& fan, std::size_t first, std::size_t corners,
                                        double total) {
     const auto at = [&](std::size_t j) -> const Vector3& { return fan[(first + j) % fan.size()].tangent; };
@@ -220,7 +220,7 @@ class FormFinder {
     for (Wish& wish : fan) wish.turn -= mean;
   }
 
-  /// The first and the last edge stay in their directions.
+  /// Sets turns relative to the default angles; the first and the last edge keep their directions.
   void turn_within(std::vector<Wish>& fan, std::size_t first, std::size_t corners, double total) const {
     const std::vector<double> angles = angles_of(fan, first, corners, total);
     if (angles.empty()) return;
@@ -232,7 +232,8 @@ class FormFinder {
     }
   }
 
-  /// Between two sharp edges tangents are any sums of those of both.
+  /// Sets turns and stretches between two sharp edges, where each tangent is a linear combination of those of
+  /// both.
   void turn_corner(std::vector<Wish>& fan, std::size_t first, std::size_t corners) const {
     const auto at = [&](std::size_t j) -> Wish& { return fan[(first + j) % fan.size()]; };
     const std::vector<double> lengths = lengths_of(fan);
@@ -262,7 +263,7 @@ class FormFinder {
     return out;
   }
 
-  /// The edges to copies as the mirror will make them.
+  /// Form that includes the edges to mirror images, as the mirror will make them.
   KeptForm whole_form(const std::vector<Wish>& fan) const {
     KeptForm out = form_of(fan);
     for (const Wish& wish : fan) {
@@ -274,8 +275,8 @@ class FormFinder {
     return out;
   }
 
-  /// Wanted images of the unit vectors along the edges of a fan. Those beside a flat corner are of one
-  /// length, as the unit vectors are nearly opposite: the shorter edge gives way.
+  /// Wanted images of the unit vectors along the edges of a fan. The two beside a flat corner get equal
+  /// length, because their unit vectors are nearly opposite; the one of the shorter edge is changed.
   std::vector<Vector3> wanted_images(const VertexFrames& frames, const std::vector<Wish>& fan) const {
     std::vector<Vector3> out;
     for (const Wish& wish : fan) out.push_back(wish.tangent / frames.length[wish.end]);
@@ -325,7 +326,7 @@ class FormFinder {
     return out;
   }
 
-  /// Vertices that are images in a mirror keep the image of the form.
+  /// Adds the mirror images of forms at vertices that are images.
   void add_images(Shaping& shaping) const {
     if (!input_.aliases) return;
     for (Index v = 0; v < polyhedron_.vertex_count(); ++v) {

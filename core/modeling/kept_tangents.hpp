@@ -1,7 +1,6 @@
 #pragma once
 
-// Tangents that the network of a refined polyhedron would not have by itself, as the forms that its vertices
-// keep.
+// Fitting of kept forms (`KeptForm`) that give the network of a refined polyhedron prescribed tangents.
 
 #include <functional>
 #include <optional>
@@ -16,27 +15,29 @@ namespace hariko {
 using WantedTangents =
     std::function<std::optional<std::pair<Vector3, Vector3>>(VertexId first, VertexId second)>;
 
-/// Wanted direction of the split edge of a face at a vertex.
+/// Wanted direction of the split edge (the inner patch boundary) of a face at a vertex.
 using WantedSplits = std::function<std::optional<Vector3>(VertexId vertex, FaceId face)>;
 
 /// Lengths of the edges before and behind a vertex that lies on a straight side of a face's chart, in any
-/// unit; none for other vertices.
+/// unit; nothing for other vertices.
 using WantedSides = std::function<std::optional<std::pair<double, double>>(VertexId vertex, FaceId face)>;
 
+/// Wanted tangents, split directions and sides, as functions of the vertices.
 struct WantedForm {
   WantedTangents tangents;
-  WantedSplits splits;  ///< asked for at corners of nearly a half turn only
+  WantedSplits splits;  ///< queried only at corners with an angle near pi
   WantedSides sides;
 };
 
-/// Forms with which the network has the wanted tangents. `input` has frames by measure and keeps no form yet.
-/// Vertices with pinned tangents get none, nor do those with an edge of which nothing is wanted. Of copies by
-/// a mirror nothing is asked: they follow. Errors: those of the network. O(edges).
+/// Returns the forms with which the network has the wanted tangents. `input` has frames by measure and no
+/// kept forms yet. Vertices with pinned tangents get no form, nor do those with an edge for which no tangent
+/// is wanted. The wishes are not queried for mirror images, which follow their originals. Errors: those of
+/// the network. O(edges).
 Result<FlatMap<VertexId, KeptForm>> kept_tangents(const PolyhedronSurfaceInput& input,
                                                   const WantedForm& wanted);
 
-/// Whether some number of the form is above a thousandth, or the vertex lies on a side: what is less is not
-/// worth keeping.
+/// Whether the form is worth keeping: the vertex lies on a side, or a turn (radians), log stretch, lean or
+/// three times the length of an offset exceeds 1e-3.
 bool says_something(const KeptForm& form);
 
 }  // namespace hariko

@@ -12,7 +12,7 @@
 namespace hariko {
 namespace {
 
-/// The vertex's neighbours in the order of its fan: tangent bases of equal fans mean the same.
+/// The vertex's neighbours in the order of its fan: tangent bases mean the same for equal fans.
 std::vector<VertexId> fan_of(const Polyhedron& polyhedron, Index v) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   std::vector<VertexId> out;
@@ -26,8 +26,8 @@ std::vector<VertexId> fan_of(const Polyhedron& polyhedron, Index v) {
   return out;
 }
 
-/// The basis vectors with which a fan of equal angles comes nearest to the network's tangents at a vertex:
-/// pinned vertices have such fans.
+/// Basis vectors whose fan of equal angles comes nearest to the network's tangents at a vertex; pinned
+/// vertices have such fans.
 std::vector<Vector3> nearest_basis(const HalfEdgeMesh& mesh, const VertexFrames& equal,
                                    const Network& network, Index v) {
   const Index begin = equal.basis_begin[v], count = equal.basis_begin[v + 1] - begin;
@@ -115,7 +115,7 @@ Result<PolyhedronSource> freeze_tangents(const PolyhedronSource& source, std::sp
     } else if (network.normal[v] != Vector3::Zero()) {
       pin.vectors = {network.normal[v]};
     } else {
-      continue;  // a corner of several planes: nothing in common to fix
+      continue;  // a corner of several planes has no common tangent plane to fix
     }
     shaping.pin.set(id, std::move(pin));
   }

@@ -48,11 +48,11 @@ class RingCut {
  private:
   struct Cut {
     Index start;
-    std::vector<VertexId> points;  ///< from the start on
+    std::vector<VertexId> points;  ///< ordered from the edge's start
   };
   using Row = std::vector<VertexId>;
 
-  /// The vertices along a half-edge, ends included.
+  /// Vertices along a half-edge, ends included.
   Row along(Index h) const {
     Row row{polyhedron_.vertex_id(mesh_.origin(h))};
     if (const auto cut = cuts_.find(mesh_.edge(h)); cut != cuts_.end()) {
@@ -72,7 +72,7 @@ class RingCut {
     for (Index i = 0; i < 4; ++i) sides[i] = along(first + i);
     std::reverse(sides[2].begin(), sides[2].end());
     std::reverse(sides[3].begin(), sides[3].end());
-    // Columns run along side 0 and 2, rows along side 1 and 3: a grid with the sides as its border.
+    // Columns run along sides 0 and 2, rows along sides 1 and 3: a grid with the sides as its border.
     const std::size_t columns = sides[0].size(), rows = sides[1].size();
     std::vector<Row> grid(rows, Row(columns));
     grid.front() = sides[0];
@@ -103,7 +103,7 @@ class RingCut {
         add_new_edge(grid[j][i], grid[j][i + 1], mesh_.edge(first), mesh_.edge(first + 2));
   }
 
-  /// The share at which point j of a cut half-edge lies, from its own origin.
+  /// Fraction at which point j of a cut half-edge lies, from its own origin.
   double share_of(Index h, std::size_t j) const {
     return cuts_.at(mesh_.edge(h)).start == mesh_.origin(h) ? shares_[j - 1]
                                                             : 1 - shares_[shares_.size() - j];
@@ -124,7 +124,7 @@ class RingCut {
   std::vector<double> shares_;
   MeshDraft draft_;
   std::map<Index, Cut> cuts_;
-  std::set<Index> quads_;  ///< faces at the ring, among them those at its ends that are no quads
+  std::set<Index> quads_;  ///< faces at the ring, including those at its ends that are not quads
   ElementSet selection_;
 };
 

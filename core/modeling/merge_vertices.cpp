@@ -13,7 +13,7 @@
 namespace hariko {
 namespace {
 
-/// Which vertex each merged one becomes; vertices that stay are not in it.
+/// Target vertex of each merged one; vertices that stay are absent.
 using Targets = std::map<VertexId, VertexId>;
 
 VertexId target_of(const Targets& targets, VertexId v) {
@@ -21,7 +21,7 @@ VertexId target_of(const Targets& targets, VertexId v) {
   return found == targets.end() ? v : found->second;
 }
 
-/// Corners after merging: neighbours that became the same vertex are one corner.
+/// Corners after merging: consecutive corners that became the same vertex count once.
 std::vector<VertexId> merged_corners(std::span<const VertexId> corners, const Targets& targets) {
   std::vector<VertexId> out;
   for (const VertexId v : corners)
@@ -31,7 +31,7 @@ std::vector<VertexId> merged_corners(std::span<const VertexId> corners, const Ta
   return out;
 }
 
-/// Settings of edges under their new names; those of an edge that keeps its name win.
+/// Settings of edges under their new ids; those of an edge that keeps its id take precedence.
 template <class Value>
 FlatMap<EdgeId, Value> renamed(const FlatMap<EdgeId, Value>& settings, const Targets& targets) {
   std::map<EdgeId, Value> moved;
@@ -77,7 +77,7 @@ Message too_few() {
   return make_error(e_wrong_selection, "There are no two vertices to merge.", "Select two or more.");
 }
 
-/// Taken about the first point, so that vertices far from zero lose no digits.
+/// Mean of the points, computed relative to the first so that vertices far from zero lose no digits.
 Vector3 centre_of(std::span<const Vector3> points) {
   Vector3 sum = Vector3::Zero();
   for (const Vector3& p : points) sum += (p - points[0]) / static_cast<double>(points.size());
@@ -108,7 +108,7 @@ Result<Modeled> collapse_edges(const PolyhedronSource& source, std::span<const E
   const HalfEdgeMesh& mesh = polyhedron.topology();
   const auto chosen = selected(polyhedron, edges, "Select edges.");
   if (!chosen) return chosen.error();
-  // The lowest vertex of what hangs together stands for it.
+  // The lowest vertex of each connected group represents it.
   std::map<Index, Index> lower;
   const auto root = [&](Index v) {
     while (lower.contains(v)) v = lower.at(v);

@@ -13,7 +13,7 @@
 namespace hariko {
 namespace {
 
-/// Between the normals of faces that count as in one plane, radians.
+/// Largest angle between the normals of faces that count as coplanar, radians.
 constexpr double coplanar_angle = 1e-6;
 constexpr std::size_t most_warnings = 100;
 
@@ -93,7 +93,7 @@ class FaceMerger {
     return all;
   }
 
-  /// The faces that free edges join to a face, in the order in which they are reached.
+  /// Faces connected to a face through removable edges, in the order in which they are reached.
   std::vector<Index> faces_in_plane(Index start, std::vector<char>& visited) const {
     std::vector<Index> out{start};
     visited[start] = 1;
@@ -108,8 +108,8 @@ class FaceMerger {
     return out;
   }
 
-  /// Grows polygons from face to face; what cannot be taken (a ring would close round a hole, too many sides)
-  /// begins a polygon of its own.
+  /// Grows polygons from face to face; faces that cannot be added (a ring would close round a hole, too many
+  /// sides) begin a polygon of their own.
   void merge_plane(std::vector<Index> faces, std::vector<MergedFaces::Group>& out) {
     while (!faces.empty()) {
       const auto corners = mesh_.face_vertices(faces.front());
@@ -141,19 +141,19 @@ class FaceMerger {
     }
   }
 
-  /// Writes down where in the polygon each of its corners stands, or takes that back.
+  /// Records where in the polygon each of its corners stands, or clears that.
   void mark(const std::vector<Index>& polygon, bool on) {
     for (std::size_t i = 0; i < polygon.size(); ++i) place_[polygon[i]] = on ? Index(i) : no_index;
   }
 
-  /// Adds a face to a marked polygon where they meet along one chain of free edges and nowhere else.
+  /// Adds a face to a marked polygon where they meet along one chain of removable edges and nowhere else.
   bool take(std::vector<Index>& polygon, Index f) {
     const auto face = mesh_.face_vertices(f);
     const std::size_t n = face.size(), m = polygon.size();
     std::size_t shared = 0;
     for (const Index v : face) shared += place_[v] != no_index;
     if (shared < 2) return false;
-    const auto common = [&](std::size_t i) {  // side i of the face, the other way round in the polygon
+    const auto common = [&](std::size_t i) {  // side i of the face occurs reversed in the polygon
       const Index a = place_[face[i]], b = place_[face[(i + 1) % n]];
       return a != no_index && b != no_index && (b + 1) % m == a;
     };
@@ -169,7 +169,8 @@ class FaceMerger {
     }
     if (starts != 1 || shared != sides + 1) return false;
     if (m + n < 2 * sides + 3 || m + n - 2 * sides > most_sides_) return false;
-    // The face's other corners come between the ends of the chain, whose last point is first in the polygon.
+    // The face's other corners are inserted between the ends of the chain, whose last point is first in the
+    // polygon.
     std::vector<Index> merged;
     const std::size_t end = place_[face[start]];
     for (std::size_t i = 0; i < m - sides + 1; ++i) merged.push_back(polygon[(end + i) % m]);
@@ -185,11 +186,11 @@ class FaceMerger {
   const Shaping& shaping_;
   std::size_t most_sides_;
   std::vector<Vector3> normals_;
-  std::vector<char> free_;    ///< per edge: whether it may go
-  std::vector<Index> place_;  ///< per vertex: where it stands in the polygon that grows
+  std::vector<char> free_;    ///< per edge: whether it may be removed
+  std::vector<Index> place_;  ///< per vertex: its place in the growing polygon
 };
 
-/// Sides of faces that go into another one, and which face that is.
+/// Aliases of removed sides and merged faces: the face that each now belongs to.
 std::shared_ptr<const ElementAliases> aliases_of(const Polyhedron& polyhedron,
                                                  std::span<const MergedFaces::Group> groups) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
@@ -235,7 +236,7 @@ Result<MergedFaces> merge_groups(const PolyhedronSource& source, std::vector<Mer
   return out;
 }
 
-/// `previous` at the present positions.
+/// `previous` with the present positions.
 Result<MergedFaces> moved(const PolyhedronSource& source, const MergedFaces& previous) {
   const Polyhedron& whole = previous.source.polyhedron;
   std::vector<Index> vertices;

@@ -9,8 +9,8 @@
 namespace hariko {
 namespace {
 
-/// The error of a mesh that could not be built, in the words of one who modelled it. New elements have no
-/// names yet that a designer could know, so only elements of the source are named.
+/// Error of a mesh that could not be built, in the designer's terms. Only elements of the source are named,
+/// because the designer does not know new ones yet.
 Message refusal(const Message& error, const Polyhedron& source) {
   if (error.code == e_nonfinite)
     return make_error(e_nonfinite, "A vertex would lie infinitely far away.", "Use a smaller amount.");
@@ -39,7 +39,7 @@ Message refusal(const Message& error, const Polyhedron& source) {
                     known ? error.element : Element{});
 }
 
-/// An edge that is gone, or inside now, is attached no more.
+/// Removes attachments of edges that are gone or no longer on a border.
 void drop_attachments(PolyhedronSource& source) {
   if (source.attachments->empty()) return;
   Attachments kept;
@@ -118,7 +118,7 @@ std::vector<VertexId> MeshDraft::vertices() const {
   std::vector<VertexId> out;
   out.reserve(polyhedron.vertex_count() + changed_vertices_.size());
   for (Index v = 0; v < polyhedron.vertex_count(); ++v) out.push_back(polyhedron.vertex_id(v));
-  // New ids are greater than all of the source, but for the one that says that they are used up.
+  // New ids are greater than all of the source, except the id that means that they are used up.
   for (auto at = changed_vertices_.upper_bound(out.empty() ? VertexId{0} : out.back());
        at != changed_vertices_.end(); ++at)
     out.push_back(at->first);
@@ -246,8 +246,8 @@ void MeshDraft::inherit(VertexId from, VertexId to) {
     shaping_.tag.erase(to);
 }
 
-// An automatic border vertex is a corner exactly when it has two edges: new edges must not round corners, nor
-// new points make them.
+// Keeps the corners of the border. An automatic border vertex is a corner exactly when it has two edges; new
+// edges must not smooth corners, and new points must not make any.
 void MeshDraft::keep_outline(const Polyhedron& after) {
   const auto edges_at = [&after](VertexId id) {
     const Index v = after.find(id);
@@ -273,7 +273,7 @@ Result<Polyhedron> MeshDraft::build() const {
   std::vector<FaceId> face_ids;
   mesh.positions.reserve(source.vertex_count() + changed_vertices_.size());
   vertex_ids.reserve(source.vertex_count() + changed_vertices_.size());
-  // Numbers of the vertices that have faces: of the source by their number there, of new ones by id.
+  // Dense numbers of the vertices that have faces: those of the source by their index there, new ones by id.
   std::vector<Index> number(source.vertex_count(), no_index);
   std::map<VertexId, Index> new_number;
   const auto put = [&](VertexId id, const Vector3& position) {

@@ -15,10 +15,10 @@
 
 namespace hariko {
 
-/// Polygons by stable ids that need not be manifold in between. Ids given to the functions must be those of
-/// vertices and faces in the draft; whether the polygons make a polyhedron is asked by `finish` alone. Keeps
-/// the source as it is and beside it what changed: k changes in n elements take O(k log n), making the draft
-/// and finishing it O(n).
+/// Polygons by stable ids that need not be manifold between edits. Ids given to the functions must be those
+/// of vertices and faces in the draft; only `finish` checks whether the polygons make a polyhedron. Stores
+/// the unchanged source and the changes: k changes among n elements take O(k log n), making the draft and
+/// finishing it O(n).
 class MeshDraft {
  public:
   explicit MeshDraft(const PolyhedronSource& source);
@@ -27,54 +27,57 @@ class MeshDraft {
     return changed_vertices_.contains(id) || source_.polyhedron.find(id) != no_index;
   }
   bool contains(FaceId id) const;
-  /// Whether some face has this side. O(valence).
+  /// Whether some face has this edge as a side. O(valence).
   bool contains(EdgeId id) const { return !faces_at(id).empty(); }
 
-  /// Relative to the source's origin.
+  /// Position relative to the source's origin.
   const Vector3& position(VertexId id) const;
-  /// Corners counter-clockwise seen from outside; valid until the face changes.
+  /// Corners, counter-clockwise seen from outside; valid until the face changes.
   std::span<const VertexId> face(FaceId id) const;
+  /// Positions of the face's corners, in the same order.
   std::vector<Vector3> corners(FaceId id) const;
-  /// Ascending. Vertices without a face are among them until `finish`.
+  /// All vertices, ascending, including those without a face, which `finish` drops.
   std::vector<VertexId> vertices() const;
+  /// All faces, ascending.
   std::vector<FaceId> faces() const;
-  /// The faces that have this corner or side, ascending.
+  /// Faces that have this corner or side, ascending.
   std::vector<FaceId> faces_at(VertexId id) const;
   std::vector<FaceId> faces_at(EdgeId id) const;
 
-  /// The new id is the greatest so far plus one: none is used twice in a draft.
+  /// Adds a vertex; its id is the greatest id so far plus one, so that none is used twice in a draft.
   VertexId add_vertex(const Vector3& position);
-  /// The same for a point of the source's edges or faces, which is remembered.
+  /// Adds a vertex at a point of the source's edges or faces, and records the place.
   VertexId add_vertex(const Vector3& position, const RefinedPoint& place);
   const RefinedPoints& places() const { return places_; }
   void move_vertex(VertexId id, const Vector3& position) { edit(id).position = position; }
+  /// Adds a face with these corners, counter-clockwise seen from outside, and returns its new id.
   FaceId add_face(std::vector<VertexId> corners);
   /// Gives the face other corners; it keeps its id.
   void set_face(FaceId id, std::vector<VertexId> corners);
   void remove_face(FaceId id);
-  /// Puts `middle` between the ends of the edge in every face that has it. The halves inherit tension and
-  /// crease. In an open edge the new point stays smooth although it has two edges only. O(valence).
+  /// Inserts `middle` between the ends of the edge in every face that has it. The halves inherit tension and
+  /// crease. In an open edge the new vertex stays smooth although it has only two edges. O(valence).
   void split_edge(EdgeId edge, VertexId middle);
 
-  /// Tensions, creases, tags and pins, carried along. Entries of elements that are gone do no harm.
+  /// Tensions, creases, tags and pins. Entries of removed elements are allowed; `finish` drops them.
   Shaping& shaping() { return shaping_; }
   const Shaping& shaping() const { return shaping_; }
-  /// Gives `to` the tension and crease of `from` (also where these are the default).
+  /// Gives `to` the tension and crease of `from` (default values too).
   void inherit(EdgeId from, EdgeId to);
-  /// Gives `to` the tension and tag of `from`. Pins stay where they are: each fixes one point's tangents.
+  /// Gives `to` the tension and tag of `from`, but not its pin, which fixes the tangents of one point.
   void inherit(VertexId from, VertexId to);
 
-  /// Where the border turns a corner because a vertex has two edges only, it keeps that corner (by a tag)
-  /// when it gets more edges; not so where the border is to go on straight from here.
+  /// Allows the border to run smoothly through this vertex. By default a border vertex that is a corner
+  /// because it has only two edges keeps the corner (by a tag) when it gets more edges.
   void release_corner(VertexId id) { released_corners_.insert(id); }
 
-  /// The polyhedron: vertices without a face are dropped and the shaping of elements that are gone is
+  /// Builds the polyhedron: vertices without a face are dropped and the shaping of removed elements is
   /// forgotten, as are `corner` tags that lost the border or creases they need. Pinned tangents stay where
-  /// the edges round the vertex are the same as before; elsewhere they no longer say which edge they are for,
-  /// and become a pinned tangent plane; kept forms are forgotten there. Errors: E_WOULD_BE_NONMANIFOLD,
-  /// E_NO_FACES, E_NONFINITE, E_TOO_MANY_ELEMENTS.
+  /// the edges round the vertex are the same as before; elsewhere it is no longer known which edge each
+  /// belongs to, and they become a pinned tangent plane; kept forms are forgotten there. Errors:
+  /// E_WOULD_BE_NONMANIFOLD, E_NO_FACES, E_NONFINITE, E_TOO_MANY_ELEMENTS.
   Result<PolyhedronSource> finish() &&;
-  /// The same with the elements that the designer goes on with.
+  /// Builds the polyhedron and returns it with the elements to be selected. Errors: as above.
   Result<Modeled> finish(ElementSet selection) &&;
 
  private:
@@ -82,7 +85,7 @@ class MeshDraft {
     Vector3 position;
     std::vector<FaceId> faces;  ///< ascending
   };
-  /// The vertex among those that changed, where it is put if it was not there.
+  /// Changed copy of the vertex, made from the source's if there is none yet.
   Vertex& edit(VertexId id);
   void link(FaceId face, std::span<const VertexId> corners);
   void unlink(FaceId face, std::span<const VertexId> corners);
@@ -91,13 +94,13 @@ class MeshDraft {
 
   PolyhedronSource source_;
   std::vector<VertexId> source_corners_;                   ///< the vertex of every half-edge of the source
-  std::map<VertexId, Vertex> changed_vertices_;            ///< and new ones
-  std::map<FaceId, std::vector<VertexId>> changed_faces_;  ///< and new ones
-  std::set<FaceId> removed_faces_;                         ///< of the source
+  std::map<VertexId, Vertex> changed_vertices_;            ///< including new ones
+  std::map<FaceId, std::vector<VertexId>> changed_faces_;  ///< including new ones
+  std::set<FaceId> removed_faces_;                         ///< removed faces of the source
   VertexId next_vertex_;
   FaceId next_face_;
   Shaping shaping_;
-  std::set<VertexId> outline_points_;  ///< put into open edges
+  std::set<VertexId> outline_points_;  ///< vertices inserted into open edges
   std::set<VertexId> released_corners_;
   RefinedPoints places_;
 };

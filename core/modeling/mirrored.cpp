@@ -12,14 +12,14 @@
 namespace hariko {
 namespace {
 
-/// Corners of the image of a face: the other way round, from the same corner.
+/// Reverses the corners of a face for its mirror image; the first corner stays.
 template <class Corners>
 void reverse_face(Corners& corners) {
   std::reverse(corners.begin() + 1, corners.end());
 }
 
-/// A settled tangent pin: the vectors of `from`'s vertex that give its edges the images of the tangents that
-/// they have. Both fans have the same edges in opposite order, but may begin at different ones.
+/// Mirror image of pinned tangents: the vectors that give the edges of the image vertex the images of their
+/// tangents. Both fans have the same edges in opposite order, but may begin at different ones.
 class TangentReflector {
  public:
   /// `image(v)`: the dense vertex of `to` that is the image of v.
@@ -28,12 +28,12 @@ class TangentReflector {
       : from_(from.topology()), to_(to.topology()), image_(std::move(image)), axis_(axis) {
     auto from_frames = build_vertex_frames(from, from_shaping),
          to_frames = build_vertex_frames(to, to_shaping);
-    if (!from_frames || !to_frames) return;  // the network will say why
+    if (!from_frames || !to_frames) return;  // the network will report the error
     from_frames_ = std::move(from_frames).value();
     to_frames_ = std::move(to_frames).value();
   }
 
-  /// None where the pin does not fit its vertex.
+  /// Vectors of the image's pin; nothing where the pin does not fit its vertex.
   std::optional<std::vector<Vector3>> operator()(Index v, std::span<const Vector3> basis) const {
     if (!from_frames_ || !to_frames_) return std::nullopt;
     const Index begin = from_frames_->basis_begin[v], count = from_frames_->basis_begin[v + 1] - begin;
@@ -84,8 +84,8 @@ class TangentReflector {
   std::optional<VertexFrames> from_frames_, to_frames_;
 };
 
-/// The image of a pin by `reflector`; a pin that does not fit has the images of its vectors, and the network
-/// says what is wrong with it.
+/// Mirror image of a pin by `reflector`; a pin that does not fit gets the images of its vectors, and the
+/// network reports the error.
 Pin reflected(const Pin& pin, Index v, const TangentReflector& reflector, Axis axis) {
   Pin out = pin;
   if (pin.kind == Pin::Kind::tangents)
@@ -99,7 +99,7 @@ bool has_tangent_pins(const Shaping& shaping) {
                      [](const auto& entry) { return entry.second.kind == Pin::Kind::tangents; });
 }
 
-/// Makes the whole of one half.
+/// Builds the mirrored whole of one half.
 class Whole {
  public:
   Whole(const PolyhedronSource& half, std::vector<char> seam)
@@ -134,7 +134,7 @@ class Whole {
     return MirroredPolyhedron{*std::move(built), std::move(whole), origin_, std::move(aliases), half_};
   }
 
-  /// The whole at the present positions, with the connectivity of another one.
+  /// The whole at the present positions, with the connectivity of an earlier one.
   Result<MirroredPolyhedron> moved(const MirroredPolyhedron& previous) const {
     std::vector<Index> vertices(count_);
     for (Index v = 0; v < count_; ++v) vertices[v] = v;
@@ -145,7 +145,7 @@ class Whole {
   }
 
  private:
-  /// Relative to the whole's origin, which is zero along the axis.
+  /// Positions relative to the whole's origin, which is zero along the axis.
   std::vector<Vector3> positions() const {
     const Eigen::Index axis = index_of(axis_);
     std::vector<Vector3> out(count_);
@@ -202,7 +202,7 @@ class Whole {
     for (const auto& [id, value] : half.tag) all.tag.set(image(id), value);
     for (const auto& [id, value] : half.beta) all.beta.set(image_of_edge(id), value);
     for (const auto& [id, value] : half.crease) all.crease.set(image_of_edge(id), value);
-    // Corners that the seam made smooth, and tangents of vertices that got more edges, are settled as after
+    // Corners that the seam made smooth, and tangents of vertices that got more edges, are treated as after
     // any operation.
     Shaping out = detail::shaping_on(whole, all, polyhedron_, half);
     settle_pins(whole, out);
@@ -236,7 +236,7 @@ class Whole {
     }
   }
 
-  /// In the plane of the mirror the edges of both halves count.
+  /// Settles forms at the seam, where the edges of both halves count.
   void settle_forms(const Polyhedron& whole, Shaping& shaping) const {
     const auto image = [&](VertexId id) {
       const Index v = polyhedron_.find(id);
@@ -261,7 +261,7 @@ class Whole {
     }
   }
 
-  /// The nearest normal whose plane is its own image: within the mirror's plane, or square to it.
+  /// Nearest normal whose plane is its own image: within the mirror's plane, or perpendicular to it.
   Vector3 own_image(const Vector3& normal) const {
     Vector3 within = normal;
     within[index_of(axis_)] = 0;
@@ -277,7 +277,8 @@ class Whole {
   Vector3 origin_;
 };
 
-/// The connectivity of the whole depends on the half's, on the axis' seam, and on nothing else.
+/// Whether the connectivity of the whole is unchanged; it depends only on the half's connectivity, the axis
+/// and the seam.
 bool same_connectivity(const MirroredPolyhedron& previous, const PolyhedronSource& half,
                        const std::vector<char>& seam) {
   const PolyhedronSource& before = previous.half;
@@ -340,7 +341,7 @@ Modeled mirror_object(const PolyhedronSource& source, Axis axis) {
   Modeled out{source, {}};
   out.source.origin = mirror_plane(axis).image(source.origin);
   out.source.polyhedron = Polyhedron::build(mesh, std::move(vertex_ids), std::move(face_ids)).value();
-  out.source.attachments = Attachments{};  // the patches have no images
+  out.source.attachments = Attachments{};  // patches are not mirrored
   if (!source.shaping->pin.empty() || !source.shaping->form.empty()) {
     Shaping shaping = *source.shaping;
     for (const auto& [id, form] : source.shaping->form) shaping.form.set(id, reflected_form(form));

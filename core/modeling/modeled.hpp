@@ -1,6 +1,6 @@
 #pragma once
 
-// Modeled: what an operation on a polyhedron gives, and the codes that operations refuse with.
+// Modeled: the result of an operation on a polyhedron, and the error codes of such operations.
 
 #include "core/base/message.hpp"
 #include "core/document/source.hpp"
@@ -8,24 +8,25 @@
 
 namespace hariko {
 
-/// Nothing that the operation could work on was given.
+/// Error: no element that the operation could work on was given.
 inline constexpr Code e_nothing_selected{"E_NOTHING_SELECTED"};
-/// The elements given do not fit the operation (an inner edge where a border is needed, ...).
+/// Error: the elements given do not fit the operation (an inner edge where a border is needed, ...).
 inline constexpr Code e_wrong_selection{"E_WRONG_SELECTION"};
-/// The result would have an edge of three faces, or parts that touch in one vertex only.
+/// Error: the result would have an edge of three faces, or parts that touch in one vertex only.
 inline constexpr Code e_would_be_nonmanifold{"E_WOULD_BE_NONMANIFOLD"};
-/// A number given is not finite or out of the range that the operation can use.
+/// Error: a number is not finite or out of the range that the operation can use.
 inline constexpr Code e_bad_amount{"E_BAD_AMOUNT"};
-/// The result would have more elements than a polyhedron may get from one operation.
+/// Error: the result would have more elements than one operation may make.
 inline constexpr Code e_too_many_elements{"E_TOO_MANY_ELEMENTS"};
 
-/// One operation may make this many new vertices or faces; more is a slip of the hand.
+/// Largest number of vertices or faces that one operation may make; a larger number is taken for a typing
+/// error.
 inline constexpr std::size_t max_new_elements = 4'000'000;
 
-/// The polyhedron after an operation. What the operation does not name keeps its id, place and shaping.
+/// Polyhedron after an operation. Elements that the operation does not name keep id, place and shaping.
 struct Modeled {
   PolyhedronSource source;
-  ElementSet selection;  ///< what the designer goes on with
+  ElementSet selection;  ///< elements to be selected after the operation
 };
 
 }  // namespace hariko

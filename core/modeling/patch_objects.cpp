@@ -21,7 +21,7 @@ Result<Source> single_source(const Vector3& origin, const BezierPatch& patch) {
   return made ? Result<Source>(std::move(made).value()) : made.error();
 }
 
-/// Of either kind of object of patches, relative to the object's own origin.
+/// Patches of either kind of patch object, relative to the object's own origin.
 std::vector<BezierPatch> patches_of(const Object& object) {
   if (const BezierSource* bezier = object.bezier()) return *bezier->patches;
   const BicubicNet net = object.patches()->control_net();
@@ -34,7 +34,8 @@ std::vector<BezierPatch> patches_of(const Object& object) {
   return out;
 }
 
-/// `made`, which is at the end, in the place of the object `old`; all of `gone` go.
+/// Moves the objects `made`, which are at the end of the list, to the place of the object `old`, and removes
+/// all of `gone`.
 Result<Document> replaced(const Document& document, ObjectId old, std::span<const ObjectId> made,
                           std::span<const ObjectId> gone) {
   const auto at = std::find_if(document.objects.begin(), document.objects.end(),
@@ -104,7 +105,8 @@ Result<WeldedPatches> weld_patch_objects(const Document& document, std::span<con
     const Similarity from = object->transform, to = base->transform.inverse();
     const Vector3 origin = object->patches() ? object->patches()->origin : object->bezier()->origin;
     for (BezierPatch& patch : patches_of(*object)) {
-      // In the first object's own space; what shares its place keeps its numbers.
+      // Points in the first object's own space; objects with the same placement keep their coordinates
+      // exactly.
       for (Vector3& point : patch.points)
         point = from == base->transform ? Vector3(origin + point) : to.apply(from.apply(origin + point));
       patches.push_back(std::move(patch));

@@ -12,11 +12,12 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_step = 1e-4;   ///< of the solid's size: rays along a side get on
-constexpr double normal_step = 1e-6;  ///< likewise
+/// smallest step relative to the solid's size, so that rays along a side advance
+constexpr double least_step = 1e-4;
+constexpr double normal_step = 1e-6;  ///< relative to the solid's size
 constexpr int bisections = 40;
 
-/// How far the base is below the solid's place, without scale.
+/// Distance of the base below the solid's position, before scaling.
 double height_below(const Solid& solid) {
   switch (solid.kind) {
     case SolidKind::box:
@@ -48,7 +49,7 @@ std::optional<SolidHit> hit_solids(std::span<const Solid> solids, const Vector3&
   std::optional<SolidHit> nearest;
   for (const Solid& solid : solids) {
     const SolidShape shape(solid, Vector3::Zero());
-    // From where the ray enters the ball round the solid to where it leaves it.
+    // The march runs from where the ray enters the sphere round the solid to where it leaves it.
     const double along = direction.dot(shape.centre() - origin);
     const double beside = (origin + along * direction - shape.centre()).norm();
     if (beside > shape.reach() || shape.distance(origin) <= 0) continue;
@@ -67,7 +68,8 @@ std::optional<SolidHit> hit_solids(std::span<const Solid> solids, const Vector3&
       (shape.distance(origin + middle * direction) > 0 ? before : t) = middle;
     }
     const Vector3 point = origin + before * direction;
-    // On an edge either face's normal may come; a little before it, it is that of a face the ray runs to.
+    // On an edge the normal of either face may result; a little before it, it is that of a face the ray runs
+    // to.
     const Vector3 in_front = origin + (before - normal_step * shape.reach()) * direction;
     nearest = SolidHit{solid.id, point, shape.place(in_front).gradient, before};
   }

@@ -29,7 +29,7 @@ std::optional<Message> bad_count(const char* name, int count, int low, int high)
                     "Use " + std::to_string(low) + " to " + std::to_string(high) + ".");
 }
 
-/// The first fault of several checks.
+/// First error of several checks.
 template <class... Checks>
 std::optional<Message> first_fault(const Checks&... checks) {
   std::optional<Message> found;
@@ -37,11 +37,11 @@ std::optional<Message> first_fault(const Checks&... checks) {
   return found;
 }
 
-/// Point i of n on the unit circle, counter-clockwise from +y: reduced to one eighth of a turn by whole
-/// numbers, so that mirror images have equal coordinates. (Point 0 on the y axis keeps every n symmetric
+/// Point i of n on the unit circle, counter-clockwise from +y: reduced to one eighth of a turn in integer
+/// arithmetic, so that mirror images have equal coordinates. (Point 0 on the y axis keeps every n symmetric
 /// across x = 0.)
 Vector2 circle_point(int i, int n) {
-  int part = 4 * (((i % n) + n) % n);  // of 4 n parts of a turn
+  int part = 4 * (((i % n) + n) % n);  // in units of 1 / (4 n) turn
   const bool below = part > 2 * n;
   if (below) part = 4 * n - part;
   const bool left = part > n;
@@ -63,7 +63,7 @@ void put_on_ground(PolygonMesh& mesh, Placement placement) {
   for (Vector3& p : mesh.positions) p.z() -= lowest;
 }
 
-/// The surface of a box of nx x ny x nz unit cells as quads; position(i, j, k) places the lattice points.
+/// Surface of a box of nx x ny x nz unit cells as quads; position(i, j, k) places the lattice points.
 template <class Position>
 PolygonMesh lattice_box(const std::array<int, 3>& n, Position&& position) {
   PolygonMesh mesh;
@@ -95,13 +95,13 @@ PolygonMesh lattice_box(const std::array<int, 3>& n, Position&& position) {
   return mesh;
 }
 
-/// -1 .. 1, exactly symmetric.
+/// Fraction -1 .. 1 of i in n, exactly symmetric.
 double lattice_fraction(int i, int n) {
   return static_cast<double>(2 * i - n) / n;
 }
 
-/// The faces of a convex solid whose vertices are given: all planes through vertices that have none outside.
-/// For the few vertices of a Platonic solid a search is shorter than tables, and cannot hold a wrong entry.
+/// Faces of a convex solid with the given vertices: all planes through vertices with none outside. For the
+/// few vertices of a Platonic solid a search is shorter than tables, and cannot hold a wrong entry.
 PolygonMesh convex_hull_of_few(std::vector<Vector3> positions) {
   PolygonMesh mesh;
   mesh.positions = std::move(positions);
@@ -119,7 +119,7 @@ PolygonMesh convex_hull_of_few(std::vector<Vector3> positions) {
           outside = height > 1e-9;
           if (height > -1e-9) on.push_back(v);
         }
-        // Each face is found once: from its two lowest vertices that start it.
+        // Each face is accepted once: from its two lowest vertices that start it.
         if (outside || on[0] != a || on[1] != std::min(b, c)) continue;
         Vector3 centre = Vector3::Zero();
         for (const Index v : on) centre += mesh.positions[v] / static_cast<double>(on.size());
@@ -197,7 +197,7 @@ bool rest_on_face(PolygonMesh& mesh) {
     const double c = -normal.z(), s = -normal.y();
     if (std::abs(s) > 1e-9)
       for (Vector3& p : mesh.positions) p = {p.x(), c * p.y() - s * p.z(), s * p.y() + c * p.z()};
-    // The foot is level to the last bit.
+    // Makes the foot level to the last bit.
     const double level = mesh.positions[mesh.face(f)[0]].z();
     for (const Index v : mesh.face(f)) mesh.positions[v].z() = level;
     return true;
@@ -324,7 +324,7 @@ Result<PolygonMesh> make_primitive(const TorusShape& shape) {
   for (int i = 0; i < shape.segments; ++i)
     for (int j = 0; j < shape.sides; ++j) {
       const Vector2 around = circle_point(i, shape.segments);
-      // Turned back by a quarter, so that the first side of the tube points outwards.
+      // A quarter turn makes the first side of the tube point outwards.
       const Vector2 tube = circle_point(j, shape.sides);
       const double radius = shape.ring_radius + shape.tube_radius * tube.y();
       mesh.positions.emplace_back(radius * around.x(), radius * around.y(), -shape.tube_radius * tube.x());

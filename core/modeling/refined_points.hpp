@@ -1,6 +1,6 @@
 #pragma once
 
-// Points of a polyhedron where a refinement puts new vertices.
+// Points of a polyhedron where a refinement inserts new vertices.
 
 #include <map>
 #include <variant>
@@ -10,7 +10,7 @@
 
 namespace hariko {
 
-/// A point on an edge, at a share (0 .. 1, both excluded) of its length from its end with the smaller id.
+/// A point on an edge, at a fraction (0 .. 1, both excluded) of its length from its end with the smaller id.
 struct EdgePoint {
   EdgeId edge;
   double share = 0.5;

@@ -64,7 +64,8 @@ class RegionFinder {
     return mesh_.twin(h) == no_index || group_[mesh_.face(mesh_.twin(h))] != group_[mesh_.face(h)];
   }
 
-  /// The rim leaves the origin of `out`: turn through the region to where it arrives.
+  /// Adds the point where the rim leaves the origin of `out`: turns through the region to the half-edge where
+  /// it arrives.
   void add_rim_point(Region& region, Index out) const {
     const Index v = mesh_.origin(out);
     RimPoint point{v, polyhedron_.vertex_id(v), {}, no_index, out, {}};
@@ -104,7 +105,7 @@ std::vector<Region> find_regions(const Polyhedron& polyhedron, const std::vector
 void raise_regions(MeshDraft& draft, const Polyhedron& polyhedron, std::vector<Region>& regions) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   const Shaping before = draft.shaping();
-  std::vector<VertexId> at_corner(mesh.half_edge_count());  ///< of the region's corners
+  std::vector<VertexId> at_corner(mesh.half_edge_count());  ///< only at corners of the regions
   for (Index h = 0; h < mesh.half_edge_count(); ++h) at_corner[h] = polyhedron.vertex_id(mesh.origin(h));
 
   for (Region& region : regions)

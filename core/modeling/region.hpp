@@ -1,7 +1,7 @@
 #pragma once
 
-// Regions of selected faces, and cutting them loose from what surrounds them with walls in the gap: the
-// common ground of extruding and insetting.
+// Regions of selected faces, and detaching them from their surroundings with walls in the gap; shared by
+// extruding and insetting.
 
 #include <vector>
 
@@ -10,25 +10,27 @@
 
 namespace hariko {
 
-/// Which faces an operation treats as one piece: faces joined by edges, or every face by itself.
+/// Grouping of faces into the pieces that an operation treats as one: faces joined by edges, or every face by
+/// itself.
 enum class Grouping { region, individual };
 
-/// The place where the rim of a region passes a vertex. With the region on the left the rim arrives along
+/// Place where the rim of a region passes a vertex. With the region on the left the rim arrives along
 /// half-edge `in` and leaves along `out`; both belong to faces of the region. A rim may pass a vertex several
 /// times.
 struct RimPoint {
   Index vertex;
-  VertexId base;  ///< stays with the surroundings
+  VertexId base;  ///< vertex that stays with the surroundings
   VertexId top;   ///< the region's own copy, at the same place
   Index in, out;
   std::vector<Index> inner_edges;  ///< edges between faces of the region that end here
 };
 
+/// One connected group of faces and its rim.
 struct Region {
   std::vector<Index> faces;
   std::vector<RimPoint> rim;
   std::vector<Index> inner_vertices;  ///< vertices with faces of this region only, not on a border
-  bool whole_part = false;            ///< nothing of the connected part lies outside the region
+  bool whole_part = false;            ///< the region is a whole connected part of the polyhedron
 };
 
 /// Groups the faces (dense, ascending) and finds their rims; `top` is still unset. O(corners of the mesh).

@@ -7,7 +7,7 @@
 namespace hariko {
 namespace {
 
-/// Calls test(h) for the half-edges of face f: whether all of them, or any one, passes.
+/// Whether test(h) holds for all half-edges of face f (`inside`), or for any one (`touching`).
 template <class Test>
 bool passes(const HalfEdgeMesh& mesh, Index f, Reach reach, Test&& test) {
   for (Index h = mesh.face_begin(f); h < mesh.face_end(f); ++h)

@@ -17,7 +17,7 @@ void flip(std::vector<char>& flags) {
 
 ElementFlags grown(const HalfEdgeMesh& mesh, const ElementFlags& given) {
   ElementFlags out = given;
-  std::vector<char> touched_faces(mesh.face_count(), 0);  // by a selected vertex
+  std::vector<char> touched_faces(mesh.face_count(), 0);  // faces with a selected vertex
   std::vector<char> at_edge(mesh.vertex_count(), 0), at_face = at_edge;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index v = mesh.origin(h), w = mesh.target(h);

@@ -13,10 +13,10 @@
 namespace hariko {
 namespace {
 
-/// How numbers are compared: angles by their difference in half turns, others by ratio.
+/// Comparison of numbers: angles by their difference in half turns, others by ratio.
 enum class Scale { ratio, angle };
 
-/// Marks of all elements whose value is near that of a marked one.
+/// Flags of all elements whose value is near that of a marked one.
 std::vector<char> near_marked(const std::vector<double>& values, const std::vector<char>& marked,
                               double tolerance, Scale scale) {
   std::vector<double> wanted;
@@ -29,7 +29,7 @@ std::vector<char> near_marked(const std::vector<double>& values, const std::vect
   };
   std::vector<char> out = marked;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    // The nearest wanted value above and the one below decide.
+    // Only the nearest wanted values above and below matter.
     const auto above = std::lower_bound(wanted.begin(), wanted.end(), values[i]);
     if (above != wanted.end() && near(values[i], *above)) out[i] = 1;
     if (above != wanted.begin() && near(values[i], *(above - 1))) out[i] = 1;
@@ -80,7 +80,7 @@ double value_of(const PolyhedronSource& source, Index e, EdgeLikeness likeness) 
     case EdgeLikeness::crease:
       return source.shaping->crease.contains(polyhedron.edge_id(e));
     case EdgeLikeness::fold:
-      // A border has no fold: apart from every angle.
+      // A border edge has no fold; 100 is farther than the tolerance from every angle.
       if (mesh.is_border_edge(e)) return 100;
       return angle_between(plane_of(polyhedron, mesh.face(h)).normal,
                            plane_of(polyhedron, mesh.face(mesh.twin(h))).normal);

@@ -1,23 +1,25 @@
 #pragma once
 
-// Elements that resemble the selected ones.
+// Selection of elements similar to the selected ones.
 
 #include "core/document/source.hpp"
 #include "core/modeling/element_set.hpp"
 
 namespace hariko {
 
-/// `place`: inner vertices, vertices on a border. `sharp_edges`: the number of creases and border edges.
+/// Criterion for vertices. `place`: inner vertices, vertices on a border. `sharp_edges`: the number of
+/// creases and border edges.
 enum class VertexLikeness { valence, tension, sharp_edges, place };
-/// `fold`: the angle between the two faces. `place`: inner edges, border edges.
+/// Criterion for edges. `fold`: the angle between the two faces. `place`: inner edges, border edges.
 enum class EdgeLikeness { length, tension, crease, fold, place };
-/// `normal`: direction of the mean plane. `plane`: direction and place of the mean plane.
+/// Criterion for faces. `normal`: direction of the mean plane. `plane`: direction and place of the mean
+/// plane.
 enum class FaceLikeness { side_count, area, normal, plane };
 
-// The elements that resemble any of the given ones (which are among them). Lengths, areas and tensions
-// resemble each other when they differ by at most `tolerance` of the larger one, angles when they differ by
-// at most `tolerance` half turns, planes when moreover their distance is at most `tolerance` of the size of
-// the polyhedron. Ids that the polyhedron does not have are left out. O(n log n), for directions O(n given).
+// Returns the elements similar to any of the given ones, which are included. Lengths, areas and tensions are
+// similar when they differ by at most `tolerance` of the larger one, angles when they differ by at most
+// `tolerance` half turns, planes when moreover their distance is at most `tolerance` of the size of the
+// polyhedron. Ids that the polyhedron does not have are ignored. O(n log n), for directions O(n given).
 std::set<VertexId> similar_vertices(const PolyhedronSource& source, const std::set<VertexId>& vertices,
                                     VertexLikeness likeness, double tolerance = 1e-6);
 std::set<EdgeId> similar_edges(const PolyhedronSource& source, const std::set<EdgeId>& edges,

@@ -9,7 +9,8 @@
 namespace hariko {
 namespace {
 
-/// Dense indices of many edges: looking each up by itself would be quadratic at a vertex of high valence.
+/// Returns the dense indices of many edges at once: looking each up by itself would be quadratic at a vertex
+/// of high valence.
 std::vector<Index> find_all(const Polyhedron& polyhedron, std::span<const EdgeId> ids) {
   std::vector<std::pair<EdgeId, Index>> edges;
   edges.reserve(polyhedron.edge_count());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Selected elements as dense indices: the first thing an operation asks for.
+// Conversion of selected ids to dense indices, with the errors common to all operations.
 
 #include <span>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace hariko {
 
-/// Dense indices of the elements, ascending, each once. Errors: E_NOTHING_SELECTED when there are none (with
-/// `remedy`: what to select), E_UNKNOWN_ELEMENT when the polyhedron lacks one. O(n log n).
+/// Returns the dense indices of the elements, ascending, each once. Errors: E_NOTHING_SELECTED when there are
+/// none (with `remedy`: what to select), E_UNKNOWN_ELEMENT when the polyhedron lacks one. O(n log n).
 Result<std::vector<Index>> selected(const Polyhedron& polyhedron, std::span<const VertexId> ids,
                                     const char* remedy);
 Result<std::vector<Index>> selected(const Polyhedron& polyhedron, std::span<const EdgeId> ids,

@@ -28,7 +28,7 @@ VertexId copy_of(MeshDraft& draft, Copies& copies, VertexId v) {
   return it->second;
 }
 
-/// Settings of the sides of a face for their copies.
+/// Copies the settings of the sides of a face to those of its copy.
 void inherit_sides(MeshDraft& draft, std::span<const VertexId> old, std::span<const VertexId> fresh) {
   for (std::size_t i = 0; i < old.size(); ++i) {
     const std::size_t next = (i + 1) % old.size();

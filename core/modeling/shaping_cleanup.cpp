@@ -8,14 +8,14 @@
 namespace hariko::detail {
 namespace {
 
-/// An edge of a fan as a pin's tangents know it.
+/// Edge of a fan, as pinned tangents refer to it.
 struct FanEdge {
   VertexId other;
   bool sharp;
   friend bool operator==(const FanEdge&, const FanEdge&) = default;
 };
 
-/// The edges at v in the order of its basis (see HalfEdgeMesh); empty where v has no faces.
+/// Edges at v in the order of its basis (see HalfEdgeMesh); empty where v has no faces.
 std::vector<FanEdge> fan_at(const Polyhedron& polyhedron, const Shaping& shaping, Index v) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   std::vector<FanEdge> fan;
@@ -39,7 +39,7 @@ bool corner_tag_fits(const Polyhedron& polyhedron, const Shaping& shaping, Index
   return std::count_if(fan.begin(), fan.end(), [](const FanEdge& edge) { return edge.sharp; }) >= 2;
 }
 
-/// Whether both have the face, with the same vertices in any order.
+/// Whether both polyhedra have the face, with the same vertices in any order.
 bool same_corners(const Polyhedron& a, const Polyhedron& b, FaceId id) {
   const auto corners = [id](const Polyhedron& polyhedron) {
     std::vector<VertexId> out;
@@ -96,8 +96,8 @@ Shaping shaping_on(const Polyhedron& after, const Shaping& shaping, const Polyhe
     const Index old = before.find(id);
     if (old != no_index && has_vertex(id) &&
         fan_at(before, shaping_before, old) == fan_at(after, out, after.find(id))) {
-      KeptForm known =
-          form;  // some of its edges may have crossed faces that were cut on the way to the surface
+      // Some of its edges may have crossed faces that were cut in the preparation of the surface.
+      KeptForm known = form;
       std::erase_if(known.edges, [&](const KeptForm::Edge& edge) { return !has_vertex(edge.to); });
       out.form.set(id, std::move(known));
     }

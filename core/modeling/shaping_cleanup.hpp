@@ -1,14 +1,14 @@
 #pragma once
 
-// The shaping of a polyhedron whose connectivity has changed: what still means something on the new one.
+// Cleanup of the shaping of a polyhedron after its connectivity has changed.
 
 #include "core/network/shaping.hpp"
 #include "core/polyhedron/polyhedron.hpp"
 
 namespace hariko::detail {
 
-/// `shaping` without the entries of elements that `after` does not have and without `corner` tags at inner
-/// vertices with fewer than two creases. Pinned tangents stay where the fan of the vertex (its edges in
+/// Returns `shaping` without the entries of elements that `after` does not have and without `corner` tags at
+/// inner vertices with fewer than two creases. Pinned tangents stay where the fan of the vertex (its edges in
 /// order, and which of them are sharp) is that of `before` under `shaping_before`; elsewhere two tangents
 /// become a pin of their plane, and others are dropped. O(n log n).
 Shaping shaping_on(const Polyhedron& after, const Shaping& shaping, const Polyhedron& before,

@@ -21,8 +21,8 @@ Vector3 area_normal(const Polyhedron& polyhedron, Index face) {
 
 std::vector<EdgeId> folded_edges(const Polyhedron& polyhedron, double degrees) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
-  // The digits of a file must not decide edge by edge about an angle that is the limit itself, as in a body
-  // of twelve sides at 30 degrees.
+  // Rounding of coordinates in a file must not decide edge by edge about an angle that equals the limit, as
+  // in a body of twelve sides at 30 degrees.
   constexpr double tolerance = 0.01;  // degrees
   const double radians = (degrees + tolerance) * std::numbers::pi / 180;
   std::vector<Vector3> normals(mesh.face_count());

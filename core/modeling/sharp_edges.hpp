@@ -1,6 +1,6 @@
 #pragma once
 
-// Edges whose faces meet at an angle: what is sharp in a mesh from elsewhere.
+// Detection of sharp edges in imported meshes by the angle between their faces.
 
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace hariko {
 
-/// Inner edges whose faces' normals differ by more than an angle, 0 .. 180 degrees, ascending; a hundredth of
-/// a degree is no difference. Faces without an area have no angle. O(edges).
+/// Returns the inner edges whose faces' normals differ by more than an angle, 0 .. 180 degrees, ascending;
+/// excesses up to 0.01 degree are ignored. Faces without area have no angle. O(edges).
 std::vector<EdgeId> folded_edges(const Polyhedron& polyhedron, double degrees);
 
-/// The document with creases at the folded edges of all its polyhedra, beside those that are there.
+/// Returns the document with creases at the folded edges of all its polyhedra, in addition to existing ones.
 Result<Document> with_creases(const Document& document, double degrees);
 
-/// The document with reference facets in the place of its polyhedra.
+/// Returns the document with its polyhedra replaced by reference facets.
 Result<Document> as_reference(const Document& document);
 
 }  // namespace hariko

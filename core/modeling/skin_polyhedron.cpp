@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// The settings of a polyhedron whose vertices are those of the control mesh.
+/// Shaping of a polyhedron whose vertices are those of the control mesh.
 Shaping shaping_of(const Surface& skin) {
   const SubdivisionPatchSet& patches = *subdivision_patches(skin);
   const SubdivisionTopology& topology = patches.topology();

@@ -1,6 +1,6 @@
 #pragma once
 
-// A skin becomes a polyhedron through the points of its surface, to go on with as with any other.
+// Conversion of a skin into a polyhedron through points of its surface.
 
 #include <vector>
 
@@ -19,9 +19,9 @@ struct SkinPolyhedron {
   std::vector<Message> warnings;
 };
 
-/// Vertices are the limit points of the control mesh, faces its faces. Tangent planes are pinned where the
-/// skin has one, edges that are sharp for ever are creases, and corners are tagged. Creases that fade are
-/// left out, as the polyhedron has none such. Errors: those of `SkinSurfacer::surface`, E_CANCELLED.
+/// Converts a skin: vertices are the limit points of the control mesh, faces its faces. Tangent planes are
+/// pinned where the skin has one, infinitely sharp edges become creases, and corners are tagged. Semi-sharp
+/// creases are left out, because polyhedra have none. Errors: those of `SkinSurfacer::surface`, E_CANCELLED.
 Result<SkinPolyhedron> skin_polyhedron(const Skin& skin, const CancelToken& cancel = {},
                                        const Progress& progress = {});
 

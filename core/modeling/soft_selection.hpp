@@ -9,12 +9,13 @@
 
 namespace hariko {
 
+/// Decrease of the weight with the distance.
 enum class Falloff { smooth, linear, sharp };
 
-/// The share of a vertex at a distance of x radii: 1 at 0, 0 from 1 on, falling in between.
+/// Weight of a vertex at a distance of x radii: 1 at 0, 0 from 1 on, falling in between.
 double falloff(Falloff kind, double x);
 
-/// Distance of each vertex from the nearest of the given ones (dense indices), 0 for these; infinite when
+/// Distance of each vertex from the nearest of the given ones (dense indices), 0 for these; infinity when
 /// none is given. O(vertices * given).
 std::vector<double> distances_from(const Polyhedron& polyhedron, std::span<const Index> given);
 

@@ -6,10 +6,10 @@
 namespace hariko {
 namespace {
 
-/// Corners and faces of the patches round solids.
+/// Corners and faces of the envelope's patches.
 struct Corners {
   PolygonMesh mesh;
-  std::vector<Vector3> normals;  ///< of the surface, one a corner
+  std::vector<Vector3> normals;  ///< surface normal of each corner
 };
 
 Corners corners_of(const EnvelopeSurface& made) {
@@ -30,7 +30,8 @@ Corners corners_of(const EnvelopeSurface& made) {
 
 double farthest_outside(const Surface& surface, const EnvelopeInput& input, double diagonal,
                         const CancelToken& cancel) {
-  constexpr double tolerance = 1e-4, curve_spacing = 1e-3;  // of the diagonal, as `EnvelopeSurfacer` has them
+  // Tolerances relative to the diagonal, as in `EnvelopeSurfacer`.
+  constexpr double tolerance = 1e-4, curve_spacing = 1e-3;
   std::vector<SolidShape> shapes;
   for (const Solid& solid : input.solids) shapes.emplace_back(solid, surface.origin());
   EnclosureEffort effort;

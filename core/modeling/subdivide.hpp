@@ -1,6 +1,6 @@
 #pragma once
 
-// Subdividing: points on edges, faces round a new vertex.
+// Subdividing edges by new vertices, and faces round a new vertex.
 
 #include <span>
 
@@ -10,26 +10,26 @@
 
 namespace hariko {
 
-// Given `on`, the form of `source`, new vertices lie on the surface, which stays.
+// All functions: given `on`, the form of `source`, new vertices lie on the surface, which stays unchanged.
 
-/// Puts `count` (1 .. 1000) evenly spaced vertices on each edge. They get the tension in between that of its
-/// ends, the pieces keep tension and crease; on an open edge the border stays smooth there. The Euler number
-/// stays. Selected afterwards: the new vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_BAD_AMOUNT,
-/// E_TOO_MANY_ELEMENTS.
+/// Puts `count` (1 .. 1000) evenly spaced vertices on each edge. They get tensions interpolated between those
+/// of its ends, the pieces keep tension and crease; on an open edge the border stays smooth there. The Euler
+/// number stays. Selected afterwards: the new vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT,
+/// E_BAD_AMOUNT, E_TOO_MANY_ELEMENTS.
 Result<Modeled> subdivide_edges(const PolyhedronSource& source, std::span<const EdgeId> edges, int count = 1,
                                 const SurfaceForm* on = nullptr);
 
-/// Divides each face into quads round its centre (`star_centre`), by the middles of its sides, which become
-/// corners of the faces beside it too. Positions stay on the faces: the shape of the polyhedron is the same.
-/// Pieces of sides keep tension and crease, the edges inside are plain. One part keeps the face's id. The
-/// Euler number stays. Selected afterwards: all parts. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT,
-/// E_NO_CENTRE.
+/// Divides each face into quads round its centre (`star_centre`) by the midpoints of its sides, which also
+/// become corners of the neighbouring faces. New vertices lie on the faces, so that the shape of the
+/// polyhedron stays. Pieces of sides keep tension and crease, the inner edges are plain. One part keeps the
+/// face's id. The Euler number stays. Selected afterwards: all parts. Errors: E_NOTHING_SELECTED,
+/// E_UNKNOWN_ELEMENT, E_NO_CENTRE.
 Result<Modeled> subdivide_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
                                 const SurfaceForm* on = nullptr);
 
-/// Puts a vertex into the middle of each face (`star_centre`) and divides the face into triangles
-/// round it. The new edges are plain; one part keeps the face's id. The Euler number stays. Selected
-/// afterwards: the new vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_NO_CENTRE.
+/// Puts a vertex at the centre of each face (`star_centre`) and divides the face into triangles round it. The
+/// new edges are plain; one part keeps the face's id. The Euler number stays. Selected afterwards: the new
+/// vertices. Errors: E_NOTHING_SELECTED, E_UNKNOWN_ELEMENT, E_NO_CENTRE.
 Result<Modeled> poke_faces(const PolyhedronSource& source, std::span<const FaceId> faces,
                            const SurfaceForm* on = nullptr);
 

@@ -18,10 +18,10 @@ namespace {
 
 using Bezier = std::array<Vector3, 4>;
 
-/// Points of a curve over the surface that its cubic is fitted to.
+/// Number of points on a surface curve to which its cubic is fitted.
 constexpr int fitted_points = 16;
 
-/// Areas that differ less, relatively, are not worth keeping.
+/// Smallest relative difference of areas that is worth keeping.
 constexpr double least_difference = 1e-3;
 
 Vector3 bezier_point(const Bezier& b, double t) {
@@ -29,13 +29,13 @@ Vector3 bezier_point(const Bezier& b, double t) {
   return s * s * s * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t * t * t * b[3];
 }
 
-/// A third of the derivative.
+/// A third of the derivative of the curve at t.
 Vector3 bezier_tangent(const Bezier& b, double t) {
   const double s = 1 - t;
   return s * s * (b[1] - b[0]) + 2 * s * t * (b[2] - b[1]) + t * t * (b[3] - b[2]);
 }
 
-/// Shares a, b with point = a p + b q, nearest where they span no plane that holds it.
+/// Coefficients a, b with point = a p + b q in the least-squares sense; (-1, -1) where p and q are parallel.
 Vector2 plane_shares(const Vector3& point, const Vector3& p, const Vector3& q) {
   const double pp = p.squaredNorm(), pq = p.dot(q), qq = q.squaredNorm(), det = pp * qq - pq * pq;
   if (!(det > 1e-24 * pp * qq)) return {-1, -1};
@@ -48,14 +48,15 @@ Vector2 plane_shares(const Vector2& point, const Vector2& p, const Vector2& q) {
   return Vector2(point.x() * q.y() - point.y() * q.x(), p.x() * point.y() - p.y() * point.x()) / det;
 }
 
-/// Two unit vectors square to a normal and to each other.
+/// Two unit vectors perpendicular to a normal and to each other.
 std::array<Vector3, 2> plane_basis(const Vector3& normal) {
   const Vector3 first = normal.unitOrthogonal();
   return {first, normal.cross(first)};
 }
 
-/// Tangents at the ends of the cubic through the first and the last point, within planes, that comes nearest
-/// to the points at their share of the length.
+/// End tangents, within given planes, of the cubic through the first and the last point that approximates the
+/// points in the least-squares sense, parametrised by chord length. Thirds of the chord where a normal
+/// vanishes.
 std::pair<Vector3, Vector3> fitted_cubic(const std::vector<Vector3>& points, const Vector3& first_normal,
                                          const Vector3& last_normal) {
   std::vector<double> along{0};
@@ -143,7 +144,7 @@ SurfaceForm::Sight SurfaceForm::sight(const RefinedPoint& place) const {
   Sight out;
   if (const auto* on = std::get_if<EdgePoint>(&place)) {
     const Index e = polyhedron.find(on->edge);
-    if (e == no_index) {  // its faces were merged
+    if (e == no_index) {  // the edge's faces were merged
       const Sight low = sight(on->edge.low), high = sight(on->edge.high);
       for (const Spot& a : low.spots)
         for (const Spot& b : high.spots)
@@ -364,7 +365,7 @@ Result<FlatMap<FaceId, double>> SurfaceForm::kept_areas(const PolyhedronSurfaceI
   const auto frames = build_vertex_frames(polyhedron, after.shaping, {Frames::metric});
   if (!frames) return frames.error();
   const FaceCharts& charts = frames->charts;
-  // Faces that are cut on the way to the surface have no area of their own: they keep their factors.
+  // Faces that are cut in the preparation have no area of their own: they keep their factors.
   std::set<FaceId> cut;
   if (after.aliases)
     for (const auto& [piece, face] : after.aliases->pieces) cut.insert(face);

@@ -9,7 +9,8 @@ namespace {
 
 using Aliases = std::shared_ptr<const ElementAliases>;
 
-/// Names of the whole's elements: images stand for the half's, whose faces may be pieces of merged ones.
+/// Aliases of the whole's elements: images stand for elements of the half, whose faces may be pieces of
+/// merged ones.
 Aliases joined(const Aliases& merged, const Aliases& pieces, const Aliases& images) {
   const int steps = (merged ? 1 : 0) + (pieces ? 1 : 0) + (images ? 1 : 0);
   if (steps < 2) return merged ? merged : pieces ? pieces : images;

@@ -1,7 +1,7 @@
 #pragma once
 
-// From the designer's polyhedron to what its surface is made from: faces in one plane merged, concave faces
-// cut, the mirrored half added, automatic tension.
+// Preparation of the designer's polyhedron for its surface: coplanar faces merged, concave faces cut, the
+// mirrored half added, automatic tension applied.
 
 #include <optional>
 
@@ -13,13 +13,13 @@
 
 namespace hariko {
 
-/// What is kept beside a `PolyhedronSurfacer` from call to call. The results do not depend on it, but for
-/// automatic tension in a drag.
+/// Intermediate results kept beside a `PolyhedronSurfacer` from call to call. Results do not depend on them,
+/// except for automatic tension during a drag.
 struct SurfaceInputCache {
   std::optional<MergedFaces> merged;
   std::optional<ConvexFaces> convex;
   std::optional<MirroredPolyhedron> whole;
-  /// Automatic tension of the last call: of this shaping, on this connectivity, to this power.
+  /// Automatic tension of the last call: shaping before and after, for this connectivity and exponent.
   struct Tension {
     std::shared_ptr<const HalfEdgeMesh> topology;
     double exponent = 0;
@@ -28,8 +28,9 @@ struct SurfaceInputCache {
   std::optional<Tension> tension;
 };
 
-/// What `PolyhedronSurfacer::rebuild` takes. At quality `drag` automatic tension is frozen as `cache` has it,
-/// so that the systems hold; at `final` it follows the lengths. Errors: those of `mirrored`. O(corners).
+/// Returns the input of `PolyhedronSurfacer::rebuild`. At quality `drag` automatic tension is frozen as
+/// `cache` has it, so that the factorised systems stay valid; at `final` it follows the lengths. Errors:
+/// those of `mirrored`. O(corners).
 Result<PolyhedronSurfaceInput> surface_input(const PolyhedronSource& source, Quality quality = Quality::final,
                                              SurfaceInputCache* cache = nullptr);
 

@@ -1,14 +1,15 @@
 #pragma once
 
-// A solid moved, turned or stretched.
+// Moving, rotating and stretching a solid.
 
 #include "core/envelope/solid.hpp"
 #include "core/modeling/transformation.hpp"
 
 namespace hariko {
 
-/// Moves exactly; turns and stretches along the solid's own axes exactly. What would shear the solid leaves
-/// it with right angles: the nearest rotation, and the lengths that its axes get.
+/// Returns the solid transformed about `pivot`. Translations, and rotations and stretches along the solid's
+/// own axes, are exact. A stretch that would shear the solid is replaced by the nearest rotation and the
+/// lengths that its axes get, so that it keeps right angles.
 Solid transformed(Solid solid, const Transformation& transformation, const Vector3& pivot);
 
 }  // namespace hariko

@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// Cosine and sine, exact at quarter turns.
+/// Cosine and sine of an angle in degrees, exact at quarter turns.
 std::pair<double, double> turn(double degrees) {
   const double rest = std::remainder(degrees, 360);
   if (rest == 0) return {1, 0};
@@ -30,7 +30,7 @@ Matrix3 rotation(const Vector3& axis, double degrees) {
   return c * Matrix3::Identity() + s * cross + (1 - c) * (axis * axis.transpose());
 }
 
-/// The rotation as a quaternion, made of the half angle so that small turns keep their digits.
+/// Rotation as a quaternion, made from the half angle so that small turns keep their digits.
 Eigen::Quaterniond quaternion(const Transformation& t) {
   const auto [c, s] = turn(t.degrees / 2);
   return {c, s * t.axis.x(), s * t.axis.y(), s * t.axis.z()};
@@ -71,7 +71,7 @@ Result<PolyhedronSource> stretched(const PolyhedronSource& source, const Matrix3
 Result<PatchSource> stretched(const PatchSource& source, const Matrix3& linear) {
   BicubicNet net = source.control_net();
   for (Vector3& point : net.points) point = linear * (source.origin + point) - source.origin;
-  // A reflection keeps the order of the points, to which edges may be attached.
+  // A reflection keeps the order of the points, because edges may be attached to them.
   Result<PatchSource> made = PatchSource::from_net(source.origin, net);
   if (!made) return made;
   PatchSource result = std::move(made).value();
@@ -83,7 +83,7 @@ Result<BezierSource> stretched(const BezierSource& source, const Matrix3& linear
   std::vector<BezierPatch> patches = *source.patches;
   for (BezierPatch& patch : patches) {
     for (Vector3& point : patch.points) point = linear * (source.origin + point) - source.origin;
-    // The outside stays outside.
+    // Keeps the outside of a reflected patch.
     if (linear.determinant() < 0) patch = flipped(patch);
   }
   Result<BezierSource> made = BezierSource::from_patches(source.origin, std::move(patches));
@@ -164,7 +164,7 @@ Result<Document> transform_object(const Document& document, ObjectId id, const T
   if (similar) place.scale *= transformation.factors.x();
   const auto placed = set_transform(document, id, place);
   if (!placed || similar) return placed;
-  // The object's own axes see the factors after its rotation.
+  // The factors, expressed in the object's own axes.
   Transformation factors;
   factors.frame = transformation.frame;
   factors.factors = transformation.factors;

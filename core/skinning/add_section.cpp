@@ -18,14 +18,14 @@ namespace {
 
 constexpr double same_place = 1e-9;
 
-/// A line of control points of the new section: lines of the strip that are one at its place.
+/// Lines of the strip that coincide at the new section's place and give it one control point.
 struct Strand {
   std::vector<int> lines;
   Vector3 target = Vector3::Zero();
   bool sharp = false;
 };
 
-/// Where a new section goes: the strip, and how far along it (0 at its first section .. 1).
+/// Place of a new section: the strip, and the fraction along it (0 at its first section .. 1).
 struct NewPlace {
   int strip = 0;
   double v = 0, fraction = 0;
@@ -50,7 +50,7 @@ Result<NewPlace> place_of(const Skin& skin, const SkinPlan& plan, double v) {
                     "Choose a place between two sections.");
 }
 
-/// Points of the surface on edges of its control mesh.
+/// Evaluation of the surface on edges of its control mesh.
 class EdgePoints {
  public:
   explicit EdgePoints(const Surface& surface)
@@ -65,8 +65,8 @@ class EdgePoints {
       patches_of_[{topology_.face_of(p), topology_.corner_of(p)}] = p;
   }
 
-  /// At fraction t from control vertex a to b, which an edge joins, or a diagonal of a quad where quad fans
-  /// took the edge away.
+  /// Point at fraction t between control vertices a and b that are joined by an edge, or by a diagonal of a
+  /// quad where joining fan triangles removed the edge.
   std::optional<Vector3> at(Index a, Index b, double t) const {
     if (a == b) return patches_.limit_position(a);
     auto sides = topology_.edge_sides(a, b);
@@ -115,7 +115,7 @@ class Divider {
         b_(skin.sections[std::size_t(strip_.b)]),
         from_a_(a_.size() >= b_.size()) {}
 
-  /// By the lines of the strip, on the surface.
+  /// Divides the strip by its lines, on the surface.
   Result<SkinEdit> divide(const SkinMesh& mesh, const Surface& surface) {
     find_edges(mesh);
     gather();
@@ -140,7 +140,7 @@ class Divider {
     return accepted(skin_, std::move(edit));
   }
 
-  /// By the virtual surface: one point a point of the larger neighbour.
+  /// Divides the strip by the virtual surface: one point per point of the larger neighbour.
   Result<SkinEdit> divide(const VirtualSurface& surface) {
     const SkinSection& own = from_a_ ? a_ : b_;
     const int index = from_a_ ? strip_.a : strip_.b;
@@ -152,7 +152,7 @@ class Divider {
            curve.is_sharp(i)});
     SkinEdit edit = insert();
     map_anchor_rows(edit.skin);
-    // Chains of links run through the new points.
+    // Chains of links are continued through the new points.
     std::vector<SkinLink> links;
     std::uint32_t next = edit.skin.free_link_id();
     for (const SkinLink& link : edit.skin.links) {
@@ -172,7 +172,7 @@ class Divider {
       links.push_back(second);
     }
     edit.skin.links = std::move(links);
-    // Merges have no effect in these methods, and no lines that would say where they go.
+    // Merges have no effect in these methods, so that no lines determine where they belong.
     std::erase_if(edit.skin.merges, [&](const SkinMerge& merge) {
       if (!in_strip(merge)) return false;
       edit.lost.push_back(merge.id);
@@ -187,7 +187,7 @@ class Divider {
     return entry.first == a_.id && entry.second == b_.id;
   }
 
-  /// The mesh edge that each line crosses the place on.
+  /// Finds the mesh edge on which each line crosses the place.
   void find_edges(const SkinMesh& mesh) {
     const auto& rows = mesh.rows[std::size_t(place_.strip)];
     const double v = strip_.v0 + place_.fraction * (strip_.v1 - strip_.v0);
@@ -195,7 +195,7 @@ class Divider {
     while (q + 2 < rows.size() && rows[q + 1] <= v) ++q;
     along_edge_ = std::clamp((v - rows[q]) / (rows[q + 1] - rows[q]), 0.0, 1.0);
     std::size_t next = q + 1;
-    // On a row it is the row's vertices that lines may share.
+    // At a row lines may share the row's vertices.
     if (along_edge_ < same_place) next = q, along_edge_ = 0;
     const auto& grid = mesh.representative[std::size_t(place_.strip)];
     for (std::size_t p = 0; p < strip_.lines.size(); ++p) edges_.emplace_back(grid[q][p], grid[next][p]);
@@ -205,7 +205,7 @@ class Divider {
     return merge.side == StripSide::a ? place_.fraction >= merge.v : place_.fraction <= merge.v;
   }
 
-  /// Both lines belong to a merge of the smaller side that has not happened here.
+  /// Whether both lines belong to a merge of the smaller side that is still open here.
   bool apart(int p, int r) const {
     const StripSide smaller = from_a_ ? StripSide::b : StripSide::a;
     for (const PlannedMerge& merge : strip_.merges) {
@@ -241,7 +241,7 @@ class Divider {
       first.insert(first.begin(), strands_.back().lines.begin(), strands_.back().lines.end());
       strands_.pop_back();
     }
-    // The seam stays with the larger neighbour's first point.
+    // The seam stays at the larger neighbour's first point.
     const auto seam = std::find_if(strands_.begin(), strands_.end(), [&](const Strand& strand) {
       return std::any_of(strand.lines.begin(), strand.lines.end(), [&](int p) {
         const PointPair line = strip_.lines[std::size_t(p)];
@@ -251,7 +251,7 @@ class Divider {
     if (seam != strands_.end()) std::rotate(strands_.begin(), seam, strands_.end());
   }
 
-  /// The skin with the new section in it.
+  /// Returns the skin with the new section.
   SkinEdit insert() {
     SkinEdit edit{skin_, 0, {}, {}, {}};
     SkinSection section;
@@ -280,7 +280,7 @@ class Divider {
     return edit;
   }
 
-  /// Ids of the strands that have a line with these points.
+  /// Ids of the strands that contain a line with these points.
   std::vector<std::uint32_t> strands_with(const std::vector<std::uint32_t>& a,
                                           const std::vector<std::uint32_t>& b) const {
     const auto has = [](const std::vector<std::uint32_t>& ids, std::uint32_t id) {
@@ -298,7 +298,7 @@ class Divider {
     return out;
   }
 
-  /// Links go to the part towards the smaller neighbour; towards the other one points follow one by one.
+  /// Moves links to the part towards the smaller neighbour; in the other part points correspond one to one.
   void divide_links(Skin& skin) const {
     for (SkinLink& link : skin.links) {
       if (!in_strip(link)) continue;
@@ -317,7 +317,7 @@ class Divider {
       const std::vector<std::uint32_t> target{merge.target};
       const auto middle = strands_with(side_a ? merge.members : target, side_a ? target : merge.members);
       if (middle.empty()) return false;
-      const bool before = side_a ? t >= merge.v : t > merge.v;  // its point is before the new section
+      const bool before = side_a ? t >= merge.v : t > merge.v;  // the merge point lies before the new section
       const double v = before ? merge.v / t : (merge.v - t) / (1 - t);
       const bool merged = side_a == before;
       (before ? merge.second : merge.first) = section_id_;
@@ -327,7 +327,7 @@ class Divider {
         merge.members = middle;
       merge.v = v;
       if (v > 1e-6 && v < 1 - 1e-6) return false;
-      // It happens at the new section.
+      // The merge point lies at the new section.
       SkinLink link;
       link.id = merge.id, link.first = merge.first, link.second = merge.second;
       link.a = side_a ? merge.members : std::vector<std::uint32_t>{merge.target};
@@ -339,8 +339,8 @@ class Divider {
     skin.links.insert(skin.links.end(), groups.begin(), groups.end());
   }
 
-  /// Where several points of the larger neighbour are one of the new section, and no merge says so, a link
-  /// does.
+  /// Adds links where several points of the larger neighbour correspond to one of the new section and no
+  /// merge says so.
   void tie_groups(Skin& skin) const {
     const SkinSection& own = from_a_ ? a_ : b_;
     std::uint32_t next = skin.free_link_id();
@@ -397,7 +397,7 @@ class Divider {
   const NewPlace place_;
   const PlannedStrip& strip_;
   const SkinSection &a_, &b_;
-  const bool from_a_;  ///< the section before has at least as many points
+  const bool from_a_;  ///< the section before has at least as many points as the one after
   std::vector<std::pair<Index, Index>> edges_;
   double along_edge_ = 0;
   std::vector<Strand> strands_;
@@ -455,7 +455,7 @@ Result<SkinEdit> draw_section(const Skin& skin, double v, const std::vector<Vect
     std::erase_if(edit.skin.links, divided);
     std::erase_if(edit.skin.merges, divided);
   }
-  // Anchors go on as on the section before.
+  // Anchors are copied from the section before.
   for (auto& row : edit.skin.smooth.anchors)
     if (!row.empty() && row.size() == sections.size())
       row.insert(row.begin() + std::ptrdiff_t(index), double(row[index > 0 ? index - 1 : 0]));

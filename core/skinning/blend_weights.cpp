@@ -9,7 +9,8 @@ namespace hariko {
 
 namespace {
 
-/// Slopes of the C2 cubic through the values: natural ends, or periodic (the last value is the first).
+/// Slopes of the C2 cubic spline through the values, with natural ends or periodic (the last value is the
+/// first).
 std::vector<double> spline_slopes(const std::vector<double>& x, const std::vector<double>& y, bool periodic) {
   const int n = int(x.size());
   const auto h = [&](int k) { return x[std::size_t(k) + 1] - x[std::size_t(k)]; };
@@ -24,7 +25,7 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
       b[i] = 3 * d(k);
       continue;
     }
-    const int before = (i + n - 2) % (n - 1);  // interval before, around the turn
+    const int before = (i + n - 2) % (n - 1);  // interval before, cyclically
     const double h0 = h(before), h1 = h(i);
     a(i, periodic ? (i + unknowns - 1) % unknowns : i - 1) += h1;
     a(i, i) += 2 * (h0 + h1);
@@ -37,7 +38,8 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
   return out;
 }
 
-/// Non-uniform Catmull-Rom: the slope of the parabola through three values; ends 1.5 s - 0.5 D'.
+/// Slopes of the non-uniform Catmull-Rom spline: those of the parabola through three values; at the ends 1.5
+/// s - 0.5 D'.
 std::vector<double> local_slopes(const std::vector<double>& x, const std::vector<double>& y, bool periodic) {
   const int n = int(x.size());
   const auto h = [&](int k) { return x[std::size_t(k) + 1] - x[std::size_t(k)]; };

@@ -1,6 +1,6 @@
 #pragma once
 
-// ColumnMemory: where columns were found to lie best, for as long as the sections stay as they are.
+// ColumnMemory: cache of optimised column parameters, valid while the sections stay unchanged.
 
 #include <cstdint>
 #include <map>
@@ -11,20 +11,19 @@
 
 namespace hariko {
 
-/// Calls must not overlap.
+/// Cache of column parameters. Calls must not overlap.
 class ColumnMemory {
  public:
-  /// Curves that share their parameters, counted from where each begins, and a name by which these are found
-  /// again.
+  /// Curves that share their parameters, counted from the start of each, and the key of the cache entry.
   struct Search {
     std::uint32_t key = 0;
     std::vector<SubdivisionCurve> curves;
-    std::vector<double> starts = {};  ///< one a curve; empty: 0
+    std::vector<double> starts = {};  ///< one per curve; empty: 0
   };
-  /// `optimised_parameters` of each, from memory where the curves and the number of columns are those of the
-  /// last call; when `work.moving` also where the curves have changed since. The others are found at the same
-  /// time on all threads. Without `moving` the result is a function of the searches alone. What was cancelled
-  /// is not remembered, nor what is not asked for again.
+  /// Returns `optimised_parameters` of each search, from the cache where the curves and the number of columns
+  /// are those of the last call; when `work.moving` also where the curves have changed since. The others are
+  /// computed in parallel on all threads. Without `moving` the result is a function of the searches alone.
+  /// Results of cancelled searches are not stored, and entries that are not used again are dropped.
   std::vector<std::vector<double>> parameters(const std::vector<Search>& searches, int columns,
                                               const SkinWork& work);
 

@@ -14,7 +14,8 @@ constexpr int samples = 12;
 constexpr int max_evaluations = 60;
 constexpr double widest = 6;  ///< bound of the logarithms of widths
 
-/// Residuals of one section: vectors from it to the curve through its points at u, weighted by span widths.
+/// Adds the residuals of one section: vectors from it to the curve through its points at u, weighted by span
+/// widths.
 void add_residuals(const SubdivisionCurve& section, std::vector<double> u, double start,
                    std::vector<double>& out) {
   for (double& x : u) x += start;
@@ -49,7 +50,7 @@ class Optimiser {
         closed_(sections[0].closed),
         spans_(closed_ ? columns : columns - 1) {}
 
-  /// Unknowns: the logarithm of each width, and where closed curves begin.
+  /// Number of unknowns: the logarithm of each width, and the start of closed curves.
   int unknowns() const { return spans_ + (closed_ ? 1 : 0); }
   std::vector<double> parameters(const Eigen::VectorXd& z) const {
     std::vector<double> width;
@@ -70,7 +71,7 @@ class Optimiser {
     for (std::size_t s = 0; s < sections_.size(); ++s) add_residuals(sections_[s], u, starts_[s], out);
     return Eigen::Map<Eigen::VectorXd>(out.data(), Eigen::Index(out.size()));
   }
-  /// The unknowns of parameters that begin at 0.
+  /// Unknowns for parameters that begin at 0.
   Eigen::VectorXd unknowns_of(const std::vector<double>& u) const {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(unknowns());
     double mean = 0;
@@ -83,7 +84,7 @@ class Optimiser {
     return z;
   }
 
-  /// Damped Gauss-Newton steps with forward differences; fixed initial damping.
+  /// Minimises by damped Gauss-Newton steps with forward differences; fixed initial damping.
   double minimise(Eigen::VectorXd& z, const CancelToken& cancel) const {
     Eigen::VectorXd r = residuals(z);
     double value = r.squaredNorm(), damping = 1e-3;
@@ -126,7 +127,7 @@ class Optimiser {
   int spans_;
 };
 
-/// Parameters at equal shares of a density that is summed over the sections.
+/// Parameters at equal integrals of a density that is summed over the sections.
 template <class Density>
 std::vector<double> by_density(const std::vector<SubdivisionCurve>& sections,
                                const std::vector<double>& starts, int columns, const Density& density) {
@@ -150,8 +151,8 @@ std::vector<double> by_density(const std::vector<SubdivisionCurve>& sections,
   return out;
 }
 
-/// Columns on the section's control points reproduce it exactly there. As many of them fall on these, or on
-/// even parts of the spans, as can: dense up to some place, one step sparser from there on.
+/// Density with as many columns as possible on the section's control points, or on even parts of its spans,
+/// where columns reproduce the section exactly: dense up to some place, one step sparser from there on.
 double stepped(const SubdivisionCurve& section, int columns, double u) {
   const double ratio = double(section.closed ? columns : columns - 1) / std::max(1, section.spans());
   const double low = ratio >= 1 ? std::floor(ratio) : 1 / std::ceil(1 / ratio),
@@ -176,7 +177,7 @@ std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& se
   std::vector<double> lengths;
   for (const SubdivisionCurve& section : sections) lengths.push_back(std::max(length(section), 1e-300));
   const auto size = [&](const SubdivisionCurve& s) { return lengths[std::size_t(&s - sections.data())]; };
-  // At the share u of the columns, whose parameter on the section is x.
+  // Densities at fraction u of the columns, whose parameter on the section is x.
   const auto arc = [&](const SubdivisionCurve& s, double, double x) {
     return evaluate(s, x).first.norm() / size(s);
   };
@@ -189,7 +190,7 @@ std::vector<double> optimised_parameters(const std::vector<SubdivisionCurve>& se
     const double curvature = speed > 0 ? cross.norm() / (speed * speed * speed) : 0;
     return speed * (1 + std::sqrt(curvature * size(s))) / size(s);
   };
-  // The two are mirror images, so that sections may be turned round.
+  // The two densities are mirror images, so that reversing sections does not change the result.
   const auto first = [&](const SubdivisionCurve& s, double u, double) { return stepped(s, columns, u); };
   const auto last = [&](const SubdivisionCurve& s, double u, double) { return stepped(s, columns, 1 - u); };
   const std::array<std::vector<double>, optimiser_seeds> seeds{

@@ -1,6 +1,6 @@
 #pragma once
 
-// ControlMesh: what subdivision starts from. Polygons with creases and corners.
+// ControlMesh: the control mesh of a subdivision surface; polygons with creases and corners.
 
 #include <vector>
 
@@ -11,9 +11,10 @@ namespace hariko {
 
 inline constexpr Code e_control_mesh{"E_CONTROL_MESH"};
 
-/// From this sharpness on an edge or a vertex stays sharp for ever.
+/// Sharpness from which an edge or a vertex stays sharp at every subdivision level.
 inline constexpr double infinitely_sharp = 10;
 
+/// Polygon mesh with sharp edges and corners, the input of Catmull-Clark subdivision.
 struct ControlMesh {
   struct Crease {
     Index a = 0, b = 0;
@@ -32,11 +33,11 @@ struct ControlMesh {
   bool all_quads() const;
 };
 
-/// Faces with at least three different vertices in range, an edge at most once in each direction, finite
-/// positions. E_CONTROL_MESH otherwise.
+/// Checks that faces have at least three different vertices in range, that each edge occurs at most once in
+/// each direction, and that positions are finite. Error: E_CONTROL_MESH.
 Result<Done> check(const ControlMesh& mesh);
 
-/// Both give the same patches with the same tables.
+/// Whether both meshes give the same patches with the same weights: equal faces, creases and corners.
 bool same_topology(const ControlMesh& a, const ControlMesh& b);
 
 }  // namespace hariko

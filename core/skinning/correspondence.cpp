@@ -32,13 +32,13 @@ namespace {
 struct Score {
   int triangles = std::numeric_limits<int>::max();
   double cost = 0;
-  /// Costs that differ by rounding only are equal: then the step that was offered first stays.
+  /// Costs that differ by rounding only are equal: then the earlier candidate is kept.
   friend bool operator<(const Score& x, const Score& y) {
     return x.triangles != y.triangles ? x.triangles < y.triangles : x.cost < y.cost - 1e-13;
   }
 };
 
-/// The best lines from `from` to `to`, unwrapped indices, in a grid of cells; `to` is part of the result.
+/// Best lines from `from` to `to`, unwrapped indices, in a grid of cells; `to` is part of the result.
 class Segment {
  public:
   Segment(PointPair from, PointPair to, const PairCost& cost)
@@ -96,7 +96,7 @@ Message crossing(PointPair x, PointPair y) {
                     "Delete one of them.");
 }
 
-/// The first two neighbours in sorted order that cross; none when all are monotone.
+/// First two consecutive pairs in sorted order that cross; nothing when all are monotone.
 std::optional<std::pair<PointPair, PointPair>> first_crossing(std::span<const PointPair> sorted) {
   for (std::size_t k = 0; k + 1 < sorted.size(); ++k)
     if (sorted[k + 1].b < sorted[k].b) return std::pair{sorted[k], sorted[k + 1]};
@@ -129,7 +129,7 @@ Result<std::vector<PointPair>> closed_lines(int n, int m, const PairCost& cost,
   const auto wrapped = [&](PointPair p) { return PointPair{p.a % n, p.b % m}; };
   const PairCost cyclic = [&](int a, int b) { return cost(a % n, b % m); };
   const auto finish = [&](std::vector<PointPair> lines) {
-    lines.pop_back();  // the first one again
+    lines.pop_back();  // repeats the first line
     for (PointPair& p : lines) p = wrapped(p);
     return lines;
   };
@@ -139,7 +139,7 @@ Result<std::vector<PointPair>> closed_lines(int n, int m, const PairCost& cost,
     for (int start = 0; start < m; ++start) {
       Segment segment({0, start}, {n, start + m}, cyclic);
       Score score = segment.run();
-      score.cost -= cyclic(0, start);  // the cut counts once
+      score.cost -= cyclic(0, start);  // the cut is counted once
       if (!(score < best)) continue;
       best = score;
       lines = segment.lines();

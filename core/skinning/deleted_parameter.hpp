@@ -1,15 +1,15 @@
 #pragma once
 
-// Where parameters of a subdivision curve go when a point of it does.
+// Parameters of a subdivision curve after the deletion of a control point.
 
 #include <algorithm>
 #include <cmath>
 
 namespace hariko {
 
-/// The parameter after a control point was taken out: spans that end at it become one, those after it move
-/// up. `spans` is the number before, at least 2. On closed curves any turn is kept; where the first point
-/// goes the seam moves on to the next.
+/// Maps a parameter after the deletion of a control point: the two spans that met at it become one, later
+/// ones are renumbered. `spans` is the number before, at least 2. On closed curves whole turns are kept;
+/// where the first point is deleted, the seam moves to the next.
 inline double deleted_parameter(double u, int spans, int point, bool closed) {
   const double turn = closed ? std::floor(u) : 0;
   double x = (u - turn) * spans;

@@ -22,7 +22,7 @@ std::uint32_t section_id(const Skin& skin, int k) {
   return skin.sections[std::size_t(k)].id;
 }
 
-/// The strip between two neighbouring sections: its first one; -1 when they are not neighbours.
+/// Strip between two neighbouring sections, by its first section; -1 when they are not neighbours.
 int strip_of(const Skin& skin, int a, int b) {
   const int n = skin.section_count();
   if (a < 0 || b < 0 || a == b) return -1;
@@ -49,8 +49,8 @@ bool is_conflict(const Message& message) {
   return message.code == e_link_cross || message.code == e_merge_overlap;
 }
 
-/// Puts new links and merges in: they and the locked ones stay, the others come back, latest first, as long
-/// as they cross none.
+/// Adds new links and merges: they and the locked ones stay; the others are added again, latest first, as
+/// long as they cross none.
 Result<CorrespondenceEdit> commit(const Skin& skin, std::vector<SkinLink> links,
                                   std::vector<SkinMerge> merges) {
   CorrespondenceEdit out{skin, {}, {}};
@@ -105,7 +105,7 @@ Result<CorrespondenceEdit> commit(const Skin& skin, std::vector<SkinLink> links,
   return out;
 }
 
-/// A link between points of two neighbouring sections, whichever comes first on the path.
+/// Link between points of two neighbouring sections, regardless of their order on the path.
 Result<SkinLink> link_between(const Skin& skin, int ka, std::vector<std::uint32_t> a, int kb,
                               std::vector<std::uint32_t> b) {
   const int strip = strip_of(skin, ka, kb);
@@ -129,8 +129,8 @@ void drop_known(const Skin& skin, std::vector<SkinLink>& links) {
   });
 }
 
-/// Ids of points of one section in the order of the section, from where a row round the seam begins; none
-/// when they are not neighbours.
+/// Ids of points of one section in the order of the section, beginning where a run across the seam begins;
+/// nothing when they are not neighbours.
 std::optional<std::vector<std::uint32_t>> row_of(const SkinSection& section,
                                                  const std::vector<std::uint32_t>& ids) {
   const int n = section.size();
@@ -157,7 +157,7 @@ auto find_id(List& list, std::uint32_t id) {
 
 namespace {
 
-/// The one that was added is an old one, moved.
+/// Gives the added link or merge the id of the one that was moved.
 Result<CorrespondenceEdit> with_id(Result<CorrespondenceEdit> edit, std::uint32_t id) {
   if (!edit) return edit;
   CorrespondenceEdit out = *std::move(edit);
@@ -278,7 +278,7 @@ Result<CorrespondenceEdit> move_merge(const Skin& skin, std::uint32_t id, double
 
 namespace {
 
-/// Neighbouring points of a section from one to another, the shorter way round a closed one.
+/// Consecutive points of a section from one to another, the shorter way round a closed one.
 std::vector<std::uint32_t> points_from(const SkinSection& section, std::uint32_t first, std::uint32_t last) {
   const int n = section.size();
   int i = find_point(section, first), j = find_point(section, last);
@@ -290,7 +290,7 @@ std::vector<std::uint32_t> points_from(const SkinSection& section, std::uint32_t
   return out;
 }
 
-/// A merge whose outermost member at `from` is now `to`.
+/// Merge whose outermost member `from` is replaced by `to`.
 Result<CorrespondenceEdit> move_member(const Skin& skin, SkinMerge merge, std::uint32_t from,
                                        std::uint32_t to) {
   const SkinSection& section = skin.sections[std::size_t(section_of(skin, from))];

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a designer does to correspondences, as pure functions skin -> skin. A new one beats those it would
-// cross; which ones gave way is told. Points that move never change what corresponds.
+// Edits of correspondences, as pure functions skin -> skin. A new link or merge replaces those it would
+// cross, and the result lists the replaced ones. Moving points never changes correspondences.
 
 #include <cstdint>
 #include <span>
@@ -16,50 +16,55 @@ inline constexpr Code e_not_neighbours{"E_NOT_NEIGHBOURS"};
 inline constexpr Code e_correspondence_locked{"E_CORRESPONDENCE_LOCKED"};
 inline constexpr Code e_no_correspondence{"E_NO_CORRESPONDENCE"};
 
+/// Edited skin with the ids of changed links and merges.
 struct CorrespondenceEdit {
   Skin skin;
   std::vector<std::uint32_t> added;    ///< ids of new links and merges
-  std::vector<std::uint32_t> removed;  ///< ids of those that gave way
+  std::vector<std::uint32_t> removed;  ///< ids of links and merges that were replaced
 };
 
-/// A straight line over one or more sections: points in the order in which it crosses them, each on a
-/// neighbour of the one before. One link a strip. Errors: E_NOT_NEIGHBOURS, E_INDEX, E_CORRESPONDENCE_LOCKED
-/// (it would cross a locked one).
+/// Joins points by a straight stroke over one or more sections: points in the order in which it crosses them,
+/// each on a neighbour of the section before. Makes one link per strip. Errors: E_NOT_NEIGHBOURS, E_INDEX,
+/// E_CORRESPONDENCE_LOCKED (it would cross a locked one).
 Result<CorrespondenceEdit> join_points(const Skin& skin, std::span<const std::uint32_t> points);
 
-/// A closed curve round points of two or more neighbouring sections, in a row on each: one link a strip
-/// between them. Errors: as above, E_MERGE_GAP where points of a section are not neighbours.
+/// Joins groups of points by a lasso round points of two or more neighbouring sections, consecutive on each:
+/// makes one link per strip between them. Errors: as for `join_points`, and E_MERGE_GAP where points of a
+/// section are not neighbours.
 Result<CorrespondenceEdit> group_points(const Skin& skin, std::span<const std::uint32_t> points);
 
-/// A wedge round points of one section with its tip at `v` (0 at the strip's first section .. 1) of the strip
-/// towards the section of `target`. At or beyond the other section (`v` 0 or 1 there, or further) the points
-/// are joined with the target there. Errors: as above, E_MERGE_*.
+/// Merges points of one section into one line that runs on to `target`, as drawn by a wedge with its tip at
+/// `v` (0 at the strip's first section .. 1) of the strip towards the section of `target`. Where the tip lies
+/// at or beyond the other section (`v` 0 or 1 there, or further) the points are linked with the target
+/// instead. Errors: as for `join_points`, and E_MERGE_*.
 Result<CorrespondenceEdit> merge_points(const Skin& skin, std::span<const std::uint32_t> members,
                                         std::uint32_t target, double v);
 
-/// Another end for a link: `from`, one of its points, becomes `to`, of the same section. Errors: as above.
+/// Replaces an end of a link: its point `from` becomes `to` of the same section. Errors: as for
+/// `join_points`.
 Result<CorrespondenceEdit> move_link_end(const Skin& skin, std::uint32_t link, std::uint32_t from,
                                          std::uint32_t to);
 
-/// The diamond of a merge dragged along its line (`v`) and sideways (`target`). Errors: as above.
+/// Moves the point where a merge's lines meet, along its line (`v`) and to another target. Errors: as for
+/// `merge_points`.
 Result<CorrespondenceEdit> move_merge(const Skin& skin, std::uint32_t merge, double v, std::uint32_t target);
 
-/// The end of any line dragged to another point of its section: `from` and `other` are the points that it
-/// joins, `to` is the new one in the place of `from`. What the line belongs to changes: of a link that end;
-/// of a merge its target, or, for an outer member, how far the group reaches. A line that was matched by
-/// default becomes a link. Errors: as above; E_MERGE_SMALL.
+/// Moves the end of any line to another point of its section: `from` and `other` are the points that it
+/// joins, `to` replaces `from`. Changes the link or merge that the line belongs to: that end of a link; the
+/// target of a merge, or, for an outer member, the extent of the group. A line that was matched automatically
+/// becomes a link. Errors: as for `merge_points`.
 Result<CorrespondenceEdit> move_line_end(const Skin& skin, std::uint32_t from, std::uint32_t other,
                                          std::uint32_t to);
 
-/// Keeps the line between two points as it is now: it becomes a locked link, or the link or merge that it
+/// Locks the line between two points as it is now: it becomes a locked link, or the link or merge that it
 /// belongs to is locked. Errors: E_NOT_NEIGHBOURS, E_NO_CORRESPONDENCE (there is no such line).
 Result<CorrespondenceEdit> lock_line(const Skin& skin, std::uint32_t a, std::uint32_t b);
-/// Locks or unlocks a link or merge. E_NO_CORRESPONDENCE when there is none.
+/// Locks or unlocks a link or merge. Error: E_NO_CORRESPONDENCE when there is none.
 Result<CorrespondenceEdit> set_locked(const Skin& skin, std::uint32_t id, bool locked);
 
-/// E_NO_CORRESPONDENCE when there is none.
+/// Deletes a link or merge. Error: E_NO_CORRESPONDENCE when there is none.
 Result<CorrespondenceEdit> delete_correspondence(const Skin& skin, std::uint32_t id);
-/// Deletes all between two neighbouring sections, locked ones too.
+/// Deletes all links and merges between two neighbouring sections, including locked ones.
 CorrespondenceEdit reset_strip(const Skin& skin, std::uint32_t first, std::uint32_t second);
 
 }  // namespace hariko

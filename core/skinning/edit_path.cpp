@@ -22,20 +22,20 @@ bool usable(const SubdivisionCurve& path) {
          std::all_of(path.points.begin(), path.points.end(), [](const Vector3& p) { return p.allFinite(); });
 }
 
-/// Carries points from places of one path to places of another. Where a path has no frames (a cusp) it moves
-/// them with the path without turning them.
+/// Moves points from places of one path to places of another. Where a path has no frames (a cusp) they are
+/// translated without rotation.
 class Carrier {
  public:
   Carrier(const Skin& from, const Skin& to) : from_path_(from.path), to_path_(to.path) {
     if (!usable(from.path) || !usable(to.path)) return;
     if (auto frames = SkinFrames::make(from)) from_ = *std::move(frames);
     if (!from_ || from_->mode() == FrameMode::translate) return;
-    // A path that becomes straight, or no longer is, keeps turning its sections in the same manner.
+    // The frame mode stays the same even if the path becomes straight or no longer is.
     Skin next = to;
     next.frame = from_->mode();
     if (auto frames = SkinFrames::make(next)) to_ = *std::move(frames);
     if (!to_ || from_->mode() != FrameMode::rotation_minimising || from_path_ == to_path_) return;
-    // The first frame of a path is anything; here it is the old one turned by as little as possible.
+    // The first frame of a path is arbitrary; here it is the old one rotated as little as possible.
     const Matrix3 old = from_->frame(0), now = to_->frame(0);
     const Eigen::Quaterniond least = least_rotation(old.col(2), now.col(2));
     const Vector3 wanted = least * Vector3(old.col(0));
@@ -44,7 +44,7 @@ class Carrier {
   }
 
   void carry(SkinSection& section, double from, double to) const {
-    // The reference is what stays on the path: beside it, it comes onto it now.
+    // The reference point stays on the path; if it lay beside the path, it is moved onto it now.
     const Vector3 old = section.reference.value_or(position(from_path_, from)), now = position(to_path_, to);
     Matrix3 turn = Matrix3::Identity();
     if (from_ && to_) turn = to_->frame(to) * turn_ * from_->frame(from).inverse();
@@ -72,7 +72,7 @@ Message uneven_rails() {
                     "Give both the same number of points first.");
 }
 
-/// Sections of a tube whose first one slid over the seam come in order again.
+/// Restores the order of sections on a closed path after the first one passed the seam.
 void rotate_order(Skin& skin) {
   const auto first = std::min_element(skin.sections.begin(), skin.sections.end(),
                                       [](const SkinSection& a, const SkinSection& b) { return a.v < b.v; });
@@ -113,8 +113,8 @@ Result<SkinEdit> move_path_points(const Skin& skin, std::span<const MovedPathPoi
 
 namespace {
 
-/// Replaces the path (and rail); `place` takes old places of sections to new ones, `carried` says of an old
-/// place whether a section there is carried or stays where it is in space.
+/// Replaces the path (and rail); `place` maps old places of sections to new ones, `carried` tells whether a
+/// section at an old place moves with the path or stays where it is in space.
 template <class Place, class Carried>
 Result<SkinEdit> with_path(const Skin& skin, Reshaped path, const std::optional<Reshaped>& rail,
                            const Place& place, const Carried& carried) {
@@ -130,7 +130,7 @@ Result<SkinEdit> with_path(const Skin& skin, Reshaped path, const std::optional<
     if (carried(section.v))
       carrier.carry(section, section.v, v);
     else
-      section.reference.reset();  // the section stays where it is, beside another path
+      section.reference.reset();  // the section stays in space, away from the new path
     section.v = v;
   }
   if (skin.path.closed) rotate_order(edit.skin);
@@ -180,7 +180,7 @@ Result<SkinEdit> delete_path_point(const Skin& skin, int point) {
     const double v_new = deleted_parameter(v, spans, point, closed);
     return closed ? v_new - std::floor(v_new) : v_new;
   };
-  // The section at an end that goes follows to the new end.
+  // The section at a deleted end moves to the new end.
   const auto carried = [&](double v) {
     return has_rails(skin) || (!closed && ((point == 0 && v <= 0) || (point == spans && v >= 1)));
   };
@@ -203,7 +203,7 @@ Result<SkinEdit> set_path_sharp(const Skin& skin, PathCurve which, int point, bo
 
 namespace {
 
-/// The open part of the path between its first and last section.
+/// Cuts the path to the open part between its first and last section.
 Result<SkinEdit> cut_path(const Skin& skin, SkinEdit edit) {
   const double first = skin.sections.front().v, last = skin.sections.back().v;
   if (!(last > first) || !std::isfinite(last - first))
@@ -239,7 +239,7 @@ Result<SkinEdit> cut_path(const Skin& skin, SkinEdit edit) {
   const Carrier carrier(skin, edit.skin);
   for (SkinSection& section : edit.skin.sections) {
     const double v = (section.v - first) / (last - first);
-    // Sections must stay on their rails, which are no longer quite where they were.
+    // Sections must stay on their rails, which have changed slightly.
     if (has_rails(skin)) carrier.carry(section, section.v, v);
     section.v = v;
   }
@@ -248,7 +248,7 @@ Result<SkinEdit> cut_path(const Skin& skin, SkinEdit edit) {
   return accepted(skin, std::move(edit));
 }
 
-/// The first and the last point of the path become one, and so do sections there.
+/// Joins the first and the last point of the path, and the sections there.
 void join_ends(Skin& skin, std::vector<std::uint32_t>& lost) {
   for (SubdivisionCurve* curve : {&skin.path, skin.second_rail ? &*skin.second_rail : nullptr}) {
     if (!curve) continue;

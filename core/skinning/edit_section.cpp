@@ -22,7 +22,7 @@ bool contains(const std::vector<std::uint32_t>& ids, std::uint32_t id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-/// A point between two that a link or merge holds belongs to it, too.
+/// Adds a point to the links and merges that contain both its neighbours.
 void take_in(Skin& skin, std::uint32_t before, std::uint32_t after, std::uint32_t id) {
   const auto extend = [&](std::vector<std::uint32_t>& ids) {
     const auto found = std::find(ids.begin(), ids.end(), before);
@@ -32,7 +32,7 @@ void take_in(Skin& skin, std::uint32_t before, std::uint32_t after, std::uint32_
   for (SkinMerge& merge : skin.merges) extend(merge.members);
 }
 
-/// Parameters after a point was put into the middle of a span.
+/// Maps a parameter after the insertion of a point in the middle of a span.
 double inserted_parameter(double u, int spans, int span, bool closed) {
   const double turn = closed ? std::floor(u) : 0;
   double x = (u - turn) * spans;
@@ -250,7 +250,7 @@ Result<SkinEdit> make_symmetric(const Skin& skin, std::uint32_t id, const Vector
 Skin mirrored(Skin skin, const Vector3& plane_point, const Vector3& plane_normal) {
   const Vector3 normal = plane_normal.normalized();
   change_positions(skin, [&](Vector3& p) { p = reflected(p, plane_point, normal); });
-  // A mirror turns normals inside; those of tubes look outwards anyway.
+  // A reflection reverses normals; those of tubes are oriented outward automatically.
   if (!has_closed_sections(skin)) skin.flip_normals = !skin.flip_normals;
   return skin;
 }

@@ -48,7 +48,7 @@ void warn_inexact(const SkinMesh& mesh, const Skin& skin, std::vector<Message>& 
                              element_of(VertexId{skin.sections[std::size_t(k)].points[std::size_t(i)].id})));
 }
 
-/// Neighbouring faces that look at each other.
+/// Warns about neighbouring faces folded onto each other.
 void warn_fold(const SkinMesh& skin_mesh, std::vector<Message>& out) {
   const PolygonMesh& mesh = skin_mesh.control.mesh;
   std::vector<Vector3> normals;
@@ -77,11 +77,11 @@ void warn_fold(const SkinMesh& skin_mesh, std::vector<Message>& out) {
   }
 }
 
-/// Lines that run round the path rather than along it.
+/// Warns about lines that run round the path rather than along it.
 void warn_twist(const Skin& skin, const SkinPlan& plan, std::vector<Message>& out) {
   for (std::size_t s = 0; s < plan.strips.size(); ++s) {
     const PlannedStrip& strip = plan.strips[s];
-    // In the path's frames, so that bends of the path are none of the lines.
+    // In the path's frames, so that bends of the path do not count as twist.
     const double distance = (plan.frames.position(skin.sections[std::size_t(strip.b)].v) -
                              plan.frames.position(skin.sections[std::size_t(strip.a)].v))
                                 .norm();

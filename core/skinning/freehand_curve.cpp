@@ -9,11 +9,11 @@ namespace hariko {
 namespace {
 
 constexpr int most_points = 60;
-constexpr int per_span = 8;     ///< samples by which the curve is compared
-constexpr int refinement = 16;  ///< parts of a step in which a corner is placed
+constexpr int per_span = 8;     ///< samples per span at which the curve is compared
+constexpr int refinement = 16;  ///< parts of a step in which a corner is located
 constexpr double corner_angle = 50 * std::numbers::pi / 180;
 
-/// A polyline by its length; closed ones repeat.
+/// Polyline parametrised by arc length; closed ones are periodic.
 class DrawnLine {
  public:
   DrawnLine(const std::vector<Vector3>& points, bool closed) : closed_(closed) {
@@ -34,7 +34,7 @@ class DrawnLine {
     const double t = (s - at_[i - 1]) / (at_[i] - at_[i - 1]);
     return points_[i - 1] + t * (points_[i] - points_[i - 1]);
   }
-  /// The angle by which the chord of length `reach` before a place and the one behind it differ.
+  /// Angle between the chords of length `reach` before and behind a place.
   double turn(double s, double reach) const {
     const Vector3 before = point(s) - point(s - reach), after = point(s + reach) - point(s);
     const double lengths = before.norm() * after.norm();
@@ -67,9 +67,9 @@ std::vector<double> corners_of(const DrawnLine& line, bool closed, double reach)
       const double gap = std::abs(other - turn.at);
       return std::min(gap, closed ? line.length() - gap : gap) > 2 * reach;
     });
-    // A bend that is sharp in the large only has no corner in the small.
+    // A bend that is sharp only at a large scale is no corner.
     if (!apart || !(line.turn(turn.at, reach / 3) > corner_angle)) continue;
-    // The curve has its corner there: a step beside the line's own would cut that off.
+    // The curve has its corner exactly here: one beside the line's own would cut that off.
     Turn best = turn;
     for (int k = -refinement; k <= refinement; ++k) {
       const double s = turn.at + step * k / refinement;
@@ -81,9 +81,9 @@ std::vector<double> corners_of(const DrawnLine& line, bool closed, double reach)
   return out;
 }
 
-/// Points evenly spaced between corners: `counts` intervals from each of `breaks` to the next.
+/// Layout of points evenly spaced between corners: `counts` intervals from each of `breaks` to the next.
 struct Layout {
-  std::vector<double> breaks;  ///< ends or, closed, a turn included
+  std::vector<double> breaks;  ///< ends, or for a closed line one turn
   std::vector<int> counts;
   bool corners_at_breaks = false;
 };
@@ -96,7 +96,7 @@ double to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
 
 struct Made {
   SubdivisionCurve curve;
-  std::vector<double> deviation;  ///< of each part
+  std::vector<double> deviation;  ///< per part of the layout
 };
 
 Made make(const DrawnLine& line, const Layout& layout, bool closed) {
@@ -121,7 +121,7 @@ Made make(const DrawnLine& line, const Layout& layout, bool closed) {
       const double share = double(i) / (layout.counts[p] * per_span);
       const double u = (span + share * layout.counts[p]) / out.curve.spans();
       const Vector3 at = evaluate(out.curve, std::min(u, 1.0)).position;
-      // Along the line half a span either way: the curve's parameter is not its length.
+      // Searches half a span of the line either way, because the curve's parameter is not its length.
       const double s = layout.breaks[p] + share * length;
       const double reach = length / (2 * layout.counts[p]);
       double least = (line.point(s) - at).norm();
@@ -164,7 +164,7 @@ Result<SubdivisionCurve> freehand_curve(const std::vector<Vector3>& points, bool
     layout.breaks.push_back(line.length());
   }
   const std::size_t parts = layout.breaks.size() - 1;
-  // Round a closed curve no fewer than four, and between corners what makes three in all.
+  // A closed curve gets at least four intervals; an open one without corners two, between corners one each.
   layout.counts.assign(parts, closed ? std::max(1, (4 + int(parts) - 1) / int(parts)) : (parts > 1 ? 1 : 2));
   while (true) {
     Made made = make(line, layout, closed);

@@ -10,10 +10,11 @@ namespace hariko {
 namespace {
 
 constexpr int degree = 7;
-/// Roots inside of the unit circle of the values of the B-spline at whole numbers (1, 120, 1191, 2416, ...).
+/// Poles of the interpolation filter: the roots inside the unit circle of the B-spline's values at integers
+/// (1, 120, 1191, 2416, ...).
 constexpr std::array poles{-0.53528043079643816554, -0.12255461519232669052, -0.00914869480960827693};
 
-/// The eight B-splines at fraction t of a span, by the recursion of Cox and de Boor.
+/// Values of the eight B-splines at fraction t of a span, by the recursion of Cox and de Boor.
 std::array<double, degree + 1> basis(double t) {
   std::array<double, degree + 1> b{1};
   for (int d = 1; d <= degree; ++d)
@@ -24,7 +25,7 @@ std::array<double, degree + 1> basis(double t) {
   return b;
 }
 
-/// Divides by (1 - pole z^-1)(1 - pole z), periodically.
+/// Applies the filter 1 / ((1 - pole z^-1)(1 - pole z)), periodically.
 void filter(std::vector<Vector3>& c, double pole) {
   const std::size_t n = c.size();
   const auto turn = [&](auto&& sample) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A skin as it is computed: near zero.
+// LocalSkin: a skin relative to a nearby origin, for numerically precise evaluation.
 
 #include <vector>
 
@@ -9,13 +9,14 @@
 
 namespace hariko {
 
-/// A skin whose positions are relative to an origin in its middle (`origin_for`): what is made from it is as
-/// precise a million units away as at zero.
+/// Skin whose positions are relative to an origin near its centre (`origin_for`): results are as precise a
+/// million units away as at the origin.
 struct LocalSkin {
   Vector3 origin = Vector3::Zero();
   Skin skin;
 };
 
+/// Moves a skin to a nearby origin. O(points).
 inline LocalSkin local_skin(const Skin& skin) {
   LocalSkin out{Vector3::Zero(), skin};
   std::vector<Vector3> positions;

@@ -36,7 +36,7 @@ Result<SkinEdit> make_rails(const Skin& skin) {
   edit.skin.path = curve_through(std::move(first), skin.path.closed, sharp);
   edit.skin.second_rail = curve_through(std::move(last), skin.path.closed, std::move(sharp));
   for (SkinSection& section : edit.skin.sections) {
-    section.reference.reset();  // it was on the path that is no more
+    section.reference.reset();  // it was on the old path
     for (const auto& [point, rail] : {std::pair(&section.points.front(), &edit.skin.path),
                                       std::pair(&section.points.back(), &*edit.skin.second_rail)}) {
       const Vector3 on_rail = evaluate(*rail, section.v).position;

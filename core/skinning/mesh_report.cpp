@@ -59,7 +59,7 @@ SparseMatrix limit_matrix(const SubdivisionTopology& topology) {
   return sparse_matrix(n, n, entries);
 }
 
-/// Largest eigenvalue of a symmetric positive operator.
+/// Largest eigenvalue of a symmetric positive operator, by iteration.
 template <class Apply>
 double largest_eigenvalue(Eigen::Index n, const Apply& apply) {
   Eigen::VectorXd x(n);
@@ -81,7 +81,7 @@ double largest_eigenvalue(Eigen::Index n, const Apply& apply) {
 double limit_condition(const SubdivisionTopology& topology) {
   const SparseMatrix matrix = limit_matrix(topology);
   if (matrix.rows() <= 600) {
-    // Squares of the singular values: good to 1e-8 of the largest, and conditions are far below 1e7.
+    // Squares of the singular values are accurate to 1e-8 of the largest; conditions are far below 1e7.
     const Eigen::MatrixXd dense(matrix);
     const Eigen::VectorXd squares = symmetric_eigenvalues(transposed_product(dense, dense));
     const double low = squares[0], high = squares[squares.size() - 1];

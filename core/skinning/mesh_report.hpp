@@ -1,6 +1,7 @@
 #pragma once
 
-// Figures of a control mesh: counts, extraordinary vertices, and how well it could be fitted to limit points.
+// Statistics of a control mesh: counts, extraordinary vertices, and the condition of fitting it to limit
+// points.
 
 #include <map>
 #include <string>
@@ -9,18 +10,21 @@
 
 namespace hariko {
 
+/// Counts of a control mesh.
 struct ControlMeshFigures {
   int vertices = 0, edges = 0, faces = 0;
   int quads = 0, triangles = 0, polygons = 0;  ///< polygons: five sides and more
   int euler = 0;
   int boundary_vertices = 0, nonmanifold_edges = 0;
-  /// "i5" -> 4: interior vertices of valence 5; "b4": boundary vertices with 4 edges.
+  /// Extraordinary vertices by kind, such as "i5" -> 4: four interior vertices of valence 5; "b4": boundary
+  /// vertices with 4 edges.
   std::map<std::string, int> extraordinary;
 };
+/// Counts the elements of a mesh. O(n log n).
 ControlMeshFigures figures(const PolygonMesh& mesh);
 
-/// Ratio of the largest and smallest singular value of the matrix from control points to limit points. Dense
-/// up to 600 vertices, by iteration above.
+/// Condition number of the matrix from control points to limit points: the ratio of its largest and smallest
+/// singular value. Dense up to 600 vertices, iterative above.
 double limit_condition(const SubdivisionTopology& topology);
 
 }  // namespace hariko

@@ -6,10 +6,10 @@
 
 namespace hariko {
 
-/// Slopes at data points with increasing x (at least two).
+/// Slopes of the interpolant at data points with increasing x (at least two points).
 std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vector<double>& y);
 
-/// Cubic Hermite interpolation; beyond the ends the end pieces go on.
+/// Cubic Hermite interpolation at `at`; beyond the ends the end pieces are extrapolated.
 double hermite(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& slope,
                double at);
 

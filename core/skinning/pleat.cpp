@@ -62,7 +62,7 @@ class PleatBuilder {
     return skin_.path.closed || (section > 0 && section < skin_.section_count() - 1);
   }
 
-  /// B with L1 B = C(v) over all rows, so that limits of the rows' base points lie on the path.
+  /// Solves L1 B = C(v) over all rows, so that the limits of the rows' base points lie on the path.
   void make_base_points() {
     std::vector<Vector3> path, rail;
     const bool rails = plan_.frames.mode() == FrameMode::two_rail;
@@ -72,7 +72,7 @@ class PleatBuilder {
     }
     if (!skin_.path.closed) add_base(path, rail, rows_.back().v.back());
     if (path.size() < 3 && skin_.path.closed) {
-      base_ = path, rail_base_ = rail;  // too few rows for a closed curve: as they are
+      base_ = path, rail_base_ = rail;  // too few rows for a closed curve: unchanged
       return;
     }
     base_ = curve_through(std::move(path), skin_.path.closed).points;
@@ -160,7 +160,7 @@ class PleatBuilder {
     out_.rows.push_back(rows.v);
   }
 
-  /// rep(p, q) as in the paper's grid, with what is repeated dropped.
+  /// Adds the faces of the paper's grid rep(p, q), with repeated vertices dropped.
   void add_strip_faces(int s) {
     const auto& grid = out_.representative[std::size_t(s)];
     const std::size_t lines = grid[0].size();
@@ -197,7 +197,7 @@ class PleatBuilder {
       mesh().add_face(face);
     fan = {};
   }
-  /// Of a vertex along its row, to tell the middle of a section from its ends.
+  /// Parameter of a vertex along its row, to tell the middle of a section from its ends.
   double parameter_of(Index v) const {
     const SkinVertex& meaning = out_.vertices[v];
     if (meaning.section >= 0)
@@ -208,7 +208,8 @@ class PleatBuilder {
                   skin_.sections[std::size_t(strip.b)].curve().parameter(line.b));
   }
 
-  /// A corner that both sections have runs along the whole line; one that a section alone has fades away.
+  /// Adds creases: a corner of both sections makes one along the whole line; a corner of one section makes
+  /// one that fades.
   void add_creases() {
     if (!skin_.creases) return;
     std::map<std::pair<Index, Index>, double> sharpness;
@@ -252,7 +253,7 @@ class PleatBuilder {
     for (const Index v : corners) out_.control.corners.push_back({v, infinitely_sharp});
   }
 
-  /// Points of interior sections whose vertices are not regular.
+  /// Finds the points of interior sections whose vertices are not regular.
   void find_inexact() {
     struct Ring {
       int faces = 0, edges = 0;
@@ -283,7 +284,7 @@ class PleatBuilder {
       }
     }
   }
-  /// The vertices beside a section's point, where there is one on either side and not another section's.
+  /// Vertices before and after a section's point, where both exist and neither belongs to another section.
   std::optional<std::pair<Index, Index>> neighbours(int k, int i) const {
     const int strips = int(plan_.strips.size());
     const auto beside = [&](int s, bool at_a) -> Index {
@@ -327,8 +328,8 @@ class PleatBuilder {
       fit_sections_locally(mesh().positions, equations);
       return;
     }
-    // Sides stay on the rails, but for what the ends of sections are beside them (E_RAIL tells how much may
-    // be).
+    // Side vertices stay on the rails, up to the offset of the ends of sections from these (limited by
+    // E_RAIL).
     if (plan_.frames.mode() == FrameMode::two_rail)
       for (const auto& grid : out_.representative)
         for (const auto& row : grid) held[row.front()] = held[row.back()] = 1;
@@ -364,7 +365,7 @@ class PleatBuilder {
                        {sides[v].after.begin(), sides[v].after.end()},
                        sides[v].h1,
                        sides[v].h2});
-        // The rest is that of straight lines from section to section.
+        // The target is the difference of straight lines from section to section.
         out.back().own = second_difference(out.back(), out_.vertices[v].section < 0 ? bows_ : end_bows_);
       }
     return out;
@@ -376,7 +377,7 @@ class PleatBuilder {
   std::vector<StripRows> rows_;
   std::vector<int> first_row_;
   std::vector<Vector3> base_, rail_base_;
-  std::vector<Vector3> bows_, end_bows_;  ///< of each vertex, what twisted lines add to its place (LineBow)
+  std::vector<Vector3> bows_, end_bows_;  ///< per vertex: displacement of twisted lines (LineBow)
   std::set<std::pair<Index, Index>> creased_;
   std::vector<char> regular_;
 };

@@ -11,11 +11,11 @@ namespace hariko {
 namespace {
 
 constexpr int max_intervals = 10'000;
-/// Rows of strips whose lines twist: with so many an area is right to 2e-5 for twists of half a step between
-/// points.
+/// Number of row intervals of strips whose lines twist: enough for an area accurate to 2e-5 at twists of half
+/// a step between points.
 constexpr int twist_intervals = 4;
 
-/// Largest remainders: one more for the segment with the longest intervals, until all are given out.
+/// Distributes intervals: one more for the segment with the longest intervals, until the total is reached.
 std::vector<int> shares(const std::vector<double>& breaks, std::vector<int> least, int total) {
   int given = 0;
   for (const int n : least) given += n;
@@ -30,7 +30,7 @@ std::vector<int> shares(const std::vector<double>& breaks, std::vector<int> leas
   return least;
 }
 
-/// Lines that run from one point of a section, in runs of two or more.
+/// Lines that start at one point of a section, in runs of two or more.
 std::vector<std::vector<int>> fans(const PlannedStrip& strip, StripSide apex, bool closed) {
   const auto at = [&](std::size_t p) { return apex == StripSide::a ? strip.lines[p].a : strip.lines[p].b; };
   std::vector<std::vector<int>> out;
@@ -91,7 +91,7 @@ class RowBuilder {
     if (collars()) {
       const bool a = inside_surface(skin_, plan_, strip_.a), b = inside_surface(skin_, plan_, strip_.b);
       total = std::max(total, 1 + int(a) + int(b));
-      // A collar and a merge need rows of their own.
+      // A collar and a merge need separate rows.
       if (a && least.size() > 1) least.front() = 2;
       if (b && least.size() > 1) least.back() = 2;
     }
@@ -104,7 +104,7 @@ class RowBuilder {
     out_.v.push_back(breaks.back());
   }
 
-  /// The places of the path's control points, where they are not too near to a section or a merge.
+  /// Places rows at the path's control points, except too near to a section or a merge.
   void path_rows(const std::vector<double>& breaks) {
     const int spans = skin_.path.spans();
     out_.v = breaks;
@@ -133,7 +133,7 @@ class RowBuilder {
     return side == StripSide::a ? pair.a : pair.b;
   }
 
-  /// M = (1 - m) mean of the members + m target, m measured from the members.
+  /// Adds a group that meets at M = (1 - m) mean of the members + m target, m measured from the members.
   void add_group(std::vector<int> lines, StripSide tip, int row) {
     LineGroup group;
     group.lines = std::move(lines);
@@ -143,7 +143,7 @@ class RowBuilder {
     Vector3 mean = Vector3::Zero();
     for (const int p : group.lines)
       mean += offset(members, point_of(p, members)) / double(group.lines.size());
-    // Lines that meet on a side between rails meet on the rail.
+    // Lines at a side between rails meet on the rail.
     const auto holds = [&](int p) {
       return std::find(group.lines.begin(), group.lines.end(), p) != group.lines.end();
     };
@@ -171,7 +171,7 @@ class RowBuilder {
               row_at(merge_level(merge)));
   }
 
-  /// Fans at an interior section meet on the row beside it, so that its own vertices stay regular.
+  /// Lets fans at an interior section meet on the row beside it, so that its own vertices stay regular.
   void add_collar(StripSide apex) {
     const bool a = apex == StripSide::a;
     if (!inside_surface(skin_, plan_, a ? strip_.a : strip_.b) || out_.last() < 2) return;
@@ -208,7 +208,7 @@ StripRows strip_rows(const Skin& skin, const SkinPlan& plan, int strip) {
 
 Vector3 line_offset(const SkinPlan& plan, const PlannedStrip& strip, const StripRows& rows, int p, int q) {
   const PointPair& line = strip.lines[std::size_t(p)];
-  // The stations that the line runs straight between.
+  // Stations between which the line is straight.
   double from = strip.v0, to = strip.v1;
   Vector3 begin = plan.offsets[std::size_t(strip.a)][std::size_t(line.a)];
   Vector3 end = plan.offsets[std::size_t(strip.b)][std::size_t(line.b)];
@@ -241,7 +241,7 @@ std::vector<LineBow> line_bows(const SkinPlan& plan, const PlannedStrip& strip, 
     bow.rows.assign(rows.v.size(), Vector3::Zero());
     for (int q = 1; q < rows.last(); ++q) {
       const double t = along(q);
-      // It leaves and meets the sections across them.
+      // The smoothstep makes lines leave and meet the sections without sideways motion.
       const double gone = t * t * (3 - 2 * t);
       const Vector3 from = shift_a.at(line.a - gone * back_a), to = shift_b.at(line.b + (1 - gone) * back_b);
       bow.rows[std::size_t(q)] = (1 - t) * (from - begin) + t * (to - end);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines of one strip with all their rows: where lines share vertices, and the offset of each vertex.
+// Rows of the lines of one strip: the vertices that lines share, and the offset of each vertex.
 
 #include <vector>
 
@@ -8,44 +8,46 @@
 
 namespace hariko {
 
-/// A run of neighbouring lines that share one vertex a row, up to a row from the first section, or from a row
-/// on to the second.
+/// Run of neighbouring lines that share one vertex per row, from the first section up to a row, or from a row
+/// on to the second section.
 struct LineGroup {
   std::vector<int> lines;
-  int row = 0;                       ///< where they meet
-  StripSide tip = StripSide::a;      ///< the section at which all are one point
-  Vector3 offset = Vector3::Zero();  ///< of the point where they meet
+  int row = 0;                       ///< row where the lines meet
+  StripSide tip = StripSide::a;      ///< the section at which all lines are one point
+  Vector3 offset = Vector3::Zero();  ///< offset of the point where the lines meet
 };
 
-/// The surface goes on on both sides of a section: it is not an end, or a dome is on it.
+/// Whether the surface continues on both sides of a section: it is not an end, or has a dome.
 bool inside_surface(const Skin& skin, const SkinPlan& plan, int section);
 
+/// Rows of a strip and the groups of its lines.
 struct StripRows {
-  std::vector<double> v;                    ///< of the rows, ends included
-  std::vector<LineGroup> groups;            ///< merges first, in the strip's order, then those of collars
-  std::vector<int> start_group, end_group;  ///< of each line, -1 for none
+  std::vector<double> v;                    ///< places of the rows on the path, ends included
+  std::vector<LineGroup> groups;            ///< merges first, in the strip's order, then groups of collars
+  std::vector<int> start_group, end_group;  ///< groups of each line, -1 for none
 
   int last() const { return int(v.size()) - 1; }
-  /// Group whose vertex line p uses on row q; -1 when it has its own.
+  /// Group whose vertex line p uses on row q; -1 when the line has its own vertex.
   int shared(int p, int q) const;
 };
 
-/// Rows by options.rows and density; with collars interior sections get private rows and groups beside them.
+/// Makes the rows by options.rows and density; with collars, interior sections get additional rows and groups
+/// beside them.
 StripRows strip_rows(const Skin& skin, const SkinPlan& plan, int strip);
 
-/// Offset of line p on row q, 0 < q < last, where lines run straight.
+/// Offset of line p on row q, 0 < q < last, for straight lines.
 Vector3 line_offset(const SkinPlan& plan, const PlannedStrip& strip, const StripRows& rows, int p, int q);
 
-/// Addition of a line that twists to its offsets.
+/// Displacement of a twisted line from a straight one.
 struct LineBow {
-  std::vector<Vector3> rows;  ///< on each row, beside the straight line between its points
-  /// On the first and the last row inside, beside the straight line from the line's point there to what
-  /// belongs to that point on the other section.
+  std::vector<Vector3> rows;  ///< on each row, relative to the straight line between its points
+  /// Displacement on the first and the last interior row, relative to the straight line from the line's point
+  /// there to its counterpart on the other section.
   Vector3 first = Vector3::Zero(), last = Vector3::Zero();
 };
 
-/// Each line's places on the blend of the two sections, solved so that limits lie there. Empty where
-/// lines run straight. O(lines x rows).
+/// Displacements of each line onto the blend of the two sections, solved so that the limit points lie there.
+/// Empty where lines are straight. O(lines x rows).
 std::vector<LineBow> line_bows(const SkinPlan& plan, const PlannedStrip& strip, const StripRows& rows);
 
 }  // namespace hariko

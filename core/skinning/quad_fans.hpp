@@ -1,6 +1,6 @@
 #pragma once
 
-// Triangles of a fan joined to quads.
+// Joining the triangles of a fan to quads.
 
 #include <functional>
 #include <vector>
@@ -9,17 +9,18 @@
 
 namespace hariko {
 
-/// Triangles between an apex on one row and two or more vertices in order on the next or the one before.
+/// Fan of triangles between an apex on one row and two or more consecutive vertices on the next or the
+/// previous row.
 struct TriangleFan {
   Index apex = no_index;
   std::vector<Index> outer;
-  bool apex_on_first_row = true;  ///< decides which way round the faces are
+  bool apex_on_first_row = true;  ///< determines the orientation of the faces
 };
 
 /// Faces of a fan, with neighbouring triangles joined pairwise: the edge from the apex to the vertex between
-/// goes where `may_go(that vertex)`. An odd fan keeps one triangle: the middle one where that leaves pairs on
-/// both sides, else the first or last, the one farther from the middle (`parameter` of an outer vertex, 1/2
-/// in the middle of the section), so that mirror images share the rule.
+/// them is removed where `may_go(that vertex)`. An odd fan keeps one triangle: the middle one where that
+/// leaves pairs on both sides, else the first or last, the one farther from the middle (`parameter` of an
+/// outer vertex, 1/2 in the middle of the section), so that mirror images are treated alike.
 std::vector<std::vector<Index>> fan_faces(const TriangleFan& fan, const std::function<bool(Index)>& may_go,
                                           const std::function<double(Index)>& parameter);
 

@@ -11,7 +11,7 @@ namespace hariko {
 
 namespace {
 
-/// Walks on quads: a corner is a face and a place in it.
+/// Traversal of quads: a corner is a face and a place in it.
 class QuadWalk {
  public:
   explicit QuadWalk(const ControlMesh& control) : mesh_(control.mesh) {
@@ -52,8 +52,8 @@ class QuadWalk {
     return v.size() == 4 && std::all_of(v.begin(), v.end(), [&](Index i) { return regular_[i] != 0; });
   }
 
-  /// Beyond side `side` of a face: the face there and the place at which the common side begins in it, as
-  /// that face goes round.
+  /// Face beyond side `side` of a face, and the place at which the common side begins in it, in its own
+  /// direction.
   std::optional<std::pair<Index, int>> beyond(Index face, int side) const {
     const auto v = mesh_.face(face);
     const auto found = half_edge_.find(half_edge_key(v[std::size_t((side + 1) % 4)], v[std::size_t(side)]));
@@ -69,11 +69,11 @@ class QuadWalk {
   std::vector<char> regular_;
 };
 
-/// The 4 x 4 points of a regular face that is turned so that its corner `turn` comes first.
+/// The 4 x 4 points of a regular face, rotated so that its corner `turn` comes first.
 std::array<Vector3, 16> piece(const QuadWalk& walk, Index face, int turn) {
   std::array<Vector3, 16> out;
   const auto at = [&](int i, int j) -> Vector3& { return out[std::size_t(4 * j + i)]; };
-  // Grid places of the face's corners, and of what lies beyond its sides, counter-clockwise.
+  // Grid places of the face's corners, and directions to the points beyond its sides, counter-clockwise.
   constexpr int corner[4][2] = {{1, 1}, {2, 1}, {2, 2}, {1, 2}};
   constexpr int outward[4][2] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
   for (int c = 0; c < 4; ++c) at(corner[c][0], corner[c][1]) = walk.position(walk.vertex(face, turn + c));
@@ -84,7 +84,7 @@ std::array<Vector3, 16> piece(const QuadWalk& walk, Index face, int turn) {
     const auto other = walk.beyond(face, (turn + side) % 4);
     open[side] = !other;
     if (!other) continue;
-    // The other face begins at b and goes on b -> a -> beyond a -> beyond b.
+    // The other face begins at b and continues b -> a -> beyond a -> beyond b.
     at(a[0] + o[0], a[1] + o[1]) = walk.position(walk.vertex(other->first, other->second + 2));
     at(b[0] + o[0], b[1] + o[1]) = walk.position(walk.vertex(other->first, other->second + 3));
   }
@@ -94,13 +94,13 @@ std::array<Vector3, 16> piece(const QuadWalk& walk, Index face, int turn) {
     at(a[0] + o[0], a[1] + o[1]) = 2 * at(a[0], a[1]) - at(a[0] - o[0], a[1] - o[1]);
     at(b[0] + o[0], b[1] + o[1]) = 2 * at(b[0], b[1]) - at(b[0] - o[0], b[1] - o[1]);
   }
-  // The corner points, across from each corner of the face.
+  // Corner points, diagonally across from each corner of the face.
   for (int c = 0; c < 4; ++c) {
     const int before = (c + 3) % 4;  // the side that ends at corner c; side c begins there
     const int *p = corner[c], *o = outward[c], *q = outward[before];
     Vector3& target = at(p[0] + o[0] + q[0], p[1] + o[1] + q[1]);
     if (!open[c]) {
-      // Round the corner through the face beyond side c: its side that leaves from a.
+      // Goes round the corner through the face beyond side c: its side that leaves from a.
       const auto other = walk.beyond(face, (turn + c) % 4);
       const auto far = walk.beyond(other->first, (other->second + 1) % 4);
       if (far) {
@@ -141,7 +141,7 @@ Vector3 evaluate(const RegularFace& face, double s, double t) {
 
 namespace {
 
-/// A face in a rectangle: which corner of it is the rectangle's lower left one.
+/// Face in a rectangle, with the corner that is the rectangle's lower left one.
 struct Placed {
   Index face = no_index;
   int turn = 0;
@@ -161,16 +161,17 @@ class RectangleSearch {
   }
 
  private:
-  /// The free neighbour over side 0 .. 3 (down, right, up, left) of a placed face.
+  /// Free neighbour over side 0 .. 3 (down, right, up, left) of a placed face.
   std::optional<Placed> step(Placed at, int side) const {
     const auto other = walk_.beyond(at.face, (at.turn + side) % 4);
     if (!other || taken_[other->first]) return {};
-    // Over the right side the common side is the neighbour's left one, number 3 there, and so on.
+    // The common side is the opposite one in the neighbour: over the right side it is the neighbour's left
+    // one, number 3, and so on.
     const int theirs = (side + 2) % 4;
     return Placed{other->first, ((other->second - theirs) % 4 + 4) % 4};
   }
 
-  /// A row or column of neighbours over one side of all faces given; none when one is missing.
+  /// Row or column of free neighbours over one side of all faces given; nothing when one is missing.
   std::optional<std::vector<Placed>> line_beyond(const std::vector<Placed>& line, int side,
                                                  const std::set<Index>& own) const {
     std::vector<Placed> out;

@@ -8,12 +8,12 @@ namespace hariko {
 
 namespace {
 
-constexpr int densest = 8;  ///< samples a side of a patch
+constexpr int densest = 8;  ///< samples per patch side
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr std::size_t most_sides = 500;  ///< that have so many
+constexpr std::size_t most_sides = 500;  ///< largest number of sides with so many samples
 
-/// The nearest point of a curve to points that follow each other along it: steps from the last one instead of
-/// a search of all the curve.
+/// Nearest point of a curve to consecutive points along it: continues from the last result instead of
+/// searching the whole curve.
 class FootTracker {
  public:
   FootTracker(const SubdivisionCurve& curve, double size) : curve_(curve), size_(size) {}
@@ -21,7 +21,7 @@ class FootTracker {
   double distance(const Vector3& p) {
     if (!started_) return search(p);
     CurveFoot best = descend(p, foot_ + step_, -unbounded, unbounded);
-    // At a corner distances have a minimum on either side, and steps do not get over it.
+    // At a corner the distance may have a minimum on either side, which Newton steps do not cross.
     const int span = int(std::floor(best.parameter * curve_.spans()));
     for (const int end : {span, span + 1}) {
       const int point = ((end % curve_.size()) + curve_.size()) % curve_.size();
@@ -34,7 +34,7 @@ class FootTracker {
           best = other;
       }
     }
-    // Far away, or led astray: from all places anew.
+    // Far away, or at a wrong minimum: searches the whole curve.
     if (!(best.distance < 1e-2 * size_)) return search(p);
     const double step = best.parameter - foot_;
     step_ = std::abs(step) < 1.0 / curve_.spans() ? step : 0;
@@ -43,7 +43,7 @@ class FootTracker {
   }
 
  private:
-  /// Newton steps between two parameters; the best of the places they come to.
+  /// Newton steps between two parameters; returns the best place visited.
   CurveFoot descend(const Vector3& p, double u, double low, double high) const {
     if (!curve_.closed) low = std::max(low, 0.0), high = std::min(high, 1.0);
     if (!(low < high)) return {u, unbounded};

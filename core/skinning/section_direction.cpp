@@ -24,14 +24,14 @@ double gap(const SkinSection& a, const Vector3& at_a, const SkinSection& b, cons
   return sum;
 }
 
-/// Whether the closed section is nearer to the one before when it runs the other way, from wherever it is
-/// best.
+/// Whether the closed section is nearer to the one before when it is reversed, each direction at its best
+/// start.
 bool nearer_reversed(const SubdivisionCurve& before, const SubdivisionCurve& own) {
   const StartMatch straight = nearest_start(before, own), turned = nearest_start(before, reversed(own));
   return turned.displacement < straight.displacement - 1e-9 * straight.size;
 }
 
-/// About the path, in its frames; the path's own place and no turning where it has none.
+/// Section curve relative to the path, in its frames; without frames only relative to the path's point.
 SubdivisionCurve offsets_of(const Skin& skin, const SkinSection& section, const SkinFrames* frames) {
   SubdivisionCurve curve = section.curve();
   const Vector3 place = evaluate(skin.path, section.v).position;

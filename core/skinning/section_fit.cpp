@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-/// A vertex as an affine function of the unknown ones.
+/// Vertex as an affine function of the unknowns.
 struct Affine {
   std::vector<std::pair<int, double>> terms;
   Vector3 constant = Vector3::Zero();
@@ -49,7 +49,7 @@ class FairSystem {
 
   const Affine& vertex(std::size_t v) const { return vertices_[v]; }
 
-  /// weight |f|^2
+  /// Adds weight |f|^2 to the objective.
   void add(const Affine& f, double weight) {
     for (const auto& [i, a] : f.terms) {
       right_.row(i) -= weight * a * f.constant.transpose();
@@ -60,7 +60,7 @@ class FairSystem {
 
   void solve(std::vector<Vector3>& positions) const {
     Eigen::MatrixXd x(unknowns_, 3);
-    // Between rails, of sections with no points but their ends, nothing is unknown.
+    // Between rails, for sections with no points but their ends, nothing is unknown.
     if (unknowns_ > 0) {
       const SparseCholesky factor(sparse_matrix(unknowns_, unknowns_, triplets_));
       HARIKO_ASSERT(factor.succeeded(), "tension makes the system definite");
@@ -103,7 +103,7 @@ void fit_sections_fairly(std::vector<Vector3>& positions, const std::vector<Sect
     Affine moved = system.vertex(bend.vertex);
     moved.constant -= positions[bend.vertex];
     system.add(moved, h * tension);
-    // V'' = 2 ((V+ - V) / h2 - (V - V-) / h1) / (h1 + h2)
+    // Second difference V'' = 2 ((V+ - V) / h2 - (V - V-) / h1) / (h1 + h2).
     Affine second;
     for (const Index v : bend.after) second.add(system.vertex(v), 1 / (h2 * h * double(bend.after.size())));
     for (const Index v : bend.before) second.add(system.vertex(v), 1 / (h1 * h * double(bend.before.size())));

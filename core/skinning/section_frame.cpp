@@ -9,7 +9,7 @@ Matrix3 upright_axes(const Vector3& direction) {
   const Vector3 back = -direction;
   const auto across = [&](const Vector3& axis) { return Vector3(axis - axis.dot(back) * back); };
   Vector3 up = across(Vector3::UnitZ());
-  // Looked at from above, north is up.
+  // In views from above, y is up.
   if (up.norm() < least_up) up = across(Vector3::UnitY());
   up.normalize();
   Matrix3 axes;
@@ -41,7 +41,7 @@ Vector3 section_direction_of_view(const Skin& skin, const SkinSection& section) 
   const Vector3 path = along.norm() > 0 ? Vector3(along.normalized()) : Vector3(Vector3::UnitX());
   Vector3 normal = section_normal(section);
   if (normal.isZero(0)) {
-    // Across the line of the points, as far as it can be along the path.
+    // A line has a whole plane of normals: takes the one nearest to the path's direction.
     const Vector3 line = section.points.back().position - section.points.front().position;
     if (line.norm() > 0) normal = path - path.dot(line) / line.squaredNorm() * line;
     return normal.norm() > 1e-6 ? Vector3(normal.normalized()) : path;

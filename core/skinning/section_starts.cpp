@@ -12,11 +12,11 @@ namespace {
 
 constexpr int fewest_samples = 64, most_samples = 1024;
 
-/// Points in the middles of even intervals, about their mean: corners are rarely met.
+/// Samples at midpoints of even intervals, relative to their mean; midpoints rarely hit corners.
 struct Samples {
   std::vector<Vector3> points, slopes;
   Vector3 mean = Vector3::Zero();
-  double square = 0;  ///< mean of the squared distances from it
+  double square = 0;  ///< mean squared distance from the mean
 
   Samples(const SubdivisionCurve& curve, int count) {
     for (int i = 0; i < count; ++i) {
@@ -32,7 +32,8 @@ struct Samples {
   }
 };
 
-/// Mean of first(u) . second(u + start), with its derivatives by the start: the larger, the nearer the two.
+/// Correlation of two curves: the mean of first(u) . second(u + start), with its derivatives by the start;
+/// larger values mean nearer curves.
 class Correlation {
  public:
   Correlation(const SubdivisionCurve& second, const Samples& a, const Samples& b)
@@ -55,7 +56,8 @@ class Correlation {
       const Vector3& own = a_.points[std::size_t(i)];
       out.value += own.dot(p.position - b_.mean) / n;
       out.first += own.dot(p.first) / n;
-      out.second -= a_.slopes[std::size_t(i)].dot(p.first) / n;  // by parts, so that corners count
+      // Integrated by parts, so that corners contribute.
+      out.second -= a_.slopes[std::size_t(i)].dot(p.first) / n;
     }
     return out;
   }
@@ -86,7 +88,7 @@ StartMatch nearest_start(const SubdivisionCurve& first, const SubdivisionCurve& 
   double best = -std::numeric_limits<double>::infinity();
   for (int s = 0; s < count; ++s) {
     const double here = coarse[std::size_t(s)];
-    // A summit between two samples is a little higher than they are.
+    // A maximum between two samples is slightly higher than they are.
     if (here < highest - 0.02 * size || here < coarse[std::size_t((s + 1) % count)] ||
         here < coarse[std::size_t((s + count - 1) % count)])
       continue;

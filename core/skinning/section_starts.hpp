@@ -1,6 +1,6 @@
 #pragma once
 
-// Starts of closed sections, found so that neighbours are as near to each other as they can be.
+// Start parameters of closed sections that bring neighbouring sections as near to each other as possible.
 
 #include <vector>
 
@@ -8,25 +8,26 @@
 
 namespace hariko {
 
-/// How two closed curves belong together when one of them begins elsewhere.
+/// Best match of two closed curves over the start of the second.
 struct StartMatch {
-  double start = 0;         ///< parameter of the second curve that belongs to 0 of the first, -1/2 .. 1/2
-  double displacement = 0;  ///< mean of the squared distances at equal parameters, of centred curves
-  double stiffness = 0;     ///< second derivative of the displacement by the start, not below 0
-  double size = 0;          ///< root of the product of the curves' mean squares, which measures the above
+  double start = 0;         ///< parameter of the second curve that corresponds to 0 of the first, -1/2 .. 1/2
+  double displacement = 0;  ///< mean squared distance at equal parameters, of the centred curves
+  double stiffness = 0;     ///< second derivative of the displacement with respect to the start, at least 0
+  double size = 0;          ///< geometric mean of the curves' mean squares, the unit of the two above
 };
 
-/// The start of the least displacement, over all parameters of `second`, those between its points too. Places
-/// of the curves do not matter: they are compared about their means. Of starts that are equally good (regular
-/// polygons, circles of no extent) the nearest to 0 is taken. O(samples^2), samples about four a span.
+/// Start with the least displacement, over all parameters of `second`, not only those of points. The position
+/// of the curves does not matter: they are compared relative to their means. Among equally good starts
+/// (regular polygons, circles of zero size) the nearest to 0 is taken. O(samples^2), samples about four per
+/// span.
 StartMatch nearest_start(const SubdivisionCurve& first, const SubdivisionCurve& second);
 
-/// The same curve run through the other way; its first point stays the first.
+/// Reversed curve; its first point stays the first.
 SubdivisionCurve reversed(const SubdivisionCurve& curve);
 
-/// Starts (parameters of the sections that belong together, the first is 0) from what belongs together in
-/// each strip. On a closed path the last meets the first: what is left over of whole turns is shared out
-/// among the strips that are `free`, the softest most.
+/// Accumulates the starts of the strips to starts of all sections (corresponding parameters, that of the
+/// first is 0). On a closed path the last section meets the first: the remainder to whole turns is
+/// distributed among the strips that are `free`, most to those of least stiffness.
 std::vector<double> chained_starts(const std::vector<StartMatch>& strips, const std::vector<char>& free,
                                    bool closed_path);
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// Skin: what the designer draws. Sections in work planes along a path, how their points correspond, and how
-// the surface between them is made. A value with stable ids; everything else is derived (evaluate_skin.hpp).
+// Skin: the designer's sections in work planes along a path, the correspondence of their points, and the
+// method of the surface between them. A value with stable ids; everything else is derived
+// (evaluate_skin.hpp).
 
 #include <cstdint>
 #include <optional>
@@ -19,18 +20,19 @@ struct SectionPoint {
   friend bool operator==(const SectionPoint&, const SectionPoint&) = default;
 };
 
-/// Points are where the designer sees them.
+/// Section: a curve at a place of the path. Points are in the skin's space, not in the section's plane.
 struct SkinSection {
   std::uint32_t id = 0;  ///< unique among sections
   double v = 0;          ///< place on the path, 0 .. 1
   bool closed = false;
   std::vector<SectionPoint> points;  ///< one point: a tip, only at an end
-  /// The point of the section that stays on the path when it is carried; the path's own where none.
+  /// Point of the section that stays on the path when the section moves with it; without one, the path's
+  /// point.
   std::optional<Vector3> reference;
-  /// The designer chose the direction: it is never turned round for him.
+  /// The designer chose the direction: it is never reversed automatically.
   bool direction_chosen = false;
-  /// The designer chose where the closed section begins: its first point belongs to the first of the section
-  /// before. Otherwise what belongs together is found (section_starts.hpp).
+  /// The designer chose the start of the closed section: its first point corresponds to the first of the
+  /// section before. Otherwise the start is found (section_starts.hpp).
   bool start_chosen = false;
 
   int size() const { return int(points.size()); }
@@ -38,46 +40,58 @@ struct SkinSection {
   friend bool operator==(const SkinSection&, const SkinSection&) = default;
 };
 
-/// Points of a section that belong to points of the next one. One point on a side takes all of the other;
-/// two groups are joined at their ends, and what is between is matched as by default.
+/// Link: points of a section that correspond to points of the next one. A single point on a side is joined
+/// with all points of the other; two groups are joined at their ends, and the points between are matched
+/// automatically.
 struct SkinLink {
   std::uint32_t id = 0;                 ///< unique among links and merges
-  std::uint32_t first = 0, second = 0;  ///< the sections
+  std::uint32_t first = 0, second = 0;  ///< ids of the sections
   std::vector<std::uint32_t> a, b;      ///< ids of points of `first` and of `second`
   bool lasso = false;                   ///< drawn as a closed curve
-  bool locked = false;                  ///< does not give way to new ones
+  bool locked = false;                  ///< is not replaced by new links and merges
   friend bool operator==(const SkinLink&, const SkinLink&) = default;
 };
 
+/// Side of a strip: its first section (a) or its second one (b).
 enum class StripSide : std::uint8_t { a, b };
 
-/// Neighbouring points of one section of a strip become one line inside of it, which runs on to a point of
-/// the other section.
+/// Merge: neighbouring points of one section of a strip become one line inside the strip, which runs on to a
+/// point of the other section.
 struct SkinMerge {
   std::uint32_t id = 0;
   std::uint32_t first = 0, second = 0;
-  StripSide side = StripSide::a;       ///< where the members are
-  std::vector<std::uint32_t> members;  ///< at least two
-  std::uint32_t target = 0;            ///< on the other side
-  double v = 0.5;                      ///< where the lines meet, 0 at `first` .. 1 at `second`
+  StripSide side = StripSide::a;       ///< side of the members
+  std::vector<std::uint32_t> members;  ///< ids of points, at least two
+  std::uint32_t target = 0;            ///< id of the point on the other side
+  double v = 0.5;                      ///< place where the lines meet, 0 at `first` .. 1 at `second`
   bool locked = false;
   friend bool operator==(const SkinMerge&, const SkinMerge&) = default;
 };
 
+/// Frames that carry sections along the path: not rotated (`translate`), rotation-minimising, spanned by two
+/// rails, or `automatic` (see `SkinFrames::mode`).
 enum class FrameMode : std::uint8_t { automatic, translate, rotation_minimising, two_rail };
+/// Method of the surface: blended sections (`smooth`), the same with links as anchors (`anchored`), or a
+/// control mesh along the lines of the correspondence (`pleat`).
 enum class SkinMethod : std::uint8_t { smooth, anchored, pleat };
+/// Interpolation of sections along the path: see `BlendWeights`.
 enum class Blend : std::uint8_t { automatic, linear, natural, hermite };
+/// Parameters of columns: evenly spaced, optimised for all sections together, or for each section.
 enum class ColumnParameters : std::uint8_t { uniform, shared, per_section };
+/// Places of rows: even, or at the path's control points.
 enum class RowPlacement : std::uint8_t { even, path };
+/// Interpolation of interior sections: none, `fit_sections_locally`, or `fit_sections_fairly`.
 enum class SectionFit : std::uint8_t { none, local, fair };
+/// Cost of lines between sections: by parameters, or by the distance of points relative to their centre.
 enum class MatchCost : std::uint8_t { parameter, shape };
+/// Caps at the ends of a tube, see `add_caps`.
 enum class Caps : std::uint8_t { none, flat, dome };
 
 struct SmoothOptions {
-  int columns = 0, rows = 0;  ///< 0: as many as the curves suggest
+  int columns = 0, rows = 0;  ///< 0: chosen from the curves
   ColumnParameters parameters = ColumnParameters::per_section;
   Blend blend = Blend::automatic;
-  /// Method `anchored`, beside the links: one parameter a section, increasing.
+  /// Anchors of method `anchored` in addition to the links: rows of one parameter per section, increasing.
   std::vector<std::vector<double>> anchors = {};
   friend bool operator==(const SmoothOptions&, const SmoothOptions&) = default;
 };
@@ -87,8 +101,8 @@ struct PleatOptions {
   bool quad_fans = true;
   bool collars = true;
   SectionFit fit = SectionFit::fair;
-  double tension = 200;  ///< 5 flows like a spline, 1e4 runs straight from section to section
-  double density = 1;    ///< rows a span of the path
+  double tension = 200;  ///< 5 flows like a spline, 1e4 is nearly straight from section to section
+  double density = 1;    ///< rows per span of the path
   MatchCost cost = MatchCost::parameter;
   friend bool operator==(const PleatOptions&, const PleatOptions&) = default;
 };
@@ -106,11 +120,11 @@ struct Skin {
   bool creases = true;
   Caps caps = Caps::none;
   bool flip_normals = false;
-  /// Edits of sections change both halves.
+  /// Plane of symmetric editing: edits of sections change both halves.
   std::optional<MirrorPlane> mirror = {};
 
   int section_count() const { return int(sections.size()); }
-  /// Strips between neighbouring sections; one more on a closed path.
+  /// Number of strips between neighbouring sections; one more on a closed path.
   int strip_count() const { return path.closed ? section_count() : section_count() - 1; }
   /// Index of a section by its id; -1 when there is none.
   int find_section(std::uint32_t id) const;

@@ -10,7 +10,7 @@ namespace hariko {
 
 namespace {
 
-/// A ring of vertices at an end, and the one that the dome adds to each.
+/// Ring of vertices at an end, and the ring that the dome adds.
 struct Dome {
   std::vector<Index> ring, inset;
 };
@@ -19,7 +19,7 @@ Dome add_cap(const Skin& skin, const SkinPlan& plan, SkinMesh& out, bool first) 
   PolygonMesh& mesh = out.control.mesh;
   std::vector<Index> ring = first ? out.section_rows.front() : out.section_rows.back();
   if (ring.size() < 3) return {};
-  // Against the direction in which the strip's faces use the edges of the row.
+  // Opposite to the direction in which the strip's faces use the edges of the row.
   if (!first) std::reverse(ring.begin(), ring.end());
   const std::size_t n = ring.size();
   if (skin.caps == Caps::flat) {
@@ -46,10 +46,11 @@ Dome add_cap(const Skin& skin, const SkinPlan& plan, SkinMesh& out, bool first) 
   return {std::move(ring), std::move(inset)};
 }
 
-/// A row inside of the surface has the curve of (V- + 4 V + V+) / 6, with its neighbours across; the end of
-/// the tube had that of V. Where a vertex has other neighbours than in a regular grid it stays.
+/// Moves the rows under domes so that the end curves stay: a row inside the surface has the curve of (V- + 4
+/// V + V+) / 6, with its neighbours across; the end of the tube had that of V. Vertices with other neighbours
+/// than in a regular grid stay.
 void keep_end_curves(PolygonMesh& mesh, const std::array<Dome, 2>& domes) {
-  std::map<Index, Index> above;  // of vertices of a ring: in the dome
+  std::map<Index, Index> above;  // ring vertex -> vertex of the dome
   for (const Dome& dome : domes)
     for (std::size_t i = 0; i < dome.ring.size(); ++i) above[dome.ring[i]] = dome.inset[i];
   struct Around {

@@ -14,7 +14,7 @@ bool is_crossing(const Message& message) {
          message.code == e_merge_all;
 }
 
-/// Links and merges come back one by one: locked ones first, then the latest first.
+/// Removes links and merges that cross: adds them again one by one, locked ones first, then the latest first.
 void drop_crossing(Skin& skin, std::vector<std::uint32_t>& lost) {
   struct Entry {
     bool locked;

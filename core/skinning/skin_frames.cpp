@@ -21,7 +21,7 @@ Vector3 unit_tangent(const SubdivisionCurve& path, double v) {
   return evaluate(path, v).first.normalized();
 }
 
-/// Some unit vector across t.
+/// Some unit vector perpendicular to t.
 Vector3 across(const Vector3& t) {
   Vector3 axis = Vector3::Zero();
   int least = 0;
@@ -30,7 +30,7 @@ Vector3 across(const Vector3& t) {
   return (axis - axis.dot(t) * t).normalized();
 }
 
-/// Reference vectors by double reflection, from sample to sample.
+/// Reference vectors by the double reflection method, from sample to sample.
 std::vector<Vector3> transported(const SubdivisionCurve& path) {
   const int count = samples_per_span * path.spans();
   std::vector<Vector3> out{across(unit_tangent(path, 0))};
@@ -51,7 +51,7 @@ std::vector<Vector3> transported(const SubdivisionCurve& path) {
   return out;
 }
 
-/// Spreads the angle by which the last reference misses the first one over the arc length.
+/// Distributes the angle between the last and the first reference over the arc length.
 void close(const SubdivisionCurve& path, std::vector<Vector3>& reference) {
   const int count = int(reference.size()) - 1;
   const Vector3 t = unit_tangent(path, 0);

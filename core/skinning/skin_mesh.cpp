@@ -16,7 +16,7 @@ double tube_volume(const PolygonMesh& mesh) {
   Vector3 centre = Vector3::Zero();
   for (const Vector3& p : mesh.positions) centre += p / double(mesh.positions.size());
   double volume = 0;
-  std::map<Index, Index> border;  // a -> b for edges without a face on the other side, reversed
+  std::map<Index, Index> border;  // a -> b for reversed edges without a face on the other side
   std::map<std::pair<Index, Index>, int> used;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What can be wrong with a skin.
+// Error and warning codes of skins.
 
 #include "core/base/message.hpp"
 
@@ -24,7 +24,7 @@ inline constexpr Code e_merge_all{"E_MERGE_ALL"};
 inline constexpr Code e_few_rows{"E_FEW_ROWS"};
 inline constexpr Code e_path_cusp{"E_PATH_CUSP"};
 inline constexpr Code e_rail{"E_RAIL"};
-/// A skin so large that its mesh would not fit: rows, columns or density are too many.
+/// Error: the skin is so large that its mesh would not fit: too many rows, columns or too high a density.
 inline constexpr Code e_skin_size{"E_SKIN_SIZE"};
 inline constexpr Code w_spacing{"W_SPACING"};
 inline constexpr Code w_section_not_exact{"W_SECTION_NOT_EXACT"};

@@ -28,7 +28,7 @@ std::optional<double> place_on_path(const SubdivisionTopology& topology, const s
   const auto face = topology.mesh().mesh.face(topology.face_of(patch));
   std::vector<double> around;
   for (const Index v : face) around.push_back(places[v]);
-  // Across the seam of a closed path what comes after it is a turn further.
+  // Beyond the seam of a closed path places are one turn further.
   const double most = *std::max_element(around.begin(), around.end());
   for (double& place : around)
     if (closed && place < most - 0.5) place += 1;

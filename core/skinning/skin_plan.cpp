@@ -19,13 +19,13 @@ namespace {
 using Problem = std::optional<Message>;
 
 constexpr double same_place = 1e-9;
-constexpr int max_points = 100'000;  ///< of all sections together
+constexpr int max_points = 100'000;  ///< total of all sections
 
 std::string number(int k) {
   return std::to_string(k + 1);
 }
 
-/// Stands for a section in messages about all of it.
+/// Element that represents a whole section in messages.
 Element first_point(const SkinSection& section) {
   return section.points.empty() ? Element{} : element_of(VertexId{section.points.front().id});
 }
@@ -106,7 +106,7 @@ Problem check_points(const Skin& skin) {
   return {};
 }
 
-/// Index of the strip between two sections, -1 when they are not neighbours in this order.
+/// Index of the strip between two sections; -1 when they are not neighbours in this order.
 int strip_between(const Skin& skin, std::uint32_t first, std::uint32_t second) {
   const int a = skin.find_section(first), b = skin.find_section(second);
   if (a < 0 || b < 0 || a >= skin.strip_count() || b != (a + 1) % skin.section_count()) return -1;
@@ -148,7 +148,7 @@ std::vector<int> indices(const SkinSection& section, const std::vector<std::uint
   return out;
 }
 
-/// Neighbouring points in order, around the seam of a closed section; none when there is a gap.
+/// Consecutive points in order, across the seam of a closed section; nothing when there is a gap.
 std::optional<std::vector<int>> in_a_row(std::vector<int> sorted, int count, bool closed) {
   std::vector<std::size_t> gaps;
   for (std::size_t k = 0; k + 1 < sorted.size(); ++k)
@@ -159,7 +159,7 @@ std::optional<std::vector<int>> in_a_row(std::vector<int> sorted, int count, boo
   return sorted;
 }
 
-/// The first of two pairs that cross; none where that shows across the seam only.
+/// First of two pairs that cross; nothing where they cross only across the seam.
 std::optional<PointPair> crossed(std::vector<PointPair> pairs) {
   std::sort(pairs.begin(), pairs.end());
   for (std::size_t k = 0; k + 1 < pairs.size(); ++k)
@@ -167,18 +167,18 @@ std::optional<PointPair> crossed(std::vector<PointPair> pairs) {
   return {};
 }
 
-/// Whether the designer says which points of a closed strip's sections are the first.
+/// Whether the designer chose the first points of a closed strip's sections.
 bool start_chosen(const Skin& skin, const PlannedStrip& strip) {
   return skin.sections[std::size_t(strip.b)].start_chosen ||
          (strip.a == 0 && !skin.path.closed && skin.sections.front().start_chosen);
 }
 
-/// How far a start is from the nearest one at which points meet points: these are multiples of one step.
+/// Distance of a start from the nearest one at which points meet points; these are multiples of one step.
 double off_steps(double start, int n, int m) {
   const double steps = double(std::lcm(std::int64_t(n), std::int64_t(m)));
   return start - std::round(start * steps) / steps;
 }
-/// Starts that are no farther off are at a multiple, but for rounding.
+/// Whether a start is at a multiple up to rounding.
 bool at_step(double off, int n, int m) {
   return std::abs(off) * std::max(n, m) < 1e-6;
 }
@@ -186,7 +186,7 @@ bool at_step(double off, int n, int m) {
 PairCost strip_cost(const Skin& skin, const SkinPlan& plan, const PlannedStrip& strip) {
   const int n = skin.sections[std::size_t(strip.a)].size(), m = skin.sections[std::size_t(strip.b)].size();
   if (skin.pleat.cost == MatchCost::parameter || n == 1 || m == 1) {
-    // Lines of equal cost stay so wherever the skin is.
+    // Rounded so that lines of equal cost stay equal wherever the skin is.
     const double start = strip.match.start - strip.twist, off = off_steps(start, n, m);
     return parameter_cost(n, m, plan.closed_sections, at_step(off, n, m) ? start - off : start);
   }
@@ -200,7 +200,7 @@ PairCost strip_cost(const Skin& skin, const SkinPlan& plan, const PlannedStrip& 
     return points;
   };
   const auto a = centred(plan.offsets[std::size_t(strip.a)]), b = centred(plan.offsets[std::size_t(strip.b)]);
-  // Costs that are equal but for the rounding of points far away stay equal.
+  // Rounded so that costs that are equal except for the rounding of distant points stay equal.
   constexpr double grain = 1e-8;
   return [a, b](int i, int j) {
     return grain * std::nearbyint((a[std::size_t(i)] - b[std::size_t(j)]).squaredNorm() / grain);
@@ -250,8 +250,8 @@ class Planner {
     }
     plan_.starts = chained_starts(found, free, skin_.path.closed);
   }
-  /// Lines of a strip whose start is found. Lines that the designer drew run straight, and so do those of
-  /// sections with corners, which are nowhere but at points.
+  /// Twist of the lines of a strip whose start is found automatically. Lines drawn by the designer are
+  /// straight, and so are those of sections with corners, because corners lie only at points.
   double twist(const PlannedStrip& strip) const {
     const auto drawn = [&](const auto& entry) { return of(strip, entry.first, entry.second); };
     const auto sharp = [&](int k) {
@@ -265,7 +265,7 @@ class Planner {
     const double off = off_steps(strip.match.start, n, m);
     return at_step(off, n, m) ? 0 : off;
   }
-  /// Matched by shape, lines may join other points than the nearest parameters do; then they run straight.
+  /// Drops the twist where lines matched by shape join other points than the nearest parameters do.
   void keep_twist_of_nearest(PlannedStrip& strip) const {
     const int n = section(strip.a).size(), m = section(strip.b).size();
     for (const PointPair& line : strip.lines) {
@@ -375,7 +375,7 @@ std::vector<PointPair> forced_pairs(const Skin& skin, const SkinLink& link) {
       for (const int j : b) out.push_back({i, j});
     return out;
   }
-  // Around the seam the outer ones are where the row begins and ends.
+  // Across the seam the outer points are those where the run begins and ends.
   const auto row_a = in_a_row(a, first.size(), first.closed),
              row_b = in_a_row(b, second.size(), second.closed);
   const auto &ra = row_a ? *row_a : a, &rb = row_b ? *row_b : b;

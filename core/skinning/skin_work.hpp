@@ -1,6 +1,6 @@
 #pragma once
 
-// How the control mesh of a skin is computed.
+// SkinWork: cancellation, progress and cache of a skin's evaluation.
 
 #include "core/base/cancellation.hpp"
 #include "core/base/progress.hpp"
@@ -11,11 +11,11 @@ class ColumnMemory;
 
 struct SkinWork {
   CancelToken cancel = {};
-  /// Of the search for columns, which alone takes long. Nothing is reported where none is needed.
+  /// Progress of the search for columns, the only slow part. Nothing is reported where no search is needed.
   Progress progress = {};
   /// In the middle of a drag: columns found before stay where they are on sections that move.
   bool moving = false;
-  /// What earlier calls found; null: nothing is known.
+  /// Cache of earlier results; may be null.
   ColumnMemory* columns = nullptr;
 };
 

@@ -25,8 +25,8 @@ std::vector<double> places_of(const Skin& skin) {
   return out;
 }
 
-/// Intervals between breakpoints: at least one each, then one more for the longest until `total` are given
-/// out; ends included.
+/// Distributes intervals between breakpoints: at least one each, then one more for the longest until there
+/// are `total`; ends included.
 std::vector<double> distributed(const std::vector<double>& breaks, int total) {
   std::vector<int> count(breaks.size() - 1, 1);
   for (int given = int(count.size()); given < total; ++given) {
@@ -94,7 +94,7 @@ Vector3 VirtualSurface::point(double u, double v) const {
 
 namespace {
 
-/// Parameters of points that links tie together, one group a chain of links.
+/// Parameters of points that links connect, one group per chain of links.
 class AnchorChains {
  public:
   AnchorChains(const Skin& skin, const SkinPlan& plan) : skin_(skin), plan_(plan) {
@@ -105,8 +105,8 @@ class AnchorChains {
     }
   }
 
-  /// One row a chain, one parameter a section: those of a chain on a section are averaged, what it does not
-  /// reach is interpolated along the path.
+  /// Makes one row per chain with one parameter per section: those of a chain on a section are averaged,
+  /// missing ones are interpolated along the path.
   std::vector<std::vector<double>> rows() {
     std::map<Index, std::map<int, std::vector<double>>> chains;
     for (Index i = 0; i < nodes_.size(); ++i)
@@ -159,7 +159,7 @@ class AnchorChains {
   DisjointSets tied_;
 };
 
-/// Turned so that the sum of the differences from `first`, once round, is the least.
+/// Rotates a row cyclically so that the sum of the differences from `first` is least.
 void turn_to(const std::vector<double>& first, std::vector<double>& own) {
   std::vector<double> best = own, turned = own;
   double least = std::numeric_limits<double>::infinity();
@@ -175,8 +175,8 @@ void turn_to(const std::vector<double>& first, std::vector<double>& own) {
   own = std::move(best);
 }
 
-/// Corners inside of the sections, where all have the same number of them; one row a corner. Counted from
-/// where sections begin.
+/// Rows of inner corners of the sections, where all have the same number of them; one row per corner. Counted
+/// from the starts of the sections.
 std::vector<std::vector<double>> corner_rows(const Skin& skin, const SkinPlan& plan) {
   if (!skin.creases) return {};
   std::vector<std::vector<double>> rows;
@@ -250,7 +250,7 @@ Result<std::vector<std::vector<double>>> skin_anchors(const Skin& skin, const Sk
 
 namespace {
 
-/// The name of the search for columns that all sections share; no section has this id.
+/// Cache key of the search for columns that all sections share; no section has this id.
 constexpr std::uint32_t shared_columns = 0xffffffffU;
 
 class SmoothBuilder {
@@ -262,7 +262,7 @@ class SmoothBuilder {
     int most = 0;
     for (const SkinSection& section : skin_.sections) most = std::max(most, section.size());
     const int sections = skin_.section_count();
-    // Columns that turn lie well on no section, so there are more of them.
+    // Columns that shift between sections fit no section well, so there are more of them.
     const bool turning = columns_turn();
     columns_ = skin_.smooth.columns > 0 ? skin_.smooth.columns : most + (turning ? 6 : 2);
     const int strip_rows = turning ? 4 : 3;
@@ -286,13 +286,13 @@ class SmoothBuilder {
  private:
   int row_count() const { return int(v_.size()); }
 
-  /// The point of a closed section nearest to where it begins: columns are looked for from there, since they
-  /// lie well beside points.
+  /// Point of a closed section nearest to its start: the search for columns begins there, because columns fit
+  /// well relative to points.
   double point_start(std::size_t k) const {
     const int points = skin_.sections[k].size();
     return std::round(plan_.starts[k] * points) / points;
   }
-  /// Columns that lie well on one section do not on another, and go along the sections between them.
+  /// Whether columns shift along the sections from one section to the next, because their best places differ.
   bool columns_turn() const {
     if (skin_.smooth.parameters != ColumnParameters::per_section || !surface_.anchor_places().empty())
       return false;
@@ -300,8 +300,8 @@ class SmoothBuilder {
       if (std::abs(point_start(k) - plan_.starts[k]) > 1e-9) return true;
     return false;
   }
-  /// Weights of the sections for the places of columns. Columns that turn leave and meet sections across
-  /// them.
+  /// Weights of the sections for the places of columns. Columns that shift leave and meet sections without
+  /// sideways motion.
   std::vector<double> column_weights(const std::vector<double>& blend, double v) const {
     if (!columns_turn()) return blend;
     std::vector<double> out(blend.size(), 0);
@@ -323,7 +323,7 @@ class SmoothBuilder {
     if (skin_.path.closed) v_.pop_back();
   }
 
-  /// Parameters of each column on each section.
+  /// Computes the parameters of each column on each section.
   void make_columns(const SkinWork& work) {
     const std::vector<double>& places = surface_.anchor_places();
     const bool optimised = places.empty() && skin_.smooth.parameters != ColumnParameters::uniform;
@@ -369,7 +369,7 @@ class SmoothBuilder {
     }
   }
 
-  /// Columns that run through a corner of every section.
+  /// Flags of columns that run through a corner of every section.
   std::vector<char> creased_columns() const {
     std::vector<char> out(std::size_t(columns_), 0);
     if (!skin_.creases) return out;
@@ -385,7 +385,7 @@ class SmoothBuilder {
     return out;
   }
 
-  /// L1_v V L1_u^T = T.
+  /// Solves L1_v V L1_u^T = T for the control points V.
   void fit() {
     std::vector<Vector3>& points = out_.control.mesh.positions;
     const std::size_t n = std::size_t(columns_);

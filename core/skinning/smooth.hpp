@@ -12,34 +12,36 @@ namespace hariko {
 /// Weights of the sections along the path: cardinal functions of their places.
 class BlendWeights {
  public:
-  /// `automatic`: linear for two sections, else natural. Closed paths with fewer than three sections: linear.
+  /// Makes the weights. `automatic`: linear for two sections, else natural. Closed paths with fewer than
+  /// three sections: linear.
   BlendWeights(std::vector<double> places, bool closed, Blend blend);
-  /// One weight a section; they add up to 1.
+  /// Weights at v, one per section; they add up to 1.
   std::vector<double> at(double v) const;
 
  private:
-  std::vector<double> knots_;  ///< with the first one again, a turn later, when closed
+  std::vector<double> knots_;  ///< when closed, ends with the first one again, a turn later
   std::size_t sections_;
   bool closed_;
   bool linear_;
-  std::vector<std::vector<double>> value_, slope_;  ///< of each section's cardinal function at the knots
+  /// Values and slopes of each section's cardinal function at the knots.
+  std::vector<std::vector<double>> value_, slope_;
 };
 
-/// S(u, v) = C(v) + F(v) sum of w_k(v) d_k(phi_k(u)): through every section, which are the designer's.
+/// Virtual surface S(u, v) = C(v) + F(v) sum of w_k(v) d_k(phi_k(u)), which passes through every section.
 class VirtualSurface {
  public:
-  /// `anchors`: rows of parameters, one a section, increasing, counted from where the sections begin
-  /// (`SkinPlan::starts`); phi_k takes their means to them.
+  /// Makes the surface. `anchors`: rows of parameters, one per section, increasing, counted from the starts
+  /// of the sections (`SkinPlan::starts`); phi_k maps their means to them.
   VirtualSurface(const Skin& skin, const SkinPlan& plan, std::vector<std::vector<double>> anchors = {});
 
   const BlendWeights& weights() const { return weights_; }
   /// Means of the anchors, increasing.
   const std::vector<double>& anchor_places() const { return places_; }
-  /// phi_k, from where the section begins.
+  /// Parameter phi_k(u), counted from the start of the section.
   double parameter(int section, double u) const;
-  /// The point whose parameter on section k is u[k].
+  /// Point at v whose parameter on section k is u[k].
   Vector3 point(const std::vector<double>& u, double v) const;
-  /// S(u, v).
+  /// Point S(u, v).
   Vector3 point(double u, double v) const;
 
  private:
@@ -48,16 +50,18 @@ class VirtualSurface {
   std::vector<SubdivisionCurve> offsets_;
   bool closed_sections_;
   std::vector<double> places_;
-  std::vector<std::vector<double>> anchors_;  ///< [section][anchor], with ends or the periodic continuation
+  /// [section][anchor], including the ends or the periodic continuation.
+  std::vector<std::vector<double>> anchors_;
 };
 
-/// The anchors of a skin: its own rows, those of its links (method `anchored`), and corners where all
-/// sections have as many; counted from where sections begin. Errors: E_LINK_CROSS where they are not in the
-/// same order on every section.
+/// Anchors of a skin: its own rows, those of its links (method `anchored`), and corners where all sections
+/// have the same number; counted from the starts of the sections. Errors: E_LINK_CROSS where they are not in
+/// the same order on every section, E_INDEX where a row has not one parameter per section.
 Result<std::vector<std::vector<double>>> skin_anchors(const Skin& skin, const SkinPlan& plan);
 
-/// Errors: E_FEW_ROWS, E_LINK_CROSS, E_SKIN_SIZE. O(rows x columns); optimised parameters take their time,
-/// and cancelling ends them with the best so far.
+/// Makes the control mesh of a smooth or anchored skin. Errors: E_FEW_ROWS, E_SKIN_SIZE, those of
+/// `skin_anchors`. O(rows x columns) plus the slow optimisation of parameters; when cancelled, that ends with
+/// the best result so far.
 Result<SkinMesh> smooth_mesh(const Skin& skin, const SkinPlan& plan, const SkinWork& work = {});
 
 }  // namespace hariko

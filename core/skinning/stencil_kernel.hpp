@@ -1,7 +1,7 @@
 #pragma once
 
-// The inner loop of grid evaluation of subdivision surfaces, for the processor at hand. All variants do the
-// same additions and multiplications in the same order as the scalar form.
+// Inner loop of the grid evaluation of subdivision surfaces, in variants for different processors. All
+// variants do the same additions and multiplications in the same order as the scalar form.
 
 #include <span>
 #include <vector>
@@ -17,19 +17,21 @@ struct StencilTable {
   std::vector<double> value;
 };
 
+/// Functions of one variant of the kernel.
 struct StencilKernel {
-  /// Three sums over the controls for each point: out[3 i .. 3 i + 2].
+  /// Computes three sums over the controls for each point: out[3 i .. 3 i + 2].
   void (*accumulate)(std::span<const Vector3> controls, const StencilTable& table, std::size_t points,
                      Vector3* out);
-  /// Positions and unit normals; a normal is zero where the derivatives are parallel (then returns true).
+  /// Computes positions and unit normals; a normal is zero where the derivatives are parallel (then returns
+  /// true).
   bool (*position_normal)(std::span<const Vector3> controls, const StencilTable& table, std::size_t points,
                           Vector3* positions, Vector3* normals);
 };
 
-/// The fastest variant that this processor runs.
+/// Fastest variant that this processor supports.
 StencilKernel stencil_kernel();
 
-/// The value at one point of a table: the bits of the kernel.
+/// Value at one point of a table, bit-identical to the kernel's.
 Vector3 table_value(std::span<const Vector3> controls, const StencilTable& table, std::size_t point);
 
 }  // namespace hariko

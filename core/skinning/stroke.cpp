@@ -18,7 +18,7 @@ std::vector<Vector2> resampled(const std::vector<Vector2>& pixels) {
   std::vector<Vector2> out;
   if (pixels.empty()) return out;
   out.push_back(pixels.front());
-  double left = spacing;  // to go until the next sample
+  double left = spacing;  // distance left to the next sample
   for (std::size_t i = 0; i + 1 < pixels.size(); ++i) {
     const Vector2 way = pixels[i + 1] - pixels[i];
     const double length = way.norm();
@@ -69,7 +69,7 @@ Stroke classify_stroke(const std::vector<Vector2>& pixels) {
     return {StrokeKind::lasso, points};
   if (gap > 20 && deviation(points, 0, points.size() - 1) < std::max(6.0, 0.06 * gap))
     return {StrokeKind::line, {points.front(), points.back()}};
-  // The corner that leaves the straightest legs.
+  // Corner that leaves the straightest legs.
   std::size_t corner = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 2; i + 2 < points.size(); ++i) {

@@ -24,7 +24,7 @@ Span span_at(const SubdivisionCurve& curve, double u) {
   return {index, x - index};
 }
 
-/// The four control points of a span, with reflections beyond its fixed ends.
+/// Four control points of a span, with reflections beyond its fixed ends.
 std::array<Vector3, 4> span_points(const SubdivisionCurve& curve, int span) {
   const int n = curve.size();
   const auto at = [&](int i) -> const Vector3& { return curve.points[std::size_t((i % n + n) % n)]; };
@@ -35,7 +35,7 @@ std::array<Vector3, 4> span_points(const SubdivisionCurve& curve, int span) {
   return out;
 }
 
-/// Largest distance of two curves at 8 points a span of the first; the second is asked at its nearest point.
+/// Largest distance of two curves, from 8 points per span of the first to their nearest points on the second.
 double deviation(const SubdivisionCurve& a, const SubdivisionCurve& b) {
   double out = 0;
   for (int i = 0; i <= 8 * a.spans(); ++i)
@@ -92,7 +92,7 @@ LimitSystem::LimitSystem(std::vector<char> fixed, bool closed) : fixed_(std::mov
   upper_.assign(n, 1.0 / 6);
   for (std::size_t i = 0; i < n; ++i)
     if (fixed_[i]) diagonal[i] = 1, lower_[i] = upper_[i] = 0;
-  const double alpha = upper_[n - 1], beta = lower_[0];  // the entries (n-1, 0) and (0, n-1)
+  const double alpha = upper_[n - 1], beta = lower_[0];  // entries (n-1, 0) and (0, n-1)
   const double gamma = -diagonal[0];
   if (closed_) {
     diagonal[0] -= gamma;
@@ -194,7 +194,7 @@ CurveFoot nearest_point(const SubdivisionCurve& curve, const Vector3& target) {
   for (int i = 0; i <= count; ++i) {
     if (at(i) > at(i - 1) || at(i) > at(i + 1)) continue;
     // Newton steps within one sample of a local minimum; safeguarded by keeping the best. At a corner the
-    // derivatives are those of one side, so that the other side has a start of its own.
+    // derivatives are those of one side, so that the other side gets a separate start.
     const double low = (i - 1.0) / count, high = (i + 1.0) / count;
     const bool corner = i % samples == 0 && curve.is_sharp((i / samples) % curve.size());
     CurveFoot foot{double(i) / count, at(i)};

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double smooth_angle = 1e-6;
 
-/// In the order of the kernel, so with its bits.
+/// Weighted sum in the order of the kernel, hence with identical bits.
 Vector3 sum(const std::vector<double>& weight, std::span<const Vector3> controls) {
   Vector3 out = Vector3::Zero();
   for (std::size_t k = 0; k < controls.size(); ++k) out += weight[k] * controls[k];
   return out;
 }
 
-/// Side that a parameter lies on and the fraction along it; -1 inside. Corners are on the side that begins
-/// there.
+/// Side that a parameter lies on and the fraction along it; -1 inside. A corner counts as on the side that
+/// begins there.
 struct OnSide {
   int side = -1;
   double x = 0;
@@ -92,7 +92,7 @@ PatchPoint SubdivisionPatchSet::evaluate(Index patch, const Vector2& parameter, 
   return out;
 }
 
-/// each(point of the grid, position) for the points on sides that belong to another patch.
+/// Calls each(point of the grid, position) for the points on sides that belong to another patch.
 template <class Each>
 void SubdivisionPatchSet::for_border(Index patch, const GridPattern& pattern, const Each& each) const {
   using Derivatives = SubdivisionTopology::Derivatives;
@@ -181,7 +181,7 @@ void SubdivisionPatchSet::hull(Index, const ParameterTriangle&, std::span<const 
 
 namespace {
 
-/// The common normal of the patches at each node, zero where they have none.
+/// Common normal of the patches at each node, zero where there is none.
 std::vector<Vector3> node_normals(const SubdivisionPatchSet& patches) {
   const SubdivisionTopology& topology = patches.topology();
   const std::size_t count = topology.patch_count();

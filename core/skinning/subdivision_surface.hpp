@@ -13,17 +13,19 @@ namespace hariko {
 
 struct SkinResult;
 
+/// Patches of a Catmull-Clark surface.
 class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
  public:
-  /// One position a vertex of the topology's mesh (asserted). `skin`: what made the mesh, where a skin did.
+  /// Makes the patches, with one position per vertex of the topology's mesh (asserted). `skin`: the skin
+  /// result that the mesh comes from, if any.
   SubdivisionPatchSet(std::shared_ptr<const SubdivisionTopology> topology, std::vector<Vector3> positions,
                       std::shared_ptr<const SkinResult> skin = {});
 
   const SubdivisionTopology& topology() const { return *topology_; }
   const std::shared_ptr<const SubdivisionTopology>& shared_topology() const { return topology_; }
-  /// The control points.
+  /// Positions of the control points.
   const std::vector<Vector3>& control_points() const { return positions_; }
-  /// What the vertices of the control mesh stand for; null where no skin made it.
+  /// Skin result with the meaning of the control vertices; null without a skin.
   const std::shared_ptr<const SkinResult>& skin() const { return skin_; }
   /// Limit position of a control vertex that some face uses.
   Vector3 limit_position(Index vertex) const;
@@ -35,7 +37,7 @@ class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Undefined at extraordinary vertices and where creases fade.
+  /// Undefined at extraordinary vertices and at the ends of semi-sharp creases.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override {
     return topology_->second_order(patch, corner);
   }
@@ -43,7 +45,7 @@ class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
   void positions(Index patch, std::span<const Vector2> parameters, std::span<Vector3> out) const override;
   void first_order(Index patch, std::span<const Vector2> parameters,
                    std::span<PatchPoint> out) const override;
-  /// 6 where the patch is a bicubic polynomial; others have no bound.
+  /// 6 where the patch is a bicubic polynomial; 0 (no bound) for others.
   int hull_degree(Index patch) const override { return topology_->polynomial(patch) ? 6 : 0; }
   void hull(Index patch, const ParameterTriangle& triangle, std::span<const Vector3> samples,
             std::span<HullBall> out) const override;
@@ -60,14 +62,14 @@ class SubdivisionPatchSet final : public PatchSet, public FacetEvaluation {
   std::shared_ptr<const SkinResult> skin_;
 };
 
-/// The surface of control points relative to `origin`. A patch comes from face `provenance.element` of the
-/// mesh; nodes have normals except on creases and corners. O(patches).
+/// Makes the surface of control points relative to `origin`. A patch comes from face `provenance.element` of
+/// the mesh; nodes have normals except on creases and corners. O(patches).
 Surface subdivision_surface(const Vector3& origin, std::shared_ptr<const SubdivisionTopology> topology,
                             std::vector<Vector3> positions, std::shared_ptr<const SkinResult> skin = {});
-/// The same with a topology of its own. Errors: those of `SubdivisionTopology::make`.
+/// Makes the surface with a new topology. Errors: those of `SubdivisionTopology::make`.
 Result<Surface> subdivision_surface(const Vector3& origin, const ControlMesh& mesh);
 
-/// The patches of a surface that was made here, null for others.
+/// Subdivision patches of a surface; null for surfaces of other kinds.
 inline const SubdivisionPatchSet* subdivision_patches(const Surface& surface) {
   return surface.patch_count() > 0 ? dynamic_cast<const SubdivisionPatchSet*>(&surface.patches()) : nullptr;
 }

@@ -62,8 +62,8 @@ std::unique_ptr<osd::Far::TopologyRefiner> make_refiner(const ControlMesh& mesh)
 struct SubdivisionTopology::Evaluator {
   std::unique_ptr<osd::Far::TopologyRefiner> refiner;
   std::unique_ptr<osd::Bfr::RefinerSurfaceFactory<>> factory;
-  std::vector<OsdSurface> surfaces;          ///< one a face
-  std::vector<std::vector<Index>> controls;  ///< of each face
+  std::vector<OsdSurface> surfaces;          ///< one per face
+  std::vector<std::vector<Index>> controls;  ///< one list per face
 };
 
 Result<std::shared_ptr<const SubdivisionTopology>> SubdivisionTopology::make(const ControlMesh& mesh) {
@@ -152,7 +152,7 @@ SubdivisionTopology::Weights SubdivisionTopology::weights(Index index, const Vec
   } else {
     surface.EvaluateStencil(uv, w.value.data(), du.data(), dv.data());
   }
-  // s and t as combinations of the face's u and v.
+  // Derivatives by s and t as combinations of those by the face's u and v.
   Vector2 s(1, 0), t(0, 1);
   if (cut_) {
     s = {0.5, 0}, t = {0, 0.5};
@@ -207,7 +207,8 @@ std::shared_ptr<const StencilTable> SubdivisionTopology::table(Index patch, int 
   return at->second;
 }
 
-/// Nodes, seams, boundary and owners. A side is named by the nodes at its ends and the edge it lies on.
+/// Makes nodes, seams, boundary and owners. A side is identified by the nodes at its ends and the edge it
+/// lies on.
 void SubdivisionTopology::join_sides() {
   const PolygonMesh& mesh = mesh_.mesh;
   std::unordered_map<std::uint64_t, double> crease;
@@ -298,8 +299,8 @@ std::vector<PatchSide> SubdivisionTopology::edge_sides(Index a, Index b) const {
   return {{first_patch_[face] + Index(place), 0}, {first_patch_[face] + (Index(place) + 1) % n, 3}};
 }
 
-/// Where the second order is exact: regular vertices, of the interior, of smooth boundaries and of infinitely
-/// sharp creases with two quads on each side.
+/// Finds the corners where the second order is exact: regular vertices of the interior, of smooth boundaries
+/// and of infinitely sharp creases with two quads on each side.
 void SubdivisionTopology::classify_vertices() {
   const PolygonMesh& mesh = mesh_.mesh;
   struct Vertex {
@@ -336,7 +337,8 @@ void SubdivisionTopology::classify_vertices() {
     }
 }
 
-/// Patches with the same weights at five parameters in general position have the same weights everywhere.
+/// Finds classes of patches with identical weights: patches with the same weights and derivatives at three
+/// parameters in general position count as identical.
 void SubdivisionTopology::find_shapes() {
   constexpr std::array<std::array<double, 2>, 3> probes{{{0.137, 0.291}, {0.611, 0.083}, {0.053, 0.871}}};
   std::vector<std::vector<double>> prints(patches_.size());
@@ -356,7 +358,8 @@ void SubdivisionTopology::find_shapes() {
   }
 }
 
-/// A bicubic polynomial is known from 4 x 4 values; others differ from it between them.
+/// Whether the patch is a bicubic polynomial: such a patch is determined by 4 x 4 values, and others differ
+/// from their interpolant.
 bool SubdivisionTopology::is_polynomial(Index patch) const {
   const auto lagrange = [](double x) {
     std::array<double, 4> out;

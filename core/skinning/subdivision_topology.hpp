@@ -1,7 +1,8 @@
 #pragma once
 
-// What a Catmull-Clark surface has of its mesh's connectivity alone: its patches, how they meet, and the
-// weights of control points at parameters, which OpenSubdiv computes. Made once, shared by all positions.
+// SubdivisionTopology: data of a Catmull-Clark surface that depend on the connectivity of its mesh alone:
+// patches, their seams, and the weights of control points at parameters, which OpenSubdiv computes. Made
+// once, shared by all positions.
 
 #include <array>
 #include <map>
@@ -16,27 +17,27 @@
 
 namespace hariko {
 
-/// Patches are the faces where all are quads. Otherwise every face is cut at its centre and the middles of
-/// its edges, a quad into four patches, a triangle into three, so that the sides of neighbours are the same
-/// curves. Corner 0 of a cut patch is the face's corner, corner 2 its centre.
+/// The patches are the faces where all are quads. Otherwise every face is divided at its centre and the
+/// midpoints of its edges, a quad into four patches, a triangle into three, so that the sides of neighbours
+/// are the same curves. Corner 0 of a divided patch is the face's corner, corner 2 its centre.
 class SubdivisionTopology {
  public:
-  /// Approximation near extraordinary vertices begins this many subdivisions below the control mesh.
+  /// Subdivision level below the control mesh at which the approximation near extraordinary vertices begins.
   static constexpr int isolation = 9;
 
-  /// Errors: those of `check`; E_CONTROL_MESH where OpenSubdiv refuses the mesh.
+  /// Makes the topology. Errors: those of `check`; E_CONTROL_MESH where OpenSubdiv refuses the mesh.
   static Result<std::shared_ptr<const SubdivisionTopology>> make(const ControlMesh& mesh);
   ~SubdivisionTopology();
   SubdivisionTopology(const SubdivisionTopology&) = delete;
   SubdivisionTopology& operator=(const SubdivisionTopology&) = delete;
 
-  /// The connectivity it was made of; positions are not meaningful.
+  /// Mesh that it was made from; its positions are meaningless.
   const ControlMesh& mesh() const { return mesh_; }
   bool cut() const { return cut_; }
 
   Index patch_count() const { return Index(patches_.size()); }
   Index face_of(Index patch) const { return patches_[patch].face; }
-  /// Corner of the face that the patch lies at; 0 for whole faces.
+  /// Corner of the face at which the patch lies; 0 for whole faces.
   int corner_of(Index patch) const { return patches_[patch].corner; }
   /// Control points that the patch depends on.
   std::span<const Index> controls(Index patch) const;
@@ -51,13 +52,13 @@ class SubdivisionTopology {
   enum class Derivatives { first, second };
   std::shared_ptr<const StencilTable> table(Index patch, int density, Derivatives which) const;
 
-  /// Whose curve a side is, and whether it runs the other way round there.
+  /// Patch side whose curve a side uses, and whether it runs in the opposite direction there.
   struct Owner {
     PatchSide side;
     bool reversed = false;
   };
   const Owner& owner(PatchSide side) const { return owners_[4 * side.patch + side.side]; }
-  /// Patch and corner that the position of a node comes from.
+  /// Patch and corner that determine the position of a node.
   struct NodeOwner {
     Index patch;
     int corner;
@@ -65,21 +66,21 @@ class SubdivisionTopology {
   const NodeOwner& node_owner(Index node) const { return node_owners_[node]; }
   Index node(Index patch, int corner) const { return (*corner_nodes_)[4 * patch + Index(corner)]; }
   Index node_count() const { return Index(node_owners_.size()); }
-  /// Control vertex of a node; no_index for middles of edges and faces.
+  /// Control vertex of a node; no_index for midpoints of edges and faces.
   Index node_vertex(Index node) const { return node_vertices_[node]; }
   /// Node of a control vertex; no_index where no face uses it.
   Index vertex_node(Index vertex) const { return vertex_nodes_[vertex]; }
-  /// The patch sides that make up the edge from control vertex a to b, in order: one, or two when cut. Empty
-  /// when no face runs along a -> b.
+  /// Patch sides that make up the edge from control vertex a to b, in order: one, or two when faces are
+  /// divided. Empty when no face has the edge a -> b.
   std::vector<PatchSide> edge_sides(Index a, Index b) const;
 
   CornerSecondOrder second_order(Index patch, int corner) const {
     return CornerSecondOrder(second_order_[4 * patch + Index(corner)]);
   }
-  /// The patch is one bicubic polynomial.
+  /// Whether the patch is one bicubic polynomial.
   bool polynomial(Index patch) const { return classes_[patches_[patch].shape].polynomial; }
 
-  /// What a surface shares.
+  /// Tables that surfaces share.
   const std::shared_ptr<const std::vector<Seam>>& seams() const { return seams_; }
   const std::shared_ptr<const std::vector<Index>>& corner_nodes() const { return corner_nodes_; }
   const std::shared_ptr<const std::vector<PatchSide>>& boundary_sides() const { return boundary_sides_; }
@@ -87,13 +88,13 @@ class SubdivisionTopology {
   const std::shared_ptr<const std::vector<Provenance>>& provenance() const { return provenance_; }
 
  private:
-  struct Evaluator;  // OpenSubdiv's part
+  struct Evaluator;  // data of OpenSubdiv
   struct Patch {
     Index face;
     int corner;
     Index shape = 0;
   };
-  /// Patches with the same weights share tables.
+  /// Class of patches with the same weights, which share tables.
   struct Shape {
     Index patch;
     bool polynomial = false;
@@ -110,13 +111,13 @@ class SubdivisionTopology {
   bool cut_ = false;
   std::unique_ptr<Evaluator> evaluator_;
   std::vector<Patch> patches_;
-  std::vector<Index> first_patch_;  ///< of each face
+  std::vector<Index> first_patch_;  ///< first patch of each face
   std::vector<Shape> classes_;
   std::vector<Owner> owners_;
   std::vector<NodeOwner> node_owners_;
   std::vector<Index> node_vertices_, vertex_nodes_;
   std::vector<CornerSecondOrder> second_order_;
-  std::map<std::pair<Index, Index>, std::pair<Index, int>> half_edges_;  ///< (a, b) -> face, place
+  std::map<std::pair<Index, Index>, std::pair<Index, int>> half_edges_;  ///< (a, b) -> face, side number
   std::shared_ptr<const std::vector<Seam>> seams_;
   std::shared_ptr<const std::vector<Index>> corner_nodes_;
   std::shared_ptr<const std::vector<PatchSide>> boundary_sides_;

@@ -49,7 +49,7 @@ MirrorPlane mirror_plane(const Skin& skin) {
   if (skin.mirror) return *skin.mirror;
   MirrorPlane best;
   double least = std::numeric_limits<double>::infinity();
-  // Across the path no section is its own image; of equals the first wins.
+  // No section is its own image across the path; of equals the first wins.
   for (const int axis : {1, 0, 2}) {
     const MirrorPlane plane = mirror_plane(skin, axis);
     const double value = asymmetry(skin, plane);
@@ -95,7 +95,7 @@ Result<SkinEdit> insert_section_point(const Skin& skin, std::uint32_t id, int sp
   const auto partner = mirror_partners(section, plane.point(), plane.normal());
   const int image = partner[std::size_t((span + 1) % section.size())];
   if (image == span || image >= curve.spans()) return insert_section_point(skin, id, span);
-  // The later one first, so that the number of the other one stays.
+  // The later span first, so that the index of the other one stays valid.
   const int first = std::max(span, image), second = std::min(span, image);
   const auto one = insert_section_point(skin, id, first);
   if (!one) return one;

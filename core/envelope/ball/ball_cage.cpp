@@ -14,16 +14,17 @@ namespace hariko {
 namespace {
 
 constexpr int deepest_level = 3;
-/// Cosine of the angle between normals in a cube: 0 at edges and corners of boxes, -1 of plates and needles.
+/// Least cosine of the angle between normals in a cube: 0 occurs at edges and corners of boxes, -1 at plates
+/// and needles.
 constexpr double widest_spread = -0.85;
-constexpr double near_share = 0.45;  ///< of a cube's edge: points as near to the surface are looked at
+constexpr double near_share = 0.45;  ///< largest distance of tested points from the surface, in cube edges
 constexpr int first_steps = 6;
 constexpr int even_rounds = 8;  ///< more of them make corners of quads blunt
 constexpr double even_share = 0.6;
 constexpr int spread_rounds = 8;
-constexpr double least_ratio = 0.1;    ///< of neighbouring sides of a quad
+constexpr double least_ratio = 0.1;    ///< ratio of neighbouring sides of a quad
 constexpr double least_corner = 0.2;   ///< sine of a quad's corner
-constexpr double shortest_side = 0.3;  ///< of a cube's edge: shorter sides are collapsed
+constexpr double shortest_side = 0.3;  ///< in cube edges: shorter sides are collapsed
 
 /// Halves cubes in which the surface's normals spread too widely for one vertex.
 class CubeSplitter {
@@ -64,7 +65,7 @@ class CubeSplitter {
   std::vector<Vector3> normals_;
 };
 
-/// Faces round each vertex, while sides are collapsed.
+/// Collapses short sides, keeping the faces round each vertex.
 class SideCollapse {
  public:
   SideCollapse(Contour& mesh, std::vector<double> sizes) : mesh_(mesh), sizes_(std::move(sizes)) {
@@ -74,8 +75,8 @@ class SideCollapse {
         if (v != no_index) faces_[v].push_back(f);
   }
 
-  /// Short sides that are the shortest at both ends, with no other short one across a face: what becomes of
-  /// them does not depend on the order.
+  /// Collapses short sides that are the shortest at both ends, with no other short one opposite in a face, so
+  /// that the result does not depend on the order.
   void run() {
     std::vector<std::array<Index, 2>> chosen;
     for (const auto& face : mesh_.faces)
@@ -121,7 +122,8 @@ class SideCollapse {
     });
   }
 
-  /// Quads at the side become triangles, triangles go; nothing where the mesh would not stay what it is.
+  /// Collapses a side: quads there become triangles, triangles are removed; does nothing where the mesh would
+  /// not stay manifold.
   void collapse(Index a, Index b) {
     std::vector<Index> quads, triangles, tips;
     for (const Index f : faces_[a]) {
@@ -165,7 +167,8 @@ class SideCollapse {
   std::vector<std::vector<Index>> faces_;
 };
 
-/// A vertex of two faces says that its cube has too few halves for what is in it.
+/// Contour without vertices of two faces: such a vertex means that its cube is too large for the surface in
+/// it, and the cube is split.
 Contour whole_contour(const SplineField& field, CubeTree& cubes) {
   for (;;) {
     Contour mesh = contour(cubes, field);
@@ -179,7 +182,7 @@ Contour whole_contour(const SplineField& field, CubeTree& cubes) {
   }
 }
 
-/// Parts of the mesh that look inwards bound hollows.
+/// Removes the parts of the mesh that are oriented inwards and bound cavities.
 void drop_hollows(Contour& mesh) {
   DisjointSets parts(mesh.vertices.size());
   for (const auto& face : mesh.faces)
@@ -192,7 +195,7 @@ void drop_hollows(Contour& mesh) {
   std::erase_if(mesh.faces, [&](const auto& face) { return volume[parts.find(face[0])] < 0; });
 }
 
-/// Faces as they are, all quads; without the vertices of hollows.
+/// Cage with the faces unchanged, all quads; without the vertices of cavities.
 BallCage as_it_is(const Contour& mesh, std::vector<double>& sizes) {
   BallCage out;
   std::vector<Index> number(mesh.vertices.size(), no_index);
@@ -213,7 +216,7 @@ BallCage as_it_is(const Contour& mesh, std::vector<double>& sizes) {
   return out;
 }
 
-/// Every face becomes a star of quads about its middle.
+/// Cage with every face divided into a star of quads about its centre.
 BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour& mesh,
                  std::vector<double>& sizes) {
   BallCage out;
@@ -250,7 +253,7 @@ BallCage starred(const SplineField& field, const CubeTree& cubes, const Contour&
   return out;
 }
 
-/// Moves vertices along the surface to where the quads about them are even.
+/// Moves vertices along the surface to make the quads even.
 class Evening {
  public:
   Evening(const SplineField& field, std::span<const double> sizes, BallCage& cage)
@@ -276,9 +279,9 @@ class Evening {
     Vector3 middle, before, after, opposite;
   };
 
-  /// The mean over the quads about each vertex of where they want it. Parallelograms are what the first
-  /// rounds want; that goes beyond the quads' corners, and may put vertices with few quads on each other.
-  /// Their middles lie between the corners.
+  /// Averages the wanted position of each vertex over its quads. The first rounds aim at parallelograms,
+  /// which extrapolate beyond the quads' corners and may put vertices with few quads on each other. The
+  /// centres of quads, used later, lie between the corners.
   template <class Wanted>
   void add_up(const Wanted& wanted) {
     std::ranges::fill(sum_, Vector3::Zero());
@@ -303,7 +306,7 @@ class Evening {
     }
   }
 
-  /// Vertices of quads with a corner that is nearly straight, nearly closed, or turned over.
+  /// Finds vertices of quads with a corner that is nearly straight, nearly closed, or reversed.
   bool find_crowded() {
     crowded_.assign(cage_.positions.size(), 0);
     bool any = false;
@@ -328,7 +331,7 @@ class Evening {
   BallCage& cage_;
   std::vector<Vector3> sum_;
   std::vector<int> count_;
-  std::vector<char> crowded_;  ///< of a vertex; empty: all are moved
+  std::vector<char> crowded_;  ///< per vertex; empty: all are moved
 };
 
 }  // namespace
@@ -372,7 +375,7 @@ BallCage ball_cage(const SplineField& field, CubeTree& cubes) {
 
 BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
                   std::span<const QuadCuts> cuts, double longest) {
-  // Sides are numbered; those that face each other across a quad are cut together.
+  // Sides are numbered; opposite sides of a quad are cut together.
   std::map<std::pair<Index, Index>, Index> sides;
   std::vector<std::array<Index, 4>> of_quad;
   for (const auto& quad : cage.quads) {
@@ -395,7 +398,8 @@ BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<cons
   out.quads.clear();
   out.cubes.clear();
   std::vector<Index> middle(sides.size(), no_index);
-  // New vertices lie on the patches, which are nearer to the surface than chords: those may cross thin parts.
+  // New vertices start on the patches, which are nearer to the surface than chords; chords may cross thin
+  // parts.
   const auto add_vertex = [&](std::size_t q, double u, double v) {
     out.positions.push_back(
         projected(field, evaluate(patches[q], Vector2(u, v), Order::first).position, 3, longest));
@@ -434,7 +438,7 @@ CageTopology topology_of(const BallCage& cage) {
     for (std::size_t k = 1; k < 4; ++k) parts.join(quad[0], quad[k]);
   CageTopology out;
   for (Index v = 0; v < cage.positions.size(); ++v) out.components += parts.find(v) == v;
-  // Closed, of quads: twice as many edges as quads.
+  // A closed mesh of quads has twice as many edges as quads.
   const long euler = long(cage.positions.size()) - long(cage.quads.size());
   out.tunnels = out.components - int(euler / 2);
   return out;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Quads on the surface where a field is zero: corners of the patches (docs/envelope.md).
+// BallCage: quad mesh on the zero surface of a field, whose quads become the patches (docs/envelope.md).
 
 #include <array>
 #include <span>
@@ -12,34 +12,38 @@
 
 namespace hariko {
 
+/// Quad mesh of a rolling-ball envelope.
 struct BallCage {
-  std::vector<Vector3> positions;           ///< on the surface
+  std::vector<Vector3> positions;           ///< vertices on the surface
   std::vector<std::array<Index, 4>> quads;  ///< counter-clockwise seen from outside; closed, manifold
-  std::vector<Cube> cubes;                  ///< one a quad: with its halves the quads about there are smaller
+  std::vector<Cube> cubes;                  ///< one per quad: splitting it makes the quads there smaller
 };
 
-/// Cubes about the surface, with corners at multiples of `edge` from the object's zero, halved where one
-/// would not show what the surface does: where normals in a cube spread too widely. Positions are relative to
+/// Cubes that cover the surface, with corners at multiples of `edge` from the object's origin, split where
+/// normals in a cube spread too widely for the mesh to represent the surface. Positions are relative to
 /// `origin`. O(cubes of the box).
 CubeTree surface_cubes(const SplineField& field, const Vector3& origin, double edge);
 
-/// Quads with sides as long as the cubes' edges where these are all of one size, else half as long: triangles
-/// between cubes of different sizes become stars of quads, and all other faces with them. Hollows that cannot
-/// be reached from outside have none. Cubes are halved where edges of theirs have to be.
+/// Makes the quad mesh. Its sides are as long as the cubes' edges where all cubes have the same size, else
+/// half as long: triangles between cubes of different sizes, and then all other faces too, are divided into
+/// stars of quads. Cavities that cannot be reached from outside get no quads. Splits cubes where the mesh
+/// needs it.
 BallCage ball_cage(const SplineField& field, CubeTree& cubes);
 
-/// Ways in which a quad is halved: across its sides 0 and 2, across its sides 1 and 3.
+/// Cuts of a quad: across its sides 0 and 2, across its sides 1 and 3.
 using QuadCuts = std::array<bool, 2>;
 
-/// Halves quads, and with each all that follow one another across opposite sides, so that no vertex comes to
-/// lie on a side. `patches`, `cuts`: one a quad. `longest`: no new vertex is moved farther, a length.
+/// Cuts quads, each together with all quads that follow one another across opposite sides, so that no vertex
+/// lies inside a side. `patches`, `cuts`: one per quad. `longest`: largest displacement of a new vertex, a
+/// length.
 BallCage cut_cage(const SplineField& field, const BallCage& cage, std::span<const HermitePatch> patches,
                   std::span<const QuadCuts> cuts, double longest);
 
-/// Number of tunnels and of separate parts.
+/// Topology of a closed mesh: number of components, and number of tunnels (the total genus).
 struct CageTopology {
   int components = 0, tunnels = 0;
 };
+/// Topology of a cage. O(quads).
 CageTopology topology_of(const BallCage& cage);
 
 }  // namespace hariko

@@ -11,24 +11,26 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_ball = 3;  ///< of sigma
-/// Share of the solids' size: lattices of finer roundings would not fit into memory.
+constexpr double least_ball = 3;  ///< smallest ball radius, in sigma
+/// Smallest rounding relative to the solids' size: lattices of finer roundings would not fit into memory.
 constexpr double least_rounding = 1.0 / 160;
-/// Multiple of the solids' size. What such a ball leaves is the hull to a sixteenth of a thousandth of the
-/// size.
+/// Radius relative to the solids' size of the ball for the hull; its envelope differs from the hull by
+/// 1/16000 of the size.
 constexpr double hull_ball = 2000;
-constexpr double sample_margin = 0.9;  ///< of the tolerance: patches may be farther off between samples
-constexpr double cube_share = 2;       ///< of sigma: of cubes that are all of one size
-constexpr double finer_share = 0.7;    ///< of their edges: of finer patches
-constexpr int spread_points = 200;     ///< of a solid, that are asked whether they stick out
-constexpr int least_curve_points = 8, most_curve_points = 400;  ///< likewise, of an edge or a rim
+/// Largest deviation of samples relative to the tolerance, because patches may deviate more between samples.
+constexpr double sample_margin = 0.9;
+constexpr double cube_share = 2;     ///< edge of cubes of one size, in sigma
+constexpr double finer_share = 0.7;  ///< factor of the edges for finer patches
+/// Number of points on the surface of a solid that are tested for protrusion.
+constexpr int spread_points = 200;
+constexpr int least_curve_points = 8, most_curve_points = 400;  ///< number of such points on an edge or a rim
 constexpr int foot_steps = 8;
 constexpr int most_cuts = 3, final_rounds = 3, drag_rounds = 1;
-constexpr int fit_intervals = 8, drag_intervals = 4;  ///< between samples along a side of a patch
+constexpr int fit_intervals = 8, drag_intervals = 4;  ///< number of sample intervals along a side of a patch
 constexpr double least_agreement = 0.77;              ///< cosine of 40 degrees
-constexpr double largest_turn =
-    2.2;  ///< radians: a quad over which the surface turns more misses a part of it
-/// Share of the largest turn: a patch that turns as much along its other way too is halved both ways.
+/// Radians: a quad over which the surface turns more misses a part of it.
+constexpr double largest_turn = 2.2;
+/// Fraction of the largest turn: a patch that turns as much in the other direction too is cut both ways.
 constexpr double even_turn = 0.6;
 
 bool is_good(const PatchFit& fit, double tolerance) {
@@ -36,19 +38,19 @@ bool is_good(const PatchFit& fit, double tolerance) {
          fit.least_agreement >= least_agreement;
 }
 
-/// Across the way along which the surface turns most.
+/// Cuts of a patch across the direction along which the surface turns most.
 QuadCuts cuts_of(const PatchFit& fit) {
   const double most = std::max(fit.turn[0], fit.turn[1]);
   return {fit.turn[0] >= even_turn * most, fit.turn[1] >= even_turn * most};
 }
 
-/// Patches over a cage, and how well they fit.
+/// Patches over a cage, with their deviations.
 struct Fitted {
   BallCage cage;
   std::vector<HermitePatch> patches;
   std::vector<PatchFit> fits;
-  std::size_t coarse = 0;  ///< patches that do not fit
-  int rounds = 0;          ///< in which quads or cubes were halved
+  std::size_t coarse = 0;  ///< number of patches that deviate too much
+  int rounds = 0;          ///< number of rounds in which quads or cubes were split
 
   Fitted(const SplineField& field, BallCage of, double tolerance, int intervals)
       : cage(std::move(of)), patches(ball_patches(field, cage)), fits(patch_fits(field, patches, intervals)) {
@@ -73,8 +75,8 @@ class Fitting {
         most_rounds_(quality == Quality::drag ? drag_rounds : final_rounds),
         cancel_(cancel) {}
 
-  /// Over cubes of one size first, which take the fewest patches; over cubes of several sizes where these
-  /// would miss something, or do not fit.
+  /// Tries cubes of one size first, which need the fewest patches; then cubes of several sizes, if the first
+  /// miss part of the surface or patches deviate too much.
   std::optional<Fitted> run() const {
     std::optional<Fitted> best;
     if (CubeTree cubes = surface_cubes(field_, origin_, edge_); !cubes.any_split())
@@ -90,7 +92,7 @@ class Fitting {
  private:
   Fitted over(CubeTree& cubes) const { return {field_, ball_cage(field_, cubes), tolerance_, intervals_}; }
 
-  /// Halves the patches that do not fit, as long as that helps.
+  /// Cuts the patches that deviate too much, as long as that helps.
   Fitted cut_where_needed(Fitted of) const {
     while (of.coarse > 0 && of.rounds < most_cuts && of.turn() <= largest_turn && !cancel_.cancelled()) {
       std::vector<QuadCuts> cuts;
@@ -104,8 +106,8 @@ class Fitting {
     return of;
   }
 
-  /// Halves the cubes below patches that do not fit, as long as there are any and halves left. Of larger
-  /// cubes, as sides of patches are half as long as theirs.
+  /// Splits the cubes below patches that deviate too much, as long as there are any and levels are left.
+  /// Begins with cubes twice as large, because sides of patches are half as long as theirs.
   Fitted halved_where_needed() const {
     CubeTree cubes = surface_cubes(field_, origin_, 2 * edge_);
     Fitted last = over(cubes), best = last;
@@ -132,7 +134,7 @@ class Fitting {
   const CancelToken& cancel_;
 };
 
-/// Balls of bridges that have their own: between the bar and its two solids, and the images of these.
+/// Balls of bridges with a radius of their own: between the bar, its two solids and the images of these.
 std::vector<OwnBall> own_balls(std::span<const Solid> solids, double sigma) {
   std::vector<OwnBall> out;
   std::set<std::uint32_t> done;

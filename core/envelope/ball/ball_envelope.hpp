@@ -1,6 +1,6 @@
 #pragma once
 
-// The smooth surface that a rolling ball leaves round solids: from solids to patches (docs/envelope.md).
+// Rolling-ball envelope of solids: from solids to patches (docs/envelope.md).
 
 #include <optional>
 
@@ -13,58 +13,60 @@
 
 namespace hariko {
 
-/// Lengths.
+/// Settings of the envelope; all numbers are lengths.
 struct BallSettings {
-  double radius = 1;     ///< of the ball
-  double sigma = 0.03;   ///< of the rounding
-  double clearance = 0;  ///< that is kept from every solid
+  double radius = 1;     ///< radius of the ball
+  double sigma = 0.03;   ///< standard deviation of the rounding
+  double clearance = 0;  ///< distance kept from every solid
   bool on_faces = false, finer_patches = false;
 };
 
-/// Tolerance in units of sigma: patches may be so far from the field's zero, and solids lie below it by as
-/// much.
+/// Tolerance in units of sigma: the largest distance of patches from the field's zero surface, and the depth
+/// of solids below it.
 inline constexpr double patch_tolerance = 0.1;
 
-/// Settings for solids of a size (the diagonal of the box round them): the hull as a very large ball, neither
-/// rounding nor ball too small to be computed.
+/// Settings for solids of a size (the diagonal of their bounding box): the hull becomes a very large ball;
+/// rounding and radius are raised to the smallest values that can be computed.
 BallSettings ball_settings(const EnvelopeSettings& settings, double size);
 
-/// Length that solids are grown by beyond their constants.
+/// Offset of solids beyond their growth constants, a length.
 double room_outside(const BallSettings& settings);
 
-/// A field whose zero is the surface.
+/// Field whose zero surface is the envelope.
 struct BallField {
   SplineField field;
   LatticeReport lattice;
-  std::size_t pinches = 0;  ///< necks that were joined and holes that were closed
+  std::size_t pinches = 0;  ///< number of necks that were joined and holes that were closed
 };
 
+/// Envelope with its field, mesh, patches and measured deviations.
 struct BallEnvelope : BallField {
   Surface surface;
   BallCage cage;
   CageTopology topology;
-  /// Length by which solids stick out of the field's zero, where flat faces lie on them.
+  /// Largest distance by which solids protrude from the field's zero surface, if flat faces lie on it.
   double sticks_out = 0;
-  double outward = 0, inward = 0;  ///< farthest samples of patches from the field's zero, lengths
-  std::size_t folds = 0;           ///< patches with normals that look away from the field's
-  std::size_t coarse = 0;          ///< patches that are farther from it than `tolerance`
-  /// Length that every solid lies below the field's zero at least, where faces do not lie on them.
+  /// Largest distances of sampled points of patches from the field's zero surface.
+  double outward = 0, inward = 0;
+  std::size_t folds = 0;   ///< number of patches with a normal opposite to the field's gradient
+  std::size_t coarse = 0;  ///< number of patches that are farther from the zero surface than `tolerance`
+  /// Least depth of every solid below the field's zero surface, unless faces lie on it.
   double tolerance = 0;
-  int rounds = 0;  ///< in which cubes were halved
+  int rounds = 0;  ///< number of rounds in which cubes were split
 };
 
-/// The first step of `ball_envelope`.
+/// Computes the field: the first step of `ball_envelope`.
 BallField ball_field(std::span<const Solid> solids, const BallSettings& settings, const Vector3& origin,
                      std::optional<Eigen::Index> mirror, Quality quality, const CancelToken& cancel = {});
-/// Farthest that points of the solids lie outside of the field's zero, a length: spread points, corners and
-/// points of edges and rims, the way along the gradient. O(solids).
+/// Largest distance of points of the solids outside the field's zero surface, along the gradient: surface
+/// points, corners and points of edges and rims. O(solids).
 double sticking_out(const SplineField& field, std::span<const SolidShape> solids, double sigma);
 
-/// A cage over cubes of the usual size: enough to count parts.
+/// Quad mesh over cubes of the default size, fine enough to count components.
 BallCage cage_of(const BallField& field, const Vector3& origin, double sigma);
 
-/// `solids` with the images of those beyond the plane across `mirror`, relative to `origin`. Nothing where
-/// there is no surface; cancelled work gives nothing, too. O(nodes of the lattice).
+/// Makes the envelope. `solids` include the mirror images where `mirror` is given, and are placed relative to
+/// `origin`. Nothing where there is no surface or the work was cancelled. O(nodes of the lattice).
 std::optional<BallEnvelope> ball_envelope(std::span<const Solid> solids, const BallSettings& settings,
                                           const Vector3& origin, std::optional<Eigen::Index> mirror,
                                           Quality quality, const CancelToken& cancel = {});

@@ -11,26 +11,28 @@ namespace hariko {
 
 namespace {
 
-/// Values are wanted where they are between these, of sigma: the kernel does not reach farther from the
-/// surface with any weight that counts.
+/// Range, in sigma, in which values are needed: farther from the surface the kernel has no weight that
+/// matters.
 constexpr double deepest = -2.8, highest = 3.2;
-constexpr double margin = 5.5;       ///< of sigma, round the solids
-constexpr double accuracy = 1e-3;    ///< of sigma
-constexpr double noticeable = 1e-2;  ///< of sigma: a neighbour's centre that is so much better is tried
+constexpr double margin = 5.5;       ///< width in sigma of the free space around the solids
+constexpr double accuracy = 1e-3;    ///< accuracy of distances, in sigma
+constexpr double noticeable = 1e-2;  ///< in sigma: a neighbour's centre that is better by this much is tried
 
-/// Factors of the ball's radius. A ball stops fitting between parallel walls at once and leaves the whole
-/// slot; of five the values' mean takes five smaller steps. The one in the middle is the ball itself.
+/// Factors of the ball's radius. A single ball stops fitting between parallel walls at once and leaves the
+/// whole slot; the mean of five values takes five smaller steps. The one in the middle is the ball itself.
 constexpr std::array<double, 5> slot_factors{0.75, 0.87, 1, 1.15, 1.33};
 constexpr std::size_t usual_ball = 2;
 constexpr int slot_step = 4;
-/// Shares of the radius by which the smallest of these balls reaches deeper than the largest. In the corner
-/// of a box it is 0.42: what is less is no slot, what is more than the second all slot.
+/// Fractions of the radius by which the smallest of these balls reaches deeper than the largest. In the
+/// corner of a box it is 0.42: below the first value there is no slot, above the second the node is fully in
+/// a slot.
 constexpr double no_slot = 0.45, all_slot = 0.75;
 
-/// Share of the smaller radius: a ball that is so far from all other solids is between its own alone.
+/// Fraction of the smaller radius: a ball that is this far from all other solids lies between its own solids
+/// alone.
 constexpr double own_reach = 0.5;
 
-/// Five for slots, then those between some solids.
+/// Balls of the request: five for slots, then those between certain solids.
 std::vector<Closing> balls_of(const LatticeRequest& request) {
   std::vector<Closing> out;
   for (const double factor : slot_factors)
@@ -40,7 +42,7 @@ std::vector<Closing> balls_of(const LatticeRequest& request) {
   return out;
 }
 
-/// Values of balls between some solids, and how much they count at a node.
+/// Values of balls between certain solids, and their weights at a node.
 struct OwnValues {
   std::vector<double> sum, shares;
 };
@@ -56,7 +58,7 @@ class Lattice {
     for (Eigen::Index a = 0; a < 3; ++a) {
       double low = box.min()[a] + request.origin[a], high = box.max()[a] + request.origin[a];
       if (request.mirror == a) high = std::max(high, -low), low = -high;
-      // Every second node from the ends is one of the coarse lattice, every fourth one is asked for slots.
+      // Every second node from the ends belongs to the coarse lattice; every fourth one is tested for slots.
       low_[a] = slot_step * std::floor((low - margin * request.sigma) / spacing_ / slot_step);
       const double last = slot_step * std::ceil((high + margin * request.sigma) / spacing_ / slot_step);
       size_[std::size_t(a)] = int(last - low_[a]) + 1;
@@ -96,7 +98,7 @@ class Lattice {
     return spacing_ * (low_ + Vector3(n[0], n[1], n[2])) - request_.origin;
   }
 
-  /// Every `step`th node, slices at once.
+  /// Visits every `step`th node, slices in parallel.
   template <class Each>
   void visit(int step, const Each& each) {
     const auto slices = std::size_t((size_[2] - 1) / step + 1);
@@ -126,13 +128,14 @@ class Lattice {
     return high > deepest * request_.sigma && low < highest * request_.sigma;
   }
 
-  /// Distance of the solids from another node's centre, less the way to it: a value for this node, too.
+  /// Lower bound of a node's value from another node's centre: the distance of the solids there minus the
+  /// distance to it.
   double value_from(const ClosedDistance& beside, const std::array<int, 3>& of,
                     const std::array<int, 3>& n) const {
     return beside.value + (beside.centre - point(of)).norm() - (beside.centre - point(n)).norm();
   }
 
-  /// One of the eight nodes about a node among every `step`th, which are not all different.
+  /// One of the eight nodes around a node in the lattice of every `step`th; they need not be different.
   static std::array<int, 3> coarse_node(const std::array<int, 3>& n, std::size_t corner, int step) {
     std::array<int, 3> out = n;
     for (std::size_t a = 0; a < 3; ++a)
@@ -140,7 +143,7 @@ class Lattice {
     return out;
   }
 
-  /// From the coarse nodes about it, which say in what range the value lies.
+  /// Refines a node from the coarse nodes around it, which bound its value.
   void refine(std::size_t at, const std::array<int, 3>& n) {
     const double way = spacing_ * std::sqrt(double((n[0] & 1) + (n[1] & 1) + (n[2] & 1)));
     double sum = 0, low = -1e300, high = 1e300, best = -1e300;
@@ -159,7 +162,7 @@ class Lattice {
     state_[at] = State::between;
   }
 
-  /// A search may end in a centre that is not the nearest one: those of neighbours are tried.
+  /// Tries the centres of neighbours, because a search may end in a centre that is not the nearest one.
   void improve(int step) {
     for (const bool forward : {true, false}) {
       if (cancel_.cancelled()) return;
@@ -190,7 +193,7 @@ class Lattice {
     if (start) nodes_[at] = balls_[ball_].improved(x, nodes_[at], *start, among());
   }
 
-  /// How much nodes lie in a slot, from 0 to 1: asked at every fourth one.
+  /// Finds how far nodes lie in a slot, from 0 to 1, tested at every fourth one.
   void find_slots() {
     const Closing &smaller = balls_.front(), &larger = balls_[slot_factors.size() - 1];
     if (no_slot * request_.radius > request_.solids.box().diagonal().norm()) return;
@@ -226,8 +229,8 @@ class Lattice {
     });
   }
 
-  /// Towards the mean over all five balls, by how much a node lies in a slot. Whatever the weights are, no
-  /// value is larger than the solids' distances, as none of the five is.
+  /// Moves values towards the mean over all five balls, weighted by how far a node lies in a slot. No value
+  /// becomes larger than the solids' distances, because none of the five is.
   void average_slots(std::vector<double>& values) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) state_[i] = slots_[i] > 0 ? State::known : State::between;
     const std::vector<double> own = values;
@@ -242,7 +245,8 @@ class Lattice {
     }
   }
 
-  /// The range of all balls' values at every second node: what is between is a value of some mean of them.
+  /// Finds the range of all balls' values at every second node; the result at the nodes between is a mean of
+  /// them.
   void look_at_own_balls() {
     if (request_.own_balls.empty()) return;
     const std::vector<ClosedDistance> usual = nodes_;
@@ -259,8 +263,9 @@ class Lattice {
     nodes_ = usual;
   }
 
-  /// How much a node is between an own ball's solids, from 0 to 1: by how far the larger of both balls, which
-  /// touches several solids there, is from all others. Where it touches one alone, both have the same value.
+  /// Weight of an own ball at a node, from 0 to 1: depends on the distance of the larger of both balls, which
+  /// touches several solids there, from all other solids. Where it touches only one solid, both balls have
+  /// the same value.
   double share_of(const OwnBall& own, const ClosedDistance& larger) const {
     if (!larger.crease) return 0;
     const double reach = own_reach * std::min(own.radius, request_.radius);
@@ -275,7 +280,8 @@ class Lattice {
     return t * t * (3 - 2 * t);
   }
 
-  /// A mean of values of several balls, none of which is larger than the solids' distances, is not either.
+  /// Weighted sums of the values of own balls. A mean of several balls' values, none of which is larger than
+  /// the solids' distances, is not larger either.
   OwnValues own_values() {
     OwnValues out;
     if (request_.own_balls.empty()) return out;
@@ -312,7 +318,7 @@ class Lattice {
     return out;
   }
 
-  /// The larger of a node's value and that of its image: both are safe.
+  /// Replaces a node's value and that of its image by the larger one; both are safe.
   void even(std::vector<double>& values) const {
     const auto axis = std::size_t(*request_.mirror);
     for (int k = 0; k < size_[2]; ++k)
@@ -325,7 +331,7 @@ class Lattice {
         }
   }
 
-  /// (1 2 1) / 4 along each axis. The same sums in either direction.
+  /// Applies (1 2 1) / 4 along each axis, with the same sums in either direction.
   void smooth(std::vector<double>& values) const {
     const std::array<std::size_t, 3> stride{1, std::size_t(size_[0]),
                                             std::size_t(size_[0]) * std::size_t(size_[1])};
@@ -350,13 +356,14 @@ class Lattice {
   const CancelToken& cancel_;
   double spacing_;
   std::vector<Closing> balls_;
-  std::size_t ball_ = usual_ball;  ///< the one that is rolled
-  Vector3 low_;                    ///< of the first node, in spacings from the object's zero
+  std::size_t ball_ = usual_ball;  ///< the ball being rolled
+  Vector3 low_;                    ///< position of the first node, in spacings from the object's origin
   std::array<int, 3> size_{};
   std::vector<ClosedDistance> nodes_;
   std::vector<State> state_;
-  std::vector<double> least_, most_;  ///< values of all balls at coarse nodes; empty of one ball
-  std::vector<double> slots_;         ///< how much nodes lie in a slot; empty without slots
+  /// Range of all balls' values at coarse nodes; empty if there is only one ball.
+  std::vector<double> least_, most_;
+  std::vector<double> slots_;  ///< how far nodes lie in a slot; empty without slots
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// The closed distance on a lattice, smoothed (docs/envelope.md).
+// Smoothed closing distance, sampled on a lattice (docs/envelope.md).
 
 #include <optional>
 
@@ -10,36 +10,40 @@
 
 namespace hariko {
 
-/// Passes of (1 2 1) / 4 before the B-spline: fewer on a coarser lattice give the same width.
+/// Number of passes of the filter (1 2 1) / 4 before the B-spline: fewer passes on a coarser lattice give the
+/// same width.
 inline constexpr int final_passes = 3, drag_passes = 2;
 
-/// Between nodes, so that the passes and the cubic B-spline have the standard deviation `sigma` together.
+/// Node spacing for which the passes and the cubic B-spline together have the standard deviation `sigma`.
 double lattice_spacing(double sigma, int passes);
 
-/// A ball of another radius between some solids.
+/// Ball of a different radius between certain solids.
 struct OwnBall {
   double radius = 1;
-  std::vector<char> between;  ///< one a solid: it may be touched; nothing else may
+  /// One per solid: whether the ball may touch it; it applies only where it touches no others.
+  std::vector<char> between;
 };
 
 struct LatticeRequest {
-  const GrownUnion& solids;  ///< relative to `origin`
-  double radius = 1;         ///< of the rolling ball
+  const GrownUnion& solids;  ///< positions relative to `origin`
+  double radius = 1;         ///< radius of the rolling ball
   double sigma = 1;
   int passes = final_passes;
-  /// Nodes lie at multiples of the spacing from the object's zero, whatever the scene is: nothing but the
-  /// solids moves the surface.
+  /// Nodes lie at multiples of the spacing from the object's origin, whatever the scene is, so that only the
+  /// solids determine the surface.
   Vector3 origin = Vector3::Zero();
-  std::optional<Eigen::Index> mirror = {};  ///< solids are images of each other across this axis's plane
+  /// Axis of a symmetry plane: the solids are mirror images of each other.
+  std::optional<Eigen::Index> mirror = {};
   std::vector<OwnBall> own_balls = {};
 };
 
+/// Numbers of nodes: all, evaluated, and those where one solid alone does not determine the value.
 struct LatticeReport {
   std::size_t nodes = 0, evaluated = 0, crease = 0;
 };
 
-/// The smoothed closed distance; its zero is the surface. Nodes that are farther from it than the kernel
-/// reaches have a value between those of their neighbours. A quarter of the nodes of a scene are looked at.
+/// Computes the smoothed closing distance, whose zero surface is the envelope. Nodes farther from it than the
+/// kernel reaches get a value between those of their neighbours. About a quarter of the nodes are evaluated.
 SplineField smoothed_closing(const LatticeRequest& request, LatticeReport* report = nullptr,
                              const CancelToken& cancel = {});
 

@@ -14,10 +14,10 @@ namespace hariko {
 
 namespace {
 
-/// Places where curvature across a side is set right, as fractions of it.
+/// Fractions of a side at which the curvature across it is matched.
 constexpr std::array<double, 3> bend_places{0.2, 0.5, 0.8};
 
-/// A side with the field of directions across it, in the surface's tangent planes, to its left.
+/// Side with the field of directions across it to its left, in the surface's tangent planes.
 struct Ribbon {
   Quintic curve;
   std::array<Vector3, 4> across;  ///< cubic Bezier
@@ -25,7 +25,7 @@ struct Ribbon {
   Ribbon turned() const { return {reversed(curve), {-across[3], -across[2], -across[1], -across[0]}}; }
 };
 
-/// Tangent at a: as long as the arc of a circle over the chord with this direction.
+/// Tangent at a, as long as the circular arc over the chord with this direction.
 Vector3 arc_tangent(const Vector3& chord, const Vector3& normal) {
   const Vector3 flat = chord - chord.dot(normal) * normal;
   const double cosine = std::clamp(flat.norm() / chord.norm(), 0.3, 1.0);
@@ -58,7 +58,7 @@ Ribbon ribbon_between(const SplineField& field, const Vector3& a, const LevelCur
   return out;
 }
 
-/// (a (1 - t) + b t) times a Bezier curve.
+/// Product of (a (1 - t) + b t) and a Bezier curve.
 template <std::size_t N>
 std::array<Vector3, N + 1> times_linear(const std::array<Vector3, N>& curve, double a, double b) {
   std::array<Vector3, N + 1> out;
@@ -70,7 +70,8 @@ std::array<Vector3, N + 1> times_linear(const std::array<Vector3, N>& curve, dou
   return out;
 }
 
-/// Derivatives into the patch along a side, in its tangent planes, that are `start` and `end` at the corners.
+/// Derivatives into the patch along a side, in its tangent planes, that equal `start` and `end` at the
+/// corners.
 Quintic inward_field(const Ribbon& side, const Vector3& start, const Vector3& end) {
   std::array<Vector3, 5> rate;
   for (std::size_t i = 0; i < 5; ++i) rate[i] = 5 * (side.curve[i + 1] - side.curve[i]);
@@ -86,7 +87,7 @@ Quintic inward_field(const Ribbon& side, const Vector3& start, const Vector3& en
   return out;
 }
 
-/// Sets the second derivatives across all sides right in a few places.
+/// Matches the second derivatives across all sides at a few places.
 void set_bends(const SplineField& field, HermitePatch& patch) {
   for (std::size_t side = 0; side < 4; ++side) {
     std::array<Vector3, 3> wanted;
@@ -98,7 +99,7 @@ void set_bends(const SplineField& field, HermitePatch& patch) {
       const LevelCurvature form = level_curvature(field, at.position);
       wanted[i] = (form.along(across) - second.dot(form.normal)) / (64 * t * t * t * s * s * s) * form.normal;
     }
-    // Through -1, 0, 1 of (t - 1/2) / 0.3.
+    // Parabola through values at -1, 0, 1 of (t - 1/2) / 0.3.
     const double scale = 1 / (bend_places[2] - bend_places[1]), shift = -bend_places[1] * scale;
     const Vector3 c1 = 0.5 * (wanted[2] - wanted[0]), c2 = 0.5 * (wanted[2] + wanted[0]) - wanted[1];
     patch.bend[side] = {wanted[1] + shift * c1 + shift * shift * c2, scale * c1 + 2 * scale * shift * c2,

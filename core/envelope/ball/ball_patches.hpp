@@ -1,6 +1,7 @@
 #pragma once
 
-// Patches over a cage that follow the surface where a field is zero, curvature included (docs/envelope.md).
+// Patches over a quad mesh that approximate the zero surface of a field, including its curvature
+// (docs/envelope.md).
 
 #include <vector>
 
@@ -10,20 +11,21 @@
 
 namespace hariko {
 
-/// Everything about a patch depends on the field near its quad alone.
+/// Makes the patches. Each depends on the field near its quad alone.
 std::vector<HermitePatch> ball_patches(const SplineField& field, const BallCage& cage);
 
-/// How far a patch is from the surface, by samples.
+/// Deviation of a patch from the surface, at sampled points.
 struct PatchFit {
   double outward = 0, inward = 0;  ///< lengths, each at least 0
-  double least_agreement = 1;      ///< of normals: cosine of the largest angle
-  std::array<double, 2> turn{};  ///< of the surface's normal along sides 0 and 2, and along 1 and 3; radians
+  double least_agreement = 1;      ///< least cosine of the angle between the normals of patch and field
+  /// Angle of the surface's normals along sides 0 and 2, and along 1 and 3; radians.
+  std::array<double, 2> turn{};
 };
-/// `intervals`: of the samples along a side.
+/// Measures the deviations. `intervals`: number of sample intervals along a side.
 std::vector<PatchFit> patch_fits(const SplineField& field, std::span<const HermitePatch> patches,
                                  int intervals = 8);
 
-/// Face k of the cage is the source of patch k.
+/// Makes the surface. Patch k has face k of the cage as provenance.
 Surface ball_surface(const SplineField& field, const BallCage& cage, std::vector<HermitePatch> patches,
                      const Vector3& origin);
 

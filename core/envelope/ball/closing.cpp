@@ -10,7 +10,8 @@ namespace hariko {
 
 namespace {
 
-/// The ball's centre has to stay out of it: a ball inside of a solid, grown by the radius of the rolling one.
+/// Region that the ball's centre must not enter: a ball inside a solid, enlarged by the radius of the rolling
+/// one.
 struct Obstacle {
   Vector3 centre;
   double radius;
@@ -21,9 +22,9 @@ constexpr int first_rounds = 8;
 constexpr std::size_t most_planes = 4;
 constexpr int most_steps = 8;
 constexpr double least_stiffness = 0.05;
-constexpr double no_value = -1e200;  ///< less than what any centre gives
+constexpr double no_value = -1e200;  ///< less than any real value
 
-/// Nearest point to x outside of a few obstacles, among the points that lie on the last one.
+/// Nearest point to x outside a few obstacles, among the points that lie on the last one.
 class NearestOutside {
  public:
   NearestOutside(const Vector3& x, std::span<const Obstacle> obstacles) : x_(x), obstacles_(obstacles) {
@@ -49,7 +50,8 @@ class NearestOutside {
     const Vector3 away = x_ - o.centre;
     if (const double length = away.norm(); length > 0) offer(o.centre + o.radius / length * away);
   }
-  /// The circle of two spheres; its centre as a way along the unit vector from p to q.
+  /// Circle of intersection of two spheres: distance of its centre along the unit vector from p to q, and its
+  /// radius.
   static std::optional<std::pair<double, double>> circle(const Obstacle& p, const Obstacle& q, double apart) {
     const double way = 0.5 * (apart + (p.radius - q.radius) * (p.radius + q.radius) / apart);
     const double square = (p.radius - way) * (p.radius + way);
@@ -97,20 +99,20 @@ class NearestOutside {
   std::optional<Vector3> best_;
 };
 
-/// A way must go at least `least` along `direction`, a unit vector.
+/// Half-space: a displacement must have at least length `least` along `direction`, a unit vector.
 struct TangentPlane {
   Vector3 direction;
   double least;
   Index solid;
 };
 
-/// The way to the far side of all planes that leads nearest to `target`, and the planes that decide.
+/// Displacement in the intersection of all half-spaces nearest to `target`, with the active planes.
 class TangentStep {
  public:
   TangentStep(const Vector3& target, std::span<const TangentPlane> planes, double slack)
       : target_(target), planes_(planes), slack_(slack) {
     offer(target, {}, 0);
-    // A way beyond all planes whose factors push away from them is the nearest: no other one is.
+    // A feasible displacement with non-negative multipliers is the nearest, and the only one.
     for (std::size_t i = 0; i < planes.size() && !found(); ++i) {
       on_planes({i}, 1);
       for (std::size_t j = 0; j < i && !found(); ++j) {
@@ -124,7 +126,7 @@ class TangentStep {
   const Vector3& way() const { return way_; }
   int active() const { return active_; }
   std::size_t plane(std::size_t i) const { return of_[i]; }
-  /// Factors of the planes that decide: target + sum of them times their directions is the way.
+  /// Multipliers of the active planes: the displacement is target plus the sum of them times the directions.
   double multiplier(std::size_t i) const { return multipliers_[Eigen::Index(i)]; }
 
  private:
@@ -139,7 +141,7 @@ class TangentStep {
     multipliers_ = multipliers;
   }
 
-  /// The nearest way that lies in all of these planes.
+  /// Nearest displacement that lies in all of these planes.
   void on_planes(const std::array<std::size_t, 3>& of, int count) {
     Matrix3 gram = Matrix3::Identity();
     Vector3 miss = Vector3::Zero();
@@ -168,8 +170,8 @@ class TangentStep {
 
 }  // namespace
 
-/// Obstacles are added where a centre turns out to lie too near to a solid, until it does not: each is a ball
-/// inside of the solid, so the centre found lies no farther from x than the right one.
+/// Search that adds obstacles where a centre lies too near to a solid, until none does: each is a ball inside
+/// the solid, so the centre found is never farther from x than the right one.
 struct Closing::Search {
   const Closing& closing;
   const Vector3& x;
@@ -178,8 +180,8 @@ struct Closing::Search {
   std::size_t count = 0;
   ClosedDistance best = {-1e300, {}, true};
 
-  /// A ball that touches a solid says nothing: `room` is the distance from y to the solids, the ball's radius
-  /// at most.
+  /// Offers a centre y, where `room` is the distance from y to the solids, at most the ball's radius. A ball
+  /// that penetrates a solid is refused.
   bool offer(const Vector3& y, double room) {
     if (room < closing.radius_ - closing.accuracy_) return false;
     if (const double value = room - (y - x).norm(); value > best.value) best.value = value, best.centre = y;
@@ -194,7 +196,8 @@ struct Closing::Search {
     return out;
   }
 
-  /// True where the ball about y touches nothing; else what it goes into most is added.
+  /// Returns true where the ball about y penetrates nothing; else adds the solid that it penetrates most as
+  /// an obstacle.
   bool look(const Vector3& y) {
     const NearestSolid room = room_at(y);
     if (offer(y, room.distance)) return true;
@@ -221,8 +224,8 @@ struct Closing::Search {
     return best;
   }
 
-  /// Looks again if both ways ended too near to a solid: farther out on the ray from x there is room for the
-  /// ball.
+  /// Searches farther out on the ray from x, where the ball has room, if both methods ended too near to a
+  /// solid.
   void lift(const Vector3& towards) {
     Vector3 way = towards - x;
     if (!(way.norm() > closing.accuracy_)) way = closing.radius_ * Vector3::UnitZ();
@@ -235,12 +238,12 @@ struct Closing::Search {
       const double middle = 0.5 * (low + high);
       (has_room(middle) ? high : low) = middle;
     }
-    // Never without a value: a ball as far away as its own radius.
+    // Fallback value: a ball at the distance of its own radius.
     if (best.value < no_value)
       best.value = std::min(room_at(x).distance, 0.0) - closing.radius_, best.centre = x;
   }
 
-  /// The nearest solids to the ball about y, by their tangent planes.
+  /// Tangent planes of the solids nearest to the ball about y.
   std::size_t planes_about(const Vector3& y, double slack, std::array<TangentPlane, most_planes>& planes) {
     const double radius = closing.radius_;
     std::size_t found = 0;
@@ -252,7 +255,7 @@ struct Closing::Search {
       least = std::min(least, e);
       if (e >= radius + slack) continue;
       const TangentPlane one{at.gradient, radius - e, i};
-      // Those that are nearest to the ball come first.
+      // Sorted with the nearest solids first.
       if (found == most_planes && planes[found - 1].least >= one.least) continue;
       std::size_t to = found < most_planes ? found++ : found - 1;
       for (; to > 0 && planes[to - 1].least < one.least; --to) planes[to] = planes[to - 1];
@@ -262,7 +265,7 @@ struct Closing::Search {
     return found;
   }
 
-  /// Rolls the ball along both of two solids: how far, where their bend is counted.
+  /// Rolls the ball along two solids at once; the step length takes their curvature into account.
   Vector3 rolled(const Vector3& y, const TangentStep& step, std::span<const TangentPlane> planes) const {
     const TangentPlane &a = planes[step.plane(0)], &b = planes[step.plane(1)];
     const Vector3 along = a.direction.cross(b.direction).stableNormalized();
@@ -276,7 +279,7 @@ struct Closing::Search {
     return step.way() + (far / std::max(stiffness, least_stiffness) - far) * along;
   }
 
-  /// Steps by tangent planes from a centre that is nearly right.
+  /// Improves a nearly correct centre by steps in tangent planes.
   void slide(Vector3 y) {
     const double accuracy = closing.accuracy_;
     std::array<TangentPlane, most_planes> planes;
@@ -299,7 +302,7 @@ struct Closing::Search {
 
 ClosedDistance Closing::search(const Vector3& x, const Vector3& start, std::span<const Index> among) const {
   Search search{*this, x, among};
-  // The solids that the ball about the start touches hold it back from x.
+  // The solids that the ball about the start touches keep it away from x.
   for (const Index i : among) {
     if (search.count + 2 >= most_obstacles) break;
     if (solids_.bound(i, start) < radius_ + accuracy_ && solids_.distance(i, start) < radius_ + accuracy_)

@@ -15,23 +15,23 @@ Node moved(Node node, int axis, int by) {
   return node;
 }
 
-/// The key of a node, or of the edge that begins there along an axis, or of the face across it.
+/// Key of a node, or of the edge that begins there along an axis, or of the face perpendicular to it.
 std::uint64_t key_of(const Node& node, int axis = 0) {
   std::uint64_t out = std::uint64_t(axis);
   for (const int x : node) out = out << 20 | std::uint64_t(x);
   return out;
 }
 
-/// Between nodes of different signs, without a node in between.
+/// Edge between nodes of different signs, without a node in between.
 struct Crossing {
-  Node node;  ///< the lower one
+  Node node;  ///< the lower node
   int axis, length;
-  bool rises;  ///< from inside to outside, the way it was met
+  bool rises;  ///< from inside to outside, in the direction of traversal
 };
 
-/// A square between two cubes, without a smaller one in it.
+/// Square between two cubes, not divided into smaller ones.
 struct Face {
-  Node node;  ///< the lowest one
+  Node node;  ///< the lowest node
   int axis, level;
 };
 
@@ -59,11 +59,11 @@ class Contouring {
   }
   bool inside(const Node& node) { return value(node) < 0; }
 
-  /// The search radius in half edges: the distance of a corner, and a quarter more for the slope of fields
+  /// Search radius in half edges: the distance of a corner, and a quarter more for the slope of fields
   /// between their nodes.
   static constexpr double reach = 1.25 * 1.7320508075688772;
 
-  /// Cubes without halves that the surface may cross.
+  /// Finds unsplit cubes that the surface may cross.
   void find_cubes() {
     const auto& size = cubes_.size();
     for (int k = 0; k < size[2]; ++k)
@@ -82,7 +82,7 @@ class Contouring {
                {2 * cube.at[0] + (c & 1), 2 * cube.at[1] + (c >> 1 & 1), 2 * cube.at[2] + (c >> 2)}});
   }
 
-  /// Whether a cube of this level that touches the edge has halves.
+  /// Whether a cube of this level that touches the edge is split.
   bool is_halved(const Node& node, int axis, int level) const {
     const int steps = cubes_.steps(level);
     for (int c = 0; c < 4; ++c) {
@@ -117,7 +117,8 @@ class Contouring {
     return out;
   }
 
-  /// Pairs of crossings of a face's rim that are joined. If its centre is inside, what is outside is cut off.
+  /// Pairs of crossings of a face's boundary that are joined. If the face's centre is inside, outside corners
+  /// are cut off.
   std::vector<std::array<Crossing, 2>> segments(const Face& face) {
     const std::vector<Crossing> all = crossings(face);
     if (all.empty()) return {};
@@ -172,7 +173,7 @@ class Contouring {
     return p + f / (f - g) * (q - p);
   }
 
-  /// One vertex for every way round the cube from face to face.
+  /// Makes one vertex for every closed path round the cube from face to face.
   void trace_cube(const Cube& cube) {
     struct Link {
       std::array<Crossing, 2> ends;
@@ -213,7 +214,7 @@ class Contouring {
     return no_index;
   }
 
-  /// The cubes about an edge that the surface crosses, counter-clockwise seen from the end of the axis.
+  /// Cubes around an edge that the surface crosses, counter-clockwise seen from the end of the axis.
   std::array<Cube, 4> cubes_about(const Crossing& edge) const {
     const int u = (edge.axis + 1) % 3, v = (edge.axis + 2) % 3;
     const auto beside = [&](int by_u, int by_v) {
@@ -222,8 +223,8 @@ class Contouring {
     return {beside(-1, -1), beside(0, -1), beside(0, 0), beside(-1, 0)};
   }
 
-  /// Adds cubes that share a crossed edge and were passed over, as the field changes faster than by the way
-  /// there. False where there are none.
+  /// Adds cubes that share a crossed edge and were skipped because the field is not 1-Lipschitz there. False
+  /// where there are none.
   bool add_missed() {
     std::vector<Cube> missed;
     for (const auto& [key, corners] : at_)
@@ -236,7 +237,8 @@ class Contouring {
     return !missed.empty();
   }
 
-  /// Flips faces whose two segments belong to one vertex on both sides: their quads would share two edges.
+  /// Flips faces whose two segments belong to one vertex on both sides, because their quads would share two
+  /// edges.
   bool flip_doubled() {
     bool flipped = false;
     for (auto& [key, decision] : decisions_) {
@@ -283,8 +285,9 @@ class Contouring {
   const SplineField& field_;
   std::unordered_map<std::uint64_t, double> values_;
   std::vector<Cube> leaves_;
-  std::unordered_map<std::uint64_t, std::pair<Face, bool>> decisions_;  ///< whether a centre is inside
-  std::unordered_map<std::uint64_t, std::vector<Corner>> at_;           ///< of crossed edges
+  /// Whether a face's centre counts as inside.
+  std::unordered_map<std::uint64_t, std::pair<Face, bool>> decisions_;
+  std::unordered_map<std::uint64_t, std::vector<Corner>> at_;  ///< by crossed edge
   Contour out_;
 };
 

@@ -5,7 +5,7 @@ namespace hariko {
 void CubeTree::split(const Cube& cube) {
   if (cube.level >= depth_ || !holds(cube) || is_split(cube)) return;
   if (cube.level > 0) {
-    // Its neighbours of the level above have to have halves, as it has; its own whole is one of them.
+    // Its neighbours of the level above have to be split, as its parent is; the parent is one of them.
     for (int c = 0; c < 27; ++c) {
       Cube beside = cube;
       const std::array<int, 3> by{c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1};

@@ -1,6 +1,6 @@
 #pragma once
 
-// Cubes that are halved where something small is to be seen (docs/envelope.md).
+// CubeTree: balanced octree of cubes, split where details are small (docs/envelope.md).
 
 #include <array>
 #include <cstdint>
@@ -11,33 +11,34 @@
 
 namespace hariko {
 
-/// A cube of a level, each of which has half the edges of the one before.
+/// Cube of a level; edges are halved from each level to the next.
 struct Cube {
   int level = 0;
-  std::array<int, 3> at{};  ///< from the first one, in edges of its level
+  std::array<int, 3> at{};  ///< indices from the first cube, in edges of its level
 };
 
-/// Cubes in a box. Those that touch each other, be it at a corner, differ by one level at most.
+/// Cubes in a box. Cubes that touch each other, even at a corner, differ by at most one level.
 class CubeTree {
  public:
-  /// `low`: first corner; `size`: numbers of cubes of level 0 with edges of `edge`; `depth`: the last level.
+  /// Makes unsplit cubes. `low`: first corner; `size`: numbers of cubes of level 0 with edges of `edge`;
+  /// `depth`: the last level.
   CubeTree(const Vector3& low, const std::array<int, 3>& size, double edge, int depth)
       : low_(low), size_(size), edge_(edge), depth_(depth) {}
 
   int depth() const { return depth_; }
   const std::array<int, 3>& size() const { return size_; }
-  /// In steps of the last level.
+  /// Edge of a cube of this level, in steps of the last level.
   int steps(int level) const { return 1 << (depth_ - level); }
   double edge(int level) const { return edge_ / (1 << level); }
-  /// Place of a node, which is counted in steps of the last level.
+  /// Position of a node, which is counted in steps of the last level.
   Vector3 point(const std::array<int, 3>& node) const {
     return low_ + edge(depth_) * Vector3(node[0], node[1], node[2]);
   }
   bool is_split(const Cube& cube) const { return split_.contains(key(cube)); }
   bool any_split() const { return !split_.empty(); }
-  /// With what has to be halved for it; nothing at the last level. O(log).
+  /// Splits a cube, and others that have to be split for it; does nothing at the last level. O(log).
   void split(const Cube& cube);
-  /// The cube without halves that holds the cube of the last level at these steps.
+  /// Unsplit cube that contains the cube of the last level at these steps.
   Cube leaf(const std::array<int, 3>& steps) const;
 
  private:

@@ -12,7 +12,7 @@ namespace hariko {
 
 namespace {
 
-/// Distances of points in a solid's own axes from the solid that is followed instead of it.
+/// Distance of points, given in a solid's own axes, from the solid followed in its place.
 class FollowedDistance {
  public:
   FollowedDistance(const SolidShape& solid, const SolidShape& followed)
@@ -26,9 +26,9 @@ class FollowedDistance {
   const SolidShape* followed_;  ///< null: the solid itself
 };
 
-/// Mean of the distance with the weights of the final lattice, whose node lies at the point.
+/// Mean of the distance with the weights of the final lattice, for a node at the point.
 double mean_distance(const FollowedDistance& distance, const Vector3& at, double sigma) {
-  // Three times (1 2 1) / 4, then the B-spline's (1 4 1) / 6 at its node.
+  // Three passes of (1 2 1) / 4, then the B-spline's (1 4 1) / 6 at its node.
   static constexpr std::array<double, 9> weights = [] {
     std::array<double, 9> out{};
     out[3] = 1.0 / 6, out[4] = 4.0 / 6, out[5] = 1.0 / 6;
@@ -55,7 +55,7 @@ double mean_distance(const FollowedDistance& distance, const Vector3& at, double
   return sum;
 }
 
-/// By seven points only: to compare corners of polyhedra that have many.
+/// Approximate mean from seven points, to compare corners of polyhedra that have many.
 double rough_mean_distance(const FollowedDistance& distance, const Vector3& at, double sigma) {
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -64,9 +64,9 @@ double rough_mean_distance(const FollowedDistance& distance, const Vector3& at, 
   return sum / 6;
 }
 
-constexpr std::size_t most_places = 12;  ///< that are looked at closely
+constexpr std::size_t most_places = 12;  ///< places that are evaluated exactly
 
-/// Places with the least rough means where there are many, or with the largest where `sign` is -1.
+/// Places with the least approximate means where there are many, or with the largest where `sign` is -1.
 std::vector<Vector3> worth_a_look(const FollowedDistance& distance, const std::vector<Vector3>& at,
                                   double sign, double sigma) {
   if (at.size() <= most_places) return at;
@@ -79,7 +79,7 @@ std::vector<Vector3> worth_a_look(const FollowedDistance& distance, const std::v
   return out;
 }
 
-constexpr double least_depth = 0.5;  ///< of sigma: of the surface's zero over the middle of a solid
+constexpr double least_depth = 0.5;  ///< depth of the centre of a solid below the zero surface, in sigma
 
 }  // namespace
 
@@ -100,8 +100,8 @@ double face_constant(const SolidShape& solid, const SolidShape& followed, double
   return out;
 }
 
-/// The face constant, or what keeps the mean at the solid's middle below zero where that is more: sheets and
-/// needles that are thinner than the kernel would vanish.
+/// Face constant, or if larger the constant that keeps the mean at the solid's centre below zero: sheets and
+/// needles thinner than the kernel would vanish.
 double lying_constant(const SolidShape& solid, const SolidShape& followed, double sigma) {
   const double constant = face_constant(solid, followed, sigma);
   if (solid.face_middles().empty()) return constant;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Solids grown by constants of their own: what the ball rolls on (docs/envelope.md).
+// Solids grown by individual constants, on which the ball rolls (docs/envelope.md).
 
 #include <optional>
 #include <span>
@@ -10,13 +10,14 @@
 
 namespace hariko {
 
-/// Largest mean, over a solid, of the distance to the one that is `followed` instead of it, taken with the
-/// kernel of width `sigma` (its standard deviation along each axis). A surface where the mean is zero once
-/// this is subtracted contains the solid. The same wherever the solid stands.
+/// Growth constant: the largest mean, over a solid, of the distance to the solid `followed` in its place,
+/// taken with the kernel of width `sigma` (its standard deviation along each axis). The surface where the
+/// mean minus this constant is zero contains the solid. Independent of the solid's placement.
 double growth_constant(const SolidShape& solid, const SolidShape& followed, double sigma);
 
-/// Least of these means over the middles of the solid's flat faces: with it, the flattest face lies on the
-/// surface, as all do that are wider than the kernel. The growth constant where no face is flat.
+/// Face constant: the least of these means over the centres of the solid's flat faces; growing by it puts the
+/// flattest face on the surface, and so all faces wider than the kernel. The growth constant where no face is
+/// flat.
 double face_constant(const SolidShape& solid, const SolidShape& followed, double sigma);
 
 struct GrownSolid {
@@ -24,9 +25,9 @@ struct GrownSolid {
   double growth = 0;  ///< subtracted from the distance
 };
 
-/// The solid, or what is followed instead of one with a roundness of its own, relative to `origin`. `room`: a
-/// length that it is grown by beyond its constant. `on_faces`: that is the face constant, but for solids so
-/// thin that the kernel would leave nothing of them.
+/// Makes the grown solid relative to `origin`; a solid with a roundness of its own is replaced by its
+/// softened one. `room`: a length of growth beyond its constant. `on_faces`: uses the face constant, except
+/// for solids so thin that the kernel would leave nothing of them.
 GrownSolid grown_solid(const Solid& solid, const Vector3& origin, double sigma, double room,
                        bool on_faces = false);
 
@@ -41,16 +42,17 @@ class GrownUnion {
 
   std::size_t size() const { return solids_.size(); }
   const GrownSolid& operator[](std::size_t i) const { return solids_[i]; }
-  /// Distance from grown solid i; at least `bound` from it where that is far enough.
+  /// Distance from grown solid i; `bound`: a lower bound of it from the bounding ball.
   double distance(Index i, const Vector3& point) const {
     return solids_[i].shape.distance(point) - solids_[i].growth;
   }
   double bound(Index i, const Vector3& point) const {
     return (point - solids_[i].shape.centre()).norm() - solids_[i].shape.reach() - solids_[i].growth;
   }
-  /// The nearest of `among`, the first of equal ones.
+  /// Nearest solid of `among`, the first of equal ones.
   NearestSolid nearest(const Vector3& point, std::span<const Index> among) const;
-  const Eigen::AlignedBox3d& box() const { return box_; }  ///< of the grown solids' bounding balls
+  /// Bounding box of the grown solids' bounding balls.
+  const Eigen::AlignedBox3d& box() const { return box_; }
   std::span<const Index> all() const { return all_; }
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using gregory::Blend;
 
-/// 64 t^3 (1 - t)^3 (1, t, t^2), along a side.
+/// Bump functions 64 t^3 (1 - t)^3 (1, t, t^2) along a side.
 Blend<3> bump_at(double t) {
   const double s = 1 - t;
   const double f = 64 * t * t * t * s * s * s, f1 = 192 * t * t * s * s * (s - t);
@@ -24,7 +24,7 @@ Blend<3> bump_at(double t) {
   return out;
 }
 
-/// s^2 (1 - s)^3 / 2, away from a side.
+/// Factor s^2 (1 - s)^3 / 2 at distance s from a side.
 Blend<1> depth_at(double s) {
   const double r = 1 - s;
   Blend<1> out;
@@ -34,14 +34,14 @@ Blend<1> depth_at(double s) {
   return out;
 }
 
-/// As functions of the parameter, where the side runs or lies the other way.
+/// Derivatives by the patch's parameter where the side runs in the opposite direction.
 template <std::size_t N>
 Blend<N> turned(Blend<N> of) {
   for (double& d : of.first) d = -d;
   return of;
 }
 
-/// Everything of one direction at a parameter.
+/// All basis functions of one direction at a parameter.
 struct Direction {
   double t;
   Blend<6> quintic;
@@ -61,7 +61,7 @@ struct Direction {
 using Rails = gregory::Rails<Vector3>;
 using Corners = gregory::Corners<Vector3>;
 
-/// One side's bend: `along` and `away` are of different directions.
+/// Adds one side's bend: `along` and `away` belong to different directions.
 void add_bend(const std::array<Vector3, 3>& bend, const Blend<3>& along, const Blend<1>& away, bool along_u,
               Order order, PatchPoint& out) {
   const auto at = [&](const std::array<double, 3>& w) -> Vector3 {
@@ -77,7 +77,7 @@ void add_bend(const std::array<Vector3, 3>& bend, const Blend<3>& along, const B
   out.dst += away.first[0] * first;
 }
 
-/// Sides are decided by the curve alone.
+/// Sets positions on sides from the side's curve alone.
 void set_side_position(const HermitePatch& p, const Direction& u, const Direction& v, PatchPoint& out) {
   if (v.t == 0)
     out.position = gregory::sum(u.quintic.value, p.c0);
@@ -109,7 +109,7 @@ Rails rails_across(const HermitePatch& p, const Direction& v, Order order) {
   return gregory::rails(p.e0, p.cross_e0, p.cross_e1, p.e1, v.quintic, v.quintic, order);
 }
 
-/// each(patch, parameter, point) for every point of the grid on every patch.
+/// Calls each(patch, parameter, point) for every point of the grid on every patch.
 template <class Each>
 void for_grid(const std::vector<HermitePatch>& all, std::span<const Index> patches,
               const GridPattern& pattern, Order order, const Each& each) {

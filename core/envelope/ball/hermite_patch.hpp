@@ -1,7 +1,7 @@
 #pragma once
 
-// Gregory patches of quintic sides with given fields of tangents and curvatures across them
-// (docs/envelope.md).
+// HermitePatch: Gregory patch with quintic sides and given fields of cross-boundary derivatives and
+// curvatures (docs/envelope.md).
 
 #include <array>
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace hariko {
 
-/// Control points of a Bezier curve of degree 5, or of a field along one.
+/// Control points of a Bezier curve of degree 5, or of a vector field along one.
 using Quintic = std::array<Vector3, 6>;
 
-/// The same bits from either end.
+/// Value at t, bit-identical from either end; likewise `derivative_at`.
 Vector3 value_at(const Quintic& curve, double t);
 Vector3 derivative_at(const Quintic& curve, double t);
+/// Same curve with the opposite direction.
 Quintic reversed(const Quintic& curve);
 
 /// Bicubically blended Coons patch with Gregory's variable twists. Sides c0 (v = 0) and c1 (v = 1) run with
@@ -23,16 +24,15 @@ Quintic reversed(const Quintic& curve);
 struct HermitePatch {
   Quintic c0, e1, c1, e0;
   Quintic cross_c0, cross_e1, cross_c1, cross_e0;
-  /// Added to the second derivative across side k at its fraction t, counter-clockwise: 64 t^3 (1 - t)^3
-  /// times this polynomial of t. It changes no side, no tangent plane, and no second derivative at other
-  /// sides.
+  /// Polynomial added to the second derivative across side k at its fraction t, counter-clockwise, times 64
+  /// t^3 (1 - t)^3. It changes no side, no tangent plane, and no second derivative at other sides.
   std::array<std::array<Vector3, 3>, 4> bend = {};
 
   HermitePatch() {
     for (auto& side : bend) side.fill(Vector3::Zero());
   }
-  /// Makes a patch of four sides, counter-clockwise seen from outside, and the fields into the patch along
-  /// them. At corners fields are the derivatives of the neighbouring sides.
+  /// Makes a patch from four sides, counter-clockwise seen from outside, and the derivative fields into the
+  /// patch along them. At corners the fields equal the derivatives of the neighbouring sides.
   static HermitePatch from_loop(const std::array<Quintic, 4>& sides, const std::array<Quintic, 4>& inwards);
 };
 
@@ -48,14 +48,14 @@ class HermitePatchSet final : public PatchSet {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Gregory's twists depend on the direction at corners.
+  /// Undefined: Gregory's twists depend on the direction at corners.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
  private:
   std::vector<HermitePatch> patches_;
 };
 
-/// One point of a patch that is in no set yet.
+/// Evaluates a patch that is not part of a set.
 PatchPoint evaluate(const HermitePatch& patch, const Vector2& parameter, Order order);
 
 }  // namespace hariko

@@ -8,18 +8,18 @@ namespace hariko {
 
 namespace {
 
-// Lengths in sigma; the field's slope has no unit.
-constexpr double pinched_below = 0.1;     ///< saddles with smaller values are lowered
-constexpr double lowered_to = -0.1;       ///< values of saddles that were lowered
+// Lengths in sigma; the field's slope is dimensionless.
+constexpr double pinched_below = 0.1;     ///< saddles with smaller absolute values are lowered
+constexpr double lowered_to = -0.1;       ///< value of saddles that were lowered
 constexpr double value_looked_at = 0.35;  ///< nodes with smaller values
-constexpr double slope_looked_at = 0.4;   ///< likewise
-constexpr double no_slope = 1e-3;         ///< slope of a saddle that was found
-constexpr double farthest_saddle = 2;     ///< of a saddle from the node the search begins at
-constexpr double saddles_apart = 0.5;     ///< nearer saddles are one
-constexpr double lowered_width = 2;       ///< radius of what is lowered
+constexpr double slope_looked_at = 0.4;   ///< nodes with smaller slopes
+constexpr double no_slope = 1e-3;         ///< slope at which a saddle counts as found
+constexpr double farthest_saddle = 2;  ///< largest distance of a saddle from the node where the search begins
+constexpr double saddles_apart = 0.5;  ///< nearer saddles count as one
+constexpr double lowered_width = 2;    ///< radius of the lowered region
 constexpr int most_newton_steps = 12;
 
-/// Newton's method for a place without slope.
+/// Saddle or extremum near a point, by Newton's method for a vanishing gradient.
 std::optional<Vector3> saddle_near(const SplineField& field, const Vector3& start, double sigma) {
   Vector3 at = start;
   for (int step = 0; step < most_newton_steps; ++step) {
@@ -27,7 +27,7 @@ std::optional<Vector3> saddle_near(const SplineField& field, const Vector3& star
     const Matrix3 bend = field.hessian(at);
     const double volume = bend.determinant();
     if (slope.norm() < no_slope) {
-      // Without a change of sign it is a top or a bottom, and nothing opens.
+      // Eigenvalues of one sign mean a maximum or minimum, where nothing opens.
       const double sum = bend.trace();
       const double pairs = 0.5 * (sum * sum - (bend * bend).trace());
       const bool one_sign = pairs > 0 && sum * volume > 0;
@@ -81,10 +81,10 @@ std::size_t close_pinches(SplineField& field, double sigma, std::optional<Eigen:
         (*image)[*mirror] = 2 * plane - beside;
       }
     }
-    // Saddles beside this one have lowered it, too.
+    // Saddles nearby may have lowered this one already.
     const double value = field.value(at);
     if (value <= lowered_to * sigma) continue;
-    // Values are means of coefficients: how much one falls is tried.
+    // Values are means of coefficients: a trial shows how much one falls.
     field.lower(at, sigma, lowered_width * sigma);
     const double by = (value - lowered_to * sigma) / (value - field.value(at)) * sigma;
     field.lower(at, by - sigma, lowered_width * sigma);

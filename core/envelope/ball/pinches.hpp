@@ -1,6 +1,6 @@
 #pragma once
 
-// Necks and holes that are about to open: made wide enough for patches (docs/envelope.md).
+// Pinches, necks and holes about to open, widened so that patches can follow the surface (docs/envelope.md).
 
 #include <cstddef>
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace hariko {
 
-/// Lowers the field about its saddles that lie within a tenth of `sigma` of zero, to 0.1 `sigma` below it:
-/// the surface has hardly any slope there, and would bend without bound. A neck thinner than that is there
-/// or is not, a hole narrower than that is closed. The field is lowered only, so what was inside stays there.
-/// `mirror`: the plane across this axis, at `plane` from the field's zero, is one of symmetry. The number of
-/// saddles. O(nodes).
+/// Lowers the field near its saddles that lie within a tenth of `sigma` of zero, to 0.1 `sigma` below it:
+/// there the surface has hardly any slope, and its curvature would be unbounded. A thinner neck is kept or
+/// absent, a narrower hole is closed. The field is only lowered, so that no inside point becomes outside.
+/// `mirror`: the plane perpendicular to this axis, at `plane` from the field's origin, is a symmetry plane.
+/// Returns the number of saddles. O(nodes).
 std::size_t close_pinches(SplineField& field, double sigma, std::optional<Eigen::Index> mirror = {},
                           double plane = 0);
 

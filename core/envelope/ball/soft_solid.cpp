@@ -10,7 +10,8 @@ namespace hariko {
 
 namespace {
 
-constexpr double most_softened = 0.95;  ///< of the held ball's radius: something is left of every solid
+/// Largest inward move of faces relative to the inscribed ball's radius, so that part of every solid remains.
+constexpr double most_softened = 0.95;
 
 /// Distance of a cross-section's sides from the axis, in the narrower direction.
 double narrowest(const Solid& s) {
@@ -18,7 +19,7 @@ double narrowest(const Solid& s) {
   return s.radius * (round ? 1 : std::cos(std::numbers::pi / s.sides)) * std::min(s.scale.x(), s.scale.y());
 }
 
-/// Its size about a place in its own axes, `share` as large.
+/// Scales a solid by `share` about a point in its own axes.
 void shrink(Solid& solid, const Vector3& about, double share) {
   solid.position += solid_rotation(solid.rotation) * (1 - share) * about.cwiseProduct(solid.scale);
   solid.radius *= share;

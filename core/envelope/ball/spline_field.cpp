@@ -7,7 +7,7 @@ namespace hariko {
 
 namespace {
 
-/// The four cubic B-splines over a cell at the fraction x of it, with derivatives.
+/// Values and derivatives of the four cubic B-splines over a cell, at fraction x of it.
 struct Weights {
   double value[4], first[4], second[4];
   explicit Weights(double x) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A scalar field with continuous second derivatives: a tricubic B-spline.
+// SplineField: a scalar field with continuous second derivatives, as a tricubic B-spline.
 
 #include <array>
 #include <vector>
@@ -14,22 +14,24 @@ struct FieldPoint {
   Vector3 gradient = Vector3::Zero();
 };
 
+/// Tricubic B-spline over a regular lattice of nodes.
 class SplineField {
  public:
   SplineField() = default;
-  /// Node (i, j, k) lies at `corner` + spacing (i, j, k); x runs fastest. `weights` are the coefficients.
+  /// Makes the field. Node (i, j, k) lies at `corner` + spacing (i, j, k); x runs fastest. `weights` are the
+  /// coefficients.
   SplineField(const Vector3& corner, double spacing, std::array<int, 3> size, std::vector<double> weights)
       : corner_(corner), spacing_(spacing), size_(size), weights_(std::move(weights)) {}
 
-  /// Beyond the lattice the field goes on as at its rim.
+  /// Value at a point; outside the lattice the boundary values continue.
   double value(const Vector3& point) const;
   FieldPoint at(const Vector3& point) const;
   Matrix3 hessian(const Vector3& point) const;
 
-  /// Lowers the coefficients about a point, by `by` there and less away from it, to nothing at `radius`.
+  /// Lowers the coefficients near a point, by `by` there, decreasing to zero at distance `radius`.
   void lower(const Vector3& at, double by, double radius);
 
-  /// The coefficient of a node.
+  /// Coefficient of a node.
   double weight(int i, int j, int k) const { return weights_[index(i, j, k)]; }
   const Vector3& corner() const { return corner_; }
   double spacing() const { return spacing_; }
@@ -48,16 +50,17 @@ class SplineField {
   std::vector<double> weights_;
 };
 
-/// Curvature of the level surface through a point in tangent directions a, b: negative where it is convex.
+/// Curvature of the level surface through a point in tangent directions; negative where it is convex.
 struct LevelCurvature {
   Vector3 normal = Vector3::UnitZ();  ///< unit, outwards
-  Matrix3 form = Matrix3::Zero();     ///< -H / |gradient|
+  Matrix3 form = Matrix3::Zero();     ///< curvature form -H / |gradient|
   double slope = 1;                   ///< length of the gradient
   double along(const Vector3& a) const { return a.dot(form * a); }
 };
+/// Curvature of the level surface at a point where the gradient does not vanish. O(1).
 LevelCurvature level_curvature(const SplineField& field, const Vector3& point);
 
-/// Newton steps to the zero along the gradient, none longer than `longest`.
+/// Point on the zero surface, by Newton steps along the gradient, none longer than `longest`.
 Vector3 projected(const SplineField& field, Vector3 point, int steps, double longest);
 
 }  // namespace hariko

@@ -11,8 +11,8 @@ namespace hariko {
 
 namespace {
 
-constexpr double largest_ball = 8;   ///< of the solids' size
-constexpr double smallest_ball = 3;  ///< of the rounding
+constexpr double largest_ball = 8;   ///< radius relative to the solids' size
+constexpr double smallest_ball = 3;  ///< radius relative to the rounding
 constexpr double new_rounding = 0.02, new_tightness = 0.5;
 constexpr double rounding_before = 0.045;
 constexpr int join_rounds = 8;
@@ -64,7 +64,7 @@ void choose_ball_as_before(EnvelopeInput& input, double tightness) {
 double faces_outside(const Solid& solid, const EnvelopeSettings& settings, double size) {
   const BallSettings ball = ball_settings(settings, size);
   const GrownSolid grown = grown_solid(solid, solid.position, ball.sigma, room_outside(ball), ball.on_faces);
-  // The growth of a solid with a roundness of its own makes up for faces that were moved inwards, too.
+  // The growth of a solid with a roundness of its own also compensates for faces that were moved inwards.
   const SolidShape shape(solid, solid.position);
   return grown.growth - face_constant(shape, solid.roundness ? grown.shape : shape, ball.sigma);
 }
@@ -77,7 +77,7 @@ bool join_parts(EnvelopeInput& input) {
   double high = std::max(low, std::log(largest_ball * size));
   std::optional<double> joined;
   for (int round = 0; round <= join_rounds; ++round) {
-    // The largest first: where it does not join them, only the hull does.
+    // Tests the largest ball first: where it does not join the parts, only the hull does.
     const double middle = round == 0 ? high : 0.5 * (low + high);
     trial.settings.ball_radius = std::exp(middle);
     if (part_count(trial) <= 1) {

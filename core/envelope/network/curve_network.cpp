@@ -11,12 +11,12 @@ namespace hariko {
 
 namespace {
 
-constexpr double least_cosine = 0.25;  ///< tangents that turn away more do not get longer for it
-/// Weights that curves may have. Below the lower one a patch bulges to a point; the natural weight of the
-/// largest turn that tangents get longer for is 0.5 itself.
+constexpr double least_cosine = 0.25;  ///< tangents at a larger angle from the chord do not become longer
+/// Range of weights of curves. Below the lower one a patch bulges to a point; the natural weight of the
+/// largest turn for which tangents become longer is exactly 0.5.
 constexpr double weight_low = 0.501, weight_high = 5;
 
-constexpr double waist = 0.5;  ///< length of tangents on inserted parts, of those of circular arcs
+constexpr double waist = 0.5;  ///< length of tangents on inserted parts, relative to those of circular arcs
 
 /// One end of a primitive edge in the solid's unit frame.
 struct PrimitiveEnd {
@@ -24,7 +24,7 @@ struct PrimitiveEnd {
   double cosine, alpha;
 };
 
-/// A primitive edge: planar in the unit frame, with its natural weights (docs/envelope.md).
+/// Primitive edge: planar in the unit frame, with its natural weights (docs/envelope.md).
 struct PrimitiveEdge {
   PrimitiveEnd a, b;
   double natural[2], sag[2];
@@ -87,7 +87,7 @@ class NetworkBuilder {
   }
 
   void make_curves() {
-    // Common curvature of the primitive edges at a vertex: the mean of what each would have.
+    // Common curvature of the primitive edges at a vertex: the mean of their own curvatures.
     std::vector<double> sum(out_.cage.vertices.size(), 0), count(sum.size(), 0);
     std::vector<std::optional<PrimitiveEdge>> edges(out_.curves.size());
     for (std::size_t k = 0; k < edges.size(); ++k) {

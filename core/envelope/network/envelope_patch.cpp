@@ -10,7 +10,7 @@ namespace hariko {
 
 namespace {
 
-/// Everything of a direction at one parameter.
+/// All basis functions of one direction at a parameter.
 struct Direction {
   double t;
   gregory::Blend<4> cubic, hermite;
@@ -32,7 +32,7 @@ gregory::Jet<Homogeneous> homogeneous_jet(const Corners& m, const Rails& across,
   return out;
 }
 
-/// `scale`: derivative of the patch's parameters by those of the part.
+/// Cartesian point of a homogeneous one. `scale`: derivative of the patch's parameters by those of the part.
 PatchPoint cartesian_point(const gregory::Jet<Homogeneous>& h, double scale, Order order) {
   PatchPoint out;
   const double w = h.value.w();
@@ -49,7 +49,8 @@ PatchPoint cartesian_point(const gregory::Jet<Homogeneous>& h, double scale, Ord
   return out;
 }
 
-/// The middle derivative that a side wants, from the chord between the middles of two facing sides.
+/// Preferred derivative across the middle of a side, from the chord between the midpoints of two opposite
+/// sides.
 Vector3 wanted(const RibbonCurve& side, const Vector3& chord, double fullness) {
   const Vector3 across = 0.5 * (side.across[0] + side.across[1]);
   const Vector3 n = side.middle_derivative().cross(across).stableNormalized();
@@ -84,7 +85,7 @@ EnvelopePatch EnvelopePatch::from_loop(const std::array<RibbonCurve, 4>& loop) {
   return out;
 }
 
-/// A part's patch with what its points share.
+/// Patch of a part, with terms shared by its points.
 struct EnvelopePatchSet::Frame {
   const Part& part;
   const EnvelopePatch& patch;
@@ -132,7 +133,7 @@ PatchPoint EnvelopePatchSet::evaluate(Index at, const Vector2& parameter, Order 
   return out;
 }
 
-/// each(patch, parameter, point) for every point of the grid on every patch.
+/// Calls each(patch, parameter, point) for every point of the grid on every patch.
 template <class Each>
 void EnvelopePatchSet::for_grid(std::span<const Index> patches, const GridPattern& pattern, Order order,
                                 const Each& each) const {

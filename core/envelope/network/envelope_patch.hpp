@@ -1,6 +1,7 @@
 #pragma once
 
-// Rational Gregory-Coons patches with fields across their four sides, as a PatchSet (docs/envelope.md).
+// EnvelopePatchSet: rational Gregory-Coons patches with derivative fields across their four sides
+// (docs/envelope.md).
 
 #include <array>
 #include <memory>
@@ -11,26 +12,28 @@
 
 namespace hariko {
 
-/// S = H(u) . (e0, Eu0, Eu1, e1)(v) + H(v) . (c0, Cv0, Cv1, c1)(u) - H(u) M H(v), homogeneous, with Gregory's
-/// variable twists. Sides c0 (v = 0) and c1 (v = 1) run with u, e0 (u = 0) and e1 (u = 1) with v.
+/// Homogeneous patch S = H(u) . (e0, Eu0, Eu1, e1)(v) + H(v) . (c0, Cv0, Cv1, c1)(u) - H(u) M H(v) with
+/// Gregory's variable twists. Sides c0 (v = 0) and c1 (v = 1) run with u, e0 (u = 0) and e1 (u = 1) with v.
 struct EnvelopePatch {
   HomogeneousCubic c0, e1, c1, e0;
   HomogeneousSextic cross_c0, cross_e1, cross_c1, cross_e0;  ///< derivatives by v, u, v, u
 
-  /// Of the four sides of a loop, counter-clockwise seen from outside: each has its face to the left.
+  /// Makes a patch from the four sides of a loop, counter-clockwise seen from outside: each has its face to
+  /// the left.
   static EnvelopePatch from_loop(const std::array<RibbonCurve, 4>& loop);
 };
 
-/// The part of an envelope patch over u0 .. u0 + size, v0 .. v0 + size.
+/// Part of an envelope patch over u0 .. u0 + size, v0 .. v0 + size.
 struct EnvelopePart {
   Index patch = 0;
   double u0 = 0, v0 = 0, size = 1;
 };
 
+/// Parts of envelope patches on the unit square.
 class EnvelopePatchSet final : public PatchSet {
  public:
-  /// `sides`: the curves of each part's four sides as the neighbour has them reversed, bit for bit; where one
-  /// lies inside of a patch it is not used (`outer` false).
+  /// Side of a part: its curve, bit-identical to the neighbour's reversed one; unused where the side lies
+  /// inside a patch (`outer` false).
   struct Side {
     HomogeneousCubic curve;
     bool outer = false;
@@ -51,7 +54,7 @@ class EnvelopePatchSet final : public PatchSet {
                      std::span<Vector3> normals) const override;
   void evaluate_grid(std::span<const Index> patches, const GridPattern& pattern,
                      std::span<PatchPoint> points) const override;
-  /// Gregory's twists depend on the direction at the corners of whole patches.
+  /// Undefined: Gregory's twists depend on the direction at the corners of whole patches.
   CornerSecondOrder second_order_at_corner(Index patch, int corner) const override;
 
  private:

@@ -16,12 +16,12 @@ namespace hariko {
 
 namespace {
 
-constexpr double duplicate_distance = 1e-6;  ///< of the diagonal
-constexpr double hull_tolerance = 1e-9;      ///< of the diagonal
+constexpr double duplicate_distance = 1e-6;  ///< relative to the diagonal
+constexpr double hull_tolerance = 1e-9;      ///< relative to the diagonal
 constexpr double flat_angle = 0.05;          ///< degrees
-constexpr double thinning = 0.09;            ///< of the size: corners nearer to each other are thinned
-constexpr double merge_angle = 40;           ///< degrees: largest one between triangles that make a quad
-constexpr double thin_merge_angle = 75;      ///< degrees, for thin triangles
+constexpr double thinning = 0.09;  ///< relative to the size: of corners nearer to each other some are removed
+constexpr double merge_angle = 40;  ///< degrees: largest angle between triangles that are merged to a quad
+constexpr double thin_merge_angle = 75;  ///< degrees, if one of the triangles is thin
 constexpr int needle_rounds = 12;
 constexpr double degree = std::numbers::pi / 180;
 
@@ -30,7 +30,8 @@ struct Candidate {
   Index solid, vertex;
 };
 
-/// Turns n towards the mean of the faces' normals until every face has m . n >= its limit.
+/// Turns the vertex normal n towards the mean of the faces' normals until m . n >= limit for the normal m of
+/// every face; leaves it where that is impossible.
 void guard_frame(CageVertex& vertex, const std::vector<std::pair<Vector3, double>>& faces) {
   const auto fits = [&](const Vector3& n) {
     return std::all_of(faces.begin(), faces.end(),
@@ -79,7 +80,7 @@ class HullCageBuilder {
       for (Index v = 0; v < solid.unit_vertices.size(); ++v)
         all_.push_back({solid.world(solid.unit_vertices[v]), s, v});
     }
-    // Lower solids win: compare within cells of a sorted axis.
+    // Among duplicates the one of the lowest solid stays: compares within cells of a sorted axis.
     std::vector<Index> order(all_.size());
     for (Index i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](Index a, Index b) {
@@ -106,7 +107,8 @@ class HullCageBuilder {
     for (const Candidate& c : all_) mean += c.position / double(all_.size());
     std::vector<Index> order(all_.size());
     for (Index i = 0; i < order.size(); ++i) order[i] = i;
-    // Ties within rounding go by index, so that a symmetric scene does not depend on the last bit.
+    // Distances that differ by rounding count as equal, and the order is then that of the indices, so that a
+    // symmetric scene does not depend on the last bit.
     const auto distance = [&](Index i) {
       return std::round((all_[i].position - mean).norm() / (1e-9 * size_));
     };
@@ -156,8 +158,6 @@ class HullCageBuilder {
     for (std::size_t v = 0; v < faces.size(); ++v) guard_frame(cage_.vertices[v], faces[v]);
   }
 
-  // --- merging -------------------------------------------------------------------------------------------
-
   void index_edges() {
     at_.clear();
     valence_.assign(cage_.vertices.size(), 0);
@@ -170,7 +170,7 @@ class HullCageBuilder {
     }
   }
 
-  /// The loop of two faces without their common edge a-b; empty where the result is not a simple loop.
+  /// Loop of two faces without their common edge a-b; empty where the result is not a simple loop.
   std::vector<Index> merged(Index f, Index g, Index a, Index b) const {
     std::vector<Index> out;
     const auto append = [&](const std::vector<Index>& loop, Index from) {
@@ -185,7 +185,8 @@ class HullCageBuilder {
     return out;
   }
 
-  /// Least sine of the turns about the loop's normal, and of the sectors between the tangents.
+  /// Quality of a loop: the least sine of the turns about its normal, and of the sectors between the
+  /// tangents.
   double quality(const std::vector<Index>& loop) const {
     const Vector3 n = normal_of(loop);
     double least = 1;
@@ -205,7 +206,7 @@ class HullCageBuilder {
     return angle_between(m, n) / degree;
   }
 
-  /// The first of two faces takes the loop without their common edge a-b, the other one is emptied.
+  /// Gives the first of two faces the loop without their common edge a-b, and empties the other one.
   void replace(Index f, Index g, Index a, Index b, std::vector<Index> loop) {
     const Index kept = std::min(f, g);
     at_.erase({a, b});
@@ -236,7 +237,7 @@ class HullCageBuilder {
     }
   }
 
-  /// 2 area / longest^2 and the longest side's square.
+  /// Thinness of a triangle, 2 area / longest^2, and the square of the longest side.
   std::pair<double, double> thinness(const std::vector<Index>& t) const {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -290,8 +291,7 @@ class HullCageBuilder {
     std::erase_if(cage_.faces, [](const CageFace& face) { return face.loop.empty(); });
   }
 
-  /// Removes the tip of the thinnest triangle whose height stands on its longest side; false if there is
-  /// none.
+  /// Removes the apex above the longest side of the thinnest triangle; false if no triangle is thin.
   bool remove_needle(std::vector<Index>& kept) const {
     if (kept.size() < 6) return false;
     double thinnest = 0.13;

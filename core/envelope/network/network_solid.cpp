@@ -22,7 +22,7 @@ void add_ring(std::vector<Vector3>& out, int count, double radius, double z, dou
   }
 }
 
-/// A cuboctahedron of radius 1, a hexagon round its waist.
+/// Cuboctahedron of radius 1 with a hexagon at its equator.
 std::vector<Vector3> ball_vertices(bool mirrored) {
   std::vector<Vector3> out;
   const double z = std::sqrt(2.0 / 3), r = 1 / std::sqrt(3.0), up = mirrored ? -1 : 1;
@@ -37,7 +37,7 @@ void set_frame(NetworkSolid& solid, const Matrix3& rotation, const Vector3& half
   solid.to_unit = half.cwiseInverse().asDiagonal() * rotation.transpose();
 }
 
-/// Frame in which the vertices have unit covariance.
+/// Sets the frame in which the vertices have unit covariance.
 void set_polyhedron(NetworkSolid& solid, const Solid& authored, const Matrix3& rotation, double clearance) {
   std::vector<Vector3> points = authored.points;
   for (Vector3& p : points) p = p.cwiseProduct(authored.scale);

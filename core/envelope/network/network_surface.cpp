@@ -11,7 +11,8 @@ namespace hariko {
 
 namespace {
 
-/// A patch's corners as nodes; sides with their curves where these lie on outlines of patches.
+/// Part of a patch with its corner nodes, and its sides with their curves where these lie on boundaries of
+/// patches.
 struct Piece {
   EnvelopePatchSet::Part part;
   std::array<Index, 4> nodes;
@@ -92,7 +93,8 @@ class SurfaceAssembler {
     pieces_.push_back(std::move(piece));
   }
 
-  /// Part k holds corner k. The halves of the patch's sides are those that split neighbours have.
+  /// Adds the four parts of a patch; part k holds corner k. The halves of the patch's sides equal those of
+  /// divided neighbours.
   void add_quarters(Index patch) {
     const Index face = network_.patch_places[patch].face;
     static constexpr double at[4][2] = {{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};

@@ -12,7 +12,7 @@ Homogeneous weighted(const Vector3& v) {
   return {v.x(), v.y(), v.z(), 0};
 }
 
-/// The first row of de Casteljau's triangle at 1/2 and the last one.
+/// Both halves by de Casteljau's triangle at 1/2: its first and last row.
 std::pair<HomogeneousCubic, HomogeneousCubic> split(const HomogeneousCubic& c) {
   const Homogeneous ab = 0.5 * (c[0] + c[1]), bc = 0.5 * (c[1] + c[2]), cd = 0.5 * (c[2] + c[3]);
   const Homogeneous abc = 0.5 * (ab + bc), bcd = 0.5 * (bc + cd);
@@ -51,7 +51,8 @@ BernsteinForm<4> tangent_direction(const HomogeneousCubic& c) {
   const BernsteinForm<5> a = bernstein_product<3, 2>(w, dx), b = bernstein_product<2, 3>(dw, c);
   BernsteinForm<5> full;
   for (std::size_t i = 0; i < 6; ++i) full[i] = a[i] - b[i];
-  // The leading term cancels: degree 4, from both ends so that neither collects all of the rounding.
+  // The leading term cancels: reduces to degree 4 from both ends, so that neither end collects all of the
+  // rounding.
   BernsteinForm<4> out;
   out[0] = full[0];
   out[1] = (5 * full[1] - out[0]) / 4;
@@ -85,7 +86,7 @@ CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneou
   const double w =
       (ribbon.curve[0].w() + ribbon.curve[3].w() + 3 * (ribbon.curve[1].w() + ribbon.curve[2].w())) / 8;
   if (a.squaredNorm() > 0) km = w * middle.dot(a) / a.squaredNorm();
-  // Clamped relative to the linear one: fuller than that folds.
+  // Clamped relative to the linear one: a fuller field folds.
   if (mean != 0 && std::isfinite(km))
     km = mean * std::clamp(km / mean, 0.5, 2.0);
   else
@@ -93,7 +94,8 @@ CrossCoefficients cross_coefficients(const RibbonCurve& ribbon, const Homogeneou
   out.k[0] = k[0];
   out.k[1] = 2 * km - mean;
   out.k[2] = k[1];
-  // Without this the field slides along the curve: the tangent is longer in the middle than at the ends.
+  // Removes the component along the curve, which arises because the tangent is longer in the middle than at
+  // the ends.
   const Vector3 f = 0.5 * (ribbon.across[0] + ribbon.across[1]), speed = w * w * tangent;
   const double straight = 0.5 * (h[0] + h[1]);
   double hm = (w * middle - km * f).dot(speed) / speed.squaredNorm();

@@ -16,7 +16,7 @@ constexpr double widest_sector = 150 * radians, narrowest_sector = 20 * radians;
 constexpr double parabola_angle = 18 * radians;
 
 struct Side {
-  Vector3 middle, tangent, normal;  ///< Pd, unit tangent, outward normal nd
+  Vector3 middle, tangent, normal;  ///< midpoint Pd, unit tangent, outward normal nd
   double weight;
 };
 
@@ -54,8 +54,8 @@ class FaceSplitter {
 
   Vector3 flattened(const Vector3& v) const { return v - v.dot(normal_) * normal_; }
 
-  /// The direction in the tangent plane of a side's middle that leads to a point; never along the side or out
-  /// of the face.
+  /// Direction towards a point in the tangent plane at a side's midpoint; never along the side or out of the
+  /// face.
   Vector3 aim(const Side& side, const Vector3& target) const {
     const Vector3 q = target - side.middle;
     Vector3 c = q - q.dot(side.normal) * side.normal;
@@ -75,8 +75,8 @@ class FaceSplitter {
     if (solid_) move_to_primitive();
   }
 
-  /// The paper moves the centre to the arcs' radius; that holds for arcs about the centroid only, so the
-  /// share of the arcs' sagitta is taken.
+  /// Moves the centre outwards on a primitive part. The paper moves it to the arcs' radius, which holds for
+  /// arcs about the centroid only; here the move is proportional to the arcs' sagitta.
   void move_to_primitive() {
     const auto to_unit = [&](const Vector3& p) -> Vector3 { return solid_->to_unit * (p - solid_->centre); };
     const Vector3 ray = to_unit(centre_).stableNormalized();
@@ -103,7 +103,8 @@ class FaceSplitter {
     if (n.dot(normal_) > 0) normal_ = n;
   }
 
-  /// Directions of the spokes at the centre: in the loop's order, no sector too wide or too narrow.
+  /// Chooses the directions of the spokes at the centre: in the loop's order, no sector too wide or too
+  /// narrow.
   void spread() {
     const std::size_t n = sides_.size();
     std::vector<Vector3> outward;
@@ -116,8 +117,8 @@ class FaceSplitter {
     }
     double total = 0;
     for (const double s : sector) total += s;
-    // Sectors that go round once; else the loop winds differently round the centre and even sectors are
-    // wanted.
+    // If the sectors do not add up to one turn, the loop winds differently round the centre and even sectors
+    // are used.
     const bool once = std::abs(total - 2 * std::numbers::pi) < 1e-6;
     const double even = 2 * std::numbers::pi / double(n);
     const double narrow = std::min(narrowest_sector, 0.6 * even);
@@ -138,7 +139,7 @@ class FaceSplitter {
       angle[k] = angle[k - 1] + sector[k - 1] + blend * (even - sector[k - 1]);
     if (!once)
       for (std::size_t k = 0; k < n; ++k) angle[k] = even * double(k);
-    // Turn the star to where the sides are, in the mean.
+    // Rotates the star to the mean direction of the sides.
     double sine = 0, cosine = 0;
     for (std::size_t k = 0; k < n; ++k) {
       const double a = std::atan2(outward[k].dot(y), outward[k].dot(x));
@@ -165,7 +166,7 @@ class FaceSplitter {
     }
     const double w = side.weight;
     RibbonCurve out;
-    // The end on the side is that of the side's halves, bit for bit.
+    // The end on the side equals that of the side's halves, bit for bit.
     out.curve = {loop_[k].halves().first.curve[3], homogeneous(p1, (2 * w + 1) / 3),
                  homogeneous(p2, (w + 2) / 3), homogeneous(centre_)};
     out.across = {side.normal.cross(p1 - side.middle).stableNormalized(),

@@ -1,6 +1,7 @@
 #pragma once
 
-// Faces that are not quads become stars of quads (Ogasawara and Kobori, section 4; docs/envelope.md).
+// Division of faces that are not quads into stars of quads (Ogasawara and Kobori, section 4;
+// docs/envelope.md).
 
 #include <array>
 #include <span>
@@ -10,11 +11,12 @@
 
 namespace hariko {
 
-/// `loop`: the sides, each with the face to its left. `solid`: whose primitive part the face is, or null.
+/// Makes the star of a face. `loop`: the sides, each with the face to its left. `solid`: the solid whose
+/// primitive part the face is, or null.
 FaceSplit split_face(std::span<const RibbonCurve> loop, const NetworkSolid* solid);
 
-/// Loops of the quads, one a side: from its start to its middle, to the centre, to the middle of the side
-/// before, back.
+/// Loops of the quads, one per side: from its start to its midpoint, to the centre, to the midpoint of the
+/// previous side, and back.
 std::vector<std::array<RibbonCurve, 4>> split_loops(std::span<const RibbonCurve> loop,
                                                     const FaceSplit& split);
 
