@@ -48,12 +48,12 @@ void add_warnings(const MeshOptions& options, const BisectionResult& refined, Me
         w_mesh_balanced, "The vertices stay on the surface: it does not bend one way everywhere.",
         "Balance surfaces with positive Gaussian curvature, by a distance alone."));
   const std::optional<double>& angle = options.criteria.min_angle;
+  const auto tenths = static_cast<int>(out.smallest_angle * 180 / std::numbers::pi * 10);
   if (angle && out.smallest_angle < *angle)
-    out.warnings.push_back(make_warning(
-        w_mesh_unreached,
-        "The smallest angle of a facet is " +
-            std::to_string(int(out.smallest_angle * 180 / std::numbers::pi * 10) / 10) + " degrees.",
-        "Ask for a smaller angle, or let the mesh be optimised."));
+    out.warnings.push_back(make_warning(w_mesh_unreached,
+                                        "The smallest angle of a facet is " + std::to_string(tenths / 10) +
+                                            "." + std::to_string(tenths % 10) + " degrees.",
+                                        "Ask for a smaller angle, or let the mesh be optimised."));
 }
 
 /// Share of the progress that balancing takes; where balancing does not apply, the rest follows.

@@ -7,12 +7,12 @@
 #include <numeric>
 #include <optional>
 
-#include "core/base/assert.hpp"
 #include "core/base/disjoint_sets.hpp"
 #include "core/network/fan_angles.hpp"
 #include "core/network/kept_form.hpp"
 #include "core/network/network.hpp"
 #include "core/network/short_edges.hpp"
+#include "core/network/vertex_fan.hpp"
 
 namespace hariko {
 
@@ -21,47 +21,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Least share of a flat corner between its split vector and either edge: 9 degrees.
 constexpr double least_place = 0.05;
-
-/// Edge of a fan: the half-edge that carries it and which of its ends lies at the vertex.
-struct FanEdge {
-  Index half_edge;
-  bool at_origin;
-};
-
-/// Edges around a vertex, counter-clockwise; corner k lies between edges k and k + 1.
-struct Fan {
-  std::vector<FanEdge> edges;
-  std::vector<Index> corners;
-  bool closed;
-};
-
-Fan fan_of(const HalfEdgeMesh& mesh, Index v) {
-  Fan fan;
-  fan.closed = !mesh.is_border_vertex(v);
-  const Index first = mesh.outgoing(v);
-  Index h = first;
-  do {
-    fan.edges.push_back({h, true});
-    fan.corners.push_back(h);
-    const Index following = mesh.rotate(h);
-    if (following == no_index) fan.edges.push_back({mesh.previous(h), false});
-    h = following;
-  } while (h != no_index && h != first);
-  return fan;
-}
-
-/// Sector: the corners between two sharp edges, or all corners around a vertex that has at most one sharp
-/// edge, and the map from plane vectors to tangents there.
-struct Sector {
-  enum class Image : std::uint8_t { smooth, straight, line, corner };
-  Image image = Image::smooth;
-  std::size_t first = 0, corners = 0;  ///< its first edge in the fan, and the number of corners that follow
-  double opening = 0;
-  /// Basis vectors by image. Smooth: Ts, Tc. Straight: Tc. Line: Ts (none with one corner), Tc. Corner: X of
-  /// the first and of the last edge.
-  std::array<Index, 2> basis{no_index, no_index};
-  double sign = 1;  ///< sign of Tc in a line
-};
 
 class FrameBuilder {
  public:
@@ -79,17 +38,7 @@ class FrameBuilder {
     frames_.half_turn.assign(count, false);
     frames_.split_gain.assign(count, 1.0);
     mark_sharp_edges();
-    frames_.basis_begin.reserve(mesh_.vertex_count() + 1);
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      frames_.basis_begin.push_back(next_basis_);
-      sector_begin_.push_back(sectors_.size());
-      if (mesh_.outgoing(v) == no_index) continue;
-      fan_ = fan_of(mesh_, v);
-      if (auto failed = divide(v)) return *failed;
-      for (std::size_t s = sector_begin_.back(); s < sectors_.size(); ++s) mark_half_turns(sectors_[s]);
-    }
-    frames_.basis_begin.push_back(next_basis_);
-    sector_begin_.push_back(sectors_.size());
+    if (auto failed = divide_fans()) return *failed;
     const bool metric = options_.frames == Frames::metric;
     frames_.charts =
         metric ? metric_charts(polyhedron_, frames_.half_turn, side_shares()) : equal_charts(mesh_);
@@ -107,6 +56,26 @@ class FrameBuilder {
     for (Index e = 0; e < mesh_.edge_count(); ++e) frames_.sharp[e] = mesh_.is_border_edge(e);
     for (const auto& [id, on] : shaping_.crease)
       if (const Index e = polyhedron_.find(id); on && e != no_index) frames_.sharp[e] = true;
+  }
+
+  std::optional<Message> divide_fans() {
+    FanDivider divider(polyhedron_, shaping_, frames_.sharp);
+    frames_.basis_begin.reserve(mesh_.vertex_count() + 1);
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      frames_.basis_begin.push_back(divider.basis_count());
+      sector_begin_.push_back(sectors_.size());
+      if (mesh_.outgoing(v) == no_index) continue;
+      fan_ = fan_of(mesh_, v);
+      const auto request = requests_.find(v);
+      const auto divided = divider.divide(v, fan_, request == requests_.end() ? nullptr : request->second);
+      if (!divided) return divided.error();
+      frames_.kind[v] = divided->kind;
+      for (const Sector& sector : divided->sectors) mark_half_turns(sector);
+      sectors_.insert(sectors_.end(), divided->sectors.begin(), divided->sectors.end());
+    }
+    frames_.basis_begin.push_back(divider.basis_count());
+    sector_begin_.push_back(sectors_.size());
+    return std::nullopt;
   }
 
   void take_kept_areas() {
@@ -158,95 +127,6 @@ class FrameBuilder {
       const Sector& sector = sectors_[sector_begin_[v]];
       const std::vector<double> steps = own_steps(sector, seen_angles(sector));
       for (std::size_t j = 0; j < steps.size(); ++j) own_step_[corner(sector, j)] = steps[j];
-    }
-  }
-
-  /// Divides the fan into sectors and allocates the vertex's basis vectors.
-  std::optional<Message> divide(Index v) {
-    const VertexTag tag = shaping_.tag.get_or(polyhedron_.vertex_id(v), VertexTag::automatic);
-    std::vector<std::size_t> sharp;
-    for (std::size_t k = 0; k < fan_.edges.size(); ++k)
-      if (frames_.sharp[mesh_.edge(fan_.edges[k].half_edge)]) sharp.push_back(k);
-
-    if (fan_.closed && tag == VertexTag::corner && sharp.size() < 2)
-      return make_error(e_corner_needs_crease,
-                        "Vertex " + std::to_string(polyhedron_.vertex_id(v).value) +
-                            " is tagged as a corner, but fewer than two creases meet there.",
-                        "Crease two or more of its edges, or remove the tag.",
-                        element_of(polyhedron_.vertex_id(v)));
-
-    const auto requested = requests_.find(v);
-    const FrameRequest* request = requested == requests_.end() ? nullptr : requested->second;
-    HARIKO_ASSERT(!request || (!fan_.closed && sharp.size() == 2), "frames are asked for on plain borders");
-    const bool border_tip = !fan_.closed && fan_.edges.size() == 2;
-    const bool corner =
-        sharp.size() >= 3 || tag == VertexTag::corner || (border_tip && tag != VertexTag::smooth);
-    if (fan_.closed && sharp.size() <= 1)
-      divide_smooth(v);
-    else if (request && request->line)
-      divide_line(v, sharp);
-    else if (request)
-      divide_corner(v, sharp, request->opening);
-    else if (corner)
-      divide_corner(v, sharp);
-    else
-      divide_line(v, sharp);
-    return std::nullopt;
-  }
-
-  Index take_basis(Index count) {
-    const Index first = next_basis_;
-    next_basis_ += count;
-    return first;
-  }
-
-  void divide_smooth(Index v) {
-    const std::size_t n = fan_.edges.size();
-    const bool straight = n == 2;
-    frames_.kind[v] = straight ? FrameKind::straight : FrameKind::smooth;
-    const Index first = take_basis(straight ? 1 : 2);
-    Sector sector{straight ? Sector::Image::straight : Sector::Image::smooth, 0, n, 2 * pi};
-    sector.basis = {first, straight ? no_index : first + 1};
-    sectors_.push_back(sector);
-  }
-
-  /// Ranges between consecutive sharp edges: (first edge, number of corners).
-  std::vector<std::pair<std::size_t, std::size_t>> parts_between(
-      const std::vector<std::size_t>& sharp) const {
-    std::vector<std::pair<std::size_t, std::size_t>> out;
-    for (std::size_t i = 0; i + 1 < sharp.size(); ++i) out.emplace_back(sharp[i], sharp[i + 1] - sharp[i]);
-    if (fan_.closed) out.emplace_back(sharp.back(), fan_.edges.size() - sharp.back() + sharp.front());
-    return out;
-  }
-
-  void divide_line(Index v, const std::vector<std::size_t>& sharp) {
-    frames_.kind[v] = FrameKind::sharp_line;
-    const Index tc = take_basis(1);
-    double sign = 1;
-    for (const auto& [first, m] : parts_between(sharp)) {
-      Sector sector{Sector::Image::line, first, m, pi};
-      sector.basis = {m >= 2 ? take_basis(1) : no_index, tc};
-      sector.sign = sign;
-      sectors_.push_back(sector);
-      sign = -sign;
-    }
-  }
-
-  /// Divides the fan of a corner vertex. `given`: the opening of its only sector, where it is known.
-  void divide_corner(Index v, const std::vector<std::size_t>& sharp, std::optional<double> given = {}) {
-    frames_.kind[v] = FrameKind::corner;
-    const Index first_basis = take_basis(static_cast<Index>(sharp.size()));
-    const auto parts = parts_between(sharp);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const auto [first, m] = parts[i];
-      const double full = fan_.closed ? 2 * pi : pi;
-      const double usual = parts.size() == 1 && !fan_.closed
-                               ? pi / 2
-                               : std::min(full * double(m) / double(fan_.corners.size()), 2 * pi / 3);
-      Sector sector{Sector::Image::corner, first, m, given.value_or(usual)};
-      sector.basis = {first_basis + static_cast<Index>(i),
-                      first_basis + static_cast<Index>((i + 1) % sharp.size())};
-      sectors_.push_back(sector);
     }
   }
 
@@ -314,7 +194,7 @@ class FrameBuilder {
   }
 
   void add_offset(Index v, const KeptForm& form) {
-    frames_.offset.resize(next_basis_, Vector3::Zero());
+    frames_.offset.resize(frames_.basis_count(), Vector3::Zero());
     add_form_offset(polyhedron_, frames_, v, form, frames_.offset);
   }
 
@@ -542,7 +422,6 @@ class FrameBuilder {
   std::vector<bool> unit_;        ///< per vertex: keeps equal angles and unit lengths; empty in equal frames
   std::vector<double> own_step_;  ///< per corner, 0 at vertices that are not smooth
   std::vector<KeptForm::Edge> kept_;  ///< kept form of the edges of `fan_`; empty where nothing is kept
-  Index next_basis_ = 0;
 };
 
 }  // namespace
