@@ -1,6 +1,7 @@
 #pragma once
 
-// The functions of cad_file.hpp and read_cad_file.hpp as OpenCASCADE does them. Only for the module.
+// Implementation, by OpenCASCADE, of the functions of cad_file.hpp and read_cad_file.hpp. Private to the
+// module.
 
 #include "core/cad/kernel/cad_file.hpp"
 #include "core/cad/kernel/read_cad_file.hpp"
