@@ -1,6 +1,6 @@
 #pragma once
 
-// What to do about files that cannot be read. Internal to core/exchange.
+// Advice in messages about files that cannot be read. Internal to core/exchange.
 
 namespace hariko {
 
