@@ -1,12 +1,13 @@
 #pragma once
 
-// RandomSequence: pseudo-random numbers that are the same everywhere (splitmix64). Internal to
+// RandomSequence: pseudo-random numbers that are the same on every platform (splitmix64). Internal to
 // core/unfolding.
 
 #include <cstdint>
 
 namespace hariko {
 
+/// Generator splitmix64 (Steele, Lea, Flood 2014).
 class RandomSequence {
  public:
   explicit RandomSequence(std::uint64_t seed) : state_(seed) {}
@@ -16,9 +17,9 @@ class RandomSequence {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
     return z ^ (z >> 31);
   }
-  /// Uniform in 0 .. count - 1, but for a bias of count / 2^64.
+  /// Uniform integer in 0 .. count - 1, except for a bias of count / 2^64.
   std::uint64_t below(std::uint64_t count) { return next() % count; }
-  /// Uniform in [0, 1).
+  /// Uniform number in [0, 1).
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
  private:
