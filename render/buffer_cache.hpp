@@ -1,6 +1,6 @@
 #pragma once
 
-// BufferCache: GPU copies of values that pictures share. Internal to render/.
+// BufferCache: GPU copies of values, shared by pictures. Internal to render/.
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace hariko::gl {
 
-/// GPU copies of values, known by the value's address. What no picture uses is dropped.
+/// Cache of GPU copies, keyed by the value's address. Copies that no picture uses are dropped.
 template <class Value, class Buffers>
 class BufferCache {
  public:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Owners of GL objects: created on construction, deleted on destruction; movable. Internal to render/.
+// Owners of GL objects: created by `make`, deleted on destruction; movable. Internal to render/.
 
 #include <epoxy/gl.h>
 
@@ -8,7 +8,7 @@
 
 namespace hariko::gl {
 
-/// Traits has create() -> GLuint and destroy(GLuint).
+/// Owner of a GL name. Traits has create() -> GLuint and destroy(GLuint).
 template <class Traits>
 class Object {
  public:
