@@ -7,7 +7,7 @@
 
 namespace hariko {
 
-/// A folder that goes with the program.
+/// Temporary folder that is removed with this object.
 class ScratchFolder {
  public:
   ScratchFolder() {

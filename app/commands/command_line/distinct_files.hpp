@@ -4,7 +4,7 @@
 
 namespace hariko {
 
-/// Throws CLI::ValidationError where a command would overwrite what it reads.
+/// Throws CLI::ValidationError where a command would overwrite its input.
 void check_distinct(const std::filesystem::path& in, const std::filesystem::path& out);
 
 }  // namespace hariko
