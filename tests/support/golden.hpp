@@ -1,6 +1,6 @@
 #pragma once
 
-// Reading of the reference files in tests/golden, on its own: it shares no code with the program's readers.
+// Independent reader of the reference files in tests/golden: it shares no code with the program's readers.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ inline nlohmann::json golden_json(const std::string& name) {
   return nlohmann::json::parse(file);
 }
 
-/// Plain "v" and "f" lines.
+/// Reads an OBJ file with plain "v" and "f" lines.
 inline PolygonMesh golden_obj(const std::string& name) {
   std::ifstream file(golden_path(name));
   if (!file) ADD_FAILURE() << "missing " << name;
@@ -49,6 +49,7 @@ inline PolygonMesh golden_obj(const std::string& name) {
   return mesh;
 }
 
+/// Edge by its key "a-b".
 inline EdgeId golden_edge(const std::string& key) {
   const std::size_t dash = key.find('-');
   return EdgeId::of({static_cast<std::uint32_t>(std::stoul(key.substr(0, dash)))},
@@ -73,7 +74,7 @@ inline Mode golden_mode(const std::string& name) {
   return name == "paper" ? Mode::paper : name == "target" ? Mode::target : Mode::fair;
 }
 
-/// One reference case: file stem, polyhedron, tension file (may be empty).
+/// Reference case: file stem, polyhedron, tension file (may be empty).
 struct GoldenCase {
   std::string stem, obj, tension;
   friend void PrintTo(const GoldenCase& c, std::ostream* out) { *out << c.stem; }

@@ -8,7 +8,7 @@
 
 namespace hariko::test {
 
-/// As long as it lives, what a foreign library allocates may be left behind: the leak checker looks away.
+/// Disables the leak checker during its life, for a foreign library that never frees its memory.
 class LeaksOfLibrary {
  public:
 #ifdef HARIKO_ADDRESS_SANITIZER
