@@ -39,8 +39,10 @@ class BackgroundWork {
         std::move(done));
   }
 
+  /// Calls `done` for finished jobs; returns their number.
   std::size_t publish() { return lane_.publish(); }
   bool idle() const { return lane_.idle(); }
+  /// Waits for all jobs, for tests and for shutting down.
   void wait() { lane_.wait(); }
 
  private:

@@ -1,5 +1,7 @@
 #pragma once
 
+// Crash handlers: reports of crashes, with the call stack.
+
 #include <filesystem>
 #include <string_view>
 

@@ -56,6 +56,7 @@ class DocumentSession {
   void update();
   /// Seconds until `update` has something to do; negative where it has nothing.
   double due_in() const;
+  /// Applies finished work; returns the number of jobs.
   std::size_t publish() { return background_.publish(); }
   bool idle() const { return background_.idle(); }
 

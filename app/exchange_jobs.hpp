@@ -34,10 +34,15 @@ class ExchangeJobs {
   void count_export(const std::filesystem::path& path, const ExportSettings& settings);
   /// Counts the faces that a CAD export would write; otherwise as `count_export`.
   void count_cad(const CadSettings& settings);
+  /// Cancels a running count.
   void cancel_count() { counting_.cancel(); }
+  /// Writes the document's triangles.
   void export_file(const std::filesystem::path& path, const ExportSettings& settings);
+  /// Writes the document's surfaces as STEP or IGES.
   void export_cad(const std::filesystem::path& path, const CadSettings& settings);
+  /// Writes pictures.
   void export_pictures(PictureOrder order);
+  /// Writes a line drawing.
   void export_drawing(DrawingOrder order);
   /// Writes the pages of the paper model as laid out.
   void export_pages(const std::filesystem::path& path);
@@ -58,7 +63,7 @@ class ExchangeJobs {
   Workbench& workbench_;
   BackgroundWork& work_;
   Log log_;
-  CancelToken counting_;  ///< of the last count for a dialog
+  CancelToken counting_;  ///< cancels the last count for a dialog
 };
 
 }  // namespace hariko

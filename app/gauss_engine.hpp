@@ -24,7 +24,7 @@ class GaussEngine {
 
   const Editor& editor_;
   GaussView& view_;
-  std::shared_ptr<const Object> object_;  ///< of the last request
+  std::shared_ptr<const Object> object_;  ///< object of the last request
   std::optional<Index> step_;
   WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };

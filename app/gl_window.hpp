@@ -26,7 +26,7 @@ class GlWindow {
     std::string title;
     int width = 1440, height = 900;  ///< screen coordinates
     double scale = 0;                ///< scale of the interface instead of the monitor's; 0: the monitor's
-    std::vector<Image> icons = {};   ///< of the window, in the available sizes; the desktop chooses
+    std::vector<Image> icons = {};   ///< window icons in the available sizes; the desktop chooses
   };
   /// Opens the window. Errors: E_NO_DISPLAY, E_NO_WINDOW (no OpenGL 3.3), both with advice.
   static Result<std::unique_ptr<GlWindow>> open(const Options& options);
@@ -48,6 +48,7 @@ class GlWindow {
 
   /// Sets colours and size from the next frame on; only between frames. True where something changed.
   bool set_appearance(ThemeId theme, float interface_scale);
+  /// Begins a frame of ImGui with the present batch of input.
   void begin_frame();
   /// Milliseconds for drawing the interface by OpenGL, and for showing the frame, which may wait for the
   /// screen.
@@ -66,7 +67,9 @@ class GlWindow {
   /// Whether the user asked to close the window since the last call.
   bool take_close();
   void set_title(const std::string& title);
+  /// Sizes of the interface at the present scale.
   const Metrics& metrics() const;
+  /// Size of the window in screen coordinates.
   int width() const;
   int height() const;
   /// Scale of the monitor, or the one that was requested.

@@ -13,15 +13,16 @@ namespace hariko {
 
 /// Event of the user. Keys, buttons and modifiers have GLFW's numbers.
 struct InputEvent {
+  /// Kinds of events; `leave` is the pointer leaving the window.
   enum class Kind { move, leave, button, wheel, key, text, focus, size, drop, close };
   Kind kind = Kind::move;
-  double x = 0, y = 0;    ///< of `move` and `size`: window coordinates; of `wheel`: steps
-  int code = 0;           ///< button; key by its place; character of `text`
-  int meant = 0;          ///< of `key`: code by the printed letter
-  bool down = false;      ///< of `button` and `key`; of `focus`: gained
-  bool repeated = false;  ///< of `key`: repeated by the keyboard
-  int modifiers = 0;      ///< of `button` and `key`
-  std::vector<std::filesystem::path> paths = {};  ///< of `drop`
+  double x = 0, y = 0;                            ///< window coordinates (`move`, `size`) or steps (`wheel`)
+  int code = 0;                                   ///< button; key by its place; character of `text`
+  int meant = 0;                                  ///< code by the printed letter (`key`)
+  bool down = false;                              ///< pressed (`button`, `key`) or gained (`focus`)
+  bool repeated = false;                          ///< repeated by the keyboard (`key`)
+  int modifiers = 0;                              ///< held modifiers (`button`, `key`)
+  std::vector<std::filesystem::path> paths = {};  ///< dropped files (`drop`)
 
   double came_at = 0;  ///< time; for merged moves that of the first
 

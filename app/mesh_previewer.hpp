@@ -23,7 +23,7 @@ class MeshPreviewer {
 
   Editor& editor_;
   std::function<void()> published_;
-  std::shared_ptr<const Object> object_;  ///< of the last request
+  std::shared_ptr<const Object> object_;  ///< object of the last request
   MeshingSettings settings_;
   WorkLane lane_;  ///< last: its thread stops before the other members are destroyed
 };

@@ -53,8 +53,8 @@ class PaperEngine {
 
   Editor& editor_;
   BackgroundWork& searches_;
-  std::optional<Source> source_;  ///< of the editor's mesh, or of its fault
-  std::optional<Source> asked_;   ///< of the mesh being made
+  std::optional<Source> source_;  ///< inputs of the editor's mesh, or of its fault
+  std::optional<Source> asked_;   ///< inputs of the mesh being made
   std::shared_ptr<const PaperModel> asked_model_, faulty_model_;
   std::uint64_t documents_ = 0;
   bool searching_ = false;

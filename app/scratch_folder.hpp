@@ -1,5 +1,7 @@
 #pragma once
 
+// ScratchFolder: a temporary folder of the program.
+
 #include <cstdlib>
 #include <filesystem>
 #include <string>

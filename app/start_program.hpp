@@ -1,5 +1,7 @@
 #pragma once
 
+// Start of other programs.
+
 #include <string>
 #include <vector>
 

@@ -28,9 +28,9 @@ class SurfaceBuilder final : public ViewBuilder {
   ObjectPointers made_beside_;               ///< its neighbours then
   PolyhedronSurface last_;
   Quality last_quality_ = Quality::drag;
-  std::shared_ptr<const DisplayMesh> base_mesh_;  ///< of the whole surface, for revision base_revision_
+  std::shared_ptr<const DisplayMesh> base_mesh_;  ///< mesh of the whole surface, for revision base_revision_
   std::uint64_t base_revision_ = 0, facet_revision_ = 0;
-  std::shared_ptr<const CombLines> combs_;  ///< of last_
+  std::shared_ptr<const CombLines> combs_;  ///< combs of last_
   SurfaceMap map_ = SurfaceMap::shaded;
   MapRange range_settings_;
   ValueRange range_;

@@ -21,7 +21,9 @@ class TestLog {
   /// An empty path logs nothing.
   explicit TestLog(const std::filesystem::path& path);
 
+  /// Logs a finished view of an object.
   void rebuilt(ObjectId object, const SurfaceView& view);
+  /// Logs an event about a file.
   void file(const char* what, const std::filesystem::path& path);
   /// Counts changes of keys and buttons in the input of the next frame; they are logged once that frame has
   /// handled them.

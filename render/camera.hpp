@@ -19,6 +19,7 @@ enum class StandardView { iso, front, back, left, right, top, bottom };
 
 /// View by its name "iso", "front", ...; nothing for other words.
 std::optional<StandardView> standard_view_from(std::string_view name);
+/// Inverse of `standard_view_from`.
 std::string_view to_string(StandardView view);
 
 /// Half-line in the world.
@@ -49,6 +50,7 @@ struct Camera {
   double field_of_view = 0.5;  ///< vertical, radians, in (0, pi)
   bool orthographic = false;   ///< orthographic; the target's plane has the same size as in perspective
 
+  /// Camera with the orientation of a standard view.
   static Camera standard(StandardView view);
 
   Vector3 right() const { return orientation * Vector3::UnitX(); }

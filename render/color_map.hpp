@@ -59,6 +59,7 @@ Color mark_color(Continuity continuity);
 /// Interval of map values.
 struct ValueRange {
   double low = 0, high = 1;
+  /// Position of a value in the range, not clamped; 1/2 for an empty range.
   double fraction(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
   friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };
@@ -74,6 +75,7 @@ double scale_fraction(ColorScale scale, ValueRange range, double value);
 struct ScaleSlopes {
   double pivot = 0, place = 0, below = 0, above = 0;
 };
+/// Coefficients for a scale over a range.
 ScaleSlopes scale_slopes(ColorScale scale, ValueRange range);
 
 /// Least and greatest value; {0, 1} without values. NaN and infinite values are ignored, here and below.

@@ -72,7 +72,7 @@ class DisplayMesh {
   struct Chunk {
     std::vector<DisplayVertex> vertices;
     std::vector<float> values;  ///< one a vertex, or empty
-    Box3 box;                   ///< of the positions
+    Box3 box;                   ///< bounding box of the positions
   };
   /// Part that depends on adjacency and density only.
   struct Curves {
@@ -94,6 +94,7 @@ class DisplayMesh {
   Index patch_count() const { return patch_count_; }
   Index vertices_per_patch() const { return static_cast<Index>(pattern_.point_count()); }
   std::size_t vertex_count() const { return std::size_t(patch_count_) * vertices_per_patch(); }
+  /// Number of triangles of all patches.
   std::size_t triangle_count() const;
   const std::vector<std::shared_ptr<const Chunk>>& chunks() const { return chunks_; }
   const DisplayVertex& vertex(std::size_t number) const;

@@ -22,11 +22,13 @@ struct EdgeCurves {
   std::vector<Index> offsets;                         ///< into `runs`: by edge, and the end
   std::vector<Run> runs;
 
+  /// Curves over an edge.
   std::span<const Run> of(Index edge) const {
     return {runs.data() + offsets[edge], runs.data() + offsets[edge + 1]};
   }
   /// Whether the surface has a curve over the edge.
   bool covers(Index edge) const { return edge + 1 < offsets.size() && offsets[edge] < offsets[edge + 1]; }
+  /// Segments of a curve.
   std::span<const CurveSegment> segments(const Run& run) const {
     return std::span(curves->segments[std::size_t(run.kind)]).subspan(run.first, run.count);
   }

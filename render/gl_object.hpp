@@ -13,6 +13,7 @@ template <class Traits>
 class Object {
  public:
   Object() = default;
+  /// Creates a GL object; the default constructor creates none.
   static Object make() {
     Object object;
     object.name_ = Traits::create();
@@ -33,6 +34,7 @@ class Object {
   GLuint name_ = 0;
 };
 
+/// Creation and deletion of buffers; likewise the traits below for their kinds of objects.
 struct BufferTraits {
   static GLuint create() {
     GLuint name = 0;

@@ -32,7 +32,7 @@ GridLines grid_lines(const GridSettings& grid, double height);
 
 /// Number at the border of a view: the coordinate of a grid line.
 struct GridLabel {
-  bool upright = false;  ///< of a vertical line: placed at the lower border; others at the left one
+  bool upright = false;  ///< belongs to a vertical line, at the lower border; others are at the left one
   double pixel = 0;      ///< position where the line meets that border, from the left or from above
   double value = 0;      ///< in the document's unit
 };

@@ -24,6 +24,7 @@ struct TexturedBuffer {
   std::size_t bytes = 0;
   /// Allocates and fills the buffer; `data` may be null.
   void allocate(std::size_t size, const void* data, GLenum format, GLenum usage);
+  /// Binds the buffer texture to a texture unit.
   void bind_texture(int unit) const;
 };
 
@@ -37,6 +38,7 @@ struct PatchIndices {
 /// Cache of index buffers by pattern and number of patches.
 class IndexCache {
  public:
+  /// Indices for this many patches on a grid; uploaded where they are not in use already.
   std::shared_ptr<const PatchIndices> get(const GridPattern& pattern, Index patch_count,
                                           std::size_t& uploaded);
 
@@ -72,7 +74,7 @@ class MeshBuffers {
   VertexArray vertex_array_;
   TexturedBuffer vertices_, patch_colors_;
   Buffer values_;
-  std::vector<std::vector<int>> neighbours_;  // of each grid point, to fill in undefined values
+  std::vector<std::vector<int>> neighbours_;  // neighbours of each grid point, to fill in undefined values
   std::shared_ptr<const PatchIndices> indices_;
   /// Uploaded chunks, kept so that addresses stay unique.
   std::vector<std::shared_ptr<const DisplayMesh::Chunk>> chunks_;

@@ -54,8 +54,10 @@ struct LineLook {
 /// Drawing commands with their GL programs and streaming buffers.
 class Painter {
  public:
+  /// Compiles the usual programs. Errors: E_SHADER_SOURCE, E_GL_SHADER.
   static Result<Painter> create();
 
+  /// Draws the background.
   void background(const Style& style, Background background);
   /// Draws the ground grid or, for an orthographic camera that looks along an axis, a grid in the plane
   /// perpendicular to it, as a backdrop to be drawn first.
@@ -73,6 +75,7 @@ class Painter {
     GLuint array = 0;
     GLsizei count = 0;
   };
+  /// Draws line instances.
   void lines(const Frame& frame, const Matrix4& model, const Lines& lines, const LineStyle& style,
              Depth depth, float opacity, const LineLook& look = {});
   /// Draws some edges of a polyhedron.
@@ -88,17 +91,20 @@ class Painter {
   /// Draws some points of a polyhedron.
   void some_points(const Frame& frame, const Matrix4& model, const PolyhedronBuffers& buffers,
                    std::span<const Index> vertices, const PointStyle& style, Depth depth, float opacity);
+  /// Draws some faces of a polyhedron in one colour, as fans round their centres.
   void faces(const Frame& frame, const Matrix4& model, const DisplayPolyhedron& polyhedron,
              std::span<const Index> faces, const Color& paint);
   /// Draws some faces of bodies, given by ascending numbers: those that face the eye, without a depth test.
   void bodies(const Frame& frame, const Matrix4& model, const BodyBuffers& buffers,
               std::span<const Index> faces, const BodyStyle& style, float opacity);
+  /// Draws free lines over the scene.
   void overlay(const Frame& frame, std::span<const OverlayLine> lines);
   /// Draws the area that a mesh covers in one colour, nearest first, into a mask.
   void silhouette(const Frame& frame, const Matrix4& model, const MeshBuffers& mesh, const Color& paint);
   /// Draws lines round the areas of a silhouette mask.
   void silhouette_lines(const Frame& frame, GLuint mask, const Style& style);
 
+  /// Sets the statistics that the following calls add to.
   void reset(FrameStatistics* statistics) { statistics_ = statistics; }
 
  private:

@@ -14,6 +14,7 @@ namespace hariko {
 
 inline constexpr Code e_picture_size{"E_PICTURE_SIZE"};
 inline constexpr Code e_nothing_to_show{"E_NOTHING_TO_SHOW"};
+/// Largest width and height of a picture, pixels.
 inline constexpr int max_picture_side = 8192;
 
 /// Size check: E_PICTURE_SIZE where a side is not 1 .. 8192.

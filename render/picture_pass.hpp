@@ -36,8 +36,10 @@ class PicturePass {
             FrameStatistics& statistics);
   /// Sets the number of bytes that the next drawing may upload.
   void begin(std::size_t budget) { budget_ = budget; }
+  /// Removes the marks of pictures from their textures.
   void release(unsigned picture_bits) { textures_.release(picture_bits); }
   void drop_unused() { textures_.drop_unused(); }
+  /// Frees the program, to be compiled again.
   void forget_program() { program_.reset(); }
 
  private:

@@ -21,6 +21,7 @@ class Program {
   /// E_SHADER_SOURCE, E_GL_SHADER with the compiler's log.
   static Result<Program> load(const std::string& name, const std::string& defines = {});
 
+  /// Makes the program current.
   void use() const { glUseProgram(name_.name()); }
   // Uniforms of the program in use. Names that the compiler removed are ignored.
   void set(std::string_view uniform, int value) const { glUniform1i(location(uniform), value); }
@@ -50,6 +51,7 @@ glm::mat3 to_float(const Matrix3& m);
 inline glm::vec3 to_float(const Vector3& v) {
   return {v.x(), v.y(), v.z()};
 }
+/// Colour without alpha.
 inline glm::vec3 rgb(const Color& c) {
   return {c.r, c.g, c.b};
 }

@@ -56,6 +56,7 @@ struct LocalRay {
   Ray ray;
   double scale = 1;  ///< world length of a local unit
 };
+/// World ray in local coordinates of an object whose transform is a similarity.
 inline LocalRay to_local(const Ray& ray, const Matrix4& transform, const Vector3& origin) {
   const Matrix3 linear = transform.topLeftCorner<3, 3>();
   const double scale = std::cbrt(std::abs(linear.determinant()));

@@ -23,7 +23,7 @@ Result<PixelSize> reference_size(std::string_view file);
 
 /// Reference picture with mipmap levels.
 struct ReferenceImage {
-  PixelSize size;  ///< of the file, upright
+  PixelSize size;  ///< upright size of the file
   /// Mipmap levels, with premultiplied alpha. Each has half the sides of the one before, rounded down; the
   /// last is one pixel. The first is the picture itself, reduced as far as `most_kept_pixels` and
   /// `longest_side` require.
@@ -32,6 +32,7 @@ struct ReferenceImage {
   static constexpr std::int64_t most_kept_pixels = 32'000'000;
   static constexpr int longest_side = 8192;
 
+  /// Memory of all levels.
   std::size_t bytes() const;
 };
 

@@ -36,6 +36,7 @@ Highlights pick_lasso(const SceneObject& object, const Projector& projector, std
 class Occlusion {
  public:
   Occlusion(const Scene& scene, const Projector& projector);
+  /// Whether a world point is visible: not cut away, and not behind a face by more than a few pixels' length.
   bool visible(const Vector3& world) const;
 
  private:

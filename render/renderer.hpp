@@ -65,6 +65,7 @@ class Renderer {
   void forget(int picture);
   /// Waits until the GPU (or the driver's threads) has finished all drawing, for measurements.
   void finish() const;
+  /// Statistics of the last drawing.
   const FrameStatistics& statistics() const;
 
   /// Whether a shader file on disk (HARIKO_SHADERS) changed since it was compiled.

@@ -59,6 +59,7 @@ struct Style {
   float dimming = 0.2F;
 };
 
+/// Style for a background.
 Style style_of(Background background);
 
 }  // namespace hariko::gl

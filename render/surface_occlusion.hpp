@@ -19,6 +19,7 @@ class SurfaceOcclusion {
   /// patches are used. O(triangles + cells).
   SurfaceOcclusion(const std::vector<SceneObject>& objects, const std::optional<SectionPlane>& section,
                    const Projector& projector, double cell = 4);
+  /// Whether surfaces hide a world point.
   bool hides(const Vector3& world) const;
 
  private:

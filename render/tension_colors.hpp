@@ -12,6 +12,7 @@ double alpha_place(double alpha);
 double beta_place(double beta);
 /// Position on ColorScale::diverging_safe; weak tensions avoid its pale middle, which means none.
 double tension_fraction(double place);
+/// Colour of a position.
 Color tension_color(double place);
 
 }  // namespace hariko

@@ -18,6 +18,7 @@ class TextPainter {
   TextPainter(TextPainter&&) noexcept;
   TextPainter& operator=(TextPainter&&) noexcept;
 
+  /// Whether a font was found.
   bool available() const;
   /// Width in pixels of UTF-8 text at a size in pixels (of the em).
   double width(std::string_view text, double size);

@@ -45,9 +45,9 @@ struct SolidsConstruction {
 
 /// Construction of all surfaces, instead of the document's own, and reading of meshes.
 struct Construction {
-  std::optional<Mode> mode;                 ///< of polyhedra; also of outlines where it is `fair` or `g2`
-  std::optional<Frames> frames = {};        ///< of polyhedra
-  std::optional<bool> merge_coplanar = {};  ///< of polyhedra: merging of coplanar faces
+  std::optional<Mode> mode;                 ///< mode of polyhedra, and of outlines where it is `fair` or `g2`
+  std::optional<Frames> frames = {};        ///< frames of polyhedra
+  std::optional<bool> merge_coplanar = {};  ///< merging of coplanar faces of polyhedra
   OutlineConstruction outlines = {};
   SolidsConstruction solids = {};
   Reading reading = {};

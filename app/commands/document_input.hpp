@@ -1,5 +1,7 @@
 #pragma once
 
+// Reading of a command's input file, with the choices of its options.
+
 #include <filesystem>
 #include <optional>
 

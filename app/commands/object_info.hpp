@@ -37,7 +37,7 @@ struct EnvelopeInfo {
 struct SkinInfo {
   std::size_t sections = 0;
   std::string method;                        ///< "smooth", "anchored" or "pleat"
-  std::size_t rows = 0, columns = 0;         ///< of the control mesh; columns only for a regular grid
+  std::size_t rows = 0, columns = 0;         ///< size of the control mesh; columns only for a regular grid
   std::map<std::string, int> extraordinary;  ///< as in `ControlMeshFigures`
   std::size_t creases = 0, regular_faces = 0;
   std::optional<double> condition;   ///< condition number of the limit matrix; nothing where it is singular
@@ -68,6 +68,7 @@ struct ObjectInfo {
   std::vector<Message> messages;
   std::vector<std::pair<std::string, double>> milliseconds;  ///< step and time
 
+  /// Whether there is an error among the messages.
   bool failed() const;
 };
 

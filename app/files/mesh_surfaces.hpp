@@ -27,6 +27,7 @@ struct MeshedObject {
   /// or the mesh itself does not keep them.
   std::optional<double> most_turn = {};
 
+  /// Mesh for writing, with the rounding that it allows; borrows from this object.
   NamedTriangles named() const { return {name, &result.mesh, colour, most_rounding, most_turn}; }
   /// Adds the effect of the file's rounding to the errors of the mesh.
   void add(const FileRounding& rounding);

@@ -17,7 +17,7 @@ namespace hariko {
 /// Result of opening a file.
 struct OpenedFile {
   std::optional<Document> document;  ///< nothing where there is an error among the messages
-  std::vector<Message> messages;     ///< of reading and, for a mesh that makes no polyhedron, of validation
+  std::vector<Message> messages;  ///< from reading and, for a mesh that makes no polyhedron, from validation
   /// First mesh that was read but makes no polyhedron, for reports and repairs.
   std::optional<PolygonMesh> broken_mesh;
   /// Document with broken meshes changed by `make_manifold`, and with reference facets instead; nothing where

@@ -27,13 +27,15 @@ class SettingsFile {
  public:
   explicit SettingsFile(std::filesystem::path file) : file_(std::move(file)) {}
 
+  /// Content of the file, with its problems.
   struct Loaded {
     Settings settings;
     ExportMemory exports;
     /// W_SETTINGS_BROKEN: the file was no JSON object and was renamed, to the name in the text.
-    /// W_SETTINGS_VALUE: names the members that were not used.
+    /// W_SETTINGS_VALUE: names the members that were not used. Errors of reading an existing file.
     std::vector<Message> problems;
   };
+  /// Reads the file; defaults where there is none.
   Loaded load();
   /// Writes the settings. Keeps members of the file that this version does not know, and mesh and CAD formats
   /// that `exports` lacks. Errors: E_FILE_WRITE.

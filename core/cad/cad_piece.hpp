@@ -44,6 +44,7 @@ struct CadPiece {
 
   Index columns() const { return Index(s.size() - 1); }
   Index rows() const { return Index(t.size() - 1); }
+  /// Number of cells along a side.
   Index cell_count(int side) const { return side % 2 == 0 ? columns() : rows(); }
   /// Length of a side in its own parameter, which begins at 0.
   double length(int side) const { return side % 2 == 0 ? s.back() : t.back(); }
@@ -80,6 +81,7 @@ std::optional<int> bezier_degree(const BezierPatchSet& patches);
 class PieceEvaluator {
  public:
   PieceEvaluator(const Surface& surface, const CadPiece& piece);
+  /// Point at (s, t); where `order` is first, second derivatives are zero.
   PatchPoint at(double s, double t, Order order = Order::first) const;
 
  private:

@@ -23,6 +23,7 @@ inline constexpr double along_share = 0.5;
 /// shape.
 inline constexpr double narrowest_span = 1.0 / 1024;
 
+/// Width of a span in the parameter.
 inline double span_width(const SplineSpace& space, std::size_t span) {
   return space.breaks[span + 1] - space.breaks[span];
 }
@@ -34,6 +35,7 @@ bool halve(SplineSpace& space, const std::vector<char>& marked);
 struct SpanPlaces {
   std::vector<double> at, weight;
 };
+/// Gauss-Legendre rule with `count` places, computed once.
 const SpanPlaces& span_places(int count);
 
 /// Point of a curve on a surface, with the data that a fit needs there.

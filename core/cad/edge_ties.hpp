@@ -76,6 +76,7 @@ class EdgeTies {
   double miss(const EdgePlace& at) const { return at.sine * at.jump / limits_.angle; }
   /// Largest `miss` along an edge.
   double worst(Index edge) const;
+  /// Places along an edge; none where it ties no faces.
   std::vector<EdgePlace>& places(Index edge) { return places_[edge]; }
   const std::vector<EdgePlace>& places(Index edge) const { return places_[edge]; }
   /// Conditions of a fitted face; `wanted` gives their values in the same order.

@@ -342,7 +342,7 @@ class Merger {
 
   const Surface& surface_;
   const BezierPatchSet* bezier_;  ///< the surface's patches where they are Bezier patches, else null
-  int degree_ = 0;                ///< of Bezier patches that may be joined
+  int degree_ = 0;                ///< degree of Bezier patches that may be joined
   double rounding_ = 0;
   std::vector<PatchSide> across_;  ///< patch side beyond each side, where both are one spline
   std::vector<double> width_;      ///< width of that patch across the side, where the own one is 1

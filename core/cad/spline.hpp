@@ -12,6 +12,7 @@
 
 namespace hariko {
 
+/// Largest degree that evaluation supports.
 inline constexpr int max_spline_degree = 9;
 
 /// Space of splines of one degree over given breaks: ascending, the ends included, at least two.
@@ -50,6 +51,7 @@ struct SplineCurve {
   SplineSpace space;
   std::vector<Vector3> points;
 };
+/// Point of a curve with its first derivative.
 struct SplinePoint {
   Vector3 position = Vector3::Zero(), derivative = Vector3::Zero();
 };

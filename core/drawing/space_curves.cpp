@@ -233,7 +233,7 @@ std::vector<SpaceCurve> crease_curves(const SurfaceGrid& grid, const DrawingView
 
 std::vector<SpaceCurve> silhouettes(const SurfaceGrid& grid, const DrawingView& view,
                                     const CancelToken& cancel) {
-  constexpr double noise = 1e-9;  // of a cosine
+  constexpr double noise = 1e-9;  // rounding error of a cosine
   Contours contours(
       grid,
       [&view](const Vector3& position, const Vector3& normal) {

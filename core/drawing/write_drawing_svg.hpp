@@ -1,5 +1,7 @@
 #pragma once
 
+// Writer of line drawings as SVG.
+
 #include <cstdint>
 #include <string>
 
@@ -9,6 +11,7 @@ namespace hariko {
 
 /// Unit of the numbers in a file; a pixel is 1/96 inch.
 enum class PageUnit : std::uint8_t { pixel, millimetre };
+/// Pixels in a millimetre.
 inline constexpr double pixels_per_millimetre = 96 / 25.4;
 inline constexpr double least_page_side = 10, most_page_side = 2000;  ///< sensible range, mm
 

@@ -9,6 +9,7 @@
 
 namespace hariko {
 
+/// Axis of a file that points upwards.
 enum class UpAxis { z, y };
 
 /// Map from the document's space to a file's: rotation of the up axis, and scale.
@@ -16,6 +17,7 @@ struct FileSpace {
   double factor = 1;  ///< file units per document unit; above 0, finite
   UpAxis up = UpAxis::z;
 
+  /// Whether the map is the identity.
   bool is_same() const { return factor == 1 && up == UpAxis::z; }
   /// Direction in the file: the document's z becomes the file's up axis, without mirroring.
   Vector3 turned(const Vector3& v) const { return up == UpAxis::z ? v : Vector3{v.x(), v.z(), -v.y()}; }

@@ -29,6 +29,7 @@ class GltfFields {
   const std::optional<Message>& error() const { return error_; }
   /// Notes an error. Always returns false, so that callers can return it.
   bool fail(Message message);
+  /// Notes E_PARSE at a place.
   bool fail(const std::string& place, const std::string& sentence);
 
   /// Object number `number` in a list of the root; null, with an error noted, where there is none.

@@ -1,5 +1,7 @@
 #pragma once
 
+// Names of meshes in text formats. Internal to core/exchange.
+
 #include <string>
 #include <string_view>
 

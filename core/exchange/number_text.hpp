@@ -22,6 +22,7 @@ NumberStatus parse_integer(std::string_view text, std::int64_t& value);
 /// Appends the shortest text that reads back as the same number.
 void append_real(std::string& out, double value);
 void append_real(std::string& out, float value);
+/// Appends a non-negative integer.
 void append_integer(std::string& out, std::uint64_t value);
 
 }  // namespace hariko

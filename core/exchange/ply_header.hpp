@@ -17,6 +17,7 @@ enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64
 
 /// Size of a number in a binary file, bytes.
 std::size_t ply_size(PlyType type);
+/// Whether a type is an integer type.
 bool is_integer(PlyType type);
 
 /// Property of an element: a number or a list of numbers.

@@ -18,6 +18,7 @@ class PointWelder {
   /// Prefetches the slot that `add` will look at, as a large table is not in the cache. Any numbers are
   /// allowed.
   void expect(Vector3 position) const;
+  /// Hands out the positions, by index.
   std::vector<Vector3> take_positions() { return std::move(positions_); }
   std::size_t size() const { return positions_.size(); }
 

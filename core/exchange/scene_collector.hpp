@@ -29,6 +29,7 @@ class SceneCollector {
   /// outside stays outside. Errors: E_PARSE where a position overflows.
   std::optional<Message> add(PolygonMesh mesh, const Placement& placement, std::string_view name);
 
+  /// Counts degenerate triangles that were left out, for one warning.
   void note_degenerate(std::size_t count) { degenerate_ += count; }
   void warn(Message warning) { scene_.warnings.push_back(std::move(warning)); }
   /// Collected scene; E_EMPTY where no triangle was added.

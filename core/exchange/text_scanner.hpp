@@ -48,6 +48,7 @@ class TextScanner {
   std::size_t line() const { return line_; }
   std::size_t remaining() const { return static_cast<std::size_t>(end_ - cursor_); }
   const char* position() const { return cursor_; }
+  /// Token that was read last.
   std::string_view last_token() const {
     return {token_begin_, static_cast<std::size_t>(cursor_ - token_begin_)};
   }

@@ -23,6 +23,7 @@ struct FaceTriangles {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> faces;
 };
+/// Triangulates all faces of a mesh by `triangulate_polygon`.
 FaceTriangles triangulate(const PolygonMesh& mesh);
 
 }  // namespace hariko

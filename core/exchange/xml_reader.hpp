@@ -29,7 +29,9 @@ class XmlAttributes {
 class XmlTarget {
  public:
   virtual ~XmlTarget() = default;
+  /// Called at the start of an element.
   virtual void start(std::string_view name, const XmlAttributes& attributes) = 0;
+  /// Called at the end of an element.
   virtual void end() {}
   /// Called for a namespace prefix, before `start` of the element that declares it.
   virtual void declare(std::string_view, std::string_view /*uri*/) {}

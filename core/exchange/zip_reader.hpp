@@ -22,6 +22,7 @@ class ZipReader {
 
   /// Receiver of unpacked bytes; returning false ends the unpacking.
   using Sink = std::function<bool(std::string_view piece)>;
+  /// Whether the archive has a part of this name; names are case-insensitive.
   bool has(const std::string& name) const;
   /// Unpacked size of the part as the archive gives it; 0 where it does not.
   std::uint64_t size(const std::string& name) const;

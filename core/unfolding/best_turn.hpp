@@ -12,7 +12,7 @@ namespace hariko {
 struct BestTurn {
   double angle = 0;   ///< radians, counter-clockwise
   double factor = 0;  ///< by which the points could be scaled and still fit; below 1 they do not fit
-  PaperSize size;     ///< of the points' box at this angle
+  PaperSize size;     ///< box of the points at this angle
 };
 
 /// Best rotation over all whole degrees of a half turn, refined round the best one to 1e-5 radians.

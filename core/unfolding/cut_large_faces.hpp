@@ -23,6 +23,7 @@ struct CutFaces {
 /// Errors: those of `check_settings`; E_PAPER_SETTING where the model would need more than `most_pages`
 /// pages.
 Result<CutFaces> cut_large_faces(const PolygonMesh& mesh, const PaperSettings& settings);
+/// Largest number of pages of a model.
 inline constexpr double most_pages = 2000;
 
 /// W_FACET_CUT for a number of divided faces.

@@ -65,7 +65,7 @@ class EarCutter {
 
   std::vector<Vector2> points_;
   std::vector<Index> ring_;
-  std::vector<double> score_;  ///< of the ear at each corner of the ring
+  std::vector<double> score_;  ///< score of the ear at each corner of the ring
   double largest_ = 0;
 };
 

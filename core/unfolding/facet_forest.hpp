@@ -45,8 +45,10 @@ class FacetForest {
   /// Upper bound of piece numbers, which begin at 0; some pieces may be empty.
   std::size_t piece_slots() const { return members_.size(); }
   const std::vector<Index>& members(Index piece) const { return members_[piece]; }
+  /// Number of pieces that are not empty. O(pieces).
   std::size_t piece_count() const;
 
+  /// Constraint on an edge.
   EdgeRule rule(Index edge) const { return rules_->empty() ? EdgeRule::free : (*rules_)[edge]; }
   /// Neighbour across a side; no_index where there is none or the edge must be cut.
   Index reachable(Index facet, Index side) const {
@@ -62,6 +64,7 @@ class FacetForest {
   bool fits(Index piece, const std::vector<FacetMove>& moves) const;
   /// Whether the corners overlap no facet of the piece.
   bool is_free(Index piece, const FacetCorners& corners) const;
+  /// Whether none of the moves overlaps a facet of the piece.
   bool is_free(Index piece, const std::vector<FacetMove>& moves) const;
   /// Appends the facets of the piece that overlap the corners.
   void find_overlapped(Index piece, const FacetCorners& corners, std::vector<Index>& out) const;
@@ -87,6 +90,7 @@ class FacetForest {
     }
   }
 
+  /// Folds of the present pieces. O(facets).
   Folds folds() const;
 
  private:

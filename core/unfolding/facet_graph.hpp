@@ -76,6 +76,7 @@ class FacetGraph {
   Index component(Index facet) const { return component_of_[facet]; }
 
   double area(Index facet) const { return areas_[facet]; }
+  /// Sum of the facets' areas. O(facets).
   double total_area() const;
   double longest_edge() const { return longest_edge_; }
   /// Outward unit normal.

@@ -18,6 +18,7 @@ class FacetGrid {
   /// but not scaled.
   explicit FacetGrid(const std::vector<FacetCorners>& shapes);
 
+  /// Inserts a facet of a piece at these corners.
   void insert(Index piece, Index facet, const FacetCorners& corners);
   /// Removes a facet; arguments as when it was inserted.
   void remove(Index piece, Index facet, const FacetCorners& corners);

@@ -14,7 +14,7 @@ enum class GrowthOrder { long_edges, flat_edges, first_come, round, shuffled };
 /// Order and seed of a start.
 struct Growth {
   GrowthOrder order = GrowthOrder::long_edges;
-  std::uint64_t seed = 0;  ///< of the first facet, or of the shuffle; equal seeds give equal pieces
+  std::uint64_t seed = 0;  ///< for the first facet or the shuffle; equal seeds give equal pieces
 };
 
 /// Prim's algorithm on the dual graph: attaches a facet where it overlaps no facet of the piece and fits; a

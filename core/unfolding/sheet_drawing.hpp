@@ -13,6 +13,7 @@ namespace hariko {
 
 /// Layers, one for each operation of a cutter or plotter.
 enum class SheetLayer : std::uint8_t { cut, fold_mountain, fold_valley, tab, label, strip };
+/// All layers.
 inline constexpr SheetLayer sheet_layers[] = {SheetLayer::cut,         SheetLayer::fold_mountain,
                                               SheetLayer::fold_valley, SheetLayer::tab,
                                               SheetLayer::label,       SheetLayer::strip};

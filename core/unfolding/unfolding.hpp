@@ -29,7 +29,7 @@ inline constexpr double smallest_paper_model = 10, largest_paper_model = 2000;
 /// Piece of a paper model.
 struct PaperPiece {
   std::vector<Index> facets;  ///< root first, which has the lowest number; parents before children
-  PiecePlacement placement;   ///< of the frame in which the root has its position of `facet_shapes`
+  PiecePlacement placement;   ///< places the frame in which the root lies as in `facet_shapes`
 };
 
 /// Paper model: the designer's decisions (settings, folds, wishes, choices of tabs, placements) and

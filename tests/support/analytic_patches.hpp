@@ -207,6 +207,7 @@ inline Surface height_field(Index columns, Index rows, const std::function<Heigh
 inline Height saddle() {
   return [](double x, double y) { return std::array<double, 6>{x * y, y, x, 0, 1, 0}; };
 }
+/// Plane z = offset + slope_x x + slope_y y.
 inline Height plane(double slope_x = 0, double slope_y = 0, double offset = 0) {
   return [=](double x, double y) {
     return std::array<double, 6>{offset + slope_x * x + slope_y * y, slope_x, slope_y, 0, 0, 0};

@@ -16,10 +16,12 @@
 
 namespace hariko::test {
 
+/// Path of a reference file.
 inline std::string golden_path(const std::string& name) {
   return test::source_folder() + "/tests/golden/" + name;
 }
 
+/// JSON of a reference file; a missing file fails the test.
 inline nlohmann::json golden_json(const std::string& name) {
   std::ifstream file(golden_path(name));
   if (!file) ADD_FAILURE() << "missing " << name;
@@ -56,6 +58,7 @@ inline EdgeId golden_edge(const std::string& key) {
                     {static_cast<std::uint32_t>(std::stoul(key.substr(dash + 1)))});
 }
 
+/// Shaping from a tension file.
 inline Shaping golden_tension(const std::string& name) {
   const nlohmann::json json = golden_json(name);
   Shaping shaping;
@@ -70,6 +73,7 @@ inline Shaping golden_tension(const std::string& name) {
   return shaping;
 }
 
+/// Mode by its name in file names.
 inline Mode golden_mode(const std::string& name) {
   return name == "paper" ? Mode::paper : name == "target" ? Mode::target : Mode::fair;
 }
@@ -80,6 +84,7 @@ struct GoldenCase {
   friend void PrintTo(const GoldenCase& c, std::ostream* out) { *out << c.stem; }
 };
 
+/// All reference cases.
 inline std::vector<GoldenCase> golden_cases() {
   std::vector<GoldenCase> cases;
   for (const char* model : {"cube", "octahedron", "grid3", "fig2", "fig2_open", "prism6"})
@@ -93,6 +98,7 @@ inline std::vector<GoldenCase> golden_cases() {
   return cases;
 }
 
+/// Input of a surface from reference files.
 inline PolyhedronSurfaceInput golden_input(const std::string& obj, Mode mode,
                                            const std::string& tension = {}) {
   PolyhedronSurfaceInput input{Polyhedron::build(golden_obj(obj)).value(), {}, mode, Vector3::Zero()};

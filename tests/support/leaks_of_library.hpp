@@ -1,5 +1,7 @@
 #pragma once
 
+// LeaksOfLibrary: exemption of foreign libraries from the leak checker.
+
 #include "core/base/sanitizer.hpp"
 
 #ifdef HARIKO_ADDRESS_SANITIZER

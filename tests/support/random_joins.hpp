@@ -25,6 +25,7 @@ struct JoinCase {
   }
 };
 
+/// Random mesh with a border.
 inline PolygonMesh random_open_mesh(std::mt19937_64& rng) {
   switch (uniform_int(rng, 0, 3)) {
     case 0:
@@ -56,6 +57,7 @@ struct BorderVertex {
   Index corners = 0;
 };
 
+/// Random tangent planes and tangents at all border vertices.
 inline std::vector<BorderVertex> random_border(const Polyhedron& polyhedron, std::mt19937_64& rng) {
   const HalfEdgeMesh& mesh = polyhedron.topology();
   std::vector<BorderVertex> out(mesh.vertex_count());

@@ -1,5 +1,7 @@
 #pragma once
 
+// Check that a command does not overwrite its input. Internal to this folder.
+
 #include <filesystem>
 
 namespace hariko {

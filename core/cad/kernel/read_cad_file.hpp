@@ -33,6 +33,7 @@ struct CadReadOptions {
   bool patches = true;  ///< false: all faces become triangles
 };
 inline constexpr double usual_cad_mesh_tolerance = 5e-4;  ///< relative to the part's diagonal
+/// Limits of a CAD file, above which reading gives E_LIMIT.
 inline constexpr std::uint64_t max_cad_file_bytes = std::uint64_t{1} << 29;
 inline constexpr std::size_t max_cad_parts = 10'000;
 /// Limit of the patches of a file, the same as of one object; above it everything becomes triangles.

@@ -8,8 +8,10 @@
 
 namespace hariko::by_opencascade {
 
+/// See cad_file.hpp.
 Result<CadFile> make_cad_file(std::span<const CadObject> objects, const CadFileOptions& options,
                               const CancelToken& cancel, const Progress& progress);
+/// See read_cad_file.hpp.
 Result<CadScene> read_cad_file(const std::filesystem::path& path, const CadReadOptions& options,
                                const CancelToken& cancel, const Progress& progress);
 
