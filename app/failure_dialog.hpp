@@ -1,6 +1,6 @@
 #pragma once
 
-// Report of a failure to open a window: without OpenGL there is no own interface to show it.
+// Report of a failure to open a window: without OpenGL the program cannot show it itself.
 
 #include "core/base/message.hpp"
 

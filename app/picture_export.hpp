@@ -8,8 +8,8 @@
 
 namespace hariko {
 
-/// Draws the pictures in an own GL context and writes them one after the other, each file atomically. Errors:
-/// those of PictureDrawer and `write_png`; E_CANCELLED. Files of an incomplete series are removed.
+/// Draws the pictures in a GL context of its own and writes them one after the other, each file atomically.
+/// Errors: those of PictureDrawer and `write_png`; E_CANCELLED. Files of an incomplete series are removed.
 Result<Done> write_pictures(const PictureOrder& order, const CancelToken& cancel, const Progress& progress);
 
 }  // namespace hariko

@@ -83,7 +83,7 @@ class ReplayPlayer {
   explicit ReplayPlayer(Replay replay, bool skip_pauses = false)
       : replay_(std::move(replay)), skip_pauses_(skip_pauses) {}
 
-  /// Advances by `seconds` of real time and returns the batch that is due now, at most one a call. `idle`:
+  /// Advances by `seconds` of real time and returns the batch that is due now, at most one per call. `idle`:
   /// whether the program has nothing left to do.
   std::vector<InputEvent> advance(double seconds, bool idle);
   /// Time that the program should use.

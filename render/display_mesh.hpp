@@ -71,7 +71,7 @@ class DisplayMesh {
   /// Vertices of consecutive patches.
   struct Chunk {
     std::vector<DisplayVertex> vertices;
-    std::vector<float> values;  ///< one a vertex, or empty
+    std::vector<float> values;  ///< one per vertex, or empty
     Box3 box;                   ///< bounding box of the positions
   };
   /// Part that depends on adjacency and density only.

@@ -20,8 +20,8 @@ inline constexpr int max_picture_side = 8192;
 /// Size check: E_PICTURE_SIZE where a side is not 1 .. 8192.
 Result<Done> check_picture_size(int width, int height);
 
-/// Draws pictures in an own GL context, which is current on the creating thread during the drawer's life; for
-/// threads without a context. Uses 4 samples a pixel and, where the size allows it, doubled resolution
+/// Draws pictures in its own GL context, which is current on the creating thread during the drawer's life;
+/// for threads without a context. Uses 4 samples per pixel and, where the size allows it, doubled resolution
 /// averaged down.
 class PictureDrawer {
  public:

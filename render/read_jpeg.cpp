@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-// jpeglib.h must come after cstdio.
+// After cstdio, on which jpeglib.h depends.
 #include <jpeglib.h>
 
 namespace hariko {

@@ -7,10 +7,10 @@
 
 namespace hariko {
 
-/// Resolution of 150 dots an inch, in dots a millimetre.
+/// Resolution of 150 dots per inch, in dots per millimetre.
 inline constexpr double sheet_dots = 150 / 25.4;
 
-/// Resolution, dots a millimetre, limited so that the pages side by side have at most 40 million pixels; at
+/// Resolution, dots per millimetre, limited so that the pages side by side have at most 40 million pixels; at
 /// most `wanted`.
 double sheet_resolution(const SheetDrawing& drawing, double wanted = sheet_dots);
 

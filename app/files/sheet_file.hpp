@@ -16,7 +16,7 @@ enum class SheetFormat { pdf, svg, dxf, png, json };
 /// Format by the ending of the name, in any case of letters; nothing for other endings.
 std::optional<SheetFormat> sheet_format_of(const std::filesystem::path& path);
 
-/// Names of the files for some pages: SVG has one page a file, "model.svg", "model-2.svg", ...; all other
+/// Names of the files for some pages: SVG has one page per file, "model.svg", "model-2.svg", ...; all other
 /// formats use one file.
 std::vector<std::filesystem::path> sheet_files(const std::filesystem::path& path, Index page_count);
 

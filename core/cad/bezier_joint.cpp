@@ -41,7 +41,7 @@ double simple_fraction(double x) {
   return x;
 }
 
-/// Control points of a curve from one of its ends on.
+/// Control points of a curve, counted from one of its ends.
 using Row = std::array<Vector3, max_bezier_degree + 1>;
 
 /// Control point k of the piece that continues a polynomial beyond its first end and has `ratio` (at most 1)

@@ -11,7 +11,7 @@ namespace hariko {
 /// Width, across the joint, of the second of two polynomial patches of degree p by p that are pieces of one
 /// spline with a simple knot between them (p - 1 continuous derivatives, to `tolerance`, a length, at the
 /// control points); the first patch is 1 wide. They meet along `first_side` and `second_side`, which run
-/// against each other. Nothing where they are no such pieces. Ratios of small whole numbers are returned
+/// against each other. Nothing where they are not such pieces. Ratios of small whole numbers are returned
 /// exactly. Asserts that both patches are polynomial and of one degree. O(p^3).
 std::optional<double> spline_joint(const BezierPatch& first, int first_side, const BezierPatch& second,
                                    int second_side, double tolerance);

@@ -12,7 +12,7 @@ namespace hariko {
 /// Input for the edges of a CAD model.
 struct EdgeTask {
   const std::vector<CadPiece>* pieces = nullptr;
-  const std::vector<PieceEvaluator>* points = nullptr;  ///< one evaluator a piece
+  const std::vector<PieceEvaluator>* points = nullptr;  ///< one evaluator per piece
   int degree = 3;
   FitLimits limits;
   double size = 0;
@@ -33,7 +33,7 @@ class CadEdges {
   const std::vector<Vector3>& vertices() const { return vertices_; }
   /// Edges along the four sides of a piece, counter-clockwise.
   const std::array<std::vector<Index>, 4>& sides(Index piece) const { return sides_[piece]; }
-  /// The curve along a side of a piece, counter-clockwise, in the side's parameter from 0 on.
+  /// Curve along a side of a piece, counter-clockwise, over the side's parameter from 0 on.
   SplineCurve side_curve(Index piece, int side) const;
   /// Control points along a side in the direction of growing s or t, in a space that holds the side's curve.
   /// The system is solved in the direction of the edge, so that both of its faces get the same bits from the

@@ -62,14 +62,14 @@ struct CadPiece {
 
 /// Division of a surface into pieces.
 enum class CadPieces {
-  /// squares of one spline joined to rectangles; triangles as three squares each, round their corners
+  /// Squares of one spline joined to rectangles; triangles as three squares each, round their corners
   patches,
   faces  ///< the same, but triangles round the split point of a face together
 };
 
 /// Pieces that cover a surface once, without degenerate sides. Faces of triangles round a split point, and
-/// faces of mode G2, are one square where they have four sides, otherwise one square a corner. No piece meets
-/// itself. O(patches).
+/// faces of mode G2, are one square where they have four sides, otherwise one square per corner. No piece
+/// meets itself. O(patches).
 std::vector<CadPiece> cad_pieces(const Surface& surface, CadPieces which = CadPieces::faces);
 
 /// Degree of a spline that can hold all patches: their largest degree in s or t. Nothing where a patch is

@@ -1,7 +1,7 @@
 #pragma once
 
 // Least squares for the inner control points of a tensor spline whose boundary is given. Without ties the
-// matrix is the Kronecker product of one small Gram matrix a direction, as functions and weights are
+// matrix is the Kronecker product of one small Gram matrix per direction, as functions and weights are
 // products. Ties involve only the first rows beside the sides, so the system is solved for those rows, and
 // all else follows from products.
 
@@ -65,7 +65,7 @@ class InnerFit {
   Eigen::Index m_, n_;
   Eigen::LLT<Eigen::MatrixXd> s_, t_;  ///< Gram matrices of the functions inside
   std::vector<std::array<Eigen::Index, 2>> rows_;
-  /// index in `rows_` of each inner control point, at i + j m; -1 for others
+  /// Index in `rows_` of each inner control point, at i + j m; -1 for others
   std::vector<Eigen::Index> number_;
   Eigen::MatrixXd stiffness_;  ///< condensed to the rows: all other points follow them
 

@@ -18,7 +18,7 @@
 
 namespace hariko {
 
-inline constexpr Code e_truncated{"E_TRUNCATED"};  ///< the file ends before what it promises
+inline constexpr Code e_truncated{"E_TRUNCATED"};  ///< the file ends before its content is complete
 /// File of a format, or a variant of one, that is not read or written.
 inline constexpr Code e_format_unknown{"E_FORMAT_UNKNOWN"};
 inline constexpr Code e_empty{"E_EMPTY"};  ///< a well-formed file without a single face
