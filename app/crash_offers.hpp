@@ -18,7 +18,7 @@ class CrashOffers {
 
   /// Takes the folder with the reports; borrows the other arguments.
   CrashOffers(Editor& editor, Workbench& workbench, std::filesystem::path folder, const RunLog& log);
-  /// With another way to show a folder, for tests; it returns false where it cannot be shown.
+  /// Constructor with another way to show a folder, for tests; it returns false where it cannot be shown.
   CrashOffers(Editor& editor, Workbench& workbench, std::filesystem::path folder, const RunLog& log,
               ShowFolder show);
 

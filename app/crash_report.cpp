@@ -103,7 +103,7 @@ void put(std::array<char, N>& to, std::string_view text) {
 }  // namespace
 
 void report_crashes() {
-  // For the handler alone: the thread's own stack may have overflowed
+  // Stack for the handler alone: the thread's own may have overflowed.
   static std::array<char, stack_size> stack;
   stack_t alternative{};
   alternative.ss_sp = stack.data();

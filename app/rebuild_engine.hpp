@@ -76,7 +76,7 @@ class RebuildEngine {
   struct Track {
     std::shared_ptr<ViewBuilder> builder;
     std::shared_ptr<const Object> requested;
-    /// Object of the document, and the same with the view's map
+    /// Object of the document, and the same with the view's map.
     std::shared_ptr<const Object> given, looked_at;
     ObjectPointers neighbours;
     Quality quality = Quality::final;

@@ -28,7 +28,7 @@ struct PickOptions {
 struct PickHit {
   std::size_t object = 0;  ///< index into the scene's objects
   Element::Kind kind = Element::Kind::none;
-  /// Dense index into the display polyhedron; no_index for faces of objects without one
+  /// Dense index into the display polyhedron; no_index for faces of objects without one.
   Index index = no_index;
   Element element;                  ///< stable identifier
   Vector3 point = Vector3::Zero();  ///< point of the element nearest to the cursor, world

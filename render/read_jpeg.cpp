@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-// After cstdio, on which jpeglib.h depends.
+// Included after cstdio, on which jpeglib.h depends.
 #include <jpeglib.h>
 
 namespace hariko {

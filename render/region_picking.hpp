@@ -46,7 +46,7 @@ class Occlusion {
   Projector projector_;
   std::optional<SectionPlane> section_;
   /// Nearness of the foremost face: grows towards the eye and is linear on the screen; -infinity where there
-  /// is none
+  /// is none.
   std::vector<float> nearest_;
 };
 

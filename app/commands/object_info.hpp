@@ -24,7 +24,7 @@ struct EnvelopeInfo {
   std::string method;                ///< "ball" or "network"
   bool enclosed = false;             ///< all solids are enclosed, to 1e-4 of the diagonal
   std::optional<double> sticks_out;  ///< largest protrusion, a length; only where faces lie on the solids
-  /// Largest distance of a test point outside the surface, by an independent check, relative to the diagonal
+  /// Largest distance of a test point outside the surface, by an independent check, relative to the diagonal.
   double worst = 0;
   std::size_t tested = 0, outside = 0;
   std::size_t folds = 0;

@@ -31,7 +31,7 @@ struct CadObjectReport {
   double angle = 0;        ///< requested angle, radians
   double normal_jump = 0;  ///< largest across smooth edges, radians
   bool curvature = false;  ///< the model is meant to have continuous curvature
-  /// Largest across the same edges, relative to the curvature there; only with `curvature`
+  /// Largest across the same edges, relative to the curvature there; only with `curvature`.
   double curvature_jump = 0;
   std::size_t unreached = 0;  ///< faces that do not keep the tolerance
 };

@@ -18,7 +18,7 @@ namespace hariko {
 /// Choice of facets.
 struct FacetOptions {
   bool of_polyhedra = false;  ///< faces of polyhedra themselves instead of their surfaces
-  /// Largest distance between surface and facets, in the document's unit; nothing: a proposed one
+  /// Largest distance between surface and facets, in the document's unit; nothing: a proposed one.
   std::optional<double> distance = {};
   double normal_angle = 0;  ///< largest angle between their normals, radians; 0: any
   bool optimise = false;    ///< minimises the number of facets, which takes long

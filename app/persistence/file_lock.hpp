@@ -36,7 +36,7 @@ class FileLock {
 
   /// Tries to lock `path`, whose folder must exist. Never waits.
   static Attempt try_lock(const std::filesystem::path& path, std::int64_t now);
-  /// With another flock function, for tests.
+  /// Same with another flock function, for tests.
   static Attempt try_lock(const std::filesystem::path& path, std::int64_t now, const FlockCall& flock);
 
   FileLock() = default;  ///< holds no lock

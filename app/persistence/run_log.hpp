@@ -13,7 +13,7 @@ namespace hariko {
 /// "~". Failures to write are ignored.
 class RunLog {
  public:
-  /// Bytes, above which log.txt is renamed to log.old.txt
+  /// Bytes, above which log.txt is renamed to log.old.txt.
   static constexpr std::size_t largest = 256 * 1024;
 
   /// An empty folder name logs nothing. The folder is created with the first line.

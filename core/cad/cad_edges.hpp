@@ -19,7 +19,8 @@ struct EdgeTask {
   /// Distance (a length) below which a spline counts as the surface itself: numbers from a file are rounded,
   /// and continuing a polynomial multiplies the error.
   double rounding = 0;
-  /// No face is exactly a spline, so that curves may also leave the surface's own where those are splines.
+  /// Whether no face is exactly a spline: curves may then leave the surface's own, also where those are
+  /// splines.
   bool bends = false;
 };
 

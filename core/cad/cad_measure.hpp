@@ -16,7 +16,7 @@ struct CadMeasure {
   std::vector<double> distances;
   /// Largest of `distances`.
   double largest = 0;
-  /// Largest angle between normals across edges that are meant to be smooth, radians
+  /// Largest angle between normals across edges that are meant to be smooth, radians.
   double normal_jump = 0;
   /// Edge with the largest `normal_jump`.
   Index jump_edge = no_index;

@@ -62,7 +62,7 @@ struct CadPiece {
 
 /// Division of a surface into pieces.
 enum class CadPieces {
-  /// Squares of one spline joined to rectangles; triangles as three squares each, round their corners
+  /// Squares of one spline joined to rectangles; triangles as three squares each, round their corners.
   patches,
   faces  ///< the same, but triangles round the split point of a face together
 };

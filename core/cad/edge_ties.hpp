@@ -32,7 +32,7 @@ struct Agreed {
 struct EdgePlace {
   double x = 0;  ///< parameter of the edge
   double width = 0;
-  /// Unit normal of the surface, made perpendicular to the curve; zero where there is none
+  /// Unit normal of the surface, made perpendicular to the curve; zero where there is none.
   Vector3 normal = Vector3::Zero();
   /// Data of each face: `across` is the surface's derivative across the side, which the face keeps nearly;
   /// `speed` its component in the tangent plane and perpendicular to the edge.

@@ -61,7 +61,7 @@ class FaceFit {
   FitSamples samples_;               ///< at equal parameters
   std::vector<PatchPoint> under_;    ///< surface points under the fit
   std::vector<Vector2> places_;      ///< parameters (s, t) of `under_`
-  /// Deviation of the boundary, carried to the samples, in the surface's frames
+  /// Deviation of the boundary, carried to the samples, in the surface's frames.
   std::vector<Vector3> misses_;
   std::vector<Vector3> targets_;  ///< `under_` corrected by the deviation of the boundary
   std::vector<Vector3> areas_;    ///< area of each sample, times its normal

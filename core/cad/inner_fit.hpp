@@ -65,7 +65,7 @@ class InnerFit {
   Eigen::Index m_, n_;
   Eigen::LLT<Eigen::MatrixXd> s_, t_;  ///< Gram matrices of the functions inside
   std::vector<std::array<Eigen::Index, 2>> rows_;
-  /// Index in `rows_` of each inner control point, at i + j m; -1 for others
+  /// Index in `rows_` of each inner control point, at i + j m; -1 for others.
   std::vector<Eigen::Index> number_;
   Eigen::MatrixXd stiffness_;  ///< condensed to the rows: all other points follow them
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int coarse_density = 4, finest_density = 128;
 constexpr double wanted_edge = 4;  ///< length of a triangle's edge, page units
-/// The error inside a triangle is larger than at the middles of its sides
+/// Safety factor: the error inside a triangle is larger than at the middles of its sides.
 constexpr double chord_safety = 3;
 constexpr double grazing_share = 0.2;  ///< least weight of edges that are seen end-on
 

@@ -46,7 +46,7 @@ struct ReadLimits {
   CancelToken cancel = {};
   Progress progress = {};
 
-  /// To be called by readers once a row, with `left` of `size` bytes still to be read; reports progress.
+  /// Reports progress; to be called by readers once per row, with `left` of `size` bytes still to be read.
   /// Returns E_CANCELLED or nothing.
   std::optional<Message> row(std::size_t left, std::size_t size) const {
     progress.report(1 - static_cast<double>(left) / static_cast<double>(std::max<std::size_t>(size, 1)));

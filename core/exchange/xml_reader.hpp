@@ -54,9 +54,9 @@ class XmlReader {
   /// Ends the text. Errors: E_PARSE, E_TRUNCATED, E_LIMIT, E_CANCELLED, or the target's refusal.
   std::optional<Message> finish();
 
-  /// For the target: line where the element begins, counted from 1.
+  /// Line where the present element begins, counted from 1; for the target.
   std::size_t line() const;
-  /// For the target: stops the parsing with an error; the target is not called any more.
+  /// Stops the parsing with an error; for the target, which is not called any more.
   void refuse(Code code, const std::string& sentence,
               const char* remedy = "Correct the file, or export it again.");
   bool refused() const { return error_.has_value(); }

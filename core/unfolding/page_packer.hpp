@@ -23,7 +23,7 @@ struct PackItem {
 struct Packing {
   std::vector<PiecePlacement> placements;  ///< one for each item
   Index page_count = 0;
-  /// Items that fit between the margins in no rotation; each is on a page of its own
+  /// Items that fit between the margins in no rotation; each is on a page of its own.
   std::vector<Index> too_large;
 };
 
