@@ -18,9 +18,9 @@ class ObjTags {
  public:
   /// Reads the rest of a statement `t`.
   void read(TextScanner& scanner);
-  /// Edges with a sharpness above 0, in a file with this number of vertices; ascending, low vertex first.
+  /// Edges with a sharpness above 0, in a file with this number of vertices; low vertex first.
   std::vector<std::array<Index, 2>> creases(std::size_t vertices) const;
-  /// Vertices with a sharpness above 0, in a file with this number of vertices; ascending.
+  /// Vertices with a sharpness above 0, in a file with this number of vertices.
   std::vector<Index> corners(std::size_t vertices) const;
   /// Adds W_SOFT_CREASES where some tags are semi-sharp, and W_UNKNOWN_STATEMENT where some cannot be read.
   void warn(std::size_t vertices, std::vector<Message>& warnings) const;
