@@ -21,9 +21,8 @@ struct CadMeasure {
   /// Edge with the largest `normal_jump`.
   Index jump_edge = no_index;
   /// Largest jump, across the same edges, of the normal curvature across the edge, relative to the largest
-  /// curvature there or, where that is flatter, to the curvature of a sphere
-  /// with the model's size as radius. Measured
-  /// only on models that are meant to have continuous curvature.
+  /// curvature there or, where that is flatter, to the curvature of a sphere with the model's size as radius.
+  /// Measured only on models that are meant to have continuous curvature.
   double curvature_jump = 0;
   std::size_t exact = 0;  ///< faces closer to the surface than `exact_face` of the size
   std::size_t control_points = 0;
